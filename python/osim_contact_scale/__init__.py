@@ -16,7 +16,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from . import _native
-from ._answers import Answer, DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Reproduction
+from ._answers import Answer, DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
 from ._errors import ContactScaleError, ModelError, NeedsAnswer, OutputError, RequestError
 from ._figure import Figure
 from ._many import many
@@ -69,6 +69,7 @@ __all__ = [
     "NeedsAnswer",
     "OutputError",
     "Preset",
+    "Presets",
     "Remedy",
     "Reproduction",
     "RequestError",

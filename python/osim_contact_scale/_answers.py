@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-import html
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from ._tables import table
+from . import _native
+from ._frames import frame_of, unit_of
+from ._html import preformatted
+from ._named import Named, clipped, line, lines
+from ._tables import columns_of, table
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 
-class Answer(Mapping[str, Any]):
+class Answer(Named, Mapping[str, Any]):
     """Numbers by their names, as the command's JSON has them; the unit is in the name.
 
     Attributes
@@ -18,6 +24,12 @@ class Answer(Mapping[str, Any]):
         All of it.
     text : str
         The same, as the command prints it.
+
+    Examples
+    --------
+    >>> drop = ocs.drop_test("falisse2022")
+    >>> drop.peak_force_bw == drop["peak_force_bw"]
+    True
     """
 
     __slots__ = ("record", "text")
@@ -26,25 +38,14 @@ class Answer(Mapping[str, Any]):
         self.record = record
         self.text = text
 
-    def __getitem__(self, name: str) -> Any:
-        return self.record[name]
-
-    def __getattr__(self, name: str) -> Any:
-        if name in type(self).__slots__ or name.startswith("__"):
-            raise AttributeError(name)
-        try:
-            return self.record[name]
-        except KeyError:
-            raise AttributeError(f"there is no {name}; there are {', '.join(self.record)}") from None
+    def _values(self) -> Mapping[str, Any]:
+        return self.record
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self.record)
+        return iter(self._values())
 
     def __len__(self) -> int:
-        return len(self.record)
-
-    def __dir__(self) -> list[str]:
-        return [*super().__dir__(), *self.record]
+        return len(self._values())
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.record, self.text)
@@ -53,10 +54,13 @@ class Answer(Mapping[str, Any]):
         return self.text
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {', '.join(list(self.record)[:6])}, ...>"
+        plain = ((name, value) for name, value in self._values().items() if isinstance(value, (str, int, float)))
+        # A long text, such as a source, leaves room for the others.
+        said = (f"{name}={clipped(repr(value), 40)}" for name, value in plain if name != "schema_version")
+        return line(type(self).__name__, ", ".join(said) or ", ".join(self._values()))
 
     def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(self.text)}</pre>"
+        return preformatted(self.text, "print() and .text have all")
 
 
 class DropTest(Answer):
@@ -67,9 +71,16 @@ class DropTest(Answer):
     @property
     def series(self) -> Any:
         """The motion over time: a table with a column for each quantity, the unit in its name."""
-        columns: dict[str, list[float]] = self.record["series"]
-        names = list(columns)
-        return table([dict(zip(names, row)) for row in zip(*columns.values())], names)
+        return _of_columns(self.record["series"])
+
+    def frame(self) -> pd.DataFrame:
+        """The motion over time as a DataFrame, always; units are in `attrs["units"]`, too.
+
+        Examples
+        --------
+        >>> ocs.drop_test("falisse2022").frame()["force_bw"].max()
+        """
+        return frame_of(lambda: self.series)
 
 
 class Motion(Answer):
@@ -92,8 +103,16 @@ class Motion(Answer):
     @property
     def rows(self) -> Any:
         """A row for each frame, sphere and force: places, velocities and forces, the unit in the name of each column."""
-        names = list(self._columns)
-        return table([dict(zip(names, row)) for row in zip(*self._columns.values())], names)
+        return _of_columns(self._columns)
+
+    def frame(self) -> pd.DataFrame:
+        """The rows as a DataFrame, always; units are in `attrs["units"]`, too.
+
+        Examples
+        --------
+        >>> ocs.motion("walker.osim", "walk.mot").frame().groupby("sphere")["relative_indentation"].max()
+        """
+        return frame_of(lambda: self.rows)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.record, self.text, self._columns)
@@ -104,11 +123,52 @@ class Fit(Answer):
 
     __slots__ = ()
 
+    def frame(self) -> pd.DataFrame:
+        """A row for each parameter: `name`, `value`, `unit`, and how sure it is: `standard_error`, `low_95`, `high_95`.
+
+        Examples
+        --------
+        >>> ocs.fit("heel_pad.csv", radius=0.03).frame()[["name", "value", "unit"]]
+        """
+        units = _native.units()
+        return _listed(
+            [
+                {"name": name, "unit": units.get(name) or unit_of(name), **found}
+                for name, found in self.record.items()
+                if isinstance(found, dict) and "standard_error" in found
+            ]
+        )
+
 
 class DesignSheet(Answer):
-    """Quantities that follow from each other, without a model."""
+    """Quantities that follow from each other, without a model: each by its name.
+
+    Examples
+    --------
+    >>> sheet = ocs.design(mass=62, spheres=6, radius=0.032, indentation=0.16)
+    >>> sheet.stiffness == sheet["stiffness"]
+    True
+    """
 
     __slots__ = ()
+
+    def _values(self) -> Mapping[str, Any]:
+        # Quantities are what one asks a sheet for.
+        return {**self.record, **{figure["name"]: figure["value"] for figure in self.record["figures"]}}
+
+    def frame(self) -> pd.DataFrame:
+        """A row for each quantity: `name`, `value`, `unit`, `equation`, whether it was `given`, its `limit`.
+
+        Examples
+        --------
+        >>> ocs.design(mass=62, spheres=6, radius=0.032, indentation=0.16).frame().set_index("name")["value"]
+        """
+        limits = (figure["limit"] or {} for figure in self.record["figures"])
+        rows = [
+            {**figure, "limit": limit.get("text"), "within_limit": limit.get("within_limit")}
+            for figure, limit in zip(self.record["figures"], limits)
+        ]
+        return _listed(rows)
 
 
 class Preset(Answer):
@@ -116,14 +176,69 @@ class Preset(Answer):
 
     __slots__ = ()
 
+    def frame(self) -> pd.DataFrame:
+        """One row with its numbers; those without dimensions have `dimensionless_` before their names.
+
+        Examples
+        --------
+        >>> ocs.presets("falisse2022")[0].frame()["stiffness"]
+        """
+        return Presets([self]).frame()
+
+
+class Presets(list[Preset]):
+    """Presets, as a list; `frame()` is a table of them."""
+
+    def frame(self) -> pd.DataFrame:
+        """A row for each preset with its numbers; those without dimensions have `dimensionless_` before their names.
+
+        Examples
+        --------
+        >>> ocs.presets().frame()[["name", "stiffness", "dimensionless_modulus"]]
+        """
+        rows = []
+        for preset in self:
+            own = {name: value for name, value in preset.record.items() if name != "schema_version"}
+            free = {f"dimensionless_{name}": value for name, value in (own.pop("dimensionless") or {}).items()}
+            rows.append(own | free)
+        return _listed(rows)
+
+    def __repr__(self) -> str:
+        return lines(f"Presets: {len(self)}", (repr(preset) for preset in self), len(self))
+
+    def _repr_html_(self) -> str:
+        return preformatted("\n".join(preset.text for preset in self), "each preset by itself has its own")
+
 
 class Reproduction(Answer):
     """What the paper prints and what its equations give."""
 
     __slots__ = ()
 
+    def frame(self) -> pd.DataFrame:
+        """A row for each number of Table 1 of the paper: `taxon`, `name`, `unit`, as `printed`, as `computed`, and their difference.
+
+        Examples
+        --------
+        >>> ocs.reproduce().frame()["within_last_digit"].value_counts()
+        """
+        return _listed(
+            [{"taxon": row["taxon"], **value} for row in self.record["table1"] for value in row["values"]],
+        )
+
 
 class Explanation(Answer):
     """What an equation says, or what a warning or an error means."""
 
     __slots__ = ()
+
+
+def _of_columns(columns: Mapping[str, list[Any]]) -> Any:
+    """Columns as a table."""
+    names = list(columns)
+    return table([dict(zip(names, row)) for row in zip(*columns.values())], names)
+
+
+def _listed(rows: list[dict[str, Any]]) -> pd.DataFrame:
+    """Rows as a DataFrame with the columns that they have."""
+    return frame_of(lambda: table(rows, columns_of((), rows)))

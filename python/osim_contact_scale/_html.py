@@ -1,4 +1,7 @@
-"""What a notebook shows."""
+"""What a notebook shows: plain tables, which take the colours of the notebook, light or dark.
+
+All texts are escaped, since names of models are from outside. Each part has an end, so that a cell stays small however much there is.
+"""
 
 from __future__ import annotations
 
@@ -8,21 +11,65 @@ from typing import Any
 
 from ._text import printable
 
+#: Characters of a table or a text, as HTML: all parts of a cell together stay below 60 kB.
+ROOM = 9_000
+#: Characters of a cell.
+CELL = 300
 
-def html_table(columns: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
-    """A table in which every text is escaped, and characters that are not seen are shown by their numbers."""
+
+def html_table(columns: Sequence[str], rows: Iterable[Sequence[Any]], where: str = "", *, room: int = ROOM) -> str:
+    """A table in which every text is escaped, and characters that are not seen are shown by their numbers.
+
+    Rows that have no room are counted; `where` says where they are.
+    """
     head = "".join(f"<th scope='col'>{html.escape(column)}</th>" for column in columns)
-    cells = ("".join(f"<td>{_cell(value)}</td>" for value in row) for row in rows)
-    body = "".join(f"<tr>{row}</tr>" for row in cells)
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+    shown: list[str] = []
+    left_out = taken = 0
+    for row in rows:
+        cells = "" if left_out else "".join(f"<td>{_cell(value)}</td>" for value in row)
+        taken += len(cells)
+        if left_out or (taken > room and shown):
+            left_out += 1
+        else:
+            shown.append(f"<tr>{cells}</tr>")
+    table = f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(shown)}</tbody></table>"
+    return table + (_more(left_out, where) if left_out else "")
+
+
+def _more(count: int, where: str) -> str:
+    return paragraph(f"… and {count} more" + (f": {where}" if where else ""))
 
 
 def _cell(value: Any) -> str:
-    return "" if value is None else html.escape(printable(str(value)))
+    return "" if value is None else escaped(f"{value:.8g}" if isinstance(value, float) else value)
 
 
-def framed(page: str, title: str) -> str:
-    """A whole page in a frame of its own, so that its style and that of the notebook leave each other alone."""
-    name, source = html.escape(title, quote=True), html.escape(page, quote=True)
-    style = "width:100%;height:32em;border:1px solid #8888"
-    return f'<iframe title="{name}" sandbox srcdoc="{source}" style="{style}"></iframe>'
+def escaped(value: Any, length: int = CELL) -> str:
+    """A text from outside, no longer than this."""
+    text = printable(str(value))
+    return html.escape(text if len(text) <= length else f"{text[: length - 1]}…")
+
+
+def paragraph(text: str) -> str:
+    """A line of text."""
+    return f"<p>{escaped(text, 2 * CELL)}</p>"
+
+
+def heading(text: str) -> str:
+    """What a table is about."""
+    return f"<p><b>{escaped(text)}</b></p>"
+
+
+def preformatted(text: str, where: str, *, room: int = 5 * ROOM) -> str:
+    """A text whose lines are kept, as far as there is room; `where` says where all of it is."""
+    lines = text.splitlines()
+    kept, taken = [], 0
+    for line in lines:
+        shown = escaped(line, 4 * CELL)
+        taken += len(shown) + 1
+        if taken > room:
+            break
+        kept.append(shown)
+    left_out = len(lines) - len(kept)
+    more = paragraph(f"… and {left_out} lines more: {where}") if left_out else ""
+    return f"<pre>{chr(10).join(kept)}</pre>{more}"

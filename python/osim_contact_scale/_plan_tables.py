@@ -9,6 +9,8 @@ from ._tables import table
 
 #: Columns of a table of changes. `old` and `new` are in `unit`.
 CHANGES = ("property", "path", "old", "new", "factor", "unit", "equation", "force", "sphere", "set", "line", "inserted")
+#: Columns of a table of changes in which equal ones are one row: `of` says how many there are.
+ALIKE = ("property", "of", "old", "new", "factor", "unit", "equation")
 #: Columns of a table of spheres that move: metres, in their frames.
 MOVES = ("path", "sphere", "old_x", "old_y", "old_z", "new_x", "new_y", "new_z", "equation", "line", "inserted")
 #: Columns of a table of whole objects.
@@ -17,19 +19,36 @@ OBJECTS = ("change", "class", "name", "path", "body", "location_m", "radius_m", 
 
 def changes(record: dict[str, Any]) -> Any:
     """The numbers that change, a row each."""
+    return table(_rows_of_changes(record), CHANGES)
+
+
+def _rows_of_changes(record: dict[str, Any]) -> list[dict[str, Any]]:
     units = _native.units()
     numbers = [change for change in record["changes"] if change["property"] != "location"]
-    rows = [
+    return [
         {**change, "old": change["from"], "new": change["to"], "unit": units[change["property"]]} for change in numbers
     ]
-    return table(rows, CHANGES)
+
+
+def alike(record: dict[str, Any]) -> list[dict[str, Any]]:
+    """The numbers that change, those of one property that change in the same way as one row."""
+    groups: dict[tuple[Any, ...], dict[str, Any]] = {}
+    for row in _rows_of_changes(record):
+        first = groups.setdefault(tuple(row[name] for name in ("property", "old", "new")), {**row, "of": 0})
+        first["of"] += 1
+    return list(groups.values())
 
 
 def moves(record: dict[str, Any]) -> Any:
     """The spheres that move, a row each."""
+    return table(rows_of_moves(record), MOVES)
+
+
+def rows_of_moves(record: dict[str, Any]) -> list[dict[str, Any]]:
+    """The spheres that move, as dictionaries."""
     moved = [change for change in record["changes"] if change["property"] == "location"]
     axes = ("x", "y", "z")
-    rows = [
+    return [
         {
             **move,
             **{f"old_{axis}": value for axis, value in zip(axes, move["from"])},
@@ -37,7 +56,6 @@ def moves(record: dict[str, Any]) -> Any:
         }
         for move in moved
     ]
-    return table(rows, MOVES)
 
 
 def objects(record: dict[str, Any]) -> Any:

@@ -8,23 +8,31 @@ from __future__ import annotations
 import json
 import logging
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, SupportsIndex, overload
+from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
 from . import _live, _native, _plan_tables
 from ._errors import RequestError
-from ._html import framed, html_table
+from ._frames import frame_of
+from ._html import heading, html_table, paragraph, preformatted
+from ._named import Named, clipped, line, lines
 from ._request import MODELS, Memory, Source, at_home, fields_of, is_path, model_of, with_own_files
 from ._tables import table
 from ._text import printable
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 log = logging.getLogger("osim_contact_scale")
 
 #: Columns of a table of findings.
 COLUMNS = ("code", "severity", "message", "place", "spheres", "line", "why", "advice", "command")
 
+
+#: Columns of the verdicts of both states.
+_VERDICTS = ("verdict", "before", "after", "says")
 
 #: The field of the model, where it is not `models`.
 _MODEL = {"fit": "file"}
@@ -52,7 +60,7 @@ def plan(verb: str, source: Source, keywords: Mapping[str, Any], tables: Mapping
     return planned
 
 
-class Result:
+class Result(Named):
     """A planned change of one model. The model itself is as it was until `write`.
 
     Attributes
@@ -280,25 +288,72 @@ class Result:
         )
         return f"ocs.{self.verb.replace('-', '_')}({', '.join(filter(None, (repr(self.path), words)))})"
 
-    def __repr__(self) -> str:
+    def frame(self) -> pd.DataFrame:
+        """The numbers that change as a DataFrame, always: as `changes` has them. The unit of each is in the column `unit`.
+
+        Examples
+        --------
+        >>> result.frame().groupby("property")["factor"].first()
+        """
+        return frame_of(lambda: self.changes)
+
+    def _count(self) -> str:
+        """How much is to be changed."""
         record = self.record
         counts = [(len(record["changes"]), "number", "numbers"), (len(record["objects"]), "object", "objects")]
         said = [f"{count} {one if count == 1 else several}" for count, one, several in counts if count]
-        return f"<Result of {self.verb}: {printable(self.path)}: {' and '.join(said) or 'nothing'} to change>"
+        return f"{' and '.join(said) or 'nothing'} to change"
+
+    def __repr__(self) -> str:
+        return f"<Result of {self.verb}: {clipped(self.path, 200)}: {self._count()}>"
 
     def __str__(self) -> str:
         return self.text
 
     def _repr_html_(self) -> str:
-        return framed(self.html(), f"{self.verb}: {self.path}")
+        record = self.record
+        parts = [heading(f"{self.verb}: {self.path}: {self._count()}")]
+        alike, moves = _plan_tables.alike(record), _plan_tables.rows_of_moves(record)
+        parts += _section("", _plan_tables.ALIKE, alike, ".changes")
+        parts += _section("Spheres that move", _plan_tables.MOVES[:8], moves, ".moves")
+        parts += _section("Objects", _plan_tables.OBJECTS[:5], record["objects"], ".objects")
+        parts += _section("Verdicts, as it is and after the change", _VERDICTS, self._verdicts(), ".report(path)")
+        parts.append(self.findings._table_of("Findings of the new model"))
+        parts += [paragraph(note) for note in self.notes[:5]]
+        parts.append(paragraph("The whole page, with figures: .report(path). To write the new model: .write()"))
+        return "".join(parts)
+
+    def _verdicts(self) -> list[dict[str, Any]]:
+        """What the verdicts are before and after; what says the same twice is said once."""
+        states = [record["verdicts"] for record, _ in self._planned.checked()]
+        if not states:
+            return []
+        before = {verdict["on"]: verdict for verdict in states[0]}
+        return [
+            {
+                "verdict": verdict["on"],
+                "before": before.get(verdict["on"], {}).get("sign"),
+                "after": verdict["sign"],
+                "says": verdict["text"],
+            }
+            for verdict in states[-1]
+        ]
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Everything that the plan was made from travels along: where it arrives, the files need not be there.
         return _restored, (self._fields, self._planned.read(), self._folder)
 
 
-@dataclass(frozen=True)
-class Remedy:
+def _section(title: str, columns: Sequence[str], rows: Sequence[Mapping[str, Any]], where: str) -> list[str]:
+    """A table under its title; nothing where there are no rows."""
+    if not rows:
+        return []
+    cells = ([row.get(column) for column in columns] for row in rows)
+    return [*([heading(title)] if title else []), html_table(columns, cells, where)]
+
+
+@dataclass(frozen=True, repr=False)
+class Remedy(Named):
     """What puts a finding right: a call that is ready to be made.
 
     Attributes
@@ -356,9 +411,15 @@ class Remedy:
     def __str__(self) -> str:
         return self.call
 
+    def __repr__(self) -> str:
+        return line("Remedy", self.call)
 
-@dataclass(frozen=True)
-class Finding:
+    def _repr_html_(self) -> str:
+        return preformatted(self.call, ".call")
+
+
+@dataclass(frozen=True, repr=False)
+class Finding(Named):
     """Something that is wrong with a model, or worth knowing.
 
     Attributes
@@ -403,9 +464,20 @@ class Finding:
     def __str__(self) -> str:
         return f"{self.severity}: {self.code}: {self.message}"
 
+    def __repr__(self) -> str:
+        return line("Finding", str(self))
 
-class Findings(tuple[Finding, ...]):
-    """Findings from the worst to the least; in a notebook a table."""
+    def _repr_html_(self) -> str:
+        names = ("severity", "code", "message", "place", "line", "why", "advice", "remedy")
+        said = ((name, getattr(self, name)) for name in names)
+        return html_table(("", "finding"), [(name, value) for name, value in said if value is not None])
+
+
+class Findings(tuple[Finding, ...], Named):
+    """Findings from the worst to the least; in a notebook a table.
+
+    By its name a column has the values of all: `findings.code`, or `findings["code"]`.
+    """
 
     __slots__ = ()
 
@@ -423,29 +495,57 @@ class Findings(tuple[Finding, ...]):
     @overload
     def __getitem__(self, index: slice, /) -> Findings: ...
 
+    @overload
+    def __getitem__(self, index: str, /) -> Any: ...
+
     def __getitem__(self, index: Any, /) -> Any:
+        if isinstance(index, str):
+            return self._by_name(index)
         found = super().__getitem__(index)
         return Findings(found) if isinstance(index, slice) else found
 
-    @property
-    def table(self) -> Any:
-        """The findings as a table: a DataFrame where pandas is there, else a list of dictionaries."""
+    def _values(self) -> Mapping[str, Any]:
+        return {name: tuple(row[name] for row in self._rows()) for name in COLUMNS}
+
+    def _rows(self) -> list[dict[str, Any]]:
         rows = []
         for finding in self:
             row = {name: getattr(finding, name) for name in COLUMNS if name != "command"}
             row["spheres"] = " ".join(finding.spheres)
             row["command"] = None if finding.remedy is None else finding.remedy.call
             rows.append(row)
-        return table(rows, COLUMNS)
+        return rows
+
+    @property
+    def table(self) -> Any:
+        """The findings as a table: a DataFrame where pandas is there, else a list of dictionaries."""
+        return table(self._rows(), COLUMNS)
+
+    def frame(self) -> pd.DataFrame:
+        """The findings as a DataFrame, always: a row for each.
+
+        Examples
+        --------
+        >>> check.findings.frame()["code"].value_counts()
+        """
+        return frame_of(lambda: self.table)
 
     def __str__(self) -> str:
         return "\n".join(str(finding) for finding in self) or "no findings"
 
+    def __repr__(self) -> str:
+        return lines(f"Findings: {len(self)}", (str(finding) for finding in self), len(self))
+
     def _repr_html_(self) -> str:
-        names = ("severity", "code", "message", "place")
-        rows = [[getattr(finding, name) for name in names] for finding in self]
-        rows = [row + [finding.remedy.call if finding.remedy else None] for row, finding in zip(rows, self)]
-        return html_table((*names, "remedy"), rows)
+        return self._table_of("")
+
+    def _table_of(self, title: str) -> str:
+        """The findings with what puts them right, under a title; in words where there are none."""
+        if not self:
+            return paragraph(f"{title}: none" if title else "no findings")
+        names = ("severity", "code", "message", "place", "remedy")
+        rows = ([getattr(finding, name) for name in names] for finding in self)
+        return (heading(title) if title else "") + html_table(names, rows, ".findings.table has all")
 
 
 class _Before:

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from . import _changes, _native, _survey, _sweep
-from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Reproduction
+from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
 from ._figure import Figure
 from ._progress import Progress
 from ._request import Memory, Source, fields_of, model_of, models_of, path_of, with_own_files
@@ -123,9 +123,9 @@ def plot(kind: str, models: tuple[Source, ...], keywords: Mapping[str, Any]) -> 
     return figure
 
 
-def presets(name: str | None, keywords: Mapping[str, Any]) -> list[Preset]:
+def presets(name: str | None, keywords: Mapping[str, Any]) -> Presets:
     fields = fields_of("presets", {"name": name, **keywords})
-    return [Preset(record, text) for record, text in _native.presets(fields)]
+    return Presets(Preset(record, text) for record, text in _native.presets(fields))
 
 
 def explain(topics: tuple[str, ...], keywords: Mapping[str, Any]) -> list[Explanation]:

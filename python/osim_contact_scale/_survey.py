@@ -5,21 +5,29 @@ from __future__ import annotations
 import logging
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _live, _native
 from ._errors import ContactScaleError
-from ._html import html_table
+from ._frames import frame_of
+from ._html import heading, html_table, paragraph
+from ._named import Named, line
 from ._progress import Progress, following
 from ._request import MODELS, InMemory, Memory, Source, at_home, fields_of, is_path, models_of, with_own_files
 from ._result import COLUMNS, Findings
 from ._tables import columns_of, table
 from ._threads import jobs_of
 
+if TYPE_CHECKING:
+    import pandas as pd
+
 log = logging.getLogger("osim_contact_scale")
 
 #: One model or several: paths, folders, bytes, results or live models.
 Sources = Source | Iterable[Source]
+
+#: Severities from the worst on, and what one finding of each is called.
+_SEVERITIES = {"error": "error", "warn": "warning", "info": "remark"}
 
 #: Columns of the table of models.
 _MODEL = (
@@ -51,11 +59,13 @@ def survey(verb: str, sources: Sources, keywords: Mapping[str, Any], jobs: int |
     fields = fields_of(verb, keywords, memory)
     fields["models"] = models
     call = f"ocs.{verb}(...)"
-    with following(progress, verb) as callback:
+    has_folder = any(os.path.isdir(at_home(source)) for source in named if is_path(source))
+    # How many models a folder has is known at the end.
+    with following(progress, verb, None if has_folder else len(models)) as callback:
         rows, remarks, text = _native.survey(fields, memory, count, call, callback)
     for remark in remarks:
         log.info("%s", remark)
-    alone = len(rows) == 1 and not any(os.path.isdir(at_home(source)) for source in named if is_path(source))
+    alone = len(rows) == 1 and not has_folder
     errors = [error for _, _, error in rows if error is not None]
     if alone and errors:
         raise errors[0]
@@ -90,7 +100,7 @@ def _kept(name: str, source: Any, memory: Mapping[str, bytes]) -> Any:
     return InMemory(name, memory[name]) if _live.is_model(source) else source
 
 
-class Survey(Sequence[dict[str, Any]]):
+class Survey(Named, Sequence[dict[str, Any]]):
     """Models that were looked at: a record for each, as the command's JSON has it.
 
     Attributes
@@ -102,6 +112,8 @@ class Survey(Sequence[dict[str, Any]]):
     text : str
         What the command prints: one model in full, several as one table.
     """
+
+    __slots__ = ("_folder", "_requests", "_sources", "errors", "records", "text")
 
     def __init__(
         self,
@@ -119,11 +131,8 @@ class Survey(Sequence[dict[str, Any]]):
         self._folder = folder
         self.text = text
 
-    def __str__(self) -> str:
-        return self.text
-
     def __getitem__(self, index: Any) -> Any:
-        return self.records[index]
+        return self._by_name(index) if isinstance(index, str) else self.records[index]
 
     def __len__(self) -> int:
         return len(self.records)
@@ -132,12 +141,37 @@ class Survey(Sequence[dict[str, Any]]):
         return iter(self.records)
 
     def __repr__(self) -> str:
-        failed = f", {len(self.errors)} failed" if self.errors else ""
-        return f"<{type(self).__name__} of {len(self.records)} models{failed}>"
+        return line(type(self).__name__, self._count())
+
+    def __str__(self) -> str:
+        return self.text
+
+    def _count(self) -> str:
+        """How many models there are, or which one."""
+        failed = f", {len(self.errors)} not read" if self.errors else ""
+        alone = self.records[0]["model"] if len(self.records) == 1 else f"{len(self.records)} models"
+        return f"{alone}{failed}"
+
+    def _not_read(self) -> str:
+        """The models that could not be read, as a notebook shows them."""
+        if not self.errors:
+            return ""
+        return heading("Not read") + html_table(("error",), ([str(error)] for error in self.errors), ".errors")
 
 
 class Inspection(Survey):
     """What contacts models have and what they do under the weight: one row per model, sphere or force."""
+
+    __slots__ = ()
+
+    def frame(self) -> pd.DataFrame:
+        """The models as a DataFrame, always: as `models` has them, units in `attrs["units"]`.
+
+        Examples
+        --------
+        >>> ocs.inspect("models/").frame()[["model", "mass_kg"]]
+        """
+        return frame_of(lambda: self.models)
 
     @property
     def models(self) -> Any:
@@ -192,16 +226,35 @@ class Inspection(Survey):
         return table(rows, columns_of(first, rows))
 
     def _repr_html_(self) -> str:
-        columns = ("model", "mass_kg", "contacts_mass_kg", "spheres_per_limb")
-        rows = []
-        for record in self.records:
-            contacts = (record["contacts_mass_kg"] or {}).get("value")
-            rows.append([record["model"], record["mass_kg"], contacts, record["spheres_per_limb"]])
-        return html_table(columns, rows)
+        columns = ("model", "mass_kg", "contacts_mass_kg", "spheres_per_limb", "spheres", "forces")
+        parts = [heading(f"inspect: {self._count()}"), html_table(columns, map(_seen, self.records), ".models has all")]
+        if len(self.records) == 1:
+            own = ("name", "radius_m", "body", "limb")
+            spheres = ([sphere.get(name) for name in own] for sphere in self.records[0]["spheres"])
+            parts.append(html_table(own, spheres, ".spheres has all"))
+        return "".join([*parts, self._not_read()])
+
+
+def _seen(record: Mapping[str, Any]) -> list[Any]:
+    """What a notebook shows of a model."""
+    contacts = (record["contacts_mass_kg"] or {}).get("value")
+    counts = (len(record["spheres"]), len(record["forces"]))
+    return [record["model"], record["mass_kg"], contacts, record["spheres_per_limb"], *counts]
 
 
 class Check(Survey):
     """What the limits of the paper and the traps of the format say about models."""
+
+    __slots__ = ()
+
+    def frame(self) -> pd.DataFrame:
+        """The findings of all models as a DataFrame, always: as `table` has them.
+
+        Examples
+        --------
+        >>> ocs.check("models/").frame().groupby("code")["model"].nunique()
+        """
+        return frame_of(lambda: self.table)
 
     @property
     def findings(self) -> Findings:
@@ -230,13 +283,40 @@ class Check(Survey):
         return table(rows, ("model", *COLUMNS))
 
     def _repr_html_(self) -> str:
-        columns = ("model", "severity", "code", "message")
-        rows = [
-            [record["model"], *(finding[name] for name in columns[1:])]
-            for record in self.records
-            for finding in record["findings"]
-        ]
-        return html_table(columns, rows)
+        parts = [heading(f"check: {self._count()}")]
+        if len(self.records) == 1:
+            names = ("on", "sign", "text", "place")
+            verdicts = ([verdict.get(name) for name in names] for verdict in self.records[0]["verdicts"])
+            parts.append(html_table(("verdict", "", "says", "place"), verdicts, ".records"))
+        elif self.records:
+            counts = ([record["model"], *record["counts"].values()] for record in self._worst())
+            parts.append(html_table(("model", "errors", "warnings", "remarks"), counts, ".models has all"))
+        parts.append(self._found() if any(record["findings"] for record in self.records) else paragraph("no findings"))
+        return "".join([*parts, self._not_read()])
+
+    def _count(self) -> str:
+        totals = {name: sum(record["counts"][name] for record in self.records) for name in _SEVERITIES}
+        said = (f"{count} {_SEVERITIES[name]}{'s' if count > 1 else ''}" for name, count in totals.items() if count)
+        return f"{super()._count()}: {', '.join(said) or 'no findings'}"
+
+    def _worst(self) -> list[dict[str, Any]]:
+        """The models, those with most errors first: there may be no room for the others."""
+        return sorted(self.records, key=lambda record: [-count for count in record["counts"].values()])
+
+    def _found(self) -> str:
+        """The findings as a notebook shows them: of one model each, of several those of one kind as one row."""
+        if len(self.records) == 1:
+            return self.of(0)._table_of("")
+        kinds: dict[tuple[str, str], list[str]] = {}
+        for record in self.records:
+            for finding in record["findings"]:
+                models = kinds.setdefault((finding["severity"], finding["code"]), [])
+                models += [record["model"]] if record["model"] not in models[-1:] else []
+        order = [*_SEVERITIES]
+        ranked = sorted(kinds.items(), key=lambda kind: (order.index(kind[0][0]), -len(kind[1])))
+        rows = ([*kind, len(models), models[0]] for kind, models in ranked)
+        columns = ("severity", "finding", "models", "for example")
+        return html_table(columns, rows, ".findings.table") + paragraph("Each finding: .findings.table, or .of(number)")
 
 
 def _scalars(record: Mapping[str, Any], without: Sequence[str] = ()) -> dict[str, Any]:

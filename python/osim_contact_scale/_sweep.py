@@ -6,15 +6,20 @@ import logging
 import os
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _native
 from ._cells import from_cell
+from ._frames import frame_of
+from ._html import heading, html_table
+from ._named import Named, line
 from ._progress import Progress, following
 from ._request import Source, fields_of, is_path, path_of
 from ._tables import table
-from ._text import printable
 from ._threads import jobs_of
+
+if TYPE_CHECKING:
+    import pandas as pd
 
 log = logging.getLogger("osim_contact_scale")
 
@@ -38,7 +43,7 @@ def sweep(source: Source, keywords: Mapping[str, Any], progress: Progress) -> An
     return Sweep(record, manifest, failures)
 
 
-class Sweep:
+class Sweep(Named):
     """Variants of a model in a folder.
 
     Attributes
@@ -50,6 +55,8 @@ class Sweep:
     failures : list of dict
         What went wrong, for each variant that could not be made.
     """
+
+    __slots__ = ("failures", "manifest", "record")
 
     def __init__(self, record: dict[str, Any], manifest: Path | None, failures: list[dict[str, Any]]) -> None:
         self.record = record
@@ -65,10 +72,14 @@ class Sweep:
     @property
     def table(self) -> Any:
         """A row for each variant, with the path of its file under `path`."""
+        return table(*self._rows())
+
+    def _rows(self) -> tuple[list[dict[str, Any]], list[str]]:
+        """The rows of the table, and its columns."""
         import csv
 
         if self.manifest is None:
-            return table([], ("file", "path"))
+            return [], ["file", "path"]
         with open(self.manifest, newline="", encoding="utf-8") as file:
             reader = csv.DictReader(file)
             columns = list(reader.fieldnames or ())
@@ -78,14 +89,37 @@ class Sweep:
         for row in rows:
             row["index"] = int(row["index"])
             row["path"] = str(self.manifest.parent / str(row["file"]))
-        return table(rows, [*columns, "path"])
+        return rows, [*columns, "path"]
+
+    def frame(self) -> pd.DataFrame:
+        """The table as a DataFrame, always: a row for each variant, units in `attrs["units"]`.
+
+        Examples
+        --------
+        >>> ocs.sweep("human.osim", grid={"stiffness": "x0.1..x10/3"}).frame()["path"]
+        """
+        return frame_of(lambda: self.table)
+
+    def _values(self) -> Mapping[str, Any]:
+        return self.record
 
     def __len__(self) -> int:
         made: int = self.record["models"]
         return made
 
     def __repr__(self) -> str:
-        return f"<Sweep of {len(self)} models in {printable(str(self.folder))}>"
+        return line("Sweep", self._count())
+
+    def _count(self) -> str:
+        failed = f", {len(self.failures)} failed" if self.failures else ""
+        return f"{len(self)} models in {self.folder}{failed}"
+
+    def _repr_html_(self) -> str:
+        rows, columns = self._rows()
+        # A whole path is long, and the same but for its end.
+        shown = [column for column in columns if column != "path"]
+        cells = ([row[column] for column in shown] for row in rows)
+        return heading(f"sweep: {self._count()}") + html_table(shown, cells, ".table has all")
 
 
 def number(text: str) -> Any:

@@ -175,7 +175,10 @@ def test_findings_have_remedies_that_can_be_applied():
 
 def test_what_a_notebook_shows(human):
     result = ocs.rescale(human, target_mass=500)
-    assert "srcdoc=" in result._repr_html_() and "<script" not in result.html()
+    page = result._repr_html_()
+    # The rows of the text: each way in which a number changes once, beside how many do.
+    assert "<td>radius</td><td>12</td><td>0.032</td>" in page and "beyond-hertz" in page
+    assert "<td>standing</td>" in page and "<script" not in page + result.html()
     assert "<table>" in ocs.check(human)._repr_html_() and "<table>" in ocs.inspect(human)._repr_html_()
     assert "beyond-hertz" in ocs.check(human).findings._repr_html_()
     assert ocs.plot("force", human)._repr_svg_().startswith("<svg")

@@ -1,0 +1,80 @@
+"""What is read by attribute and by key alike."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from ._text import printable
+
+#: Letters of a line that `repr` gives; a cell of a notebook shows about as many.
+LINE = 160
+
+
+class Named:
+    """Values by their names: `thing.name` and `thing["name"]` are the same.
+
+    Names are the public properties and fields of the class, and those of `_values`. A class that is indexed by numbers too asks
+    `_by_name` for texts.
+    """
+
+    __slots__ = ()
+
+    def _values(self) -> Mapping[str, Any]:
+        """Values by names that are no attributes of the class."""
+        return {}
+
+    def _names(self) -> list[str]:
+        own = (name for name in super().__dir__() if _is_attribute(type(self), name))
+        return list(dict.fromkeys((*sorted(own), *self._values())))
+
+    def _by_name(self, name: Any) -> Any:
+        if isinstance(name, str) and _is_attribute(type(self), name):
+            return getattr(self, name)
+        try:
+            return self._values()[name]
+        except KeyError:
+            raise KeyError(self._unknown(name)) from None
+
+    def _unknown(self, name: Any) -> str:
+        return f"there is no {printable(str(name))}; there are {', '.join(map(printable, self._names()))}"
+
+    def __getitem__(self, name: Any) -> Any:
+        return self._by_name(name)
+
+    def __getattr__(self, name: str) -> Any:
+        # What the class has is missing only before an object is whole, as while it is copied: its values are not there then.
+        if name.startswith("_") or hasattr(type(self), name):
+            raise AttributeError(name)
+        try:
+            return self._values()[name]
+        except KeyError:
+            raise AttributeError(self._unknown(name), name=name, obj=self) from None
+
+    def __dir__(self) -> list[str]:
+        return [*super().__dir__(), *self._values()]
+
+
+def _is_attribute(kind: type, name: str) -> bool:
+    """Whether it is a public property or field of a class."""
+    is_field = name in getattr(kind, "__dataclass_fields__", ())
+    return not name.startswith("_") and (is_field or inspect.isdatadescriptor(getattr(kind, name, None)))
+
+
+def line(kind: str, said: str) -> str:
+    """The one line that `repr` gives."""
+    return f"<{kind}: {clipped(said, LINE)}>"
+
+
+def clipped(text: str, length: int) -> str:
+    """A text from outside, printable, and no longer than this."""
+    text = printable(text)
+    return text if len(text) <= length else f"{text[: length - 1]}…"
+
+
+def lines(head: str, entries: Iterable[str], count: int, shown: int = 8) -> str:
+    """What `repr` gives of a list: its head, and a line for each of the first entries."""
+    kept = [f"  {clipped(entry, LINE)}" for entry, _ in zip(entries, range(shown))]
+    more = [f"  … and {count - shown} more"] if count > shown else []
+    return "\n".join([f"<{head}>", *kept, *more])
