@@ -2,15 +2,26 @@
 
 from __future__ import annotations
 
+import html
 import os
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _native
+from ._axes import Panel, draw, panels_of
 from ._errors import RequestError
+from ._frames import frame_of, require
+from ._named import Named, clipped, line
 from ._request import at_home
 from ._text import printable
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+#: Inches of one panel of a figure that `plot` makes.
+_PANEL = (5.0, 3.6)
 
 
 class _Drawn(NamedTuple):
@@ -21,6 +32,7 @@ class _Drawn(NamedTuple):
     csv: str
     as_pdf: bytes
     as_png: bytes
+    panels: list[_native.PanelLook]
 
     def pdf(self) -> bytes:
         return self.as_pdf
@@ -29,7 +41,7 @@ class _Drawn(NamedTuple):
         return self.as_png
 
 
-class Figure:
+class Figure(Named):
     """A figure; in a notebook the picture itself.
 
     Attributes
@@ -56,11 +68,16 @@ class Figure:
     @property
     def data(self) -> Any:
         """The numbers that are drawn, as a table: a DataFrame where pandas is there, else a list of dictionaries."""
+        from ._tables import table
+
+        return table(*self._rows())
+
+    def _rows(self) -> tuple[list[dict[str, Any]], list[str]]:
+        """The rows of `data`, and its columns."""
         import csv
         import io
 
         from ._cells import from_cell
-        from ._tables import table
 
         numbers = ("x", "y", "value")
         reader = csv.DictReader(io.StringIO(self._native.csv, newline=""))
@@ -68,7 +85,81 @@ class Figure:
         for row in reader:
             texts = {name: from_cell(text) for name, text in row.items()}
             rows.append(texts | {name: float(row[name]) if row[name] else None for name in numbers})
-        return table(rows, list(reader.fieldnames or ()))
+        return rows, list(reader.fieldnames or ())
+
+    @property
+    def panels(self) -> tuple[str, ...]:
+        """The names of its panels, in order; one without a name is called ""."""
+        return tuple(panel.name for panel in self._panels())
+
+    def _panels(self) -> list[Panel]:
+        return panels_of(self._rows()[0], self._native.panels)
+
+    def frame(self) -> pd.DataFrame:
+        """The numbers that are drawn as a DataFrame, always. Units are in `x_axis`, `y_axis` and `value_name`.
+
+        Examples
+        --------
+        >>> ocs.plot("drop", "falisse2022").frame().query("kind == 'curve'")[["x", "y"]]
+        """
+        return frame_of(lambda: self.data)
+
+    def plot(self, ax: Any = None, *, panel: str | None = None) -> Any:
+        """Draws the figure with matplotlib, to be changed as every plot of it can be.
+
+        Curves, points, limits, heat maps, spheres and bones are drawn, with the labels, units and names of the picture. The shade below
+        a curve and remarks are in the picture alone, and colours are those of your style.
+
+        Parameters
+        ----------
+        ax : matplotlib Axes, or several of them, optional
+            Where it is drawn: one for each panel. Made where there is none.
+        panel : str, optional
+            One panel alone: its name as in `panels`, or the letter that it begins with.
+
+        Returns
+        -------
+        matplotlib.axes.Axes or numpy.ndarray of them
+            One for one panel; of several panels an array with one for each.
+
+        Raises
+        ------
+        RequestError
+            There is no such panel, or not one of the axes for each.
+        ContactScaleError
+            matplotlib is not installed.
+
+        Examples
+        --------
+        >>> axes = ocs.plot("force", "falisse2022").plot()
+        >>> axes.set_title("My contact")
+        >>> left = ocs.plot("fig4").plot(panel="A")
+        """
+        require("matplotlib", "plot", "plot()")
+        import numpy as np
+
+        panels = self._panels()
+        chosen = panels if panel is None else [_panel_of(panels, panel)]
+        given = self._made(len(chosen)) if ax is None else list(np.ravel(np.asarray(ax, dtype=object)))
+        if len(given) != len(chosen):
+            names = ", ".join(repr(printable(one.name)) for one in panels)
+            message = f"{len(given)} axes for {len(chosen)} panels: give one for each, or choose one panel of {names}"
+            raise RequestError("usage", message, keywords=("ax", "panel"))
+        for one, axes in zip(chosen, given):
+            draw(one, axes)
+        return given[0] if len(given) == 1 else np.array(given, dtype=object)
+
+    def _made(self, count: int) -> Sequence[Any]:
+        """Axes below each other, two beside each other where there are many."""
+        from matplotlib import pyplot
+
+        columns = 1 if count < 4 else 2
+        lines = -(-count // columns)
+        size = (_PANEL[0] * columns, _PANEL[1] * lines)
+        figure, axes = pyplot.subplots(lines, columns, figsize=size, squeeze=False, layout="constrained")
+        for spare in axes.flat[count:]:
+            figure.delaxes(spare)
+        return list(axes.flat[:count])
 
     def to_pdf(self) -> bytes:
         """The figure as a PDF document, with its fonts."""
@@ -107,7 +198,25 @@ class Figure:
 
     def __reduce__(self) -> tuple[Any, ...]:
         # All that can be asked of it travels along: where it arrives, the models need not be there.
-        return Figure, (_Drawn(self.svg, self.notes, self._native.csv, self.to_pdf(), self.to_png()),)
+        return Figure, (
+            _Drawn(self.svg, self.notes, self._native.csv, self.to_pdf(), self.to_png(), self._native.panels),
+        )
 
     def __repr__(self) -> str:
-        return "<Figure: show it in a notebook, or write it with save()>"
+        title = html.unescape("".join(re.findall(r"<title>(.*?)</title>", self.svg[:2000], re.DOTALL)[:1]))
+        return line("Figure", f"{clipped(title, 100)}: show it in a notebook, or write it with save()")
+
+
+def _panel_of(panels: Sequence[Panel], name: str) -> Panel:
+    """The panel with this name or letter.
+
+    Raises
+    ------
+    RequestError
+        There is none.
+    """
+    for panel in panels:
+        if name == panel.name or name == panel.name.split(" ")[0]:
+            return panel
+    names = ", ".join(repr(printable(panel.name)) for panel in panels)
+    raise RequestError("usage", f"panel={name!r}: expected one of {names}", keywords=("panel",))

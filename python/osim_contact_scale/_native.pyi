@@ -12,6 +12,8 @@ _Fields = dict[str, Any]
 _Memory = Mapping[str, bytes] | Mapping[Path, bytes]
 _Record = dict[str, Any]
 _Callback = Callable[[int, bool], Any] | None
+_AxisLook = tuple[bool, tuple[float, float] | None]
+PanelLook = tuple[_AxisLook, _AxisLook, bool, list[int]]
 
 @final
 class Planned:
@@ -31,6 +33,7 @@ class Figure:
     svg: str
     notes: str
     csv: str
+    panels: list[PanelLook]
     def pdf(self) -> bytes: ...
     def png(self) -> bytes: ...
 

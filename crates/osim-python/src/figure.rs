@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use contact_plots::{Drawing, PlotError};
+use contact_plots::{Axis, Curve, Drawing, PlotError};
 use osim_figures as figures;
 use osim_inspect::series::Body;
 use osim_messages::Input;
@@ -31,8 +31,17 @@ pub(crate) struct Figure {
     /// The numbers that are drawn, as CSV.
     #[pyo3(get)]
     csv: String,
+    /// What of each panel is not in the numbers, in their order.
+    #[pyo3(get)]
+    panels: Vec<PanelLook>,
     dpi: f32,
 }
+
+/// Whether an axis is logarithmic, and its limits where it has some.
+type AxisLook = (bool, Option<(f64, f64)>);
+
+/// The horizontal axis, the vertical one, whether that grows downwards, and how many points each curve has: curves may have one name.
+type PanelLook = (AxisLook, AxisLook, bool, Vec<usize>);
 
 /// Draws the figure of a request.
 #[pyfunction]
@@ -57,6 +66,7 @@ pub(crate) fn plot(
             notes,
             title: drawing.title().to_owned(),
             csv,
+            panels: looks(&drawing),
             dpi: f32::from(request.looks.dpi.get()),
         })
     })
@@ -77,6 +87,23 @@ fn drawn(request: &PlotRequest, files: &RequestFiles) -> Result<(Drawing, Vec<Bo
     let drawing = figures::draw(request, &bodies, table.as_ref())?;
     let notes = figures::weights(&bodies, &PythonWords);
     Ok((drawing, bodies, notes))
+}
+
+fn looks(drawing: &Drawing) -> Vec<PanelLook> {
+    let axis = |axis: &Axis| (axis.logarithmic, axis.limits);
+    match drawing {
+        Drawing::Panels(figure) => {
+            let panels = figure.panels.iter();
+            let points = |curves: &[Curve]| curves.iter().map(|curve| curve.points.len()).collect();
+            panels.map(|panel| (axis(&panel.x), axis(&panel.y), false, points(&panel.curves))).collect()
+        }
+        Drawing::HeatMap(map) => vec![(axis(&map.x_axis), axis(&map.y_axis), false, Vec::new())],
+        Drawing::Scene(scene) => {
+            let views = scene.blocks.iter().flat_map(|block| &block.views);
+            views.map(|view| ((false, None), (false, None), view.y_down, Vec::new())).collect()
+        }
+        _ => Vec::new(),
+    }
 }
 
 #[pymethods]
