@@ -80,3 +80,28 @@ def test_a_notebook_is_small_and_shows_its_outputs(path):
     assert all(cell.execution_count == number for number, cell in enumerate(code, 1))
     assert sum(bool(cell.outputs) for cell in code) > len(code) / 2
     assert path.stat().st_size < 150_000
+
+
+#: Runs in a kernel: which bar `progress=True` shows there.
+BAR = """
+import osim_contact_scale as ocs, tqdm.auto
+made = []
+class Bar(tqdm.auto.tqdm):
+    def __init__(self, *args, **options):
+        super().__init__(*args, **options)
+        made.append(self)
+tqdm.auto.tqdm = Bar
+ocs.check({folder!r}, progress=True)
+print(len(made), made[0].n)
+"""
+
+
+def test_a_notebook_shows_the_bar_that_is_for_notebooks():
+    """`tqdm.auto` chooses between a widget and a line of text."""
+    pytest.importorskip("tqdm", reason="tqdm is not installed")
+    folder = TOP / "fixtures" / "table1"
+    cell = nbformat.v4.new_code_cell(BAR.format(folder=str(folder)))
+    notebook = nbformat.v4.new_notebook(cells=[cell])
+    nbclient.NotebookClient(notebook, timeout=120, kernel_name="python3").execute()
+    printed = "".join(output.get("text", "") for output in cell.outputs if output.get("name") == "stdout")
+    assert printed.split() == ["1", str(len([*folder.glob("*.osim")]))]
