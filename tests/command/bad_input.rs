@@ -229,8 +229,7 @@ fn a_batch_goes_on_after_a_failure() {
         ("format/v40000.osim", "lib/b.osim"),
         ("bad/not_xml.osim", "lib/c.osim"),
     ]);
-    let ran =
-        bench.run("lib --target-mass 123").failed().wrote(&["lib/b.scaled.osim"]);
+    let ran = bench.run("lib --target-mass 123").failed().wrote(&["lib/b.scaled.osim"]);
     assert_eq!(ran.err().lines().filter(|line| line.starts_with("error: ")).count(), 2, "{}", ran.err());
     bench.run("nowhere.osim --target-mass 123").failed();
 }

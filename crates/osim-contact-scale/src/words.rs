@@ -9,7 +9,7 @@ use crate::args::Language;
 /// Options as they are typed.
 pub(crate) static WORDS: Words = &CommandLine;
 
-/// The words of a request for whoever wrote it: fields, or the arguments of the function that made them.
+/// The words of a request for those who wrote it: fields, or the arguments of the function that made them.
 pub(crate) fn of_request(language: Language) -> Words {
     match language {
         Language::Json => &JsonRequest,

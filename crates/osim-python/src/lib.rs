@@ -23,6 +23,7 @@ mod progress;
 mod remedies;
 mod runs;
 mod scaling;
+mod seen;
 mod surveyed;
 mod sweeps;
 

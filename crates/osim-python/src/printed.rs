@@ -7,7 +7,7 @@ use osim_report::layout::Colour;
 use osim_report::{check, inspection};
 
 use crate::planned::WORDS;
-use crate::surveyed::Seen;
+use crate::seen::Seen;
 
 /// The text of a survey, as far as its models are known.
 pub(crate) enum Printed {

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use std::sync::Mutex;
 
 use osim_html::Entry;
-use osim_inspect::{CheckResult, Counts, Inspection};
 use osim_library::page::Survey;
 use osim_library::{Folders, LibraryFault, Loaded, Source, Sources, in_order, threads};
 use osim_messages::Verb;
@@ -27,16 +26,7 @@ use crate::printed::Printed;
 use crate::problem::Problem;
 use crate::progress::Watch;
 use crate::remedies::remedies;
-
-/// What is known of a model; its findings also as requests that put them right.
-pub(crate) enum Seen {
-    /// And how much is wrong with it, where the text says that.
-    Inspected(Box<Inspection>, Option<Counts>),
-    Checked(Box<CheckResult>, Vec<Option<String>>),
-    /// A folder's model without contacts: a library may have such.
-    WithoutContacts,
-    Failed(Box<Failure>),
-}
+use crate::seen::Seen;
 
 /// A record and the requests of its findings; or, if there is no record, the exception.
 type Row<'py> = (Option<Bound<'py, PyAny>>, Vec<Option<String>>, Option<Bound<'py, PyAny>>);

@@ -111,7 +111,7 @@ fn bad_value<T: DeserializeOwned>(fields: &Map<String, Value>, error: &serde_jso
 fn as_given(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
-        Value::Object(entries) => {
+        Value::Object(entries) if !entries.is_empty() => {
             let assigned = |(name, value): (&String, &Value)| format!("{name}={}", as_given(value));
             entries.iter().map(assigned).collect::<Vec<_>>().join(" ")
         }

@@ -55,7 +55,7 @@ pub(crate) struct RequestArgs {
     pub words: Language,
 }
 
-/// The language of whoever reads messages about a request.
+/// The language of those who read messages about a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Language {
     Json,

@@ -74,7 +74,7 @@ mod tests {
             // Nobody's contacts, and a target in the unit of the bodies.
             (&own, Some(62.0), Some(28.0), None),
             (&own, Some(62.0), None, Some(MassSlip::Pounds)),
-            (&known, Some(63.0), None, Some(MassSlip::Pounds)),
+            (&known, Some(61.5), None, Some(MassSlip::Pounds)),
             (&own, Some(62.0), Some(30.0), Some(MassSlip::Pounds)),
             (&own, Some(28_000.0), Some(28.0), Some(MassSlip::Grams)),
         ] {
