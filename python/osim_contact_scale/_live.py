@@ -6,19 +6,13 @@ opensim is imported only where somebody brings one of its models.
 from __future__ import annotations
 
 import math
-import os
 import sys
-import tempfile
-import threading
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 from ._errors import ContactScaleError
 from ._live_objects import component, exchange
-
-#: Whether defaults are spelled out is one setting for the whole process.
-_PRINTING = threading.Lock()
+from ._live_print import printed
 
 
 def is_model(source: Any) -> bool:
@@ -28,26 +22,18 @@ def is_model(source: Any) -> bool:
 
 
 def to_bytes(model: Any) -> tuple[str | None, bytes]:
-    """The name of a live model's file, if it has one, and the model as XML, as OpenSim prints it now.
+    """The name of a live model's file, if it has one, and the model as XML as it is now.
 
-    All values are spelled out. OpenSim leaves out those that are defaults, and the defaults are then those of files that this process
-    has read before, too, which no other program knows.
+    Raises
+    ------
+    ContactScaleError
+        OpenSim cannot print it.
     """
     import opensim
 
     name = str(model.getInputFileName())
     file = None if name in ("", "Unassigned") else name
-    with _PRINTING, tempfile.TemporaryDirectory() as folder:
-        path = os.path.join(folder, "model.osim")
-        spelled_out = opensim.OpenSimObject.getSerializeAllDefaults()
-        opensim.OpenSimObject.setSerializeAllDefaults(True)
-        try:
-            is_printed = model.printToXML(path)
-        finally:
-            opensim.OpenSimObject.setSerializeAllDefaults(spelled_out)
-        if not is_printed:
-            raise ContactScaleError("unreadable", "opensim could not print this model", path=file)
-        return file, Path(path).read_bytes()
+    return file, printed(opensim, model, file)
 
 
 def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: Any) -> None:

@@ -1,0 +1,146 @@
+"""What a live model is as XML, for programs that do not know what this process has read before.
+
+OpenSim marks each property that no file and no call has set, and leaves it out of what it prints. Its value is the default that was
+registered for its class at that time. OpenSim takes registered defaults from the `<defaults>` of every file that it reads, and keeps them
+until the process ends, so that another program may have another value.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+import os
+import tempfile
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from ._errors import ContactScaleError
+
+#: Classes whose properties are printed always, with those of their parts, such as `HuntCrossleyForce::ContactParameters`.
+CONTACTS = frozenset(
+    {
+        "ContactCylinder",
+        "ContactEllipsoid",
+        "ContactHalfSpace",
+        "ContactMesh",
+        "ContactSphere",
+        "ContactTorus",
+        "ElasticFoundationForce",
+        "HuntCrossleyForce",
+        "SmoothSphereHalfSpaceForce",
+    }
+)
+
+#: What is printed depends on settings of the whole process.
+_PRINTING = threading.Lock()
+
+
+def printed(opensim: Any, model: Any, file: str | None = None) -> bytes:
+    """A model as XML: contacts with all their values, and all else that is not as in OpenSim's code. `file` is for messages.
+
+    A clone is printed, so that the marks of the model stay as they are. It has no `<defaults>`, which would count for models that are
+    read later, and holds all objects itself, also those that the model has from other files.
+
+    Raises
+    ------
+    ContactScaleError
+        OpenSim cannot print it.
+    """
+    with _PRINTING, _settings(opensim), tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "model.osim")
+        try:
+            # OpenSim refuses a model whose connections are not finalized. A clone of it would be printed, without them.
+            is_printed = model.printToXML(path)
+            clone = connected(model)
+            _keep(opensim, clone)
+            is_printed = is_printed and clone.printToXML(path)
+        except RuntimeError as error:
+            # More lines name each place.
+            reason = str(error).partition("\n")[0]
+            raise ContactScaleError("unreadable", f"opensim could not print this model: {reason}", path=file) from error
+        if not is_printed:
+            raise ContactScaleError("unreadable", "opensim could not print this model", path=file)
+        return Path(path).read_bytes()
+
+
+def connected(model: Any) -> Any:
+    """A clone of a model, connected where it has controllers.
+
+    Those of files before version 40600 keep the names of their actuators aside until then, and would be printed without them.
+    """
+    clone = model.clone()
+    if not clone.getControllerSet().getSize():
+        return clone
+    try:
+        clone.finalizeFromProperties()
+        clone.finalizeConnections()
+    except RuntimeError:
+        # Something is missing in the model, which OpenSim prints all the same.
+        return model.clone()
+    return clone
+
+
+@contextlib.contextmanager
+def _settings(opensim: Any) -> Iterator[None]:
+    """What OpenSim does for the whole process while a model is printed.
+
+    It leaves out defaults: it refuses to read some of those that it prints, such as a muscle's `optimal_force`. And it does not write the
+    other files that a model has objects from.
+    """
+    defaults, offline = opensim.OpenSimObject.getSerializeAllDefaults(), opensim.IO.GetPrintOfflineDocuments()
+    opensim.OpenSimObject.setSerializeAllDefaults(False)
+    opensim.IO.SetPrintOfflineDocuments(False)
+    try:
+        yield
+    finally:
+        opensim.OpenSimObject.setSerializeAllDefaults(defaults)
+        opensim.IO.SetPrintOfflineDocuments(offline)
+
+
+def _keep(opensim: Any, owner: Any) -> None:
+    """Takes the marks from all properties of an object that have to be printed."""
+    name = owner.getConcreteClassName()
+    pristine = None if name.split("::")[0] in CONTACTS else _pristine(opensim, name)
+    for index in range(owner.getNumProperties()):
+        # Not the one to be updated: the object would count as changed.
+        own = owner.getPropertyByIndex(index)
+        if own.getValueIsDefault():
+            # A note is added to credits: without their text in the file it would take the place of it.
+            if own.getName() != "credits" and pristine is not None and _value(opensim, own) == pristine[index]:
+                continue
+            own.setValueIsDefault(False)
+        if own.isObjectProperty():
+            for place in range(own.size()):
+                _keep(opensim, own.getValueAsObject(place))
+
+
+@functools.cache
+def _pristine(opensim: Any, name: str) -> list[object] | None:
+    """The values of an object as OpenSim's code makes it. None for classes that Python cannot make."""
+    try:
+        return _values(opensim, getattr(opensim, name)())
+    except Exception:
+        return None
+
+
+def _values(opensim: Any, owner: Any) -> list[object]:
+    return [_value(opensim, owner.getPropertyByIndex(index)) for index in range(owner.getNumProperties())]
+
+
+def _value(opensim: Any, prop: Any) -> object:
+    """What is in a property, to be compared: all digits of its numbers. NaN equals NaN, and what is of a rare type equals nothing."""
+    places = range(prop.size())
+    if prop.isObjectProperty():
+        objects = [prop.getValueAsObject(place) for place in places]
+        return [(one.getConcreteClassName(), _values(opensim, one)) for one in objects]
+    kind = prop.getTypeName()
+    if kind in ("bool", "int", "string"):
+        return prop.toString()
+    if kind == "double":
+        return repr([opensim.PropertyHelper.getValueDouble(prop, place) for place in places])
+    if kind in ("Vec3", "Vec6") and len(places) == 1:
+        read = getattr(opensim.PropertyHelper, f"getValue{kind}")
+        return repr([read(prop, axis) for axis in range(int(kind[-1]))])
+    return object()
