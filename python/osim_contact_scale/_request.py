@@ -29,6 +29,10 @@ PATHS = {
 }  # fmt: skip
 
 
+#: No system has longer paths than Windows.
+LONGEST_PATH = 32_767
+
+
 class Memory(dict[str, bytes]):
     """Models without a file of their own, by the names that they have in a request.
 
@@ -87,17 +91,26 @@ def at_home(path: str | bytes | os.PathLike[str] | os.PathLike[bytes]) -> str:
     Raises
     ------
     RequestError
-        `~` of a user whom this computer does not know: as the name of a folder it is hardly meant.
+        The text of a model, or `~` of a user whom this computer does not know: as the name of a folder it is hardly meant.
     TypeError
         Neither a text nor a path.
     """
     text = os.fsdecode(path)
+    _refuse_content(text)
     whole = os.path.expanduser(text)
     user = re.match(r"~[^/\\]+", whole)
     if user is not None and user[0] != whole and not os.path.isdir(user[0]):
         message = f"{printable(whole)}: there is no user {printable(user[0][1:])} here; if it is a folder, write ./{printable(whole)}"
         raise RequestError("usage", message)
     return whole
+
+
+def _refuse_content(text: str) -> None:
+    """Refuses what is in a file in place of its path. The message does not repeat it: it may be long."""
+    if re.match(r"[\ufeff\s]*<[^>]*>", text):
+        raise RequestError("usage", "this is the text of a model: give its path, or bytes")
+    if len(text) > LONGEST_PATH:
+        raise RequestError("usage", f"a text of {len(text)} characters is no path: give the path of a file, or bytes")
 
 
 def models_of(sources: Sequence[Source], memory: Memory) -> list[Any]:

@@ -57,6 +57,33 @@ def test_a_keyword_that_there_is_not_is_a_type_error():
         ocs.rescale(HUMAN, taget_mass=80)
 
 
+@pytest.mark.parametrize("before", ["", "\ufeff", "\n  "])
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda text: ocs.rescale(text, target_mass=80),
+        lambda text: ocs.rescale(HUMAN, target_mass=80, geometry=text),
+        lambda text: ocs.transfer(HUMAN, from_=text),
+        lambda text: ocs.inspect([HUMAN, text]),
+        lambda text: ocs.check(text),
+    ],
+)
+def test_the_text_of_a_model_is_no_path(call, before):
+    with pytest.raises(ocs.RequestError) as caught:
+        call(before + HUMAN.read_text(encoding="utf-8"))
+    assert str(caught.value) == "this is the text of a model: give its path, or bytes"
+
+
+def test_no_text_is_echoed_whole():
+    with pytest.raises(ocs.RequestError, match="a text of 53000 characters is no path") as caught:
+        ocs.rescale("mass,N\n" + 52_993 * "1", target_mass=80)
+    assert len(str(caught.value)) < 100
+    for data in (HUMAN.read_bytes()[:-30], HUMAN.read_bytes().replace(b"\n", b"")[:-30], b"<xml " + 53_000 * b"y"):
+        with pytest.raises(ocs.ModelError) as broken:
+            ocs.rescale(data, target_mass=80)
+        assert len(str(broken.value)) < 500
+
+
 @pytest.mark.parametrize("source", ["-", ["a.osim"], 12, None, FIXTURES])
 def test_what_is_no_model_is_refused_with_a_sentence(source):
     with pytest.raises((ocs.RequestError, TypeError), match=r"standard input|expected|folder"):
