@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ._text import printable
+from ._text import clipped, printable
 
 
 class ContactScaleError(Exception):
@@ -15,7 +15,7 @@ class ContactScaleError(Exception):
     code : str
         Stable short name, which `explain` explains; `usage`, and of simulations `simulation` and `workers-lost`, have their messages alone.
     message : str
-        What is wrong, what was expected, and a way out.
+        What is wrong, what was expected, and a way out. Of what is long in it, such as the text of a whole model, the middle is left out.
     path : str or None
         The file, as it was named.
     line, column : int or None
@@ -38,12 +38,13 @@ class ContactScaleError(Exception):
         keywords: Any = (),
     ) -> None:
         name = "" if path is None else printable(path)
-        place = f"{name}: " if name else ""
-        if name and line is not None and column is not None:
-            place = f"{name}:{line}:{column}: "
         # A message about a file that it names itself does not name it twice.
-        text = message if name and message.startswith(name) else place + message
-        shown = "" if excerpt is None else f"\n{line or '':>6} | {printable(excerpt.expandtabs(2))}"
+        named = bool(name) and message.startswith(name)
+        # Line by line: wrong rows of a table have one each.
+        message = "\n".join(map(clipped, message.split("\n")))
+        at = "" if line is None or column is None else f":{line}:{column}"
+        text = message if named or not name else f"{clipped(name)}{at}: {message}"
+        shown = "" if excerpt is None else f"\n{line or '':>6} | {clipped(printable(excerpt.expandtabs(2)))}"
         super().__init__(text + shown)
         self.code = code
         self.message = message
