@@ -6,6 +6,7 @@ import math
 import os
 import re
 from collections.abc import Mapping, Sequence
+from keyword import iskeyword
 from pathlib import Path, PurePath
 from typing import Any, TypeGuard, Union
 
@@ -61,7 +62,8 @@ def fields_of(verb: str, keywords: Mapping[str, Any], memory: Memory | None = No
         elif isinstance(value, str) and name in PATHS:
             fields[name] = path_of(value)
         elif value is not None:
-            fields[name] = _plain(value, keyword)
+            # Messages name what the caller wrote: `class_`, where the field is `class`.
+            fields[name] = _plain(value, f"{name}_" if iskeyword(name) else name)
     return fields
 
 
@@ -211,7 +213,8 @@ def _plain(value: Any, keyword: str) -> Any:
     if isinstance(value, str):
         return value
     if isinstance(value, Mapping):
-        return {str(key): _plain(item, keyword) for key, item in value.items()}
+        # Each property that is set is a keyword of its own.
+        return {str(key): _plain(item, str(key) if keyword == "set" else keyword) for key, item in value.items()}
     if hasattr(value, "tolist"):  # NumPy's numbers and arrays, and pandas' columns.
         item = value.tolist()
         if item is None:

@@ -71,6 +71,8 @@ def motion(source: Source, recording: Any, keywords: Mapping[str, Any]) -> Motio
 
 def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit | Result:
     """A contact from a curve, or a plan for a model that is fitted to recordings."""
+    if isinstance(keywords.get("fit"), str):
+        keywords = {**keywords, "fit": [keywords["fit"]]}
     if keywords.get("motion") is not None:
         tables: dict[str, bytes] = {}
         named = {

@@ -26,6 +26,7 @@ mod scaling;
 mod seen;
 mod surveyed;
 mod sweeps;
+mod wrong;
 
 use pyo3::prelude::*;
 

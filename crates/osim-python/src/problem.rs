@@ -11,6 +11,8 @@ use pyo3::exceptions::{PyException, PyRuntimeError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::wrong::{Wrong, keyword_of};
+
 /// The module with the classes of exceptions.
 const MODULE: &str = "osim_contact_scale._errors";
 
@@ -39,7 +41,7 @@ impl Problem {
         Self {
             class,
             code,
-            message: message.spelled(&PythonWords),
+            message: spelled(&message),
             path: None,
             line: None,
             column: None,
@@ -99,11 +101,21 @@ impl Problem {
     }
 }
 
+/// A message in Python's words. Where it begins with a keyword and its value, there is no blank between them.
+fn spelled(message: &Phrase) -> String {
+    let text = message.spelled(&PythonWords);
+    let Some(Part::Input(input, None)) = message.parts().first() else { return text };
+    let keyword = PythonWords.input(*input, None);
+    match text.strip_prefix(&keyword).and_then(|rest| rest.strip_prefix(" '")) {
+        Some(value) => format!("{keyword}'{value}"),
+        None => text,
+    }
+}
+
 /// What the reader can say, as Python names it.
 fn keywords(message: &Phrase) -> Vec<String> {
-    let named = |input| PythonWords.input(input, None);
-    let name = |text: String| text.split('=').next().unwrap_or_default().to_owned();
-    let mut all: Vec<String> = message.inputs().into_iter().map(|input| name(named(input))).collect();
+    let mut all: Vec<String> =
+        message.inputs().into_iter().filter_map(|input| keyword_of(input.name())).collect();
     all.dedup();
     all
 }
@@ -131,11 +143,14 @@ impl From<RequestFault> for Problem {
             let example = Verb::Set.of_model().saying(Input::Stiffness, "x2");
             return Self::general("RequestError", "usage", phrase!["say what to set, as in ", example]);
         }
+        if let Some(Wrong { message, keyword }) = Wrong::of(&fault) {
+            let problem = Self::general("RequestError", "usage", message);
+            return Self { keywords: keyword.into_iter().collect(), ..problem };
+        }
         let mut problem = Self::general("RequestError", "usage", fault.phrase());
-        if let Some(field) = fault.field() {
-            let own = if field == "from" { "from_" } else { field };
-            problem.keywords.retain(|keyword| keyword != own);
-            problem.keywords.insert(0, own.to_owned());
+        if let Some(own) = fault.field().and_then(keyword_of) {
+            problem.keywords.retain(|keyword| *keyword != own);
+            problem.keywords.insert(0, own);
         }
         problem
     }

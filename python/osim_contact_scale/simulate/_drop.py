@@ -27,7 +27,7 @@ class Drop:
 
     It begins at rest in its default pose, the lowest point of its spheres at a height above the ground.
 
-    With joints locked it moves up and down only, as in the command's `drop-test`: M ẍ = M g − Σ F(x, ẋ), where nothing acts but gravity
+    With joints locked it moves up and down only, as in `ocs.drop_test`: M ẍ = M g − Σ F(x, ẋ), where nothing acts but gravity
     and contact. With joints free, every coordinate moves that the model leaves free, and all of its forces act; nobody commands its
     actuators: controllers are switched off, muscles have no excitation and begin in equilibrium.
 
@@ -78,7 +78,7 @@ class Drop:
     def __call__(self, path: str) -> tuple[dict[str, float | None], dict[str, list[float]]]:
         """Lets the model of a file fall: its figures and its series.
 
-        Figures have the names that the command's `drop-test` gives them. Times in s, heights in m above the ground, speeds in m/s upwards,
+        Figures have the names that `ocs.drop_test` gives them. Times in s, heights in m above the ground, speeds in m/s upwards,
         forces in N, or in body weights (`bw`). In the series `height_m` is that of the lowest point of all spheres, below 0 in the ground,
         and `speed_m_s` is that of the centre of mass; with free joints its height is `com_height_m`. What is absent is None.
 

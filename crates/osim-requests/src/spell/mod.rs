@@ -18,6 +18,6 @@ pub use front_end::FrontEnd;
 pub use json::JsonRequest;
 pub use matlab::Matlab;
 pub use page::Page;
-pub use python::Python;
+pub use python::{Python, python_quoted};
 pub use shell::shell_quoted;
 pub use speller::Speller;

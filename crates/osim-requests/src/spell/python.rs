@@ -249,7 +249,8 @@ fn is_number(text: &str) -> bool {
 }
 
 /// A string as Python reads it.
-fn python_quoted(text: &str) -> String {
+#[must_use]
+pub fn python_quoted(text: &str) -> String {
     let mut literal = String::from("\"");
     for letter in text.chars() {
         match letter {
