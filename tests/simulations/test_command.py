@@ -69,7 +69,8 @@ def test_failures_are_in_the_status(tmp_path, command):
     assert status == 1
     assert out.startswith("2 done, 1 failed: ")
     (line,) = err.splitlines()
-    assert re.fullmatch(r"failed: ValueError: it does not\\u\{1b\}\[31m stand in \. \(by_index, line \d+\)", line)
+    said = r"ValueError: it does not\\u\{1b\}\[31m stand in \. \(tasks\.py, line \d+, in by_index\)"
+    assert re.fullmatch(rf"failed: row 2, model_00002\.osim: {said}", line)
 
 
 @pytest.mark.parametrize(

@@ -60,10 +60,13 @@ def test_what_goes_wrong_is_a_row(tmp_path, points, client):
     table = results.table.set_index("index")
     expected = ["done", "failed", "crashed", "time limit", "failed", "failed", "lost", "done", "refused"]
     assert list(table["status"]) == expected
-    assert table["error"][2].startswith("ValueError: it does not\\u{1b}[31m stand in . (by_index, line ")
+    assert table["error"][2].startswith(
+        "model_00002.osim: ValueError: it does not\\u{1b}[31m stand in . (tasks.py, line "
+    )
     # Where the pointer to nothing leads differs: SIGSEGV, or SIGABRT with the allocator's last words.
-    assert re.match(r"its process died: signal \d+ \(SIG[A-Z]+\); it last printed: \w+", table["error"][3])
-    assert table["error"][4] == "it did not end within 3 s"
+    died = r"model_00003\.osim: its process died: signal \d+ \(SIG[A-Z]+\); it last printed: \w+"
+    assert re.match(died, table["error"][3])
+    assert table["error"][4] == "model_00004.osim: it did not end within 3 s"
     assert "SystemExit" in table["error"][5]
     assert "returns a dictionary of numbers" in table["error"][6]
     assert "No such file" in table["error"][9]

@@ -42,7 +42,7 @@ def test_what_no_table_can_hold_is_a_failed_row(tmp_path, client, what, expected
     rows = [{"path": str(HUMAN), "what": what}, {"path": str(HUMAN), "what": "bool"}]
     table = simulate.run(rows, returns, results=tmp_path / "r", scheduler=client).table
     assert list(table["status"]) == ["failed", "done"]
-    assert table["error"][0].startswith(expected)
+    assert table["error"][0].startswith(f"{HUMAN.name}: {expected}")
     assert (tmp_path / "r" / "table.parquet").exists()
 
 
@@ -166,4 +166,4 @@ def test_results_say_which_model_they_are_of(tmp_path, client):
     rows = [{"path": str(HUMAN)}, {"path": str(tmp_path / "none.osim")}]
     table = simulate.run(rows, tasks.empty, results=tmp_path / "r", scheduler=client).table
     assert list(table["path"]) == [row["path"] for row in rows]
-    assert table["error"][1] == "none.osim cannot be read: No such file or directory"
+    assert table["error"][1] == "none.osim: the model cannot be read: No such file or directory"

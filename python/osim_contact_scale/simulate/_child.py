@@ -3,21 +3,15 @@
 from __future__ import annotations
 
 import hashlib
-import os
 import time
-import traceback
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from .._errors import ContactScaleError
-from .._text import printable
 from ._job import Job, Outcome, Value
 from ._loaded import Loaded
 from ._values import cell_of
-
-#: Letters of an error that are kept.
-_LONG = 2000
+from ._why import why
 
 
 def simulate(job: Job, loaded: Loaded, folder: str) -> Outcome:
@@ -27,14 +21,14 @@ def simulate(job: Job, loaded: Loaded, folder: str) -> Outcome:
         return Outcome(job.key, "refused", refusal)
     task = loaded.task(job)
     if task is None:
-        return Outcome(job.key, "failed", f"the task cannot be loaded here: {_text(loaded.error, folder)}")
+        reason = "" if loaded.error is None else f": {why(loaded.error, folder)}"
+        return Outcome(job.key, "failed", f"the task cannot be loaded here{reason}")
     begin = time.perf_counter()
     try:
         numbers, series = _parts(task(job.path, **job.values))
-    except (KeyboardInterrupt, SystemExit) as error:
-        return Outcome(job.key, "failed", f"the task ended its process: {type(error).__name__}")
-    except Exception as error:
-        return Outcome(job.key, "failed", _text(error, folder), task_seconds=time.perf_counter() - begin)
+    except BaseException as error:
+        ended = "the task ended its process: " if isinstance(error, (KeyboardInterrupt, SystemExit)) else ""
+        return Outcome(job.key, "failed", ended + why(error, folder), task_seconds=time.perf_counter() - begin)
     return Outcome(job.key, "done", None, numbers, series, task_seconds=time.perf_counter() - begin)
 
 
@@ -51,18 +45,6 @@ def _refusal(job: Job, loaded: Loaded) -> str | None:
     except OSError as error:
         return f"the model cannot be read here: {error.strerror}"
     return None if digest == job.digest else "the model was changed after this run had begun; run again with resume"
-
-
-def _text(error: BaseException | None, folder: str) -> str:
-    """An error with the place where it was raised: the same text in whatever folder it happened."""
-    if error is None:
-        return ""
-    text = f"{type(error).__name__}: {error}".replace(os.path.realpath(folder), ".").replace(folder, ".")
-    if isinstance(error, ContactScaleError):
-        return printable(text.strip()[:_LONG])
-    frames = traceback.extract_tb(error.__traceback__)
-    place = f" ({frames[-1].name}, line {frames[-1].lineno})" if frames else ""
-    return printable(text.strip()[:_LONG]) + place
 
 
 def _parts(returned: Any) -> tuple[dict[str, Value], dict[str, list[float]]]:

@@ -48,9 +48,9 @@ def _free(name: str, taken: set[str]) -> str:
 def _record(point: Point, key: str | None, row: Outcome | None, numbers: Mapping[str, str]) -> dict[str, Any]:
     record = {**point.columns, "key": key}
     if row is not None:
-        record.update(
-            status=row.status, error=row.error, **{numbers[name]: value for name, value in row.numbers.items()}
-        )
+        # The name of the model is not in the parts: models of other names with the same bytes share an outcome.
+        error = None if row.error is None else point.said(row.error)
+        record.update(status=row.status, error=error, **{numbers[name]: value for name, value in row.numbers.items()})
     return record
 
 

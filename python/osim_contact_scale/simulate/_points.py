@@ -30,6 +30,10 @@ class Point:
     #: Its row in the table of results: with the path as it was given.
     columns: Mapping[str, Any]
 
+    def said(self, error: str) -> str:
+        """What is wrong with it, with the name of its file."""
+        return f"{printable(os.path.basename(self.path))}: {error}"
+
 
 def points_of(given: Any) -> list[Point]:
     """The points of a `Sweep`, of a file of CSV, or of a table with a column `path`.

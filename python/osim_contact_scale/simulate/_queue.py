@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import logging
-import os
 import queue
 from collections.abc import Iterable
 from concurrent.futures import BrokenExecutor, CancelledError, Executor, Future
@@ -19,6 +18,7 @@ from ._job import Job, Known, Outcome, Versions
 from ._points import Point
 from ._store import SOON, Store
 from ._task import Task, base_of, key_of
+from ._why import why
 
 log = logging.getLogger("osim_contact_scale")
 
@@ -27,6 +27,12 @@ AHEAD = 4000
 
 #: What Dask says where a scheduler is gone.
 _GONE = {"CommClosedError", "FutureCancelledError", "CancelledError"}
+
+
+#: What we say where Dask writes about its own tasks and addresses.
+_OF_DASK = {
+    "KilledWorker": "the workers that had this model died one after the other: out of memory, or ended from outside"
+}
 
 
 class WorkersLost(ContactScaleError):
@@ -68,7 +74,7 @@ class Queue:
         self._again = again
         self._callback = callback or (lambda count, failed: None)
         self.run = run
-        self._pending: dict[Future[Outcome], str] = {}
+        self._pending: dict[Future[Outcome], tuple[str, Point]] = {}
         self._waiting: dict[str, int] = {}
         self._ready: queue.SimpleQueue[Future[Outcome]] = queue.SimpleQueue()
         #: The key of each row of the points.
@@ -100,7 +106,7 @@ class Queue:
         for point in points:
             job = self._job(point, base, versions, blob, modules)
             if job is not None:
-                self._submit(job)
+                self._submit(job, point)
             self._take(wait=len(self._pending) >= AHEAD)
         while self._pending:
             self._take(wait=True)
@@ -119,10 +125,7 @@ class Queue:
             digest = hashlib.sha256(Path(point.path).read_bytes()).hexdigest()
         except OSError as error:
             key = key_of(point.path, base, values)
-            self._arrived(
-                Outcome(key, "refused", f"{printable(os.path.basename(point.path))} cannot be read: {error.strerror}"),
-                1,
-            )
+            self._arrived(Outcome(key, "refused", f"the model cannot be read: {error.strerror}"), point, 1)
             self.keys[point.row] = key
             return None
         key = key_of(digest, base, values)
@@ -136,12 +139,12 @@ class Queue:
             return None
         return Job(self.run, key, point.path, digest, values, blob, modules, versions, self._again.time_limit)
 
-    def _submit(self, job: Job) -> None:
+    def _submit(self, job: Job, point: Point) -> None:
         try:
             future = self._executor.submit(_worker.work, job)
         except (BrokenExecutor, RuntimeError) as error:
             raise _lost(error) from error
-        self._pending[future] = job.key
+        self._pending[future] = job.key, point
         self._waiting[job.key] = 1
         future.add_done_callback(self._ready.put)
 
@@ -152,18 +155,18 @@ class Queue:
         except queue.Empty:
             pass
         else:
-            key = self._pending.pop(future)
-            self._arrived(_outcome(future, key, self._again.time_limit), self._waiting.pop(key))
+            key, point = self._pending.pop(future)
+            self._arrived(_outcome(future, key, self._again.time_limit), point, self._waiting.pop(key))
         if self._store.is_due():
             self._store.flush()
 
-    def _arrived(self, outcome: Outcome, count: int) -> None:
+    def _arrived(self, outcome: Outcome, point: Point, count: int) -> None:
         self._store.add(outcome)
         self._known[outcome.key] = Known(outcome.status, outcome.time_limit)
         self._done.add(outcome.key)
         self._callback(count, outcome.status != "done")
         if outcome.status != "done":
-            log.warning("%s: %s", outcome.status, printable(outcome.error or ""))
+            log.warning("%s: row %d, %s", outcome.status, point.row, point.said(printable(outcome.error or "")))
 
 
 def _outcome(future: Future[Outcome], key: str, time_limit: float | None) -> Outcome:
@@ -181,8 +184,7 @@ def _outcome(future: Future[Outcome], key: str, time_limit: float | None) -> Out
     except Exception as error:
         if type(error).__name__ in _GONE:
             raise _lost(error) from error
-        # Dask's KilledWorker among them: the workers that had it died one after the other.
-        return Outcome(key, "lost", printable(f"{type(error).__name__}: {error}"), time_limit=time_limit)
+        return Outcome(key, "lost", _OF_DASK.get(type(error).__name__) or why(error), time_limit=time_limit)
 
 
 def _lost(error: BaseException) -> WorkersLost:

@@ -23,6 +23,7 @@ from ._child import simulate
 from ._frames import Pieces, receive, send
 from ._job import Job, Outcome
 from ._loaded import Loaded
+from ._why import why
 
 #: Seconds after which it is looked whether a process has died whose pipe another one keeps open.
 _LOOK = 0.2
@@ -176,7 +177,7 @@ def _be_the_copy(job: Job, loaded: Loaded, folder: str, others: tuple[int, ...],
         send(writing, simulate(job, loaded, folder=work))
     except BaseException as error:
         with suppress(OSError):
-            send(writing, Outcome(job.key, "failed", f"{type(error).__name__}: {error}"))
+            send(writing, Outcome(job.key, "failed", why(error, folder)))
     finally:
         # Not sys.exit(): what the server registered for its end is not the copy's.
         os._exit(0)

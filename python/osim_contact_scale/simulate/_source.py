@@ -135,14 +135,14 @@ class Source:
         if name is None or module is None:
             return True
         file = getattr(module, "__file__", None)
-        yours = name == "__main__" or (file is not None and not os.path.realpath(file).startswith(_installed()))
+        yours = name == "__main__" or (file is not None and not os.path.realpath(file).startswith(installed()))
         if yours and name not in self.modules:
             self.modules.append(name)
         return yours
 
 
 @functools.cache
-def _installed() -> tuple[str, ...]:
+def installed() -> tuple[str, ...]:
     """Folders of Python and of what was installed, and of this package."""
     own = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     names = ("stdlib", "platstdlib", "purelib", "platlib")

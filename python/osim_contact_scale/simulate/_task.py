@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
 from .._errors import RequestError
+from .._text import clipped, printable
 from ._source import Source
 
 
@@ -120,7 +121,8 @@ def task_of(given: Any) -> Task:
     call = function.function
     if not callable(call) or isinstance(call, type):
         hint = ": make one, such as simulate.Drop()" if isinstance(call, type) else ""
-        raise RequestError("usage", f"task={call!r}: expected a function, or a task{hint}", keywords=("task",))
+        shown = clipped(printable(repr(call)), 200)
+        raise RequestError("usage", f"task={shown}: expected a function, or a task{hint}", keywords=("task",))
     _refuse_other_values(function.settings)
     identity, modules = _identity(function)
     first, columns, needed = _parameters(call, function.settings)
