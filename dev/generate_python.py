@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Writes python/osim_contact_scale/_verbs.py: a typed function with a docstring for each verb, from the schemas of requests.
+"""Writes two files of python/osim_contact_scale/ from the schemas of requests.
 
-    python3 dev/generate_python.py           writes it
-    python3 dev/generate_python.py --check   fails where it differs, as after a new option in Rust
+_verbs.py has a typed function with a docstring for each verb, _options.py the names of options that a table may have as columns.
+
+    python3 dev/generate_python.py           writes them
+    python3 dev/generate_python.py --check   fails where they differ, as after a new option in Rust
 """
 
 import difflib
@@ -10,12 +12,13 @@ import keyword
 import re
 import sys
 import textwrap
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from request_schemas import Field, Verb, verbs
 
-OUTPUT = Path(__file__).resolve().parent.parent / "python" / "osim_contact_scale" / "_verbs.py"
+FOLDER = Path(__file__).resolve().parent.parent / "python" / "osim_contact_scale"
 
 WRITTEN = "a plan is written by Result.write"
 SHOWN = "Python shows results itself, and has no exit status"
@@ -41,6 +44,40 @@ PROPERTIES = (
 )
 
 
+# Verbs that a row of a table can do, and their fields that are about the whole run: no row can have its own.
+CHANGING = ("rescale", "transfer", "add", "remove", "convert", "design", "set", "fit", "note")
+OF_THE_RUN = {"diff", "dry_run", "format", "jobs", "quiet", "report", "resume", "shard", "summary"}
+
+# Keywords that the schemas leave open, and that the program asks for in every call.
+NEEDED = {"rescale": {"target_mass"}}
+# Types that say more than the schemas.
+TYPES = {
+    "body_scale": "str | Sequence[str] | Mapping[str, float | Sequence[float]]",
+    "grid": "str | Sequence[str] | Mapping[str, float | str | Sequence[object]]",
+    "keep": "Property | Sequence[Property]",
+    "only": "Property | Sequence[Property]",
+}
+# Fields that are files for the command, and tables too for Python.
+TABLES = {
+    ("fit", "motion"): "StrPath | TableLike | Sequence[StrPath | TableLike]",
+    ("fit", "plates"): "StrPath | TableLike | Sequence[StrPath | TableLike]",
+    ("motion", "plates"): "StrPath | TableLike",
+    ("plot", "table"): "StrPath | TableLike",
+}
+
+
+@dataclass(frozen=True)
+class Form:
+    """A way to call a verb, as type checkers see it."""
+
+    returns: str
+    # Types of parameters without a keyword, where they are others than those of the whole verb.
+    positional: Mapping[str, str] = field(default_factory=dict)
+    # Keywords that this way needs, and those that it does not have.
+    needed: tuple[str, ...] = ()
+    without: tuple[str, ...] = ()
+
+
 @dataclass(frozen=True)
 class Shape:
     """How a verb is called in Python."""
@@ -51,6 +88,7 @@ class Shape:
     returns: str
     returned: str
     body: str
+    forms: tuple[Form, ...] = ()
 
 
 SOURCE = ("source", "Source", "", "Path of a model (.osim) or ForceSet (.xml), its bytes, a Result, or an `opensim.Model`.", "models")
@@ -65,75 +103,105 @@ def shape_of(verb: Verb) -> Shape:
         "check": Shape("survey", (sources,), "Check", "What is wrong with them, each with its remedy.", "survey"),
         "design": Shape(
             "change", (("source", "Source | None", "None", "The model as for `rescale`; without one this is a calculator.", "models"),),
-            "Result | DesignSheet", "The plan, or the quantities where no model is given.", "design"),
+            "Result | DesignSheet", "The plan, or the quantities where no model is given.", "design",
+            (Form("DesignSheet", {"source": "None"}), Form("Result", {"source": "Source"}))),
         "drop-test": Shape(
             "drop-test", (("subject", "Source | None", "None", "A model as for `rescale`, or the name of a preset.", "subject"),),
             "DropTest", "What happens, and the motion as `series`.", "drop_test"),
         "motion": Shape(
-            "motion", (SOURCE_OF_SUBJECT, ("recording", "Any", "", "Coordinates over time: a path (.mot, .sto), or a table with a column `time` and one for each coordinate, in rad and m.", "motion")),
+            "motion", (SOURCE_OF_SUBJECT, ("recording", "StrPath | TableLike", "", "Coordinates over time: a path (.mot, .sto), or a table with a column `time` and one for each coordinate, in rad and m.", "motion")),
             "Motion", "Each foot and sphere beside the plates, and all frames as `rows`.", "motion"),
         "fit": Shape(
-            "fit", (("measured", "Any", "", "Measured indentation and force: a path (.csv), or a table with columns. With `motion`, the model as for `rescale`.", "file"),),
-            "Fit | Result", "A `Fit`: the parameters with their uncertainty. With `motion`, a `Result`: the plan for the model.", "fit"),
+            "fit", (("measured", "StrPath | TableLike | Source", "", "Measured indentation and force: a path (.csv), or a table with columns. With `motion`, the model as for `rescale`.", "file"),),
+            "Fit | Result", "A `Fit`: the parameters with their uncertainty. With `motion`, a `Result`: the plan for the model.", "fit",
+            (Form("Fit", {"measured": "StrPath | TableLike"}, without=("motion",)), Form("Result", {"measured": "Source"}, needed=("motion",)))),
         "plot": Shape(
             "plot", (("kind", "KIND", "", "What to draw.", "kind"), ("*models", "Source", "", "Models or presets, overlaid in one figure.", "models")),
             "Figure", "The figure, which a notebook shows.", "plot"),
         "presets": Shape(
             "presets", (("name", "str | None", "None", "One preset; all without it.", "name"),),
-            "list[Preset]", "Published contacts, and one's own.", "presets"),
+            "Presets", "Published contacts, and one's own: a list.", "presets"),
         "explain": Shape(
             "explain", (("*topics", "str", "", "Equations, quantities, codes of warnings and errors; none lists all.", "topics"),),
             "list[Explanation]", "Each with its text.", "explain"),
         "reproduce": Shape("reproduce", (), "Reproduction", "Table 1 of the paper, as printed and computed.", "reproduce"),
         "sweep": Shape(
             "sweep", (("source", "StrPath", "", "Path of a model.", "model"),),
-            "Sweep", "The variants, and the table of what is in which file.", "sweep"),
+            "Sweep", "The variants, and the table of what is in which file.", "sweep",
+            (Form("Sweep", needed=("grid",), without=("ladder", "soft")), Form("Sweep", needed=("ladder", "indentation"), without=("grid",)))),
         "batch": Shape(
-            "batch", (("table", "Any", "", "A DataFrame, a dictionary of columns, a list of dictionaries, or the path of a table (.csv). One row per model, with columns named like the keywords of the verbs.", "manifest"),),
-            "Any", "A row for each model: what was done, old and new values, errors. A DataFrame where pandas is there.", "batch"),
+            "batch", (("table", "StrPath | TableLike", "", "A DataFrame, a dictionary of columns, a list of dictionaries, or the path of a table (.csv). One row per model, with columns named like the keywords of the verbs.", "manifest"),),
+            "Table", "A row for each model: what was done, old and new values, errors. A DataFrame where pandas is there.", "batch"),
     }
     return shapes.get(verb.name, CHANGE)
 
 
 def main() -> int:
-    text = module()
-    if "--check" not in sys.argv[1:]:
-        OUTPUT.write_text(text, encoding="utf-8")
-        return 0
-    there = OUTPUT.read_text(encoding="utf-8")
-    diff = difflib.unified_diff(there.splitlines(), text.splitlines(), str(OUTPUT.name), "from the schemas", lineterm="")
-    lines = list(diff)
-    if lines:
-        print("\n".join(lines), "\n_verbs.py is out of date: run python3 dev/generate_python.py", sep="\n")
-    return 1 if lines else 0
+    is_check, differs = "--check" in sys.argv[1:], False
+    for name, text in {"_verbs.py": module(), "_options.py": options()}.items():
+        path = FOLDER / name
+        if not is_check:
+            path.write_text(text, encoding="utf-8")
+            continue
+        there = path.read_text(encoding="utf-8") if path.exists() else ""
+        diff = difflib.unified_diff(there.splitlines(), text.splitlines(), name, "from the schemas", lineterm="")
+        lines = list(diff)
+        if lines:
+            print("\n".join(lines), f"\n{name} is out of date: run python3 dev/generate_python.py", sep="\n")
+            differs = True
+    return 1 if differs else 0
 
 
 def module() -> str:
     functions = [function(verb, shape_of(verb)) for verb in verbs()]
-    names = [f'    "{name_of(verb)}",' for verb in sorted(verbs(), key=name_of)]
+    # Without `set`: `from ... import *` would put it in the place of Python's own.
+    names = [f'    "{name_of(verb)}",' for verb in sorted(verbs(), key=name_of) if verb.name != "set"]
     return "\n".join([HEAD, "__all__ = [", *names, "]", "", "\n\n".join(functions)])
 
+
+def options() -> str:
+    changing = [verb for verb in verbs() if verb.name in CHANGING]
+    names = {field.name for verb in changing for field in verb.fields} - OF_THE_RUN - {"models", "file"} | {"model", "set", "verb"}
+    parts = {"ROW_OPTIONS": names, "RUN_OPTIONS": OF_THE_RUN}
+    meanings = {"ROW_OPTIONS": "Options that a row of a table has as columns.", "RUN_OPTIONS": "Options of a whole run, which no row can have."}
+    sets = []
+    for name, fields in parts.items():
+        words = ", ".join(f'"{field}"' for field in sorted(fields))
+        wrapped = textwrap.fill(words, 118, initial_indent="    ", subsequent_indent="    ")
+        sets.append(f"#: {meanings[name]}\n{name} = frozenset({{\n{wrapped},\n}})\n")
+    properties = textwrap.fill(", ".join(f'"{name}"' for name in PROPERTIES), 118, initial_indent="    ", subsequent_indent="    ")
+    literal = f"#: OpenSim's properties that verbs change.\nProperty = Literal[\n{properties},\n]\n"
+    return OPTIONS_HEAD + "\n".join([literal, *sets])
+
+
+OPTIONS_HEAD = '''"""Names of options. Written by dev/generate_python.py from the schemas of requests: do not edit."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+'''
 
 HEAD = '''"""The verbs as functions. Written by dev/generate_python.py from the schemas of requests: do not edit."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal
+from typing import Literal, overload
 
 from . import _run
-from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Reproduction
+from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Presets, Reproduction
 from ._figure import Figure
-from ._progress import Progress
-from ._request import Source
+from ._options import Property
 from ._result import Result
-from ._survey import Check, Inspection, Sources
+from ._survey import Check, Inspection
 from ._sweep import Sweep
-
-StrPath = str | os.PathLike[str]
+from .types import Progress, Source, Sources, StrPath, Table, TableLike
 '''
 
+
+# Types whose names say too little to people.
+RETURNS = {"Table": "pandas.DataFrame or list of dict"}
 
 def name_of(verb: Verb) -> str:
     return "rescale_many" if verb.name == "batch" else verb.name.replace("-", "_")
@@ -158,7 +226,9 @@ def fields_of(verb: Verb, shape: Shape) -> list[Field]:
     return [field for field in said if field.name not in positional and field.name != "set"]
 
 
-def type_of(field: Field) -> str:
+def type_of(verb: Verb, field: Field) -> str:
+    if (verb.name, field.name) in TABLES or field.name in TYPES:
+        return TABLES.get((verb.name, field.name)) or TYPES[field.name]
     if field.choices:
         one = "Literal[" + ", ".join(f'"{choice}"' for choice in field.choices) + "]"
         return f"{one} | Sequence[{one}]" if "list" in field.kinds else one
@@ -171,9 +241,11 @@ def type_of(field: Field) -> str:
         own["path"] = "Source" if field.name in ("from", "geometry", "model") else "StrPath"
     names = [own[kind] for kind in ("path", "number", "integer", "string") if kind in kinds]
     if "list" in field.kinds:
-        names.append(f"Sequence[{names[0] if len(names) == 1 else 'Any'}]")
+        if len(names) != 1:
+            raise SystemExit(f"{verb.name}: items of {field.name} are of several kinds: say its type in TYPES")
+        names.append(f"Sequence[{names[0]}]")
     if "object" in field.kinds:
-        names.append("Mapping[str, Any]")
+        raise SystemExit(f"{verb.name}: {field.name} is a dictionary: say its type in TYPES")
     return " | ".join(names)
 
 
@@ -184,55 +256,122 @@ def described(field: Field) -> str:
     return text + ("" if text.endswith((".", "]", ")")) else ".")
 
 
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter of a function."""
+
+    name: str
+    kind: str
+    default: str = ""
+    # How the docstring calls its kind, where that is not its type.
+    readable: str = ""
+    meaning: str = ""
+
+    def __str__(self) -> str:
+        kind = f"{self.kind} | None" if self.default == "None" and not self.kind.endswith("None") else self.kind
+        return f"{self.name}: {kind}" + (f" = {self.default}" if self.default else "")
+
+
 def function(verb: Verb, shape: Shape) -> str:
     fields = fields_of(verb, shape)
-    parameters, documented, passed = [], [], []
-    for name, kind, default, meaning, field_name in shape.positional:
-        if kind == "KIND":
-            kind = type_of(next(field for field in verb.fields if field.name == field_name))
-        parameters.append(f"{name}: {kind}" + (f" = {default}" if default else ""))
-        optional = ", optional" if default else ""
-        documented.append((name.lstrip("*") + " : " + readable(kind) + optional, meaning))
-    stars = any(name.startswith("*") for name, *_ in shape.positional)
-    if shape.positional and not stars:
-        parameters.append("/")
-    if verb.name == "set":
-        parameters += ["*"] + [f"{name}: float | str | None = None" for name in PROPERTIES]
-        documented += [(f"{', '.join(PROPERTIES)} : float or str, optional", 'The value of this property, or a factor such as "x2".')]
-    elif not stars and (fields or shape.group in ("batch", "sweep", "survey")):
-        parameters.append("*")
-    for field in fields:
-        name, kind = keyword_of(field.name), type_of(field)
-        parameters.append(f"{name}: bool = False" if kind == "bool" else f"{name}: {kind} | None = None")
-        documented.append((f"{name} : {readable(kind)}, optional", described(field)))
-        passed.append(f'"{field.name}": {name}' + (" or None" if kind == "bool" else ""))
-    if shape.group == "survey":
-        parameters.append("jobs: int | None = None")
-        documented.append(("jobs : int, optional", "Models to work on at once [default: one per processor]"))
-    if shape.group in ("batch", "sweep", "survey"):
-        parameters.append("progress: Progress = False")
-        documented.append(("progress : bool or callable, optional", "Show a bar (where tqdm is there), or call this with 1 and whether it failed for each model."))
-    head = f"def {name_of(verb)}(\n" + "".join(f"    {parameter},\n" for parameter in parameters) + f") -> {shape.returns}:\n"
-    if not parameters:
-        head = f"def {name_of(verb)}() -> {shape.returns}:\n"
-    keywords = "{" + ", ".join(passed) + "}"
-    if verb.name == "set":
+    positional = [positional_of(verb, *one) for one in shape.positional]
+    named = [keyword_parameter(verb, field) for field in fields]
+    own = own_keywords(shape)
+    properties = [Parameter(name, "float | str", "None") for name in PROPERTIES] if verb.name == "set" else []
+    keywords = properties + named + own
+    documented = [(f"{one.name.lstrip('*')} : {one.readable or readable(one.kind)}" + (", optional" if one.default else ""), one.meaning) for one in positional]
+    if properties:
+        documented.append((f"{', '.join(PROPERTIES)} : float or str, optional", 'The value of this property, or a factor such as "x2".'))
+    documented += [(f"{one.name} : {one.readable or readable(one.kind)}" + (", optional" if one.default else ""), one.meaning) for one in named + own]
+    passed = "{" + ", ".join(passed_on(field) for field in fields) + "}"
+    if properties:
         given = ", ".join(f'"{name}": {name}' for name in PROPERTIES)
-        keywords = "{" + ", ".join([f'"set": _run.assignments({{{given}}})', *passed]) + "}"
-    return head + docstring(verb, shape, documented) + body(verb, shape, keywords)
+        passed = "{" + ", ".join([f'"set": _run.assignments({{{given}}})', *map(passed_on, fields)]) + "}"
+    overloads = [overload_of(verb, form, positional, keywords) for form in shape.forms]
+    words = listed(positional, keywords)
+    head = f"def {name_of(verb)}(\n" + "".join(f"    {word},\n" for word in words) + f") -> {shape.returns}:\n"
+    if not words:
+        head = f"def {name_of(verb)}() -> {shape.returns}:\n"
+    return "".join(overloads) + head + docstring(verb, shape, documented) + body(verb, shape, passed)
+
+
+def positional_of(verb: Verb, name: str, kind: str, default: str, meaning: str, field_name: str) -> Parameter:
+    if kind == "KIND":
+        kind = type_of(verb, next(field for field in verb.fields if field.name == field_name))
+    return Parameter(name, kind, default, meaning=meaning)
+
+
+def keyword_parameter(verb: Verb, field: Field) -> Parameter:
+    kind = type_of(verb, field)
+    is_needed = field.name in verb.required | NEEDED.get(verb.name, set())
+    default = "False" if kind == "bool" else "" if is_needed else "None"
+    return Parameter(keyword_of(field.name), kind, default, meaning=described(field))
+
+
+def own_keywords(shape: Shape) -> list[Parameter]:
+    """Keywords that the command does not have, or has in another way."""
+    own = []
+    if shape.group == "survey":
+        own.append(Parameter("jobs", "int", "None", meaning="Models to work on at once [default: one per processor]"))
+    if shape.group in ("batch", "sweep", "survey"):
+        own.append(Parameter("progress", "Progress", "False", "bool or callable", "Show a bar (where tqdm is there), or call this with 1 and whether it failed for each model."))
+    return own
+
+
+def passed_on(field: Field) -> str:
+    name = keyword_of(field.name)
+    return f'"{field.name}": {name}' + (" or None" if "boolean" in field.kinds else "")
+
+
+def listed(positional: list[Parameter], keywords: list[Parameter]) -> list[str]:
+    """The parameters as a function has them."""
+    has_star = any(one.name.startswith("*") for one in positional)
+    parts = [*map(str, positional)]
+    if positional and not has_star:
+        parts.append("/")
+    if keywords and not has_star:
+        parts.append("*")
+    return parts + [*map(str, keywords)]
+
+
+def overload_of(verb: Verb, form: Form, positional: list[Parameter], keywords: list[Parameter]) -> str:
+    unknown = {*form.needed, *form.without} - {one.name for one in keywords}
+    if unknown:
+        raise SystemExit(f"{verb.name} has no {', '.join(sorted(unknown))}: take it out of its forms")
+    own = [
+        Parameter(one.name, kind, one.default if kind == "None" else "") if (kind := form.positional.get(one.name)) else one
+        for one in positional
+    ]
+    named = [
+        Parameter(one.name, one.kind) if one.name in form.needed else Parameter(one.name, "None", "None") if one.name in form.without else one
+        for one in keywords
+    ]
+    return f"@overload\ndef {name_of(verb)}({', '.join(listed(own, named))}) -> {form.returns}: ...\n"
 
 
 def readable(kind: str) -> str:
     """A type as people say it."""
     if kind.startswith("Literal[") and " | " not in kind:
         return "{" + kind[8:-1] + "}"
-    parts = [part for part in kind.split(" | ") if part != "None"]
+    parts = [part for part in kinds_in(kind) if part != "None"]
     if len(parts) > 1:
-        return " or ".join(readable(part) for part in parts)
+        return " or ".join(filter(None, map(readable, parts)))
     if kind.startswith("Sequence["):
-        return "list of " + readable(kind[9:-1]).replace("table or path", "values")
-    names = {"StrPath": "path", "Source": "path, bytes or opensim.Model", "Sources": "path or list", "Any": "table or path"}
-    return {**names, "Mapping[str, Any]": "dict"}.get(parts[0], parts[0])
+        return "list of " + readable(kind[9:-1])
+    names = {"StrPath": "path", "Source": "path, bytes or opensim.Model", "Sources": "path or list", "TableLike": "table", "Polars": "", "Property": "str"}
+    return "dict" if kind.startswith("Mapping[") else names.get(parts[0], parts[0])
+
+
+def kinds_in(kind: str) -> list[str]:
+    """The kinds that a type is one of; those within brackets are parts of one."""
+    parts, depth = [""], 0
+    for piece in re.split(r"( \| |\[|\])", kind):
+        depth += (piece == "[") - (piece == "]")
+        if piece == " | " and not depth:
+            parts.append("")
+        else:
+            parts[-1] += piece
+    return parts
 
 
 def docstring(verb: Verb, shape: Shape, documented: list[tuple[str, str]]) -> str:
@@ -242,7 +381,8 @@ def docstring(verb: Verb, shape: Shape, documented: list[tuple[str, str]]) -> st
         for name, meaning in documented:
             lines += [name, *textwrap.wrap(meaning, 110, initial_indent="    ", subsequent_indent="    ")]
         lines.append("")
-    lines += ["Returns", "-------", shape.returns, f"    {shape.returned}", ""]
+    returned = textwrap.wrap(shape.returned, 110, initial_indent="    ", subsequent_indent="    ")
+    lines += ["Returns", "-------", RETURNS.get(shape.returns, shape.returns), *returned, ""]
     lines += ["Raises", "------", "ContactScaleError", "    It cannot be done: the subclass says why.", '"""']
     return textwrap.indent("\n".join(lines), "    ", lambda line: bool(line.strip())) + "\n"
 
@@ -266,7 +406,7 @@ def body(verb: Verb, shape: Shape, keywords: str) -> str:
         arguments.append("progress")
     call = f"_run.{shape.body}({', '.join(arguments)})"
     # Its result has one of several types, which depend on the verb or on what is given.
-    cast = "  # type: ignore[no-any-return]" if shape.body in ("survey", "design") else ""
+    cast = "  # type: ignore[no-any-return]" if shape.body in ("survey", "design", "batch") else ""
     return f"{said}    return {call}{cast}\n"
 
 

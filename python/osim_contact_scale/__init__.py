@@ -13,7 +13,7 @@ Journal of Biomechanics; each is a function in `osim_contact_scale.scaling`.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from . import _native
 from ._answers import Answer, DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
@@ -41,13 +41,16 @@ from ._verbs import (
     reproduce,
     rescale,
     rescale_many,
-    set,
     sweep,
     transfer,
 )
 
+# Not among the names of `import *`: there it would take the place of Python's own.
+from ._verbs import set as set
+
 if TYPE_CHECKING:
     from . import scaling
+    from . import types as types
 
 __version__ = _native.VERSION
 """Version of the package, and of the command that comes with it."""
@@ -94,17 +97,18 @@ __all__ = [
     "rescale",
     "rescale_many",
     "scaling",
-    "set",
     "set_threads",
     "sweep",
     "transfer",
 ]
 
 
-def __getattr__(name: str) -> Any:
-    # NumPy takes longer to import than everything else here: only those wait for it who calculate with it.
-    if name == "scaling":
-        import importlib
+if not TYPE_CHECKING:
 
-        return importlib.import_module(f"{__name__}.scaling")
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    def __getattr__(name):
+        # NumPy takes longer to import than everything else here: only those wait for it who calculate with it.
+        if name == "scaling":
+            import importlib
+
+            return importlib.import_module(f"{__name__}.scaling")
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

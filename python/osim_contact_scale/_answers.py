@@ -10,6 +10,7 @@ from ._frames import frame_of, unit_of
 from ._html import preformatted
 from ._named import Named, clipped, line, lines
 from ._tables import columns_of, table
+from .types import Table
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -69,7 +70,7 @@ class DropTest(Answer):
     __slots__ = ()
 
     @property
-    def series(self) -> Any:
+    def series(self) -> Table:
         """The motion over time: a table with a column for each quantity, the unit in its name."""
         return _of_columns(self.record["series"])
 
@@ -101,7 +102,7 @@ class Motion(Answer):
         self._columns = columns
 
     @property
-    def rows(self) -> Any:
+    def rows(self) -> Table:
         """A row for each frame, sphere and force: places, velocities and forces, the unit in the name of each column."""
         return _of_columns(self._columns)
 
@@ -233,7 +234,7 @@ class Explanation(Answer):
     __slots__ = ()
 
 
-def _of_columns(columns: Mapping[str, list[Any]]) -> Any:
+def _of_columns(columns: Mapping[str, list[Any]]) -> Table:
     """Columns as a table."""
     names = list(columns)
     return table([dict(zip(names, row)) for row in zip(*columns.values())], names)

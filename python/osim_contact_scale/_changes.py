@@ -10,13 +10,14 @@ from typing import Any
 
 from . import _native
 from ._errors import RequestError
-from ._progress import Progress, following
+from ._progress import following
 from ._request import fields_of, is_path, path_of
 from ._rows import models_csv, rows_of
 from ._survey import listed
 from ._tables import columns_of, table
 from ._text import printable
 from ._threads import jobs_of
+from .types import Progress, Table
 
 log = logging.getLogger("osim_contact_scale")
 
@@ -24,7 +25,7 @@ log = logging.getLogger("osim_contact_scale")
 _CHANGING = ("rescale", "transfer", "add", "remove", "convert", "design", "set", "note")
 
 
-def many(verb: str, models: Any, keywords: Mapping[str, Any], progress: Progress) -> Any:
+def many(verb: str, models: Any, keywords: Mapping[str, Any], progress: Progress) -> Table:
     """Does the same change to many models: a row of the summary for each.
 
     Raises
@@ -87,7 +88,7 @@ def batch(of_models: Any, keywords: Mapping[str, Any], progress: Progress) -> An
             record.update(remark)
         return table(records, columns_of((), records))
     # As they were given, not as text: so that the result can be merged with the table that it was made from.
-    done = table(records, columns_of((), records))
+    done: Any = table(records, columns_of((), records))
     for name in (name for name in columns_of((), rows) if name.startswith("#")):
         if not hasattr(done, "columns"):
             for record, place in zip(done, places):

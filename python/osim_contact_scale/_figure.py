@@ -16,6 +16,7 @@ from ._frames import frame_of, require
 from ._named import Named, clipped, line
 from ._request import at_home
 from ._text import printable
+from .types import Table
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -66,7 +67,7 @@ class Figure(Named):
         return self._native.notes
 
     @property
-    def data(self) -> Any:
+    def data(self) -> Table:
         """The numbers that are drawn, as a table: a DataFrame where pandas is there, else a list of dictionaries."""
         from ._tables import table
 

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-import typing
 from collections.abc import Iterable
-from typing import Any
+from typing import Literal, get_args
 
-from . import _changes, _verbs
-from ._progress import Progress
-from ._verbs import StrPath
+from . import _changes
+from ._options import Property
+from .types import Progress, StrPath, Table
+
+ChangingVerb = Literal["rescale", "transfer", "add", "remove", "convert", "design", "set", "note"]
 
 
-def many(verb: str, models: StrPath | Iterable[StrPath], /, *, progress: Progress = False, **options: Any) -> Any:
+def many(
+    verb: ChangingVerb, models: StrPath | Iterable[StrPath], /, *, progress: Progress = False, **options: object
+) -> Table:
     """Does the same change to many models and writes all of them.
 
     Parameters
@@ -40,11 +43,6 @@ def many(verb: str, models: StrPath | Iterable[StrPath], /, *, progress: Progres
     """
     keywords = {name.rstrip("_"): value for name, value in options.items()}
     if verb == "set":
-        keywords["set"] = {name: keywords.pop(name) for name in _properties() if keywords.get(name) is not None}
+        properties = get_args(Property)
+        keywords["set"] = {name: keywords.pop(name) for name in properties if keywords.get(name) is not None}
     return _changes.many(verb, models, keywords, progress)
-
-
-def _properties() -> list[str]:
-    """OpenSim's properties that `set` takes: the keywords of it that are a number or a factor such as `"x2"`."""
-    kinds = typing.get_type_hints(_verbs.set)
-    return [name for name, kind in kinds.items() if {*typing.get_args(kind)} == {float, str, type(None)}]

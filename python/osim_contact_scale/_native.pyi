@@ -11,7 +11,7 @@ VERSION: str
 _Fields = dict[str, Any]
 _Memory = Mapping[str, bytes] | Mapping[Path, bytes]
 _Record = dict[str, Any]
-_Callback = Callable[[int, bool], Any] | None
+_Callback = Callable[[int, bool], object] | None
 _AxisLook = tuple[bool, tuple[float, float] | None]
 PanelLook = tuple[_AxisLook, _AxisLook, bool, list[int]]
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from . import _native
 from ._tables import table
+from .types import Table
 
 #: Columns of a table of changes. `old` and `new` are in `unit`.
 CHANGES = ("property", "path", "old", "new", "factor", "unit", "equation", "force", "sphere", "set", "line", "inserted")
@@ -17,7 +18,7 @@ MOVES = ("path", "sphere", "old_x", "old_y", "old_z", "new_x", "new_y", "new_z",
 OBJECTS = ("change", "class", "name", "path", "body", "location_m", "radius_m", "parameters")
 
 
-def changes(record: dict[str, Any]) -> Any:
+def changes(record: dict[str, Any]) -> Table:
     """The numbers that change, a row each."""
     return table(_rows_of_changes(record), CHANGES)
 
@@ -39,7 +40,7 @@ def alike(record: dict[str, Any]) -> list[dict[str, Any]]:
     return list(groups.values())
 
 
-def moves(record: dict[str, Any]) -> Any:
+def moves(record: dict[str, Any]) -> Table:
     """The spheres that move, a row each."""
     return table(rows_of_moves(record), MOVES)
 
@@ -58,6 +59,6 @@ def rows_of_moves(record: dict[str, Any]) -> list[dict[str, Any]]:
     ]
 
 
-def objects(record: dict[str, Any]) -> Any:
+def objects(record: dict[str, Any]) -> Table:
     """The objects that are added or removed, a row each."""
     return table(record["objects"], OBJECTS)

@@ -5,15 +5,12 @@ from __future__ import annotations
 import importlib.util
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
 
 from ._errors import RequestError
-
-#: `True` for a bar where tqdm is there, `False` for none, or a function that is called with 1 and whether it failed, for each model.
-Progress = bool | Callable[[int, bool], Any]
+from .types import Progress
 
 #: What the native half calls back.
-Callback = Callable[[int, bool], Any] | None
+Callback = Callable[[int, bool], object] | None
 
 
 @contextmanager

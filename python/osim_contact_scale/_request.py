@@ -8,14 +8,12 @@ import re
 from collections.abc import Mapping, Sequence
 from keyword import iskeyword
 from pathlib import Path, PurePath
-from typing import Any, TypeGuard, Union
+from typing import Any, TypeGuard
 
 from . import _live
 from ._errors import ModelError, RequestError
 from ._text import printable
-
-#: A model: the name of its file, its bytes, a result of this package, or an `opensim.Model`.
-Source = Union[str, "os.PathLike[str]", bytes, Any]
+from .types import Source
 
 #: How a model is called that has no file.
 UNNAMED = "model.osim"
@@ -151,7 +149,7 @@ def model_of(source: Source, memory: Memory) -> Any:
     )
 
 
-def with_own_files(source: Source, keywords: Mapping[str, Any], memory: Memory) -> dict[str, Any]:
+def with_own_files(source: Source | None, keywords: Mapping[str, Any], memory: Memory) -> dict[str, Any]:
     """The keywords of a call about `source`, and the other files of its model where it is a result of a ForceSet by itself.
 
     Its new geometry belongs to it, also where the old file of that name is given.

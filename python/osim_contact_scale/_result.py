@@ -18,9 +18,10 @@ from ._errors import RequestError
 from ._frames import frame_of
 from ._html import heading, html_table, paragraph, preformatted
 from ._named import Named, clipped, line, lines
-from ._request import MODELS, Memory, Source, at_home, fields_of, is_path, model_of, with_own_files
+from ._request import MODELS, Memory, at_home, fields_of, is_path, model_of, with_own_files
 from ._tables import table
 from ._text import printable
+from .types import LiveModel, Source, Table
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -125,15 +126,15 @@ class Result(Named):
         return mass
 
     @property
-    def changes(self) -> Any:
+    def changes(self) -> Table:
         return _plan_tables.changes(self.record)
 
     @property
-    def moves(self) -> Any:
+    def moves(self) -> Table:
         return _plan_tables.moves(self.record)
 
     @property
-    def objects(self) -> Any:
+    def objects(self) -> Table:
         return _plan_tables.objects(self.record)
 
     @property
@@ -251,7 +252,7 @@ class Result(Named):
             message = f"{self.path} was named in the folder {self._folder}, which is no longer the current one"
             raise RequestError("usage", f"{message}: write to a whole path, or go back to that folder")
 
-    def apply(self, model: Any) -> None:
+    def apply(self, model: LiveModel) -> None:
         """Applies the change to a live `opensim.Model`, so that it equals the new file.
 
         Call `initSystem()` afterwards, as after every change of a property.
@@ -371,7 +372,7 @@ class Remedy(Named):
     #: Where names of files began when it was found.
     _folder: str | None = field(repr=False, compare=False, default=None)
 
-    def apply(self, source: Any = None) -> Result:
+    def apply(self, source: Source | None = None) -> Result:
         """Plans the change; nothing is written before `Result.write`.
 
         Parameters
@@ -517,7 +518,7 @@ class Findings(tuple[Finding, ...], Named):
         return rows
 
     @property
-    def table(self) -> Any:
+    def table(self) -> Table:
         """The findings as a table: a DataFrame where pandas is there, else a list of dictionaries."""
         return table(self._rows(), COLUMNS)
 

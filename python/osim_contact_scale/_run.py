@@ -11,10 +11,10 @@ from typing import Any
 from . import _changes, _native, _survey, _sweep
 from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
 from ._figure import Figure
-from ._progress import Progress
-from ._request import Memory, Source, fields_of, model_of, models_of, path_of, with_own_files
+from ._request import Memory, fields_of, model_of, models_of, path_of, with_own_files
 from ._result import Result, plan
 from ._rows import csv_of, rows_of, storage_of
+from .types import Progress, Source
 
 log = logging.getLogger("osim_contact_scale")
 
@@ -156,8 +156,7 @@ def reproduce() -> Reproduction:
 
 
 def sweep(source: Source, keywords: Mapping[str, Any], progress: Progress) -> _sweep.Sweep:
-    made: _sweep.Sweep = _sweep.sweep(source, keywords, progress)
-    return made
+    return _sweep.sweep(source, keywords, progress)
 
 
 def batch(table: Any, keywords: Mapping[str, Any], progress: Progress) -> Any:

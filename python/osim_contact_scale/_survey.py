@@ -5,26 +5,24 @@ from __future__ import annotations
 import logging
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
 from . import _live, _native
 from ._errors import ContactScaleError
 from ._frames import frame_of
 from ._html import heading, html_table, paragraph
 from ._named import Named, line
-from ._progress import Progress, following
-from ._request import MODELS, InMemory, Memory, Source, at_home, fields_of, is_path, models_of, with_own_files
+from ._progress import following
+from ._request import MODELS, InMemory, Memory, at_home, fields_of, is_path, models_of, with_own_files
 from ._result import COLUMNS, Findings
 from ._tables import columns_of, table
 from ._threads import jobs_of
+from .types import Progress, Sources, Table
 
 if TYPE_CHECKING:
     import pandas as pd
 
 log = logging.getLogger("osim_contact_scale")
-
-#: One model or several: paths, folders, bytes, results or live models.
-Sources = Source | Iterable[Source]
 
 #: Severities from the worst on, and what one finding of each is called.
 _SEVERITIES = {"error": "error", "warn": "warning", "info": "remark"}
@@ -131,7 +129,16 @@ class Survey(Named, Sequence[dict[str, Any]]):
         self._folder = folder
         self.text = text
 
-    def __getitem__(self, index: Any) -> Any:
+    @overload
+    def __getitem__(self, index: SupportsIndex, /) -> dict[str, Any]: ...
+
+    @overload
+    def __getitem__(self, index: slice, /) -> list[dict[str, Any]]: ...
+
+    @overload
+    def __getitem__(self, index: str, /) -> Any: ...
+
+    def __getitem__(self, index: Any, /) -> Any:
         return self._by_name(index) if isinstance(index, str) else self.records[index]
 
     def __len__(self) -> int:
@@ -174,7 +181,7 @@ class Inspection(Survey):
         return frame_of(lambda: self.models)
 
     @property
-    def models(self) -> Any:
+    def models(self) -> Table:
         """A row for each model: masses, gravity, limbs, how many spheres and forces."""
         rows = []
         for record in self.records:
@@ -185,7 +192,7 @@ class Inspection(Survey):
         return table(rows, columns_of(_MODEL, rows))
 
     @property
-    def spheres(self) -> Any:
+    def spheres(self) -> Table:
         """A row for each sphere: radius, place, limb, and what it does under the weight, each figure by its name."""
         first = (
             "model",
@@ -214,7 +221,7 @@ class Inspection(Survey):
         return table(rows, columns_of(first, rows))
 
     @property
-    def forces(self) -> Any:
+    def forces(self) -> Table:
         """A row for each force, or each ContactParameters of one: its parameters by OpenSim's names, and without dimensions."""
         first = ("model", "name", "path", "type", "set", "spheres", "applies", "selected")
         rows = []
@@ -268,13 +275,13 @@ class Check(Survey):
         return Findings._of(record["findings"], self._requests[index], source, self._sources, self._folder)
 
     @property
-    def models(self) -> Any:
+    def models(self) -> Table:
         """A row for each model: how many findings of each severity."""
         rows = [{"model": record["model"], **record["counts"]} for record in self.records]
         return table(rows, ("model", "error", "warn", "info"))
 
     @property
-    def table(self) -> Any:
+    def table(self) -> Table:
         """A row for each finding."""
         rows = []
         for record in self.records:

@@ -13,10 +13,11 @@ from ._cells import from_cell
 from ._frames import frame_of
 from ._html import heading, html_table
 from ._named import Named, line
-from ._progress import Progress, following
-from ._request import Source, fields_of, is_path, path_of
+from ._progress import following
+from ._request import fields_of, is_path, path_of
 from ._tables import table
 from ._threads import jobs_of
+from .types import Progress, Source, Table
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 log = logging.getLogger("osim_contact_scale")
 
 
-def sweep(source: Source, keywords: Mapping[str, Any], progress: Progress) -> Any:
+def sweep(source: Source, keywords: Mapping[str, Any], progress: Progress) -> Sweep:
     """Makes variants of one model: a row for each, which says what is in which file.
 
     Raises
@@ -70,7 +71,7 @@ class Sweep(Named):
         return None if self.manifest is None else self.manifest.parent
 
     @property
-    def table(self) -> Any:
+    def table(self) -> Table:
         """A row for each variant, with the path of its file under `path`."""
         return table(*self._rows())
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 import importlib.util
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, cast
+
+from .types import Table
 
 #: Names of columns that hold numbers, also where all of them are missing.
 _NUMBERS = re.compile(
@@ -14,11 +16,11 @@ _NUMBERS = re.compile(
 )
 
 
-def table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> Any:
+def table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> Table:
     """Rows under these columns. What a row does not have is missing: None, and NaN in a column of numbers."""
     filled = [{column: row.get(column) for column in columns} for row in rows]
     if importlib.util.find_spec("pandas") is None:
-        return filled
+        return cast("Table", filled)
     import pandas as pd
 
     frame = pd.DataFrame(filled, columns=list(columns))

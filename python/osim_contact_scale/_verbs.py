@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal
+from typing import Literal, overload
 
 from . import _run
-from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Reproduction
+from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Presets, Reproduction
 from ._figure import Figure
-from ._progress import Progress
-from ._request import Source
+from ._options import Property
 from ._result import Result
-from ._survey import Check, Inspection, Sources
+from ._survey import Check, Inspection
 from ._sweep import Sweep
-
-StrPath = str | os.PathLike[str]
+from .types import Progress, Source, Sources, StrPath, Table, TableLike
 
 __all__ = [
     "add",
@@ -34,7 +31,6 @@ __all__ = [
     "reproduce",
     "rescale",
     "rescale_many",
-    "set",
     "sweep",
     "transfer",
 ]
@@ -54,7 +50,7 @@ def add(
     class_: Literal["smooth", "hunt-crossley"] | None = None,
     friction: bool = False,
     radius: float | str | None = None,
-    body_scale: str | Sequence[str] | Mapping[str, Any] | None = None,
+    body_scale: str | Sequence[str] | Mapping[str, float | Sequence[float]] | None = None,
     body_map: str | Sequence[str] | None = None,
     level: bool = False,
     replace: bool = False,
@@ -207,7 +203,7 @@ def add(
 
 
 def rescale_many(
-    table: Any,
+    table: StrPath | TableLike,
     /,
     *,
     output_dir: StrPath | None = None,
@@ -224,12 +220,12 @@ def rescale_many(
     shard: str | None = None,
     yes: str | Sequence[str] | None = None,
     progress: Progress = False,
-) -> Any:
+) -> Table:
     """One row per model; columns are named like the long options of rescale, transfer, design and set.
 
     Parameters
     ----------
-    table : table or path
+    table : path or table
         A DataFrame, a dictionary of columns, a list of dictionaries, or the path of a table (.csv). One row per
         model, with columns named like the keywords of the verbs.
     output_dir : path, optional
@@ -263,7 +259,7 @@ def rescale_many(
 
     Returns
     -------
-    Any
+    pandas.DataFrame or list of dict
         A row for each model: what was done, old and new values, errors. A DataFrame where pandas is there.
 
     Raises
@@ -272,7 +268,7 @@ def rescale_many(
         It cannot be done: the subclass says why.
     """
     keywords = {"output_dir": output_dir, "in_place": in_place or None, "no_backup": no_backup or None, "force": force or None, "no_note": no_note or None, "allow_outside": allow_outside or None, "dry_run": dry_run or None, "report": report, "jobs": jobs, "summary": summary, "resume": resume or None, "shard": shard, "yes": yes}
-    return _run.batch(table, keywords, progress)
+    return _run.batch(table, keywords, progress)  # type: ignore[no-any-return]
 
 
 def check(
@@ -374,7 +370,7 @@ def convert(
     source: Source,
     /,
     *,
-    to: Literal["smooth", "hunt-crossley"] | None = None,
+    to: Literal["smooth", "hunt-crossley"],
     constant_contact_force: float | None = None,
     hertz_smoothing: float | None = None,
     hunt_crossley_smoothing: float | None = None,
@@ -391,7 +387,7 @@ def convert(
     ----------
     source : path, bytes or opensim.Model
         Path of a model (.osim) or ForceSet (.xml), its bytes, a Result, or an `opensim.Model`.
-    to : {"smooth", "hunt-crossley"}, optional
+    to : {"smooth", "hunt-crossley"}
         The class that forces get.
     constant_contact_force : float, optional
         OpenSim's constant_contact_force of forces that had none [default: Falisse et al. (2022) at each radius
@@ -428,6 +424,10 @@ def convert(
     return _run.plan("convert", source, keywords)
 
 
+@overload
+def design(source: None = None, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: str | Sequence[str] | None = None, geometry: Source | None = None, model: Source | None = None) -> DesignSheet: ...
+@overload
+def design(source: Source, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: str | Sequence[str] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
 def design(
     source: Source | None = None,
     /,
@@ -656,12 +656,16 @@ def explain(
     return _run.explain(topics, {})
 
 
+@overload
+def fit(measured: StrPath | TableLike, /, *, motion: None = None, plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | Sequence[Literal["stiffness", "dissipation", "height", "heights", "places"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, cop_scale: float | None = None, slack: bool = False, foot_error: float | None = None, belt: float | None = None, belt_column: str | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: str | Sequence[str] | None = None, geometry: Source | None = None, model: Source | None = None) -> Fit: ...
+@overload
+def fit(measured: Source, /, *, motion: StrPath | TableLike | Sequence[StrPath | TableLike], plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | Sequence[Literal["stiffness", "dissipation", "height", "heights", "places"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, cop_scale: float | None = None, slack: bool = False, foot_error: float | None = None, belt: float | None = None, belt_column: str | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: str | Sequence[str] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
 def fit(
-    measured: Any,
+    measured: StrPath | TableLike | Source,
     /,
     *,
-    motion: StrPath | Sequence[StrPath] | None = None,
-    plates: StrPath | Sequence[StrPath] | None = None,
+    motion: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None,
+    plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None,
     loads: StrPath | Sequence[StrPath] | None = None,
     fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | Sequence[Literal["stiffness", "dissipation", "height", "heights", "places"]] | None = None,
     unbounded: bool = False,
@@ -700,13 +704,13 @@ def fit(
 
     Parameters
     ----------
-    measured : table or path
+    measured : path or table or path, bytes or opensim.Model
         Measured indentation and force: a path (.csv), or a table with columns. With `motion`, the model as for
         `rescale`.
-    motion : path or list of path, optional
+    motion : path or table or list of path or table, optional
         Fit the model to this motion (.mot, .sto), so that its forces are the measured ones; one or several in a
         list, for several trials.
-    plates : path or list of path, optional
+    plates : path or table or list of path or table, optional
         Ground reactions that force plates measured (.mot, .sto); one for each motion.
     loads : path or list of path, optional
         OpenSim's ExternalLoads (.xml); one for each motion, or one for all.
@@ -877,10 +881,10 @@ def inspect(
 
 def motion(
     source: Source,
-    recording: Any,
+    recording: StrPath | TableLike,
     /,
     *,
-    plates: StrPath | None = None,
+    plates: StrPath | TableLike | None = None,
     loads: StrPath | None = None,
     angles: Literal["degrees", "radians"] | None = None,
     low_pass: float | None = None,
@@ -903,10 +907,10 @@ def motion(
     ----------
     source : path, bytes or opensim.Model
         Path of a model (.osim) or ForceSet (.xml), its bytes, a Result, or an `opensim.Model`.
-    recording : table or path
+    recording : path or table
         Coordinates over time: a path (.mot, .sto), or a table with a column `time` and one for each coordinate,
         in rad and m.
-    plates : path, optional
+    plates : path or table, optional
         Ground reactions that force plates measured (.mot or .sto)
     loads : path, optional
         OpenSim's ExternalLoads (.xml): which columns of the plates act on which body.
@@ -958,7 +962,7 @@ def note(
     source: Source,
     /,
     *,
-    contacts_mass: float | None = None,
+    contacts_mass: float,
     contacts_gravity: float | None = None,
     stance_limbs: int | None = None,
     no_note: bool = False,
@@ -972,7 +976,7 @@ def note(
     ----------
     source : path, bytes or opensim.Model
         Path of a model (.osim) or ForceSet (.xml), its bytes, a Result, or an `opensim.Model`.
-    contacts_mass : float, optional
+    contacts_mass : float
         Mass the contacts in the file were made for, kg.
     contacts_gravity : float, optional
         Gravity the contacts in the file were made for, m/s2 [default: the model's]
@@ -1018,7 +1022,7 @@ def plot(
     quantity: Literal["indentation", "restitution", "peak-force"] | None = None,
     stiffness: str | None = None,
     dissipation: str | None = None,
-    table: StrPath | None = None,
+    table: StrPath | TableLike | None = None,
     value_column: str | None = None,
     x_column: str | None = None,
     y_column: str | None = None,
@@ -1078,7 +1082,7 @@ def plot(
         Values of stiffness: FROM..TO/COUNT in N/m2, or factors like x0.1..x10/25.
     dissipation : str, optional
         Values of dissipation: FROM..TO/COUNT in s/m, or factors.
-    table : path, optional
+    table : path or table, optional
         Draw a column of this table (CSV) instead, such as a sweep's with your results in it.
     value_column : str, optional
         The table's column that is drawn.
@@ -1144,7 +1148,7 @@ def presets(
     /,
     *,
     presets: StrPath | None = None,
-) -> list[Preset]:
+) -> Presets:
     """Lists presets, or shows one.
 
     Parameters
@@ -1156,8 +1160,8 @@ def presets(
 
     Returns
     -------
-    list[Preset]
-        Published contacts, and one's own.
+    Presets
+        Published contacts, and one's own: a list.
 
     Raises
     ------
@@ -1229,15 +1233,15 @@ def rescale(
     source: Source,
     /,
     *,
-    target_mass: float | None = None,
+    target_mass: float,
     contacts_mass: float | None = None,
     mass: float | None = None,
     exclude_body: str | Sequence[str] | None = None,
     radius: float | str | None = None,
     level: bool = False,
     level_axis: Literal["x", "y", "z", "-x", "-y", "-z"] | None = None,
-    only: str | Sequence[str] | None = None,
-    keep: str | Sequence[str] | None = None,
+    only: Property | Sequence[Property] | None = None,
+    keep: Property | Sequence[Property] | None = None,
     dissipation_by: Literal["radius", "mass"] | None = None,
     friction: bool = False,
     contacts_gravity: float | None = None,
@@ -1258,7 +1262,7 @@ def rescale(
     ----------
     source : path, bytes or opensim.Model
         Path of a model (.osim) or ForceSet (.xml), its bytes, a Result, or an `opensim.Model`.
-    target_mass : float, optional
+    target_mass : float
         Mass the contacts should be made for, kg.
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
@@ -1391,11 +1395,15 @@ def set(
     return _run.plan("set", source, keywords)
 
 
+@overload
+def sweep(source: StrPath, /, *, grid: str | Sequence[str] | Mapping[str, float | str | Sequence[object]], ladder: None = None, soft: None = None, point: int | None = None, shard: str | None = None, output_dir: StrPath | None = None, force: bool = False, resume: bool = False, no_note: bool = False, dry_run: bool = False, jobs: int | None = None, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, yes: str | Sequence[str] | None = None, progress: Progress = False) -> Sweep: ...
+@overload
+def sweep(source: StrPath, /, *, grid: None = None, ladder: int, soft: float | None = None, point: int | None = None, shard: str | None = None, output_dir: StrPath | None = None, force: bool = False, resume: bool = False, no_note: bool = False, dry_run: bool = False, jobs: int | None = None, radius: float | str | None = None, indentation: float, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, yes: str | Sequence[str] | None = None, progress: Progress = False) -> Sweep: ...
 def sweep(
     source: StrPath,
     /,
     *,
-    grid: str | Sequence[str] | Mapping[str, Any] | None = None,
+    grid: str | Sequence[str] | Mapping[str, float | str | Sequence[object]] | None = None,
     ladder: int | None = None,
     soft: float | None = None,
     point: int | None = None,
@@ -1531,7 +1539,7 @@ def transfer(
     source: Source,
     /,
     *,
-    from_: Source | None = None,
+    from_: Source,
     presets: StrPath | None = None,
     spheres: int | None = None,
     stance_limbs: int | None = None,
@@ -1542,7 +1550,7 @@ def transfer(
     reference_sphere: str | None = None,
     follow_bodies: bool = False,
     body_scale_file: StrPath | None = None,
-    body_scale: str | Sequence[str] | Mapping[str, Any] | None = None,
+    body_scale: str | Sequence[str] | Mapping[str, float | Sequence[float]] | None = None,
     radius_axis: Literal["x", "y", "z", "geomean", "min", "max"] | None = None,
     moved_spheres: Literal["keep", "replace"] | None = None,
     strict: bool = False,
@@ -1554,8 +1562,8 @@ def transfer(
     radius: float | str | None = None,
     level: bool = False,
     level_axis: Literal["x", "y", "z", "-x", "-y", "-z"] | None = None,
-    only: str | Sequence[str] | None = None,
-    keep: str | Sequence[str] | None = None,
+    only: Property | Sequence[Property] | None = None,
+    keep: Property | Sequence[Property] | None = None,
     dissipation_by: Literal["radius", "mass"] | None = None,
     friction: bool = False,
     contacts_gravity: float | None = None,
@@ -1574,7 +1582,7 @@ def transfer(
     ----------
     source : path, bytes or opensim.Model
         Path of a model (.osim) or ForceSet (.xml), its bytes, a Result, or an `opensim.Model`.
-    from_ : path, bytes or opensim.Model, optional
+    from_ : path, bytes or opensim.Model
         Where the contacts come from: a model, or a preset such as falisse2022.
     presets : path, optional
         A file with presets of your own (TOML)

@@ -42,7 +42,7 @@ def test_what_has_to_be_said_is_named():
         ({"target_mass": -1}, "target_mass"),
         ({"target_mass": 80, "radius": "big"}, "radius"),
         ({"target_mass": 80, "level_axis": "y"}, "level_axis"),
-        ({}, "target_mass"),
+        ({"target_mass": None}, "target_mass"),
     ],
 )
 def test_a_wrong_call_names_its_keyword(keywords, keyword):
@@ -50,6 +50,11 @@ def test_a_wrong_call_names_its_keyword(keywords, keyword):
         ocs.rescale(HUMAN, **keywords)
     assert caught.value.keyword == keyword
     assert isinstance(caught.value, ValueError)
+
+
+def test_a_keyword_that_is_always_needed_is_a_type_error():
+    with pytest.raises(TypeError, match="target_mass"):
+        ocs.rescale(HUMAN)
 
 
 def test_a_keyword_that_there_is_not_is_a_type_error():

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import uuid
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from .._errors import RequestError
-from .._progress import Progress, following
+from .._progress import following
+from .._sweep import Sweep
 from .._text import printable
+from ..types import Progress, StrPath, TableLike
 from ._executors import executor_of
 from ._guard import refuse_within
 from ._join import joined, runs_of, write_tables
@@ -16,15 +19,15 @@ from ._points import points_of, shard_of
 from ._queue import Again, Queue
 from ._results import Results
 from ._store import Store, known_in, rows_in
-from ._task import task_of
+from ._task import Function, task_of
 
 
 def run(
-    points: Any,
-    task: Any,
+    points: Sweep | StrPath | TableLike,
+    task: Callable[..., object] | Function,
     *,
-    results: str | Path,
-    scheduler: Any = None,
+    results: StrPath,
+    scheduler: object = None,
     workers: int | None = None,
     resume: bool = False,
     retry_failed: bool = False,

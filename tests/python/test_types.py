@@ -1,0 +1,143 @@
+"""What type checkers know of the package: of every example of the documents, and of calls that give one thing or another."""
+
+import ast
+import inspect
+import os
+import re
+import subprocess
+import sys
+import typing
+
+import osim_contact_scale as ocs
+import pytest
+from conftest import TOP
+
+pytest.importorskip("mypy", reason="mypy is not installed")
+
+#: A Python block. One that begins with a remark about a Snakefile is in the language of Snakemake.
+BLOCK = re.compile(r"^```python\n(?!# Snakefile)(.*?)^```\n", re.M | re.S)
+PAGES = [TOP / "README.md", TOP / "python" / "README.md", *sorted((TOP / "docs").glob("*.md"))]
+
+# OpenSim and Snakemake have no types; those of Dask are not all exported.
+CONFIG = """
+[mypy]
+strict = true
+allow_redefinition = true
+[mypy-dask.*,dask_jobqueue.*]
+follow_imports = skip
+[mypy-opensim.*,matplotlib.*]
+ignore_missing_imports = true
+"""
+
+CALLS = """
+from typing import Any, assert_type
+
+import osim_contact_scale as ocs
+import pandas as pd
+
+class Live:
+    def printToXML(self, name: str) -> bool:
+        return True
+    def getInputFileName(self) -> str:
+        return ""
+
+live = Live()
+frame = pd.DataFrame({"model": ["a.osim"], "target_mass": [70.0]})
+assert_type(ocs.rescale("a.osim", target_mass=70), ocs.Result)
+assert_type(ocs.rescale(live, target_mass=70), ocs.Result)
+assert_type(ocs.rescale(ocs.set(b"", radius="x2"), target_mass=70, only=["radius"]), ocs.Result)
+assert_type(ocs.design("a.osim", indentation=0.1), ocs.Result)
+assert_type(ocs.design(mass=62, indentation=0.1), ocs.DesignSheet)
+assert_type(ocs.fit("curve.csv", radius=0.03), ocs.Fit)
+assert_type(ocs.fit(frame, radius=0.03), ocs.Fit)
+assert_type(ocs.fit("a.osim", motion=[frame, frame]), ocs.Result)
+assert_type(ocs.presets(), ocs.Presets)
+assert_type(ocs.presets().frame(), pd.DataFrame)
+assert_type(ocs.check(["a.osim", b""]).findings[0], ocs.Finding)
+assert_type(ocs.inspect("a.osim")[0], dict[str, Any])
+assert_type(ocs.inspect("a.osim").spheres, pd.DataFrame)
+assert_type(ocs.rescale_many(frame), pd.DataFrame)
+assert_type(ocs.rescale_many([{"model": "a.osim", "target_mass": 70}]), pd.DataFrame)
+assert_type(ocs.sweep("a.osim", grid={"stiffness": ["x1", 2.0], "radius": 0.1}), ocs.Sweep)
+assert_type(ocs.sweep("a.osim", ladder=3, indentation=0.2), ocs.Sweep)
+ocs.drop_test("a.osim").peak_force_bw
+ocs.rescale("a.osim")  # type: ignore[call-arg]
+ocs.rescale("a.osim", target_mass=None)  # type: ignore[arg-type]
+ocs.rescale("a.osim", target_mass=70, only="radios")  # type: ignore[arg-type]
+ocs.rescale(3, target_mass=70)  # type: ignore[arg-type]
+ocs.transfer("a.osim")  # type: ignore[call-arg]
+ocs.convert("a.osim", to="smoth")  # type: ignore[arg-type]
+ocs.note("a.osim")  # type: ignore[call-arg]
+ocs.sweep("a.osim", radius=0.1)  # type: ignore[call-overload]
+ocs.fit(3)  # type: ignore[call-overload]
+ocs.many("fit", "a.osim")  # type: ignore[arg-type]
+ocs.rescael("a.osim")  # type: ignore[attr-defined]
+"""
+
+
+def checked(folder):
+    """What mypy says of the Python files in a folder."""
+    (folder / "mypy.ini").write_text(CONFIG, encoding="utf-8")
+    command = [sys.executable, "-m", "mypy", "--cache-dir", folder / "cache", *sorted(folder.glob("*.py"))]
+    environment = {**os.environ, "MYPYPATH": str(TOP / "python")}
+    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
+
+
+def program(text):
+    """The Python blocks of a page, each in its own lines: they share their names, as where they run."""
+    lines = [""] * text.count("\n")
+    for match in BLOCK.finditer(text):
+        code, first = match[1].splitlines(), text[: match.start(1)].count("\n")
+        lines[first : first + len(code)] = code
+    return "\n".join(lines) + "\n"
+
+
+def test_every_example_and_every_kind_of_call(tmp_path):
+    programs = {page: program(page.read_text(encoding="utf-8")) for page in PAGES}
+    for page, code in programs.items():
+        if code.strip():
+            name = page.relative_to(TOP).with_suffix("").as_posix()
+            (tmp_path / f"{re.sub('[^a-zA-Z]', '_', name)}.py").write_text(code, encoding="utf-8")
+    (tmp_path / "calls.py").write_text(CALLS, encoding="utf-8")
+    assert len(list(tmp_path.glob("*.py"))) > 8
+    ran = checked(tmp_path)
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+
+
+def signatures():
+    """Every public function and method, and each of its annotations with what it is for."""
+    for name in (*ocs.__all__, "set"):
+        value = getattr(ocs, name)
+        parts = {name: value}
+        if inspect.isclass(value):
+            parts = {f"{name}.{part}": member for part, member in vars(value).items() if not part.startswith("_")}
+        for label, part in parts.items():
+            function = part.fget if isinstance(part, property) else getattr(part, "__func__", part)
+            if inspect.isfunction(function):
+                yield from ((label, what, kind) for what, kind in function.__annotations__.items())
+    tree = ast.parse(inspect.getsource(sys.modules[ocs.rescale.__module__]))
+    for node in (node for node in tree.body if isinstance(node, ast.FunctionDef)):
+        for argument in (*node.args.posonlyargs, *node.args.kwonlyargs):
+            yield node.name, argument.arg, ast.unparse(argument.annotation)
+
+
+def test_no_signature_says_any():
+    """But of what a record of JSON has, and of matplotlib, which need not be there."""
+    said = [(label, what, kind) for label, what, kind in signatures()]
+    assert len(said) > 500
+    for label, what, kind in said:
+        rest = kind.replace("dict[str, Any]", "").replace("Mapping[str, Any]", "")
+        assert not re.search(r"\bAny\b", rest) or label == "Figure.plot", (label, what, kind)
+
+
+def test_all_annotations_mean_something_where_they_run():
+    for name in (name for name in (*ocs.__all__, "set") if inspect.isfunction(getattr(ocs, name))):
+        assert "return" in typing.get_type_hints(getattr(ocs, name)), name
+
+
+@pytest.mark.parametrize("module", ["osim_contact_scale", "osim_contact_scale._verbs"])
+def test_a_star_leaves_the_set_of_python_alone(module):
+    names = {}
+    exec(f"from {module} import *", names)
+    assert "rescale" in names and "set" not in names
+    assert ocs.set is not set
