@@ -130,8 +130,9 @@ def shape_of(verb: Verb) -> Shape:
             "Sweep", "The variants, and the table of what is in which file.", "sweep",
             (Form("Sweep", needed=("grid",), without=("ladder", "soft")), Form("Sweep", needed=("ladder", "indentation"), without=("grid",)))),
         "batch": Shape(
-            "batch", (("table", "StrPath | TableLike", "", "A DataFrame, a dictionary of columns, a list of dictionaries, or the path of a table (.csv). One row per model, with columns named like the keywords of the verbs.", "manifest"),),
-            "Table", "A row for each model: what was done, old and new values, errors. A DataFrame where pandas is there.", "batch"),
+            "batch", (("table", "StrPath | TableLike | Polars", "", "A DataFrame of pandas, polars or another library, a dictionary of columns, a list of dictionaries, or the path of a table (.csv). One row per model, with columns named like the keywords of the verbs. A missing value is an empty cell.", "manifest"),),
+            "Table | Polars", "A row for each model: the user's own columns, what was done, old and new values, errors. A DataFrame with the index of the table; one of polars where the table is; without pandas a list of dictionaries.", "batch",
+            (Form("PolarsTable", {"table": "PolarsTable"}), Form("Table", {"table": "StrPath | TableLike"}))),
     }
     return shapes.get(verb.name, CHANGE)
 
@@ -186,7 +187,7 @@ HEAD = '''"""The verbs as functions. Written by dev/generate_python.py from the 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from typing import Literal, overload
 
 from . import _run
@@ -196,12 +197,12 @@ from ._options import Property
 from ._result import Result
 from ._survey import Check, Inspection
 from ._sweep import Sweep
-from .types import Progress, Source, Sources, StrPath, Table, TableLike
+from .types import Polars, PolarsTable, Progress, Source, Sources, StrPath, Table, TableLike
 '''
 
 
 # Types whose names say too little to people.
-RETURNS = {"Table": "pandas.DataFrame or list of dict"}
+RETURNS = {"Table | Polars": "pandas.DataFrame, polars.DataFrame or list of dict"}
 
 def name_of(verb: Verb) -> str:
     return "rescale_many" if verb.name == "batch" else verb.name.replace("-", "_")
@@ -277,6 +278,8 @@ def function(verb: Verb, shape: Shape) -> str:
     positional = [positional_of(verb, *one) for one in shape.positional]
     named = [keyword_parameter(verb, field) for field in fields]
     own = own_keywords(shape)
+    if shape.group == "batch":
+        own, named = own[1:], [own[0], *named]
     properties = [Parameter(name, "float | str", "None") for name in PROPERTIES] if verb.name == "set" else []
     keywords = properties + named + own
     documented = [(f"{one.name.lstrip('*')} : {one.readable or readable(one.kind)}" + (", optional" if one.default else ""), one.meaning) for one in positional]
@@ -311,11 +314,19 @@ def keyword_parameter(verb: Verb, field: Field) -> Parameter:
 def own_keywords(shape: Shape) -> list[Parameter]:
     """Keywords that the command does not have, or has in another way."""
     own = []
+    if shape.group == "batch":
+        own.append(Parameter("keep", "bool | str | Sequence[Hashable]", "False", "bool, str or list of str", KEEP))
     if shape.group == "survey":
         own.append(Parameter("jobs", "int", "None", meaning="Models to work on at once [default: one per processor]"))
     if shape.group in ("batch", "sweep", "survey"):
         own.append(Parameter("progress", "Progress", "False", "bool or callable", "Show a bar (where tqdm is there), or call this with 1 and whether it failed for each model."))
     return own
+
+
+KEEP = (
+    "Columns of the table that are yours: `keep=[\"age\", \"site\"]`, or True for all that are no options. They come first in the result, as "
+    "they are in the table. A column whose name begins with # is yours without this. Any other that is no option is an error."
+)
 
 
 def passed_on(field: Field) -> str:
@@ -393,6 +404,8 @@ def body(verb: Verb, shape: Shape, keywords: str) -> str:
         arguments = [f'"{verb.name}"', *arguments]
     if shape.body == "survey":
         arguments = [f'"{verb.name}"', *arguments]
+    if shape.body == "batch":
+        arguments.append("keep")
     said = ""
     if shape.body == "explain":
         arguments.append(keywords)

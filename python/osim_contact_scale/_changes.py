@@ -10,9 +10,12 @@ from typing import Any
 
 from . import _native
 from ._errors import RequestError
+from ._gaps import explained, gaps_of, say_gaps
+from ._kinds import kind_of
+from ._own_columns import beside, names_of, own_columns, seen
 from ._progress import following
 from ._request import fields_of, is_path, path_of
-from ._rows import models_csv, rows_of
+from ._rows import as_known, is_blank, models_csv, rows_of
 from ._survey import listed
 from ._tables import columns_of, table
 from ._text import printable
@@ -56,8 +59,8 @@ def many(verb: str, models: Any, keywords: Mapping[str, Any], progress: Progress
     return table(records, columns_of((), records))
 
 
-def batch(of_models: Any, keywords: Mapping[str, Any], progress: Progress) -> Any:
-    """Changes the models of a table: a row of the summary for each.
+def batch(of_models: Any, keep: Any, keywords: Mapping[str, Any], progress: Progress) -> Any:
+    """Changes the models of a table: a row of the summary for each, with the user's own columns.
 
     Raises
     ------
@@ -71,33 +74,58 @@ def batch(of_models: Any, keywords: Mapping[str, Any], progress: Progress) -> An
             'for the same change of several models, or of all in a folder: ocs.many("rescale", models, target_mass=...)'
         )
         raise RequestError("usage", f"{message}; {same}")
-    rows = None if is_path(given) else rows_of(given)
-    if rows is not None and not rows:
-        raise RequestError("usage", "the table has no rows")
-    data = None if rows is None else models_csv(rows)
     keywords = {**keywords, "jobs": jobs_of(keywords.get("jobs"))}
-    fields = fields_of("batch", keywords if rows is not None else {**keywords, "manifest": of_models})
-    with following(progress, "batch", None if rows is None else len(rows)) as callback:
+    if is_path(given):
+        if keep:
+            message = "keep: columns of a file are kept where their names begin with #; or read it first, as by pandas.read_csv"
+            raise RequestError("usage", message, keywords=("keep",))
+        return _as_texts(_done(fields_of("batch", {**keywords, "manifest": of_models}), None, None, progress))
+    rows = rows_of(given)
+    if not rows:
+        raise RequestError("usage", "the table has no rows")
+    own = own_columns(names_of(given, rows), keep)
+    shown = seen(rows, own)
+    gaps = gaps_of(shown, kind_of(given) is not None)
+    _refuse_nameless(rows, shown)
+    say_gaps(gaps, shown)
+    data = models_csv(shown)
+    try:
+        records = _done(fields_of("batch", keywords), data, len(rows), progress)
+    except RequestError as error:
+        raise explained(error, gaps) from None
+    places = _places(records, rows)
+    if places is None:
+        return _as_texts(records)
+    for record in records:
+        record.pop("remarks", None)
+    return beside(given, own, rows, places, records)
+
+
+def _done(
+    fields: dict[str, Any], data: bytes | None, count: int | None, progress: Progress
+) -> Sequence[dict[str, Any]]:
+    """Does the rows of a table: a record for each."""
+    with following(progress, "batch", count) as callback:
         records, remarks = _native.rescale_many(fields, data, "ocs.rescale_many(table, ...)", callback)
     _report(records, remarks)
-    # The user's columns, whose names begin with #.
-    own = [record.pop("remarks", {}) for record in records]
-    places = _places(records, rows or ())
-    if rows is None or places is None:
-        for record, remark in zip(records, own):
-            record.update(remark)
-        return table(records, columns_of((), records))
-    # As they were given, not as text: so that the result can be merged with the table that it was made from.
-    done: Any = table(records, columns_of((), records))
-    for name in (name for name in columns_of((), rows) if name.startswith("#")):
-        if not hasattr(done, "columns"):
-            for record, place in zip(done, places):
-                record[name] = rows[place].get(name)
-        elif hasattr(given, "iloc"):
-            done[name] = given[name].iloc[places].array
-        else:
-            done[name] = [rows[place].get(name) for place in places]
-    return done
+    return records
+
+
+def _as_texts(records: Sequence[dict[str, Any]]) -> Table:
+    """Records as a table, with the user's columns, whose names begin with #, as texts."""
+    for record in records:
+        record.update(record.pop("remarks", {}))
+    return table(records, columns_of((), records))
+
+
+def _refuse_nameless(rows: Sequence[Mapping[str, Any]], shown: Sequence[Mapping[str, Any]]) -> None:
+    """Refuses rows that have the user's own values alone: empty ones are left out, but these are not empty."""
+    pairs = enumerate(zip(rows, shown), 2)
+    wrong = [number for number, (row, own) in pairs if is_blank(own) and not is_blank(row)]
+    if wrong:
+        lines = [f"table: row {number}, column 'model': empty, expected the model's file name" for number in wrong]
+        many = "1 row is" if len(wrong) == 1 else f"{len(wrong)} rows are"
+        raise RequestError("usage", "\n".join([f"{many} wrong, so nothing was written:", *lines]))
 
 
 def _places(records: Sequence[Mapping[str, Any]], rows: Sequence[Any]) -> list[int] | None:
@@ -116,7 +144,8 @@ def _report(records: Sequence[Mapping[str, Any]], remarks: Sequence[str]) -> Non
 
 
 def _given(value: Any) -> Any:
-    """A path or a table as it is; of anything else, a list of what it has."""
+    """A path or a table that is known here; of anything else, a list of what it has."""
+    value = as_known(value)
     return value if is_path(value) or hasattr(value, "columns") or isinstance(value, Mapping) else listed(value)
 
 

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ._errors import RequestError
+from ._kinds import kind_of
 
 #: What most arguments are. None of them has labels, so that nothing needs to be looked for.
 _PLAIN = frozenset({float, int, list, tuple, np.ndarray, np.float64})
@@ -86,7 +87,7 @@ def labels_of(arguments: Mapping[str, Any]) -> Labels | None:
     """
     if _PLAIN.issuperset(map(type, arguments.values())):
         return None
-    kinds = {key: kind for key, value in arguments.items() if (kind := _kind(value)) is not None}
+    kinds = {key: kind for key, value in arguments.items() if (kind := kind_of(value)) is not None}
     if not kinds:
         return None
     first, *others = kinds
@@ -101,20 +102,12 @@ def labels_of(arguments: Mapping[str, Any]) -> Labels | None:
 
 def missing_as_nan(value: Any) -> Any:
     """Numbers of pandas as an array, NaN where pandas says NA; everything else as it is."""
-    kind = _kind(value)
+    kind = kind_of(value)
     if kind is None or kind[0] != "pandas":
         return value
     types = [value.dtype] if kind[1] == "Series" else list(value.dtypes)
     of_numbers = all(one.kind in "iuf" and one.itemsize <= 8 for one in types)
     return value.to_numpy(dtype=np.float64, na_value=np.nan) if of_numbers else value
-
-
-def _kind(value: Any) -> tuple[str, str] | None:
-    for module, name in _SAME:
-        kind = getattr(sys.modules.get(module), name, None)
-        if kind is not None and isinstance(value, kind):
-            return module, name
-    return None
 
 
 def _axes(value: Any, kind: tuple[str, str]) -> list[Any]:

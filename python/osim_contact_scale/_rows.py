@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import importlib.util
 import numbers
 import os
 import re
+import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from ._cells import steers, to_cell
 from ._errors import RequestError
+from ._options import ROW_OPTIONS
 from ._request import PATHS, at_home
 
 
@@ -23,9 +26,10 @@ def rows_of(data: Any) -> list[dict[str, Any]]:
     RequestError
         Two columns have one name.
     """
+    data = as_known(data)
     if hasattr(data, "to_dict") and hasattr(data, "columns"):
         _refuse_same_names([str(name) for name in data.columns])
-        rows = data.to_dict("records")
+        rows = data.to_dicts() if hasattr(data, "to_dicts") else data.to_dict("records")
     elif isinstance(data, Mapping):
         columns = {name: _column(name, values) for name, values in data.items()}
         count = max((len(column) for column in columns.values()), default=0)
@@ -43,6 +47,50 @@ def rows_of(data: Any) -> list[dict[str, Any]]:
     return [{str(key): value for key, value in row.items()} for row in rows]
 
 
+def as_known(data: Any) -> Any:
+    """A table of a library that is neither pandas nor polars as a DataFrame of pandas; everything else as it is.
+
+    Raises
+    ------
+    TypeError
+        pandas is not installed, or the table has no rows yet.
+    """
+    if not _is_foreign(data):
+        if hasattr(type(data), "collect") and hasattr(type(data), "columns"):
+            raise TypeError(f"a {type(data).__name__} has no rows yet: collect() makes a table of it")
+        return data
+    missing = [name for name in _readers(data) if importlib.util.find_spec(name) is None]
+    if missing:
+        kind = f"{type(data).__module__.split('.')[0]}.{type(data).__name__}"
+        needed = " and ".join(missing)
+        raise TypeError(
+            f"a {kind} is read by {needed}, not installed here: give a list of dictionaries, or install {needed}"
+        )
+    if hasattr(data, "__arrow_c_stream__"):
+        import pyarrow
+
+        return pyarrow.table(data).to_pandas()
+    import pandas as pd
+
+    with warnings.catch_warnings():
+        # pandas says that Arrow is the way of the future; the library of this table has not gone it yet.
+        warnings.simplefilter("ignore")
+        return pd.api.interchange.from_dataframe(data)
+
+
+def _readers(data: Any) -> tuple[str, ...]:
+    """What reads a table of another library."""
+    return ("pandas", "pyarrow") if hasattr(data, "__arrow_c_stream__") else ("pandas",)
+
+
+def _is_foreign(data: Any) -> bool:
+    """Whether it is a table that other libraries can read, of none that is known here."""
+    # A column alone has the interface of Arrow, too: it has one type, which a table has not.
+    is_arrow = hasattr(data, "__arrow_c_stream__") and not (hasattr(data, "dtype") or hasattr(data, "type"))
+    can_be_read = is_arrow or hasattr(data, "__dataframe__")
+    return can_be_read and not (hasattr(data, "to_dict") and hasattr(data, "columns"))
+
+
 def _column(name: Any, values: Any) -> list[Any]:
     if isinstance(values, (str, bytes, os.PathLike, Mapping)) or not isinstance(values, Iterable):
         raise TypeError(
@@ -57,12 +105,18 @@ def _refuse_same_names(names: Sequence[str]) -> None:
         raise RequestError("usage", f"the column {twice!r} appears twice, expected one")
 
 
-def _is_missing(value: Any) -> bool:
+def is_missing(value: Any) -> bool:
+    """Whether there is nothing in a cell."""
     # NaN, NaT and pandas.NA are all unlike themselves, or not to be compared.
     try:
         return value is None or bool(value != value)
     except (TypeError, ValueError):
         return type(value).__name__ == "NAType"
+
+
+def is_blank(row: Mapping[str, Any]) -> bool:
+    """Whether all of a row is missing."""
+    return all(map(is_missing, row.values()))
 
 
 def csv_of(rows: Sequence[Mapping[str, Any]], text_of: Callable[[str, Any], str] | None = None) -> bytes:
@@ -82,7 +136,7 @@ def csv_of(rows: Sequence[Mapping[str, Any]], text_of: Callable[[str, Any], str]
 
     names: dict[str, None] = {}
     for row in rows:
-        names.update(dict.fromkeys(name for name, value in row.items() if not _is_missing(value)))
+        names.update(dict.fromkeys(name for name, value in row.items() if not is_missing(value)))
     for name in names:
         # The first line shows what separates the cells, and it has no other meaning for these characters.
         if any(letter in ";\t" or steers(letter) for letter in name):
@@ -99,7 +153,7 @@ def csv_of(rows: Sequence[Mapping[str, Any]], text_of: Callable[[str, Any], str]
         for name in names:
             value = row.get(name)
             try:
-                cells.append("" if _is_missing(value) else to_cell((text_of or _plain_text)(name, value)))
+                cells.append("" if is_missing(value) else to_cell((text_of or _plain_text)(name, value)))
             except (RequestError, TypeError) as error:
                 message = f"table: row {number}, column {name!r}: {error}"
                 raise (
@@ -193,11 +247,17 @@ def models_csv(rows: Sequence[Mapping[str, Any]]) -> bytes:
     return csv_of(renamed, _text_in_column)
 
 
+def option_of(name: str) -> str:
+    """The option that a column would be: it may be written as in the command, or like a keyword."""
+    return name.strip().rstrip("_").lower().replace("-", "_").lstrip("_")
+
+
 def _text_in_column(name: str, value: Any) -> str:
     """A value as a cell has it in a table of models."""
-    if name.startswith("#"):
+    field = option_of(name)
+    if field not in ROW_OPTIONS:
+        # A remark; or a column that is refused by its name, whatever it has.
         return str(value)
-    field = name.strip().lower().replace("-", "_").lstrip("_")
     if field in PATHS:
         return _path_in_cell(value)
     if isinstance(value, Mapping):
@@ -219,7 +279,7 @@ def _path_in_cell(value: Any) -> str:
 
 
 def _item(value: Any) -> str:
-    if _is_missing(value):
+    if is_missing(value):
         raise RequestError("usage", "an item of the list is missing")
     return text_of_value(value)
 

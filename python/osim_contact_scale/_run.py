@@ -159,5 +159,5 @@ def sweep(source: Source, keywords: Mapping[str, Any], progress: Progress) -> _s
     return _sweep.sweep(source, keywords, progress)
 
 
-def batch(table: Any, keywords: Mapping[str, Any], progress: Progress) -> Any:
-    return _changes.batch(table, keywords, progress)
+def batch(table: Any, keep: Any, keywords: Mapping[str, Any], progress: Progress) -> Any:
+    return _changes.batch(table, keep, keywords, progress)

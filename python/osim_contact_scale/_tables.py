@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 import re
+import sys
 from collections.abc import Mapping, Sequence
 from typing import Any, cast
 
@@ -26,12 +27,31 @@ def table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> Table:
     frame = pd.DataFrame(filled, columns=list(columns))
     for column in columns:
         values = [row[column] for row in filled]
-        known = [value for value in values if value is not None]
         # A column of numbers with gaps is one of float64, also where the numbers are whole or all of them are missing.
-        of_numbers = all(_is_number(value) for value in known) if known else _NUMBERS.fullmatch(column) is not None
-        if of_numbers and (not known or len(known) < len(values)):
+        if _is_of_numbers(column, values) and (not values or None in values):
             frame[column] = frame[column].astype("float64")
     return frame
+
+
+def polars_table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> Any:
+    """Rows as a DataFrame of polars, which is imported: a table of it came in. What is missing is null."""
+    polars = sys.modules["polars"]
+    return polars.DataFrame([_polars_column(polars, column, [row.get(column) for row in rows]) for column in columns])
+
+
+def _polars_column(polars: Any, name: str, values: list[Any]) -> Any:
+    if not _is_of_numbers(name, values):
+        known = {type(value) for value in values if value is not None}
+        kind = None if known - {str} else polars.String
+    else:
+        kind = polars.Int64 if {int} == {type(value) for value in values if value is not None} else polars.Float64
+    return polars.Series(name, values, dtype=kind)
+
+
+def _is_of_numbers(column: str, values: Sequence[Any]) -> bool:
+    """Whether a column holds numbers: by its values, or by its name where all of them are missing."""
+    known = [value for value in values if value is not None]
+    return all(_is_number(value) for value in known) if known else _NUMBERS.fullmatch(column) is not None
 
 
 def _is_number(value: Any) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from typing import Literal, overload
 
 from . import _run
@@ -12,7 +12,7 @@ from ._options import Property
 from ._result import Result
 from ._survey import Check, Inspection
 from ._sweep import Sweep
-from .types import Progress, Source, Sources, StrPath, Table, TableLike
+from .types import Polars, PolarsTable, Progress, Source, Sources, StrPath, Table, TableLike
 
 __all__ = [
     "add",
@@ -202,10 +202,15 @@ def add(
     return _run.plan("add", source, keywords)
 
 
+@overload
+def rescale_many(table: PolarsTable, /, *, keep: bool | str | Sequence[Hashable] = False, output_dir: StrPath | None = None, in_place: bool = False, no_backup: bool = False, force: bool = False, no_note: bool = False, allow_outside: bool = False, dry_run: bool = False, report: StrPath | None = None, jobs: int | None = None, summary: StrPath | None = None, resume: bool = False, shard: str | None = None, yes: str | Sequence[str] | None = None, progress: Progress = False) -> PolarsTable: ...
+@overload
+def rescale_many(table: StrPath | TableLike, /, *, keep: bool | str | Sequence[Hashable] = False, output_dir: StrPath | None = None, in_place: bool = False, no_backup: bool = False, force: bool = False, no_note: bool = False, allow_outside: bool = False, dry_run: bool = False, report: StrPath | None = None, jobs: int | None = None, summary: StrPath | None = None, resume: bool = False, shard: str | None = None, yes: str | Sequence[str] | None = None, progress: Progress = False) -> Table: ...
 def rescale_many(
-    table: StrPath | TableLike,
+    table: StrPath | TableLike | Polars,
     /,
     *,
+    keep: bool | str | Sequence[Hashable] = False,
     output_dir: StrPath | None = None,
     in_place: bool = False,
     no_backup: bool = False,
@@ -220,14 +225,19 @@ def rescale_many(
     shard: str | None = None,
     yes: str | Sequence[str] | None = None,
     progress: Progress = False,
-) -> Table:
+) -> Table | Polars:
     """One row per model; columns are named like the long options of rescale, transfer, design and set.
 
     Parameters
     ----------
     table : path or table
-        A DataFrame, a dictionary of columns, a list of dictionaries, or the path of a table (.csv). One row per
-        model, with columns named like the keywords of the verbs.
+        A DataFrame of pandas, polars or another library, a dictionary of columns, a list of dictionaries, or the
+        path of a table (.csv). One row per model, with columns named like the keywords of the verbs. A missing
+        value is an empty cell.
+    keep : bool, str or list of str, optional
+        Columns of the table that are yours: `keep=["age", "site"]`, or True for all that are no options. They
+        come first in the result, as they are in the table. A column whose name begins with # is yours without
+        this. Any other that is no option is an error.
     output_dir : path, optional
         Write into this folder.
     in_place : bool, optional
@@ -259,8 +269,9 @@ def rescale_many(
 
     Returns
     -------
-    pandas.DataFrame or list of dict
-        A row for each model: what was done, old and new values, errors. A DataFrame where pandas is there.
+    pandas.DataFrame, polars.DataFrame or list of dict
+        A row for each model: the user's own columns, what was done, old and new values, errors. A DataFrame with
+        the index of the table; one of polars where the table is; without pandas a list of dictionaries.
 
     Raises
     ------
@@ -268,7 +279,7 @@ def rescale_many(
         It cannot be done: the subclass says why.
     """
     keywords = {"output_dir": output_dir, "in_place": in_place or None, "no_backup": no_backup or None, "force": force or None, "no_note": no_note or None, "allow_outside": allow_outside or None, "dry_run": dry_run or None, "report": report, "jobs": jobs, "summary": summary, "resume": resume or None, "shard": shard, "yes": yes}
-    return _run.batch(table, keywords, progress)  # type: ignore[no-any-return]
+    return _run.batch(table, keep, keywords, progress)  # type: ignore[no-any-return]
 
 
 def check(

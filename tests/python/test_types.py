@@ -34,6 +34,7 @@ from typing import Any, assert_type
 
 import osim_contact_scale as ocs
 import pandas as pd
+import polars as pl
 
 class Live:
     def printToXML(self, name: str) -> bool:
@@ -56,8 +57,9 @@ assert_type(ocs.presets().frame(), pd.DataFrame)
 assert_type(ocs.check(["a.osim", b""]).findings[0], ocs.Finding)
 assert_type(ocs.inspect("a.osim")[0], dict[str, Any])
 assert_type(ocs.inspect("a.osim").spheres, pd.DataFrame)
-assert_type(ocs.rescale_many(frame), pd.DataFrame)
-assert_type(ocs.rescale_many([{"model": "a.osim", "target_mass": 70}]), pd.DataFrame)
+assert_type(ocs.rescale_many(frame, keep=["age"]), pd.DataFrame)
+assert_type(ocs.rescale_many([{"model": "a.osim", "target_mass": 70}], keep=True), pd.DataFrame)
+assert_type(ocs.rescale_many(pl.DataFrame({"model": ["a.osim"]})), pl.DataFrame)
 assert_type(ocs.sweep("a.osim", grid={"stiffness": ["x1", 2.0], "radius": 0.1}), ocs.Sweep)
 assert_type(ocs.sweep("a.osim", ladder=3, indentation=0.2), ocs.Sweep)
 ocs.drop_test("a.osim").peak_force_bw
