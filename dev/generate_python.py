@@ -204,6 +204,44 @@ from .types import Polars, PolarsTable, Progress, Source, Sources, StrPath, Tabl
 # Types whose names say too little to people.
 RETURNS = {"Table | Polars": "pandas.DataFrame, polars.DataFrame or list of dict"}
 
+# What runs as a test, in the project's folder.
+HUMAN = '"fixtures/table1/human_62kg_smooth_sphere.osim"'
+SCALED, GENERIC = '"fixtures/scale_tool/scaled_smooth.osim"', '"fixtures/scale_tool/generic_smooth.osim"'
+EXAMPLES = {
+    "add": [
+        f'>>> len(ocs.add("fixtures/feet/human_40000.osim", from_={HUMAN}, radius="isometric").objects)',
+        "25",
+    ],
+    "batch": [
+        f'>>> table = [{{"model": {HUMAN}, "target_mass": 70, "age": 31}}]',
+        '>>> ocs.rescale_many(table, keep=["age"], dry_run=True)[["age", "status", "target_mass_kg"]].values.tolist()',
+        "[[31, 'dry-run', 70.0]]",
+    ],
+    "check": [f">>> ocs.check({SCALED}, from_={GENERIC}).findings[0].code", "'spheres-left-behind'"],
+    "convert": [f'>>> ocs.convert({HUMAN}, to="hunt-crossley")', f"<Result of convert: {HUMAN[1:-1]}: 24 objects to change>"],
+    "design": [
+        ">>> round(ocs.design(mass=62, spheres=6, radius=0.032, indentation=0.16, gravity=9.81).stiffness)",
+        "3281223",
+        f">>> ocs.design({HUMAN}, indentation=0.16)",
+        f"<Result of design: {HUMAN[1:-1]}: 12 numbers to change>",
+    ],
+    "drop-test": ['>>> round(ocs.drop_test("falisse2022").peak_force_bw, 3)', "2.492"],
+    "explain": ['>>> ocs.explain("13")[0].title', "'Coefficient of restitution, approximate'"],
+    "fit": ['>>> ocs.fit("fixtures/measured/heel_pad.csv", radius=0.03).frame()["name"].tolist()', "['composite_modulus_n_m2', 'stiffness']"],
+    "inspect": [f'>>> ocs.inspect({HUMAN})[0]["mass_kg"]', "62.0"],
+    "motion": ['>>> walk = ocs.motion("fixtures/motion/walker.osim", "fixtures/motion/walk.mot")', ">>> len(walk.rows)", "964"],
+    "note": [f'>>> ocs.note({HUMAN}, contacts_mass=60).target_mass_kg', "60.0"],
+    "plot": ['>>> ocs.plot("drop", "falisse2022")', "<Figure: Drop test: falisse2022: show it in a notebook, or write it with save()>"],
+    "presets": ['>>> ocs.presets("falisse2022")[0].mass_kg', "62.0"],
+    "remove": [f">>> ocs.remove({HUMAN})", f"<Result of remove: {HUMAN[1:-1]}: 24 objects to change>"],
+    "reproduce": [">>> ocs.reproduce()", "<Reproduction: numbers=42, within_last_digit=41>"],
+    "rescale": [f">>> ocs.rescale({HUMAN}, target_mass=1190)", f"<Result of rescale: {HUMAN[1:-1]}: 72 numbers to change>"],
+    "set": [f'>>> ocs.set({HUMAN}, stiffness="x2", dissipation=1)', f"<Result of set: {HUMAN[1:-1]}: 24 numbers to change>"],
+    "sweep": [f'>>> len(ocs.sweep({HUMAN}, grid={{"stiffness": "x0.1..x10/3"}}, dry_run=True))', "3"],
+    "transfer": [f">>> ocs.transfer({SCALED}, from_={GENERIC}, follow_bodies=True)", f"<Result of transfer: {SCALED[1:-1]}: 42 numbers to change>"],
+}
+
+
 def name_of(verb: Verb) -> str:
     return "rescale_many" if verb.name == "batch" else verb.name.replace("-", "_")
 
@@ -394,7 +432,8 @@ def docstring(verb: Verb, shape: Shape, documented: list[tuple[str, str]]) -> st
         lines.append("")
     returned = textwrap.wrap(shape.returned, 110, initial_indent="    ", subsequent_indent="    ")
     lines += ["Returns", "-------", RETURNS.get(shape.returns, shape.returns), *returned, ""]
-    lines += ["Raises", "------", "ContactScaleError", "    It cannot be done: the subclass says why.", '"""']
+    lines += ["Raises", "------", "ContactScaleError", "    It cannot be done: the subclass says why.", ""]
+    lines += ["Examples", "--------", *EXAMPLES[verb.name], '"""']
     return textwrap.indent("\n".join(lines), "    ", lambda line: bool(line.strip())) + "\n"
 
 

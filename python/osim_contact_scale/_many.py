@@ -40,6 +40,12 @@ def many(
         It cannot be done: found before anything is written.
     TypeError
         A model that is not the path of a file.
+
+    Examples
+    --------
+    >>> done = ocs.many("set", "fixtures/table1", stiffness="x2", dry_run=True)
+    >>> set(done["status"])
+    {'dry-run'}
     """
     keywords = {name.rstrip("_"): value for name, value in options.items()}
     if verb == "set":

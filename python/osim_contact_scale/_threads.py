@@ -33,6 +33,11 @@ def set_threads(count: int | None) -> None:
     ------
     RequestError
         Not a whole number from 1 to 4096.
+
+    Examples
+    --------
+    >>> ocs.set_threads(2)
+    >>> ocs.set_threads(None)
     """
     global _asked
     _asked = _checked(count, "count")

@@ -197,6 +197,11 @@ def add(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> len(ocs.add("fixtures/feet/human_40000.osim", from_="fixtures/table1/human_62kg_smooth_sphere.osim", radius="isometric").objects)
+    25
     """
     keywords = {"from": from_, "contacts": contacts, "default_pose": default_pose or None, "feet": feet, "count": count, "pad": pad, "geometry_dir": geometry_dir, "mirror": mirror, "class": class_, "friction": friction or None, "radius": radius, "body_scale": body_scale, "body_map": body_map, "level": level or None, "replace": replace or None, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "indentation": indentation, "young": young, "poisson": poisson, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "static_friction": static_friction, "dynamic_friction": dynamic_friction, "viscous_friction": viscous_friction, "transition_velocity": transition_velocity, "load": load, "body_weights": body_weights, "gravity": gravity, "spheres": spheres, "stance_limbs": stance_limbs, "reference_mass": reference_mass, "reference_spheres": reference_spheres, "reference_gravity": reference_gravity, "reference_select": reference_select, "reference_sphere": reference_sphere, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "no_note": no_note or None, "yes": yes}
     return _run.plan("add", source, keywords)
@@ -277,6 +282,12 @@ def rescale_many(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> table = [{"model": "fixtures/table1/human_62kg_smooth_sphere.osim", "target_mass": 70, "age": 31}]
+    >>> ocs.rescale_many(table, keep=["age"], dry_run=True)[["age", "status", "target_mass_kg"]].values.tolist()
+    [[31, 'dry-run', 70.0]]
     """
     keywords = {"output_dir": output_dir, "in_place": in_place or None, "no_backup": no_backup or None, "force": force or None, "no_note": no_note or None, "allow_outside": allow_outside or None, "dry_run": dry_run or None, "report": report, "jobs": jobs, "summary": summary, "resume": resume or None, "shard": shard, "yes": yes}
     return _run.batch(table, keep, keywords, progress)  # type: ignore[no-any-return]
@@ -372,6 +383,11 @@ def check(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.check("fixtures/scale_tool/scaled_smooth.osim", from_="fixtures/scale_tool/generic_smooth.osim").findings[0].code
+    'spheres-left-behind'
     """
     keywords = {"from": from_, "body_scale_file": body_scale_file, "motion": motion, "plates": plates, "loads": loads, "angles": angles, "report": report, "force": force or None, "spheres": spheres, "stance_limbs": stance_limbs, "impact_speed": impact_speed, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
     return _run.survey("check", sources, keywords, jobs, progress)  # type: ignore[no-any-return]
@@ -430,6 +446,11 @@ def convert(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.convert("fixtures/table1/human_62kg_smooth_sphere.osim", to="hunt-crossley")
+    <Result of convert: fixtures/table1/human_62kg_smooth_sphere.osim: 24 objects to change>
     """
     keywords = {"to": to, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "strict": strict or None, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes}
     return _run.plan("convert", source, keywords)
@@ -541,6 +562,13 @@ def design(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> round(ocs.design(mass=62, spheres=6, radius=0.032, indentation=0.16, gravity=9.81).stiffness)
+    3281223
+    >>> ocs.design("fixtures/table1/human_62kg_smooth_sphere.osim", indentation=0.16)
+    <Result of design: fixtures/table1/human_62kg_smooth_sphere.osim: 12 numbers to change>
     """
     keywords = {"radius": radius, "indentation": indentation, "contact_stiffness": contact_stiffness, "young": young, "poisson": poisson, "stiffness": stiffness, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "load": load, "body_weights": body_weights, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "spheres": spheres, "stance_limbs": stance_limbs, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.design(source, keywords)  # type: ignore[no-any-return]
@@ -639,6 +667,11 @@ def drop_test(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> round(ocs.drop_test("falisse2022").peak_force_bw, 3)
+    2.492
     """
     keywords = {"height": height, "duration": duration, "samples": samples, "compare": compare, "compare_spheres": compare_spheres, "presets": presets, "radius": radius, "stiffness": stiffness, "dissipation": dissipation, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "gravity": gravity, "spheres": spheres, "stance_limbs": stance_limbs, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
     return _run.drop_test(subject, keywords)
@@ -663,6 +696,11 @@ def explain(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.explain("13")[0].title
+    'Coefficient of restitution, approximate'
     """
     return _run.explain(topics, {})
 
@@ -802,6 +840,11 @@ def fit(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.fit("fixtures/measured/heel_pad.csv", radius=0.03).frame()["name"].tolist()
+    ['composite_modulus_n_m2', 'stiffness']
     """
     keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "height_in": height_in, "cop_scale": cop_scale, "slack": slack or None, "foot_error": foot_error, "belt": belt, "belt_column": belt_column, "angles": angles, "low_pass": low_pass, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.fit(measured, keywords)
@@ -885,6 +928,11 @@ def inspect(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.inspect("fixtures/table1/human_62kg_smooth_sphere.osim")[0]["mass_kg"]
+    62.0
     """
     keywords = {"from": from_, "body_scale_file": body_scale_file, "report": report, "force": force or None, "spheres": spheres, "stance_limbs": stance_limbs, "impact_speed": impact_speed, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
     return _run.survey("inspect", sources, keywords, jobs, progress)  # type: ignore[no-any-return]
@@ -964,6 +1012,12 @@ def motion(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> walk = ocs.motion("fixtures/motion/walker.osim", "fixtures/motion/walk.mot")
+    >>> len(walk.rows)
+    964
     """
     keywords = {"plates": plates, "loads": loads, "angles": angles, "low_pass": low_pass, "belt": belt, "belt_column": belt_column, "output": output, "force": force or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model}
     return _run.motion(source, recording, keywords)
@@ -1011,6 +1065,11 @@ def note(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.note("fixtures/table1/human_62kg_smooth_sphere.osim", contacts_mass=60).target_mass_kg
+    60.0
     """
     keywords = {"contacts_mass": contacts_mass, "contacts_gravity": contacts_gravity, "stance_limbs": stance_limbs, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.plan("note", source, keywords)
@@ -1149,6 +1208,11 @@ def plot(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.plot("drop", "falisse2022")
+    <Figure: Drop test: falisse2022: show it in a notebook, or write it with save()>
     """
     keywords = {"target_mass": target_mass, "axes": axes, "geometry_dir": geometry_dir, "motion": motion, "plates": plates, "loads": loads, "angles": angles, "presets": presets, "gravity": gravity, "height": height, "duration": duration, "quantity": quantity, "stiffness": stiffness, "dissipation": dissipation, "table": table, "value_column": value_column, "x_column": x_column, "y_column": y_column, "value_range": value_range, "title": title, "label": label, "width": width, "font_size": font_size, "x_range": x_range, "y_range": y_range, "dpi": dpi, "spheres": spheres, "stance_limbs": stance_limbs, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
     return _run.plot(kind, models, keywords)
@@ -1178,6 +1242,11 @@ def presets(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.presets("falisse2022")[0].mass_kg
+    62.0
     """
     keywords = {"presets": presets}
     return _run.presets(name, keywords)
@@ -1219,6 +1288,11 @@ def remove(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.remove("fixtures/table1/human_62kg_smooth_sphere.osim")
+    <Result of remove: fixtures/table1/human_62kg_smooth_sphere.osim: 24 objects to change>
     """
     keywords = {"select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes}
     return _run.plan("remove", source, keywords)
@@ -1236,6 +1310,11 @@ def reproduce() -> Reproduction:
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.reproduce()
+    <Reproduction: numbers=42, within_last_digit=41>
     """
     return _run.reproduce()
 
@@ -1329,6 +1408,11 @@ def rescale(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.rescale("fixtures/table1/human_62kg_smooth_sphere.osim", target_mass=1190)
+    <Result of rescale: fixtures/table1/human_62kg_smooth_sphere.osim: 72 numbers to change>
     """
     keywords = {"target_mass": target_mass, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "radius": radius, "level": level or None, "level_axis": level_axis, "only": only, "keep": keep, "dissipation_by": dissipation_by, "friction": friction or None, "contacts_gravity": contacts_gravity, "target_gravity": target_gravity, "body_scale_file": body_scale_file, "follow_bodies": follow_bodies or None, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.plan("rescale", source, keywords)
@@ -1401,6 +1485,11 @@ def set(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.set("fixtures/table1/human_62kg_smooth_sphere.osim", stiffness="x2", dissipation=1)
+    <Result of set: fixtures/table1/human_62kg_smooth_sphere.osim: 24 numbers to change>
     """
     keywords = {"set": _run.assignments({"stiffness": stiffness, "dissipation": dissipation, "static_friction": static_friction, "dynamic_friction": dynamic_friction, "viscous_friction": viscous_friction, "transition_velocity": transition_velocity, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "radius": radius}), "level": level or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.plan("set", source, keywords)
@@ -1541,6 +1630,11 @@ def sweep(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> len(ocs.sweep("fixtures/table1/human_62kg_smooth_sphere.osim", grid={"stiffness": "x0.1..x10/3"}, dry_run=True))
+    3
     """
     keywords = {"grid": grid, "ladder": ladder, "soft": soft, "point": point, "shard": shard, "output_dir": output_dir, "force": force or None, "resume": resume or None, "no_note": no_note or None, "dry_run": dry_run or None, "jobs": jobs, "radius": radius, "indentation": indentation, "contact_stiffness": contact_stiffness, "young": young, "poisson": poisson, "stiffness": stiffness, "restitution": restitution, "impact_speed": impact_speed, "constant_indentation": constant_indentation, "state_width": state_width, "speed_width": speed_width, "threshold": threshold, "load": load, "body_weights": body_weights, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "spheres": spheres, "stance_limbs": stance_limbs, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "yes": yes}
     return _run.sweep(source, keywords, progress)
@@ -1678,6 +1772,11 @@ def transfer(
     ------
     ContactScaleError
         It cannot be done: the subclass says why.
+
+    Examples
+    --------
+    >>> ocs.transfer("fixtures/scale_tool/scaled_smooth.osim", from_="fixtures/scale_tool/generic_smooth.osim", follow_bodies=True)
+    <Result of transfer: fixtures/scale_tool/scaled_smooth.osim: 42 numbers to change>
     """
     keywords = {"from": from_, "presets": presets, "spheres": spheres, "stance_limbs": stance_limbs, "reference_mass": reference_mass, "reference_spheres": reference_spheres, "reference_gravity": reference_gravity, "reference_select": reference_select, "reference_sphere": reference_sphere, "follow_bodies": follow_bodies or None, "body_scale_file": body_scale_file, "body_scale": body_scale, "radius_axis": radius_axis, "moved_spheres": moved_spheres, "strict": strict or None, "rule": rule, "height_ratio": height_ratio, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "radius": radius, "level": level or None, "level_axis": level_axis, "only": only, "keep": keep, "dissipation_by": dissipation_by, "friction": friction or None, "contacts_gravity": contacts_gravity, "target_gravity": target_gravity, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.plan("transfer", source, keywords)
