@@ -13,44 +13,45 @@ Journal of Biomechanics; each is a function in `osim_contact_scale.scaling`.
 
 from __future__ import annotations
 
+import importlib
 from typing import TYPE_CHECKING
 
 from . import _native
-from ._answers import Answer, DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
-from ._errors import ContactScaleError, ModelError, NeedsAnswer, OutputError, RequestError
-from ._figure import Figure
-from ._many import many
-from ._result import Finding, Findings, Remedy, Result
-from ._survey import Check, Inspection
-from ._sweep import Sweep
-from ._threads import set_threads
-from ._verbs import (
-    add,
-    check,
-    convert,
-    design,
-    drop_test,
-    explain,
-    fit,
-    inspect,
-    motion,
-    note,
-    plot,
-    presets,
-    remove,
-    reproduce,
-    rescale,
-    rescale_many,
-    sweep,
-    transfer,
-)
-
-# Not among the names of `import *`: there it would take the place of Python's own.
-from ._verbs import set as set
 
 if TYPE_CHECKING:
     from . import scaling
     from . import types as types
+    from ._answers import Answer, DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
+    from ._errors import ContactScaleError, ModelError, NeedsAnswer, OutputError, RequestError
+    from ._figure import Figure
+    from ._many import many
+    from ._result import Finding, Findings, Remedy, Result
+    from ._survey import Check, Inspection
+    from ._sweep import Sweep
+    from ._threads import set_threads
+    from ._verbs import (
+        add,
+        check,
+        convert,
+        design,
+        drop_test,
+        explain,
+        fit,
+        inspect,
+        motion,
+        note,
+        plot,
+        presets,
+        remove,
+        reproduce,
+        rescale,
+        rescale_many,
+        sweep,
+        transfer,
+    )
+
+    # Not among the names of `import *`: there it would take the place of Python's own.
+    from ._verbs import set as set
 
 __version__ = _native.VERSION
 """Version of the package, and of the command that comes with it."""
@@ -103,12 +104,33 @@ __all__ = [
 ]
 
 
+#: What is imported when it is first used, and from where: a program that imports this package waits for that alone which it uses.
+_HOMES = {
+    **dict.fromkeys(
+        ("Answer", "DesignSheet", "DropTest", "Explanation", "Fit", "Motion", "Preset", "Presets", "Reproduction"),
+        "_answers",
+    ),
+    **dict.fromkeys(("ContactScaleError", "ModelError", "NeedsAnswer", "OutputError", "RequestError"), "_errors"),
+    **dict.fromkeys(("Finding", "Findings", "Remedy", "Result"), "_result"),
+    **dict.fromkeys(("Check", "Inspection"), "_survey"),
+    "Figure": "_figure",
+    "Sweep": "_sweep",
+    "many": "_many",
+    "set_threads": "_threads",
+}
+_MODULES = ("scaling", "types")
+
 if not TYPE_CHECKING:
 
     def __getattr__(name):
-        # NumPy takes longer to import than everything else here: only those wait for it who calculate with it.
-        if name == "scaling":
-            import importlib
+        if name in _MODULES:
+            return importlib.import_module(f"{__name__}.{name}")
+        # All others are verbs.
+        home = _HOMES.get(name, "_verbs" if name in __all__ or name == "set" else None)
+        if home is None:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        value = globals()[name] = getattr(importlib.import_module(f"{__name__}.{home}"), name)
+        return value
 
-            return importlib.import_module(f"{__name__}.scaling")
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    def __dir__():
+        return sorted({*globals(), *__all__, *_MODULES, "set"})

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from . import _native
-from ._axes import Panel, draw, panels_of
 from ._errors import RequestError
 from ._frames import frame_of, require
 from ._named import Named, clipped, line
@@ -20,6 +19,8 @@ from .types import Table
 
 if TYPE_CHECKING:
     import pandas as pd
+
+    from ._axes import Panel
 
 #: Inches of one panel of a figure that `plot` makes.
 _PANEL = (5.0, 3.6)
@@ -94,6 +95,8 @@ class Figure(Named):
         return tuple(panel.name for panel in self._panels())
 
     def _panels(self) -> list[Panel]:
+        from ._axes import panels_of
+
         return panels_of(self._rows()[0], self._native.panels)
 
     def frame(self) -> pd.DataFrame:
@@ -138,6 +141,8 @@ class Figure(Named):
         """
         require("matplotlib", "plot", "plot()")
         import numpy as np
+
+        from ._axes import draw
 
         panels = self._panels()
         chosen = panels if panel is None else [_panel_of(panels, panel)]

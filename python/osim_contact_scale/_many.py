@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Literal, get_args
 
-from . import _changes
 from ._options import Property
 from .types import Progress, StrPath, Table
 
@@ -47,6 +46,9 @@ def many(
     >>> set(done["status"])
     {'dry-run'}
     """
+    # Only those wait for it who have many models.
+    from . import _changes
+
     keywords = {name.rstrip("_"): value for name, value in options.items()}
     if verb == "set":
         properties = get_args(Property)

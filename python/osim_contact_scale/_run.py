@@ -8,7 +8,7 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from . import _changes, _native, _survey, _sweep
+from . import _native, _survey, _sweep
 from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
 from ._figure import Figure
 from ._request import Memory, fields_of, model_of, models_of, path_of, with_own_files
@@ -160,4 +160,7 @@ def sweep(source: Source, keywords: Mapping[str, Any], progress: Progress) -> _s
 
 
 def batch(table: Any, keep: Any, keywords: Mapping[str, Any], progress: Progress) -> Any:
+    # Only those wait for it who have tables.
+    from . import _changes
+
     return _changes.batch(table, keep, keywords, progress)

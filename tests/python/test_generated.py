@@ -3,6 +3,7 @@
 import inspect
 import subprocess
 import sys
+from pathlib import Path
 
 import osim_contact_scale as ocs
 import pytest
@@ -67,7 +68,26 @@ def test_the_versions_are_one():
     assert ocs.__version__ == version("osim-contact-scale")
 
 
-def test_importing_waits_for_neither_numpy_nor_pandas():
-    code = "import osim_contact_scale, sys; print([name for name in ('numpy', 'pandas', 'opensim') if name in sys.modules])"
+def test_what_type_checkers_see_is_what_there_is():
+    """Names are imported when they are used; type checkers see where from."""
+    import ast
+
+    tree = ast.parse(Path(ocs.__file__).read_text(encoding="utf-8"))
+    (seen,) = (
+        node.body for node in tree.body if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
+    )
+    names = {alias.name: node.module for node in seen for alias in node.names}
+    assert {*names} == {*ocs.__all__} - {"__version__"} | {"set", "types"}
+    for name, home in names.items():
+        value = getattr(ocs, name)
+        where = f"osim_contact_scale.{home}" if home else f"osim_contact_scale.{name}"
+        assert value is (getattr(sys.modules[where], name) if home else sys.modules[where]), name
+        assert name in dir(ocs)
+    with pytest.raises(AttributeError, match="rescael"):
+        ocs.rescael  # noqa: B018
+
+
+def test_importing_waits_for_nothing_that_is_not_used_yet():
+    code = "import osim_contact_scale, sys; print([name for name in ('numpy', 'pandas', 'opensim', 'inspect', 'tempfile') if name in sys.modules])"
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert ran.stdout == "[]\n"
