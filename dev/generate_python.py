@@ -362,8 +362,8 @@ def own_keywords(shape: Shape) -> list[Parameter]:
 
 
 KEEP = (
-    "Columns of the table that are yours: `keep=[\"age\", \"site\"]`, or True for all that are no options. They come first in the result, as "
-    "they are in the table. A column whose name begins with # is yours without this. Any other that is no option is an error."
+    "Columns of the table that are yours: `keep=[\"age\", \"site\"]`, or True for all that are not options. They come first in the result, as "
+    "they are in the table. A column whose name begins with # is yours without this. Any other that is not an option is an error."
 )
 
 

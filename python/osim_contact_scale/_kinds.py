@@ -1,4 +1,4 @@
-"""Series and DataFrames of pandas and polars, told apart without importing either: where one is not imported, nothing is of its classes."""
+"""Series and DataFrames of pandas and polars, distinguished without an import: nothing is of the classes of what is not imported."""
 
 from __future__ import annotations
 

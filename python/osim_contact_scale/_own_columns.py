@@ -85,7 +85,7 @@ def _say_what_is_like(name: str) -> None:
     """Says that a column is the user's whose name is nearly that of an option: it may be misspelt."""
     like = _like(option_of(name), ROW_OPTIONS)
     if like:
-        log.warning("the column %s is kept as yours, no option has this name%s", repr(printable(name)), like)
+        log.warning("the column %s is kept as yours, because it is not an option%s", repr(printable(name)), like)
 
 
 def names_of(given: Any, rows: Sequence[Mapping[str, Any]]) -> list[str]:

@@ -240,9 +240,9 @@ def rescale_many(
         path of a table (.csv). One row per model, with columns named like the keywords of the verbs. A missing
         value is an empty cell.
     keep : bool, str or list of str, optional
-        Columns of the table that are yours: `keep=["age", "site"]`, or True for all that are no options. They
+        Columns of the table that are yours: `keep=["age", "site"]`, or True for all that are not options. They
         come first in the result, as they are in the table. A column whose name begins with # is yours without
-        this. Any other that is no option is an error.
+        this. Any other that is not an option is an error.
     output_dir : path, optional
         Write into this folder.
     in_place : bool, optional
