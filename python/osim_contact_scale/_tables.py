@@ -19,16 +19,15 @@ _NUMBERS = re.compile(
 
 def table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> Table:
     """Rows under these columns. What a row does not have is missing: None, and NaN in a column of numbers."""
-    filled = [{column: row.get(column) for column in columns} for row in rows]
     if importlib.util.find_spec("pandas") is None:
-        return cast("Table", filled)
+        return cast("Table", [{column: row.get(column) for column in columns} for row in rows])
     import pandas as pd
 
-    frame = pd.DataFrame(filled, columns=list(columns))
-    for column in columns:
-        values = [row[column] for row in filled]
+    values = {column: [row.get(column) for row in rows] for column in columns}
+    frame = pd.DataFrame(values, columns=list(columns))
+    for column, own in values.items():
         # A column of numbers with gaps is one of float64, also where the numbers are whole or all of them are missing.
-        if _is_of_numbers(column, values) and (not values or None in values):
+        if (not own or any(value is None for value in own)) and _is_of_numbers(column, own):
             frame[column] = frame[column].astype("float64")
     return frame
 
