@@ -25,7 +25,7 @@ strict = true
 allow_redefinition = true
 [mypy-dask.*,dask_jobqueue.*]
 follow_imports = skip
-[mypy-opensim.*,matplotlib.*]
+[mypy-opensim.*,matplotlib.*,pyarrow.*,cloudpickle.*,tqdm.*]
 ignore_missing_imports = true
 """
 

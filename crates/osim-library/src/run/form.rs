@@ -22,7 +22,7 @@ impl Form {
             Some(extension) if extension == "ndjson" || extension == "jsonl" => Ok(Self::Ndjson),
             _ => Err(LibraryFault::new(phrase![
                 Input::Summary,
-                format!(" {}: expected a name that ends in .csv or .ndjson", path.display()),
+                format!(" '{}': expected a name that ends in .csv or .ndjson", path.display()),
             ])),
         }
     }
