@@ -12,6 +12,7 @@ import textwrap
 from pathlib import Path
 
 from osim_contact_scale import _native
+from scaling_examples import EXAMPLES
 
 OUTPUT = Path(__file__).resolve().parent.parent / "python" / "osim_contact_scale" / "scaling.py"
 
@@ -118,8 +119,31 @@ def module() -> str:
     functions = _native.equations()
     names = sorted([name for name, *_ in functions] + ["continuation_steps"])
     exported = "__all__ = [\n" + "".join(f'    "{name}",\n' for name in names) + "]\n"
-    steps = with_nan(STEPS, "steps", "    ")
-    return "\n\n".join([HEAD + "\n" + exported, *(function(*one) for one in functions), steps])
+    made = {name: function(name, *rest) for name, *rest in functions}
+    made["continuation_steps"] = with_nan(STEPS, "steps", "    ")
+    examples = examples_of(names)
+    return "\n\n".join([HEAD + "\n" + exported, *(with_examples(text, examples[name]) for name, text in made.items())])
+
+
+def examples_of(names: list[str]) -> dict[str, str]:
+    """The examples of every function."""
+    examples = {}
+    for block in EXAMPLES.strip().split("\n\n"):
+        name = re.search(r"scaling\.(\w+)\(|$", block)[1]
+        if name not in names or name in examples:
+            raise SystemExit(f"error: dev/scaling_examples.py has an example of no function, or a second block of one:\n{block}")
+        examples[name] = block
+    missing = [name for name in names if name not in examples]
+    if missing:
+        raise SystemExit(f"error: dev/scaling_examples.py has no example of {', '.join(missing)}")
+    return examples
+
+
+def with_examples(text: str, examples: str) -> str:
+    """A function with a section of examples as the last one of its docstring."""
+    section = textwrap.indent(f"Examples\n--------\n{examples}\n", "    ")
+    before, end, after = text.partition('    """\n    return ')
+    return f"{before}\n{section}{end}{after}"
 
 
 def function(name: str, kind: str, parameters: list, takes_rule: bool, doc: str) -> str:

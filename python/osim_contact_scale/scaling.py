@@ -151,6 +151,11 @@ def hertz_force(
     References
     ----------
     (1): Van Bijlert (2026), section 2; Hertz's law as in Johnson (1985) and Sherman et al. (2011).
+
+    Examples
+    --------
+    >>> round(scaling.hertz_force(composite_modulus=3e5, radius=0.032, indentation=0.008), 3)
+    51.2
     """
     return call("hertz_force", {"composite_modulus": composite_modulus, "radius": radius, "indentation": indentation, "shape_factor": shape_factor}, nan)
 
@@ -202,6 +207,11 @@ def hertz_indentation(
     References
     ----------
     (1): Van Bijlert (2026), section 2; Hertz's law as in Johnson (1985) and Sherman et al. (2011).
+
+    Examples
+    --------
+    >>> round(scaling.hertz_indentation(composite_modulus=3e5, radius=0.032, force=51.2), 6)
+    0.008
     """
     return call("hertz_indentation", {"composite_modulus": composite_modulus, "radius": radius, "force": force, "shape_factor": shape_factor}, nan)
 
@@ -247,6 +257,11 @@ def relative_indentation(
     References
     ----------
     (2): Van Bijlert (2026), section 2.
+
+    Examples
+    --------
+    >>> scaling.relative_indentation(indentation=0.008, radius=0.032)
+    0.25
     """
     return call("relative_indentation", {"indentation": indentation, "radius": radius}, nan)
 
@@ -292,6 +307,11 @@ def indentation(
     References
     ----------
     (2): Van Bijlert (2026), section 2.
+
+    Examples
+    --------
+    >>> scaling.indentation(relative_indentation=0.25, radius=0.032)
+    0.008
     """
     return call("indentation", {"relative_indentation": relative_indentation, "radius": radius}, nan)
 
@@ -343,6 +363,12 @@ def hertz_force_at_relative_indentation(
     References
     ----------
     (3): Van Bijlert (2026), section 2; it is (1) with (2).
+
+    Examples
+    --------
+    >>> round(scaling.hertz_force_at_relative_indentation(composite_modulus=3e5, radius=0.032,
+    ...     relative_indentation=0.25), 3)
+    51.2
     """
     return call("hertz_force_at_relative_indentation", {"composite_modulus": composite_modulus, "radius": radius, "relative_indentation": relative_indentation, "shape_factor": shape_factor}, nan)
 
@@ -404,6 +430,12 @@ def hunt_crossley_dissipative_force(
     References
     ----------
     (12): Van Bijlert (2026), section 2.3; Hunt and Crossley (1975).
+
+    Examples
+    --------
+    >>> round(scaling.hunt_crossley_dissipative_force(composite_modulus=3e5, radius=0.032, dissipation=2,
+    ...     indentation=0.008, speed=0.1), 3)
+    15.36
     """
     return call("hunt_crossley_dissipative_force", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "indentation": indentation, "speed": speed, "shape_factor": shape_factor}, nan)
 
@@ -465,6 +497,12 @@ def hunt_crossley_force(
     References
     ----------
     (12): Van Bijlert (2026), section 2.3; Hunt and Crossley (1975).
+
+    Examples
+    --------
+    >>> round(scaling.hunt_crossley_force(composite_modulus=3e5, radius=0.032, dissipation=2, indentation=0.008,
+    ...     speed=0.1), 3)
+    66.56
     """
     return call("hunt_crossley_force", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "indentation": indentation, "speed": speed, "shape_factor": shape_factor}, nan)
 
@@ -513,6 +551,11 @@ def mean_stress(
     References
     ----------
     (15): Van Bijlert (2026), section 4.3; the patch is the circle of Fig. 3.
+
+    Examples
+    --------
+    >>> round(scaling.mean_stress(force=51.2, radius=0.032, relative_indentation=0.25), 1)
+    63662.0
     """
     return call("mean_stress", {"force": force, "radius": radius, "relative_indentation": relative_indentation}, nan)
 
@@ -558,6 +601,11 @@ def patch_radius(
     References
     ----------
     Fig. 3: Van Bijlert (2026), Fig. 3; for small x.
+
+    Examples
+    --------
+    >>> round(scaling.patch_radius(indentation=0.008, radius=0.032), 6)
+    0.016
     """
     return call("patch_radius", {"indentation": indentation, "radius": radius}, nan)
 
@@ -603,6 +651,11 @@ def patch_diameter(
     References
     ----------
     Fig. 3: Van Bijlert (2026), Fig. 3; for small x.
+
+    Examples
+    --------
+    >>> round(scaling.patch_diameter(indentation=0.008, radius=0.032), 6)
+    0.032
     """
     return call("patch_diameter", {"indentation": indentation, "radius": radius}, nan)
 
@@ -649,6 +702,11 @@ def relative_patch_radius(
     References
     ----------
     Fig. 3: Van Bijlert (2026), Fig. 3; for small x.
+
+    Examples
+    --------
+    >>> round(scaling.relative_patch_radius(relative_indentation=0.16), 6)
+    0.4
     """
     return call("relative_patch_radius", {"relative_indentation": relative_indentation}, nan)
 
@@ -700,6 +758,11 @@ def hertz_stiffness(
     References
     ----------
     (B.1): Van Bijlert (2026), appendix B; the slope of (1).
+
+    Examples
+    --------
+    >>> round(scaling.hertz_stiffness(composite_modulus=3e5, radius=0.032, indentation=0.008), 3)
+    9600.0
     """
     return call("hertz_stiffness", {"composite_modulus": composite_modulus, "radius": radius, "indentation": indentation, "shape_factor": shape_factor}, nan)
 
@@ -751,6 +814,12 @@ def hertz_stiffness_at_relative_indentation(
     References
     ----------
     (B.2): Van Bijlert (2026), appendix B; (B.1) with (2).
+
+    Examples
+    --------
+    >>> round(scaling.hertz_stiffness_at_relative_indentation(composite_modulus=3e5, radius=0.032,
+    ...     relative_indentation=0.25), 3)
+    9600.0
     """
     return call("hertz_stiffness_at_relative_indentation", {"composite_modulus": composite_modulus, "radius": radius, "relative_indentation": relative_indentation, "shape_factor": shape_factor}, nan)
 
@@ -796,6 +865,11 @@ def approximate_restitution(
     References
     ----------
     (13): Van Bijlert (2026), section 2.3; Hunt and Crossley (1975). Accurate for c_r of about 0.8 and above; refused where it is negative.
+
+    Examples
+    --------
+    >>> scaling.approximate_restitution(dissipation=2, impact_speed=0.1)
+    0.8
     """
     return call("approximate_restitution", {"dissipation": dissipation, "impact_speed": impact_speed}, nan)
 
@@ -841,6 +915,11 @@ def dissipation_for_restitution(
     References
     ----------
     (13): Van Bijlert (2026), section 2.3; Hunt and Crossley (1975). Accurate for c_r of about 0.8 and above; refused where it is negative.
+
+    Examples
+    --------
+    >>> round(scaling.dissipation_for_restitution(restitution=0.8, impact_speed=0.1), 6)
+    2.0
     """
     return call("dissipation_for_restitution", {"restitution": restitution, "impact_speed": impact_speed}, nan)
 
@@ -890,6 +969,11 @@ def exact_restitution(
     References
     ----------
     exact restitution: beyond the paper: the integral of (12) over an impact without gravity.
+
+    Examples
+    --------
+    >>> round(scaling.exact_restitution(dissipation=2, impact_speed=0.396), 3)
+    0.549
     """
     return call("exact_restitution", {"dissipation": dissipation, "impact_speed": impact_speed}, nan)
 
@@ -939,6 +1023,11 @@ def dissipation_for_exact_restitution(
     References
     ----------
     exact restitution: beyond the paper: the integral of (12) over an impact without gravity.
+
+    Examples
+    --------
+    >>> round(scaling.dissipation_for_exact_restitution(restitution=0.55, impact_speed=0.396), 3)
+    1.996
     """
     return call("dissipation_for_exact_restitution", {"restitution": restitution, "impact_speed": impact_speed}, nan)
 
@@ -984,6 +1073,11 @@ def drop_speed(
     References
     ----------
     drop speed: the drops of Table 1: a fall from a quarter of the radius.
+
+    Examples
+    --------
+    >>> round(scaling.drop_speed(gravity=9.81, radius=0.032), 3)
+    0.396
     """
     return call("drop_speed", {"gravity": gravity, "radius": radius}, nan)
 
@@ -1029,6 +1123,11 @@ def plane_strain_modulus_of_material(
     References
     ----------
     (A.1): Van Bijlert (2026), appendix A; Johnson (1985).
+
+    Examples
+    --------
+    >>> scaling.plane_strain_modulus_of_material(youngs_modulus=7.5e5, poissons_ratio=0.5)
+    1000000.0
     """
     return call("plane_strain_modulus_of_material", {"youngs_modulus": youngs_modulus, "poissons_ratio": poissons_ratio}, nan)
 
@@ -1074,6 +1173,11 @@ def composite_modulus_by_johnson(
     References
     ----------
     (A.2): Van Bijlert (2026), appendix A; Johnson (1985). OpenSim uses (A.3).
+
+    Examples
+    --------
+    >>> scaling.composite_modulus_by_johnson(first_modulus=1e6, second_modulus=3e6)
+    750000.0
     """
     return call("composite_modulus_by_johnson", {"first_modulus": first_modulus, "second_modulus": second_modulus}, nan)
 
@@ -1119,6 +1223,11 @@ def composite_modulus_by_sherman(
     References
     ----------
     (A.3): Van Bijlert (2026), appendix A; Sherman et al. (2011).
+
+    Examples
+    --------
+    >>> round(scaling.composite_modulus_by_sherman(first_modulus=1e6, second_modulus=8e6), 1)
+    715541.8
     """
     return call("composite_modulus_by_sherman", {"first_modulus": first_modulus, "second_modulus": second_modulus}, nan)
 
@@ -1164,6 +1273,13 @@ def plane_strain_modulus_of_equal_surfaces(
     References
     ----------
     (A.4): Van Bijlert (2026), appendix A. OpenSim's stiffness is E₁*: 2^(3/2) times what the contact feels.
+
+    Examples
+    --------
+    >>> round(scaling.plane_strain_modulus_of_equal_surfaces(composite_modulus=353553.4), 1)
+    1000000.0
+    >>> scaling.plane_strain_modulus_of_equal_surfaces(composite_modulus=5e5, rule="johnson")
+    1000000.0
     """
     return call("plane_strain_modulus_of_equal_surfaces", {"composite_modulus": composite_modulus}, nan, rule)
 
@@ -1209,6 +1325,13 @@ def composite_modulus_of_equal_surfaces(
     References
     ----------
     (A.4): Van Bijlert (2026), appendix A. OpenSim's stiffness is E₁*: 2^(3/2) times what the contact feels.
+
+    Examples
+    --------
+    >>> round(scaling.composite_modulus_of_equal_surfaces(plane_strain_modulus=1e6), 1)
+    353553.4
+    >>> scaling.composite_modulus_of_equal_surfaces(plane_strain_modulus=1e6, rule="johnson")
+    500000.0
     """
     return call("composite_modulus_of_equal_surfaces", {"plane_strain_modulus": plane_strain_modulus}, nan, rule)
 
@@ -1260,6 +1383,11 @@ def stiffness_on_rigid_ground(
     References
     ----------
     (A.5): Van Bijlert (2026), appendix A; with (A.1) and (A.4) it gives the stiffness to write in OpenSim.
+
+    Examples
+    --------
+    >>> round(scaling.stiffness_on_rigid_ground(youngs_modulus=7.5e5, poissons_ratio=0.5), 1)
+    2828427.1
     """
     return call("stiffness_on_rigid_ground", {"youngs_modulus": youngs_modulus, "poissons_ratio": poissons_ratio}, nan)
 
@@ -1315,6 +1443,12 @@ def mixed_dissipation(
     References
     ----------
     Simbody: not numbered in the paper: Simbody's HuntCrossleyForce (Sherman et al. 2011).
+
+    Examples
+    --------
+    >>> round(scaling.mixed_dissipation(first_modulus=1e6, first_dissipation=2, second_modulus=8e6,
+    ...     second_dissipation=1), 6)
+    1.8
     """
     return call("mixed_dissipation", {"first_modulus": first_modulus, "first_dissipation": first_dissipation, "second_modulus": second_modulus, "second_dissipation": second_dissipation}, nan)
 
@@ -1360,6 +1494,11 @@ def composite_radius(
     References
     ----------
     Johnson: not numbered in the paper: Johnson (1985), as in section 2.
+
+    Examples
+    --------
+    >>> round(scaling.composite_radius(first_radius=0.03, second_radius=0.06), 6)
+    0.02
     """
     return call("composite_radius", {"first_radius": first_radius, "second_radius": second_radius}, nan)
 
@@ -1415,6 +1554,12 @@ def composite_modulus_for_indentation(
     References
     ----------
     (11): Van Bijlert (2026), section 2.2. Multiply by 2^(3/2) (A.4) to get OpenSim's stiffness.
+
+    Examples
+    --------
+    >>> round(scaling.composite_modulus_for_indentation(relative_indentation=0.25, radius=0.032, load=600,
+    ...     sphere_count=6), 3)
+    585937.5
     """
     return call("composite_modulus_for_indentation", {"relative_indentation": relative_indentation, "radius": radius, "load": load, "sphere_count": sphere_count}, nan)
 
@@ -1470,6 +1615,12 @@ def relative_indentation_under_load(
     References
     ----------
     (11): Van Bijlert (2026), section 2.2. Multiply by 2^(3/2) (A.4) to get OpenSim's stiffness.
+
+    Examples
+    --------
+    >>> round(scaling.relative_indentation_under_load(composite_modulus=353553.4, radius=0.032, load=62 * 9.81,
+    ...     sphere_count=6), 4)
+    0.3533
     """
     return call("relative_indentation_under_load", {"composite_modulus": composite_modulus, "radius": radius, "load": load, "sphere_count": sphere_count}, nan)
 
@@ -1522,6 +1673,11 @@ def composite_modulus_for_stiffness(
     References
     ----------
     (B.2): Van Bijlert (2026), appendix B; (B.1) with (2).
+
+    Examples
+    --------
+    >>> round(scaling.composite_modulus_for_stiffness(stiffness=9600, radius=0.032, relative_indentation=0.25), 3)
+    300000.0
     """
     return call("composite_modulus_for_stiffness", {"stiffness": stiffness, "radius": radius, "relative_indentation": relative_indentation}, nan)
 
@@ -1573,6 +1729,11 @@ def radius_for_stiffness(
     References
     ----------
     (B.2): Van Bijlert (2026), appendix B; (B.1) with (2).
+
+    Examples
+    --------
+    >>> round(scaling.radius_for_stiffness(stiffness=9600, relative_indentation=0.25, load=600, sphere_count=6), 6)
+    0.0625
     """
     return call("radius_for_stiffness", {"stiffness": stiffness, "relative_indentation": relative_indentation, "load": load, "sphere_count": sphere_count}, nan)
 
@@ -1624,6 +1785,11 @@ def dimensionless_stiffness(
     References
     ----------
     (B.3): Van Bijlert (2026), appendix B; Alexander et al. (1986). The second form follows from (B.2) and (3).
+
+    Examples
+    --------
+    >>> round(scaling.dimensionless_stiffness(stiffness=9600, radius=0.032, load=307.2, sphere_count=6), 6)
+    6.0
     """
     return call("dimensionless_stiffness", {"stiffness": stiffness, "radius": radius, "load": load, "sphere_count": sphere_count}, nan)
 
@@ -1666,6 +1832,11 @@ def dimensionless_hertz_stiffness(
     References
     ----------
     (B.3): Van Bijlert (2026), appendix B; Alexander et al. (1986). The second form follows from (B.2) and (3).
+
+    Examples
+    --------
+    >>> scaling.dimensionless_hertz_stiffness(relative_indentation=0.25)
+    6.0
     """
     return call("dimensionless_hertz_stiffness", {"relative_indentation": relative_indentation}, nan)
 
@@ -1711,6 +1882,11 @@ def natural_frequency(
     References
     ----------
     (B.4): Van Bijlert (2026), appendix B; for small oscillations without damping.
+
+    Examples
+    --------
+    >>> round(scaling.natural_frequency(stiffness=13450, mass_on_sphere=62 / 6), 3)
+    5.742
     """
     return call("natural_frequency", {"stiffness": stiffness, "mass_on_sphere": mass_on_sphere}, nan)
 
@@ -1759,6 +1935,11 @@ def equilibrium_frequency(
     References
     ----------
     (B.5): Van Bijlert (2026), appendix B; (B.4) with (B.2) and (3).
+
+    Examples
+    --------
+    >>> round(scaling.equilibrium_frequency(relative_indentation=0.3533, radius=0.032, gravity=9.81), 3)
+    5.742
     """
     return call("equilibrium_frequency", {"relative_indentation": relative_indentation, "radius": radius, "gravity": gravity}, nan)
 
@@ -1809,6 +1990,11 @@ def modulus_ratio(
     References
     ----------
     continuation: (11) and (B.3) at one load; the steps of section 4.3.
+
+    Examples
+    --------
+    >>> scaling.modulus_ratio(first_dimensionless_stiffness=4, second_dimensionless_stiffness=1)
+    8.0
     """
     return call("modulus_ratio", {"first_dimensionless_stiffness": first_dimensionless_stiffness, "second_dimensionless_stiffness": second_dimensionless_stiffness}, nan)
 
@@ -1863,6 +2049,12 @@ def constant_indentation_force(
     References
     ----------
     (C.1): Van Bijlert (2026), appendix C.1, printed there as √(x² + cf)^(3/2).
+
+    Examples
+    --------
+    >>> round(scaling.constant_indentation_force(composite_modulus=3e5, radius=0.04, constant_contact_force=3.6e-5,
+    ...     indentation=0.008), 3)
+    80.0
     """
     return call("constant_indentation_force", {"composite_modulus": composite_modulus, "radius": radius, "constant_contact_force": constant_contact_force, "indentation": indentation, "shape_factor": shape_factor}, nan)
 
@@ -1925,6 +2117,12 @@ def smooth_elastic_force(
     References
     ----------
     (C.3): Van Bijlert (2026), appendix C.2.
+
+    Examples
+    --------
+    >>> round(scaling.smooth_elastic_force(composite_modulus=3e5, radius=0.04, constant_contact_force=3.6e-5,
+    ...     hertz_smoothing=300, indentation=0.008), 3)
+    79.347
     """
     return call("smooth_elastic_force", {"composite_modulus": composite_modulus, "radius": radius, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "indentation": indentation, "shape_factor": shape_factor}, nan)
 
@@ -1986,6 +2184,12 @@ def smooth_elastic_stiffness(
     References
     ----------
     (C.3): Van Bijlert (2026), appendix C.2.
+
+    Examples
+    --------
+    >>> round(scaling.smooth_elastic_stiffness(composite_modulus=3e5, radius=0.04, constant_contact_force=3.6e-5,
+    ...     hertz_smoothing=300, indentation=0.008), 2)
+    9910.24
     """
     return call("smooth_elastic_stiffness", {"composite_modulus": composite_modulus, "radius": radius, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "indentation": indentation, "shape_factor": shape_factor}, nan)
 
@@ -2031,6 +2235,13 @@ def contact_state(
     References
     ----------
     (C.4): Van Bijlert (2026), appendix C.2.
+
+    Examples
+    --------
+    >>> scaling.contact_state(hertz_smoothing=300, indentation=0)
+    0.5
+    >>> round(scaling.contact_state(hertz_smoothing=300, indentation=0.008), 3)
+    0.992
     """
     return call("contact_state", {"hertz_smoothing": hertz_smoothing, "indentation": indentation}, nan)
 
@@ -2101,6 +2312,12 @@ def smooth_force(
     References
     ----------
     (C.9): Van Bijlert (2026), appendix C.2. With α = 0 the second factor is 1. At rest (ẋ = 0) it is below 1: by 3e-15 at α = 2 s/m and bv = 50 s/m, by 3.4 % at α = 20.
+
+    Examples
+    --------
+    >>> round(scaling.smooth_force(composite_modulus=3e5, radius=0.04, dissipation=2, constant_contact_force=3.6e-5,
+    ...     hertz_smoothing=300, hunt_crossley_smoothing=50, indentation=0.008, speed=0.1), 3)
+    103.151
     """
     return call("smooth_force", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "indentation": indentation, "speed": speed, "shape_factor": shape_factor}, nan)
 
@@ -2149,6 +2366,11 @@ def speed_state(
     References
     ----------
     (C.9): Van Bijlert (2026), appendix C.2. With α = 0 the second factor is 1. At rest (ẋ = 0) it is below 1: by 3e-15 at α = 2 s/m and bv = 50 s/m, by 3.4 % at α = 20.
+
+    Examples
+    --------
+    >>> round(scaling.speed_state(dissipation=2, hunt_crossley_smoothing=50, speed=-0.3), 3)
+    0.966
     """
     return call("speed_state", {"dissipation": dissipation, "hunt_crossley_smoothing": hunt_crossley_smoothing, "speed": speed}, nan)
 
@@ -2194,6 +2416,11 @@ def speed_state_at_rest(
     References
     ----------
     (C.9): Van Bijlert (2026), appendix C.2. With α = 0 the second factor is 1. At rest (ẋ = 0) it is below 1: by 3e-15 at α = 2 s/m and bv = 50 s/m, by 3.4 % at α = 20.
+
+    Examples
+    --------
+    >>> round(scaling.speed_state_at_rest(dissipation=20, hunt_crossley_smoothing=50), 3)
+    0.966
     """
     return call("speed_state_at_rest", {"dissipation": dissipation, "hunt_crossley_smoothing": hunt_crossley_smoothing}, nan)
 
@@ -2261,6 +2488,12 @@ def smooth_rest_force(
     References
     ----------
     (C.9): Van Bijlert (2026), appendix C.2. With α = 0 the second factor is 1. At rest (ẋ = 0) it is below 1: by 3e-15 at α = 2 s/m and bv = 50 s/m, by 3.4 % at α = 20.
+
+    Examples
+    --------
+    >>> round(scaling.smooth_rest_force(composite_modulus=3e5, radius=0.04, dissipation=20,
+    ...     constant_contact_force=3.6e-5, hertz_smoothing=300, hunt_crossley_smoothing=50, indentation=0.008), 3)
+    76.614
     """
     return call("smooth_rest_force", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "indentation": indentation, "shape_factor": shape_factor}, nan)
 
@@ -2329,6 +2562,12 @@ def smooth_rest_stiffness(
     References
     ----------
     (C.9): Van Bijlert (2026), appendix C.2. With α = 0 the second factor is 1. At rest (ẋ = 0) it is below 1: by 3e-15 at α = 2 s/m and bv = 50 s/m, by 3.4 % at α = 20.
+
+    Examples
+    --------
+    >>> round(scaling.smooth_rest_stiffness(composite_modulus=3e5, radius=0.04, dissipation=20,
+    ...     constant_contact_force=3.6e-5, hertz_smoothing=300, hunt_crossley_smoothing=50, indentation=0.008), 2)
+    9568.88
     """
     return call("smooth_rest_stiffness", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "indentation": indentation, "shape_factor": shape_factor}, nan)
 
@@ -2374,6 +2613,11 @@ def constant_contact_force_for_indentation(
     References
     ----------
     (C.2): Van Bijlert (2026), appendix C.1. A start: x̂_c = 0.1, or 0.05 where x̂ below 0.16 is wanted.
+
+    Examples
+    --------
+    >>> round(scaling.constant_contact_force_for_indentation(constant_relative_indentation=0.1, radius=0.032), 9)
+    1.024e-05
     """
     return call("constant_contact_force_for_indentation", {"constant_relative_indentation": constant_relative_indentation, "radius": radius}, nan)
 
@@ -2419,6 +2663,11 @@ def constant_relative_indentation(
     References
     ----------
     (C.2): Van Bijlert (2026), appendix C.1. A start: x̂_c = 0.1, or 0.05 where x̂ below 0.16 is wanted.
+
+    Examples
+    --------
+    >>> round(scaling.constant_relative_indentation(constant_contact_force=1e-5, radius=0.032), 4)
+    0.0988
     """
     return call("constant_relative_indentation", {"constant_contact_force": constant_contact_force, "radius": radius}, nan)
 
@@ -2464,6 +2713,11 @@ def hertz_smoothing_for_radius(
     References
     ----------
     (C.5): Van Bijlert (2026), appendix C.2. A start: b_x̂ = 10.
+
+    Examples
+    --------
+    >>> round(scaling.hertz_smoothing_for_radius(dimensionless_hertz_smoothing=9.6, radius=0.032), 6)
+    300.0
     """
     return call("hertz_smoothing_for_radius", {"dimensionless_hertz_smoothing": dimensionless_hertz_smoothing, "radius": radius}, nan)
 
@@ -2512,6 +2766,11 @@ def threshold_indentation(
     References
     ----------
     (C.6): Van Bijlert (2026), appendix C.2; (C.4) solved for x̂.
+
+    Examples
+    --------
+    >>> round(scaling.threshold_indentation(threshold=0.05, hertz_smoothing=300, radius=0.032), 4)
+    0.1534
     """
     return call("threshold_indentation", {"threshold": threshold, "hertz_smoothing": hertz_smoothing, "radius": radius}, nan)
 
@@ -2560,6 +2819,11 @@ def transition_width(
     References
     ----------
     (C.7): Van Bijlert (2026), appendix C.2; twice (C.6).
+
+    Examples
+    --------
+    >>> round(scaling.transition_width(threshold=0.05, hertz_smoothing=300, radius=0.032), 4)
+    0.3067
     """
     return call("transition_width", {"threshold": threshold, "hertz_smoothing": hertz_smoothing, "radius": radius}, nan)
 
@@ -2608,6 +2872,11 @@ def hertz_smoothing_for_width(
     References
     ----------
     (C.8): Van Bijlert (2026), appendix C.2; (C.7) solved for bd.
+
+    Examples
+    --------
+    >>> round(scaling.hertz_smoothing_for_width(threshold=0.05, transition_width=0.3, radius=0.032), 2)
+    306.71
     """
     return call("hertz_smoothing_for_width", {"threshold": threshold, "transition_width": transition_width, "radius": radius}, nan)
 
@@ -2653,6 +2922,11 @@ def hunt_crossley_smoothing_for_radius(
     References
     ----------
     (C.10): Van Bijlert (2026), appendix C.2. A start: b_ẋ = 9. The printed form takes Δv / √R, not a speed. With another gravity also × (g_b / g_a)^(−1/2) (an extension).
+
+    Examples
+    --------
+    >>> round(scaling.hunt_crossley_smoothing_for_radius(reduced_hunt_crossley_smoothing=9, radius=0.04), 6)
+    45.0
     """
     return call("hunt_crossley_smoothing_for_radius", {"reduced_hunt_crossley_smoothing": reduced_hunt_crossley_smoothing, "radius": radius}, nan)
 
@@ -2698,6 +2972,11 @@ def hunt_crossley_smoothing_for_speed_width(
     References
     ----------
     (C.10): Van Bijlert (2026), appendix C.2. A start: b_ẋ = 9. The printed form takes Δv / √R, not a speed. With another gravity also × (g_b / g_a)^(−1/2) (an extension).
+
+    Examples
+    --------
+    >>> round(scaling.hunt_crossley_smoothing_for_speed_width(threshold=0.05, speed_width=0.1), 3)
+    29.444
     """
     return call("hunt_crossley_smoothing_for_speed_width", {"threshold": threshold, "speed_width": speed_width}, nan)
 
@@ -2746,6 +3025,12 @@ def hunt_crossley_smoothing_for_reduced_width(
     References
     ----------
     (C.10): Van Bijlert (2026), appendix C.2. A start: b_ẋ = 9. The printed form takes Δv / √R, not a speed. With another gravity also × (g_b / g_a)^(−1/2) (an extension).
+
+    Examples
+    --------
+    >>> round(scaling.hunt_crossley_smoothing_for_reduced_width(threshold=0.05, reduced_speed_width=0.5,
+    ...     radius=0.04), 3)
+    29.444
     """
     return call("hunt_crossley_smoothing_for_reduced_width", {"threshold": threshold, "reduced_speed_width": reduced_speed_width, "radius": radius}, nan)
 
@@ -2812,6 +3097,12 @@ def plane_strain_modulus(
     (8): Van Bijlert (2026), section 2. With geometric similarity R ∝ M^(1/3), so E* ∝ M^(1/3) too: this is what sets isometric radii.
     (9): Van Bijlert (2026), section 2.1; it is (8) for a and b.
     (10): Van Bijlert (2026), section 2.1. It holds for E₁* (OpenSim's stiffness) as well, since both surfaces are equal (A.4). With another gravity also × g_b / g_a (an extension).
+
+    Examples
+    --------
+    >>> round(scaling.plane_strain_modulus(mass_ratio=545 / 62, sphere_count_ratio=10 / 6,
+    ...     radius_ratio=0.015 / 0.032), 2)
+    24.0
     """
     return call("plane_strain_modulus", {"mass_ratio": mass_ratio, "sphere_count_ratio": sphere_count_ratio, "radius_ratio": radius_ratio, "gravity_ratio": gravity_ratio}, nan)
 
@@ -2861,6 +3152,13 @@ def dissipation(
     References
     ----------
     (14): Van Bijlert (2026), section 2.3. With another gravity also × (g_b / g_a)^(−1/2) (an extension).
+
+    Examples
+    --------
+    >>> scaling.dissipation(radius_ratio=4)
+    0.5
+    >>> scaling.dissipation(radius_ratio=[0.0625, 1])
+    array([4., 1.])
     """
     return call("dissipation", {"radius_ratio": radius_ratio, "gravity_ratio": gravity_ratio}, nan)
 
@@ -2910,6 +3208,11 @@ def dissipation_by_mass(
     References
     ----------
     (14): Van Bijlert (2026), section 2.3. With another gravity also × (g_b / g_a)^(−1/2) (an extension).
+
+    Examples
+    --------
+    >>> round(scaling.dissipation_by_mass(mass_ratio=64), 6)
+    0.5
     """
     return call("dissipation_by_mass", {"mass_ratio": mass_ratio, "gravity_ratio": gravity_ratio}, nan)
 
@@ -2952,6 +3255,11 @@ def constant_contact_force(
     References
     ----------
     (C.2): Van Bijlert (2026), appendix C.1. A start: x̂_c = 0.1, or 0.05 where x̂ below 0.16 is wanted.
+
+    Examples
+    --------
+    >>> scaling.constant_contact_force(radius_ratio=0.5)
+    0.25
     """
     return call("constant_contact_force", {"radius_ratio": radius_ratio}, nan)
 
@@ -2998,6 +3306,11 @@ def hertz_smoothing(
     References
     ----------
     (C.5): Van Bijlert (2026), appendix C.2. A start: b_x̂ = 10.
+
+    Examples
+    --------
+    >>> scaling.hertz_smoothing(radius_ratio=0.0625)
+    16.0
     """
     return call("hertz_smoothing", {"radius_ratio": radius_ratio}, nan)
 
@@ -3047,6 +3360,11 @@ def hunt_crossley_smoothing(
     References
     ----------
     (C.10): Van Bijlert (2026), appendix C.2. A start: b_ẋ = 9. The printed form takes Δv / √R, not a speed. With another gravity also × (g_b / g_a)^(−1/2) (an extension).
+
+    Examples
+    --------
+    >>> scaling.hunt_crossley_smoothing(radius_ratio=0.25)
+    2.0
     """
     return call("hunt_crossley_smoothing", {"radius_ratio": radius_ratio, "gravity_ratio": gravity_ratio}, nan)
 
@@ -3097,6 +3415,11 @@ def transition_velocity(
     References
     ----------
     friction: beyond the paper: speeds grow as √(g R). The friction coefficients have no size and stay. The friction of SmoothSphereHalfSpaceForce is similar only in part.
+
+    Examples
+    --------
+    >>> scaling.transition_velocity(radius_ratio=4)
+    2.0
     """
     return call("transition_velocity", {"radius_ratio": radius_ratio, "gravity_ratio": gravity_ratio}, nan)
 
@@ -3147,6 +3470,11 @@ def viscous_friction(
     References
     ----------
     friction: beyond the paper: speeds grow as √(g R). The friction coefficients have no size and stay. The friction of SmoothSphereHalfSpaceForce is similar only in part.
+
+    Examples
+    --------
+    >>> scaling.viscous_friction(radius_ratio=4)
+    0.5
     """
     return call("viscous_friction", {"radius_ratio": radius_ratio, "gravity_ratio": gravity_ratio}, nan)
 
@@ -3184,6 +3512,11 @@ def mean_square_radius(
     References
     ----------
     mixed radii: beyond the paper: (3) summed over spheres of equal x̂ and E*.
+
+    Examples
+    --------
+    >>> round(scaling.mean_square_radius(radius=[0.03, 0.04]), 6)
+    0.00125
     """
     return call_of_list("mean_square_radius", {"radius": radius}, nan=nan)
 
@@ -3231,6 +3564,11 @@ def hertz_rest_indentation(
     ----------
     rest by (1): beyond the paper: (1) summed over spheres whose bottoms are level.
     rest at own heights: beyond the paper: (1) and (C.9) summed over spheres whose bottoms are h_i above the lowest, as at the default pose.
+
+    Examples
+    --------
+    >>> round(scaling.hertz_rest_indentation(load=120, composite_modulus=3e5, radius=[0.04, 0.01]), 6)
+    0.01
     """
     return call_of_list("hertz_rest_indentation", {"composite_modulus": composite_modulus, "radius": radius, "number_of_spheres": number_of_spheres}, height, load, nan=nan)
 
@@ -3295,6 +3633,12 @@ def smooth_rest_indentation(
     ----------
     rest by (C.9): beyond the paper: (C.9) at ẋ = 0 summed over spheres whose bottoms are level.
     rest at own heights: beyond the paper: (1) and (C.9) summed over spheres whose bottoms are h_i above the lowest, as at the default pose.
+
+    Examples
+    --------
+    >>> round(scaling.smooth_rest_indentation(load=120, composite_modulus=3e5, radius=[0.04, 0.01], dissipation=2,
+    ...     constant_contact_force=1e-5, hertz_smoothing=300, hunt_crossley_smoothing=50), 6)
+    0.00951
     """
     return call_of_list("smooth_rest_indentation", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "number_of_spheres": number_of_spheres}, height, load, nan=nan)
 
@@ -3325,5 +3669,11 @@ def continuation_steps(
     Steps
         Arrays of float64: `dimensionless_stiffness`, and what E* and α of the last step are multiplied by, `modulus_factor` and
         `dissipation_factor`; without unit.
+
+    Examples
+    --------
+    >>> steps = scaling.continuation_steps(first=1, last=16, dissipation_ratio=4, count=3)
+    >>> steps.modulus_factor.round(6).tolist(), steps.dissipation_factor.round(6).tolist()
+    ([0.015625, 0.125, 1.0], [4.0, 2.0, 1.0])
     """
     return call_of_steps(first, last, dissipation_ratio, count, nan)

@@ -7,6 +7,7 @@ import shutil
 import osim_contact_scale as ocs
 import pytest
 from conftest import TOP
+from osim_contact_scale import scaling
 
 pytest.importorskip("pandas", reason="pandas is not installed: the examples show its tables")
 
@@ -24,8 +25,16 @@ def top(tmp_path_factory):
 @pytest.mark.parametrize("name", FUNCTIONS)
 def test_the_examples_of_a_function(name, top, monkeypatch):
     monkeypatch.chdir(top)
-    function = getattr(ocs, name)
-    (test,) = doctest.DocTestFinder(recurse=False).find(function, name, globs={"ocs": ocs})
+    run_the_examples(getattr(ocs, name), name)
+
+
+@pytest.mark.parametrize("name", scaling.__all__)
+def test_the_examples_of_an_equation(name):
+    run_the_examples(getattr(scaling, name), name)
+
+
+def run_the_examples(function, name):
+    (test,) = doctest.DocTestFinder(recurse=False).find(function, name, globs={"ocs": ocs, "scaling": scaling})
     assert test.examples, f"{name} has no example"
     said = []
     ran = doctest.DocTestRunner(verbose=False).run(test, out=said.append)
