@@ -79,7 +79,7 @@ def one_model(path):
 def importing():
     code = "import time; begin = time.perf_counter(); import osim_contact_scale; print(time.perf_counter() - begin)"
     times = [float(subprocess.run([sys.executable, "-c", code], capture_output=True, check=True).stdout) for _ in range(15)]
-    print(f"import osim_contact_scale      {statistics.median(times) * 1000:9.2f} ms (at most 60 is asked for)")
+    print(f"import osim_contact_scale      {statistics.median(times) * 1000:9.2f} ms (at most 20 is asked for)")
 
 
 def library(path, count):
