@@ -63,8 +63,8 @@ fn is_to_be_scaled(aims: Aims, plan: &Plan, weighs_kg: Option<f64>) -> bool {
     aims.carries_target && target_mass_kg.is_some_and(is_other)
 }
 
-/// Warnings and errors of the model as `changed` by `plan` that the model without it does not have, or has as less bad; and what the plan does to
-/// bottoms that stood.
+/// Warnings and errors of the model as `changed` by `plan` that the model without it does not have, or has as less bad; and what the
+/// plan does to bottoms that stood.
 ///
 /// # Errors
 /// An error among them, unless the caller means it.

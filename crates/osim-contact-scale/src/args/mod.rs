@@ -17,7 +17,7 @@ use osim_requests::{
     FitRequest, InspectRequest, MotionRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest,
     ReproduceRequest, RequestFault, RescaleRequest, SweepRequest, TransferRequest,
 };
-pub(crate) use own::{CompletionsArgs, Language, ManArgs, RequestArgs, SetArgs};
+pub(crate) use own::{CompletionsArgs, ManArgs, RequestArgs, SetArgs};
 pub(crate) use usage::usage_line;
 use usual::with_usual_first;
 

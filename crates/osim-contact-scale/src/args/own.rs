@@ -4,8 +4,10 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow, bail};
-use clap::{Args, ValueEnum};
+use clap::Args;
 use osim_requests::{SetRequest, assignment};
+
+use crate::words::Language;
 
 /// Models and assignments in one list of words.
 #[derive(Debug, Args)]
@@ -53,13 +55,6 @@ pub(crate) struct RequestArgs {
     /// Whose names messages have for options: those of requests, or of the functions for MATLAB and GNU Octave
     #[arg(long, value_name = "LANGUAGE", default_value = "json")]
     pub words: Language,
-}
-
-/// The language of those who read messages about a request.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Language {
-    Json,
-    Matlab,
 }
 
 /// Prints a script for the shell that completes verbs, options and file names.
