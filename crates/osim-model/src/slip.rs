@@ -12,7 +12,7 @@ use crate::model::Model;
 const NEAR: f64 = 0.15;
 /// The same of pounds, for a question: the same body weighs the same in both units, but for what scales and people round.
 const NEAR_POUNDS: f64 = 0.01;
-/// The same, for a remark: in between are children and heavy people.
+/// The same, for a remark: in between are heavy people.
 const PERHAPS_POUNDS: f64 = 0.15;
 /// Lighter than any animal that contacts are made for, kg: 1 mg.
 const LIGHTEST_KG: f64 = 1e-6;
@@ -86,12 +86,14 @@ impl MassRequest {
     }
 
     /// Those among the masses said that may be in pounds, and may as well not be: too far from it for a question. The rows of a
-    /// table are judged by each other instead.
+    /// table are judged by each other instead. Of lighter ones, such as a child's, nothing is said: bodies in pounds are rare.
     #[must_use]
     pub fn perhaps_in_pounds(&self, model: &Model) -> Vec<NeedsAnswer> {
         let loosely = self.odd(model, PERHAPS_POUNDS);
         let asked = self.odd(model, NEAR_POUNDS);
-        loosely.into_iter().filter(|one| one.is_about_pounds() && !asked.contains(one)).collect()
+        let is_in_pounds =
+            |one: &NeedsAnswer| matches!(one, NeedsAnswer::Mass { slip: MassSlip::Pounds, .. });
+        loosely.into_iter().filter(|one| is_in_pounds(one) && !asked.contains(one)).collect()
     }
 
     fn odd(&self, model: &Model, near_pounds: f64) -> Vec<NeedsAnswer> {
