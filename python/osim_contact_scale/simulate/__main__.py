@@ -38,7 +38,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Does what the command line says, and gives the exit status."""
     options = _parser().parse_args(arguments)
     _log_to_terminal()
-    signal.signal(signal.SIGTERM, _stopped)
+    # Ctrl-C as well: Python ends itself by the signal where a KeyboardInterrupt came up in code that was compiled from a text.
+    for number in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(number, _stop)
     try:
         results = run(
             options.table,
@@ -58,8 +60,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _said(error, 3)
     except ContactScaleError as error:
         return _said(error, 1)
-    except KeyboardInterrupt:
-        return _said("stopped; what was done is kept: run again with --resume", 130)
+    except _StoppedError as stopped:
+        who = " by the system" if stopped.number == signal.SIGTERM else ""
+        return _said(f"stopped{who}; what was done is kept: run again with --resume", 128 + stopped.number)
     print(_summary(Counter(results.table["status"].fillna("not run")), options))
     return 0 if len(results.failures) == 0 else 1
 
@@ -182,9 +185,15 @@ def _said(what: object, status: int) -> int:
     return status
 
 
-def _stopped(number: int, frame: FrameType | None) -> None:
-    print("stopped by the system; what was done is kept: run again with --resume", file=sys.stderr)
-    raise SystemExit(143)
+class _StoppedError(BaseException):
+    """A signal asked for the end."""
+
+    def __init__(self, number: int) -> None:
+        self.number = number
+
+
+def _stop(number: int, frame: FrameType | None) -> None:
+    raise _StoppedError(number)
 
 
 if __name__ == "__main__":
