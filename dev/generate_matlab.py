@@ -63,6 +63,7 @@ def what_it_takes(verb, field):
         return "the name of a file, or a table, a struct array or a cell array"
     if field.choices:
         takes = " or ".join(quoted(choice) for choice in field.choices)
+        takes += " or a cell array of these" if "list" in field.kinds else ""
         return takes + (" or a number" if "number" in field.kinds else "")
     words = [word for kind, word in [
         ("boolean", "true or false"), ("integer", "a whole number"), ("number", "a number"),

@@ -12,7 +12,7 @@ import keyword
 import re
 import sys
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -56,6 +56,7 @@ TYPES = {
     "grid": "str | Sequence[str] | Mapping[str, float | str | Sequence[object]]",
     "keep": "Property | Sequence[Property]",
     "only": "Property | Sequence[Property]",
+    "yes": "Question | Sequence[Question]",
 }
 # Fields that are files for the command, and tables too for Python.
 TABLES = {
@@ -168,11 +169,16 @@ def options() -> str:
     sets = []
     for name, fields in parts.items():
         words = ", ".join(f'"{field}"' for field in sorted(fields))
-        wrapped = textwrap.fill(words, 118, initial_indent="    ", subsequent_indent="    ")
+        wrapped = textwrap.fill(words, 118, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
         sets.append(f"#: {meanings[name]}\n{name} = frozenset({{\n{wrapped},\n}})\n")
-    properties = textwrap.fill(", ".join(f'"{name}"' for name in PROPERTIES), 118, initial_indent="    ", subsequent_indent="    ")
-    literal = f"#: OpenSim's properties that verbs change.\nProperty = Literal[\n{properties},\n]\n"
-    return OPTIONS_HEAD + "\n".join([literal, *sets])
+    questions = next(field.choices for field in changing[0].fields if field.name == "yes")
+    words = {"Property": ("OpenSim's properties that verbs change.", PROPERTIES), "Question": ("Codes of questions, which `yes` answers.", questions)}
+    return OPTIONS_HEAD + "\n".join([*(literal(name, *of) for name, of in words.items()), *sets])
+
+
+def literal(name: str, meaning: str, words: Iterable[str]) -> str:
+    wrapped = textwrap.fill(", ".join(f'"{word}"' for word in words), 118, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
+    return f"#: {meaning}\n{name} = Literal[\n{wrapped},\n]\n"
 
 
 OPTIONS_HEAD = '''"""Names of options. Written by dev/generate_python.py from the schemas of requests: do not edit."""
@@ -193,7 +199,7 @@ from typing import Literal, overload
 from . import _run
 from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Presets, Reproduction
 from ._figure import Figure
-from ._options import Property
+from ._options import Property, Question
 from ._result import Result
 from ._survey import Check, Inspection
 from ._sweep import Sweep
@@ -407,7 +413,7 @@ def readable(kind: str) -> str:
         return " or ".join(filter(None, map(readable, parts)))
     if kind.startswith("Sequence["):
         return "list of " + readable(kind[9:-1])
-    names = {"StrPath": "path", "Source": "path, bytes or opensim.Model", "Sources": "path or list", "TableLike": "table", "Polars": "", "Property": "str"}
+    names = {"StrPath": "path", "Source": "path, bytes or opensim.Model", "Sources": "path or list", "TableLike": "table", "Polars": "", "Property": "str", "Question": "str"}
     return "dict" if kind.startswith("Mapping[") else names.get(parts[0], parts[0])
 
 
@@ -430,7 +436,7 @@ def docstring(verb: Verb, shape: Shape, documented: list[tuple[str, str]]) -> st
         for name, meaning in documented:
             lines += [name, *textwrap.wrap(meaning, 110, initial_indent="    ", subsequent_indent="    ")]
         lines.append("")
-    returned = textwrap.wrap(shape.returned, 110, initial_indent="    ", subsequent_indent="    ")
+    returned = textwrap.wrap(shape.returned, 110, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
     lines += ["Returns", "-------", RETURNS.get(shape.returns, shape.returns), *returned, ""]
     lines += ["Raises", "------", "ContactScaleError", "    It cannot be done: the subclass says why.", ""]
     lines += ["Examples", "--------", *EXAMPLES[verb.name], '"""']

@@ -22,6 +22,7 @@ PACKAGES="
 browser  tests/browser
 web      web
 web      tests/web
+python   tests/pyright
 "
 
 # One tool a line:
@@ -41,7 +42,7 @@ web      tests/web
 # browser:  opens reports; pdftotext reads what they print. The tests run in the oracle's Python. npm brings axe-core, by
 #           tests/browser/package-lock.json.
 # web:      makes the page, and opens it in two browsers: what wasm needs, and zstd, which compresses what the page holds.
-# python:   what tests the Python package, which is installed beside it by pip.
+# python:   what tests the Python package, which is installed beside it by pip; npm brings pyright, the second type checker.
 # simulations: what tests of many models in OpenSim run in, which is the environment of the Python package.
 # slurm:    and munge, by which its programs know each other: for those of these tests that start a cluster of their own.
 # book:     makes the pages of docs/ a book, with the reference of the Python package.
@@ -72,6 +73,8 @@ browser   chromedriver   120      apt:chromium-driver chromedriver --version
 browser   npm            9        apt:npm             npm --version
 browser   pdftotext      22       apt:poppler-utils   pdftotext -v
 python    python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
+python    node           18       apt:nodejs          node --version
+python    npm            9        apt:npm             npm --version
 simulations python3      3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
 slurm     slurm-wlm      22.05    apt:slurm-wlm       dpkg-query -W slurm-wlm
 slurm     munge          0.5      apt:munge           munge --version

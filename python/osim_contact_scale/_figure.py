@@ -7,7 +7,7 @@ import os
 import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 from . import _native
 from ._errors import RequestError
@@ -18,7 +18,10 @@ from ._text import printable
 from .types import Table
 
 if TYPE_CHECKING:
+    import numpy as np
     import pandas as pd
+    from matplotlib.axes import Axes
+    from numpy.typing import NDArray
 
     from ._axes import Panel
 
@@ -108,7 +111,20 @@ class Figure(Named):
         """
         return frame_of(lambda: self.data)
 
-    def plot(self, ax: Any = None, *, panel: str | None = None) -> Any:
+    @overload
+    def plot(self, ax: Axes, *, panel: str | None = None) -> Axes: ...
+
+    @overload
+    def plot(self, ax: None = None, *, panel: str) -> Axes: ...
+
+    @overload
+    def plot(self, ax: Sequence[Axes] | NDArray[np.object_], *, panel: None = None) -> Axes | NDArray[np.object_]: ...
+
+    # One of the axes or an array of them: only the figure knows.
+    @overload
+    def plot(self, ax: None = None, *, panel: None = None) -> Any: ...
+
+    def plot(self, ax: Axes | Sequence[Axes] | NDArray[np.object_] | None = None, *, panel: str | None = None) -> Any:
         """Draws the figure with matplotlib, to be changed as every plot of it can be.
 
         Curves, points, limits, heat maps, spheres and bones are drawn, with the labels, units and names of the picture. The shade below

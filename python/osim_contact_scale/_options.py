@@ -10,6 +10,12 @@ Property = Literal[
     "constant_contact_force", "hertz_smoothing", "hunt_crossley_smoothing", "radius",
 ]
 
+#: Codes of questions, which `yes` answers.
+Question = Literal[
+    "implausible-mass", "mass-in-pounds", "implausible-radius", "implausible-place", "implausible-scale",
+    "tilted-foot", "unequal-feet", "wrong-afterwards", "many-models",
+]
+
 #: Options that a row of a table has as columns.
 ROW_OPTIONS = frozenset({
     "angles", "belt", "belt_column", "body_map", "body_scale", "body_scale_file", "body_weights", "branch", "class",

@@ -8,7 +8,7 @@ from typing import Literal, overload
 from . import _run
 from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Presets, Reproduction
 from ._figure import Figure
-from ._options import Property
+from ._options import Property, Question
 from ._result import Result
 from ._survey import Check, Inspection
 from ._sweep import Sweep
@@ -84,7 +84,7 @@ def add(
     mass: float | None = None,
     exclude_body: str | Sequence[str] | None = None,
     no_note: bool = False,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
 ) -> Result:
     """Gives a model that has no foot contacts those of another model or of a preset, of a table, or spheres under its bones.
 
@@ -208,9 +208,9 @@ def add(
 
 
 @overload
-def rescale_many(table: PolarsTable, /, *, keep: bool | str | Sequence[Hashable] = False, output_dir: StrPath | None = None, in_place: bool = False, no_backup: bool = False, force: bool = False, no_note: bool = False, allow_outside: bool = False, dry_run: bool = False, report: StrPath | None = None, jobs: int | None = None, summary: StrPath | None = None, resume: bool = False, shard: str | None = None, yes: str | Sequence[str] | None = None, progress: Progress = False) -> PolarsTable: ...
+def rescale_many(table: PolarsTable, /, *, keep: bool | str | Sequence[Hashable] = False, output_dir: StrPath | None = None, in_place: bool = False, no_backup: bool = False, force: bool = False, no_note: bool = False, allow_outside: bool = False, dry_run: bool = False, report: StrPath | None = None, jobs: int | None = None, summary: StrPath | None = None, resume: bool = False, shard: str | None = None, yes: Question | Sequence[Question] | None = None, progress: Progress = False) -> PolarsTable: ...
 @overload
-def rescale_many(table: StrPath | TableLike, /, *, keep: bool | str | Sequence[Hashable] = False, output_dir: StrPath | None = None, in_place: bool = False, no_backup: bool = False, force: bool = False, no_note: bool = False, allow_outside: bool = False, dry_run: bool = False, report: StrPath | None = None, jobs: int | None = None, summary: StrPath | None = None, resume: bool = False, shard: str | None = None, yes: str | Sequence[str] | None = None, progress: Progress = False) -> Table: ...
+def rescale_many(table: StrPath | TableLike, /, *, keep: bool | str | Sequence[Hashable] = False, output_dir: StrPath | None = None, in_place: bool = False, no_backup: bool = False, force: bool = False, no_note: bool = False, allow_outside: bool = False, dry_run: bool = False, report: StrPath | None = None, jobs: int | None = None, summary: StrPath | None = None, resume: bool = False, shard: str | None = None, yes: Question | Sequence[Question] | None = None, progress: Progress = False) -> Table: ...
 def rescale_many(
     table: StrPath | TableLike | Polars,
     /,
@@ -228,7 +228,7 @@ def rescale_many(
     summary: StrPath | None = None,
     resume: bool = False,
     shard: str | None = None,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
     progress: Progress = False,
 ) -> Table | Polars:
     """One row per model; columns are named like the long options of rescale, transfer, design and set.
@@ -317,7 +317,7 @@ def check(
     skip_disabled: bool = False,
     geometry: Source | None = None,
     model: Source | None = None,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
     jobs: int | None = None,
     progress: Progress = False,
 ) -> Check:
@@ -406,7 +406,7 @@ def convert(
     exclude: str | Sequence[str] | None = None,
     skip_disabled: bool = False,
     no_note: bool = False,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
 ) -> Result:
     """Makes forces of one class from those of the other, one for each sphere. Stiffness, dissipation, friction and transition velocity stay as they are.
 
@@ -457,9 +457,9 @@ def convert(
 
 
 @overload
-def design(source: None = None, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: str | Sequence[str] | None = None, geometry: Source | None = None, model: Source | None = None) -> DesignSheet: ...
+def design(source: None = None, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> DesignSheet: ...
 @overload
-def design(source: Source, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: str | Sequence[str] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
+def design(source: Source, /, *, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
 def design(
     source: Source | None = None,
     /,
@@ -488,7 +488,7 @@ def design(
     exclude: str | Sequence[str] | None = None,
     skip_disabled: bool = False,
     no_note: bool = False,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
     geometry: Source | None = None,
     model: Source | None = None,
 ) -> Result | DesignSheet:
@@ -601,7 +601,7 @@ def drop_test(
     skip_disabled: bool = False,
     geometry: Source | None = None,
     model: Source | None = None,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
 ) -> DropTest:
     """Lets a model fall on its contacts and shows what they do.
 
@@ -706,9 +706,9 @@ def explain(
 
 
 @overload
-def fit(measured: StrPath | TableLike, /, *, motion: None = None, plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | Sequence[Literal["stiffness", "dissipation", "height", "heights", "places"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, cop_scale: float | None = None, slack: bool = False, foot_error: float | None = None, belt: float | None = None, belt_column: str | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: str | Sequence[str] | None = None, geometry: Source | None = None, model: Source | None = None) -> Fit: ...
+def fit(measured: StrPath | TableLike, /, *, motion: None = None, plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | Sequence[Literal["stiffness", "dissipation", "height", "heights", "places"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, cop_scale: float | None = None, slack: bool = False, foot_error: float | None = None, belt: float | None = None, belt_column: str | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Fit: ...
 @overload
-def fit(measured: Source, /, *, motion: StrPath | TableLike | Sequence[StrPath | TableLike], plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | Sequence[Literal["stiffness", "dissipation", "height", "heights", "places"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, cop_scale: float | None = None, slack: bool = False, foot_error: float | None = None, belt: float | None = None, belt_column: str | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: str | Sequence[str] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
+def fit(measured: Source, /, *, motion: StrPath | TableLike | Sequence[StrPath | TableLike], plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | Sequence[Literal["stiffness", "dissipation", "height", "heights", "places"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, cop_scale: float | None = None, slack: bool = False, foot_error: float | None = None, belt: float | None = None, belt_column: str | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
 def fit(
     measured: StrPath | TableLike | Source,
     /,
@@ -745,7 +745,7 @@ def fit(
     exclude: str | Sequence[str] | None = None,
     skip_disabled: bool = False,
     no_note: bool = False,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
     geometry: Source | None = None,
     model: Source | None = None,
 ) -> Fit | Result:
@@ -870,7 +870,7 @@ def inspect(
     skip_disabled: bool = False,
     geometry: Source | None = None,
     model: Source | None = None,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
     jobs: int | None = None,
     progress: Progress = False,
 ) -> Inspection:
@@ -1031,7 +1031,7 @@ def note(
     contacts_gravity: float | None = None,
     stance_limbs: int | None = None,
     no_note: bool = False,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
     geometry: Source | None = None,
     model: Source | None = None,
 ) -> Result:
@@ -1114,7 +1114,7 @@ def plot(
     skip_disabled: bool = False,
     geometry: Source | None = None,
     model: Source | None = None,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
 ) -> Figure:
     """Draws what contacts do.
 
@@ -1260,7 +1260,7 @@ def remove(
     exclude: str | Sequence[str] | None = None,
     skip_disabled: bool = False,
     no_note: bool = False,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
 ) -> Result:
     """Takes the foot contacts out of models: forces, the spheres that nothing else uses, and what was made for them.
 
@@ -1342,7 +1342,7 @@ def rescale(
     exclude: str | Sequence[str] | None = None,
     skip_disabled: bool = False,
     no_note: bool = False,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
     geometry: Source | None = None,
     model: Source | None = None,
 ) -> Result:
@@ -1440,7 +1440,7 @@ def set(
     exclude: str | Sequence[str] | None = None,
     skip_disabled: bool = False,
     no_note: bool = False,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
     geometry: Source | None = None,
     model: Source | None = None,
 ) -> Result:
@@ -1496,9 +1496,9 @@ def set(
 
 
 @overload
-def sweep(source: StrPath, /, *, grid: str | Sequence[str] | Mapping[str, float | str | Sequence[object]], ladder: None = None, soft: None = None, point: int | None = None, shard: str | None = None, output_dir: StrPath | None = None, force: bool = False, resume: bool = False, no_note: bool = False, dry_run: bool = False, jobs: int | None = None, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, yes: str | Sequence[str] | None = None, progress: Progress = False) -> Sweep: ...
+def sweep(source: StrPath, /, *, grid: str | Sequence[str] | Mapping[str, float | str | Sequence[object]], ladder: None = None, soft: None = None, point: int | None = None, shard: str | None = None, output_dir: StrPath | None = None, force: bool = False, resume: bool = False, no_note: bool = False, dry_run: bool = False, jobs: int | None = None, radius: float | str | None = None, indentation: float | None = None, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, yes: Question | Sequence[Question] | None = None, progress: Progress = False) -> Sweep: ...
 @overload
-def sweep(source: StrPath, /, *, grid: None = None, ladder: int, soft: float | None = None, point: int | None = None, shard: str | None = None, output_dir: StrPath | None = None, force: bool = False, resume: bool = False, no_note: bool = False, dry_run: bool = False, jobs: int | None = None, radius: float | str | None = None, indentation: float, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, yes: str | Sequence[str] | None = None, progress: Progress = False) -> Sweep: ...
+def sweep(source: StrPath, /, *, grid: None = None, ladder: int, soft: float | None = None, point: int | None = None, shard: str | None = None, output_dir: StrPath | None = None, force: bool = False, resume: bool = False, no_note: bool = False, dry_run: bool = False, jobs: int | None = None, radius: float | str | None = None, indentation: float, contact_stiffness: float | None = None, young: float | None = None, poisson: float | None = None, stiffness: float | None = None, restitution: float | None = None, impact_speed: float | None = None, constant_indentation: float | None = None, state_width: float | None = None, speed_width: float | None = None, threshold: float | None = None, load: float | None = None, body_weights: float | None = None, gravity: float | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, spheres: int | None = None, stance_limbs: int | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, yes: Question | Sequence[Question] | None = None, progress: Progress = False) -> Sweep: ...
 def sweep(
     source: StrPath,
     /,
@@ -1537,7 +1537,7 @@ def sweep(
     select: str | Sequence[str] | None = None,
     exclude: str | Sequence[str] | None = None,
     skip_disabled: bool = False,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
     progress: Progress = False,
 ) -> Sweep:
     """One file per point of a grid, or per step of a ladder, and a table that says what is in which.
@@ -1677,7 +1677,7 @@ def transfer(
     exclude: str | Sequence[str] | None = None,
     skip_disabled: bool = False,
     no_note: bool = False,
-    yes: str | Sequence[str] | None = None,
+    yes: Question | Sequence[Question] | None = None,
     geometry: Source | None = None,
     model: Source | None = None,
 ) -> Result:

@@ -12,6 +12,8 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
+from ._options import Property, Question
+
 if TYPE_CHECKING:
     from typing import TypeAlias
 
@@ -25,6 +27,8 @@ __all__ = [
     "Polars",
     "PolarsTable",
     "Progress",
+    "Property",
+    "Question",
     "Source",
     "Sources",
     "StrPath",

@@ -1,9 +1,11 @@
-"""What type checkers know of the package: of every example of the documents, and of calls that give one thing or another."""
+"""What two type checkers know of the package: of every example of the documents, and of calls that give one thing or another."""
 
 import ast
 import inspect
+import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import typing
@@ -16,7 +18,7 @@ pytest.importorskip("mypy", reason="mypy is not installed")
 
 #: A Python block. One that begins with a remark about a Snakefile is in the language of Snakemake.
 BLOCK = re.compile(r"^```python\n(?!# Snakefile)(.*?)^```\n", re.M | re.S)
-PAGES = [TOP / "README.md", TOP / "python" / "README.md", *sorted((TOP / "docs").glob("*.md"))]
+PAGES = [TOP / "README.md", TOP / "python" / "README.md", *sorted((TOP / "docs").rglob("*.md"))]
 
 # OpenSim and Snakemake have no types; those of Dask are not all exported.
 CONFIG = """
@@ -28,6 +30,14 @@ follow_imports = skip
 [mypy-opensim.*,matplotlib.*,pyarrow.*,cloudpickle.*,tqdm.*]
 ignore_missing_imports = true
 """
+
+#: pyright, where dev/install.sh put it, and what runs it.
+PYRIGHT = TOP / "tests" / "pyright" / "node_modules" / "pyright" / "index.js"
+NODE = shutil.which("node")
+
+#: Packages without types, for pyright: whatever is asked of them is there, and may be anything.
+WITHOUT_TYPES = ("opensim", "dask", "dask_jobqueue", "matplotlib", "matplotlib/pyplot")
+ANYTHING = "from typing import Any\ndef __getattr__(name: str) -> Any: ...\n"
 
 CALLS = """
 from typing import Any, assert_type
@@ -66,6 +76,8 @@ ocs.drop_test("a.osim").peak_force_bw
 ocs.rescale("a.osim")  # type: ignore[call-arg]
 ocs.rescale("a.osim", target_mass=None)  # type: ignore[arg-type]
 ocs.rescale("a.osim", target_mass=70, only="radios")  # type: ignore[arg-type]
+ocs.rescale("a.osim", target_mass=70, yes=["mass-in-pounds"])
+ocs.rescale("a.osim", target_mass=70, yes="mass-in-stones")  # type: ignore[arg-type]
 ocs.rescale(3, target_mass=70)  # type: ignore[arg-type]
 ocs.transfer("a.osim")  # type: ignore[call-arg]
 ocs.convert("a.osim", to="smoth")  # type: ignore[arg-type]
@@ -94,16 +106,45 @@ def program(text):
     return "\n".join(lines) + "\n"
 
 
-def test_every_example_and_every_kind_of_call(tmp_path):
-    programs = {page: program(page.read_text(encoding="utf-8")) for page in PAGES}
-    for page, code in programs.items():
+def found_by_pyright(folder):
+    """What pyright says of the Python files in a folder, in its strictest mode: place and message."""
+    for package in WITHOUT_TYPES:
+        (folder / "stubs" / package).mkdir(parents=True)
+        (folder / "stubs" / package / "__init__.pyi").write_text(ANYTHING, encoding="utf-8")
+    # A line that a call must be refused on is a finding of its own where it is not.
+    config = {"typeCheckingMode": "strict", "stubPath": "stubs", "extraPaths": [str(TOP / "python")]}
+    config |= {"include": ["*.py"], "enableTypeIgnoreComments": True, "reportUnnecessaryTypeIgnoreComment": "error"}
+    (folder / "pyrightconfig.json").write_text(json.dumps(config), encoding="utf-8")
+    command = [NODE, PYRIGHT, "--project", folder, "--pythonpath", sys.executable, "--outputjson"]
+    said = json.loads(subprocess.run(command, capture_output=True, text=True, check=False).stdout)
+    assert said["summary"]["filesAnalyzed"] >= len(list(folder.glob("*.py")))
+    for finding in said["generalDiagnostics"]:
+        line = finding["range"]["start"]["line"] + 1
+        yield f"{os.path.basename(finding['file'])}:{line}: {finding['message']} [{finding.get('rule')}]"
+
+
+@pytest.fixture(scope="module")
+def programs(tmp_path_factory):
+    """A folder with the programs of all pages, and with the calls."""
+    folder = tmp_path_factory.mktemp("programs")
+    for page in PAGES:
+        code = program(page.read_text(encoding="utf-8"))
         if code.strip():
             name = page.relative_to(TOP).with_suffix("").as_posix()
-            (tmp_path / f"{re.sub('[^a-zA-Z]', '_', name)}.py").write_text(code, encoding="utf-8")
-    (tmp_path / "calls.py").write_text(CALLS, encoding="utf-8")
-    assert len(list(tmp_path.glob("*.py"))) > 8
-    ran = checked(tmp_path)
+            (folder / f"{re.sub('[^a-zA-Z]', '_', name)}.py").write_text(code, encoding="utf-8")
+    (folder / "calls.py").write_text(CALLS, encoding="utf-8")
+    assert len(list(folder.glob("*.py"))) > 5
+    return folder
+
+
+def test_mypy_finds_nothing_in_examples_and_calls(programs):
+    ran = checked(programs)
     assert ran.returncode == 0, ran.stdout + ran.stderr
+
+
+@pytest.mark.skipif(NODE is None or not PYRIGHT.is_file(), reason="pyright is not installed: dev/install.sh python")
+def test_pyright_finds_nothing_in_examples_and_calls(programs):
+    assert "\n".join(found_by_pyright(programs)) == ""
 
 
 def signatures():

@@ -2,7 +2,7 @@
 
 use osim_model::{FaultKind, NeedsAnswer, Question};
 #[cfg(feature = "schemas")]
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
 use crate::values::serial;
@@ -16,7 +16,7 @@ pub struct AnswerOptions {
     /// Go on where a number looks like a slip: the code of the error that asks; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "CODE", hide_short_help = true))]
     #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<QuestionSchema>"))]
     pub yes: Vec<Question>,
 }
 
@@ -42,5 +42,24 @@ impl AnswerOptions {
             Some(asks) if !self.has(asks.question()) => Err(asks.into()),
             _ => Ok(()),
         }
+    }
+}
+
+/// The code of a question.
+#[cfg(feature = "schemas")]
+struct QuestionSchema;
+
+#[cfg(feature = "schemas")]
+impl JsonSchema for QuestionSchema {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Question".into()
+    }
+
+    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({"type": "string", "enum": Question::ALL.map(|question| question.code())})
+    }
+
+    fn inline_schema() -> bool {
+        true
     }
 }
