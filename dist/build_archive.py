@@ -1,4 +1,4 @@
-"""Builds the archive that people download: the program, its pages, completions, manual and licences.
+"""Builds the archive that people download: the program, its pages with their examples' models, completions, manual and licences.
 
     python3 dist/build_archive.py [--target TRIPLE] [--out FOLDER] [--program FOLDER] [--names FOLDER]
 
@@ -23,6 +23,7 @@ import zipfile
 from pathlib import Path
 
 import building
+import console_examples
 from building import COMMAND, ROOT
 from licences import licences
 
@@ -32,6 +33,11 @@ SHELLS = {"bash": f"{COMMAND}.bash", "zsh": f"_{COMMAND}", "fish": f"{COMMAND}.f
 
 def output_of(*command, **options):
     return subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, **options).stdout
+
+
+def tracked(*folders):
+    """The files of these folders that belong to the project."""
+    return list(filter(None, output_of("git", "ls-files", "-z", *folders).decode().split("\0")))
 
 
 def contents(program, target, metadata):
@@ -44,12 +50,13 @@ def contents(program, target, metadata):
     for name in ["README.md", "CHANGELOG.md", "CITATION.cff", "LICENSE-MIT", "LICENSE-APACHE"]:
         add(name, (ROOT / name).read_bytes())
     # The pages, the schemas of the JSON that they describe, and the package for MATLAB, which finds the program beside itself.
-    tracked = output_of("git", "ls-files", "-z", "docs", "schemas", "matlab").decode().split("\0")
-    for name in filter(None, tracked):
+    for name in tracked("docs", "schemas", "matlab"):
         add(name, (ROOT / name).read_bytes())
-    # The model of README's examples, so that they can be tried.
-    example = "fixtures/table1/human_62kg_smooth_sphere.osim"
-    add(example, (ROOT / example).read_bytes())
+    # What the examples of the pages name, so that each can be tried: whole folders, because files there name one another.
+    named = {name for page in console_examples.pages(ROOT) for name in console_examples.folders(page.read_text("utf-8"))}
+    for name in tracked("fixtures"):
+        if name.split("/")[1] in named:
+            add(name, (ROOT / name).read_bytes())
     add("LICENSES-OF-LIBRARIES.txt", licences(metadata, COMMAND, target))
     for shell, name in SHELLS.items():
         add(f"completions/{name}", output_of(str(program), "completions", shell))

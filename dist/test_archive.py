@@ -2,8 +2,8 @@
 
     python3 dist/test_archive.py ARCHIVE|FOLDER...
 
-Checks the checksum, the files, and one scaling from start to end, with an empty environment; on Linux also in a root
-folder that holds the program and a model and nothing else.
+Checks the checksum, the files, every console example of the pages, and one scaling from start to end, with an empty environment;
+on Linux also in a root folder that holds the program and a model and nothing else.
 """
 
 import hashlib
@@ -18,6 +18,8 @@ import tempfile
 import zipfile
 from decimal import Decimal, getcontext
 from pathlib import Path
+
+import console_examples
 
 COMMAND = "osim-contact-scale"
 MODEL = "human_62kg_smooth_sphere.osim"
@@ -123,6 +125,7 @@ def test(archive):
         shutil.copy(model, work)
         scale(lambda arguments: run([program, *arguments], cwd=work), work)
         assert "R_a" in run([program, "explain", "10"])
+        print(f"  {console_examples.compare(program, top)} console examples are true")
         if sys.platform == "linux":
             needs_no_library(program)
             in_an_empty_root(program, model, folder)
