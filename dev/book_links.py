@@ -1,7 +1,7 @@
 """Links of the book to files outside of docs/: these files come into it, too. A hook of MkDocs; mkdocs.yml names it.
 
 On GitHub and in the archive, the pages of docs/ lie beside the rest of the project. The book is made of docs/ alone. So what
-they link to (README.md, the changelog, schemas, tables) is added as `project/PATH`, and links lead there. Links of these
+they or the navigation link to (README.md, the changelog, schemas, tables) is added as `project/PATH`, and links lead there. Links of these
 added pages to files that are not in the book become plain text.
 """
 
@@ -34,14 +34,23 @@ def target(link, page):
 
 
 def on_files(files, config):
-    """Adds every file outside of docs/ that a page of docs/ links to."""
-    for page in list(files.documentation_pages()):
-        for link in LINK.finditer(page.content_string):
-            path = target(link, page.src_uri)
-            name = in_book(path)
-            if name.startswith(OUTSIDE) and (TOP / path).is_file() and files.get_file_from_path(name) is None:
-                files.append(File.generated(config, name, abs_src_path=str(TOP / path)))
+    """Adds every file outside of docs/ that the navigation or a page of docs/ links to."""
+    linked = [in_project(name) for name in named(config.nav) if name.startswith(OUTSIDE)]
+    for page in files.documentation_pages():
+        linked += [target(link, page.src_uri) for link in LINK.finditer(page.content_string)]
+    for path in linked:
+        name = in_book(path)
+        if name.startswith(OUTSIDE) and (TOP / path).is_file() and files.get_file_from_path(name) is None:
+            files.append(File.generated(config, name, abs_src_path=str(TOP / path)))
     return files
+
+
+def named(nav):
+    """The pages of the navigation, which nests lists and titles."""
+    if isinstance(nav, str):
+        return [nav]
+    parts = nav.values() if isinstance(nav, dict) else nav or []
+    return [name for part in parts for name in named(part)]
 
 
 def on_page_markdown(markdown, page, config, files):
