@@ -77,7 +77,6 @@ const PICTURES = {
       await at(user, user.region("The body"));
     },
   },
-  telephone: { width: 360, height: 700, scheme: "dark", show: async (user) => at(user, await opened(user)) },
 };
 
 async function opened(user) {

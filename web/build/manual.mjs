@@ -9,7 +9,6 @@ import { Marked } from "marked";
 import { ROOT } from "./paths.mjs";
 
 const SOURCE = "docs/page.md";
-const CONTENTS = /^- \[[^\]]+\]\(#[^)]+\)\n/gm;
 
 const outside = /^https?:/;
 const marked = new Marked({
@@ -17,13 +16,13 @@ const marked = new Marked({
     image: () => "",
     link({ href, tokens }) {
       const text = this.parser.parseInline(tokens);
-      return outside.test(href) ? `<a href="${href}">${text}</a>` : text;
+      return outside.test(href) ? `<a href="${href}">${text}</a>` : `<em>${text}</em>`;
     },
   },
 });
 
 /** The manual without its title. */
 export function manual() {
-  const text = readFileSync(join(ROOT, SOURCE), "utf8").replace(/^# .*\n/, "").replace(CONTENTS, "");
+  const text = readFileSync(join(ROOT, SOURCE), "utf8").replace(/^# .*\n/, "");
   return marked.parse(text).replace(/<p>\s*<\/p>\n/g, "");
 }
