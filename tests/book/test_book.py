@@ -19,7 +19,8 @@ TOP = Path(__file__).resolve().parents[2]
 BOOK = TOP / "target" / "book"
 PACKAGE = TOP / "python" / "osim_contact_scale"
 
-sys.path.insert(0, str(TOP / "tests" / "browser"))
+sys.path[:0] = [str(TOP / "tests" / "browser"), str(TOP / "dev")]
+import decision_chart  # noqa: E402
 from browser import Browser, missing  # noqa: E402
 
 if not (BOOK / "index.html").is_file():
@@ -49,9 +50,9 @@ def text_of(page):
 
 def entry(name):
     """What the reference says of a public name, up to the next one."""
-    page = (BOOK / "api.html").read_text(encoding="utf-8")
+    page = (BOOK / "reference" / "api.html").read_text(encoding="utf-8")
     found = re.search(rf'<h\d id="osim_contact_scale\.{re.escape(name)}".*?(?=<h[1-4] id=|</article>)', page, re.S)
-    assert found, f"docs/api.md has no {name}"
+    assert found, f"docs/reference/api.md has no {name}"
     return found[0]
 
 
@@ -80,10 +81,27 @@ def test_markdown_is_read_as_on_github(page):
     assert not re.search(r"<p>[^<]*\n *(- |\* |\d+\. )", text)
 
 
+def test_the_chart_is_drawn_from_the_list_beside_it():
+    lines = (TOP / "docs" / "README.md").read_text(encoding="utf-8").splitlines()
+    # Every case of the list is in the chart; none has another form than the others.
+    cases = decision_chart.cases("\n".join(lines))
+    assert sum(len(leaves) for _, leaves in cases) == sum(line.startswith("    - ") for line in lines)
+    known = (TOP / "docs" / "chart.svg").read_text(encoding="utf-8")
+    assert known == decision_chart.chart(), "draw it again: python3 dev/decision_chart.py"
+
+
+def test_tabs_hold_the_same_step_three_times():
+    page = (BOOK / "tutorial.html").read_text(encoding="utf-8")
+    sets = re.findall(r'<div class="tabbed-labels">(.*?)</div>', page, re.S)
+    labels = [re.findall(r"<label[^>]*>(?:<a[^>]*>)?([^<]+)", each) for each in sets]
+    assert len(labels) >= 5 and all(each == ["The page", "The terminal", "Python"] for each in labels), labels
+    assert "<!-- tabs -->" not in page
+
+
 def test_figures_and_terms_are_found():
     index = json.loads((BOOK / "search" / "search_index.json").read_text(encoding="utf-8"))
     pages = {entry["location"].split("#")[0] for entry in index["docs"] if "dissipation" in entry["text"]}
-    assert {"api.html", "equations.html", "python.html", "project/index.html"} <= pages
+    assert {"reference/api.html", "reference/equations.html", "python.html", "project/index.html"} <= pages
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(BOOK).as_posix())
