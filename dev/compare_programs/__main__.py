@@ -95,7 +95,7 @@ class Cases:
 
     def all(self) -> Iterator[str]:
         """Every call."""
-        pages = [page.read_text("utf-8") for page in [TOP / "README.md", *sorted((TOP / "docs").glob("*.md"))]]
+        pages = [page.read_text("utf-8") for page in [TOP / "README.md", *sorted((TOP / "docs").rglob("*.md"))]]
         documents = [re.findall(r"^\$ osim-contact-scale (.*)", page, re.MULTILINE) for page in pages]
         typed = [*self.tables["once"], *itertools.chain(*documents), *map(" && ".join, documents), *self.with_options()]
         yield from (line for call in typed for line in (call, self.as_json(call)))
