@@ -23,10 +23,10 @@ mod feet;
 mod figures;
 #[path = "plots/files.rs"]
 mod files;
-#[path = "plots/gallery.rs"]
-mod gallery;
 #[path = "plots/printing.rs"]
 mod printing;
+#[path = "plots/shown.rs"]
+mod shown;
 #[path = "command/support.rs"]
 #[allow(dead_code, reason = "shared with the tests of the command, which use all of it")]
 mod support;

@@ -1,4 +1,4 @@
-"""Takes the pictures of docs/report.md: python tests/browser/pictures.py (with the program built: cargo build --release)."""
+"""Takes the picture of a report in docs/plots.md: python tests/browser/pictures.py (with the program built: cargo build --release)."""
 
 import os
 import pathlib
@@ -14,8 +14,6 @@ WIDTH = 1000
 # name: the scheme, the first and the last element of the picture
 PICTURES = {
     "glance": ("light", "header", "#glance"),
-    "indentation": ("dark", "#indentation", "#indentation"),
-    "table": ("light", "#models", "#models"),
 }
 
 

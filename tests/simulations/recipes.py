@@ -1,4 +1,4 @@
-"""The recipes of docs/clusters.md, as they stand on the page.
+"""The recipes of docs/simulations.md, as they stand on the page.
 
 A block whose first comment begins with the name of a file (`# array.sh: ...`) is that file; other blocks in `bash` are typed.
 """
@@ -8,11 +8,12 @@ from dataclasses import dataclass
 
 from conftest import TOP
 
-PAGE = TOP / "docs" / "clusters.md"
+PAGE = TOP / "docs" / "simulations.md"
 
 _SECTION = re.compile(r"^## (.*)$", re.M)
 _BLOCK = re.compile(r"^```(bash|python)\n(.*?)^```$", re.M | re.S)
-_NAME = re.compile(r"\A(?:#!.*\n)?# ([\w.]+): ")
+#: What a recipe's file begins with.
+NAME = re.compile(r"\A(?:#!.*\n)?# ([\w.]+): ")
 
 
 @dataclass(frozen=True)
@@ -36,7 +37,7 @@ def recipe(section):
     text = dict(zip(parts[1::2], parts[2::2]))[section]
     files, typed = {}, []
     for language, block in _BLOCK.findall(text):
-        name = _NAME.match(block)
+        name = NAME.match(block)
         if name:
             files[name[1]] = block
         else:

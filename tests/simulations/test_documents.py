@@ -1,6 +1,6 @@
 """Every Python block of docs/simulations.md is a program that runs as it stands, and prints what the page says.
 
-`UPDATE_DOCS=1` writes what is printed now.
+Files of recipes for clusters are run by test_slurm.py. `UPDATE_DOCS=1` writes what is printed now.
 """
 
 import os
@@ -10,6 +10,7 @@ import subprocess
 import sys
 
 from conftest import TOP, script
+from recipes import NAME
 
 PAGE = TOP / "docs" / "simulations.md"
 
@@ -21,7 +22,8 @@ def test_the_programs_of_the_page(tmp_path):
     shutil.copytree(TOP / "fixtures" / "table1", tmp_path / "fixtures" / "table1")
     text = PAGE.read_text(encoding="utf-8")
     found = list(BLOCK.finditer(text))
-    assert len(found) == text.count("```python") > 0
+    files = [code for code in re.findall(r"^```python\n(.*?)^```$", text, re.M | re.S) if NAME.match(code)]
+    assert len(found) + len(files) == text.count("```python") > len(files)
     printed = []
     for match in found:
         done = subprocess.run(
