@@ -1,4 +1,4 @@
-"""The figures of `docs/falls.md`."""
+"""The figures of `docs/studies/falls.md`."""
 
 import matplotlib
 from animals import ANIMALS, CONTACTS, REFERENCE, time_unit_s

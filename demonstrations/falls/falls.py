@@ -1,7 +1,7 @@
 """The same fall at six sizes: `python demonstrations/falls/falls.py --results FOLDER`
 
 A body of our own (`body.py`), from mouse to giraffe, falls in OpenSim from a tenth of its hip height, with joints locked and free, on
-contacts that were rescaled or left. Made of the results: `falls.csv` beside this program, and the figures of `docs/falls.md`. With
+contacts that were rescaled or left. Made of the results: `falls.csv` beside this program, and the figures of `docs/studies/falls.md`. With
 `--resume` it goes on where it was stopped. The tables of the page are made, too.
 """
 
@@ -17,7 +17,7 @@ from osim_contact_scale import simulate
 
 HERE = Path(__file__).resolve().parent
 COMMITTED = HERE / "falls.csv"
-DOCS = HERE.parents[1] / "docs" / "falls"
+DOCS = HERE.parents[1] / "docs" / "studies" / "falls"
 PAGE = DOCS.with_suffix(".md")
 
 HEIGHT = 0.1  # hip heights

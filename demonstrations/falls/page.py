@@ -1,4 +1,4 @@
-"""The tables of `docs/falls.md`, made from `falls.csv`: `python demonstrations/falls/page.py TABLE` prints them."""
+"""The tables of `docs/studies/falls.md`, made from `falls.csv`: `python demonstrations/falls/page.py TABLE` prints them."""
 
 import csv
 import sys
@@ -31,7 +31,8 @@ def _apart(rows):
     yield "| law | joints | contacts | height | force | centre of mass |"
     yield "|---|---|---|---|---|---|"
     for law, law_name in LAWS.items():
-        for joints in ("locked", "free"):
+        # With joints locked nothing slides: friction makes no difference there.
+        for joints in ("free",) if law == "smooth_frictionless" else ("locked", "free"):
             for contacts in CONTACTS:
                 own = [row for row in rows if (row["law"], row["joints"], row["contacts"]) == (law, joints, contacts)]
                 others = [row for row in own if row["animal"] != REFERENCE]

@@ -1,4 +1,4 @@
-"""The figures of `docs/walker.md`, from the tables beside this program."""
+"""The figures of `docs/studies/walker.md`, from the tables beside this program."""
 
 import math
 

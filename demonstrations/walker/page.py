@@ -1,4 +1,4 @@
-"""The tables of `docs/walker.md`, made from the tables beside this program: `python demonstrations/walker/page.py` prints them."""
+"""The tables of `docs/studies/walker.md`, made from the tables beside this program: `python demonstrations/walker/page.py` prints them."""
 
 from pathlib import Path
 
@@ -24,13 +24,11 @@ def mesh_errors(table):
 def mesh():
     """The walk at the mesh and at twice the mesh."""
     table = read("mesh")
-    yield "| E₁\\* (MPa) | k̂ | α (s/m) | effort | at twice the mesh | difference | bounds active | nearest bound |"
-    yield "|---|---|---|---|---|---|---|---|"
+    yield "| E₁\\* (MPa) | k̂ | α (s/m) | effort | at twice the mesh | difference |"
+    yield "|---|---|---|---|---|---|"
     for (_, row), error in zip(table.iterrows(), mesh_errors(table)):
-        active = int(row["active_bounds"] + row["active_bounds_at_double_mesh"])
-        nearest = min(row["nearest_bound"], row["nearest_bound_at_double_mesh"])
         cells = [_mpa(row), f"{row['dimensionless_stiffness']:.2f}", f"{row['dissipation']:g}", f"{row['effort']:.4f}"]
-        cells += [_effort(row, "_at_double_mesh", 4), f"{100 * error:+.2f} %", str(active), f"{100 * nearest:.1f} %"]
+        cells += [_effort(row, "_at_double_mesh", 4), f"{100 * error:+.2f} %"]
         yield f"| {' | '.join(cells)} |"
 
 
@@ -60,14 +58,6 @@ def effort():
     yield from _grid(least(), lambda row: f"{row['effort']:.3f}{'*' if row['way'] == 'branch' else ''}")
 
 
-def iterations():
-    """Panel B."""
-    yield from _grid(
-        read("grid"),
-        lambda row: f"{row['iterations']:.0f} ({row['cpu_s']:.0f} s){'' if row['converged'] else ' not converged'}",
-    )
-
-
 def by_point(table):
     """Of the searches from random guesses: a row for each point of the grid."""
     known = least().set_index("index")["effort"]
@@ -78,17 +68,6 @@ def by_point(table):
         point |= {"guesses": len(rows), "converged": len(converged), "median_iterations": rows["iterations"].median()}
         found.append(point | {"least_over_panel_a": converged["effort"].min() / known[index]})
     return pd.DataFrame(found)
-
-
-def random():
-    """Panel C."""
-    yield from _grid(
-        by_point(read("random")),
-        lambda row: (
-            f"{row['converged']:.0f} of {row['guesses']:.0f}, {row['median_iterations']:.0f}, "
-            f"{100 * (row['least_over_panel_a'] - 1):+.0f} %"
-        ),
-    )
 
 
 def sizes():
@@ -104,15 +83,6 @@ def sizes():
         cells += [f"{100 * (row['effort'] / human['effort'] - 1):+.2f} %", f"{step:.3f}", f"{row['peak_force_bw']:.2f}"]
         cells += [_apart(curves, row), str(int(row["iterations"]))]
         yield f"| {' | '.join(cells)} |"
-
-
-def sizes_by_hand():
-    """The search from the guess that was drawn by hand, at three lengths."""
-    table = read("sizes_by_hand").sort_values("length")
-    yield "| length | effort | iterations |"
-    yield "|---|---|---|"
-    for _, row in table.iterrows():
-        yield f"| {row['length']:g} | {_effort(row, '', 4)} | {row['iterations']:.0f} |"
 
 
 def ladder():
@@ -172,10 +142,7 @@ def _apart(curves, row):
 BLOCKS = {
     "mesh": mesh,
     "effort": effort,
-    "iterations": iterations,
-    "random": random,
     "sizes": sizes,
-    "sizes_by_hand": sizes_by_hand,
     "ladder": ladder,
 }
 

@@ -2,7 +2,7 @@
 
 Stages: guess, grid, branch, mesh, random, sizes, ladder, figures; or all. Each stage is a run of `simulate.run`, with its models and
 results in the folder, and leaves its table as CSV beside this program (`guess` leaves the good first guess there). With `--resume` it goes
-on where it was stopped. docs/walker.md says what was found.
+on where it was stopped. docs/studies/walker.md says what was found.
 """
 
 import argparse
@@ -147,14 +147,14 @@ def grid_rows(given):
 
 
 def figures(given):
-    """Figures and tables of docs/walker.md, from the tables beside this program."""
+    """Figures and tables of docs/studies/walker.md, from the tables beside this program."""
     import page
     from draw import draw_all
 
     for name, table in (("effort", page.least()), ("random_points", page.by_point(page.read("random")))):
         table.to_csv(HERE / f"{name}.csv", index=False, float_format="%.6g", lineterminator="\n")
     draw_all(HERE, given.figures)
-    page.write(HERE.parents[1] / "docs" / "walker.md")
+    page.write(HERE.parents[1] / "docs" / "studies" / "walker.md")
 
 
 STAGES = {
@@ -179,7 +179,7 @@ def main():
     parser.add_argument("--seeds", type=int, default=SEEDS, help="random guesses for each point of the grid")
     parser.add_argument("--resume", action="store_true", help="go on in a folder that has results")
     parser.add_argument(
-        "--figures", type=Path, default=HERE.parents[1] / "docs" / "walker", help="folder for the figures"
+        "--figures", type=Path, default=HERE.parents[1] / "docs" / "studies" / "walker", help="folder for the figures"
     )
     given = parser.parse_args()
     given.results = given.results.absolute()

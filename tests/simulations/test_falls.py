@@ -1,4 +1,4 @@
-"""The demonstration of `docs/falls.md`, repeated for a mouse and the reference: the same program, a shorter fall."""
+"""The demonstration of `docs/studies/falls.md`, repeated for a mouse and the reference: the same program, a shorter fall."""
 
 import csv
 import subprocess
@@ -64,7 +64,7 @@ def test_the_page_says_what_the_committed_table_says():
     printed = subprocess.run(
         [sys.executable, PROGRAM.with_name("page.py"), COMMITTED], capture_output=True, text=True, check=True
     )
-    page = (TOP / "docs" / "falls.md").read_text(encoding="utf-8")
+    page = (TOP / "docs" / "studies" / "falls.md").read_text(encoding="utf-8")
     block = page.split("<!-- begin falls -->")[1].split("<!-- end falls -->")[0]
     assert block.strip() == printed.stdout.strip()
 

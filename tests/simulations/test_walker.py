@@ -1,4 +1,4 @@
-"""The demonstration of `docs/walker.md`: its parts, and a 2 × 2 of its grid at a coarse mesh, solved by OpenSim Moco."""
+"""The demonstration of `docs/studies/walker.md`: its parts, and a 2 × 2 of its grid at a coarse mesh, solved by OpenSim Moco."""
 
 import math
 import subprocess
@@ -175,7 +175,7 @@ def test_the_committed_tables_are_well_posed():
 
 
 def test_the_page_says_what_the_committed_tables_say():
-    text = (TOP / "docs" / "walker.md").read_text(encoding="utf-8")
+    text = (TOP / "docs" / "studies" / "walker.md").read_text(encoding="utf-8")
     for name, block in page.BLOCKS.items():
         printed = text.split(f"<!-- begin {name} -->")[1].split(f"<!-- end {name} -->")[0]
         assert printed.strip() == "\n".join(block()), name
