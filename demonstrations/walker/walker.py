@@ -139,7 +139,8 @@ def grid_rows(given):
     """The grid's models as rows: path, index, and what is at the point."""
     manifest = Path(contacts.grid(given.results / "models").manifest)
     wanted = ["index", "stiffness", "dissipation", "relative_indentation", "dimensionless_stiffness", "restitution"]
-    table = pd.read_csv(manifest)
+    # The committed tables have the shorter name.
+    table = pd.read_csv(manifest).rename(columns={"relative_indentation_hertz": "relative_indentation"})
     return [
         {"path": str(manifest.parent / row["file"]), **{name: row[name] for name in wanted}}
         for row in table.to_dict("records")

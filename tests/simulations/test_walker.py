@@ -3,6 +3,7 @@
 import math
 import subprocess
 import sys
+from types import SimpleNamespace
 
 import numpy as np
 import opensim
@@ -20,6 +21,7 @@ import model  # noqa: E402
 import page  # noqa: E402
 import problem  # noqa: E402
 import walk  # noqa: E402
+import walker  # noqa: E402
 from osim_contact_scale import simulate  # noqa: E402
 
 G, LEG_M, KG = 9.80665, 0.901, 62.0
@@ -179,6 +181,14 @@ def test_the_page_says_what_the_committed_tables_say():
     for name, block in page.BLOCKS.items():
         printed = text.split(f"<!-- begin {name} -->")[1].split(f"<!-- end {name} -->")[0]
         assert printed.strip() == "\n".join(block()), name
+
+
+def test_the_grid_that_is_made_is_that_of_the_committed_table(tmp_path):
+    (tmp_path / "models").mkdir()
+    made = pd.DataFrame(walker.grid_rows(SimpleNamespace(results=tmp_path))).set_index("index")
+    committed = page.read("grid").set_index("index")
+    for name in ("stiffness", "dissipation", "relative_indentation", "dimensionless_stiffness", "restitution"):
+        assert made[name].to_numpy() == pytest.approx(committed[name].to_numpy(), rel=1e-5), name
 
 
 def test_rescaled_walkers_walk_alike_and_others_do_not():
