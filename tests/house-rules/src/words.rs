@@ -12,6 +12,9 @@ use crate::module::Tree;
 pub struct Words {
     /// Words of any text.
     pub word: Vec<Word>,
+    /// Words of README.md and docs/ alone.
+    #[serde(default)]
+    pub book: Vec<Word>,
     /// Names of fields in JSON Schemas.
     #[serde(default)]
     pub field: Vec<Word>,
@@ -41,6 +44,13 @@ impl Words {
     #[must_use]
     pub fn in_text(&self, file: &str, line: usize, text: &str) -> Vec<String> {
         self.word.iter().flat_map(|word| word.in_text(file, line, text, |_| true)).collect()
+    }
+
+    /// What must not be written in a page of the book, beside the words of any text.
+    #[must_use]
+    pub fn in_page(&self, file: &str, text: &str) -> Vec<String> {
+        let only_here = self.book.iter().flat_map(|word| word.in_text(file, 1, text, |_| true));
+        self.in_text(file, 1, text).into_iter().chain(only_here).collect()
     }
 
     /// What must not be written in a JSON Schema. In names, `_` separates the words.

@@ -1,4 +1,4 @@
-//! `docs/architecture.md` agrees with the tree: what it names is there, and every crate has its paragraph.
+//! `docs/developers/architecture.md` agrees with the tree: what it names is there, and every crate has its paragraph.
 
 #![allow(
     clippy::unwrap_used,
@@ -11,7 +11,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-const PAGE: &str = "docs/architecture.md";
+const PAGE: &str = "docs/developers/architecture.md";
 
 /// A code span that begins so is a path from the project's root.
 const FOLDERS: &[&str] = &[

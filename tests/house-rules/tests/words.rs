@@ -63,7 +63,12 @@ fn words_of_the_docs() {
         let end = text[begin + 1..].find("\n## ").filter(|_| name == "CHANGELOG.md");
         pages.push((name.to_owned(), text[..end.map_or(text.len(), |end| begin + 1 + end)].to_owned()));
     }
-    let found: Vec<String> = pages.iter().flat_map(|(file, text)| WORDS.in_text(file, 1, text)).collect();
+    let is_of_the_book = |file: &str| file == "README.md" || file.starts_with("docs/");
+    let found = pages.iter().flat_map(|(file, text)| match is_of_the_book(file) {
+        true => WORDS.in_page(file, text),
+        false => WORDS.in_text(file, 1, text),
+    });
+    let found: Vec<String> = found.collect();
     nothing(&found, "words that words.toml forbids");
 }
 
@@ -78,20 +83,20 @@ fn words_of_the_schemas() {
 /// Each word of the list is refused in its examples, and passes where the list says so.
 #[test]
 fn words_are_refused_in_their_examples() {
-    let refused = |text: &str, is_field: bool| {
-        if is_field { WORDS.in_schema("file", text) } else { WORDS.in_text("file", 1, text) }
-    };
-    for (words, is_field) in [(&WORDS.word, false), (&WORDS.field, true)] {
+    type Refused = fn(&str) -> Vec<String>;
+    let kinds: [(_, Refused); 3] = [
+        (&WORDS.word, |text| WORDS.in_text("file", 1, text)),
+        (&WORDS.book, |text| WORDS.in_page("file", text)),
+        (&WORDS.field, |text| WORDS.in_schema("file", text)),
+    ];
+    for (words, refused) in kinds {
         for word in words {
             assert!(!word.wrong.is_empty(), "no example: {}", word.not);
             for text in &word.wrong {
-                assert!(
-                    refused(text, is_field).iter().any(|found| found.ends_with(&word.say)),
-                    "passes: {text}"
-                );
+                assert!(refused(text).iter().any(|found| found.ends_with(&word.say)), "passes: {text}");
             }
             for text in &word.right {
-                assert_eq!(refused(text, is_field), Vec::<String>::new());
+                assert_eq!(refused(text), Vec::<String>::new());
             }
         }
     }
