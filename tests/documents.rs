@@ -50,17 +50,29 @@ fn not_run(document: &Path) -> Vec<String> {
     lines.filter(|line| line.starts_with("osim-contact-scale ") && line.contains("fixtures/")).collect()
 }
 
-/// README.md and the pages of docs/ that hold examples.
+/// README.md and the pages of docs/ and its folders that hold examples.
 fn documents() -> Vec<PathBuf> {
-    let pages =
-        std::fs::read_dir(root().join("docs")).into_iter().flatten().flatten().map(|entry| entry.path());
-    let mut documents: Vec<PathBuf> = std::iter::once(root().join("README.md"))
-        .chain(pages)
-        .filter(|path| path.extension().is_some_and(|extension| extension == "md"))
-        .filter(|path| std::fs::read_to_string(path).is_ok_and(|text| text.contains("```console")))
-        .collect();
+    let mut documents = vec![root().join("README.md")];
+    let mut folders = vec![root().join("docs")];
+    while let Some(folder) = folders.pop() {
+        for path in std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()) {
+            if path.is_dir() { folders.push(path) } else { documents.push(path) }
+        }
+    }
+    documents.retain(|path| {
+        path.extension().is_some_and(|extension| extension == "md")
+            && std::fs::read_to_string(path).is_ok_and(|text| text.contains("```console"))
+    });
     documents.sort();
     documents
+}
+
+#[test]
+fn pages_in_folders_of_docs_are_looked_at() {
+    let documents = documents();
+    for page in ["README.md", "docs/check.md", "docs/reference/errors.md"] {
+        assert!(documents.contains(&root().join(page)), "{page}");
+    }
 }
 
 #[test]

@@ -1,5 +1,5 @@
-//! Parts of docs/ are made from the registers of the program: findings, errors, limits, figures of all verbs. Such a part is between
-//! `<!-- begin NAME -->` and `<!-- end NAME -->`. To write them again: `UPDATE_DOCS=1 cargo test --test generated`.
+//! Parts of docs/ are made from the registers of the program and from `schemas/`: findings, errors, limits, figures and records of all verbs.
+//! Such a part is between `<!-- begin NAME -->` and `<!-- end NAME -->`. To write them again: `UPDATE_DOCS=1 cargo test --test generated`.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
@@ -12,13 +12,16 @@ use contact_scaling::limits;
 use osim_inspect::{CheckResult, Figure, Quantity};
 use osim_messages::{Call, Dialect, Example, Input, Phrase, Verb};
 use osim_model::files::{Beside, InMemory, ModelFiles};
-use osim_model::{FindingCode, Repair, Rule, Seen, Severity};
-use osim_planning::{DesignQuantity, DropColumn, DropFigure, DropRow, Inspector, rules};
+use osim_model::{FindingCode, Repair, Seen, Severity};
+use osim_planning::{DesignQuantity, Inspector, rules};
 use osim_report::ExitStatus;
 use osim_report::explain::ErrorGroup;
 use osim_requests::options::InspectionOptions;
-use osim_requests::spell::{CommandLine, Speller};
-use osim_requests::{Request, schema_of};
+use osim_requests::schema_of;
+use osim_requests::spell::CommandLine;
+
+#[path = "generated/records.rs"]
+mod records;
 
 /// The words of the command line, marked as code.
 struct Markdown;
@@ -38,7 +41,7 @@ fn spelled(phrase: &Phrase) -> String {
     marked(&phrase.spelled(&Markdown))
 }
 
-/// In Markdown: code stays as it is, and a page of docs/ is a link.
+/// In Markdown: code stays as it is, and a page of docs/ is a link, from the project's top.
 fn marked(text: &str) -> String {
     let pieces = text.split('`').enumerate().map(|(index, piece)| match index % 2 {
         0 => piece.replace('*', "\\*").replace('<', "\\<").replace('|', "\\|"),
@@ -47,100 +50,46 @@ fn marked(text: &str) -> String {
     let words = pieces.collect::<String>();
     let words = words.split(' ').map(|word| {
         match word.split_once("docs/").and_then(|(before, page)| Some((before, page.split_once(".md")?))) {
-            Some((before, (page, after))) => format!("{before}[docs/{page}.md]({page}.md){after}"),
+            Some((before, (page, after))) => format!("{before}[{page}]({DOCS}{page}.md){after}"),
             None => word.to_owned(),
         }
     });
     words.collect::<Vec<_>>().join(" ")
 }
 
+/// How links to other pages begin until it is known which page has them.
+const DOCS: &str = "docs:";
+
+/// No blanks beside the bars: they would count as words.
 fn table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
-    let mut text = format!("| {} |\n|{}\n", header.join(" | "), "---|".repeat(header.len()));
+    let mut text = format!("|{}|\n|{}\n", header.join("|"), "---|".repeat(header.len()));
     for row in rows {
-        text.push_str(&format!("| {} |\n", row.join(" | ")));
+        text.push_str(&format!("|{}|\n", row.join("|")));
     }
     text
 }
 
-/// Rules with the worst first, as `check` sorts findings.
-fn by_severity() -> Vec<&'static Rule> {
-    let mut all = rules::all().to_vec();
-    all.sort_by_key(|rule| Reverse(rule.severity));
-    all
+/// Up to its first full stop, semicolon, colon, remark in brackets or clause after it: `explain` has the rest.
+fn short(text: &str) -> String {
+    let is_number = |at: usize| text[at..].starts_with(|c: char| !c.is_ascii_lowercase());
+    let bracket = text.match_indices(" (").map(|(at, _)| at).find(|at| !is_number(at + 2));
+    let ends =
+        [". ", "; ", ": ", ", which ", ", such as ", ", so "].into_iter().filter_map(|end| text.find(end));
+    text[..ends.chain(bracket).min().unwrap_or(text.len())].trim_end_matches('.').to_owned()
 }
 
-/// docs/warnings.md: a list, then a section for each code.
-fn findings() -> String {
-    let mut text: String = rules::all().iter().map(|rule| format!("- [`{0}`](#{0})\n", rule.code)).collect();
-    for rule in rules::all() {
-        let severity = match rule.severity {
-            Severity::Error => "error",
-            Severity::Warn => "warning",
-            Severity::Info => "remark",
+/// docs/reference/warnings.md: the codes of a severity, in the order in which they are looked for.
+fn findings(severity: Severity) -> String {
+    let rows = rules::all().iter().filter(|rule| rule.severity == severity).map(|rule| {
+        let check = match (rule.seen, rule.repair) {
+            (Seen::Change, _) => "no",
+            (_, Repair::Command(_)) => "command",
+            (_, Repair::NotPossible(_)) => "yes",
         };
-        let seen = match rule.seen {
-            Seen::Change => ", not looked for by check",
-            _ => "",
-        };
-        text.push_str(&format!(
-            "\n## {code}\n\n{what} ({severity}{seen})\n\n*Why:* {why}\n\n*What to do:* {advice}.\n\n*Fix:* {repair}.\n\n*Example:* {example}.\n",
-            code = rule.code,
-            what = spelled(&rule.what()),
-            why = spelled(&rule.why()),
-            advice = spelled(&rule.advice()),
-            repair = marked(&rule.repair.sentence()),
-            example = example(rule.example),
-        ));
-    }
-    text
-}
-
-/// What raises a finding, and what does not.
-fn example(example: osim_model::Example) -> String {
-    use osim_model::Example;
-    // As it runs in the project's own folder.
-    let call = |json: &str| {
-        let here = json.replace(r#""models": [""#, r#""models": ["fixtures/"#);
-        let here = here.replace(r#""from": ""#, r#""from": "fixtures/"#);
-        let request = Request::from_json(here.as_bytes()).unwrap();
-        format!("`{}`", CommandLine.request(&request))
-    };
-    match example {
-        Example::Piece { model, good, bad } => {
-            format!("`{bad}` has it, `{good}` does not (in `fixtures/{model}`)")
-        }
-        Example::Models { good, bad } => format!("`fixtures/{bad}` has it, `fixtures/{good}` does not"),
-        Example::Request { good, bad } => format!("{} says it, {} does not", call(bad), call(good)),
-        Example::InWords { good, bad } => format!("{bad}. Without it: {good}"),
-        _ => panic!("an example of another kind"),
-    }
-}
-
-/// docs/check.md: what it looks for.
-fn looked_for() -> String {
-    let checked = by_severity().into_iter().filter(|rule| rule.seen == Seen::Model);
-    let rows = checked.map(|rule| {
-        let what = spelled(&rule.what());
-        vec![
-            format!("`{}`", rule.code),
-            rule.severity.as_str().to_owned(),
-            what.trim_end_matches('.').to_owned(),
-        ]
+        let what = spelled(&rule.what()).trim_end_matches('.').to_owned();
+        vec![format!("`{}`", rule.code), what, spelled(&rule.advice()), check.to_owned()]
     });
-    table(&["code", "severity", "what it is"], rows)
-}
-
-/// docs/check.md: the command of each code, or why there is none.
-fn repairs() -> String {
-    let checked = by_severity().into_iter().filter(|rule| rule.seen == Seen::Model);
-    let rows = checked.map(|rule| {
-        let (command, why) = match rule.repair {
-            Repair::Command(what) => (what, ""),
-            Repair::NotPossible(why) => ("", why),
-        };
-        vec![format!("`{}`", rule.code), marked(command), marked(why)]
-    });
-    table(&["code", "the proposed command", "why there is none"], rows)
+    table(&["code", "what it is", "what to do", "`check`"], rows)
 }
 
 /// docs/check.md: on how many published models each rule fires; `None` without them.
@@ -194,25 +143,18 @@ fn limits() -> String {
     table(&["figure", "limit", "source"], rows)
 }
 
-/// docs/json.md: the figures of a sphere.
+/// docs/reference/json.md: the figures of a sphere.
 fn figures() -> String {
     let rows = Figure::ALL.iter().map(|figure| {
         let info = figure.info();
-        let [unit, equation, limit] = unit_equation_limit(info);
-        vec![
-            format!("`….{}`", info.name),
-            format!("`{}`", info.column()),
-            meaning(info),
-            unit,
-            equation,
-            limit,
-        ]
+        let [_, equation, limit] = unit_equation_limit(info);
+        vec![format!("`{}`", info.name), format!("`{}`", info.column()), equation, limit]
     });
-    table(&["field", "column in CSV", "meaning", "unit", "equation", "limit"], rows)
+    table(&["field", "column in CSV, which says what it is", "equation", "limit"], rows)
 }
 
 fn meaning(info: &Quantity) -> String {
-    spelled(&info.meaning()).trim_end_matches('.').to_owned()
+    short(&spelled(&info.meaning()))
 }
 
 fn unit_equation_limit(info: &Quantity) -> [String; 3] {
@@ -220,45 +162,14 @@ fn unit_equation_limit(info: &Quantity) -> [String; 3] {
     [info.unit.to_owned(), info.equation.to_owned(), limit]
 }
 
-/// docs/json.md: what a design without a model finds.
+/// docs/reference/json.md: what a design without a model finds.
 fn design_figures() -> String {
     let rows = DesignQuantity::ALL.iter().map(|quantity| {
         let info = quantity.info();
-        let [unit, equation, limit] = unit_equation_limit(info);
-        vec![format!("`{}`", info.name), meaning(info), unit, equation, limit]
+        let [unit, equation, _] = unit_equation_limit(info);
+        vec![format!("`{}`", info.name), meaning(info), unit, equation]
     });
-    table(&["name", "meaning", "unit", "equation", "limit"], rows)
-}
-
-/// docs/json.md: the figures of a drop.
-fn drop_figures() -> String {
-    let rows = DropFigure::ALL.iter().map(|figure| {
-        let info = figure.info();
-        let of_type = if figure.is_always_known() { "number" } else { "number or null" };
-        vec![format!("`{}`", info.name), of_type.to_owned(), meaning(info), info.unit.to_owned()]
-    });
-    table(&["field", "type", "meaning", "unit"], rows)
-}
-
-/// docs/json.md: the series of a drop.
-fn drop_series() -> String {
-    let rows = DropColumn::ALL.iter().map(|column| {
-        let info = column.info();
-        vec![format!("`series.{}`", info.name), meaning(info), info.unit.to_owned()]
-    });
-    table(&["field", "meaning", "unit"], rows)
-}
-
-/// docs/drop-test.md: the rows of the table, in their order.
-fn drop_rows() -> String {
-    let rows = [DropRow::Here, DropRow::Last].into_iter().flat_map(|place| {
-        DropFigure::ALL.iter().filter(move |figure| figure.row() == place).map(|figure| {
-            let info = figure.info();
-            let [unit, _, limit] = unit_equation_limit(info);
-            vec![marked(info.heading_without_unit().trim()), meaning(info), unit, limit]
-        })
-    });
-    table(&["figure", "is", "unit", "limit"], rows)
+    table(&["`name`", "meaning", "unit", "equation"], rows)
 }
 
 fn errors(group: ErrorGroup) -> String {
@@ -266,46 +177,47 @@ fn errors(group: ErrorGroup) -> String {
         ErrorGroup::Question => ["code", "question", "answer"],
         _ => ["code", "means", "way out"],
     };
-    let rows = group
-        .errors()
-        .iter()
-        .map(|error| vec![format!("`{}`", error.code), spelled(&error.means()), spelled(&error.way_out())]);
-    table(&header, rows)
+    let rows = group.errors().iter().map(|error| {
+        [format!("`{}`", error.code), short(&spelled(&error.means())), short(&spelled(&error.way_out()))]
+    });
+    table(&header, rows.map(Vec::from))
 }
 
-/// docs/errors.md: what the exit status says.
+/// docs/reference/errors.md: what the exit status says.
 fn exit_statuses() -> String {
     let row = |status: &ExitStatus| vec![status.code().to_string(), status.meaning().to_owned()];
     table(&["status", "means"], ExitStatus::ALL.iter().map(row))
 }
 
-/// docs/requests.md: the verbs that take a request, each with its schema.
+/// docs/reference/requests.md: the verbs that take a request, each with its schema.
 fn verbs() -> String {
     let asked = Verb::ALL.iter().filter(|verb| schema_of(**verb).is_some()).map(|verb| verb.name());
-    asked.map(|name| format!("- [`{name}`](../schemas/requests/{name}.schema.json)\n")).collect()
+    let links = asked.map(|name| format!("[`{name}`](../../schemas/requests/{name}.schema.json)"));
+    links.collect::<Vec<_>>().join(",\n") + ".\n"
 }
 
 /// Each part: its page, its name, its text.
 fn parts() -> Vec<(&'static str, &'static str, String)> {
+    const WARNINGS: &str = "reference/warnings.md";
+    const ERRORS: &str = "reference/errors.md";
+    const JSON: &str = "reference/json.md";
     let published = published().map(|text| ("check.md", "published", text));
     let others = vec![
-        ("warnings.md", "findings", findings()),
-        ("check.md", "looked-for", looked_for()),
-        ("check.md", "repairs", repairs()),
+        (WARNINGS, "findings-error", findings(Severity::Error)),
+        (WARNINGS, "findings-warn", findings(Severity::Warn)),
+        (WARNINGS, "findings-info", findings(Severity::Info)),
         ("check.md", "limits", limits()),
-        ("json.md", "figures", figures()),
-        ("json.md", "design-figures", design_figures()),
-        ("json.md", "drop-figures", drop_figures()),
-        ("json.md", "drop-series", drop_series()),
-        ("drop-test.md", "drop-test-figures", drop_rows()),
-        ("requests.md", "verbs", verbs()),
-        ("errors.md", "exit-statuses", exit_statuses()),
-        ("errors.md", "errors-file", errors(ErrorGroup::File)),
-        ("errors.md", "errors-model", errors(ErrorGroup::Model)),
-        ("errors.md", "errors-question", errors(ErrorGroup::Question)),
-        ("errors.md", "errors-request", errors(ErrorGroup::Request)),
+        (JSON, "figures", figures()),
+        (JSON, "design-figures", design_figures()),
+        ("reference/requests.md", "verbs", verbs()),
+        (ERRORS, "exit-statuses", exit_statuses()),
+        (ERRORS, "errors-file", errors(ErrorGroup::File)),
+        (ERRORS, "errors-model", errors(ErrorGroup::Model)),
+        (ERRORS, "errors-question", errors(ErrorGroup::Question)),
+        (ERRORS, "errors-request", errors(ErrorGroup::Request)),
     ];
-    others.into_iter().chain(published).collect()
+    let records = records::PARTS.iter().map(|(part, schemas)| (JSON, *part, records::table(schemas)));
+    others.into_iter().chain(records).chain(published).collect()
 }
 
 fn page(name: &str) -> PathBuf {
@@ -327,7 +239,9 @@ fn the_documents_say_what_the_registers_say() {
     for (name, part, text) in parts() {
         let path = page(name);
         let now = std::fs::read_to_string(&path).unwrap();
-        let new = replaced(&now, part, &text).unwrap_or_else(|| panic!("{name} has no marks of {part}"));
+        let up = "../".repeat(name.matches('/').count());
+        let new = replaced(&now, part, &text.replace(&format!("]({DOCS}"), &format!("]({up}")))
+            .unwrap_or_else(|| panic!("{name} has no marks of {part}"));
         if update && new != now {
             std::fs::write(&path, new).unwrap();
         } else if new != now {

@@ -25,7 +25,7 @@ use scaling::{Function, MEAN_SQUARE_RADIUS, OF_SPHERES, RULES, continuation_step
 const REFERENCE: &str = include_str!("../../contact-scaling/tests/data/reference.csv");
 /// The largest of those tolerances: here it is only asked whether each number arrives at its place.
 const TOLERANCE: f64 = 2e-14;
-const PAGE: &str = include_str!("../../../docs/equations.md");
+const PAGE: &str = include_str!("../../../docs/reference/equations.md");
 
 /// Functions of the page that Python does not call, and why.
 const EXCEPTIONS: [(&str, &str); 0] = [];
@@ -97,7 +97,7 @@ fn every_function_of_the_page_can_be_called() {
     let rows = PAGE.lines().filter(|line| line.starts_with('|'));
     let names = rows.flat_map(|row| row.split('|').nth(3).unwrap().split('`').skip(1).step_by(2));
     let page: BTreeSet<&str> = names.filter(|name| name.contains("::")).collect();
-    assert!(page.len() > 60, "the tables of docs/equations.md were not understood");
+    assert!(page.len() > 60, "the tables of docs/reference/equations.md were not understood");
     let of_spheres = OF_SPHERES.iter().flat_map(|function| [function.level, function.raised]);
     let here: BTreeSet<&str> = scaling::all()
         .map(|function| function.computes)

@@ -1,7 +1,7 @@
 //! A register of every equation: number, formula, symbols with units, and where it comes from.
 //!
 //! The functions of this crate compute; the register says what they compute, for help texts and reports. A test compares it
-//! with `docs/equations.md`, formula by formula.
+//! with `docs/reference/equations.md`, formula by formula.
 //!
 //! ```
 //! use contact_scaling::equations;

@@ -1,4 +1,4 @@
-//! The register of equations says what `docs/equations.md` says, row by row.
+//! The register of equations says what `docs/reference/equations.md` says, row by row.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
@@ -18,7 +18,7 @@ struct Row {
 }
 
 fn rows_of_the_page() -> Vec<Row> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/equations.md");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/equations.md");
     let page = std::fs::read_to_string(path).unwrap();
     page.lines().filter_map(row).collect()
 }
@@ -56,7 +56,7 @@ fn rows_of_the_register() -> Vec<Row> {
 #[test]
 fn the_register_and_the_page_agree() {
     let (mut page, mut register) = (rows_of_the_page(), rows_of_the_register());
-    assert!(page.len() > 50, "the tables of docs/equations.md were not understood");
+    assert!(page.len() > 50, "the tables of docs/reference/equations.md were not understood");
     let key = |row: &Row| (row.label.clone(), row.note.clone(), row.formula.clone());
     page.sort_by_key(key);
     register.sort_by_key(key);

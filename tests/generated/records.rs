@@ -1,0 +1,152 @@
+//! The records of JSON as `schemas/` has them: for each a row with its fields, since the schemas describe each field.
+
+use std::path::Path;
+
+use osim_inspect::Figure;
+use serde_json::{Map, Value};
+
+/// Parts of docs/reference/json.md, and the schemas they show.
+pub(crate) const PARTS: &[(&str, &[&str])] = &[
+    ("records-shared", &["failure", "finding"]),
+    ("records-inspect", &["results/inspection"]),
+    ("records-check", &["results/check"]),
+    ("records-change", &["results/change", "results/sweep"]),
+    ("records-compute", &["results/design", "results/drop-test", "results/fit"]),
+    ("records-motion", &["results/motion"]),
+    ("records-look-up", &["results/preset", "results/explanation", "results/reproduction"]),
+    ("records-summary", &["results/summary-line"]),
+];
+
+/// Records that many others have, and what a field of them is called in those.
+const SHARED: &[(&str, &str)] =
+    &[("FindingRecord", "finding"), ("ContactsMass", "mass"), ("Dimensionless", "dimensionless")];
+
+/// A row for each record of these schemas.
+pub(crate) fn table(schemas: &[&str]) -> String {
+    let mut text = "|record|fields|\n|---|---|\n".to_owned();
+    for name in schemas {
+        let schema = read(name);
+        let mut rows = Rows { definitions: &schema["$defs"], shown: Vec::new(), text: String::new() };
+        for variant in variants(&schema) {
+            let title = name.rsplit('/').next().unwrap();
+            let kind =
+                variant["properties"]["kind"]["const"].as_str().map(|kind| format!(" of kind `{kind}`"));
+            let kind = kind.unwrap_or_default();
+            rows.record(&format!("[`{title}`](../../schemas/{name}.schema.json){kind}"), "", variant);
+        }
+        text.push_str(&rows.text);
+    }
+    text
+}
+
+fn read(name: &str) -> Value {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../schemas/{name}.schema.json"));
+    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
+}
+
+/// The schema itself, or those of its kinds.
+fn variants(schema: &Value) -> Vec<&Value> {
+    schema["oneOf"].as_array().map_or_else(|| vec![schema], |kinds| kinds.iter().collect())
+}
+
+struct Rows<'s> {
+    definitions: &'s Value,
+    shown: Vec<&'s str>,
+    text: String,
+}
+
+impl<'s> Rows<'s> {
+    /// The row of one record, then those of the records in it.
+    fn record(&mut self, label: &str, path: &str, schema: &'s Value) {
+        let fields = schema["properties"].as_object().unwrap();
+        let shown = fields.iter().filter(|(name, _)| is_shown(name, fields));
+        let mut inner = Vec::new();
+        let names = shown.map(|(name, schema)| {
+            let of_type = Type::of(schema);
+            let record = of_type.record.filter(|record| self.definitions[record]["properties"].is_object());
+            let shared =
+                SHARED.iter().find(|(record, _)| of_type.record.is_some_and(|of| of.starts_with(record)));
+            if let (Some(record), None) = (record, shared) {
+                inner.push((format!("{path}{name}{}", of_type.list), record));
+            }
+            let kind = match (shared, record) {
+                (Some((_, name)), _) => format!(":{name}"),
+                (None, Some(_)) if of_type.list.is_empty() => "{}".to_owned(),
+                (None, Some(_)) => String::new(),
+                (None, None) => of_type.kind(self.definitions, schema),
+            };
+            format!("`{name}{kind}{}{}`", of_type.list, if of_type.is_nullable { "?" } else { "" })
+        });
+        let names = names.collect::<Vec<_>>().join(", ");
+        self.text.push_str(&format!("|{label}|{names}|\n"));
+        for (path, name) in inner {
+            if !self.shown.contains(&name) {
+                self.shown.push(name);
+                self.record(&format!("`{path}`"), &format!("{path}."), &self.definitions[name]);
+            }
+        }
+    }
+}
+
+/// Left out is what all records have, what another table has, and what is alike for every property.
+fn is_shown(name: &str, fields: &Map<String, Value>) -> bool {
+    let is_everywhere = ["schema_version", "model"].contains(&name) || name.ends_with("_bytes");
+    let is_figure =
+        fields.contains_key("touching_share") && Figure::ALL.iter().any(|figure| figure.info().name == name);
+    let of_property =
+        ["_from", "_to", "_factor", "_from_m", "_to_m"].iter().find_map(|end| name.strip_suffix(end));
+    !is_everywhere && !is_figure && of_property.is_none_or(|property| property == "stiffness")
+}
+
+/// What a field holds.
+struct Type<'s> {
+    list: &'static str,
+    is_nullable: bool,
+    record: Option<&'s str>,
+}
+
+impl<'s> Type<'s> {
+    fn of(schema: &'s Value) -> Self {
+        let is_null = |schema: &Value| schema["type"] == "null";
+        let kinds = |schema: &'s Value| {
+            schema["anyOf"].as_array().map_or_else(Vec::new, |kinds| kinds.iter().collect())
+        };
+        let is_of = |kind: &str| {
+            schema["type"] == kind
+                || schema["type"].as_array().is_some_and(|kinds| kinds.iter().any(|one| one == kind))
+        };
+        let either: Vec<&Value> = kinds(schema);
+        let reference = |schema: &'s Value| schema["$ref"].as_str().and_then(|path| path.rsplit('/').next());
+        Self {
+            list: if is_of("array") { "[]" } else { "" },
+            is_nullable: is_of("null") || either.iter().any(|kind| is_null(kind)),
+            record: reference(schema)
+                .or_else(|| reference(&schema["items"]))
+                .or_else(|| either.into_iter().find_map(reference)),
+        }
+    }
+
+    /// Nothing for a number, which is the rule.
+    fn kind(&self, definitions: &Value, schema: &Value) -> String {
+        let holds = match self.record {
+            Some(name) => &definitions[name],
+            None if self.list.is_empty() => schema,
+            None => &schema["items"],
+        };
+        let written = holds.to_string();
+        let is_of = |kind: &str| {
+            holds["type"] == kind
+                || holds["type"].as_array().is_some_and(|kinds| kinds.iter().any(|one| one == kind))
+        };
+        if is_of("string") || holds["oneOf"][0]["type"] == "string" || holds.get("const").is_some() {
+            ":text".to_owned()
+        } else if is_of("boolean") {
+            ":bool".to_owned()
+        } else if is_of("object") {
+            "{}".to_owned()
+        } else {
+            assert!(["number", "integer"].iter().any(|kind| written.contains(kind)), "{written}");
+            String::new()
+        }
+    }
+}
