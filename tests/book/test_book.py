@@ -129,3 +129,9 @@ def test_search_works_from_the_disk():
         assert any(re.search(r"/api\.html\?.*#osim_contact_scale\.scaling\.hunt_crossley_smoothing$", link) for link in found), found
         assert all(address.startswith(("file:", "data:", "blob:")) for address in browser.requests())
         assert not browser.logs("browser")
+
+
+def test_fields_of_json_have_what_their_schemas_say():
+    page = (BOOK / "reference" / "json.html").read_text(encoding="utf-8")
+    assert page.count("<table>") > 40
+    assert "largest force of all feet along the normal of the floor" in page
