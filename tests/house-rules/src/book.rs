@@ -12,6 +12,8 @@ pub struct Book {
     pub docs: usize,
     /// Words of a sentence, on average of a page.
     pub sentence: f64,
+    /// Words of the longest one.
+    pub longest: usize,
     /// Words of each page.
     pub pages: BTreeMap<String, usize>,
 }
@@ -31,9 +33,13 @@ impl Book {
                 Some(&most) if words > most => found.push(format!("{name}: {words} words, at most {most}")),
                 Some(_) => {}
             }
-            let mean = mean(&sentences(text));
+            let sentences = sentences(text);
+            let (mean, longest) = (mean(&sentences), sentences.into_iter().max().unwrap_or(0));
             if mean > self.sentence {
                 found.push(format!("{name}: {mean:.1} words a sentence, at most {}", self.sentence));
+            }
+            if longest > self.longest {
+                found.push(format!("{name}: a sentence of {longest} words, at most {}", self.longest));
             }
         }
         let docs: usize =
@@ -131,6 +137,7 @@ mod tests {
         Book {
             docs: 8,
             sentence: 5.0,
+            longest: 6,
             pages: [("README.md".to_owned(), 4), ("docs/a.md".to_owned(), 6)].into(),
         }
     }
@@ -169,6 +176,15 @@ mod tests {
             [("README.md", "A."), ("docs/a.md", "one two three\nfour five six")],
             &["docs/a.md: 6.0 words a sentence, at most 5"],
         );
+    }
+
+    #[test]
+    fn a_long_sentence_among_short_ones() {
+        let mut book = book();
+        book.longest = 3;
+        let pages = [("README.md", "One two. Three."), ("docs/a.md", "One two three four. Five.")];
+        let pages = pages.map(|(name, text)| (name.to_owned(), text.to_owned()));
+        assert_eq!(book.faults(&pages), ["docs/a.md: a sentence of 4 words, at most 3"]);
     }
 
     #[test]
