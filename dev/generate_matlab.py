@@ -107,7 +107,7 @@ def help_of(verb, options, used):
                          "no tables, a struct of columns.", "  ", "      ")
         fields = top_fields(RESULTS[verb.name])
         lines += ["%"] + comment(f"RESULTS: an array of structs with the fields {', '.join(fields)}. "
-                                 "docs/json.md says what each holds; what is missing is NaN, '' or empty.")
+                                 "docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.")
     else:
         lines += ["%"] + comment("RESULTS: a struct with the fields output (the file) and text (what is said of it).")
     lines += ["%"] + comment("Example:") + ["%       " + line for line in EXAMPLES[verb.name].strip().splitlines()]

@@ -43,7 +43,7 @@ function results = check(varargin)
 %         struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, counts, verdicts, findings, commands.
-%   docs/json.md says what each holds; what is missing is NaN, '' or empty.
+%   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       seen = osimcontact.check({'human.osim', 'emu.osim'});

@@ -49,8 +49,8 @@ function results = drop_test(varargin)
 %   duration_s, reference_radius_m, reference_time_s, final_relative_indentation,
 %   relative_indentation_hertz, relative_indentation_model_law, peak_force_n, peak_force_bw,
 %   equilibrium_stiffness_n_m, hertz_stiffness_n_m, impact_speed_m_s, restitution_exact,
-%   restitution_approximate, contact_time_s, rebound_speed_m_s, compare, series. docs/json.md says what
-%   each holds; what is missing is NaN, '' or empty.
+%   restitution_approximate, contact_time_s, rebound_speed_m_s, compare, series. docs/reference/json.md
+%   and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       fall = osimcontact.drop_test('falisse2022', 'height', 'x0.5');

@@ -13,7 +13,8 @@ function results = explain(varargin)
 %
 %   RESULTS: an array of structs with the fields kind, label, title, formulas, symbols, source, used,
 %   name, unit, equation, limit, what, trap, code, severity, checked, why, advice, fix, why_no_fix,
-%   means, way_out. docs/json.md says what each holds; what is missing is NaN, '' or empty.
+%   means, way_out. docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, ''
+%   or empty.
 %
 %   Example:
 %       known = osimcontact.explain({'C.2', 'stiffness'});

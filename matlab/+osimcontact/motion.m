@@ -37,7 +37,8 @@ function results = motion(varargin)
 %
 %   RESULTS: an array of structs with the fields model, motion, frames, from_s, to_s, mass_kg,
 %   gravity_m_s2, weight_n, stride_mean_n, measured_stride_mean_n, double_support, peak_n, comparison,
-%   feet, remarks. docs/json.md says what each holds; what is missing is NaN, '' or empty.
+%   feet, remarks. docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, ''
+%   or empty.
 %
 %   Example:
 %       seen = osimcontact.motion('walker.osim', 'walk.mot');

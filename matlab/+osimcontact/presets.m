@@ -12,7 +12,8 @@ function results = presets(varargin)
 %
 %   RESULTS: an array of structs with the fields name, source, mass_kg, spheres, radius_m, gravity_m_s2,
 %   stiffness, dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing,
-%   dimensionless. docs/json.md says what each holds; what is missing is NaN, '' or empty.
+%   dimensionless. docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, ''
+%   or empty.
 %
 %   Example:
 %       preset = osimcontact.presets('falisse2022');

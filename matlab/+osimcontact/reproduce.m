@@ -9,8 +9,8 @@ function results = reproduce(varargin)
 %         'table1.values', one with a row for each of its entries. In GNU Octave, which has no tables, a
 %         struct of columns.
 %
-%   RESULTS: an array of structs with the fields table1, numbers, within_last_digit, fig1. docs/json.md
-%   says what each holds; what is missing is NaN, '' or empty.
+%   RESULTS: an array of structs with the fields table1, numbers, within_last_digit, fig1.
+%   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       paper = osimcontact.reproduce();

@@ -63,7 +63,8 @@ function results = sweep(varargin)
 %         of columns.
 %
 %   RESULTS: an array of structs with the fields model, manifest, folder, points, file, models,
-%   done_before, failed. docs/json.md says what each holds; what is missing is NaN, '' or empty.
+%   done_before, failed. docs/reference/json.md and schemas/ say what each holds; what is missing is
+%   NaN, '' or empty.
 %
 %   Example:
 %       grid = struct('stiffness', 'x0.1..x10/5', 'dissipation', [0.5 1 2]);

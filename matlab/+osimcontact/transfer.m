@@ -85,8 +85,8 @@ function results = transfer(varargin)
 %         struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, output, geometry_output, contacts_mass_kg,
-%   target_mass_kg, objects, changes, errors, floor_up_m, warnings, notes, credits. docs/json.md says
-%   what each holds; what is missing is NaN, '' or empty.
+%   target_mass_kg, objects, changes, errors, floor_up_m, warnings, notes, credits.
+%   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       done = osimcontact.transfer('emu.osim', 'from', 'falisse2022', 'output', 'emu as human.osim');

@@ -225,7 +225,7 @@ def text_of_value(value: Any) -> str:
     raise TypeError(f"expected a number or a text, not {type(value).__name__}")
 
 
-#: What separates the items of a list in a cell of these columns; a semicolon in all others (docs/batch.md).
+#: What separates the items of a list in a cell of these columns; a semicolon in all others (docs/libraries.md).
 _SEPARATORS = {"only": ",", "keep": ",", "set": " "}
 
 

@@ -11,7 +11,7 @@ use crate::left_over::{dead_process, temporary, this_host};
 use crate::library::{ended, feed, library, model, pipe, shell_command, start, told};
 use crate::support::{Bench, HUMAN, fixture};
 
-/// A byte more than the most that is read of one file, as `docs/errors.md` says.
+/// A byte more than the most that is read of one file, as `docs/reference/errors.md` says.
 const TOO_LARGE: u64 = 2 * 1024 * 1024 * 1024 + 1;
 
 /// Runs a call that must end soon, with 3 GB of memory at most.

@@ -16,7 +16,7 @@ use crate::serialized::FindingRecord;
 use crate::serialized::{SCHEMA_VERSION, found_records};
 use crate::verdicts::{self, Verdict};
 
-/// Everything found in one model. Serialised it is the JSON contract of `check`; `docs/json.md` describes it.
+/// Everything found in one model. Serialised it is the JSON contract of `check`; `docs/reference/json.md` describes it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]

@@ -1,6 +1,6 @@
 //! What `inspect` knows of a model, apart from its bytes: one struct for the table, JSON, CSV and `check`.
 //!
-//! Serialised it is the JSON contract; `docs/json.md` describes every field.
+//! Serialised it is the JSON contract; `docs/reference/json.md` describes every field.
 
 #[cfg(feature = "schemas")]
 use std::collections::BTreeMap;

@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::register::DesignQuantity;
 
 /// Every figure that follows from what is known. Serialised it is the JSON contract of `design` without a model;
-/// `docs/json.md` describes it.
+/// `docs/reference/json.md` describes it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 #[non_exhaustive]

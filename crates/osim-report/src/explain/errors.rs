@@ -1,6 +1,6 @@
 //! A register of every error code: what it means and the way out.
 //!
-//! The tables of `docs/errors.md` are made from it; a test looks for codes that are not here.
+//! The tables of `docs/reference/errors.md` are made from it; a test looks for codes that are not here.
 
 use osim_messages::Phrase;
 
@@ -116,7 +116,7 @@ const FILE: &[ErrorCode] = &[
     code(
         "incomplete-set",
         "a ForceSet without its geometry, or a ContactGeometrySet alone",
-        "name the force set and give `geometry=FILE`; see docs/workflow.md",
+        "name the force set and give `geometry=FILE`; see docs/scaling.md",
     ),
 ];
 

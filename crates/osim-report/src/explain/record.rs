@@ -15,7 +15,7 @@ use super::quantities::QuantityTopic;
 use super::topic::Topic;
 use super::uses::uses;
 
-/// One topic. `docs/json.md` describes every field.
+/// One topic. `docs/reference/json.md` describes every field.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[serde(tag = "kind", rename_all = "lowercase")]

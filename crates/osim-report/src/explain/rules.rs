@@ -38,7 +38,7 @@ pub(super) const ALL: &[Equation] = &[
             symbol("s_x", "scale factor of the body along its axis x, likewise s_y and s_z", "1"),
             symbol("x", "location of the centre along the body's axis x, likewise y and z", "m"),
         ],
-        source: "docs/scale-tool.md: what the Scale Tool did to the body. `radius_axis` takes one factor for the radius instead of the mean; with `level` the bottom is scaled, and the centre stands one new radius above it",
+        source: "docs/scaling.md: what the Scale Tool did to the body. `radius_axis` takes one factor for the radius instead of the mean; with `level` the bottom is scaled, and the centre stands one new radius above it",
     },
     Equation {
         label: "level",
@@ -77,6 +77,6 @@ pub(super) const ALL: &[Equation] = &[
             symbol("M_b", "mass of the model", "kg"),
             symbol("h", "ratio of the heights, model to reference", "1"),
         ],
-        source: "PredSim; smoothing stays as in the reference. docs/scale-tool.md compares it with the paper's rule",
+        source: "PredSim; smoothing stays as in the reference. docs/scaling.md compares it with the paper's rule",
     },
 ];

@@ -57,7 +57,7 @@ const PARAMETERS: [Property; 9] = [
 /// After the figures: the columns of those that are beyond their limits, and the codes of warnings.
 const LAST: [&str; 2] = ["outside_limits", "warnings"];
 
-/// The names of all columns. `docs/json.md` explains them.
+/// The names of all columns. `docs/reference/json.md` explains them.
 fn header() -> Vec<String> {
     let place = PLACE.iter().map(|(name, _)| (*name).to_owned());
     let parameters = PARAMETERS.iter().map(|&property| Quantity::property(property).column());

@@ -1,4 +1,4 @@
-//! Records for scripts: one JSON object for each model and line. `docs/json.md` describes every field.
+//! Records for scripts: one JSON object for each model and line. `docs/reference/json.md` describes every field.
 
 mod failure_record;
 mod line;
