@@ -9,15 +9,14 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use contact_scaling::limits;
-use osim_inspect::{CheckResult, Figure, Quantity};
-use osim_messages::{Call, Dialect, Example, Input, Phrase, Verb};
+use osim_inspect::{CheckResult, Figure};
+use osim_messages::{Call, Dialect, Example, Input, Phrase};
 use osim_model::files::{Beside, InMemory, ModelFiles};
 use osim_model::{FindingCode, Repair, Seen, Severity};
 use osim_planning::{DesignQuantity, Inspector, rules};
 use osim_report::ExitStatus;
 use osim_report::explain::ErrorGroup;
 use osim_requests::options::InspectionOptions;
-use osim_requests::schema_of;
 use osim_requests::spell::CommandLine;
 
 #[path = "generated/records.rs"]
@@ -78,6 +77,12 @@ fn short(text: &str) -> String {
     text[..ends.chain(bracket).min().unwrap_or(text.len())].trim_end_matches('.').to_owned()
 }
 
+/// Where it is nothing, what to do otherwise comes in the next one.
+fn first_sentence(text: &str) -> String {
+    let end = text.find(". ").filter(|_| !text.starts_with("Nothing"));
+    text[..end.unwrap_or(text.len())].to_owned()
+}
+
 /// docs/reference/warnings.md: the codes of a severity, in the order in which they are looked for.
 fn findings(severity: Severity) -> String {
     let rows = rules::all().iter().filter(|rule| rule.severity == severity).map(|rule| {
@@ -86,8 +91,8 @@ fn findings(severity: Severity) -> String {
             (_, Repair::Command(_)) => "command",
             (_, Repair::NotPossible(_)) => "yes",
         };
-        let what = spelled(&rule.what()).trim_end_matches('.').to_owned();
-        vec![format!("`{}`", rule.code), what, spelled(&rule.advice()), check.to_owned()]
+        let [what, advice] = [rule.what(), rule.advice()].map(|text| spelled(&text));
+        vec![format!("`{}`", rule.code), short(&what), first_sentence(&advice), check.to_owned()]
     });
     table(&["code", "what it is", "what to do", "`check`"], rows)
 }
@@ -147,29 +152,26 @@ fn limits() -> String {
 fn figures() -> String {
     let rows = Figure::ALL.iter().map(|figure| {
         let info = figure.info();
-        let [_, equation, limit] = unit_equation_limit(info);
-        vec![format!("`{}`", info.name), format!("`{}`", info.column()), equation, limit]
+        let limit = info.limit.map(limits::Limit::in_words).unwrap_or_default();
+        let [name, column] =
+            [info.name.to_owned(), info.column().to_string()].map(|name| format!("`{name}`"));
+        vec![name, column, info.equation.to_owned(), limit]
     });
     table(&["field", "column in CSV, which says what it is", "equation", "limit"], rows)
-}
-
-fn meaning(info: &Quantity) -> String {
-    short(&spelled(&info.meaning()))
-}
-
-fn unit_equation_limit(info: &Quantity) -> [String; 3] {
-    let limit = info.limit.map(limits::Limit::in_words).unwrap_or_default();
-    [info.unit.to_owned(), info.equation.to_owned(), limit]
 }
 
 /// docs/reference/json.md: what a design without a model finds.
 fn design_figures() -> String {
     let rows = DesignQuantity::ALL.iter().map(|quantity| {
         let info = quantity.info();
-        let [unit, equation, _] = unit_equation_limit(info);
-        vec![format!("`{}`", info.name), meaning(info), unit, equation]
+        vec![format!("`{}`", info.name), info.unit.to_owned(), info.equation.to_owned()]
     });
-    table(&["`name`", "meaning", "unit", "equation"], rows)
+    table(&["`name`", "unit", "equation"], rows)
+}
+
+/// The first of several.
+fn way_out(text: &str) -> String {
+    text.split(", or ").next().unwrap_or_default().to_owned()
 }
 
 fn errors(group: ErrorGroup) -> String {
@@ -178,7 +180,11 @@ fn errors(group: ErrorGroup) -> String {
         _ => ["code", "means", "way out"],
     };
     let rows = group.errors().iter().map(|error| {
-        [format!("`{}`", error.code), short(&spelled(&error.means())), short(&spelled(&error.way_out()))]
+        [
+            format!("`{}`", error.code),
+            short(&spelled(&error.means())),
+            way_out(&short(&spelled(&error.way_out()))),
+        ]
     });
     table(&header, rows.map(Vec::from))
 }
@@ -187,13 +193,6 @@ fn errors(group: ErrorGroup) -> String {
 fn exit_statuses() -> String {
     let row = |status: &ExitStatus| vec![status.code().to_string(), status.meaning().to_owned()];
     table(&["status", "means"], ExitStatus::ALL.iter().map(row))
-}
-
-/// docs/reference/requests.md: the verbs that take a request, each with its schema.
-fn verbs() -> String {
-    let asked = Verb::ALL.iter().filter(|verb| schema_of(**verb).is_some()).map(|verb| verb.name());
-    let links = asked.map(|name| format!("[`{name}`](../../schemas/requests/{name}.schema.json)"));
-    links.collect::<Vec<_>>().join(",\n") + ".\n"
 }
 
 /// Each part: its page, its name, its text.
@@ -209,7 +208,6 @@ fn parts() -> Vec<(&'static str, &'static str, String)> {
         ("check.md", "limits", limits()),
         (JSON, "figures", figures()),
         (JSON, "design-figures", design_figures()),
-        ("reference/requests.md", "verbs", verbs()),
         (ERRORS, "exit-statuses", exit_statuses()),
         (ERRORS, "errors-file", errors(ErrorGroup::File)),
         (ERRORS, "errors-model", errors(ErrorGroup::Model)),
