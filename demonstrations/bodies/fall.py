@@ -1,0 +1,77 @@
+"""One fall and one stand of a model, in OpenSim, with numbers that do not depend on size."""
+
+import numpy as np
+import opensim
+from osim_contact_scale import simulate
+
+HEIGHT = 0.25  # radii of the original's spheres, times the factor of length
+DURATION = 2.0  # s, of the original
+SETTLED = 0.05  # of body weight: a body is at rest when its force stays so near to its weight
+SOFTEST = 0.02  # the share of the load below which a sphere does not count as carrying
+
+
+def fall(path, radius_m, build):
+    """Drop a model straight down with its joints locked, and stand it on its contacts.
+
+    Parameters
+    ----------
+    path : Path
+        The model.
+    radius_m : float
+        Mean radius of the original's spheres, m.
+    build : builds.Build
+
+    Returns
+    -------
+    dict
+        `peak_force_bw`; `time_to_rest_s` over the factor of time; `depth`, the largest x/R at rest; `carrying`, the spheres that carry at
+        rest, of `spheres`; and `pressure`, how far in front of the ankle the pressure is, over the factor of length of the foot, m.
+    """
+    time = build.length**0.5
+    drop = simulate.Drop(
+        height=HEIGHT * radius_m * build.length, duration=DURATION * time, joints="locked", accuracy=1e-9
+    )
+    figures, series = drop(str(path))
+    standing, spheres = simulate.Stand()(str(path))
+    loads, places = _standing(path, spheres["indentation_m"])
+    return {
+        "mass_kg": figures["mass_kg"],
+        "radius_m": figures["reference_radius_m"],
+        "peak_force_bw": figures["peak_force_bw"],
+        "time_to_rest_s": _rest(series) / time,
+        "depth": standing["largest_relative_indentation"],
+        "spheres": len(loads),
+        "carrying": int(np.sum(loads > SOFTEST)),
+        "pressure_m": float(loads @ places) / build.foot,
+    }
+
+
+def _rest(series):
+    """Until the force stays near body weight, s; not a number if it does not."""
+    times, away = np.array(series["time_s"]), np.abs(np.array(series["force_bw"]) - 1) > SETTLED
+    if not away.any():
+        return 0.0  # Smoothed forces can carry a body before it touches the ground.
+    last = np.nonzero(away)[0][-1]
+    return float(times[last + 1]) if last + 1 < len(times) else float("nan")
+
+
+def _standing(path, depths):
+    """Of each sphere at rest: its share of the load, by (C.1) to (C.4) of the paper, and its place in front of the ankles, m."""
+    model = opensim.Model(str(path))
+    state = model.initSystem()
+    model.realizePosition(state)
+    ankle = np.mean([model.getBodySet().get(f"talus_{side}").getPositionInGround(state).get(0) for side in "rl"])
+    loads, places = [], []
+    for depth, force in zip(depths, _forces(model), strict=True):
+        sphere = opensim.ContactSphere.safeDownCast(force.getConnectee("sphere"))
+        smoothed = (depth**2 + force.get_constant_contact_force()) ** 0.75
+        begun = 0.5 + 0.5 * np.tanh(force.get_hertz_smoothing() * depth)
+        loads.append(force.get_stiffness() * sphere.getRadius() ** 0.5 * smoothed * begun)
+        places.append(sphere.getFrame().findStationLocationInGround(state, sphere.get_location()).get(0) - ankle)
+    return np.array(loads) / np.sum(loads), np.array(places)
+
+
+def _forces(model):
+    for component in model.getComponentsList():
+        if component.getConcreteClassName() == "SmoothSphereHalfSpaceForce":
+            yield opensim.SmoothSphereHalfSpaceForce.safeDownCast(model.getComponent(component.getAbsolutePathString()))
