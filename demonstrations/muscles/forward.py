@@ -1,0 +1,63 @@
+"""A solution without its solver: the model from its first state, driven by its controls alone."""
+
+import numpy as np
+import opensim
+from problem import LENGTHS, unit
+
+ACCURACY = 1e-6
+HOLDS = 0.05  # of the body's lengths (the unscaled body's metres): so far the hips may be off
+ANGLES = 0.1  # rad: so far every joint may be off
+
+
+def forward(model, solution, size):
+    """Integrate one step.
+
+    Parameters
+    ----------
+    model, solution : Path
+    size : sizes.Size
+
+    Returns
+    -------
+    dict
+        `forward_held`: the share of the step after which the hips or a joint are first further off than they may be, 1 if they never are.
+        `forward_hip_m`, `forward_angle_rad`: how far the hips, and the joint that is furthest off, are from the solution's after the step.
+    """
+    found = opensim.MocoTrajectory(str(solution))
+    body = opensim.Model(str(model))
+    _drive(body, found)
+    state = body.initSystem()
+    for name in found.getStateNames():
+        body.setStateVariableValue(state, name, float(found.getStateMat(name)[0]))
+    manager = opensim.Manager(body)
+    manager.setIntegratorMethod(opensim.Manager.IntegratorMethod_RungeKuttaMerson)
+    manager.setIntegratorAccuracy(ACCURACY)
+    manager.setIntegratorMaximumStepSize(1e-3 * size.time)
+    manager.initialize(state)
+    names = [name for name in found.getStateNames() if name.startswith("/jointset/") and name.endswith("/value")]
+    wanted = {name: found.getStateMat(name) / unit(name, size) for name in names}
+    times, held = found.getTimeMat(), 1.0
+    for index, time in enumerate(times[1:], start=1):
+        now = manager.integrate(float(time))
+        off = {
+            name: abs(body.getStateVariableValue(now, name) / unit(name, size) - wanted[name][index]) for name in names
+        }
+        hip = max(value for name, value in off.items() if name.startswith(LENGTHS))
+        angle = max(value for name, value in off.items() if not name.startswith(LENGTHS))
+        if held == 1.0 and not (hip < HOLDS and angle < ANGLES):
+            held = float(time / times[-1])
+            held = min(held, np.nextafter(1.0, 0.0))
+    return {"forward_held": held, "forward_hip_m": float(hip), "forward_angle_rad": float(angle)}
+
+
+def _drive(body, found):
+    """Every actuator by its control, on straight lines between its values."""
+    times = found.getTimeMat()
+    controller = opensim.PrescribedController()
+    for name in found.getControlNames():
+        line = opensim.PiecewiseLinearFunction()
+        for time, value in zip(times, found.getControlMat(name)):
+            line.addPoint(float(time), float(value))
+        controller.addActuator(opensim.Actuator.safeDownCast(body.updComponent(name)))
+        controller.prescribeControlForActuator(name.split("/")[-1], line)
+    body.addController(controller)

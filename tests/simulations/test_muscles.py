@@ -1,0 +1,99 @@
+"""The study of `docs/studies/muscles.md`: sizes and their problem in the real OpenSim; one of its walks searched once more."""
+
+import math
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import opensim
+import pytest
+from conftest import TOP
+
+HERE = TOP / "demonstrations" / "muscles"
+PAGE = TOP / "docs" / "studies" / "muscles.md"
+CORPUS = os.environ.get("OSIM_CORPUS")
+needs_moco = pytest.mark.skipif(not CORPUS, reason="OSIM_CORPUS is not set: models by other people are not at hand")
+MOCO = Path(CORPUS or ".") / ".." / "trials" / "example2DWalking"
+LENGTHS = ("pelvis_tx", "pelvis_ty")
+
+
+def in_study(program):
+    """What a program prints that has the study's modules; other studies have modules of the same names."""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, cwd=HERE, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def written(folder, mass):
+    """The two models of a mass."""
+    in_study(
+        f"import sizes; from pathlib import Path; "
+        f"sizes.of_mass(Path({str(MOCO / '2D_gait.osim')!r}), Path({str(folder)!r}), sizes.Size({mass}))"
+    )
+    return {kind: folder / f"{kind}_{mass:g}.osim" for kind in ("rescaled", "left")}
+
+
+def accelerations(path, length):
+    """Of all coordinates, over those of similarity: at a pose with both feet in the ground, moving, muscles at work."""
+    walker = opensim.Model(str(path))
+    state = walker.initSystem()
+    chosen = np.random.default_rng(1)
+    coordinates = [walker.getCoordinateSet().get(index) for index in range(walker.getNumCoordinates())]
+    for one in coordinates:
+        value, speed = chosen.uniform(0, 0.2, 2)
+        value = {"pelvis_ty": 0.9}.get(one.getName(), -value if "knee" in one.getName() else value)
+        size = length if one.getName() in LENGTHS else 1
+        one.setValue(state, value * size, False)
+        one.setSpeedValue(state, speed * size / math.sqrt(length))
+    for muscle in walker.getMuscleList():
+        same = opensim.DeGrooteFregly2016Muscle.safeDownCast(walker.getComponent(muscle.getAbsolutePathString()))
+        same.setActivation(state, chosen.uniform(0.1, 0.9))
+    walker.realizeAcceleration(state)
+    return {
+        one.getName(): one.getAccelerationValue(state) * (1 if one.getName() in LENGTHS else length)
+        for one in coordinates
+    }
+
+
+@needs_moco
+@pytest.mark.parametrize("mass", [0.125, 8.0])
+def test_a_walker_of_another_mass_moves_alike_on_transferred_contacts(mass, tmp_path):
+    """All of it is in these accelerations: masses, muscles, contacts. Friction of the smooth class is similar only nearly."""
+    original, length = accelerations(MOCO / "2D_gait.osim", 1.0), mass ** (1 / 3)
+    paths, largest = written(tmp_path, mass), max(map(abs, original.values()))
+    transferred, left = (accelerations(paths[kind], length) for kind in ("rescaled", "left"))
+    assert max(abs(transferred[name] - original[name]) for name in original) < 1e-4 * largest
+    assert max(abs(left[name] - original[name]) for name in original) > 0.1 * largest
+
+
+@needs_moco
+@pytest.mark.studies
+def test_the_heavy_walk_is_found_again(tmp_path):
+    """From the reference, at the first mesh: the cost is that of the table, and that of the original."""
+    words = ["solve", "--moco", MOCO, "--results", tmp_path, "--mass", 8, "--contacts", "rescaled", "--meshes", 15]
+    words += ["--table", tmp_path / "muscles.csv", "--curves", tmp_path / "curves.csv"]
+    done = subprocess.run([sys.executable, HERE / "muscles.py", *map(str, words)], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    (found,) = table(tmp_path / "muscles.csv")
+    known = {(float(row["mass"]), row["contacts"], row["mesh"]): row for row in table(HERE / "muscles.csv")}
+    assert found["solved"] == "1"
+    for mass in (8.0, 1.0):
+        assert float(found["cost"]) == pytest.approx(float(known[mass, "rescaled", "15"]["cost"]), rel=2e-3)
+
+
+def table(path):
+    """The rows of a table."""
+    import csv
+
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def test_the_page_says_what_the_committed_tables_say():
+    printed = in_study(
+        "import muscles, page; print(*page.block(muscles.read(muscles.TABLE), muscles.read(muscles.CURVES)), sep='\\n')"
+    )
+    block = PAGE.read_text(encoding="utf-8").split("<!-- begin muscles -->")[1].split("<!-- end muscles -->")[0]
+    assert block.strip() == printed.strip()
