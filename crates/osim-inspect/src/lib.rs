@@ -39,7 +39,9 @@ pub mod series;
 mod verdicts;
 
 pub use figures::{Figure, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
-pub use findings::{Changeable, CheckResult, Counts, Found, Kin, check_model, misplaced_spheres};
+pub use findings::{
+    Changeable, CheckResult, Counts, Found, Kin, check_model, check_numbers, misplaced_spheres,
+};
 pub use floors::weight_share;
 pub use inspection::{
     Bottom, ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,

@@ -17,9 +17,15 @@ pub struct ValueKey {
     property: Property,
 }
 
+impl ValueKey {
+    pub(crate) const fn new(file: FileId, object: ElementId, property: Property) -> Self {
+        Self { file, object, property }
+    }
+}
+
 impl From<(&Slot, Property)> for ValueKey {
     fn from((slot, property): (&Slot, Property)) -> Self {
-        Self { file: slot.file, object: slot.object, property }
+        Self::new(slot.file, slot.object, property)
     }
 }
 

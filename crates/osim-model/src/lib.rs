@@ -68,6 +68,7 @@ mod property_set;
 mod radius_rule;
 mod read;
 mod reference_frame;
+mod renumbered;
 mod rules;
 mod selected;
 mod selection;

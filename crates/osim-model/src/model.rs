@@ -27,8 +27,9 @@ use osim_xml::ElementId;
 /// ```
 #[derive(Debug)]
 pub struct Model {
-    pub(crate) components: Components,
-    pub(crate) skeleton: Skeleton,
+    /// The same in a model with other numbers of its contacts.
+    pub(crate) components: Arc<Components>,
+    pub(crate) skeleton: Arc<Skeleton>,
     pub(crate) body_facts: Arc<BodyFacts>,
     pub(crate) half_spaces: OnceLock<BTreeMap<ComponentId, Arc<HalfSpace>>>,
     pub(crate) spheres: Vec<Sphere>,
@@ -45,6 +46,8 @@ pub struct Model {
     pub note: Option<Note>,
     /// Traps found while reading, in the order in which reports list them.
     pub warnings: Vec<Finding>,
+    /// How many of these reading the contacts showed, then how many each rule found.
+    pub(crate) found_by: Vec<usize>,
 }
 
 impl Model {

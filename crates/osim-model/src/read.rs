@@ -76,8 +76,8 @@ impl Model {
         };
         let included = companions.iter().map(named).collect();
         let mut model = Self {
-            components,
-            skeleton,
+            components: Arc::new(components),
+            skeleton: Arc::new(skeleton),
             body_facts,
             half_spaces: OnceLock::new(),
             spheres,
@@ -87,11 +87,12 @@ impl Model {
             name,
             gravity_m_s2,
             note: None,
-            warnings,
+            found_by: Vec::new(),
+            warnings: Vec::new(),
         };
         model.take_note(notes);
         let found = rules::find(&model);
-        model.warnings.extend(found);
+        model.warn(warnings, found);
         model.compare_notes();
         Ok(model)
     }

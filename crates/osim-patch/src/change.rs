@@ -1,7 +1,7 @@
 //! One number or one place that is to change.
 
 use osim_messages::readable;
-use osim_model::{Fault, FileId, Property, Slot};
+use osim_model::{Fault, FileId, Property, Slot, ValueKey};
 
 use crate::written;
 
@@ -97,6 +97,11 @@ pub struct Move {
 }
 
 impl Change {
+    /// Which number it is, and what it becomes.
+    pub(crate) fn number(&self) -> (ValueKey, f64) {
+        (ValueKey::from((&self.slot, self.property)), self.to)
+    }
+
     /// Whether the new number may be written.
     ///
     /// # Errors

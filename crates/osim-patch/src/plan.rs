@@ -244,10 +244,7 @@ impl Plan {
     /// A plan with the note that goes with it.
     pub(crate) fn new(model: &Model, contents: Contents, facts: &NoteFacts<'_>) -> Self {
         let Contents { changes, moves, masses, taken, warnings, remarks } = contents;
-        let changed: HashMap<ValueKey, f64> = changes
-            .iter()
-            .map(|change| (ValueKey::from((&change.slot, change.property)), change.to))
-            .collect();
+        let changed: BTreeMap<ValueKey, f64> = changes.iter().map(Change::number).collect();
         let moved: HashMap<&str, [f64; 3]> =
             moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
         let is_other = |masses: &&Masses| !same_mass(masses.contacts_mass.kg, masses.target_mass_kg);
@@ -469,6 +466,17 @@ impl Plan {
         let others =
             others.map(|file| Ok((file, self.patched(model, file)?))).collect::<Result<Vec<_>, Fault>>()?;
         edited_with(self.ground(model), self.edits(model, FileId::MAIN)?, &others)
+    }
+
+    /// The same without bytes, as long as it is only looked at: numbers and note are new, places in the file are those of before
+    /// ([`Model::renumbered`]). `None` where more changes than numbers of contacts.
+    #[must_use]
+    pub fn renumbered(&self, model: &Model) -> Option<Model> {
+        if self.rebuilt.is_some() || !self.moves.is_empty() {
+            return None;
+        }
+        let numbers: BTreeMap<ValueKey, f64> = self.changes.iter().map(Change::number).collect();
+        model.renumbered(|key| numbers.get(&key).copied(), self.note())
     }
 
     /// The patched bytes of `file`; identical to the original where nothing changes.

@@ -1,6 +1,6 @@
 //! The model as a change leaves it: how it is inspected, and what is worse in it than before.
 
-use osim_inspect::{Changeable, CheckResult, Found, InspectOptions, Kin, check_model};
+use osim_inspect::{Changeable, Found, InspectOptions, Kin, check_model, check_numbers};
 use osim_messages::{Phrase, phrase};
 use osim_model::files::{Failure, OpenModel};
 use osim_model::{Fault, Finding, FindingCode, Model, NeedsAnswer, Question, Severity, same_mass};
@@ -11,6 +11,55 @@ use crate::moved_bottoms::moved_bottoms;
 
 /// No remedy is asked for: what can be changed does not matter.
 const NO_REMEDIES: Changeable = Changeable { numbers: false, radii: false };
+
+/// The model that a plan makes.
+#[derive(Debug)]
+pub(crate) enum Changed {
+    /// Nothing but numbers of contacts is other: most of it is what it was, and nobody has read a file.
+    InNumbers(Model),
+    /// It was read from its new bytes.
+    Read(Model),
+}
+
+impl Changed {
+    /// That of `plan`, which was made for `opened`, without its bytes if that can be.
+    ///
+    /// # Errors
+    /// Those of [`Plan::changed`].
+    pub(crate) fn of(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
+        plan.renumbered(&opened.model)
+            .map_or_else(|| Self::read(plan, opened), |model| Ok(Self::InNumbers(model)))
+    }
+
+    /// The same from its bytes.
+    ///
+    /// # Errors
+    /// Those of [`Plan::changed`].
+    pub(crate) fn read(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
+        plan.changed(&opened.model).map(Self::Read).map_err(|fault| opened.failure(fault))
+    }
+
+    pub(crate) fn into_model(self) -> Model {
+        let (Self::InNumbers(model) | Self::Read(model)) = self;
+        model
+    }
+
+    fn model(&self) -> &Model {
+        let (Self::InNumbers(model) | Self::Read(model)) = self;
+        model
+    }
+
+    /// What is found in `model`, which is this one or the one that was changed, as far as the change decides it, without remedies.
+    fn unmended(&self, options: &InspectOptions, opened: &OpenModel, model: &Model) -> Vec<Found> {
+        match self {
+            Self::InNumbers(_) => {
+                let inspected = options.inspect_without_story(opened.name(), model, None);
+                check_numbers(options, model, &inspected)
+            }
+            Self::Read(_) => unmended(options, opened, model),
+        }
+    }
+}
 
 /// What a change aims at, apart from its numbers.
 #[derive(Debug, Clone, Copy)]
@@ -72,7 +121,7 @@ pub(crate) fn worse_findings(
     aims: Aims,
     before: &InspectOptions,
     opened: &OpenModel,
-    (plan, changed): (&Plan, &Model),
+    (plan, changed): (&Plan, &Changed),
     answers: Option<&AnswerOptions>,
 ) -> Result<Vec<Finding>, Failure> {
     let failure = |fault| opened.failure(fault);
@@ -91,7 +140,7 @@ pub(crate) fn worse_findings(
         _ => worse.iter().map(of_new_model).collect(),
     };
     if !is_to_be_scaled(aims, plan, weighs_kg) {
-        said.extend(moved_bottoms(plan, &opened.model, changed, &said));
+        said.extend(moved_bottoms(plan, &opened.model, changed.model(), &said));
     }
     Ok(said)
 }
@@ -102,16 +151,16 @@ fn worse_than(
     after: &InspectOptions,
     opened: &OpenModel,
     plan: &Plan,
-    changed: &Model,
+    changed: &Changed,
 ) -> Vec<Found> {
-    let found = unmended(after, opened, changed);
+    let found = changed.unmended(after, opened, changed.model());
     let is_bad = |one: &&Found| one.severity >= Severity::Warn && !is_due(one) && !is_known(plan, one);
-    let bad: Vec<&Found> = found.findings.iter().filter(is_bad).collect();
+    let bad: Vec<&Found> = found.iter().filter(is_bad).collect();
     if bad.is_empty() {
         return Vec::new();
     }
-    let old = unmended(before, opened, &opened.model);
-    let kin = Kin::of(&old.findings);
+    let old = changed.unmended(before, opened, &opened.model);
+    let kin = Kin::of(&old);
     // Contacts that are no longer those of a published model are not worse for it.
     let is_worse = |one: &&Found| {
         let was = kin.nearest(one);
@@ -126,9 +175,9 @@ pub(crate) fn is_due(one: &Found) -> bool {
 }
 
 /// What is found in `model`, without remedies.
-pub(crate) fn unmended(options: &InspectOptions, opened: &OpenModel, model: &Model) -> CheckResult {
+pub(crate) fn unmended(options: &InspectOptions, opened: &OpenModel, model: &Model) -> Vec<Found> {
     let inspected = options.inspect_without_story(opened.name(), model, None);
-    check_model(options, model, &inspected, &[], NO_REMEDIES)
+    check_model(options, model, &inspected, &[], NO_REMEDIES).findings
 }
 
 /// Whether the verb says it itself, with a way out of its own: then it is neither repeated nor refused, such as what the smoothing of

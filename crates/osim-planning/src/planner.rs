@@ -10,7 +10,7 @@ use osim_model::{Fault, Model, Source};
 use osim_patch::{Plan, StepDetails};
 use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions, SetFiles};
 
-use crate::afterwards::{Aims, worse_findings};
+use crate::afterwards::{Aims, Changed, worse_findings};
 use crate::motion::{MotionRemark, MotionResult};
 use crate::opening::open_with;
 
@@ -43,10 +43,15 @@ pub trait Planner: Send + Sync {
         details: Option<&NoteDetails>,
         files: &dyn Files,
     ) -> Result<Plan, Failure> {
-        self.plan_with_result(opened, details, files).map(|(plan, _)| plan)
+        let mut plan = unjudged(self, opened, details, files)?;
+        if !plan.is_empty() {
+            let changed = Changed::of(&plan, opened)?;
+            judge(self, opened, &mut plan, &changed)?;
+        }
+        Ok(plan)
     }
 
-    /// The same with the model as it will be, which was read to be checked; `None` where nothing changes.
+    /// The same with the model as it will be, which was read from its new bytes; `None` where nothing changes.
     ///
     /// # Errors
     /// Those of [`plan_opened`](Self::plan_opened).
@@ -56,44 +61,13 @@ pub trait Planner: Send + Sync {
         details: Option<&NoteDetails>,
         files: &dyn Files,
     ) -> Result<(Plan, Option<Model>), Failure> {
-        let model = &opened.model;
-        let mut plan = self.plan_beside(opened, files)?;
-        match details {
-            Some(details) => {
-                let reference = self.reference().map(|reference| Source {
-                    name: reference.name.clone(),
-                    digest: reference.digest.clone(),
-                });
-                let (options, stance_limbs) = (details.options.clone(), details.stance_limbs);
-                plan.add_details(StepDetails { options, reference, stance_limbs, date: files.today() });
-            }
-            None => {
-                plan.without_note();
-                if model.note.is_some() && !plan.is_empty() {
-                    let text = "the note is removed: the next run cannot know what the contacts are made for";
-                    plan.remarks.push(text.into());
-                }
-            }
-        }
-        if plan.adds_credits(model) {
-            let text = "the model has no <credits>: they are added for the note, because OpenSim drops comments when it saves";
-            plan.remarks.push(text.into());
-        }
-        let standing: Vec<_> = plan.standing_warnings(model).cloned().collect();
-        plan.warnings.splice(0..0, standing);
-        let before = InspectOptions::from(&self.inspection());
-        for (input, pattern) in before.selection.unmatched(model) {
-            let matched =
-                phrase![input.being(pattern.to_string()), ": no contact force of the model has such a name"];
-            plan.remarks.push(matched);
-        }
+        let mut plan = unjudged(self, opened, details, files)?;
         if plan.is_empty() {
             return Ok((plan, None));
         }
-        let changed = plan.changed(model).map_err(|fault| opened.failure(fault))?;
-        let worse = worse_findings(self.aims(), &before, opened, (&plan, &changed), self.answers())?;
-        plan.warnings.extend(worse);
-        Ok((plan, Some(changed)))
+        let changed = Changed::read(&plan, opened)?;
+        judge(self, opened, &mut plan, &changed)?;
+        Ok((plan, Some(changed.into_model())))
     }
 
     /// Files that were read beside the models.
@@ -139,6 +113,58 @@ pub trait Planner: Send + Sync {
 
     /// Everything its plans follow from except the files: equal texts, equal plans.
     fn settings(&self) -> String;
+}
+
+/// What `planner` plans, with its note and with what is odd about the model itself.
+fn unjudged<P: Planner + ?Sized>(
+    planner: &P,
+    opened: &OpenModel,
+    details: Option<&NoteDetails>,
+    files: &dyn Files,
+) -> Result<Plan, Failure> {
+    let model = &opened.model;
+    let mut plan = planner.plan_beside(opened, files)?;
+    match details {
+        Some(details) => {
+            let reference = planner
+                .reference()
+                .map(|reference| Source { name: reference.name.clone(), digest: reference.digest.clone() });
+            let (options, stance_limbs) = (details.options.clone(), details.stance_limbs);
+            plan.add_details(StepDetails { options, reference, stance_limbs, date: files.today() });
+        }
+        None => {
+            plan.without_note();
+            if model.note.is_some() && !plan.is_empty() {
+                let text = "the note is removed: the next run cannot know what the contacts are made for";
+                plan.remarks.push(text.into());
+            }
+        }
+    }
+    if plan.adds_credits(model) {
+        let text = "the model has no <credits>: they are added for the note, because OpenSim drops comments when it saves";
+        plan.remarks.push(text.into());
+    }
+    let standing: Vec<_> = plan.standing_warnings(model).cloned().collect();
+    plan.warnings.splice(0..0, standing);
+    for (input, pattern) in InspectOptions::from(&planner.inspection()).selection.unmatched(model) {
+        let matched =
+            phrase![input.being(pattern.to_string()), ": no contact force of the model has such a name"];
+        plan.remarks.push(matched);
+    }
+    Ok(plan)
+}
+
+/// Adds to `plan` what it makes worse.
+fn judge<P: Planner + ?Sized>(
+    planner: &P,
+    opened: &OpenModel,
+    plan: &mut Plan,
+    changed: &Changed,
+) -> Result<(), Failure> {
+    let before = InspectOptions::from(&planner.inspection());
+    let worse = worse_findings(planner.aims(), &before, opened, (plan, changed), planner.answers())?;
+    plan.warnings.extend(worse);
+    Ok(())
 }
 
 /// What the note of a changed model says of the request.
@@ -208,7 +234,8 @@ impl Change {
     /// # Errors
     /// Those of [`Planner::plan_opened`].
     pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
-        self.plan_with_result(opened, files).map(|(plan, _)| plan)
+        let details = Some(&self.details).filter(|_| !self.output.no_note);
+        self.planner.plan_opened(opened, details, files)
     }
 
     /// The same with the model as it will be; `None` where nothing changes.

@@ -8,9 +8,9 @@ use super::answers::answer;
 use super::found::Found;
 use super::places::Places;
 use super::remedy::Remedies;
-use super::result::CheckResult;
+use super::result::{CheckResult, in_order};
+use super::traps::Asked;
 use super::{known, traps};
-use crate::floors::Floors;
 use crate::inspection::Inspection;
 use crate::mass_mismatch::MassMismatch;
 use crate::options::InspectOptions;
@@ -41,6 +41,26 @@ pub fn check_model(
     beside: &[Finding],
     changeable: Changeable,
 ) -> CheckResult {
+    let found = findings(options, model, inspected, beside, changeable, Asked::All);
+    CheckResult::new(model, inspected, found)
+}
+
+/// Findings that a change of numbers of contacts can raise or mend, in the order of [`CheckResult::findings`], without remedies: what
+/// floors and gravity show stays as it was.
+#[must_use]
+pub fn check_numbers(options: &InspectOptions, model: &Model, inspected: &Inspection) -> Vec<Found> {
+    let untried = Changeable { numbers: false, radii: false };
+    in_order(findings(options, model, inspected, &[], untried, Asked::OfNumbers))
+}
+
+fn findings(
+    options: &InspectOptions,
+    model: &Model,
+    inspected: &Inspection,
+    beside: &[Finding],
+    changeable: Changeable,
+    asked: Asked,
+) -> Vec<Found> {
     let is_joined = |finding: &Finding| {
         matches!(finding.code(), FindingCode::MixedRadii | FindingCode::SeveralParameterSets)
     };
@@ -62,7 +82,7 @@ pub fn check_model(
     if is_unsettled || places.are_wrong() || are_spheres_odd(model) {
         remedies = remedies.unsettled();
     }
-    let mut findings = traps::findings(model, inspected, &remedies, &Floors::of(model));
+    let mut findings = traps::findings(model, inspected, &remedies, asked);
     if let Some(mismatch) = mismatch {
         let disagree =
             findings.iter_mut().filter(|finding| finding.code() == FindingCode::MassSourcesDisagree);
@@ -84,7 +104,7 @@ pub fn check_model(
     for remedy in findings.iter_mut().filter_map(|found| found.remedy.as_mut()) {
         answer(remedy, model, &options.masses);
     }
-    CheckResult::new(model, inspected, known::as_published(inspected, findings))
+    known::as_published(inspected, findings)
 }
 
 /// Whether the spheres themselves have to be corrected first: figures of a sphere in millimetres, or of a copy of one, say nothing.

@@ -10,7 +10,7 @@ mod remedy;
 mod result;
 mod traps;
 
-pub use check::{Changeable, check_model};
+pub use check::{Changeable, check_model, check_numbers};
 pub use found::Found;
 pub use kin::Kin;
 pub use places::misplaced_spheres;

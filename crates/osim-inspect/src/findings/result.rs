@@ -44,6 +44,18 @@ pub struct CheckResult {
     pub steps: Vec<Request>,
 }
 
+/// From the worst to the least; equally bad ones in the order of the register.
+pub(super) fn in_order(mut findings: Vec<Found>) -> Vec<Found> {
+    // What spheres do where they should not be is a symptom.
+    let is_symptom = |finding: &Found| {
+        !matches!(finding.code(), FindingCode::SpheresLeftBehind | FindingCode::SpheresMisplaced)
+    };
+    findings.sort_by_key(|finding| {
+        (Reverse(finding.severity), is_symptom(finding), finding.code(), finding.line)
+    });
+    findings
+}
+
 /// How many findings of each severity.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
@@ -85,18 +97,12 @@ impl Counts {
 impl CheckResult {
     /// Everything found in a model, in any order.
     #[must_use]
-    pub fn new(model: &Model, inspected: &Inspection, mut findings: Vec<Found>) -> Self {
+    pub fn new(model: &Model, inspected: &Inspection, findings: Vec<Found>) -> Self {
+        let mut findings = in_order(findings);
         // A remark is worth knowing, and no reason to change the model.
         for remark in findings.iter_mut().filter(|finding| finding.severity == Severity::Info) {
             remark.remedy = None;
         }
-        // What spheres do where they should not be is a symptom.
-        let is_symptom = |finding: &Found| {
-            !matches!(finding.code(), FindingCode::SpheresLeftBehind | FindingCode::SpheresMisplaced)
-        };
-        findings.sort_by_key(|finding| {
-            (Reverse(finding.severity), is_symptom(finding), finding.code(), finding.line)
-        });
         let count = |severity| findings.iter().filter(|finding| finding.severity == severity).count();
         let counts = Counts {
             error: count(Severity::Error),

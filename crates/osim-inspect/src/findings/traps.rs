@@ -15,13 +15,22 @@ use crate::rules::{
     zero_constant_contact_force,
 };
 
-/// Everything that the model shows apart from its figures.
+/// Which findings are asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Asked {
+    All,
+    /// Those that numbers of contacts decide: models that differ in nothing else have the others alike.
+    OfNumbers,
+}
+
+/// Everything that the model shows apart from its figures; what floors and gravity show alone only where it is `asked` for.
 pub(super) fn findings(
     model: &Model,
     inspected: &Inspection,
     remedies: &Remedies<'_>,
-    floors: &Floors,
+    asked: Asked,
 ) -> Vec<Found> {
+    let floors = LazyCell::new(|| Floors::of(model));
     let sides = LazyCell::new(|| model.both_sides());
     let known = LazyCell::new(|| KnownSide::of(model, &sides, inspected));
     let with_remedy = |finding: &Finding| {
@@ -32,8 +41,11 @@ pub(super) fn findings(
     };
     let mut found: Vec<Found> = inspected.warnings.iter().map(with_remedy).collect();
     found.extend(model.remarks_on(&meeting_half_space(model)).into_iter().map(Found::from));
-    found.extend(of_floors(model, floors).into_iter().map(Found::from));
-    let unknown = [no_gravity::find(model, inspected, floors), sphere_count_unknown::find(inspected)];
+    if asked == Asked::All {
+        found.extend(of_floors(model, &floors).into_iter().map(Found::from));
+    }
+    let unknown =
+        [no_gravity::find(model, inspected, || floors.are_any()), sphere_count_unknown::find(inspected)];
     found.extend(unknown.into_iter().flatten().map(Found::from));
     found
 }

@@ -4,7 +4,6 @@ use osim_model::{
     Example, Finding, FindingCode, GravityFor, Model, Needed, Repair, Rule, Seen, Severity, VerdictOn,
 };
 
-use crate::floors::Floors;
 use crate::inspection::Inspection;
 
 pub(crate) static RULE: Rule = Rule {
@@ -23,10 +22,15 @@ pub(crate) static RULE: Rule = Rule {
     },
 };
 
-pub(crate) fn find(model: &Model, inspected: &Inspection, floors: &Floors) -> Option<Finding> {
+/// `are_floors` says whether moving spheres press on any plane.
+pub(crate) fn find(
+    model: &Model,
+    inspected: &Inspection,
+    are_floors: impl FnOnce() -> bool,
+) -> Option<Finding> {
     let own = inspected.gravity_m_s2.filter(|&gravity| gravity != 0.0);
     // Where figures are made, it may also have been given.
     let needed = Needed::Gravity { purpose: GravityFor::Figures };
-    let is_missing = floors.are_any() && own.or(inspected.figures.gravity_m_s2).is_none();
+    let is_missing = own.or(inspected.figures.gravity_m_s2).is_none() && are_floors();
     is_missing.then(|| Finding::new(&RULE, needed.phrase()).on_line(model.gravity_line()))
 }

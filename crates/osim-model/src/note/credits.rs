@@ -125,6 +125,13 @@ impl<'d> Credits<'d> {
     }
 }
 
+impl Note {
+    /// The note that is read where this one was written; `None` if it would not be read as one.
+    pub(crate) fn as_read(&self) -> Option<Self> {
+        Self::parse(&condensed(&self.text()))
+    }
+}
+
 /// Whether `text` begins like a note, with any white space where the note has a blank. No more of it is read than that takes.
 fn begins_a_note(text: &str) -> bool {
     let behind = BEGINS.chars().try_fold(text, |rest, letter| {

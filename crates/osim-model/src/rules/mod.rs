@@ -85,28 +85,53 @@ pub const RULES: &[&Rule] = &[
     &zero_constant_contact_force::RULE,
 ];
 
-/// Everything that reading `model` showed, in the order in which reports list it.
-pub(crate) fn find(model: &Model) -> Vec<Finding> {
-    let all = [
-        values::numbers,
-        values::triples,
-        angle_in_degrees::find,
-        included_file::find,
-        dead_derivative_smoothing::find,
-        several_spheres_one_force::find,
-        sphere_in_two_forces::find,
-        default_stiffness::find,
-        zero_constant_contact_force::find,
-        both_sides,
-        large_friction::find,
-        contact_defaults::find,
-        moco_dialect::find,
-        terrain::find,
-        unknown_class::find,
-        components,
-        loop_of_joints::find,
-    ];
-    all.into_iter().flat_map(|find| find(model)).collect()
+/// Rules that look at a whole model, in the order in which reports list what they find.
+const OF_MODELS: [(Looks, Find); 17] = [
+    (Looks::AtNumbers, values::numbers),
+    (Looks::Elsewhere, values::triples),
+    (Looks::Elsewhere, angle_in_degrees::find),
+    (Looks::Elsewhere, included_file::find),
+    (Looks::Elsewhere, dead_derivative_smoothing::find),
+    (Looks::Elsewhere, several_spheres_one_force::find),
+    (Looks::Elsewhere, sphere_in_two_forces::find),
+    (Looks::AtNumbers, default_stiffness::find),
+    (Looks::AtNumbers, zero_constant_contact_force::find),
+    (Looks::AtNumbers, both_sides),
+    (Looks::AtNumbers, large_friction::find),
+    (Looks::Elsewhere, contact_defaults::find),
+    (Looks::Elsewhere, moco_dialect::find),
+    (Looks::Elsewhere, terrain::find),
+    (Looks::Elsewhere, unknown_class::find),
+    (Looks::Elsewhere, components),
+    (Looks::Elsewhere, loop_of_joints::find),
+];
+
+type Find = fn(&Model) -> Vec<Finding>;
+
+/// Where a rule looks.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Looks {
+    /// At radii of spheres or parameters of forces, among others.
+    AtNumbers,
+    /// At neither: in a model with other such numbers it finds the same.
+    Elsewhere,
+}
+
+/// What each rule finds in `model`.
+pub(crate) fn find(model: &Model) -> Vec<Vec<Finding>> {
+    OF_MODELS.into_iter().map(|(_, find)| find(model)).collect()
+}
+
+/// The same in a model that differs in numbers of its contacts alone from the one in which they found `before`.
+pub(crate) fn find_again<'f>(
+    model: &Model,
+    before: impl Iterator<Item = &'f [Finding]>,
+) -> Vec<Vec<Finding>> {
+    let again = |((looks, find), before): ((Looks, Find), &[Finding])| match looks {
+        Looks::AtNumbers => find(model),
+        Looks::Elsewhere => before.to_vec(),
+    };
+    OF_MODELS.into_iter().zip(before).map(again).collect()
 }
 
 /// What rules say about the two sides of the body, and about the places and sizes of spheres on it.

@@ -144,7 +144,7 @@ fn wrong(
     let masses = MassRequest { model_kg: mass.map(|mass| mass.kg), ..request.masses.request() };
     let options =
         InspectOptions { masses, selection: request.choice.selection(), stance, ..InspectOptions::default() };
-    let found = unmended(&options, open, &open.model).findings.into_iter();
+    let found = unmended(&options, open, &open.model).into_iter();
     found.filter(|one| one.severity >= Severity::Warn && !is_due(one)).map(|one| one.code()).collect()
 }
 

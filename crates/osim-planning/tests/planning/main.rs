@@ -16,6 +16,7 @@ mod compose;
 #[path = "../../../osim-inspect/tests/inspect/feet/mod.rs"]
 mod feet;
 mod findings;
+mod judged;
 mod known_contacts;
 mod left_behind;
 mod left_like_right;

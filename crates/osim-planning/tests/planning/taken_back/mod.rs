@@ -1,7 +1,7 @@
 //! `remove` after `add` gives the first file back, byte for byte: every model that we have, in every form of text, by every way of
 //! adding, and also with other numbers in between.
 
-mod documents;
+pub mod documents;
 mod forms;
 mod ways;
 

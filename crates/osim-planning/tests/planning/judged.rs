@@ -1,0 +1,156 @@
+//! A change of numbers is judged by a model that nobody reads from a file. It finds what the model in the file shows.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use osim_model::files::{Files, OpenModel};
+use osim_model::{FileId, Finding, Force, Model, Question, Severity, Sphere, Value as Number};
+use osim_patch::Plan;
+use osim_planning::{Change, prepare};
+use osim_requests::Request;
+use serde_json::{Value, json};
+
+use crate::taken_back::documents::{Desk, all_files, models};
+
+const MODEL: &str = "model.osim";
+
+/// Changes of numbers of contacts alone, gentle ones and such that make a model wrong; `first` is the name of a force.
+fn calls(first: &str) -> Vec<Value> {
+    let rescale = |kg: f64| json!({"verb": "rescale", "target_mass": kg, "contacts_mass": 62});
+    let with = |mut call: Value, fields: Value| {
+        call.as_object_mut().unwrap().extend(fields.as_object().unwrap().clone());
+        call
+    };
+    let set = |property: &str, value: Value| json!({"verb": "set", "set": {property: value}});
+    vec![
+        rescale(75.0),
+        rescale(0.02),
+        rescale(40_000.0),
+        with(rescale(90.0), json!({"target_gravity": 1.62})),
+        with(rescale(90.0), json!({"select": [first]})),
+        with(rescale(90.0), json!({"mass": 90})),
+        with(rescale(90.0), json!({"keep": ["radius"]})),
+        with(rescale(90.0), json!({"no_note": true})),
+        set("radius", json!("x0.5")),
+        set("radius", json!("x3")),
+        set("radius", json!(5.0)),
+        with(set("radius", json!("x1.7")), json!({"select": [first]})),
+        set("stiffness", json!("x0.001")),
+        set("stiffness", json!("x1000")),
+        with(set("stiffness", json!(3e6)), json!({"select": [first]})),
+        set("dissipation", json!(9.0)),
+        set("static_friction", json!(80.0)),
+        set("transition_velocity", json!(3.0)),
+        set("constant_contact_force", json!("x100")),
+        set("hertz_smoothing", json!(2.0)),
+        json!({"verb": "design", "indentation": 0.3, "restitution": 0.5, "impact_speed": 0.5, "spheres": 4, "mass": 70}),
+        json!({"verb": "transfer", "from": "falisse2022"}),
+        json!({"verb": "note", "contacts_mass": 61.5, "stance_limbs": 2}),
+    ]
+}
+
+/// How often something was compared, and how much of it says something.
+#[derive(Debug, Default)]
+struct Compared {
+    plans: usize,
+    refused: usize,
+    worse: usize,
+    models: usize,
+}
+
+/// Each model gets every third call, and its neighbours the others.
+const EVERY: usize = 3;
+
+#[test]
+fn numbers_are_judged_as_in_the_file() {
+    let files = all_files();
+    let mut compared = Compared::default();
+    for (number, document) in models(&files).into_iter().enumerate() {
+        let desk = Desk { files: &files, own: BTreeMap::new() };
+        // The same on what was written: it has a note.
+        let Some(bytes) = try_some(&desk, &document.name, number, &mut compared) else { continue };
+        let desk = Desk { files: &files, own: BTreeMap::from([(MODEL.into(), bytes)]) };
+        try_some(&desk, MODEL, number + 1, &mut compared);
+    }
+    let Compared { plans, refused, worse, models } = compared;
+    assert!(plans > 2000 && refused > 0 && worse > 1000 && models > 2000, "{compared:?}");
+}
+
+/// Tries every third call on the model `name`; the bytes that one of them would write.
+fn try_some(files: &Desk<'_>, name: &str, number: usize, compared: &mut Compared) -> Option<Vec<u8>> {
+    let model = Model::parse(files.read(Path::new(name)).ok()?).ok()?;
+    let first = model.forces().first().map_or("none", |force| force.name.as_str());
+    let calls = calls(first).into_iter().skip(number % EVERY).step_by(EVERY);
+    let yes: Vec<&str> = Question::ALL.iter().map(Question::code).collect();
+    let mut written = None;
+    for mut call in calls {
+        call["models"] = json!([name]);
+        for yes in [&[], yes.as_slice()] {
+            call["yes"] = json!(yes);
+            let what = format!("{name}: {call}");
+            let request = Request::from_json(call.to_string().as_bytes()).expect(&what);
+            let Ok(change) = prepare(request, files) else { continue };
+            let Ok(opened) = change.open(Path::new(name), files) else { continue };
+            if let Some(plan) = compare(&change, &opened, files, compared, &what) {
+                written = written.or_else(|| plan.patched(&opened.model, FileId::MAIN).ok());
+                break;
+            }
+        }
+    }
+    written
+}
+
+fn compare(
+    change: &Change,
+    opened: &OpenModel,
+    files: &dyn Files,
+    compared: &mut Compared,
+    what: &str,
+) -> Option<Plan> {
+    let in_memory = change.plan(opened, files);
+    let by_file = change.plan_with_result(opened, files);
+    let (plan, changed) = match (in_memory, by_file) {
+        (Ok(plan), Ok((by_file, changed))) => {
+            assert_eq!(plan, by_file, "{what}");
+            (plan, changed)
+        }
+        (Err(failure), Err(by_file)) => {
+            assert_eq!(failure, by_file, "{what}");
+            compared.refused += usize::from(failure.code == "wrong-afterwards");
+            return None;
+        }
+        (plan, by_file) => panic!("{what}: {plan:?}, by the file {by_file:?}"),
+    };
+    compared.plans += 1;
+    let is_worse = |one: &Finding| {
+        one.severity >= Severity::Warn && one.message.to_string().starts_with("in the new model: ")
+    };
+    compared.worse += plan.warnings.iter().filter(|one| is_worse(one)).count();
+    if let (Some(renumbered), Some(changed)) = (plan.renumbered(&opened.model), changed) {
+        assert_eq!(seen(&renumbered), seen(&changed), "{what}");
+        compared.models += 1;
+    }
+    Some(plan)
+}
+
+/// Everything of a model but where it is in a file.
+fn seen(model: &Model) -> String {
+    let number =
+        |number: &Number| (number.property, number.number.to_bits(), number.origin, number.fault.clone());
+    let sphere = |sphere: &Sphere| {
+        let place = sphere.location_m.map(f64::to_bits);
+        let mounted = (sphere.frame.clone(), sphere.body.clone(), sphere.fixed);
+        (sphere.path.clone(), number(&sphere.radius), place, mounted)
+    };
+    let force = |force: &Force| {
+        let values = force.sets.iter().flat_map(|set| &set.values).chain([&force.transition_velocity]);
+        let sets: Vec<_> =
+            force.sets.iter().map(|set| (set.number, set.spheres.clone(), set.inherited)).collect();
+        (force.path.clone(), force.applies, sets, values.map(number).collect::<Vec<_>>())
+    };
+    let warnings: Vec<Finding> = model.warnings.iter().map(|one| one.clone().on_line(None)).collect();
+    let spheres: Vec<_> = model.spheres().iter().map(sphere).collect();
+    let forces: Vec<_> = model.forces().iter().map(force).collect();
+    let of_note = (&model.note, model.doubt_about_note());
+    format!("{spheres:?} {forces:?} {warnings:?} {of_note:?} {:?}", model.gravity_m_s2)
+}
