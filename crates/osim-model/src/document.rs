@@ -217,6 +217,9 @@ impl Document {
     /// The file in which OpenSim looks for the contents of `id`. It does so for sets that are a property of their object, the
     /// first of each, and for members of `<components>` and `<frames>`; elsewhere it ignores `file`.
     pub(crate) fn file_of(&self, id: ElementId) -> Option<Cow<'_, str>> {
+        if !self.may_include() {
+            return None;
+        }
         let file = self.tree.attribute(id, "file").filter(|file| !file.is_empty())?;
         let (parent, tag) = (self.tree.parent(id)?, self.tree.name(id));
         let is_set = match self.tree.name(parent) {

@@ -1,5 +1,7 @@
 //! Left and right, as names say it.
 
+use std::borrow::Cow;
+
 /// Side of the body, read from names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Side {
@@ -31,7 +33,7 @@ impl Side {
     /// Reads a side from a name such as `calcn_r`, `RFoot`, `left_toe` or `footL`; `None` where it has none or both.
     #[must_use]
     pub fn of_name(name: &str) -> Option<Self> {
-        let lower = name.to_lowercase();
+        let lower = in_lower_case(name);
         let word = |long: &str, short: &str| {
             has(&lower, long) || lower.split(|c: char| !c.is_alphanumeric()).any(|token| token == short)
         };
@@ -59,9 +61,16 @@ fn last_two(name: &str) -> Option<[char; 2]> {
     Some([letters.next()?, last])
 }
 
+/// Most names are so already.
+fn in_lower_case(name: &str) -> Cow<'_, str> {
+    let stays = |byte: u8| byte.is_ascii() && !byte.is_ascii_uppercase();
+    if name.bytes().all(stays) { Cow::Borrowed(name) } else { Cow::Owned(name.to_lowercase()) }
+}
+
 /// Whether `word` is in `text`: quicker than `contains`, which prepares itself for long texts.
 fn has(text: &str, word: &str) -> bool {
-    text.as_bytes().windows(word.len()).any(|part| part == word.as_bytes())
+    let (text, word) = (text.as_bytes(), word.as_bytes());
+    text.windows(word.len()).any(|part| part.first() == word.first() && part == word)
 }
 
 /// The name with everything that says left or right made equal.
@@ -74,10 +83,10 @@ fn has(text: &str, word: &str) -> bool {
 /// ```
 #[must_use]
 pub fn without_side(name: &str) -> String {
-    let mut lower = name.to_lowercase();
+    let mut lower = in_lower_case(name);
     for side in ["right", "left"] {
         if has(&lower, side) {
-            lower = lower.replace(side, "#");
+            lower = Cow::Owned(lower.replace(side, "#"));
         }
     }
     let mut joined = String::with_capacity(lower.len());

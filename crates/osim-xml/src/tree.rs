@@ -189,6 +189,7 @@ impl Tree {
 
     /// The text of the bytes `span`; empty where they do not begin and end with a character of the file.
     #[must_use]
+    #[inline]
     pub fn slice(&self, span: Range<usize>) -> &str {
         self.text.as_str().get(span).unwrap_or_default()
     }
@@ -232,6 +233,7 @@ impl Tree {
 
     /// The tag name, as written.
     #[must_use]
+    #[inline]
     pub fn name(&self, id: ElementId) -> &str {
         let element = self.element(id);
         let start = self.pieces.get(element.open as usize).map_or(0, |piece| piece.start as usize) + 1;
@@ -262,12 +264,14 @@ impl Tree {
 
     /// The parent element; `None` for the root.
     #[must_use]
+    #[inline]
     pub fn parent(&self, id: ElementId) -> Option<ElementId> {
         (id != ElementId::ROOT).then(|| ElementId(self.element(id).parent))
     }
 
     /// Child elements in file order.
     #[must_use]
+    #[inline]
     pub fn children(&self, id: ElementId) -> Children<'_> {
         let element = self.element(id);
         Children { tree: self, next: id.0.saturating_add(1), end: element.subtree_end }
@@ -284,6 +288,7 @@ impl Tree {
 
     /// The first child element with this tag name: OpenSim reads the first of duplicates.
     #[must_use]
+    #[inline]
     pub fn child(&self, id: ElementId, name: &str) -> Option<ElementId> {
         self.children(id).find(|&child| self.name(child) == name)
     }
@@ -324,6 +329,7 @@ pub struct Children<'t> {
 impl Iterator for Children<'_> {
     type Item = ElementId;
 
+    #[inline]
     fn next(&mut self) -> Option<ElementId> {
         if self.next >= self.end {
             return None;

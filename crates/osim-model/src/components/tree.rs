@@ -54,6 +54,8 @@ struct Children {
 
 /// Up to so many children are looked through for one of them; more of them are looked up.
 const FEW_CHILDREN: u32 = 12;
+/// Objects on the way from the root to most others, and to themselves.
+const USUAL_DEPTH: usize = 4;
 
 /// All components of the files read together, with look-up by path and by name.
 #[derive(Debug, Clone, Default)]
@@ -308,7 +310,7 @@ impl ComponentTree {
 
     /// The absolute path, as OpenSim prints it.
     pub(crate) fn path(&self, id: ComponentId) -> String {
-        let mut segments = Vec::new();
+        let mut segments = Vec::with_capacity(USUAL_DEPTH);
         let mut next = Some(id);
         while let Some(object) = next.and_then(|id| self.get(id)) {
             if object.parent.is_some() || !object.segment.is_empty() {
@@ -316,7 +318,8 @@ impl ComponentTree {
             }
             next = object.parent;
         }
-        let mut path = String::new();
+        // Every message and every contact has one: a path grows once.
+        let mut path = String::with_capacity(segments.iter().map(|segment| segment.len() + 1).sum());
         for segment in segments.iter().rev() {
             path.push('/');
             path.push_str(segment);
@@ -385,8 +388,12 @@ impl ComponentTree {
 
     /// As OpenSim goes: a step and the `..` after it are nothing, whether the step leads anywhere or not.
     fn walk(&self, from: ComponentId, path: &str) -> Option<ComponentId> {
+        let segments = || path.split('/').filter(|segment| !segment.is_empty() && *segment != ".");
+        if !path.as_bytes().windows(2).any(|pair| pair == b"..") {
+            return segments().try_fold(from, |at, segment| self.child(at, segment));
+        }
         let (mut at, mut down) = (from, Vec::new());
-        for segment in path.split('/').filter(|segment| !segment.is_empty() && *segment != ".") {
+        for segment in segments() {
             match segment {
                 ".." if down.pop().is_none() => at = self.get(at)?.parent?,
                 ".." => {}
