@@ -1,8 +1,8 @@
 //! The bones of a model's bodies.
 
-use std::collections::HashMap;
 use std::path::PathBuf;
 
+use foldhash::HashMap;
 use osim_model::files::Files;
 use osim_model::{AttachedMesh, Model};
 

@@ -1,9 +1,9 @@
 //! The planes that spheres press on, by the forces that apply, and where they are at the default pose.
 
-use std::collections::{HashMap, HashSet};
 use std::ops::Deref;
 use std::sync::Arc;
 
+use foldhash::{HashMap, HashSet};
 use osim_model::{ElementId, FileId, ForceId, HalfSpace, Model, Placement, Sphere, SphereId};
 
 use crate::default_pose::DefaultPose;

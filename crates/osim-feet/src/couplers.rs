@@ -1,7 +1,6 @@
 //! Values of coordinates at the default pose: their defaults, and what constraints make of them.
 
-use std::collections::{HashMap, HashSet};
-
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::{CoordinateFunction, Document, ElementId, FileId, Model, opensim_text};
 
 use crate::pose_fault::PoseFault;

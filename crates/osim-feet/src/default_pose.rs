@@ -1,8 +1,8 @@
 //! Where bodies are in ground while all coordinates have their default values.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
+use foldhash::{HashMap, HashMapExt};
 use osim_model::{Model, ModelJoint, Placement};
 
 use crate::couplers::CoordinateValues;

@@ -1,7 +1,6 @@
 //! Whether a coordinate is free, or what keeps it at its value.
 
-use std::collections::HashSet;
-
+use foldhash::HashSet;
 use osim_model::{JointCoordinate, Model, ModelJoint};
 
 use crate::couplers::{dependent_coordinates, is_prescribed};

@@ -1,7 +1,8 @@
 //! The way from ground over all joints.
 
-use std::collections::{HashMap, HashSet, VecDeque};
+use std::collections::VecDeque;
 
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::ModelJoint;
 
 /// A joint on the way from ground.
@@ -39,7 +40,7 @@ pub fn joint_walk(joints: &[ModelJoint]) -> Vec<Crossing<'_>> {
         at.entry(joint.child.as_deref()).or_default().push(index);
     }
     let mut used = vec![false; joints.len()];
-    let mut reached: HashSet<Option<&str>> = HashSet::from([None]);
+    let mut reached: HashSet<Option<&str>> = HashSet::from_iter([None]);
     let mut waiting: VecDeque<Option<&str>> = VecDeque::from([None]);
     let mut walk = Vec::with_capacity(joints.len());
     while let Some(from) = waiting.pop_front() {

@@ -1,8 +1,8 @@
 //! How bodies can move against each other: what joints and their coordinates leave free.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
+use foldhash::{HashMap, HashMapExt};
 use osim_model::{Model, ModelJoint, Placement};
 
 use crate::couplers::CoordinateValues;

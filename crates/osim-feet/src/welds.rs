@@ -1,7 +1,6 @@
 //! Which bodies cannot move against each other.
 
-use std::collections::HashMap;
-
+use foldhash::{HashMap, HashMapExt};
 use osim_model::ModelJoint;
 
 /// Bodies that WeldJoints hold together, directly or through others.

@@ -1,6 +1,8 @@
 //! What a model's bones say about its size: mesh scale factors, joint offsets, and where its contact spheres are.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::BTreeMap;
+
+use foldhash::{HashMap, HashSet};
 
 use crate::components::MAX_FRAME_CHAIN;
 use crate::fault::Fault;

@@ -1,7 +1,6 @@
 //! How large bodies are: their centres of mass, radii of gyration and joints.
 
-use std::collections::HashMap;
-
+use foldhash::{HashMap, HashMapExt};
 use osim_xml::opensim_text;
 
 use crate::components::{ComponentId, Components};

@@ -1,6 +1,6 @@
 //! Contacts of classes that are not Hertz's, if they share spheres with those that are.
 
-use std::collections::HashMap;
+use foldhash::{HashMap, HashMapExt};
 
 use crate::model::Model;
 use osim_xml::opensim_text;

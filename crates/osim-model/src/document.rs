@@ -1,10 +1,10 @@
 //! One file: its bytes, its tree, its version, its data root and its `<defaults>`.
 
 use std::borrow::Cow;
-use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::OnceLock;
 
+use foldhash::{HashMap, HashMapExt};
 use osim_xml::opensim_text::{NumberFault, flag, number, trimmed, triple};
 use osim_xml::{ElementId, LineIndex, Position, SyntaxError, Tree};
 

@@ -1,6 +1,8 @@
 //! The joint tree above the bodies on which a model stands, each body of it looked at once.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
+
+use foldhash::{HashMap, HashMapExt};
 
 use crate::components::ComponentId;
 use crate::contacts::SphereId;

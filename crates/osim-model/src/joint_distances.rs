@@ -1,7 +1,9 @@
 //! How large the bones around a sphere are, and spheres that are larger.
 
 use std::cmp::Ordering;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
+
+use foldhash::{HashMap, HashMapExt};
 
 use crate::anatomy::joints::AnatomyJoint;
 use crate::contacts::Sphere;

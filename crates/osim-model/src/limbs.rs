@@ -1,7 +1,8 @@
 //! Limbs: contact spheres grouped along the joint tree, split where left and right both hang below.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 
+use foldhash::{HashSet, HashSetExt};
 use osim_messages::Phrase;
 
 use crate::components::{Base, ComponentId};

@@ -1,6 +1,6 @@
 //! Loops of joints, and joints that OpenSim ignores: where a body has more than one.
 
-use std::collections::HashMap;
+use foldhash::{HashMap, HashMapExt};
 
 use crate::components::{Base, ComponentId};
 

@@ -1,7 +1,6 @@
 //! Which forces a change is about.
 
-use std::collections::HashMap;
-
+use foldhash::{HashMap, HashMapExt};
 use osim_messages::Input;
 
 use crate::components::Base;

@@ -1,7 +1,8 @@
 //! Bodies and the joints between them, in the spelling of every document version.
 
-use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
+
+use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use crate::class::Class;
 use crate::components::{Base, ComponentId, Components};
@@ -147,7 +148,7 @@ impl Joined {
         for body in joined {
             // Up to a body that is known, or to a top.
             let mut way = vec![body];
-            let mut on_way = HashSet::from([body]);
+            let mut on_way = HashSet::from_iter([body]);
             let top = loop {
                 let Some(&last) = way.last() else { break body };
                 if let Some(&top) = self.tops.get(&last) {

@@ -1,7 +1,6 @@
 //! Spheres that move after everything else was planned, because their feet are made level.
 
-use std::collections::HashMap;
-
+use foldhash::HashMap;
 use osim_model::{Fault, Model, SphereId};
 
 use crate::builder::PlanBuilder;

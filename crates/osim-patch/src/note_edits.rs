@@ -1,8 +1,9 @@
 //! The edits that leave a note in a file, or take it out.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
+use foldhash::{HashMap, HashMapExt};
 use osim_model::{BodySize, Credits, Document, ElementId, Force, Model, Note, PieceKind, SphereId, Tree};
 
 use crate::edit::{Edit, splice};

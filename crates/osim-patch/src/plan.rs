@@ -2,8 +2,9 @@
 //!
 //! Tables, diffs, JSON, dry runs and writing are all views of a [`Plan`]; there is no other way to change a model.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 
+use foldhash::{HashMap, HashSet};
 use osim_messages::{Dialect, Phrase};
 use osim_model::{
     Class, ElementId, Fault, FileId, Finding, Mass, MassRequest, Model, Note, Property, Scope, Sphere,

@@ -1,7 +1,6 @@
 //! The factors of one body, and where they come from.
 
-use std::collections::HashMap;
-
+use foldhash::{HashMap, HashMapExt};
 use osim_model::Fault;
 
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];

@@ -1,8 +1,9 @@
 //! Which mesh of one model shows the same bone as which of the other.
 
 use std::cell::OnceCell;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
+use foldhash::{HashMap, HashMapExt};
 use osim_model::Anatomy;
 
 /// Folders, extensions and side marks that say nothing about the bone.

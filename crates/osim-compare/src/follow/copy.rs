@@ -1,7 +1,6 @@
 //! Whether one model is a scaled copy of another one.
 
-use std::collections::HashMap;
-
+use foldhash::{HashMap, HashMapExt};
 use osim_messages::Phrase;
 use osim_model::{Anatomy, AnatomyJoint};
 

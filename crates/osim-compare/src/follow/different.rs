@@ -1,7 +1,6 @@
 //! Factors between models if neither is a scaled copy of the other.
 
-use std::collections::{HashMap, HashSet};
-
+use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use osim_messages::Phrase;
 use osim_model::{Anatomy, FactorQuestion, Fault, Needed, without_side};
 

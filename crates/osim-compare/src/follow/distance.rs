@@ -1,7 +1,6 @@
 //! How far a joint is from the origin of a body, in two models.
 
-use std::collections::HashMap;
-
+use foldhash::{HashMap, HashMapExt};
 use osim_model::{Anatomy, AnatomyJoint, JointDistances};
 
 use super::body_factors::length;

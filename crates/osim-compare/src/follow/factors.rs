@@ -1,7 +1,8 @@
 //! Scale factors of each body, axis by axis, from the sources in their order.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 
+use foldhash::HashSet;
 use osim_messages::Phrase;
 use osim_model::{Anatomy, Fault, FaultKind, Finding, Needed};
 

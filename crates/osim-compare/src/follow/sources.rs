@@ -1,7 +1,6 @@
 //! What each source says about the factors of a body, and which is taken.
 
-use std::collections::HashMap;
-
+use foldhash::{HashMap, HashMapExt};
 use osim_model::{Anatomy, FactorQuestion, Side, without_side};
 
 use super::body_factors::{AXES, AxisFactor, FactorSource, length};

@@ -1,8 +1,9 @@
 //! The bones of a foot: which meshes they show, how large they are, where the next joint is.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
+use foldhash::{HashMap, HashMapExt};
 use osim_model::{Anatomy, AnatomyJoint, Model};
 
 use crate::follow::bone_of_mesh;

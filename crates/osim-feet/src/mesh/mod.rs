@@ -14,8 +14,7 @@ mod surface;
 mod vtk_array;
 mod vtp;
 
-use std::collections::HashSet;
-
+use foldhash::{HashSet, HashSetExt};
 use osim_messages::three_significant;
 
 use self::stray::stray;

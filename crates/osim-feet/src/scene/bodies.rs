@@ -1,7 +1,6 @@
 //! Which bodies make a foot.
 
-use std::collections::{HashMap, HashSet};
-
+use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use osim_model::{Anatomy, ForceId, Model, Side, SphereId};
 
 use crate::default_pose::DefaultPose;

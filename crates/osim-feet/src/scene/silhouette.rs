@@ -1,6 +1,6 @@
 //! The line around points.
 
-use std::collections::HashSet;
+use foldhash::{HashSet, HashSetExt};
 
 type Point = (f64, f64);
 

@@ -1,7 +1,6 @@
 //! Which bodies are one foot.
 
-use std::collections::HashMap;
-
+use foldhash::HashMap;
 use osim_model::{Model, Side, without_side};
 
 use crate::bone::Bone;

@@ -6,8 +6,7 @@ mod limbs;
 mod outline;
 mod spread;
 
-use std::collections::{HashMap, HashSet};
-
+use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use osim_model::{Model, Placement, Side};
 
 use self::axes::{Axes, Flat, Point};

@@ -1,7 +1,8 @@
 //! How high the bottoms of spheres are over their floors.
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::{ForceId, LoadedSphere, Model, Placement, SphereId};
 
 use crate::contact_plane::{ContactPlane, PlaneSurface, STEEPEST_RAD};

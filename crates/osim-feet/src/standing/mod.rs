@@ -7,9 +7,10 @@ mod lift;
 mod rest;
 mod tree;
 
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 
 use contact_scaling::DomainError;
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::{ForceId, Model, SphereId, loaded_spheres};
 
 use crate::contact_plane::{ContactPlane, PlaneSurface};

@@ -1,7 +1,6 @@
 //! Joints as a tree from ground: what a body hangs on, and what hangs on a joint.
 
-use std::collections::{HashMap, HashSet};
-
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::ModelJoint;
 
 use crate::joint_walk::{Crossing, joint_walk};
@@ -75,7 +74,7 @@ impl<'j> JointTree<'j> {
 
     /// `body` and all bodies below it.
     pub(super) fn with_all_below(&self, body: &'j str) -> HashSet<&'j str> {
-        let mut found = HashSet::from([body]);
+        let mut found = HashSet::from_iter([body]);
         let mut waiting = vec![body];
         while let Some(above) = waiting.pop() {
             let below = self.below.get(above).into_iter().flatten().copied();

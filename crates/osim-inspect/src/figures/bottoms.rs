@@ -1,8 +1,7 @@
 //! Spheres of a limb at their own heights: how deep each is where together they carry the body.
 
-use std::collections::HashMap;
-
 use contact_scaling::SharedLoad;
+use foldhash::HashMap;
 use osim_feet::{ByLaw, Standing};
 use osim_model::SphereId;
 

@@ -4,9 +4,8 @@
 //! limb, chosen or not, level on the floor, where they have one indentation x (theory of mixed radii). Both are the same where the spheres of a
 //! limb are alike.
 
-use std::collections::HashMap;
-
 use contact_scaling::{mixed_radii, restitution};
+use foldhash::{HashMap, HashMapExt};
 use osim_feet::DefaultPose;
 use osim_feet::Standing;
 use osim_messages::Phrase;

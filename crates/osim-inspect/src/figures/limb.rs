@@ -1,8 +1,7 @@
 //! The spheres of a limb on the floor: where each rests under its share of the weight.
 
-use std::collections::HashMap;
-
 use contact_scaling::{SharedLoad, Spheres, equilibrium};
+use foldhash::{HashMap, HashMapExt};
 use osim_model::{ForceId, Model};
 
 use super::bottoms::{Stand, Trees};

@@ -1,8 +1,7 @@
 //! Spheres with all the contact laws that press them.
 
-use std::collections::HashMap;
-
 use contact_scaling::{Contact, Law, Spheres};
+use foldhash::{HashMap, HashMapExt};
 use osim_model::{Fault, ForceId, LoadedSphere, SphereId};
 
 /// One sphere with all laws that press it.

@@ -1,7 +1,6 @@
 //! Which findings of two states of a model say the same.
 
-use std::collections::HashMap;
-
+use foldhash::{HashMap, HashMapExt};
 use osim_model::FindingCode;
 
 use super::found::Found;

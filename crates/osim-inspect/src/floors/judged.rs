@@ -1,7 +1,6 @@
 //! Each plane that spheres press on, judged.
 
-use std::collections::HashSet;
-
+use foldhash::HashSet;
 use osim_feet::{ContactPlane, DefaultPose, dot};
 use osim_model::{Model, SphereId};
 

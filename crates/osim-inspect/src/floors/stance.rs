@@ -1,7 +1,6 @@
 //! Which spheres a body stands on, and in which direction the body is from them.
 
-use std::collections::HashMap;
-
+use foldhash::{HashMap, HashMapExt};
 use osim_feet::{ContactPlane, DefaultPose, Movements, dot};
 use osim_model::{Model, Side, Sphere, SphereId};
 

@@ -1,8 +1,7 @@
 //! A model, inspected.
 
-use std::collections::{HashMap, HashSet};
-
 use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues, mixed_radii};
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_compare::{BodyFactors, Factors};
 use osim_feet::Standing;
 use osim_model::files::FileName;

@@ -1,7 +1,8 @@
 //! How a body is over its floor at the default pose, and what puts it on its feet.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
+use foldhash::HashMap;
 use osim_feet::{OverFloor, Rest, RestingSphere, Standing};
 use osim_model::{Limb, Limbs, Model, SphereId};
 #[cfg(feature = "schemas")]

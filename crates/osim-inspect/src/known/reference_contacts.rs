@@ -1,7 +1,6 @@
 //! The contacts of the model that another one was made from: they show which side of it was changed.
 
-use std::collections::HashMap;
-
+use foldhash::HashMap;
 use osim_messages::shown;
 use osim_model::{BothSides, Force, Model, Side, Value};
 

@@ -1,7 +1,6 @@
 //! Bottoms of one foot that lie at different heights.
 
-use std::collections::HashMap;
-
+use foldhash::HashMap;
 use osim_feet::LEANING_RAD;
 use osim_messages::{readable, shown, three_significant};
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};

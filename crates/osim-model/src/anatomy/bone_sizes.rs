@@ -1,7 +1,8 @@
 //! Factors of meshes and translations of frames: what scaling changes of a body.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
+use foldhash::{HashMap, HashMapExt};
 use osim_xml::opensim_text;
 
 use super::mesh_elements::{GEOMETRY_SETS, file_of, scale};

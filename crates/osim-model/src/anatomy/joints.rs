@@ -1,8 +1,8 @@
 //! Joints between bodies: where they are on both, and how the bodies are placed to each other at the default pose.
 
-use std::collections::HashSet;
 use std::sync::OnceLock;
 
+use foldhash::HashSet;
 use osim_xml::ElementId;
 
 use super::functions::numbers;

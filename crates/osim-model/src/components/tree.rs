@@ -4,8 +4,10 @@
 //! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and ground; everything else is a property. `<defaults>` of the data root is left out: its objects are not part of the model.
 
 use std::borrow::Cow;
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
+
+use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use super::classes;
 use crate::document::Document;

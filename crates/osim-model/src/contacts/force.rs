@@ -1,6 +1,6 @@
 //! Contact forces as typed values over the tree.
 
-use std::collections::HashSet;
+use foldhash::{HashSet, HashSetExt};
 
 use super::ids::{ForceId, SetId, SphereId};
 use super::slot::Slot;

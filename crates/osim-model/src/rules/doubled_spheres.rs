@@ -1,7 +1,6 @@
 //! Two spheres at one place.
 
-use std::collections::HashMap;
-
+use foldhash::{HashMap, HashMapExt};
 use osim_messages::shown;
 
 use crate::contacts::Sphere;

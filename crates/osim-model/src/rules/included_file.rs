@@ -1,6 +1,6 @@
 //! Contacts are in a file that the model includes.
 
-use std::collections::HashSet;
+use foldhash::{HashSet, HashSetExt};
 
 use crate::fault::FileId;
 use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};

@@ -1,7 +1,6 @@
 //! A sphere that is far from the body that carries it.
 
-use std::collections::HashMap;
-
+use foldhash::{HashMap, HashMapExt};
 use osim_messages::{shown, three_significant};
 
 use crate::body_shapes::BodyShape;

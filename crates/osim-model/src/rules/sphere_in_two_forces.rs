@@ -1,6 +1,6 @@
 //! One sphere is used by two contact forces.
 
-use std::collections::HashMap;
+use foldhash::{HashMap, HashMapExt};
 
 use crate::contacts::{SphereId, moving_spheres};
 use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};

@@ -1,6 +1,8 @@
 //! How large the bones of one side are, compared with those of the other.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
+
+use foldhash::HashMap;
 
 use crate::model::Model;
 use crate::side::without_side;

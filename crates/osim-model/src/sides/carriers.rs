@@ -1,6 +1,8 @@
 //! Spheres on limbs: those of forces that meet a floor, by body and side.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
+
+use foldhash::{HashSet, HashSetExt};
 
 use crate::contacts::{Force, ParameterSet, Sphere, SphereId};
 use crate::model::Model;

@@ -1,9 +1,9 @@
 //! What differs between the contacts of two spheres that are counterparts.
 
 use std::cell::OnceCell;
-use std::collections::HashMap;
 
 use contact_scaling::{RatioValues, Ratios};
+use foldhash::HashMap;
 use osim_messages::{readable, shown};
 
 use super::bones::{Bones, close};

@@ -7,7 +7,9 @@ mod mirror;
 mod near;
 mod pairs;
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
+
+use foldhash::{HashMap, HashMapExt};
 
 use self::bones::{Bones, close};
 use self::carriers::Users;

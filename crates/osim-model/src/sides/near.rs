@@ -1,6 +1,6 @@
 //! Places of two sets that belong together because they are near.
 
-use std::collections::HashMap;
+use foldhash::{HashMap, HashMapExt};
 
 use super::mirror::distance;
 

@@ -1,7 +1,9 @@
 //! Spheres of the two sides that belong together: by their places, since names number the spheres of some models otherwise on the left
 //! than on the right.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
+
+use foldhash::{HashMap, HashMapExt};
 
 use super::bones::Bones;
 use super::carriers::Placed;

@@ -1,7 +1,6 @@
 //! Contacts for a model that has none.
 
-use std::collections::HashMap;
-
+use foldhash::HashMap;
 use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note, Property};
 
 use super::floor::floor;

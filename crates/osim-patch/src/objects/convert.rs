@@ -1,8 +1,7 @@
 //! Forces of one class as forces of the other, one for each sphere.
 
-use std::collections::HashSet;
-
 use contact_scaling::{RatioValues, Ratios, SmoothingValues, falisse2022};
+use foldhash::HashSet;
 use osim_messages::readable;
 use osim_model::{
     ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, Property, Selected, Sphere, Tree,

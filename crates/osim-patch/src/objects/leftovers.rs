@@ -1,7 +1,6 @@
 //! Places of a file that name objects which were removed: OpenSim still reads the file, and finds less.
 
-use std::collections::{HashMap, HashSet};
-
+use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use osim_model::{ElementId, Tree, opensim_text};
 
 use super::rebuilt::{Deed, Rebuilt};

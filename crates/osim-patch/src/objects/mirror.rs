@@ -1,7 +1,6 @@
 //! Contacts of one side, on the other side too.
 
-use std::collections::HashSet;
-
+use foldhash::HashSet;
 use osim_model::{Anatomy, AnatomyJoint, Fault, Side};
 
 use super::layout::{Layout, NewContact};

@@ -1,7 +1,6 @@
 //! Names of new objects: those that OpenSim takes, each once.
 
-use std::collections::HashSet;
-
+use foldhash::HashSet;
 use osim_model::{Fault, FileId, Model, refuse_name_in_paths};
 
 use super::references::{names, references};

@@ -1,7 +1,6 @@
 //! Where the spheres are that a plan adds, once it was carried out.
 
-use std::collections::HashMap;
-
+use foldhash::HashMap;
 use osim_model::{Property, SphereId};
 
 use super::rebuilt::Deed;

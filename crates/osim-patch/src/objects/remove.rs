@@ -1,7 +1,8 @@
 //! Contacts out of a model: forces, their spheres where nothing else uses them, and what was made for them.
 
-use std::collections::{BTreeSet, HashSet};
+use std::collections::BTreeSet;
 
+use foldhash::{HashSet, HashSetExt};
 use osim_model::{
     Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, HalfSpace, Model, Note, Selected,
     SphereId, Tree, moving_spheres,

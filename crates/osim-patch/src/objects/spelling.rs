@@ -1,7 +1,6 @@
 //! How contact objects are written in documents of each version.
 
-use std::collections::HashSet;
-
+use foldhash::HashSet;
 use osim_model::{Class, Document, Fault, ForceKind, Model, Orientation, Property};
 
 use super::layout::NewContact;

@@ -1,7 +1,6 @@
 //! Spheres that other forces need as they are.
 
-use std::collections::{HashMap, HashSet};
-
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::{Fault, ForceId, Model, Needed, RadiusFrom, SphereId};
 
 /// Forces that use a sphere and are not changed with it.

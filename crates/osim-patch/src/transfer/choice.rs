@@ -1,8 +1,7 @@
 //! Which contact of a reference each sphere of a model gets.
 
-use std::collections::HashMap;
-
 use contact_scaling::{DimensionlessContact, Scale, ScaleValues};
+use foldhash::{HashMap, HashMapExt};
 use osim_model::{Fault, FaultKind, Force, Model, Needed, Selected, SphereId, moving_spheres, sphere_sets};
 
 use super::request::{Reference, ReferenceContact, Transfer};
