@@ -15,6 +15,7 @@ from ._named import Named, line
 from ._progress import following
 from ._request import MODELS, InMemory, Memory, at_home, fields_of, is_path, models_of, with_own_files
 from ._result import COLUMNS, Findings
+from ._similarity import Similarity
 from ._tables import columns_of, table
 from ._threads import jobs_of
 from .types import Progress, Sources, Table
@@ -152,6 +153,11 @@ class Survey(Named, Sequence[dict[str, Any]]):
 
     def __str__(self) -> str:
         return self.text
+
+    @property
+    def similarity(self) -> Similarity:
+        """What else of the models follows their size; empty unless `from_` (check) or `target_mass` (inspect) was given."""
+        return Similarity(self.records)
 
     def _count(self) -> str:
         """How many models there are, or which one."""

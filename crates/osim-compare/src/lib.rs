@@ -13,6 +13,7 @@
 mod follow;
 mod placement;
 mod rules;
+mod similarity;
 
 pub use follow::{
     AxisFactor, BodyFactors, Difference, FactorSource, Factors, Follow, FollowRequest, Followed, OwnRadii,
@@ -20,6 +21,10 @@ pub use follow::{
 };
 pub use placement::{Evidence, LayoutAnswer, PlacedSphere, Placement, Reach, is_stretched};
 pub use rules::RULES;
+pub use similarity::{
+    ComparedFactors, LengthFrom, ModelSize, Similarity, SimilarityRow, SizeRatios, SizeVerdict, Spread,
+    formula, moco_bounds, refuse_without_moco_phase,
+};
 
 /// The example of the README compiles.
 #[cfg(doctest)]

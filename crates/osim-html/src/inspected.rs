@@ -18,7 +18,7 @@ use super::fragment::{Fragment, table};
 use super::section::Section;
 use super::sphere_figures::{self, State};
 use super::values::file_name;
-use super::{findings, plots};
+use super::{findings, plots, similarity};
 use crate::special::{Drawn, Facts};
 
 /// A model that was inspected, and what a page shows of it.
@@ -74,6 +74,9 @@ pub(super) fn fill(fragment: &mut Fragment, inspected: Inspected<'_>, dialect: &
         fragment,
         &[State { name: String::new(), figures: &inspected.figures, is_reference: false }],
     );
+    if let Some(list) = examined.check.similarity.as_ref().or(inspected.similarity.as_ref()) {
+        similarity::section(fragment, list);
+    }
     let body = html! { (forces(inspected)) (spheres(inspected)) (standing(inspected)) (factors(inspected)) };
     fragment.section("contacts", "Forces and spheres of the model", &body);
     fragment.section("model", "The model and its files", &the_model(inspected, files));

@@ -30,6 +30,7 @@ mod run_row;
 mod section;
 mod sections;
 mod shell;
+mod similarity;
 mod special;
 mod sphere_figures;
 mod values;

@@ -36,6 +36,7 @@ mod reference_state;
 mod rules;
 mod serialized;
 pub mod series;
+mod similarity;
 mod verdicts;
 
 pub use figures::{Figure, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
@@ -58,4 +59,5 @@ pub use rules::RULES;
 #[cfg(feature = "schemas")]
 pub use serialized::ObjectSchema;
 pub use serialized::{FindingRecord, SCHEMA_VERSION};
+pub use similarity::{SizeList, SizeRow, SizeSpread, UnreadObjects};
 pub use verdicts::{Sign, Verdict};

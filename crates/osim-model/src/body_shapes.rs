@@ -51,7 +51,7 @@ fn of_body(components: &Components, body: ComponentId) -> BodyShape {
 }
 
 /// Ixx + Iyy + Izz, which documents before version 4 have in elements of their own.
-fn trace(components: &Components, body: ComponentId) -> Option<f64> {
+pub(crate) fn trace(components: &Components, body: ComponentId) -> Option<f64> {
     let moments = match numbers(components, body, "inertia").as_deref() {
         Some([xx, yy, zz, ..]) => [Some(*xx), Some(*yy), Some(*zz)],
         _ => ["inertia_xx", "inertia_yy", "inertia_zz"].map(|tag| number(components, body, tag)),

@@ -244,6 +244,11 @@ impl Document {
         self.tree.child(object, tag).or_else(|| self.default_property(self.tree.name(object), tag))
     }
 
+    /// The element of a property in the class's object in `<defaults>`, if it is there.
+    pub(crate) fn inherited_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
+        self.default_property(self.tree.name(object), tag)
+    }
+
     /// The class's object in `<defaults>` for `object`, if there is one.
     pub(crate) fn defaults_of(&self, object: ElementId) -> Option<ElementId> {
         self.default_object(self.tree.name(object)).map(|default| default.element)

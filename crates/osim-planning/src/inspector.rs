@@ -3,15 +3,15 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_compare::{Factors, Placement, ScaleFile};
-use osim_inspect::{CheckResult, InspectOptions, Inspection, ReferenceContacts, unexplained_slip};
+use osim_compare::{Factors, ModelSize, Placement, ScaleFile, Similarity, moco_bounds};
+use osim_inspect::{CheckResult, InspectOptions, Inspection, ReferenceContacts, SizeList, unexplained_slip};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
-use osim_model::{Anatomy, Fault, Finding, Model, Severity};
+use osim_model::{Anatomy, Document, Fault, Finding, MassRequest, Model, Severity};
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
-use osim_requests::{CheckRequest, InspectRequest};
+use osim_requests::{CheckRequest, InspectRequest, Kilograms};
 
 use crate::motion::{CheckedMotion, MotionRemark, MotionResult};
-use crate::opening::{open, scale_file};
+use crate::opening::{moco_setup, open, scale_file};
 use crate::remedies::Trials;
 use crate::rules::odd_mesh;
 use crate::trial::check_with_trials;
@@ -27,6 +27,8 @@ pub struct Inspector {
     /// The names of both files, where they are for the places of spheres and not for factors.
     places: Option<OriginalFiles>,
     reads: Vec<PathBuf>,
+    /// The mass of a body that is asked about, kg: what else would follow its size is listed.
+    target_mass_kg: Option<f64>,
     /// The recording that the contacts are compared with, if one is given.
     motion: Option<CheckedMotion>,
     /// Answers to questions about masses that the caller gave; `None` if the masses were asked about already.
@@ -40,6 +42,10 @@ struct Generic {
     contacts: ReferenceContacts,
     /// The Scale Tool's factors.
     file: Option<ScaleFile>,
+    /// How large it is, and what may follow that.
+    size: ModelSize,
+    /// The Moco setup of the models that are compared with it.
+    moco: Option<Document>,
 }
 
 /// Names of the files that say where spheres belong.
@@ -49,22 +55,52 @@ struct OriginalFiles {
     body_scale_file: Option<PathBuf>,
 }
 
-fn generic_model(from: &Path, body_scale_file: Option<&Path>, files: &dyn Files) -> Result<Generic, Failure> {
+fn generic_model(
+    from: &Path,
+    body_scale_file: Option<&Path>,
+    masses: &MassRequest,
+    files: &dyn Files,
+) -> Result<Generic, Failure> {
     let generic = open(from, files)?;
     let anatomy = Anatomy::of(&generic.model).map_err(|fault| generic.failure(fault))?;
     let file = body_scale_file.map(|path| scale_file(path, files)).transpose()?;
     let contacts = ReferenceContacts::of(&from.display().to_string(), &generic.model);
-    Ok(Generic { anatomy, contacts, file })
+    // What the caller says of masses is about the scaled model.
+    let masses = MassRequest { exclude_bodies: masses.exclude_bodies.clone(), ..MassRequest::default() };
+    let size = ModelSize::of(&generic.model, &masses);
+    Ok(Generic { anatomy, contacts, file, size, moco: None })
+}
+
+/// The generic model that `check` compares with, and the setups of Moco.
+fn checked_generic(
+    from: &Path,
+    request: &CheckRequest,
+    masses: &MassRequest,
+    files: &dyn Files,
+) -> Result<Generic, Failure> {
+    let mut generic = generic_model(from, request.body_scale_file.as_deref(), masses, files)?;
+    if let Some(path) = &request.moco_setup {
+        generic.moco = Some(moco_setup(path, files)?);
+    }
+    if let Some(path) = &request.from_moco_setup {
+        let model = open(from, files)?.model;
+        generic.size = generic.size.with(moco_bounds(&moco_setup(path, files)?, &model));
+    }
+    Ok(generic)
 }
 
 impl Inspector {
     /// As `inspect` is asked; reads what is needed for all models.
     #[must_use]
     pub fn of_inspect(request: &InspectRequest, files: &dyn Files) -> Self {
-        let read = |from: &Path| generic_model(from, request.body_scale_file.as_deref(), files);
+        let plain = Self::asking(&request.options);
+        let read = |from: &Path| {
+            generic_model(from, request.body_scale_file.as_deref(), &plain.options.masses, files)
+        };
         let named = request.from.iter().chain(&request.body_scale_file).cloned();
         let reads = request.options.set_files.paths().cloned().chain(named).collect();
-        Self { generic: request.from.as_deref().map(read), reads, ..Self::asking(&request.options) }
+        let target_mass_kg = request.target_mass.map(Kilograms::get);
+        Self { generic: request.from.as_deref().map(read), reads, target_mass_kg, ..plain }
     }
 
     /// As `check` is asked; reads what is needed for all models.
@@ -73,8 +109,9 @@ impl Inspector {
         let plain = Self { motion: CheckedMotion::of(request), ..Self::asking(&request.options) };
         let Some(from) = request.from.clone() else { return plain };
         let file = request.body_scale_file.clone();
-        let generic = Some(generic_model(&from, file.as_deref(), files));
-        let reads = plain.reads.iter().chain([&from]).chain(&file).cloned().collect();
+        let generic = Some(checked_generic(&from, request, &plain.options.masses, files));
+        let setups = request.moco_setup.iter().chain(&request.from_moco_setup);
+        let reads = plain.reads.iter().chain([&from]).chain(&file).chain(setups).cloned().collect();
         Self { generic, places: Some(OriginalFiles { from, body_scale_file: file }), reads, ..plain }
     }
 
@@ -87,6 +124,7 @@ impl Inspector {
             generic: None,
             places: None,
             reads: options.set_files.paths().cloned().collect(),
+            target_mass_kg: None,
             motion: None,
             answers: None,
         }
@@ -142,6 +180,10 @@ impl Inspector {
         };
         let mut inspection = self.options.inspect(opened.name(), &opened.model, factors.as_ref());
         self.compare(&opened.model, &mut inspection);
+        if let Some(kg) = self.target_mass_kg {
+            let size = ModelSize::of(&opened.model, &self.options.masses);
+            inspection.similarity = Some(Similarity::at_mass(&size, kg).into());
+        }
         Ok(inspection)
     }
 
@@ -161,8 +203,19 @@ impl Inspector {
         let found = check_with_trials(&self.options, model, inspected, &beside);
         let inspect = |name: &FileName, model: &Model| self.inspect_again(name, model);
         let mut found = Trials { options: &self.options, files, inspect: &inspect }.tried(model, found);
+        found.similarity = self.similarity(model);
         found.verdicts.extend(self.motion.as_ref().map(|motion| motion.verdict(&name.to_path(), files)));
         found
+    }
+
+    /// What else of `model` follows its size, where it is compared with the model that was scaled.
+    fn similarity(&self, model: &Model) -> Option<SizeList> {
+        let (Some(Ok(generic)), Some(_)) = (&self.generic, &self.places) else { return None };
+        let mut size = ModelSize::of(model, &self.options.masses);
+        if let Some(setup) = &generic.moco {
+            size = size.with(moco_bounds(setup, model));
+        }
+        Some(Similarity::between(&size, &generic.size).into())
     }
 
     /// What the contacts of the model at `path` do along the recording, where one was named and can be followed.

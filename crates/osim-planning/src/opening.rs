@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use osim_compare::ScaleFile;
+use osim_compare::{ScaleFile, refuse_without_moco_phase};
 use osim_model::files::{Beside, Failure, FileError, Files, ModelFiles, OpenModel};
 use osim_model::{Document, FileId};
 
@@ -37,4 +37,16 @@ pub fn scale_file(path: &Path, files: &dyn Files) -> Result<ScaleFile, Failure> 
     let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(path, fault))?;
     ScaleFile::read(&document)
         .map_err(|fault| Failure::of_fault(path, fault.in_file(FileId::MAIN).located(document.bytes())))
+}
+
+/// Reads a setup of Moco.
+///
+/// # Errors
+/// The file cannot be read, or has no problem of Moco in it.
+pub(crate) fn moco_setup(path: &Path, files: &dyn Files) -> Result<Document, Failure> {
+    let bytes = read(path, files)?;
+    let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(path, fault))?;
+    let problem = refuse_without_moco_phase(&document);
+    problem.map_err(|fault| Failure::of_fault(path, fault.in_file(FileId::MAIN)))?;
+    Ok(document)
 }

@@ -38,5 +38,6 @@ pub mod messages;
 pub mod plan;
 pub mod reproduce;
 pub mod results;
+pub mod similarity;
 
 pub use exit_status::ExitStatus;

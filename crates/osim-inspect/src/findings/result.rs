@@ -14,6 +14,7 @@ use crate::inspection::Inspection;
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
 use crate::serialized::{SCHEMA_VERSION, found_records};
+use crate::similarity::SizeList;
 use crate::verdicts::{self, Verdict};
 
 /// Everything found in one model. Serialised it is the JSON contract of `check`; `docs/reference/json.md` describes it.
@@ -42,6 +43,9 @@ pub struct CheckResult {
     #[serde(skip)]
     #[cfg_attr(feature = "schemas", schemars(skip))]
     pub steps: Vec<Request>,
+    /// What else of the model follows its size, compared with the model that was scaled, where one is named.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub similarity: Option<SizeList>,
 }
 
 /// From the worst to the least; equally bad ones in the order of the register.
@@ -118,6 +122,7 @@ impl CheckResult {
             findings,
             commands: Vec::new(),
             steps: Vec::new(),
+            similarity: None,
         }
         .with_steps_of_remedies()
     }

@@ -185,6 +185,7 @@ impl Inspection {
             body_factors: found.factors.map(|factors| factors.bodies.iter().map(inspected_factors).collect()),
             known_contacts: found.known,
             placement: None,
+            similarity: None,
             reference_contacts: None,
             figures: found.figures,
             standing: found.standing,

@@ -21,6 +21,7 @@ use crate::known::{KnownContacts, ReferenceContacts};
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
 use crate::serialized::{optional_phrase, records};
+use crate::similarity::SizeList;
 
 /// A model as it was found.
 #[derive(Debug, Clone, Serialize)]
@@ -82,6 +83,9 @@ pub struct Inspection {
     /// The contacts of that model.
     #[serde(skip)]
     pub reference_contacts: Option<ReferenceContacts>,
+    /// What else would follow its size, where another mass was asked about.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub similarity: Option<SizeList>,
     /// What the contacts do under the weight.
     pub figures: Figures,
     /// Each joint tree with spheres over a floor: where it is over it at the default pose, and what puts it on its feet.

@@ -1,5 +1,7 @@
 //! What a model says of its joints.
 
+use std::collections::HashMap;
+
 use super::joints::ModelJoint;
 use super::speeds::Speeds;
 use crate::model::Model;
@@ -11,6 +13,21 @@ impl Model {
     #[must_use]
     pub fn joints(&self) -> &[ModelJoint] {
         self.body_facts.joints.converted(self.components(), self.skeleton().ignored_joints())
+    }
+
+    /// For the name of each coordinate, whether it is an angle (else it is a length); `None` where it is neither. Of several of one
+    /// name the first counts.
+    #[must_use]
+    pub fn turning_coordinates(&self) -> HashMap<&str, Option<bool>> {
+        let mut found = HashMap::new();
+        for joint in self.joints() {
+            let motion = joint.motion(self.components());
+            for (index, coordinate) in joint.coordinates.iter().enumerate() {
+                let turns = || motion.and_then(|motion| motion.turns(index));
+                found.entry(coordinate.name.as_str()).or_insert_with(turns);
+            }
+        }
+        found
     }
 }
 

@@ -97,6 +97,18 @@ impl Motion {
         axes.iter().rfind(|axis| axis.coordinate == Some(index) && axis.is_pure).map(|axis| axis.turns)
     }
 
+    /// The same of the coordinates of any joint.
+    pub(super) fn turns(&self, index: usize) -> Option<bool> {
+        match self {
+            Self::Weld => None,
+            Self::Pin | Self::Universal | Self::Gimbal | Self::Ball | Self::Ellipsoid(_) => Some(true),
+            Self::Slider => Some(false),
+            Self::Planar => Some(index == 0),
+            Self::Free => Some(index < 3),
+            Self::Spatial(_) => self.pure_axis(index),
+        }
+    }
+
     /// The child's frame of the joint in its parent's where its coordinates have `values` and change with `speeds`.
     pub(super) fn moving(&self, values: &[f64], speeds: Speeds<'_>) -> MovingPlacement {
         let value = |index: usize| values.get(index).copied().unwrap_or(0.0);

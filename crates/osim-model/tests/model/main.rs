@@ -13,4 +13,5 @@ mod names;
 mod places;
 mod reading;
 mod sides;
+mod sized;
 mod words;

@@ -8,6 +8,7 @@ use osim_model::FindingCode;
 
 use super::verdicts;
 use crate::layout::{Colour, severity, wrapped, wrapped_with_path};
+use crate::similarity;
 
 /// The verdicts, then every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` is before each remedy.
 ///
@@ -49,6 +50,10 @@ pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
         let order = if found.commands.len() > 1 { ", one after the other" } else { "" };
         text.push_str(&format!("\nTo put it right{order}:\n"));
         text.push_str(&commands(&found.commands, prompt));
+    }
+    if let Some(list) = &found.similarity {
+        text.push('\n');
+        text.push_str(&similarity::text(list));
     }
     text
 }

@@ -9,6 +9,7 @@ use super::on_feet::sentences;
 use super::sphere_sheet;
 use crate::layout::{Colour, clipped, painted, table, wrapped};
 use crate::messages::warnings;
+use crate::similarity;
 
 /// Masses, limbs, spheres, forces, and what they do. What the inspection says is taken as it is spelled.
 #[must_use]
@@ -31,6 +32,10 @@ pub fn text(inspected: &Inspection, dialect: &dyn Dialect, colour: Colour) -> St
     if inspected.body_factors.is_some() {
         text.push('\n');
         text.push_str(&body_factors(inspected));
+    }
+    if let Some(list) = &inspected.similarity {
+        text.push('\n');
+        text.push_str(&similarity::text(list));
     }
     text.push_str(&warnings(&inspected.warnings));
     text

@@ -11,7 +11,7 @@ use super::motion::AngleChoice;
 use crate::choice::choices;
 use crate::options::{InspectionOptions, ReportOptions, SheetFormat};
 use crate::relation::Relation;
-use crate::values::path;
+use crate::values::{Kilograms, path};
 
 /// Shows what contacts models have.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -34,6 +34,9 @@ pub struct InspectRequest {
     #[serde(with = "path::optional")]
     #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub body_scale_file: Option<PathBuf>,
+    /// List what else would follow the size of a body of this mass, kg: muscles, springs, actuators
+    #[cfg_attr(feature = "clap", arg(long, value_name = "KG", allow_hyphen_values = true))]
+    pub target_mass: Option<Kilograms>,
     /// Show each of several models in full, not in one row
     #[cfg_attr(feature = "clap", arg(long))]
     pub full: bool,
@@ -99,6 +102,16 @@ pub struct CheckRequest {
     #[serde(with = "path::optional")]
     #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
     pub body_scale_file: Option<PathBuf>,
+    /// With `from`: list what else follows size in this Moco setup (.omoco), too
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub moco_setup: Option<PathBuf>,
+    /// With `moco_setup`: the Moco setup of the generic model, to compare with
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub from_moco_setup: Option<PathBuf>,
     /// Say whether the contacts fit this motion (.mot, .sto), too
     #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
     #[serde(with = "path::optional")]
@@ -138,6 +151,8 @@ impl CheckRequest {
         &[
             Relation::Required("models"),
             Relation::Needs("body_scale_file", "from"),
+            Relation::Needs("moco_setup", "from"),
+            Relation::Needs("from_moco_setup", "moco_setup"),
             Relation::Needs("motion", "plates"),
             Relation::Needs("plates", "motion"),
             Relation::Needs("loads", "motion"),

@@ -20,18 +20,20 @@ const OF_PLAN: [&str; 2] = ["dry_run", "report"];
 const OF_ROW: [&str; 2] = ["output", "geometry_output"];
 
 /// Fields with names of files or folders, in which Python's `~` is the home folder.
-const PATHS: [&str; 22] = [
+const PATHS: [&str; 24] = [
     "body_scale_file",
     "compare",
     "contacts",
     "data",
     "file",
     "from",
+    "from_moco_setup",
     "geometry",
     "geometry_dir",
     "geometry_output",
     "loads",
     "manifest",
+    "moco_setup",
     "model",
     "models",
     "motion",

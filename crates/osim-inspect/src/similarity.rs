@@ -1,0 +1,154 @@
+//! What else follows the size of a body, for JSON, tables and reports.
+
+use osim_compare::{LengthFrom, Similarity, SimilarityRow, Spread, formula};
+use osim_model::NotRead;
+#[cfg(feature = "schemas")]
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What else of a model follows the size of its body, beside its contacts: by what factor geometric similarity would change each kind
+/// of number, and by what factor it changed. Nothing of it is ever changed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct SizeList {
+    /// The mass of the original, kg; without an original that of the model.
+    pub original_mass_kg: Option<f64>,
+    /// The mass of the model, kg; without an original the one that was asked for.
+    pub mass_kg: Option<f64>,
+    /// M, the second mass over the first.
+    pub mass_ratio: Option<f64>,
+    /// L, the ratio of lengths.
+    pub length_ratio: Option<f64>,
+    /// Where L comes from: `joints`, the summed distances between the joints of each body, or `mass`, the cube root of M.
+    pub length_source: &'static str,
+    /// The bodies whose joints were compared.
+    pub compared_bodies: usize,
+    /// The ratio of gravities, which is 1 in nearly all pairs: times are taken to go with √(L / gravity).
+    pub gravity_ratio: Option<f64>,
+    /// A row for each kind of number that the model has.
+    pub kinds: Vec<SizeRow>,
+    /// Objects of the model whose numbers have no counterpart of that name in the original.
+    pub only_in_model: Vec<String>,
+    /// The same the other way round.
+    pub only_in_original: Vec<String>,
+    /// What is not read.
+    pub not_read: Vec<UnreadObjects>,
+}
+
+/// The numbers of one kind.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct SizeRow {
+    /// A short stable name.
+    pub kind: &'static str,
+    /// The same for people.
+    pub description: &'static str,
+    /// The unit of the numbers.
+    pub unit: &'static str,
+    /// How many the model has; each direction of a bushing is one.
+    pub count: usize,
+    /// The numbers of the model.
+    pub value: SizeSpread,
+    /// How many have a counterpart in the original; null without an original.
+    pub pairs: Option<usize>,
+    /// How many of these are the same in both.
+    pub same: Option<usize>,
+    /// New number over old one, where the old one is not 0.
+    pub factor: Option<SizeSpread>,
+    /// The factor that geometric similarity gives; null where a mass is not known.
+    pub similarity_factor: Option<f64>,
+    /// The same at equal gravity, as a formula of the ratios of mass M and length L.
+    pub similarity_formula: String,
+    /// `follows` similarity, `left` at the old size, `partly-left`, `other`, `undecided` where it would change next to
+    /// nothing, `not-compared`; null without an original.
+    pub verdict: Option<&'static str>,
+    /// The same for people.
+    #[serde(skip)]
+    #[cfg_attr(feature = "schemas", schemars(skip))]
+    pub verdict_words: &'static str,
+}
+
+/// Many numbers in three.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct SizeSpread {
+    /// The median.
+    pub median: f64,
+    /// The least.
+    pub min: f64,
+    /// The greatest.
+    pub max: f64,
+}
+
+/// Objects with numbers that are not read.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct UnreadObjects {
+    /// OpenSim's class, or the part of a file.
+    pub class: String,
+    /// How many.
+    pub count: usize,
+    /// What of them is not read.
+    pub why: &'static str,
+}
+
+impl SizeList {
+    /// Whether it compares two models; else it says what would follow a mass.
+    #[must_use]
+    pub fn is_of_two_models(&self) -> bool {
+        self.kinds.iter().any(|row| row.verdict.is_some())
+    }
+}
+
+impl From<Similarity> for SizeList {
+    fn from(found: Similarity) -> Self {
+        let [original_mass_kg, mass_kg] = found.masses_kg;
+        let (length_source, compared_bodies) = match found.length_from {
+            LengthFrom::Joints(bodies) => ("joints", bodies),
+            _ => ("mass", 0),
+        };
+        let unread = |NotRead { class, count, why, .. }| UnreadObjects { class, count, why };
+        Self {
+            original_mass_kg,
+            mass_kg,
+            mass_ratio: found.ratios.map(|ratios| ratios.mass),
+            length_ratio: found.ratios.map(|ratios| ratios.length),
+            length_source,
+            compared_bodies,
+            gravity_ratio: found.ratios.map(|ratios| ratios.gravity),
+            kinds: found.rows.into_iter().map(SizeRow::from).collect(),
+            only_in_model: found.only_in_model,
+            only_in_original: found.only_in_original,
+            not_read: found.not_read.into_iter().map(unread).collect(),
+        }
+    }
+}
+
+impl From<SimilarityRow> for SizeRow {
+    fn from(row: SimilarityRow) -> Self {
+        Self {
+            kind: row.kind.as_str(),
+            description: row.kind.words(),
+            unit: row.kind.unit(),
+            count: row.count,
+            value: row.values.into(),
+            pairs: row.compared.as_ref().map(|compared| compared.pairs),
+            same: row.compared.as_ref().map(|compared| compared.same),
+            factor: row.compared.and_then(|compared| compared.factors).map(SizeSpread::from),
+            similarity_factor: row.similar,
+            similarity_formula: formula(row.kind.dimension()),
+            verdict: row.verdict.map(|verdict| verdict.as_str()),
+            verdict_words: row.verdict.map(|verdict| verdict.words()).unwrap_or_default(),
+        }
+    }
+}
+
+impl From<Spread> for SizeSpread {
+    fn from(Spread { median, min, max }: Spread) -> Self {
+        Self { median, min, max }
+    }
+}

@@ -1,0 +1,145 @@
+//! The kinds of numbers that follow the size of a body, and their dimensions.
+
+/// A dimension: the powers of mass, length and time in a unit. N, which is kg m s^-2, is `1, 1, -2`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Dimension {
+    /// The power of kg.
+    pub mass: i8,
+    /// The power of m.
+    pub length: i8,
+    /// The power of s.
+    pub time: i8,
+}
+
+const fn powers(mass: i8, length: i8, time: i8) -> Dimension {
+    Dimension { mass, length, time }
+}
+
+macro_rules! kinds {
+    ($($(#[$doc:meta])* $name:ident, $code:literal, $words:literal, $unit:literal, $mass:literal $length:literal $time:literal;)*) => {
+        /// What a number is, in the order in which lists have them.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[non_exhaustive]
+        pub enum SizedKind {
+            $($(#[$doc])* $name,)*
+        }
+
+        impl SizedKind {
+            /// All of them.
+            pub const ALL: &'static [Self] = &[$(Self::$name,)*];
+
+            /// As a word for scripts.
+            #[must_use]
+            pub const fn as_str(self) -> &'static str {
+                match self { $(Self::$name => $code,)* }
+            }
+
+            /// For people.
+            #[must_use]
+            pub const fn words(self) -> &'static str {
+                match self { $(Self::$name => $words,)* }
+            }
+
+            /// Its unit in OpenSim; an angle counts as 1.
+            #[must_use]
+            pub const fn unit(self) -> &'static str {
+                match self { $(Self::$name => $unit,)* }
+            }
+
+            /// Its dimension.
+            #[must_use]
+            pub const fn dimension(self) -> Dimension {
+                match self { $(Self::$name => powers($mass, $length, $time),)* }
+            }
+        }
+    };
+}
+
+kinds! {
+    /// The trace of the inertia of a body.
+    Inertia, "inertia", "inertia of body", "kg m²", 1 2 0;
+    /// `max_isometric_force` of a muscle.
+    MaxIsometricForce, "max_isometric_force", "max isometric force", "N", 1 1 -2;
+    /// `optimal_fiber_length` of a muscle.
+    OptimalFiberLength, "optimal_fiber_length", "optimal fiber length", "m", 0 1 0;
+    /// `tendon_slack_length` of a muscle.
+    TendonSlackLength, "tendon_slack_length", "tendon slack length", "m", 0 1 0;
+    /// `max_contraction_velocity` of a muscle, in optimal fiber lengths per second.
+    MaxContractionVelocity, "max_contraction_velocity", "max contraction velocity", "1/s", 0 0 -1;
+    /// `activation_time_constant` of a muscle.
+    ActivationTime, "activation_time_constant", "activation time", "s", 0 0 1;
+    /// `deactivation_time_constant` of a muscle.
+    DeactivationTime, "deactivation_time_constant", "deactivation time", "s", 0 0 1;
+    /// `time_scale` of a muscle of a deprecated class.
+    TimeScale, "time_scale", "time scale of muscle", "s", 0 0 1;
+    /// Slack or resting length of a ligament.
+    LigamentLength, "ligament_length", "ligament slack length", "m", 0 1 0;
+    /// `pcsa_force` of a ligament, or `linear_stiffness`, the force per strain.
+    LigamentForce, "ligament_force", "ligament force", "N", 1 1 -2;
+    /// `damping_coefficient` of a ligament, which multiplies its strain per second.
+    LigamentDamping, "ligament_damping", "ligament damping time", "s", 0 0 1;
+    /// `stiffness` of a spring between points or along a path.
+    SpringStiffness, "spring_stiffness", "spring stiffness", "N/m", 1 0 -2;
+    /// Rest length of such a spring.
+    SpringLength, "spring_length", "spring rest length", "m", 0 1 0;
+    /// `dissipation` of a spring along a path.
+    SpringDissipation, "spring_dissipation", "spring dissipation", "s/m", 0 -1 1;
+    /// `relaxation_time_constant` of a spring with a clutch.
+    SpringTime, "spring_time", "spring time constant", "s", 0 0 1;
+    /// `translational_stiffness` of a bushing.
+    BushingStiffness, "bushing_stiffness", "bushing stiffness", "N/m", 1 0 -2;
+    /// `rotational_stiffness` of a bushing.
+    BushingRotationalStiffness, "bushing_rotational_stiffness", "bushing rotational stiffness", "N m/rad", 1 2 -2;
+    /// `translational_damping` of a bushing.
+    BushingDamping, "bushing_damping", "bushing damping", "N s/m", 1 0 -1;
+    /// `rotational_damping` of a bushing.
+    BushingRotationalDamping, "bushing_rotational_damping", "bushing rotational damping", "N m s/rad", 1 2 -1;
+    /// `stiffness` of a spring on an angle.
+    CoordinateRotationalStiffness, "coordinate_rotational_stiffness", "stiffness on angle", "N m/rad", 1 2 -2;
+    /// `viscosity` of a spring on an angle.
+    CoordinateRotationalDamping, "coordinate_rotational_damping", "viscosity on angle", "N m s/rad", 1 2 -1;
+    /// `stiffness` of a spring on a translation.
+    CoordinateStiffness, "coordinate_stiffness", "stiffness on translation", "N/m", 1 0 -2;
+    /// `viscosity` of a spring on a translation.
+    CoordinateDamping, "coordinate_damping", "viscosity on translation", "N s/m", 1 0 -1;
+    /// `rest_length` of a spring on a translation.
+    CoordinateLength, "coordinate_length", "rest length on translation", "m", 0 1 0;
+    /// `upper_stiffness` and `lower_stiffness` of a limit of an angle.
+    LimitRotationalStiffness, "limit_rotational_stiffness", "limit stiffness, angle", "N m/degree", 1 2 -2;
+    /// `damping` of a limit of an angle.
+    LimitRotationalDamping, "limit_rotational_damping", "limit damping, angle", "N m s/degree", 1 2 -1;
+    /// `upper_stiffness` and `lower_stiffness` of a limit of a translation.
+    LimitStiffness, "limit_stiffness", "limit stiffness, translation", "N/m", 1 0 -2;
+    /// `damping` of a limit of a translation.
+    LimitDamping, "limit_damping", "limit damping, translation", "N s/m", 1 0 -1;
+    /// `upper_limit`, `lower_limit` and `transition` of a limit of a translation.
+    LimitLength, "limit_length", "limit length, translation", "m", 0 1 0;
+    /// `optimal_force` of an actuator that pulls or pushes.
+    ActuatorForce, "actuator_force", "actuator force", "N", 1 1 -2;
+    /// `optimal_force` of an actuator that turns.
+    ActuatorTorque, "actuator_torque", "actuator torque", "N m", 1 2 -2;
+    /// `activation_time_constant` of an actuator.
+    ActuatorTime, "actuator_time", "actuator activation time", "s", 0 0 1;
+    /// Bounds of the times at which a Moco problem begins and ends.
+    MocoTime, "moco_time", "Moco bound of time", "s", 0 0 1;
+    /// Moco's bounds of translations.
+    MocoTranslation, "moco_translation", "Moco bound of translation", "m", 0 1 0;
+    /// Moco's bounds of the speeds of translations.
+    MocoSpeed, "moco_speed", "Moco bound of speed", "m/s", 0 1 -1;
+    /// Moco's bounds of the speeds of angles.
+    MocoAngularSpeed, "moco_angular_speed", "Moco bound of angular speed", "rad/s", 0 0 -1;
+}
+
+impl SizedKind {
+    /// Whether it is a bound of a Moco problem, which is in a file beside the model.
+    #[must_use]
+    pub const fn is_of_moco(self) -> bool {
+        matches!(self, Self::MocoTime | Self::MocoTranslation | Self::MocoSpeed | Self::MocoAngularSpeed)
+    }
+
+    /// Its place in lists.
+    #[must_use]
+    pub const fn order(self) -> usize {
+        self as usize
+    }
+}
