@@ -9,6 +9,9 @@ function results = check(varargin)
 %     from: The generic model this one was scaled from: see whether its spheres followed their bodies.
 %         Takes a text.
 %     body_scale_file: With from: the ScaleSet that the Scale Tool applied. Takes a text.
+%     moco_setup: With from: list what else follows size in this Moco setup (.omoco), too. Takes a text.
+%     from_moco_setup: With moco_setup: the Moco setup of the generic model, to compare with. Takes a
+%         text.
 %     motion: Say whether the contacts fit this motion (.mot, .sto), too. Takes a text.
 %     plates: With motion: the ground reactions that force plates measured (.mot, .sto). Takes a text.
 %     loads: With motion: OpenSim's ExternalLoads (.xml). Takes a text.
@@ -42,8 +45,8 @@ function results = check(varargin)
 %         'findings', one with a row for each of its entries. In GNU Octave, which has no tables, a
 %         struct of columns.
 %
-%   RESULTS: an array of structs with the fields model, counts, verdicts, findings, commands.
-%   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
+%   RESULTS: an array of structs with the fields model, counts, verdicts, findings, commands,
+%   similarity. docs/json.md says what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       seen = osimcontact.check({'human.osim', 'emu.osim'});

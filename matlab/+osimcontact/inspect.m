@@ -8,6 +8,8 @@ function results = inspect(varargin)
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
 %     from: The generic model this one was scaled from: show each body's factors. Takes a text.
 %     body_scale_file: With from: the ScaleSet that the Scale Tool applied. Takes a text.
+%     target_mass: List what else would follow the size of a body of this mass, kg: muscles, springs,
+%         actuators. Takes a number.
 %     report: Write a page for browsers too (.html): tables, plots, findings. Takes a text.
 %     force: Replace an existing report. Takes true or false.
 %     spheres: Spheres that share the body weight, all stance limbs together [default: as found per
@@ -38,8 +40,8 @@ function results = inspect(varargin)
 %
 %   RESULTS: an array of structs with the fields model, document_version, name, mass_kg, gravity_m_s2,
 %   contacts_mass_kg, note, limbs, stance_limbs, spheres_per_limb, limbs_unknown, spheres, forces,
-%   warnings, bodies, body_factors, known_contacts, figures, standing, why_no_standing.
-%   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
+%   warnings, bodies, body_factors, known_contacts, similarity, figures, standing, why_no_standing.
+%   docs/json.md says what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       seen = osimcontact.inspect({'human.osim', 'emu.osim'});

@@ -24,7 +24,8 @@ MODELS = ("from", "geometry", "model", "compare")
 #: Fields that are names of files or folders, in which `~` is the home folder.
 PATHS = {
     "body_scale_file", "compare", "contacts", "data", "file", "from", "from_moco_setup", "geometry", "geometry_dir", "geometry_output",
-    "loads", "manifest", "moco_setup", "model", "models", "motion", "output", "output_dir", "plates", "presets", "report", "subject", "summary", "table",
+    "loads", "manifest", "moco_setup", "model", "models", "motion", "output", "output_dir", "plates", "presets", "report", "subject",
+    "summary", "table",
 }  # fmt: skip
 
 

@@ -66,6 +66,13 @@ class Similarity(Sequence[dict[str, Any]]):
     def __len__(self) -> int:
         return len(self.records)
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Similarity):
+            return NotImplemented
+        return (self._models, self.records) == (other._models, other.records)
+
+    __hash__ = None  # type: ignore[assignment]
+
     @property
     def table(self) -> Table:
         """A row for each kind of number of each model: how many, the factor found, that of similarity, and the verdict."""

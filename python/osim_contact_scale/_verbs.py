@@ -299,6 +299,8 @@ def check(
     *,
     from_: Source | None = None,
     body_scale_file: StrPath | None = None,
+    moco_setup: StrPath | None = None,
+    from_moco_setup: StrPath | None = None,
     motion: StrPath | None = None,
     plates: StrPath | None = None,
     loads: StrPath | None = None,
@@ -331,6 +333,10 @@ def check(
         The generic model this one was scaled from: see whether its spheres followed their bodies.
     body_scale_file : path, optional
         With `from_`: the ScaleSet that the Scale Tool applied.
+    moco_setup : path, optional
+        With `from_`: list what else follows size in this Moco setup (.omoco), too.
+    from_moco_setup : path, optional
+        With `moco_setup`: the Moco setup of the generic model, to compare with.
     motion : path, optional
         Say whether the contacts fit this motion (.mot, .sto), too.
     plates : path, optional
@@ -389,7 +395,7 @@ def check(
     >>> ocs.check("fixtures/scale_tool/scaled_smooth.osim", from_="fixtures/scale_tool/generic_smooth.osim").findings[0].code
     'spheres-left-behind'
     """
-    keywords = {"from": from_, "body_scale_file": body_scale_file, "motion": motion, "plates": plates, "loads": loads, "angles": angles, "report": report, "force": force or None, "spheres": spheres, "stance_limbs": stance_limbs, "impact_speed": impact_speed, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
+    keywords = {"from": from_, "body_scale_file": body_scale_file, "moco_setup": moco_setup, "from_moco_setup": from_moco_setup, "motion": motion, "plates": plates, "loads": loads, "angles": angles, "report": report, "force": force or None, "spheres": spheres, "stance_limbs": stance_limbs, "impact_speed": impact_speed, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
     return _run.survey("check", sources, keywords, jobs, progress)  # type: ignore[no-any-return]
 
 
@@ -856,6 +862,7 @@ def inspect(
     *,
     from_: Source | None = None,
     body_scale_file: StrPath | None = None,
+    target_mass: float | None = None,
     report: StrPath | None = None,
     force: bool = False,
     spheres: int | None = None,
@@ -884,6 +891,8 @@ def inspect(
         The generic model this one was scaled from: show each body's factors.
     body_scale_file : path, optional
         With `from_`: the ScaleSet that the Scale Tool applied.
+    target_mass : float, optional
+        List what else would follow the size of a body of this mass, kg: muscles, springs, actuators.
     report : path, optional
         Write a page for browsers too (.html): tables, plots, findings.
     force : bool, optional
@@ -934,7 +943,7 @@ def inspect(
     >>> ocs.inspect("fixtures/table1/human_62kg_smooth_sphere.osim")[0]["mass_kg"]
     62.0
     """
-    keywords = {"from": from_, "body_scale_file": body_scale_file, "report": report, "force": force or None, "spheres": spheres, "stance_limbs": stance_limbs, "impact_speed": impact_speed, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
+    keywords = {"from": from_, "body_scale_file": body_scale_file, "target_mass": target_mass, "report": report, "force": force or None, "spheres": spheres, "stance_limbs": stance_limbs, "impact_speed": impact_speed, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
     return _run.survey("inspect", sources, keywords, jobs, progress)  # type: ignore[no-any-return]
 
 

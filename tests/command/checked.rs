@@ -17,6 +17,7 @@ pub(crate) struct Report {
     verdicts: Vec<Value>,
     pub(crate) findings: Vec<Finding>,
     pub(crate) commands: Vec<String>,
+    similarity: Option<Value>,
 }
 
 /// The report of one model, whatever the exit status.
@@ -27,6 +28,7 @@ pub(crate) fn report(bench: &Bench, arguments: &str) -> Report {
         .unwrap_or_else(|error| panic!("{error}: {}{}", ran.out(), ran.err()));
     let on: Vec<&str> = report.verdicts.iter().filter_map(|verdict| verdict["on"].as_str()).collect();
     assert_eq!(on, ["floor", "standing", "mass", "sides", "sizes", "solver"]);
+    assert_eq!(report.similarity.is_some(), arguments.contains("--from"), "{arguments}");
     report
 }
 

@@ -28,6 +28,7 @@ mod explained;
 mod figures;
 mod files;
 mod floors;
+mod followed_size;
 mod html;
 mod inspected;
 mod json;

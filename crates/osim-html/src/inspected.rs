@@ -74,7 +74,9 @@ pub(super) fn fill(fragment: &mut Fragment, inspected: Inspected<'_>, dialect: &
         fragment,
         &[State { name: String::new(), figures: &inspected.figures, is_reference: false }],
     );
-    if let Some(list) = examined.check.similarity.as_ref().or(inspected.similarity.as_ref()) {
+    let asked = inspected.similarity.as_ref();
+    let compared = examined.check.similarity.as_ref().filter(|list| list.is_worth_showing());
+    if let Some(list) = compared.or(asked) {
         similarity::section(fragment, list);
     }
     let body = html! { (forces(inspected)) (spheres(inspected)) (standing(inspected)) (factors(inspected)) };

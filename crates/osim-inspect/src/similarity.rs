@@ -1,7 +1,7 @@
 //! What else follows the size of a body, for JSON, tables and reports.
 
 use osim_compare::{LengthFrom, Similarity, SimilarityRow, Spread, formula};
-use osim_model::NotRead;
+use osim_model::{NotRead, SizedKind};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -97,6 +97,13 @@ pub struct UnreadObjects {
 }
 
 impl SizeList {
+    /// Whether there is something to list beside bodies: models that have contacts and no muscle, spring or actuator have nothing.
+    #[must_use]
+    pub fn is_worth_showing(&self) -> bool {
+        let more_than_bodies = self.kinds.iter().any(|row| row.kind != SizedKind::Inertia.as_str());
+        more_than_bodies || !self.not_read.is_empty()
+    }
+
     /// Whether it compares two models; else it says what would follow a mass.
     #[must_use]
     pub fn is_of_two_models(&self) -> bool {

@@ -75,6 +75,7 @@ inputs! {
     Format = "format", "how to print";
     Friction = "friction", "scale friction speeds too";
     From = "from", "where the contacts come from";
+    FromMocoSetup = "from_moco_setup", "Moco setup of the original";
     Full = "full", "every model in full";
     Geometry = "geometry", "file of the contact geometry set";
     GeometryDir = "geometry_dir", "folder of the bones' meshes";
@@ -103,6 +104,7 @@ inputs! {
     LowPass = "low_pass", "cutoff of the low-pass filter";
     Mass = "mass", "mass of the model";
     Mirror = "mirror", "axis of the mirror";
+    MocoSetup = "moco_setup", "Moco setup";
     Model = "model", "file of the model";
     Motion = "motion", "motion of the model";
     MovedSpheres = "moved_spheres", "spheres that were moved already";

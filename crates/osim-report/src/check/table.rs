@@ -51,7 +51,7 @@ pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
         text.push_str(&format!("\nTo put it right{order}:\n"));
         text.push_str(&commands(&found.commands, prompt));
     }
-    if let Some(list) = &found.similarity {
+    if let Some(list) = found.similarity.as_ref().filter(|list| list.is_worth_showing()) {
         text.push('\n');
         text.push_str(&similarity::text(list));
     }
