@@ -1,4 +1,4 @@
-//! What of a model tells its size, and what may follow it.
+//! What of a model shows its size, and what may follow it.
 
 use std::collections::BTreeMap;
 

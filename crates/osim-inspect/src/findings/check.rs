@@ -45,7 +45,7 @@ pub fn check_model(
     CheckResult::new(model, inspected, found)
 }
 
-/// Findings that a change of numbers of contacts can raise or mend, in the order of [`CheckResult::findings`], without remedies: what
+/// Findings that a change of numbers of contacts can raise or correct, in the order of [`CheckResult::findings`], without remedies: what
 /// floors and gravity show stays as it was.
 #[must_use]
 pub fn check_numbers(options: &InspectOptions, model: &Model, inspected: &Inspection) -> Vec<Found> {

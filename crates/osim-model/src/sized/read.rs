@@ -62,7 +62,7 @@ pub struct SizedValues {
 }
 
 impl SizedValues {
-    /// Those of `model`, as OpenSim takes them: from the object, else `<defaults>`, else the class. What is no finite number is left
+    /// Those of `model`, as OpenSim takes them: from the object, else `<defaults>`, else the class. What is not a finite number is left
     /// out.
     ///
     /// ```
