@@ -6,8 +6,8 @@ function results = check(varargin)
 %       texts.
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
-%     from: The generic model this one was scaled from: see whether its spheres followed their bodies.
-%         Takes a text.
+%     from: The generic model this one was scaled from: whether its spheres followed, and what else
+%         follows size. Takes a text.
 %     body_scale_file: With from: the ScaleSet that the Scale Tool applied. Takes a text.
 %     moco_setup: With from: list what else follows size in this Moco setup (.omoco), too. Takes a text.
 %     from_moco_setup: With moco_setup: the Moco setup of the generic model, to compare with. Takes a

@@ -330,7 +330,7 @@ def check(
     sources : path or list
         One or several: paths of models or folders, bytes, results, live models.
     from_ : path, bytes or opensim.Model, optional
-        The generic model this one was scaled from: see whether its spheres followed their bodies.
+        The generic model this one was scaled from: whether its spheres followed, and what else follows size.
     body_scale_file : path, optional
         With `from_`: the ScaleSet that the Scale Tool applied.
     moco_setup : path, optional

@@ -1,6 +1,6 @@
 //! What else follows the size of a body, for JSON, tables and reports.
 
-use osim_compare::{LengthFrom, Similarity, SimilarityRow, Spread, formula};
+use osim_compare::{LengthFrom, Similarity, SimilarityRow, SizeVerdict, Spread, formula};
 use osim_model::{NotRead, SizedKind};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -148,8 +148,8 @@ impl From<SimilarityRow> for SizeRow {
             factor: row.compared.and_then(|compared| compared.factors).map(SizeSpread::from),
             similarity_factor: row.similar,
             similarity_formula: formula(row.kind.dimension()),
-            verdict: row.verdict.map(|verdict| verdict.as_str()),
-            verdict_words: row.verdict.map(|verdict| verdict.words()).unwrap_or_default(),
+            verdict: row.verdict.map(SizeVerdict::as_str),
+            verdict_words: row.verdict.map(SizeVerdict::words).unwrap_or_default(),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What of a model shows its size, and what may follow it.
+//! How large a model is, and what may follow its size.
 
 use std::collections::BTreeMap;
 

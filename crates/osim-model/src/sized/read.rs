@@ -62,8 +62,8 @@ pub struct SizedValues {
 }
 
 impl SizedValues {
-    /// Those of `model`, as OpenSim takes them: from the object, else `<defaults>`, else the class. What is not a finite number is left
-    /// out.
+    /// Those of `model`, as OpenSim takes them: from the object, else `<defaults>`, else the class. A number that is not finite is
+    /// left out.
     ///
     /// ```
     /// use osim_model::{Model, SizedKind, SizedValues};
@@ -134,7 +134,7 @@ impl Reader<'_> {
     /// Whether the coordinate on which a force acts turns; `None` where it is not known, or does neither.
     fn turns(&mut self, document: &Document, force: ElementId) -> Option<bool> {
         let named = document.tree().text_of(document.property_element(force, "coordinate")?);
-        let name = named.trim().rsplit('/').next()?;
+        let name = opensim_text::trimmed(&named).rsplit('/').next()?;
         let model = self.model;
         let turns = self.turns.get_or_insert_with(|| model.turning_coordinates());
         turns.get(name).copied().flatten()

@@ -92,7 +92,7 @@ pub struct CheckRequest {
     #[serde(with = "path::list")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
     pub models: Vec<PathBuf>,
-    /// The generic model this one was scaled from: see whether its spheres followed their bodies
+    /// The generic model this one was scaled from: whether its spheres followed, and what else follows size
     #[cfg_attr(feature = "clap", arg(long, value_name = "MODEL"))]
     #[serde(with = "path::optional")]
     #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
