@@ -16,13 +16,23 @@ NAMES = {1.0: "62 kg", 8.0: "496 kg", 0.125: "7.75 kg"}
 TITLES = {"rescaled": "contacts transferred", "left": "contacts left behind"}
 
 
-def finest(rows):
-    """The rows of each case with its finest mesh."""
-    best = {}
-    for row in rows:
-        key = (float(row["mass"]), row["contacts"])
-        best.setdefault(key, {}).setdefault(int(row["mesh"]), []).append(row)
-    return {key: meshes[max(meshes)] for key, meshes in best.items()}
+SHOWN = {
+    (1.0, "rescaled"): "30",
+    (8.0, "rescaled"): "30",
+    (0.125, "rescaled"): "30",
+    (8.0, "left"): "30",
+    (0.125, "left"): "15",
+}
+
+
+def shown(rows):
+    """The rows of each case at the mesh that the figure has; from the original's solution where there is such a search."""
+    found = {}
+    for key, mesh in SHOWN.items():
+        own = [row for row in rows if (float(row["mass"]), row["contacts"], row["mesh"]) == (*key, mesh)]
+        starts = sorted({row["start"] for row in own}, key=("reference", "half", "original").index)
+        found[key] = [row for row in own if row["start"] == starts[-1]] if starts else None
+    return found
 
 
 def draw(rows, folder):
@@ -30,7 +40,7 @@ def draw(rows, folder):
     folder.mkdir(parents=True, exist_ok=True)
     matplotlib.rcParams.update({"svg.hashsalt": "muscles", "font.size": 8, "path.simplify_threshold": 0.2})
     figure, axes = pyplot.subplots(len(PANELS), 2, figsize=(7.5, 7.2), sharex=True, sharey="row", layout="constrained")
-    cases = finest(rows)
+    cases = shown(rows)
     for column, kind in zip(axes.T, TITLES):
         column[0].set_title(TITLES[kind])
         column[-1].set_xlabel("time / s, at the size of the original")

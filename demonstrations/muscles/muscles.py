@@ -33,40 +33,56 @@ def solve(given):
     opensim.Logger.setLevelString("Warn")
     for mass, kind in cases(given.mass or MASSES, given.contacts):
         for mesh in given.meshes:
-            if not _there(given.table, mass, kind, mesh):
-                row, series = search(given.moco, given.results, mass, kind, mesh)
-                _append(given.table, [row])
-                _append(given.curves, [{**_key(mass, kind, mesh), **one} for one in _rows(series)])
+            start = "original" if given.from_original else "reference" if mesh == MESH else "half"
+            key = {"mass": mass, "contacts": kind, "mesh": mesh, "start": start}
+            if not any(_same(row, key) for row in read(given.table)):
+                numbers, series = search(given.moco, given.results, **key)
+                _append(given.table, [key | numbers])
+                _append(given.curves, [key | one for one in _rows(series)])
 
 
-def search(moco, results, mass, kind, mesh, most=MOST):
-    """One search: its row, and its curves without dimensions.
+def search(moco, results, mass, contacts, mesh, start, most=MOST):
+    """One search: its numbers, and its curves without dimensions.
 
-    With more than the first mesh it starts from the solution of half the mesh, which has to be in the results.
+    Parameters
+    ----------
+    moco, results : Path
+        The folder with Moco's files, and that for models and solutions.
+    mass : float
+        Factor of mass.
+    contacts : str
+    mesh : int
+        Intervals.
+    start : str
+        `"reference"`; `"half"`, the solution with half the mesh; or `"original"`, that of the original with the same mesh, scaled.
+        Solutions have to be in `results`.
     """
     import sizes
     from forward import forward
+    from track import scaled
     from track import solve as solved
 
     moco, results = Path(moco).absolute(), Path(results).absolute()
     size = sizes.Size(mass)
-    model = sizes.of_mass(moco / sizes.MODEL, results / "models", size)[kind]
-    name = f"{kind}_{mass:g}"
-    guess = results / f"{name}_{mesh // 2}.sto" if mesh > MESH else None
-    numbers, series = solved(model, moco, results, size, mesh, most, guess, f"{name}_{mesh}")
-    return _key(mass, kind, mesh) | numbers | forward(model, results / f"{name}_{mesh}.sto", size), series
+    model = sizes.of_mass(moco / sizes.MODEL, results / "models", size)[contacts]
+    name = f"{contacts}_{mass:g}_{mesh}" + "_from_original" * (start == "original")
+    guess = None
+    if start == "half":
+        guess = results / f"{contacts}_{mass:g}_{mesh // 2}.sto"
+    elif start == "original":
+        guess = scaled(results / f"rescaled_1_{mesh}.sto", results / f"{name}_guess.sto", size)
+    numbers, series = solved(model, moco, results, size, mesh, most, guess, name)
+    return numbers | forward(model, results / f"{name}.sto", size), series
 
 
-def _key(mass, kind, mesh):
-    return {"mass": mass, "contacts": kind, "mesh": mesh}
+def _same(row, key):
+    return all(
+        str(row[name]) == f"{value:g}" if name == "mass" else row[name] == str(value) for name, value in key.items()
+    )
 
 
 def _rows(series):
     return [dict(zip(series, values)) for values in zip(*series.values())]
-
-
-def _there(path, mass, kind, mesh):
-    return any((float(row["mass"]), row["contacts"], int(row["mesh"])) == (mass, kind, mesh) for row in read(path))
 
 
 def read(path):
@@ -106,6 +122,7 @@ def main():
     one.add_argument("--mass", type=float, nargs="+", help="only these factors of mass")
     one.add_argument("--contacts", nargs="+", choices=("rescaled", "left", "no_friction"))
     one.add_argument("--meshes", type=int, nargs="+", default=(MESH, 2 * MESH), help="15, then 30, then 60 intervals")
+    one.add_argument("--from-original", action="store_true", help="start from the original's solution, scaled")
     one.add_argument("--table", type=Path, default=TABLE)
     one.add_argument("--curves", type=Path, default=CURVES)
     one.set_defaults(run=solve)

@@ -4,28 +4,48 @@ import numpy as np
 
 BEGIN, END = "<!-- begin muscles -->\n", "<!-- end muscles -->"
 ANGLES = ("hip_flexion_r", "knee_angle_r", "ankle_angle_r", "hip_flexion_l", "knee_angle_l", "ankle_angle_l")
-FORCES = ("up_r", "up_l")
-NAMES = {"rescaled": "transferred", "left": "left", "no_friction": "no friction"}
-HEAD = ("mass (kg)", "contacts", "mesh", "solved after", "cost", "peak force", "angles off", "force off")
-HEAD += ("deepest x/R", "lowest sole (mm)", "forward")
+NAMES = {"rescaled": "transferred", "left": "left", "no_friction": "no `--friction`"}
+MESHES = ("15", "30", "60")
+HEAD = ("kg", "contacts", "iterations", *(f"cost, {mesh}" for mesh in MESHES), "angles off", "x/R", "sole", "forward")
 
 
 def block(table, curves):
-    """Each search: what the solver did, how far its walk is from the original's, and where its feet are."""
+    """Each case: its costs at the meshes, and of the finest one how far the walk is from the original's and where its feet are."""
     yield f"| {' | '.join(HEAD)} |"
     yield "|---" * len(HEAD) + "|"
+    for rows in cases(table).values():
+        yield f"| {' | '.join(_cells(rows, curves))} |"
+
+
+def cases(table):
+    """Rows of one case together: mass, contacts, and whether it starts from the original's solution."""
+    found = {}
     for row in table:
-        ours, theirs = (_curves(curves, key) for key in (key_of(row), (1.0, "rescaled", row["mesh"])))
-        solved = row["iterations"] if int(row["solved"]) else f"no ({row['iterations']})"
-        cells = [f"{62 * float(row['mass']):g}", NAMES[row["contacts"]], row["mesh"], solved]
-        cells += [f"{float(row['cost']):.4f}", f"{float(row['peak_force_bw']):.3f}"]
-        cells += [apart(ours, theirs, ANGLES), apart(ours, theirs, FORCES)]
-        cells += [f"{float(row['deepest_x_over_r']):.2f}", f"{1000 * float(row['lowest_sole_m']):.0f}"]
-        yield f"| {' | '.join(cells)} | {100 * float(row['forward_held']):.0f} % |"
+        found.setdefault((float(row["mass"]), row["contacts"], row["start"] == "original"), []).append(row)
+    return found
+
+
+def _cells(rows, curves):
+    first, last = rows[0], rows[-1]
+    by_mesh = {row["mesh"]: row for row in rows}
+    ours, theirs = (_curves(curves, key) for key in (key_of(last), (1.0, "rescaled", last["mesh"])))
+    yield f"{62 * float(first['mass']):g}"
+    yield NAMES[first["contacts"]] + ", from original" * (first["start"] == "original")
+    yield first["iterations"]
+    for mesh in MESHES:
+        yield _cost(by_mesh[mesh]) if mesh in by_mesh else ""
+    yield apart([row for row in ours if row["start"] == last["start"]], theirs)
+    yield f"{float(last['deepest_x_over_r']):.2f}"
+    yield f"{1000 * float(last['lowest_sole_m']):.0f}"
+    yield f"{100 * float(last['forward_held']):.0f} %"
+
+
+def _cost(row):
+    return f"{float(row['cost']):.4f}" if int(row["solved"]) else f"{float(row['cost']):.2f}, not solved"
 
 
 def key_of(row):
-    """What a search is called: mass, contacts, mesh."""
+    """Mass, contacts, mesh."""
     return float(row["mass"]), row["contacts"], row["mesh"]
 
 
@@ -33,11 +53,11 @@ def _curves(curves, key):
     return [row for row in curves if key_of(row) == key]
 
 
-def apart(ours, theirs, names):
-    """The largest difference of these curves at equal times without dimensions; nothing for the original itself."""
+def apart(ours, theirs):
+    """The largest difference of the legs' angles at equal times without dimensions, rad; nothing for the original itself."""
     if not theirs or ours == theirs:
         return ""
-    pairs = [[np.array([float(row[name]) for row in each]) for each in (ours, theirs)] for name in names]
+    pairs = [[np.array([float(row[name]) for row in each]) for each in (ours, theirs)] for name in ANGLES]
     value = max(float(np.max(np.abs(one - other))) for one, other in pairs)
     return f"{value:.0e}" if value < 1e-3 else f"{value:.2f}"
 

@@ -68,6 +68,16 @@ def solve(model, source, folder, size, mesh=15, most=400, guess=None, name="solu
     return numbers | judged(series), series
 
 
+def scaled(solution, made, size):
+    """Write a solution of the original as a guess for another size."""
+    walk = opensim.MocoTrajectory(str(solution))
+    walk.setTime(walk.getTimeMat() * size.time)
+    for name in walk.getStateNames():
+        walk.setState(name, walk.getStateMat(name) * unit(name, size))
+    walk.write(str(made))
+    return made
+
+
 @contextlib.contextmanager
 def _ipopt(near):
     """A folder of its own with the file of options, in which IPOPT is to be started."""

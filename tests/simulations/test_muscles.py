@@ -91,6 +91,20 @@ def table(path):
         return list(csv.DictReader(file))
 
 
+def test_the_committed_table_has_what_the_page_claims():
+    """On transferred contacts it costs the same at every mass, on others not; the mesh is fine enough for the original."""
+    cost = {
+        (float(row["mass"]), row["contacts"], row["mesh"], row["start"]): float(row["cost"])
+        for row in table(HERE / "muscles.csv")
+    }
+    original = cost[1.0, "rescaled", "15", "reference"]
+    for mass in (8.0, 0.125):
+        assert cost[mass, "rescaled", "15", "reference"] == pytest.approx(original, rel=1e-4)
+        assert cost[mass, "left", "15", "reference"] > 1.5 * original
+    assert cost[8.0, "no_friction", "15", "reference"] < original / 1.2
+    assert cost[1.0, "rescaled", "30", "half"] == pytest.approx(cost[1.0, "rescaled", "60", "half"], rel=0.02)
+
+
 def test_the_page_says_what_the_committed_tables_say():
     printed = in_study(
         "import muscles, page; print(*page.block(muscles.read(muscles.TABLE), muscles.read(muscles.CURVES)), sep='\\n')"
