@@ -13,6 +13,10 @@ const FEW_ATTRIBUTES: usize = 8;
 /// Bytes per piece and per element in dense models; what is reserved beyond need is never touched.
 const BYTES_PER_PIECE: usize = 8;
 const BYTES_PER_ELEMENT: usize = 20;
+/// Bytes of a text that are looked at eight by eight.
+const SHORT_TEXT: usize = 16;
+/// 1 in each byte.
+const EACH_BYTE: u64 = u64::from_ne_bytes([1; 8]);
 
 /// Pieces and elements of `text` from byte `base` on; `None` for anything that is not plain.
 pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, Vec<StoredElement>)> {
@@ -70,7 +74,7 @@ impl Scan<'_> {
 
     fn text(&mut self) -> Option<()> {
         let rest = self.bytes.get(self.at..)?;
-        let length = memchr::memchr2(b'<', b'&', rest).unwrap_or(rest.len());
+        let length = text_length(rest);
         let text = rest.get(..length)?;
         let inside = !self.open.is_empty();
         if rest.get(length) == Some(&b'&') || !(inside || text.iter().all(|&byte| is_space(byte))) {
@@ -188,9 +192,51 @@ impl Scan<'_> {
     }
 }
 
+/// How long the text is that `rest` begins with: up to `<` or `&`. Most texts are a line end with tabs, or one number: they end before
+/// a search for letters is under way.
+fn text_length(rest: &[u8]) -> usize {
+    let mut length = 0;
+    while let Some(eight) = rest.get(length..).and_then(|rest| rest.first_chunk::<8>()) {
+        if length == SHORT_TEXT {
+            break;
+        }
+        let word = u64::from_le_bytes(*eight);
+        let are = |letter: u8| marks_zeros(word ^ (EACH_BYTE * u64::from(letter)));
+        let ends = are(b'<') | are(b'&');
+        if ends != 0 {
+            return length + ends.trailing_zeros() as usize / 8;
+        }
+        length += 8;
+    }
+    let behind = rest.get(length..).unwrap_or_default();
+    memchr::memchr2(b'<', b'&', behind).map_or(rest.len(), |at| length + at)
+}
+
+/// Nothing but the highest bit of each byte that is 0; above the lowest of these the bits say nothing.
+const fn marks_zeros(word: u64) -> u64 {
+    word.wrapping_sub(EACH_BYTE) & !word & (EACH_BYTE << 7)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_text_ends_before_the_first_tag_or_reference() {
+        for length in 0..40 {
+            for end in ["<", "&", "<&", "&<", "<<<<<<<<<", ""] {
+                for letter in ["a", "\n", "\u{7f}", "=", ";", "'", "\u{e9}"] {
+                    let text = letter.repeat(length);
+                    let rest = format!("{text}{end}");
+                    assert_eq!(text_length(rest.as_bytes()), text.len(), "{rest}");
+                    assert_eq!(
+                        text_length(format!("{rest}{}", "b".repeat(20)).as_bytes()),
+                        if end.is_empty() { text.len() + 20 } else { text.len() }
+                    );
+                }
+            }
+        }
+    }
 
     #[track_caller]
     fn leaves(text: &str) {
