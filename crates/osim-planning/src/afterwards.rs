@@ -53,7 +53,7 @@ impl Changed {
     fn unmended(&self, options: &InspectOptions, opened: &OpenModel, model: &Model) -> Vec<Found> {
         match self {
             Self::InNumbers(_) => {
-                let inspected = options.inspect_without_story(opened.name(), model, None);
+                let inspected = options.inspect_for_rules(opened.name(), model);
                 check_numbers(options, model, &inspected)
             }
             Self::Read(_) => unmended(options, opened, model),
@@ -176,7 +176,7 @@ pub(crate) fn is_due(one: &Found) -> bool {
 
 /// What is found in `model`, without remedies.
 pub(crate) fn unmended(options: &InspectOptions, opened: &OpenModel, model: &Model) -> Vec<Found> {
-    let inspected = options.inspect_without_story(opened.name(), model, None);
+    let inspected = options.inspect_for_rules(opened.name(), model);
     check_model(options, model, &inspected, &[], NO_REMEDIES).findings
 }
 

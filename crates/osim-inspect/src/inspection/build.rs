@@ -15,7 +15,7 @@ use super::data::{
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
 };
 use super::note_story::NoteStory;
-use super::standing::StandingBody;
+use super::standing::{Rests, StandingBody};
 use crate::figures::Figures;
 use crate::known::KnownContacts;
 use crate::load_sharing::LoadSharing;
@@ -27,15 +27,20 @@ impl InspectOptions {
     /// Inspects a model. It never refuses: what is not known is left open. `name` is that of the file.
     pub fn inspect(&self, name: impl Into<FileName>, model: &Model, factors: Option<&Factors>) -> Inspection {
         let note = NoteStory::of(model);
-        Inspection { note, ..self.inspect_without_story(name, model, factors) }
+        Inspection { note, ..self.inspect_with(name, model, factors, Rests::All) }
     }
 
-    /// The same without what the note says, which only people read: [`check_model`](crate::check_model) asks the model.
-    pub fn inspect_without_story(
+    /// The same without what only people read: what the note says, and how bodies rest that no rule has anything to say of.
+    pub fn inspect_for_rules(&self, name: impl Into<FileName>, model: &Model) -> Inspection {
+        self.inspect_with(name, model, None, Rests::OfOdd)
+    }
+
+    fn inspect_with(
         &self,
         name: impl Into<FileName>,
         model: &Model,
         factors: Option<&Factors>,
+        rests: Rests,
     ) -> Inspection {
         let mut warnings = model.warnings.clone();
         let mass = self.masses.of_model(model);
@@ -67,7 +72,7 @@ impl InspectOptions {
         let known = bodies.as_deref().unwrap_or_default();
         let stance_limbs = self.stance.limbs_of(model);
         let figures = Figures::of(model, &selected, &sharing, weight, &self.stance, known);
-        let standing = StandingBody::all(model, known, sharing.limbs(), stance_limbs);
+        let standing = StandingBody::those(model, known, sharing.limbs(), stance_limbs, rests);
         let count = sharing.count(self.stance.spheres, stance_limbs, CountOf::Model).ok();
         let contacts = contacts(model, &selected, contacts_mass.as_ref(), count);
         let known = KnownContacts::find(model, &selected.forces, count, mass.as_ref().map(|mass| mass.kg));

@@ -13,8 +13,18 @@ use serde::Serialize;
 const LEVEL_M: f64 = 1e-9;
 /// A sphere this deep, in its radius, is inside the floor.
 const INSIDE: f64 = 0.5;
+/// A body this high is above the floor, m.
+const ABOVE_M: f64 = 0.020;
 /// A body this little below where it stands, in the radius of its lowest sphere, stands.
 const STANDS: f64 = 0.1;
+
+/// Which rests are worked out: each takes as long as reading its spheres.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Rests {
+    All,
+    /// On all feet, of bodies that are perhaps inside their floor or above it.
+    OfOdd,
+}
 
 /// A joint tree over its floor, its joints as they are at the default pose.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -129,23 +139,37 @@ impl StandingBody {
     /// Each of `standing`; `limbs` are those of its spheres; `stance_limbs` of them share the weight.
     #[must_use]
     pub fn all(model: &Model, standing: &[Standing], limbs: &Limbs, stance_limbs: f64) -> Vec<Self> {
+        Self::those(model, standing, limbs, stance_limbs, Rests::All)
+    }
+
+    /// The same with these rests.
+    pub(super) fn those(
+        model: &Model,
+        standing: &[Standing],
+        limbs: &Limbs,
+        stance_limbs: f64,
+        rests: Rests,
+    ) -> Vec<Self> {
         let share = 1.0 / stance_limbs;
         let limbs = limbs.known().unwrap_or_default();
         let places = limbs.iter().enumerate();
         let limb_of = places.flat_map(|(at, limb)| limb.spheres.iter().map(move |&sphere| (sphere, at)));
         let limb_of: HashMap<SphereId, usize> = limb_of.collect();
         let lower = |one| limbs.get(lower(one, &limb_of)?);
-        standing.iter().map(|one| Self::new(model, one, lower(one), share)).collect()
+        let of_one_limb = |one| lower(one).filter(|_| rests == Rests::All);
+        standing.iter().map(|one| Self::new(model, one, of_one_limb(one), share, rests)).collect()
     }
 
     /// `lower` is the limb that can carry it alone.
-    fn new(model: &Model, standing: &Standing, lower: Option<&Limb>, share: f64) -> Self {
+    fn new(model: &Model, standing: &Standing, lower: Option<&Limb>, share: f64, rests: Rests) -> Self {
         let spheres: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
         let rest = |chosen: &[SphereId], share, limb: Option<&Limb>| {
             let rest = standing.rest(chosen, share)?.ok()?;
             Some(on_feet(model, standing, &rest, limb)).filter(OnFeet::is_finite)
         };
         let lift = standing.lift.as_ref();
+        let bottoms = bottoms(model, standing);
+        let is_asked = rests == Rests::All || is_odd(&bottoms);
         Self {
             body: standing.top.clone(),
             mass_kg: standing.mass_kg,
@@ -155,9 +179,9 @@ impl StandingBody {
             why_no_coordinate: lift.err().map(ToString::to_string),
             default_m: lift.ok().map(|lift| lift.default_m),
             touching_m: standing.lowest().and_then(|lowest| standing.value(lowest.gap_m)),
-            bottoms: bottoms(model, standing),
-            as_posed: rest(&spheres, 1.0, None),
+            as_posed: is_asked.then(|| rest(&spheres, 1.0, None)).flatten(),
             on_one_limb: lower.and_then(|limb| rest(&limb.spheres, share, Some(limb))),
+            bottoms,
         }
     }
 
@@ -166,14 +190,39 @@ impl StandingBody {
     pub fn is_inside_floor(&self) -> bool {
         let Some(lowest) = self.lowest() else { return false };
         let deeper = self.as_posed.as_ref().is_none_or(|rest| rest.down_m < -STANDS * lowest.radius_m);
-        deeper && self.bottoms.iter().any(|bottom| bottom.height_m < -INSIDE * bottom.radius_m)
+        deeper && self.bottoms.iter().any(Bottom::is_inside)
+    }
+
+    /// Whether it starts above its floor.
+    #[must_use]
+    pub fn is_above_floor(&self) -> bool {
+        self.lowest().is_some_and(Bottom::is_above)
     }
 
     /// The lowest of its bottoms; of equally low ones the first.
     #[must_use]
     pub fn lowest(&self) -> Option<&Bottom> {
-        self.bottoms.iter().reduce(|a, b| if b.height_m < a.height_m - LEVEL_M { b } else { a })
+        lowest(&self.bottoms)
     }
+}
+
+impl Bottom {
+    fn is_inside(&self) -> bool {
+        self.height_m < -INSIDE * self.radius_m
+    }
+
+    fn is_above(&self) -> bool {
+        self.height_m > ABOVE_M
+    }
+}
+
+fn lowest(bottoms: &[Bottom]) -> Option<&Bottom> {
+    bottoms.iter().reduce(|a, b| if b.height_m < a.height_m - LEVEL_M { b } else { a })
+}
+
+/// Whether a body with these bottoms is perhaps inside its floor, or above it.
+fn is_odd(bottoms: &[Bottom]) -> bool {
+    bottoms.iter().any(Bottom::is_inside) || lowest(bottoms).is_some_and(Bottom::is_above)
 }
 
 fn bottoms(model: &Model, standing: &Standing) -> Vec<Bottom> {

@@ -7,9 +7,6 @@ use super::limits::Limits;
 use crate::findings::Found;
 use crate::inspection::StandingBody;
 
-/// A body this high is above the floor, m.
-const ABOVE_M: f64 = 0.020;
-
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::NotOnFloor,
     severity: Severity::Info,
@@ -35,8 +32,7 @@ pub(crate) fn find(limits: &Limits<'_>) -> Vec<Found> {
 
 /// Whether a simulation of `body` starts inside the floor or above it.
 fn is_off(body: &StandingBody) -> bool {
-    let Some(lowest) = body.lowest() else { return false };
-    lowest.height_m > ABOVE_M || body.is_inside_floor()
+    body.is_above_floor() || body.is_inside_floor()
 }
 
 fn finding(body: &StandingBody, of_several: bool) -> Option<Finding> {

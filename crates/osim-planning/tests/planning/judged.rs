@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use osim_inspect::{Changeable, InspectOptions, check_model};
 use osim_model::files::{Files, OpenModel};
 use osim_model::{FileId, Finding, Force, Model, Question, Severity, Sphere, Value as Number};
 use osim_patch::Plan;
@@ -74,6 +75,30 @@ fn numbers_are_judged_as_in_the_file() {
     }
     let Compared { plans, refused, worse, models } = compared;
     assert!(plans > 2000 && refused > 0 && worse > 1000 && models > 2000, "{compared:?}");
+}
+
+#[test]
+fn rules_find_the_same_without_what_only_people_read() {
+    let files = all_files();
+    let (mut compared, mut found) = (0, 0);
+    for document in models(&files) {
+        let Ok(model) = Model::parse(document.bytes) else { continue };
+        let mut options = InspectOptions::default();
+        for kg in [None, Some(900.0)] {
+            options.masses.model_kg = kg;
+            let of = |inspected| check_model(&options, &model, &inspected, &[], Changeable::UNTRIED).findings;
+            let all = of(options.inspect(document.name.as_str(), &model, None));
+            assert_eq!(
+                of(options.inspect_for_rules(document.name.as_str(), &model)),
+                all,
+                "{}",
+                document.name
+            );
+            compared += 1;
+            found += all.len();
+        }
+    }
+    assert!(compared > 400 && found > 1000, "{compared}, {found}");
 }
 
 /// Tries every third call on the model `name`; the bytes that one of them would write.
