@@ -33,6 +33,7 @@ mod html;
 mod inspected;
 mod json;
 mod laid;
+mod lines;
 mod masses;
 mod meant;
 mod never_lost;

@@ -155,7 +155,7 @@ impl Bench {
             .args(words(arguments))
             .current_dir(self.dir.path())
             .stdin(Stdio::null())
-            .env("COLUMNS", "100")
+            .env_remove("COLUMNS")
             // The date of notes: 2025-11-26.
             .env("SOURCE_DATE_EPOCH", "1764115200")
             .env_remove("CLICOLOR_FORCE")

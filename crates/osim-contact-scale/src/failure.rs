@@ -4,10 +4,11 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use osim_model::Excerpt;
 use osim_model::files::Failure;
 
+use crate::terminal::Terminal;
 use crate::words::Words;
 
-/// One line for standard error, then the place in the file where that helps.
-pub(crate) fn text(failure: &Failure, words: Words) -> String {
+/// Reports it on standard error: one sentence, then the place in the file where that helps.
+pub(crate) fn report(failure: &Failure, words: Words, terminal: &mut Terminal) {
     let place = match (failure.line, failure.column) {
         (Some(line), Some(column)) => format!("{}:{line}:{column}", failure.model),
         _ => failure.model.to_string(),
@@ -15,10 +16,9 @@ pub(crate) fn text(failure: &Failure, words: Words) -> String {
     let message = failure.message.spelled(words);
     // Messages about outputs name them. If an output is the model itself, it is named already.
     let message = message.strip_prefix(&format!("{} ", failure.model)).unwrap_or(&message);
-    let line = format!("error: {place}: {message}\n");
-    match &failure.excerpt {
-        Some(excerpt) => format!("{line}{}\n", snippet(excerpt)),
-        None => line,
+    terminal.error(&format!("error: {place}: {message}\n"));
+    if let Some(excerpt) = &failure.excerpt {
+        terminal.excerpt(&format!("{}\n", snippet(excerpt)));
     }
 }
 

@@ -34,7 +34,7 @@ use words::WORDS;
 /// Does what the words of the command line say.
 pub fn main() -> ExitCode {
     interrupt::outlive_size_limit();
-    let mut session = Session { terminal: Terminal::default(), words: WORDS };
+    let mut session = Session { terminal: Terminal::new(), words: WORDS };
     let parsed = command()
         .try_get_matches()
         .and_then(|matches| Cli::from_arg_matches(&matches).map(|cli| (cli, check_typed(&matches))));

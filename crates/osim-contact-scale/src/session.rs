@@ -23,9 +23,9 @@ impl Session {
     /// Reports a failure; scripts that read JSON get it there, too.
     pub(crate) fn fail(&mut self, failure: &Failure, json: bool) -> Result<Exit> {
         if json {
-            self.terminal.print(&line(&FailureRecord::new(failure, self.words)))?;
+            self.terminal.print_records(&line(&FailureRecord::new(failure, self.words)))?;
         }
-        self.terminal.error(&failure::text(failure, self.words));
+        failure::report(failure, self.words, &mut self.terminal);
         Ok(Exit::Failed)
     }
 

@@ -1,28 +1,61 @@
 //! Standard output and standard error; a reader that has gone away (`… | head`) is no failure.
+//!
+//! Text for people is broken where the terminal ends, at blanks. Files and pipes get lines as they are, for lines are what programs
+//! look for; `COLUMNS` says otherwise, as it does for the help.
 
 use std::borrow::Cow;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
 use osim_messages::{harmless, one_line};
-use osim_report::layout::WIDTH;
+use osim_report::layout::{WIDTH, broken};
+use terminal_size::Width;
 
 /// Where the command talks.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Terminal {
     gone: bool,
+    /// Columns of standard output and of standard error; `None` if lines have no end.
+    out: Option<usize>,
+    err: Option<usize>,
 }
 
 impl Terminal {
-    /// Results, on standard output.
+    /// This process's.
+    pub(crate) fn new() -> Self {
+        let (out, err) = (io::stdout(), io::stderr());
+        Self {
+            gone: false,
+            out: columns(out.is_terminal(), terminal_size::terminal_size_of(&out).map(|(width, _)| width)),
+            err: columns(err.is_terminal(), terminal_size::terminal_size_of(&err).map(|(width, _)| width)),
+        }
+    }
+
+    /// From now on a program reads what people would read: no line is broken.
+    pub(crate) fn never_break(&mut self) {
+        (self.out, self.err) = (None, None);
+    }
+
+    /// Results for people, on standard output.
     pub(crate) fn print(&mut self, text: &str) -> io::Result<()> {
+        let text = fitted(&harmless(text), self.out).into_owned();
+        self.write_bytes(text.as_bytes())
+    }
+
+    /// Results for programs, on standard output: each record is one line.
+    pub(crate) fn print_records(&mut self, text: &str) -> io::Result<()> {
         self.write_bytes(harmless(text).as_bytes())
+    }
+
+    /// Results in the format that was asked for.
+    pub(crate) fn print_as(&mut self, text: &str, is_for_programs: bool) -> io::Result<()> {
+        if is_for_programs { self.print_records(text) } else { self.print(text) }
     }
 
     /// Lines of files: programs that apply a diff need them as they are, and a terminal does not. Control characters are in no file
     /// that XML allows, and what comes out of a pipe may reach a terminal all the same.
     pub(crate) fn print_diff(&mut self, text: &str) -> io::Result<()> {
         if io::stdout().is_terminal() {
-            return self.print(text);
+            return self.print_records(text);
         }
         self.write_bytes(without_controls(text).as_bytes())
     }
@@ -32,8 +65,9 @@ impl Terminal {
         if self.gone {
             return Ok(());
         }
+        let text = harmless_but_colours(text);
         let mut out = anstream::stdout().lock();
-        match out.write_all(harmless_but_colours(text).as_bytes()).and_then(|()| out.flush()) {
+        match out.write_all(fitted(&text, self.out).as_bytes()).and_then(|()| out.flush()) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => {
                 self.gone = true;
                 Ok(())
@@ -62,16 +96,18 @@ impl Terminal {
         supports_unicode::on(supports_unicode::Stream::Stdout)
     }
 
-    /// Columns of the terminal on standard output; `None` for files and pipes, whose lines have no end.
-    pub(crate) fn columns() -> Option<usize> {
-        let stdout = io::stdout();
-        let columns = terminal_size::terminal_size_of(&stdout).map(|(width, _)| usize::from(width.0));
-        // A terminal that does not say how wide it is, or says 0, is taken for an old one.
-        stdout.is_terminal().then(|| columns.filter(|&columns| columns > 0).unwrap_or(WIDTH))
+    /// Columns of standard output; `None` if lines have no end, as in files and pipes.
+    pub(crate) fn columns(&self) -> Option<usize> {
+        self.out
     }
 
     /// A remark beside the results, on standard error.
     pub(crate) fn note(&mut self, text: &str) -> io::Result<()> {
+        self.aside(&fitted(text, self.err))
+    }
+
+    /// The same for text that stays as it is.
+    pub(crate) fn aside(&mut self, text: &str) -> io::Result<()> {
         match io::stderr().lock().write_all(harmless(text).as_bytes()) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
             result => result,
@@ -80,18 +116,35 @@ impl Terminal {
 
     /// A failure, on standard error; where even that is closed nobody can read it.
     pub(crate) fn error(&mut self, text: &str) {
-        let _ = io::stderr().lock().write_all(harmless(text).as_bytes());
+        let _ = io::stderr().lock().write_all(fitted(&harmless(text), self.err).as_bytes());
     }
 
-    /// A failure in one line, on standard error.
+    /// A failure in one sentence, on standard error.
     pub(crate) fn error_line(&mut self, text: &str) {
         self.error(&format!("error: {}\n", one_line(text.to_owned())));
+    }
+
+    /// Lines of a file with marks below them, on standard error: broken, the marks would be in the wrong place.
+    pub(crate) fn excerpt(&mut self, text: &str) {
+        let _ = io::stderr().lock().write_all(harmless(text).as_bytes());
     }
 
     /// A remark in one line, on standard error.
     pub(crate) fn note_line(&mut self, text: &str) -> io::Result<()> {
         self.note(&format!("note: {}\n", one_line(text.to_owned())))
     }
+}
+
+/// Columns of a stream. A terminal that does not say how wide it is, or says 0, is taken for an old one.
+fn columns(is_terminal: bool, width: Option<Width>) -> Option<usize> {
+    let asked = || std::env::var("COLUMNS").ok()?.parse().ok();
+    let known = width.filter(|_| is_terminal).map(|width| usize::from(width.0));
+    known.or_else(asked).filter(|&columns| columns > 0).or(is_terminal.then_some(WIDTH))
+}
+
+/// Text in lines of at most so many columns.
+fn fitted(text: &str, columns: Option<usize>) -> Cow<'_, str> {
+    columns.map_or(Cow::Borrowed(text), |columns| broken(text, columns).into())
 }
 
 /// Text whose control characters are written by their numbers; line ends and tabs stay.

@@ -35,7 +35,7 @@ pub(super) fn run(request: &BatchRequest, session: &mut Session) -> Result<Exit>
 
 fn report(wrong: &[Failure], shown: &str, json: bool, session: &mut Session) -> Result<Exit> {
     for failure in wrong.iter().filter(|_| json) {
-        session.terminal.print(&line(&FailureRecord::new(failure, session.words)))?;
+        session.terminal.print_records(&line(&FailureRecord::new(failure, session.words)))?;
     }
     for failure in wrong.iter().take(REPORTED) {
         let message = failure.message.spelled(session.words);

@@ -1,7 +1,5 @@
 //! `check`: what the limits of the paper and the traps of the format say about models.
 
-use std::io::IsTerminal;
-
 use anyhow::Result;
 use osim_html::Entry;
 use osim_inspect::CheckResult;
@@ -98,7 +96,7 @@ pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit>
     exit = exit.and(end_page(page, session));
     untold.map_or(Ok(()), Err)?;
     if let Some(library) = library.filter(|_| request.format == SheetFormat::Table) {
-        let whole_names = !std::io::stdout().is_terminal();
+        let whole_names = session.terminal.columns().is_none();
         session.terminal.print_painted(&library.text(whole_names, words, Colour::Ansi))?;
     }
     if without_contacts > 0 {
@@ -109,8 +107,8 @@ pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit>
 
 fn print(found: &CheckResult, format: SheetFormat, first: bool, session: &mut Session) -> Result<()> {
     match format {
-        SheetFormat::Json => session.terminal.print(&line(found))?,
-        SheetFormat::Csv => session.terminal.print(&check::csv_rows(found, first)?)?,
+        SheetFormat::Json => session.terminal.print_records(&line(found))?,
+        SheetFormat::Csv => session.terminal.print_records(&check::csv_rows(found, first)?)?,
         _ => session.terminal.print_painted(&check::text(found, session.words.prompt(), Colour::Ansi))?,
     }
     Ok(())

@@ -15,7 +15,8 @@ use crate::session::Session;
 /// Too little is known, or it contradicts itself.
 pub(super) fn calculate(request: &DesignRequest, session: &mut Session) -> Result<Exit> {
     let sheet = design_sheet(request).map_err(|fault| session.usage(&fault))?;
-    let text = if request.run.is_json() { line(&sheet) } else { design_sheet_text(&sheet) };
-    session.terminal.print(&text)?;
+    let json = request.run.is_json();
+    let text = if json { line(&sheet) } else { design_sheet_text(&sheet) };
+    session.terminal.print_as(&text, json)?;
     Ok(Exit::Done)
 }

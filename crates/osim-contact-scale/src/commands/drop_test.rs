@@ -33,7 +33,8 @@ pub(super) fn run(request: &DropTestRequest, session: &mut Session) -> Result<Ex
         _ if std::io::stdout().is_terminal() => format!("{}{}", drop_text(&drop), drop_chart(&drop)),
         _ => drop_text(&drop),
     };
-    session.terminal.print(&text)?;
+    let is_for_programs = matches!(request.format, SeriesFormat::Json | SeriesFormat::Csv);
+    session.terminal.print_as(&text, is_for_programs)?;
     for (name, mismatch) in &drop.mismatches {
         session.terminal.note(&mass_mismatch(name, mismatch, session.words))?;
     }

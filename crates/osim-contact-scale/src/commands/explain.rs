@@ -3,6 +3,7 @@
 use anyhow::{Result, anyhow};
 use osim_report::explain::{Letters, answer};
 use osim_requests::ExplainRequest;
+use osim_requests::options::Format;
 
 use crate::exit::Exit;
 use crate::session::Session;
@@ -16,6 +17,6 @@ pub(super) fn run(request: &ExplainRequest, session: &mut Session) -> Result<Exi
     let words = session.words;
     let letters = if Terminal::shows_unicode() { Letters::Unicode } else { Letters::Ascii };
     let shown = answer(request, letters, words).map_err(|unknown| anyhow!(unknown.message(words)))?;
-    session.terminal.print(&shown)?;
+    session.terminal.print_as(&shown, request.format == Format::Json)?;
     Ok(Exit::Done)
 }

@@ -19,13 +19,13 @@ pub(super) fn run(request: &FitRequest, session: &mut Session) -> Result<Exit> {
     match run_fit(request, &Disk) {
         Ok(fit) => {
             let text = if json { line(&FitRecord::from(&fit)) } else { fit_text(&fit, session.words) };
-            session.terminal.print(&text)?;
+            session.terminal.print_as(&text, json)?;
             Ok(Exit::Done)
         }
         Err(RequestError::Fault(fault)) => Err(session.usage(&fault)),
         Err(RequestError::Failure(failure)) => {
             if json {
-                session.terminal.print(&line(&FailureRecord::new(&failure, session.words)))?;
+                session.terminal.print_records(&line(&FailureRecord::new(&failure, session.words)))?;
             }
             // The message begins with the name of the file.
             session.terminal.error_line(&failure.message.spelled(session.words));

@@ -19,7 +19,6 @@ use super::page::end_page;
 use crate::exit::Exit;
 use crate::interrupt;
 use crate::session::Session;
-use crate::terminal::Terminal;
 
 /// Inspects all models; `hint` where the reader should see what to do next.
 ///
@@ -97,7 +96,8 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
     exit = exit.and(end_page(page, session));
     untold.map_or(Ok(()), Err)?;
     if let Some(table) = table {
-        session.terminal.print_painted(&table.text(Terminal::columns(), words, Colour::Ansi))?;
+        let text = table.text(session.terminal.columns(), words, Colour::Ansi);
+        session.terminal.print_painted(&text)?;
     }
     if hint && !first && request.format == SheetFormat::Table {
         session.terminal.print(&next_steps(session, has_contacts))?;
@@ -141,8 +141,8 @@ fn one(
 
 fn print(seen: &Inspection, format: SheetFormat, first: bool, session: &mut Session) -> Result<()> {
     match format {
-        SheetFormat::Json => session.terminal.print(&line(seen))?,
-        SheetFormat::Csv => session.terminal.print(&inspection::csv_rows(seen, first)?)?,
+        SheetFormat::Json => session.terminal.print_records(&line(seen))?,
+        SheetFormat::Csv => session.terminal.print_records(&inspection::csv_rows(seen, first)?)?,
         _ => {
             let gap = if first { "" } else { "\n" };
             let text = inspection::text(seen, session.words, Colour::Ansi);

@@ -37,7 +37,8 @@ pub(super) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit
         Some(output) => output.write(&result, request, session)?,
         None => String::new(),
     };
-    session.terminal.print(&text)?;
+    let is_for_programs = matches!(request.format, MotionFormat::Json | MotionFormat::Csv);
+    session.terminal.print_as(&text, is_for_programs)?;
     session.terminal.note(&written)?;
     Ok(Exit::Done)
 }

@@ -192,7 +192,7 @@ impl<'o> Output<'o> {
         if self.path.is_some() {
             session.terminal.print(&format!("{notes}{written}"))?;
         } else {
-            session.terminal.print(&svg)?;
+            session.terminal.print_records(&svg)?;
             session.terminal.note(&format!("{notes}{written}"))?;
         }
         Ok(Exit::Done)

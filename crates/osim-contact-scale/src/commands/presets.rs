@@ -23,7 +23,7 @@ pub(super) fn run(request: &PresetsRequest, session: &mut Session) -> Result<Exi
             _ if index == 0 => preset_text(preset),
             _ => format!("\n{}", preset_text(preset)),
         };
-        session.terminal.print(&text)?;
+        session.terminal.print_as(&text, request.format == Format::Json)?;
     }
     Ok(Exit::Done)
 }

@@ -38,7 +38,7 @@ pub(super) fn run(request: &ReproduceRequest, session: &mut Session) -> Result<E
         }
     }
     if json {
-        session.terminal.print(&line(&record))?;
+        session.terminal.print_records(&line(&record))?;
         session.terminal.note(&written)?;
     } else {
         let gap = if written.is_empty() { "" } else { "\n" };

@@ -21,6 +21,7 @@ const STDIN: &str = "-";
 /// The file cannot be read, or holds no request that makes sense.
 pub(super) fn read(args: &RequestArgs, session: &mut Session) -> Result<Request> {
     session.words = words::of_request(args.words);
+    session.terminal.never_break();
     let is_stdin = args.file == Path::new(STDIN);
     let shown = if is_stdin { "standard input".into() } else { args.file.to_string_lossy().into_owned() };
     let bytes = Disk.read(&args.file).with_context(|| shown.clone())?;

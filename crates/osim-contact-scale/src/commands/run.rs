@@ -109,19 +109,19 @@ fn tell_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> 
     let record = || line(&FailureRecord::new(failure, session.words));
     if format == RunFormat::Json {
         let record = record();
-        if session.terminal.print(&record).is_err() {
+        if session.terminal.print_records(&record).is_err() {
             return Exit::Failed;
         }
     }
-    session.terminal.error(&failure::text(failure, session.words));
+    failure::report(failure, session.words, &mut session.terminal);
     Exit::Failed
 }
 
 fn say_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> Result<()> {
     if format == RunFormat::Json {
-        session.terminal.print(&line(&FailureRecord::new(failure, session.words)))?;
+        session.terminal.print_records(&line(&FailureRecord::new(failure, session.words)))?;
     }
-    session.terminal.error(&failure::text(failure, session.words));
+    failure::report(failure, session.words, &mut session.terminal);
     Ok(())
 }
 
@@ -129,9 +129,11 @@ fn say(all: &[Output], session: &mut Session) -> Result<()> {
     for output in all {
         match output {
             Output::Result(text) => session.terminal.print(text)?,
+            Output::Record(text) => session.terminal.print_records(text)?,
             Output::Diff(text) => session.terminal.print_diff(text)?,
             Output::Model(bytes) => session.terminal.write_bytes(bytes)?,
             Output::Note(text) => session.terminal.note(text)?,
+            Output::Aside(text) => session.terminal.aside(text)?,
         }
     }
     Ok(())

@@ -25,12 +25,16 @@ pub(super) struct Shown {
 pub(super) enum Output {
     /// On standard output.
     Result(String),
+    /// On standard output, for programs.
+    Record(String),
     /// On standard output, where programs take it as it is.
     Diff(String),
     /// On standard output, byte for byte.
     Model(Vec<u8>),
     /// On standard error, beside the results.
     Note(String),
+    /// On standard error, where programs take it as it is.
+    Aside(String),
 }
 
 /// Shows what a run does.
@@ -79,13 +83,18 @@ impl Shower<'_> {
         let mut outputs = Vec::new();
         let to_stdout = matches!(changed.written, Written::Stdout);
         if let Some(text) = self.text(changed) {
-            outputs.push(if to_stdout { Output::Note(text) } else { Output::Result(text) });
+            outputs.push(match (to_stdout, self.format) {
+                (true, RunFormat::Json) => Output::Aside(text),
+                (true, _) => Output::Note(text),
+                (false, RunFormat::Json) => Output::Record(text),
+                (false, _) => Output::Result(text),
+            });
         }
         if self.options.diff {
             let text = diff(changed);
             // With JSON on standard output, the diff would not be JSON.
             let aside = self.format == RunFormat::Json;
-            outputs.push(if aside { Output::Note(text) } else { Output::Diff(text) });
+            outputs.push(if aside { Output::Aside(text) } else { Output::Diff(text) });
         }
         if to_stdout {
             outputs.push(Output::Model(changed.results.model.to_vec()));

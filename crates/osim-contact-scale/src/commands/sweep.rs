@@ -157,7 +157,7 @@ fn text(sweep: &SweepRun<'_>, request: &SweepRequest, end: &SweepEnd) -> String 
 
 fn report(record: &SweepRecord, text: &str, request: &SweepRequest, session: &mut Session) -> Result<()> {
     if request.format == Format::Json {
-        session.terminal.print(&line(record))?;
+        session.terminal.print_records(&line(record))?;
     } else if !request.quiet {
         session.terminal.print(text)?;
     }

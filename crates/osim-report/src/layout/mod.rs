@@ -1,5 +1,6 @@
 //! How texts are laid out in 80 columns.
 
+mod broken;
 mod columns;
 mod lines;
 mod names;
@@ -7,6 +8,7 @@ mod paint;
 mod sheet;
 mod words;
 
+pub use broken::broken;
 pub use columns::{TextTable, table};
 pub use lines::{WIDTH, wrapped};
 pub(crate) use lines::{filled, options, wrapped_with_path};
