@@ -13,11 +13,11 @@ import hashlib
 import io
 import json
 import os
-import re
 import shutil
 import subprocess
 import sys
 import tarfile
+import tempfile
 import time
 import zipfile
 from pathlib import Path
@@ -63,10 +63,10 @@ def contents(program, target, metadata):
     if "windows" in target:
         add("inspect.bat", (ROOT / "dist/inspect.bat").read_bytes().replace(b"\r\n", b"\n").replace(b"\n", b"\r\n"))
     else:
-        verbs = re.findall(r"^  ([a-z-]+) ", output_of(str(program), "-h").decode().split("Commands:")[1].split("\n\n")[0], re.M)
-        for verb in [None, *verbs]:
-            name = f"{COMMAND}-{verb}" if verb else COMMAND
-            add(f"man/{name}.1", output_of(str(program), "man", *filter(None, [verb])))
+        with tempfile.TemporaryDirectory() as folder:
+            output_of(str(program), "man", "--output-dir", folder)
+            for page in sorted(Path(folder).iterdir()):
+                add(f"man/{page.name}", page.read_bytes())
     return files
 
 

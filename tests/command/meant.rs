@@ -13,8 +13,6 @@ fn answered(ran: Ran, name: &str) {
 #[test]
 fn verbs_that_are_misspelled() {
     let bench = Bench::human();
-    answered(bench.run("help"), "help");
-    answered(bench.run("help rescale"), "help_rescale");
     answered(bench.run("help drop_test"), "help_drop_test");
     answered(bench.run("rescal human.osim --target-mass 80"), "rescal");
     answered(bench.run("inspct human.osim --stance-limbs 2"), "verb_with_options");
@@ -23,9 +21,44 @@ fn verbs_that_are_misspelled() {
     answered(bench.run("--hlep"), "hlep");
     // Nothing is like it.
     answered(bench.run("xyzzy"), "xyzzy");
-    // A file of that name is a model.
+}
+
+#[test]
+fn help_and_version_are_verbs_too() {
+    let bench = Bench::new();
+    let same = |verb: &str, option: &str| {
+        let (verb, option) = (bench.run(verb).done(), bench.run(option).done());
+        assert_eq!(verb.out(), option.out());
+        assert!(verb.err().is_empty());
+    };
+    same("help", "-h");
+    same("help rescale", "rescale --help");
+    same("help drop-test", "drop-test --help");
+    same("version", "--version");
+    // A file of that name is named with its folder.
     bench.write("help", crate::support::fixture(HUMAN.0));
-    bench.run("help").done();
+    bench.run("./help").done().says(&["human_62kg"]);
+}
+
+#[test]
+fn help_shows_what_most_people_come_for_and_it_works() {
+    for help in ["-h", "--help"] {
+        let bench = Bench::with(&[(HUMAN.0, "MODEL.osim")]);
+        let help = bench.run(help).done().out();
+        let (_, examples) = help.split_once("\nExamples:\n").unwrap();
+        let calls = examples
+            .lines()
+            .map_while(|line| line.trim_ascii_start().strip_prefix("osim-contact-scale "))
+            .map(|line| line.split("  ").next().unwrap());
+        let calls: Vec<&str> = calls.collect();
+        assert_eq!(calls.len(), 3, "{help}");
+        bench.run(calls[0]).done().says(&["nothing is wrong"]);
+        bench.run(calls[1]).done().wrote(&["MODEL.scaled.osim"]);
+        let bench =
+            Bench::with(&[("feet/human_40000.osim", "MODEL.osim"), ("contact_tables/own.csv", "own.csv")]);
+        bench.run("add MODEL.osim --from falisse2022 --contacts own.csv -o OTHER.osim").done();
+        bench.run(calls[2]).done().wrote(&["MODEL.scaled.osim"]);
+    }
 }
 
 #[test]

@@ -22,9 +22,9 @@ use std::process::ExitCode;
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
 use osim_messages::Verb;
-use osim_requests::PlotKind;
+use osim_requests::{PlotKind, RequestFault};
 
-use args::{Cli, check_typed, command, usage_line};
+use args::{Cli, check_typed, command, plain_command, usage_line};
 use exit::{Exit, exit_of, text_of};
 use meant::{axis_meant, figure_meant, meant};
 use session::Session;
@@ -35,10 +35,7 @@ use words::WORDS;
 pub fn main() -> ExitCode {
     interrupt::outlive_size_limit();
     let mut session = Session { terminal: Terminal::new(), words: WORDS };
-    let parsed = command()
-        .try_get_matches()
-        .and_then(|matches| Cli::from_arg_matches(&matches).map(|cli| (cli, check_typed(&matches))));
-    let exit = match parsed {
+    let exit = match parsed(session.terminal.columns()) {
         Ok((cli, typed)) => {
             let done = match typed {
                 Ok(()) => commands::call(cli, &mut session),
@@ -55,12 +52,22 @@ pub fn main() -> ExitCode {
     ExitCode::from(exit.code())
 }
 
+/// The words of the command line, and whether they go together. What clap prints is an error to it.
+fn parsed(columns: Option<usize>) -> Result<(Cli, Result<(), RequestFault>), clap::Error> {
+    let matches = command(columns).try_get_matches()?;
+    let cli = Cli::from_arg_matches(&matches)?;
+    if let Some(words) = cli.in_other_words() {
+        command(columns).try_get_matches_from(words)?;
+    }
+    Ok((cli, check_typed(&matches)))
+}
+
 /// What was probably meant by the words of this call, where those are what an unknown argument comes from.
 fn instead() -> Option<String> {
     let words: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     let is_option = |word: &PathBuf| word.as_os_str().as_encoded_bytes().starts_with(b"-");
     let is_verb =
-        |word: &PathBuf| word.to_str().is_some_and(|word| command().find_subcommand(word).is_some());
+        |word: &PathBuf| word.to_str().is_some_and(|word| plain_command().find_subcommand(word).is_some());
     let after_verb = usize::from(words.first().is_some_and(is_verb));
     // The kind of a figure is no file, although one has the name of a verb.
     let is_plot = words.first().is_some_and(|word| word.as_os_str() == Verb::Plot.name());

@@ -16,9 +16,6 @@ use crate::words::Words;
 pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
     let first = words.first()?;
     let is_known = |word: &Path| word.exists() || word.as_os_str() == "-";
-    if first.as_os_str() == "help" && !is_known(first) {
-        return Some(help(words.get(1)));
-    }
     let verb = Some(first).filter(|word| !is_known(word)).and_then(|word| near(word));
     let split = SplitName::find(words);
     // What looks like a verb is hardly the begin of a name that is not there.
@@ -43,18 +40,6 @@ pub(crate) fn figure_meant(words: &[String], terms: Words) -> Option<String> {
     let is_fig1 = verb == Verb::Plot.name() && kind == PlotKind::Fig1.as_str();
     let text = Phrase::joined(fig1(), " ").filter(|_| is_fig1)?;
     Some(text.spelled(terms))
-}
-
-fn help(verb: Option<&PathBuf>) -> String {
-    let verbs = verbs();
-    let verb = verb.and_then(|word| {
-        let word = word.to_str()?;
-        verbs.iter().find(|verb| *verb == word).cloned().or_else(|| near(Path::new(word)))
-    });
-    match verb {
-        Some(verb) => format!("'help' is neither a verb nor a file: did you mean '{verb} --help'?"),
-        None => "'help' is neither a verb nor a file: did you mean '--help'?".to_owned(),
-    }
 }
 
 /// The number of a word such as `20`, `20kg` or `20000g`.

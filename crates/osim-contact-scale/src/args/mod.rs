@@ -5,6 +5,7 @@ mod later;
 mod own;
 mod usage;
 mod usual;
+mod verbs;
 
 use clap::{ArgMatches, Command, CommandFactory, Parser, Subcommand};
 use help::in_words_of_the_command;
@@ -17,9 +18,10 @@ use osim_requests::{
     FitRequest, InspectRequest, MotionRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest,
     ReproduceRequest, RequestFault, RescaleRequest, SweepRequest, TransferRequest,
 };
-pub(crate) use own::{CompletionsArgs, ManArgs, RequestArgs, SetArgs};
+pub(crate) use own::{CompletionsArgs, HelpArgs, ManArgs, RequestArgs, SetArgs};
 pub(crate) use usage::usage_line;
 use usual::with_usual_first;
+use verbs::in_groups;
 
 /// Where the equations are from.
 macro_rules! equations {
@@ -38,6 +40,10 @@ macro_rules! equations {
     args_conflicts_with_subcommands = true,
     arg_required_else_help = true,
     disable_help_subcommand = true,
+    override_usage = concat!(
+        "osim-contact-scale [OPTIONS] [MODEL]...\n",
+        "       osim-contact-scale <VERB>"
+    ),
     after_help = concat!("More options with --help. ", equations!())
 )]
 pub(crate) struct Cli {
@@ -110,14 +116,38 @@ pub(crate) enum VerbArgs {
     Explain(Later<ExplainRequest>),
     /// Do what a request says: a verb with its options, as JSON
     Request(Later<RequestArgs>),
-    /// Let the shell complete verbs and options
+    /// Let the shell complete verbs, options and files
     Completions(Later<CompletionsArgs>),
     /// Print the manual page, or write all of them
     Man(Later<ManArgs>),
+    /// Print help, or that of one verb
+    Help(Later<HelpArgs>),
+    /// Print the version
+    Version,
 }
 
-/// The parser, with what options need and exclude, and help in the words of the command line.
-pub(crate) fn command() -> Command {
+impl Cli {
+    /// The words of the call that means the same, where the verb is one that clap answers as an option.
+    pub(crate) fn in_other_words(&self) -> Option<Vec<&str>> {
+        const NAME: &str = env!("CARGO_PKG_NAME");
+        match self.verb.as_ref()? {
+            VerbArgs::Help(args) => Some(match args.0.verb.as_deref() {
+                Some(verb) => vec![NAME, verb, "--help"],
+                None => vec![NAME, "-h"],
+            }),
+            VerbArgs::Version => Some(vec![NAME, "--version"]),
+            _ => None,
+        }
+    }
+}
+
+/// The parser, and its help in lines of so many columns; `None` if lines have no end.
+pub(crate) fn command(columns: Option<usize>) -> Command {
+    in_groups(plain_command(), columns)
+}
+
+/// The parser, with what options need and exclude, and help in the words of the command line. No verb is hidden.
+pub(crate) fn plain_command() -> Command {
     let command = with_usual_first(with_relations(Cli::command(), Verb::Rescale), Verb::Rescale);
     in_words_of_the_command(command.after_long_help(exit_statuses()))
 }
@@ -143,6 +173,6 @@ pub(crate) fn check_typed(matches: &ArgMatches) -> Result<(), RequestFault> {
 mod tests {
     #[test]
     fn the_command_line_is_consistent() {
-        super::command().debug_assert();
+        super::command(None).debug_assert();
     }
 }

@@ -7,6 +7,7 @@ use anyhow::{Result, anyhow, bail};
 use clap::Args;
 use osim_requests::{SetRequest, assignment};
 
+use super::verbs;
 use crate::words::Language;
 
 /// Models and assignments in one list of words.
@@ -75,6 +76,14 @@ pub(crate) struct CompletionsArgs {
     pub shell: clap_complete::Shell,
 }
 
+/// Prints the help of the program, or of one verb.
+#[derive(Debug, Args)]
+pub(crate) struct HelpArgs {
+    /// The verb [default: the help of the program]
+    #[arg(value_parser = verbs::names(), hide_possible_values = true)]
+    pub verb: Option<String>,
+}
+
 /// Prints the manual page of the command or of one verb, or writes all pages into a folder.
 #[derive(Debug, Args)]
 #[command(after_help = "\
@@ -83,6 +92,7 @@ On macOS and Linux (NAME is osim-contact-scale):
   to keep all   NAME man -d ~/.local/share/man/man1, then: man NAME-transfer")]
 pub(crate) struct ManArgs {
     /// The verb [default: the page of the command]
+    #[arg(value_parser = verbs::names(), hide_possible_values = true)]
     pub verb: Option<String>,
     /// Write all pages into this folder
     #[arg(short = 'd', long, value_name = "DIR", conflicts_with = "verb")]

@@ -17,6 +17,19 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
         let option = option.split(' ').next().unwrap_or_default().to_owned();
         return format!("{option} '{}': {reason}", shown(&value));
     }
+    if let (ErrorKind::InvalidValue, Some(value), Some(option), Some(near)) = (
+        error.kind(),
+        context(ContextKind::InvalidValue),
+        context(ContextKind::InvalidArg),
+        context(ContextKind::SuggestedValue),
+    ) {
+        // A value without an option is named by what it is alone.
+        let option = match option.split(' ').next() {
+            Some(name) if name.starts_with('-') => format!("{name} "),
+            _ => String::new(),
+        };
+        return format!("{option}'{}': did you mean '{near}'?", shown(&value));
+    }
     let text = error.render().to_string();
     let mut lines = text.lines().map(str::trim_ascii).filter(|line| !line.is_empty());
     let first = lines.next().unwrap_or_default().trim_start_matches("error: ").to_owned();

@@ -3,7 +3,7 @@
 use anyhow::Result;
 use clap_complete::Shell;
 
-use crate::args::{CompletionsArgs, command};
+use crate::args::{CompletionsArgs, plain_command};
 use crate::terminal::Terminal;
 
 /// Prints the script for the shell that `args` names.
@@ -11,7 +11,7 @@ use crate::terminal::Terminal;
 /// # Errors
 /// Standard output cannot be written.
 pub(super) fn run(args: &CompletionsArgs, terminal: &mut Terminal) -> Result<()> {
-    let mut command = command();
+    let mut command = plain_command();
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut command, name.as_str(), &mut script);

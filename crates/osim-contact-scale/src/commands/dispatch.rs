@@ -23,6 +23,8 @@ pub(crate) fn call(cli: Cli, session: &mut Session) -> Result<Exit> {
         Some(VerbArgs::Completions(args)) => {
             return completions::run(&args.0, &mut session.terminal).map(|()| Exit::Done);
         }
+        // Answered by clap.
+        Some(VerbArgs::Help(_) | VerbArgs::Version) => return Ok(Exit::Done),
         Some(VerbArgs::Man(args)) => return manual::run(&args.0, session),
         Some(VerbArgs::Rescale(request)) => Request::Rescale(request.0),
         Some(VerbArgs::Transfer(request)) => Request::Transfer(request.0),

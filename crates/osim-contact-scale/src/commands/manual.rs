@@ -7,7 +7,7 @@ use clap::Command;
 use clap_mangen::Man;
 use osim_library::{Mode, Prepared};
 
-use crate::args::{ManArgs, command};
+use crate::args::{ManArgs, plain_command};
 use crate::exit::Exit;
 use crate::session::Session;
 use crate::words::Words;
@@ -35,7 +35,7 @@ pub(super) fn run(args: &ManArgs, session: &mut Session) -> Result<Exit> {
         Some(verb) => pages.iter().find(|page| page.get_filename() == format!("{NAME}-{verb}.1")),
     };
     let Some(page) = page else {
-        bail!("'{}' is not a verb (see --help)", args.verb.as_deref().unwrap_or_default());
+        bail!("there is no such page");
     };
     session.terminal.write_bytes(&rendered(page)?)?;
     Ok(Exit::Done)
@@ -45,7 +45,7 @@ pub(super) fn run(args: &ManArgs, session: &mut Session) -> Result<Exit> {
 fn pages() -> Vec<Man> {
     // A page has room for what the short help leaves out; clap_mangen would leave it out too.
     let in_full = |command: Command| command.mut_args(|argument| argument.hide_short_help(false));
-    let mut command = command();
+    let mut command = plain_command();
     // Gives verbs their full names, and their options.
     command.build();
     let command = in_full(command).mut_subcommands(in_full);
