@@ -85,6 +85,47 @@ fn other_shells_can_read_theirs() {
 }
 
 #[test]
+fn fish_completes_verbs_options_values_and_files() {
+    let bench = scripts();
+    bench.write("model.osim", "");
+    bench.write("library/other.osim", "");
+    let complete = |line: &str| {
+        let script = format!("source completions.fish; complete -C 'osim-contact-scale {line}'");
+        let (out, _) = run(&bench, "fish's completion", "fish", &["--no-config", "-c", &script])?;
+        // A tab, and what it is, come after each word.
+        Some(
+            out.lines()
+                .map(|line| line.split('\t').next().unwrap_or_default().to_owned())
+                .collect::<Vec<_>>(),
+        )
+    };
+    if complete("").is_none() {
+        return;
+    }
+    let complete = |line: &str| complete(line).unwrap();
+    assert_eq!(complete("tran"), ["transfer"]);
+    // Verbs and files are both possible.
+    assert_eq!(complete("mo"), ["model.osim", "motion"]);
+    assert_eq!(complete("lib"), ["library/"]);
+    for verb in ["check ", "check --deny warn ", "transfer ", "plot force ", "rescale model.osim "] {
+        assert_eq!(complete(&format!("{verb}mod")), ["model.osim"], "{verb}");
+    }
+    assert_eq!(complete("transfer model.osim --from mod"), ["model.osim"]);
+    assert_eq!(complete("check library/"), ["library/other.osim"]);
+    // Options, of a call without a verb, too, before and after its model.
+    assert_eq!(complete("--target-m"), ["--target-mass"]);
+    assert_eq!(complete("model.osim --target-m"), ["--target-mass"]);
+    assert_eq!(complete("model.osim --target-mass 80 --dry"), ["--dry-run"]);
+    assert_eq!(complete("drop-test --compare-s"), ["--compare-spheres"]);
+    // What a verb does not take.
+    assert!(complete("inspect model.osim --target-m").is_empty());
+    assert_eq!(complete("inspect --format j"), ["json"]);
+    assert_eq!(complete("help drop"), ["drop-test"]);
+    assert_eq!(complete("completions z"), ["zsh"]);
+    assert_eq!(complete("plot fig-"), ["fig-c5"]);
+}
+
+#[test]
 fn every_verb_has_a_page_that_groff_can_set() {
     let bench = Bench::new();
     bench.run("man -d pages").done();

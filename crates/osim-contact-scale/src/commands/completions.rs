@@ -1,5 +1,7 @@
 //! `completions`: scripts that let a shell complete verbs and options.
 
+mod fish;
+
 use anyhow::Result;
 use clap_complete::Shell;
 
@@ -15,8 +17,10 @@ pub(super) fn run(args: &CompletionsArgs, terminal: &mut Terminal) -> Result<()>
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut command, name.as_str(), &mut script);
-    if args.shell == Shell::Bash {
-        script = with_one_name(&String::from_utf8(script)?, &name).into_bytes();
+    match args.shell {
+        Shell::Bash => script = with_one_name(&String::from_utf8(script)?, &name).into_bytes(),
+        Shell::Fish => script = fish::completed(&String::from_utf8(script)?, &command).into_bytes(),
+        _ => {}
     }
     terminal.write_bytes(&script)?;
     Ok(())
