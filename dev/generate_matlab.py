@@ -109,7 +109,7 @@ def help_of(verb, options, used):
         lines += ["%"] + comment(f"RESULTS: an array of structs with the fields {', '.join(fields)}. "
                                  "docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.")
     else:
-        lines += ["%"] + comment("RESULTS: a struct with the fields output (the file) and text (what is said of it).")
+        lines += ["%"] + comment("RESULTS: a struct with the fields output (the file) and text (remarks on it).")
     lines += ["%"] + comment("Example:") + ["%       " + line for line in EXAMPLES[verb.name].strip().splitlines()]
     lines += ["%"] + comment("See also " + ", ".join(f"osimcontact.{other}" for other in related(verb.name)) + ".")
     return lines

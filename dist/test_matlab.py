@@ -2,7 +2,7 @@
 
     python3 dist/test_matlab.py FOLDER [PROGRAM]
 
-FOLDER holds osim-contact-scale-matlab-VERSION.zip; PROGRAM is target/release/osim-contact-scale where nothing else is said.
+FOLDER holds osim-contact-scale-matlab-VERSION.zip; PROGRAM is target/release/osim-contact-scale by default.
 Needs Octave 7.
 """
 

@@ -71,7 +71,7 @@ function results = plot(varargin)
 %         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
 %         or a cell array of these.
 %
-%   RESULTS: a struct with the fields output (the file) and text (what is said of it).
+%   RESULTS: a struct with the fields output (the file) and text (remarks on it).
 %
 %   Example:
 %       done = osimcontact.plot('force', {'human.osim', 'emu.osim'}, 'output', 'force.pdf');

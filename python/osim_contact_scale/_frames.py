@@ -62,6 +62,6 @@ def frame_of(make: Callable[[], Any], units: Mapping[str, str] | None = None) ->
 
 
 def unit_of(name: str) -> str | None:
-    """The unit at the end of a name of a column; none where there is none."""
+    """The unit at the end of a column's name, or None."""
     name = _AXIS.sub("", name)
     return next((unit for end, unit in _UNITS.items() if name.endswith(end)), None)

@@ -1,4 +1,4 @@
-"""Gaps in tables of models: where an option is left out because its cell is empty, and how that is said."""
+"""Gaps in tables of models: where an option is left out because its cell is empty, and the remark on that."""
 
 from __future__ import annotations
 

@@ -325,7 +325,7 @@ class Result(Named):
         return "".join(parts)
 
     def _verdicts(self) -> list[dict[str, Any]]:
-        """What the verdicts are before and after; what says the same twice is said once."""
+        """What the verdicts are before and after; each sentence once."""
         states = [record["verdicts"] for record, _ in self._planned.checked()]
         if not states:
             return []

@@ -7,7 +7,7 @@
 All arguments have names, so that no order can be mixed up; all numbers are in SI units. Arrays are broadcast against each other; the
 result is an array of float64, or a float where every argument is a number. A value outside of the domain of an equation is a
 `osim_contact_scale.RequestError` (which is a ValueError) that names the argument and the element. Infinity is such a value, too, and
-so is NaN, unless `nan="propagate"` is said: then an element is NaN where any of its arguments is, and the others are calculated.
+so is NaN, unless `nan="propagate"` is given: then an element is NaN where any of its arguments is, and the others are calculated.
 
 With a Series or a DataFrame of pandas or polars among the arguments, the result is one, too. Its index and columns are theirs. A
 Series keeps its name; of several Series, the name that all of them have. Several must have equal indexes (in polars: lengths), in

@@ -32,7 +32,7 @@ import { ResultView } from "./views/result";
 import { StageView } from "./views/stage";
 import { showFalls } from "./views/start";
 
-const NEWER = "Please use a newer one: which ones work is said at the end of the page.";
+const NEWER = "Please use a newer one. The end of the page lists those that work.";
 const EXAMPLE = "human_62kg_smooth_sphere.osim";
 
 function main(): void {

@@ -46,7 +46,7 @@ function options({ choices = [], factor, default: usual }: Field): HTMLOptionEle
   const words = choices.map(({ value, text }) => el("option", { value }, text));
   const factors = factor ? [el("option", { value: FACTOR }, "a factor…")] : [];
   return [
-    el("option", { value: "" }, usual ? `as usual: ${usual}` : "as usual"), ...words,
+    el("option", { value: "" }, usual ? `default: ${usual}` : "default"), ...words,
     el("option", { value: NUMBER }, "a radius in metres…"), ...factors,
   ];
 }

@@ -16,7 +16,7 @@ export function flagControl(field: Field, context: Context): Control {
 }
 
 export function choiceControl(field: Field, context: Context): Control {
-  const unsaid = field.default ? `as usual: ${field.default}` : "not set";
+  const unsaid = field.default ? `default: ${field.default}` : "not set";
   const options = (field.choices ?? []).map(({ value, text }) => el("option", { value }, text));
   const select = el("select", { name: field.name }, el("option", { value: "" }, unsaid), ...options);
   select.addEventListener("change", () => context.values.set(field.name, select.value));

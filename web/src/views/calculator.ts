@@ -39,7 +39,7 @@ export function calculatorView(session: Session, addFile: Context["addFile"]): v
     const wrong = problems(CALCULATOR, session.calculation);
     if (wrong.size > 0) {
       failure.show(undefined);
-      // What is wrong is said beside its field.
+      // What is wrong is shown beside its field.
       asked.querySelector<HTMLElement>("[aria-invalid=true]")?.focus();
       return sheet.replaceChildren();
     }

@@ -1,4 +1,4 @@
-// A row of a few choices, of which one holds.
+// A row of a few choices; one of them is chosen.
 
 import { el } from "../dom/element";
 

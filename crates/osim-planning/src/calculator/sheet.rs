@@ -41,7 +41,7 @@ pub struct DesignFigure {
     pub unit: &'static str,
     /// Number of the equation in the paper, or a word where there is none.
     pub equation: Cow<'static, str>,
-    /// It was said, and does not follow.
+    /// It was given, and does not follow from other numbers.
     pub given: bool,
     /// Its limit, where it has one.
     pub limit: Option<DesignLimit>,

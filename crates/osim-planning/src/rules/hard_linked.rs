@@ -15,7 +15,7 @@ pub(crate) static RULE: Rule = Rule {
     repair: Repair::NotPossible("only you know what the other names are for"),
     example: Example::InWords {
         good: "`model.osim` is the only name of its file",
-        bad: "`model.osim` and `copy.osim` are two names of one file, of which one is changed in place",
+        bad: "`model.osim` and `copy.osim` are two names of one file, and one of them is changed in place",
     },
 };
 

@@ -141,7 +141,7 @@ const fn described(property: Property) -> (&'static str, &'static str) {
             "bv of SmoothSphereHalfSpaceForce: how sharply the force ends when the sphere leaves the ground fast (C.9)",
         ),
         Property::Radius => ("8", "Radius R of a ContactSphere"),
-        _ => ("", "Mass of a body, of which the sum is what the model weighs"),
+        _ => ("", "Mass of a body; the sum over all bodies is what the model weighs"),
     }
 }
 

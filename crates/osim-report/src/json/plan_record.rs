@@ -51,7 +51,7 @@ pub struct PlanRecord {
     pub floor_up_m: Option<Vec<f64>>,
     /// Things the user should know.
     pub warnings: Vec<FindingRecord>,
-    /// Things that always hold and are said once.
+    /// Remarks on every change of this kind.
     pub notes: Vec<String>,
     /// The credits of the new model as OpenSim reads them, with the note about its contacts; null where it has none. Set them, too,
     /// where changes are made in a model in memory.

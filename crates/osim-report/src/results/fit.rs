@@ -60,7 +60,7 @@ pub(super) fn in_words(doubt: &Doubt) -> String {
             parameter = parameter.in_words()
         ),
         Doubt::NoResiduals => {
-            "nothing is left over, as in calculated data: how sure the values are cannot be said".to_owned()
+            "nothing is left over, as in calculated data: how sure the values are is not known".to_owned()
         }
         _ => doubt.code().to_owned(),
     }

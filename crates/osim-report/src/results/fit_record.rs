@@ -69,7 +69,7 @@ pub struct FitRecord {
 pub struct FitWarningRecord {
     /// Stable short name.
     pub code: &'static str,
-    /// What cannot be said, and what to do.
+    /// What the data do not determine, and what to do.
     pub message: String,
 }
 

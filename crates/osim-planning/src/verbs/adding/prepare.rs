@@ -219,7 +219,7 @@ fn wanted(request: &AddRequest) -> Result<Wanted, RequestFault> {
     let Some(class) = request.class else {
         let message = phrase![
             Input::Class.like("smooth|hunt-crossley"),
-            " is missing: without a reference nothing says of which class the forces are",
+            " is missing: only a reference would say which class the forces have",
         ];
         return Err(RequestFault::refused(Input::Class, message));
     };
