@@ -40,6 +40,7 @@ fn of_equation(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -> 
     text.push('\n');
     text.push_str(&paragraph("Source: ", &spelled(equation.source)));
     text.push_str(&paragraph("Used:   ", &uses(equation.label).spelled(dialect)));
+    text.push_str(&book("Book:   ", "equations"));
     text
 }
 
@@ -65,14 +66,14 @@ fn of_finding(rule: &Rule, dialect: &dyn Dialect) -> String {
         [("What: ", rule.what()), ("Why:  ", rule.why()), ("Do:   ", rule.advice()), ("Fix:  ", repair)];
     let body: String =
         parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect))).collect();
-    format!("{}\n\n{body}", rule.code)
+    format!("{}\n\n{body}{}", rule.code, book("Book: ", "warnings"))
 }
 
 fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> String {
     let parts = [("Means: ", error.means()), ("Do:    ", error.way_out())];
     let body: String =
         parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect))).collect();
-    format!("{} (error)\n\n{body}", error.code)
+    format!("{} (error)\n\n{body}{}", error.code, book("Book:  ", "errors"))
 }
 
 /// Topics by kind, one line each.
@@ -105,6 +106,11 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
     // A name that is broken cannot be copied.
     quantities.unbroken(0);
     [equations, quantities, findings, errors].map(|table| format!("{}\n", table.fitted())).join("\n")
+}
+
+/// The page of the book that has all topics of this kind.
+fn book(label: &str, page: &str) -> String {
+    format!("{label}docs/reference/{page}.md\n")
 }
 
 fn paragraph(label: &str, body: &str) -> String {
