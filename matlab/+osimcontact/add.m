@@ -29,8 +29,8 @@ function results = add(varargin)
 %         a cell array of these.
 %     body_map: A body of the reference, and the one that takes its spheres here. Takes a text or a cell
 %         array of texts.
-%     level: Move the centres of spheres until the bottoms of each foot are as low as its lowest one, at
-%         the default pose. Takes true or false.
+%     level: Move spheres down until all spheres of a foot are as low as its lowest one, at the default
+%         pose. Takes true or false.
 %     replace: Take the model's own foot contacts out first. Takes true or false.
 %     select: Only forces with such a name. Takes a text or a cell array of texts.
 %     exclude: No forces with such a name. Takes a text or a cell array of texts.

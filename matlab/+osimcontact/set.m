@@ -8,8 +8,8 @@ function results = set(varargin)
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
 %     set: Properties by OpenSim's names, each with its value, or with a factor such as "x2". Takes a
 %         struct or containers.Map or a text.
-%     level: Move the centres of spheres until the bottoms of each foot are as low as its lowest one, at
-%         the default pose. Takes true or false.
+%     level: Move spheres down until all spheres of a foot are as low as its lowest one, at the default
+%         pose. Takes true or false.
 %     contacts_mass: Mass the contacts are made for now, kg [default: the note, else mass]. Takes a
 %         number.
 %     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.

@@ -42,7 +42,8 @@ function results = transfer(varargin)
 %         of texts.
 %     radius: Radii: isometric (R ~ M^1/3), keep, a radius in metres, or a factor like x1.5 [default:
 %         isometric with target_mass, keep otherwise]. Takes a number or a text.
-%     level: Move centres so that bottoms stay on the sole while radii change. Takes true or false.
+%     level: Keep the soles: where a radius changes, move the centre so that the lowest point of the
+%         sphere stays. Takes true or false.
 %     level_axis: The axis of the spheres' frames that points up with the foot flat [default: nearest to
 %         -gravity]. Takes 'x' or 'y' or 'z' or '-x' or '-y' or '-z'.
 %     only: Only these properties, separated by commas (OpenSim's names, and radius). Takes a text or a

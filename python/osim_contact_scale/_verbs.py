@@ -120,8 +120,7 @@ def add(
     body_map : str or list of str, optional
         A body of the reference, and the one that takes its spheres here; one or several in a list.
     level : bool, optional
-        Move the centres of spheres until the bottoms of each foot are as low as its lowest one, at the default
-        pose.
+        Move spheres down until all spheres of a foot are as low as its lowest one, at the default pose.
     replace : bool, optional
         Take the model's own foot contacts out first.
     select : str or list of str, optional
@@ -1373,7 +1372,7 @@ def rescale(
         Radii: isometric (R ~ M^1/3), keep, a radius in metres, or a factor like x1.5 [default: isometric with
         `target_mass`, keep otherwise]
     level : bool, optional
-        Move centres so that bottoms stay on the sole while radii change.
+        Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays.
     level_axis : {"x", "y", "z", "-x", "-y", "-z"}, optional
         The axis of the spheres' frames that points up with the foot flat [default: nearest to -gravity]
     only : str or list of str, optional
@@ -1462,8 +1461,7 @@ def set(
     stiffness, dissipation, static_friction, dynamic_friction, viscous_friction, transition_velocity, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing, radius : float or str, optional
         The value of this property, or a factor such as "x2".
     level : bool, optional
-        Move the centres of spheres until the bottoms of each foot are as low as its lowest one, at the default
-        pose.
+        Move spheres down until all spheres of a foot are as low as its lowest one, at the default pose.
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
@@ -1741,7 +1739,7 @@ def transfer(
         Radii: isometric (R ~ M^1/3), keep, a radius in metres, or a factor like x1.5 [default: isometric with
         `target_mass`, keep otherwise]
     level : bool, optional
-        Move centres so that bottoms stay on the sole while radii change.
+        Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays.
     level_axis : {"x", "y", "z", "-x", "-y", "-z"}, optional
         The axis of the spheres' frames that points up with the foot flat [default: nearest to -gravity]
     only : str or list of str, optional

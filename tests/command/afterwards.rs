@@ -24,7 +24,8 @@ fn numbers_that_were_given_are_said_to_be_wrong_and_written() {
     let bench = Bench::human();
     // (11): x/R follows E*^(-2/3), 0.3533 becomes 1.64.
     let out = bench.run("set human.osim stiffness=x0.1").done().out();
-    let warned = "warning: in the new model: at body weight on one limb x/R is 1.64 by Hertz";
+    let warned =
+        "warning: in the new model: too soft: at body weight on one limb spheres sink 1.64 R into the floor";
     assert!(out.contains(warned), "{out}");
 }
 

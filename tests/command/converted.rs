@@ -218,6 +218,6 @@ fn a_class_that_is_not_changed_is_named() {
         bench
             .run(call)
             .failed()
-            .says(&["there are no contacts to work on", "an ElasticFoundationForce is not changed"]);
+            .says(&["the model has no contacts", "an ElasticFoundationForce cannot be changed"]);
     }
 }

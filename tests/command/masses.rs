@@ -97,7 +97,7 @@ fn an_edited_value_makes_the_note_stale() {
         .run("edited.osim --target-mass 500")
         .failed()
         .wrote_nothing()
-        .says(&["no longer those the note was written for", "--contacts-mass KG"]);
+        .says(&["contacts were changed after this program left its note", "--contacts-mass KG"]);
     bench.run("edited.osim --target-mass 500 --contacts-mass 1190").done().wrote(&["edited.scaled.osim"]);
     // Other parts of the model may change freely.
     let other = bench.text("a.osim").replacen("<mass>42.0390625", "<mass>43", 1);
@@ -115,7 +115,7 @@ fn without_a_note_the_bodies_count_again() {
         .run("a.osim --target-mass 62")
         .failed()
         .wrote_nothing()
-        .says(&["made for 1190 kg", "--contacts-mass 1190"]);
+        .says(&["for a body of 1190 kg", "--contacts-mass 1190"]);
     bench.run("set a.osim stiffness=x1.1 --no-note -o b.osim").done();
     bench.run("b.osim --target-mass 62").done().wrote_nothing().says(&["already-at-target"]);
 }

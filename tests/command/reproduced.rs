@@ -80,7 +80,8 @@ fn nothing_is_replaced_without_being_asked() {
 fn fig_1_is_not_drawn_but_what_it_needs_is_said() {
     let bench = Bench::new();
     for call in ["plot fig1", "plot fig1 -o fig1.svg"] {
-        let words = ["OpenSim Moco", "doi:10.5281/zenodo.20730121", "sweep MODEL --grid", "docs/sweep.md"];
+        let words = ["no equation gives", "sweep MODEL --grid", "docs/sweep.md"];
         bench.run(call).usage().wrote_nothing().says(&words);
     }
+    bench.run("reproduce").done().says(&["OpenSim Moco", "doi:10.5281/zenodo.20730121"]);
 }

@@ -80,7 +80,7 @@ fn whoever_has_it_made_by_matlab_reads_the_words_of_matlab() {
         .usage()
         .says(&["say for example 'Indentation', X"]);
     let unknown = json!({"verb": "set", "models": ["human.osim"], "set": {"stifness": 2, "radius": "x2"}});
-    of_matlab(&unknown).usage().says(&["'stifness=2 radius=x2': unknown property 'stifness'"]);
+    of_matlab(&unknown).usage().says(&["'stifness=2 radius=x2': there is no property 'stifness'"]);
 }
 
 #[test]

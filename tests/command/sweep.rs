@@ -233,7 +233,7 @@ fn what_makes_no_sense_is_refused_before_anything_is_written() {
     let bench = Bench::with(&[EMU, ("bad/no_contacts.osim", "bare.osim")]);
     for (arguments, says) in [
         ("emu.osim", "--grid"),
-        ("emu.osim --grid stifness=x2", "unknown property"),
+        ("emu.osim --grid stifness=x2", "there is no property"),
         ("emu.osim --grid stiffness=x2,x2", "appears twice"),
         ("emu.osim --grid stiffness=x2 --grid stiffness=x3", "given twice"),
         ("emu.osim --grid stiffness=x0.1..x10", "expected a range"),

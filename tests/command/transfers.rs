@@ -261,7 +261,10 @@ fn spheres_of_ones_own_get_the_size_of_a_preset_and_stay_on_their_soles() {
         .says(&["every value is already as the reference wants it"]);
     // Metres and factors move bottoms as well; a radius that stays does not.
     for radius in ["0.02", "x1.5"] {
-        bench.run(&call.replace("isometric", radius)).done().says(&["so that bottoms stay"]);
+        bench
+            .run(&call.replace("isometric", radius))
+            .done()
+            .says(&["so that the lowest point of each sphere stays"]);
     }
     for radius in ["--radius keep", "--radius isometric --keep radius", "--only stiffness", ""] {
         let call = call.replace("--radius isometric", radius);

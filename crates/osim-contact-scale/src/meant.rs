@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Command, CommandFactory};
 use osim_library::SplitName;
 use osim_messages::{Input, Phrase, Verb, phrase};
-use osim_requests::fig1;
+use osim_requests::no_fig1;
 use osim_requests::{AxisName, Kilograms, PlotKind};
 
 use crate::args::Cli;
@@ -38,8 +38,7 @@ pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Optio
 pub(crate) fn figure_meant(words: &[String], terms: Words) -> Option<String> {
     let [verb, kind, ..] = words else { return None };
     let is_fig1 = verb == Verb::Plot.name() && kind == PlotKind::Fig1.as_str();
-    let text = Phrase::joined(fig1(), " ").filter(|_| is_fig1)?;
-    Some(text.spelled(terms))
+    is_fig1.then(|| no_fig1().spelled(terms))
 }
 
 /// The number of a word such as `20`, `20kg` or `20000g`.

@@ -5,7 +5,7 @@ use osim_inspect::series::{Body, HeatRequest};
 use osim_messages::{Input, Phrase, harmless, phrase};
 use osim_model::files::Failure;
 use osim_planning::{HeatTable, ModelFeet, MotionResult};
-use osim_requests::{AxesChoice, FigureOptions, PlotKind, PlotRequest, Positive, Span, fig1};
+use osim_requests::{AxesChoice, FigureOptions, PlotKind, PlotRequest, Positive, Span, no_fig1};
 
 use super::axes::{Axes, units};
 use super::drops::drops;
@@ -59,8 +59,7 @@ fn of_bodies(request: &PlotRequest, bodies: &[Body], title: Option<&str>) -> Res
             return heat(bodies, &HeatRequest::from(request), values(stiffness), values(dissipation), title);
         }
         Some(PlotKind::Fig1) => {
-            let why = Phrase::joined(fig1(), " ").unwrap_or_default();
-            return Err(Failure::outside("Fig. 1", "plot", why));
+            return Err(Failure::outside("Fig. 1", "plot", no_fig1()));
         }
         Some(PlotKind::Fig4) => Ok(fig4(title)?),
         Some(PlotKind::FigC5) => Ok(fig_c5(title)?),

@@ -121,9 +121,52 @@ impl FromStr for Property {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        Self::ALL.into_iter().find(|property| property.name() == text).ok_or_else(|| {
-            let names: Vec<_> = Self::ALL.iter().map(|property| property.name()).collect();
-            format!("unknown property '{text}', expected one of {}", names.join(", "))
+        Self::ALL.into_iter().find(|property| property.name() == text).ok_or_else(|| match near(text) {
+            near if near.is_empty() => {
+                let names = Self::ALL.map(Self::name);
+                format!("there is no property '{text}', expected one of {}", names.join(", "))
+            }
+            near => format!("there is no property '{text}': did you mean {}?", near.join(" or ")),
         })
+    }
+}
+
+/// Names that were probably meant by `text`: those spelled almost like it, else those that it is a part of, or that end as it does.
+fn near(text: &str) -> Vec<&'static str> {
+    /// Letters that differ.
+    const TYPED_WRONG: usize = 2;
+    /// Shorter parts are in too many names.
+    const LONG: usize = 5;
+
+    let flat = |text: &str| text.to_lowercase().replace(['-', '_', ' '], "");
+    let end = |text: &str| flat(text.rsplit(['-', '_', ' ']).next().unwrap_or_default());
+    let (typed, ending) = (flat(text), end(text));
+    let names = || Property::ALL.into_iter().map(Property::name);
+    let apart = |name: &str| strsim::osa_distance(&flat(name), &typed);
+    let closest = names().map(apart).min().filter(|&apart| apart <= TYPED_WRONG && apart < typed.len());
+    if let Some(closest) = closest {
+        return names().filter(|name| apart(name) == closest).collect();
+    }
+    let is_part = |name: &&str| {
+        (typed.len() >= LONG && flat(name).contains(&typed)) || (ending.len() >= LONG && end(name) == ending)
+    };
+    names().filter(is_part).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::near;
+
+    #[test]
+    fn what_was_meant_is_found() {
+        let smoothing = ["hertz_smoothing", "hunt_crossley_smoothing"];
+        assert_eq!(near("hertz_smothing"), ["hertz_smoothing"]);
+        assert_eq!(near("hertz-smoothing"), ["hertz_smoothing"]);
+        assert_eq!(near("HertzSmoothing"), ["hertz_smoothing"]);
+        assert_eq!(near("smoothing"), smoothing);
+        assert_eq!(near("derivative_smoothing"), smoothing);
+        assert_eq!(near("friction"), ["static_friction", "dynamic_friction", "viscous_friction"]);
+        assert_eq!(near("stifness"), ["stiffness"]);
+        assert!(near("k").is_empty() && near("damping").is_empty() && near("").is_empty());
     }
 }

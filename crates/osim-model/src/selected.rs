@@ -123,10 +123,14 @@ fn no_contacts(model: &Model) -> Fault {
     let detail = if model.forces().is_empty() {
         let tree = model.document().tree();
         let is_other = tree.elements().any(|id| tree.name(id) == "ElasticFoundationForce");
-        let other = if is_other { "; an ElasticFoundationForce is not changed" } else { "" };
-        format!("there is no HuntCrossleyForce and no SmoothSphereHalfSpaceForce in it{other}")
+        let other = if is_other { "; an ElasticFoundationForce cannot be changed" } else { "" };
+        format!("the model has no contacts (no HuntCrossleyForce, no SmoothSphereHalfSpaceForce{other})")
     } else {
-        format!("in none of its {} contact forces a moving sphere meets a half-space", model.forces().len())
+        let count = match model.forces().len() {
+            1 => "its contact force has no moving sphere".to_owned(),
+            count => format!("none of its {count} contact forces has a moving sphere"),
+        };
+        format!("the model has no contacts ({count} that meets a half-space)")
     };
     Fault::new(FaultKind::NoContacts { detail })
 }

@@ -1,6 +1,6 @@
 //! Remarks about a change beside its numbers.
 
-use osim_messages::{Phrase, readable};
+use osim_messages::{Input, Phrase, phrase, readable};
 use osim_model::{ForceId, PropertySet};
 
 use crate::builder::PlanBuilder;
@@ -10,11 +10,14 @@ use crate::rules::friction_not_similar;
 /// What every change of plain numbers leaves as it is.
 pub const PLACES_STAY: &str = "body masses and sphere locations stay as they are";
 
+/// The remark if centres move because radii change.
+pub(crate) const LEVEL: &str = "body masses stay as they are; sphere centres move, so that the lowest point of each sphere stays where it is";
+
 /// The remark if contacts are scaled to a gravity that is not the model's.
 pub(crate) const GRAVITY_STAYS: &str = "the model's own <gravity> stays as it is: set it in OpenSim";
 
 /// The remark if spheres move because their feet are made level.
-pub(crate) const LEVEL_FEET: &str = "sphere centres move along the normal of their floor until the bottoms of each foot are as low as its lowest one, at the default pose";
+pub(crate) const LEVEL_FEET: &str = "spheres move down, along the normal of their floor, until all spheres of a foot are as low as its lowest one at the default pose";
 
 /// Says what is special about the chosen forces.
 pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], properties: &PropertySet) {
@@ -40,7 +43,12 @@ pub(crate) fn bottoms_remark(radii: &Radii) -> Option<Phrase> {
     } else {
         format!("from {} mm up to {} mm down", mm(least), mm(most))
     };
-    Some(format!("sphere bottoms move {moves}, because radii change and centres stay").into())
+    Some(format!("the lowest points of spheres move {moves}, because radii change and centres stay").into())
+}
+
+/// The same where centres can move, too.
+pub(crate) fn bottoms_remark_and_level(radii: &Radii) -> Option<Phrase> {
+    Some(phrase![&bottoms_remark(radii)?, "; ", Input::Level, " keeps them where they are"])
 }
 
 /// Where the model's own smoothed law rests after a design: its x/R is not that of the Hertz law, which (11) is about.

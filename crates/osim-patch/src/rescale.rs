@@ -12,7 +12,7 @@ use crate::builder::{New, PlanBuilder};
 use crate::gravity::GravityChange;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRule};
-use crate::remarks::{GRAVITY_STAYS, bottoms_remark, warn_forces};
+use crate::remarks::{GRAVITY_STAYS, bottoms_remark_and_level, warn_forces};
 use crate::rules::{already_at_target, nothing_to_change};
 use crate::scaling::factor;
 
@@ -221,11 +221,11 @@ fn finish(
     if !nothing {
         if moves.is_empty() {
             remarks.push(crate::remarks::PLACES_STAY.into());
-            remarks.extend(radii.and_then(bottoms_remark));
+            remarks.extend(radii.and_then(bottoms_remark_and_level));
         } else if wanted.bodies.is_some() {
             remarks.push("body masses stay as they are; spheres follow their bodies".into());
         } else {
-            remarks.push("body masses stay as they are; sphere centres move so that bottoms stay".into());
+            remarks.push(crate::remarks::LEVEL.into());
         }
         if wanted.target_gravity_m_s2.is_some() {
             remarks.push(GRAVITY_STAYS.into());

@@ -40,10 +40,10 @@ impl Printed {
     }
 
     /// A model that could not be read, by its name.
-    pub(crate) fn add_failed(&mut self, model: &str) {
+    pub(crate) fn add_failed(&mut self, model: &str, code: &str) {
         match self {
-            Self::Models(table) => table.add_failed(model),
-            Self::Library(table) => table.add_failed(model),
+            Self::Models(table) => table.add_failed(model, code),
+            Self::Library(table) => table.add_failed(model, code),
             Self::InFull(_) => {}
         }
     }

@@ -107,7 +107,7 @@ impl Work<'_> {
         let mut printed = self.printed(&sources);
         for failure in &sources.failures {
             if self.verb == Verb::Inspect {
-                printed.add_failed(&failure.model.to_string());
+                printed.add_failed(&failure.model.to_string(), failure.code);
             }
             first.push(Seen::Failed(Box::new(failure.clone())));
         }
@@ -152,10 +152,9 @@ impl Work<'_> {
                 });
             }
             let failed = matches!(seen, Seen::Failed(_));
-            if failed {
-                printed.add_failed(&item.source.shown());
-            } else {
-                printed.add(&seen);
+            match &seen {
+                Seen::Failed(failure) => printed.add_failed(&item.source.shown(), failure.code),
+                seen => printed.add(seen),
             }
             rows.push(seen);
             watch.one_more(failed);

@@ -23,3 +23,15 @@ pub fn mass_mismatch(name: &str, mismatch: &MassMismatch, dialect: &dyn Dialect)
     let line = format!("warning: {name}: {message} [{}]", FindingCode::MassSourcesDisagree);
     format!("{}\n", one_line(line))
 }
+
+/// In the row of a model that has nothing to show, because it has no contacts.
+pub(crate) const NO_CONTACTS: &str = "no contacts";
+
+/// Why the row of a model has nothing to show, by the code of its failure.
+pub(crate) fn in_a_cell(code: &str) -> &'static str {
+    match code {
+        "no-contacts" => NO_CONTACTS,
+        "no-models" => "no models",
+        _ => "not read",
+    }
+}

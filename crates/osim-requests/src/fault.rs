@@ -77,11 +77,9 @@ impl RequestFault {
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::UnknownField { field, nearest: Some(nearest) } => {
-                phrase![format!("there is no '{field}' in this request: did you mean "), &named(nearest), "?"]
+                phrase![format!("there is no option '{field}': did you mean "), &named(nearest), "?"]
             }
-            Self::UnknownField { field, nearest: None } => {
-                format!("there is no '{field}' in this request").into()
-            }
+            Self::UnknownField { field, nearest: None } => format!("there is no option '{field}'").into(),
             Self::BadValue { field, value, reason } => {
                 phrase![&named(field), format!(" '{}': {reason}", shown(value))]
             }

@@ -11,8 +11,9 @@ function path = find_program()
     path = getenv('OSIM_CONTACT_SCALE');
     if ~isempty(path)
         if ~is_file(path)
-            error('osimcontact:programNotFound', ['there is no file ''%s'', which the environment variable OSIM_CONTACT_SCALE ' ...
-                'or osimcontact.program named. Say where it is: osimcontact.program(''FOLDER/%s'')'], path, name);
+            error('osimcontact:programNotFound', ['there is no file ''%s'', where osimcontact.program or the environment ' ...
+                'variable OSIM_CONTACT_SCALE says that the program is. If it is in FOLDER, type: ' ...
+                'osimcontact.program(''FOLDER/%s'')'], path, name);
         end
         return
     end
@@ -33,9 +34,9 @@ function path = find_program()
             return
         end
     end
-    error('osimcontact:programNotFound', ['the program %s is not found: not beside this package, in no folder of PATH, and not ' ...
-        'where programs usually are. Download it (docs/install.md), and say where it is: ' ...
-        'osimcontact.program(''FOLDER/%s'')'], name, name);
+    error('osimcontact:programNotFound', ['this package needs the program %s, and cannot find it. If you have it in FOLDER, ' ...
+        'type: osimcontact.program(''FOLDER/%s''). If not, docs/install.md says how to get it. It is looked for beside this ' ...
+        'package, in the folders of PATH, and where programs usually are.'], name, name);
 end
 
 function is = is_file(path)

@@ -22,8 +22,8 @@ function [request, as_table] = request_of(declared, arguments)
     for i = count + 1:2:numel(arguments)
         name = arguments{i};
         if ~is_text(name)
-            error('osimcontact:usage', 'argument %d of osimcontact.%s is not a name of an option, but of class %s', i, ...
-                declared.name, class(name));
+            error('osimcontact:usage', 'argument %d of osimcontact.%s must be the name of an option, as text, but is of class %s', ...
+                i, declared.name, class(name));
         end
         name = field_name(char(name), declared.options);
         if strcmp(name, 'as_table')
@@ -31,8 +31,8 @@ function [request, as_table] = request_of(declared, arguments)
                 as_table = arguments{i + 1};
             end
         elseif any(strcmp(name, declared.left_out))
-            error('osimcontact:usage', '''%s'' has no use here: results are structs. See help osimcontact.%s', ...
-                char(arguments{i}), declared.name);
+            error('osimcontact:usage', ['leave out ''%s'': it says how a terminal shows results, and here results are structs. ' ...
+                'See help osimcontact.%s'], char(arguments{i}), declared.name);
         else
             fields = with(fields, name, arguments{i + 1});
         end
@@ -61,7 +61,7 @@ function fields = with(fields, name, value)
         error('osimcontact:usage', '''%s'' was given twice', name);
     end
     if is_text(value) && strcmp(value, '-')
-        error('osimcontact:usage', '''%s'' is ''-'': standard input and output are not for MATLAB, name a file', name);
+        error('osimcontact:usage', '''%s'' is ''-'', which means standard input or output: name a file instead', name);
     end
     fields.(name) = value;
 end

@@ -19,7 +19,7 @@ function throw_failures(status, said, records, has_failed, has_table)
     elseif status ~= 0 && (status ~= 1 || isempty(records))
         error('osimcontact:programFailed', 'the program ended with status %d: %s', status, said);
     elseif any(has_failed)
-        warning('osimcontact:someFailed', '%d of %d failed, first %s (the field error says it of each)', ...
+        warning('osimcontact:someFailed', '%d of %d failed; the field error has the reason of each. The first: %s', ...
             numel(failures), numel(records), in_words(failures{1}));
     end
 end

@@ -85,7 +85,7 @@ pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit>
                         page.add(Entry::failed(&failure, words));
                     }
                     if let Some(library) = &mut library {
-                        library.add_failed(&source.shown());
+                        library.add_failed(&source.shown(), failure.code);
                     }
                 }
             }

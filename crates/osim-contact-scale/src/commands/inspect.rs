@@ -50,7 +50,7 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
     let is_table = several && !request.full && request.format == SheetFormat::Table;
     let mut table = is_table.then(ModelsTable::default);
     for failure in sources.failures.iter().filter(|_| is_table) {
-        table.iter_mut().for_each(|table| table.add_failed(&failure.model.to_string()));
+        table.iter_mut().for_each(|table| table.add_failed(&failure.model.to_string(), failure.code));
     }
     let folders =
         is_table.then(|| Folders::list(sources.models.iter().map(|source| source.path.as_path()), false));
@@ -85,7 +85,7 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
                         page.add(Entry::failed(&failure, words));
                     }
                     if let Some(table) = &mut table {
-                        table.add_failed(&source.shown());
+                        table.add_failed(&source.shown(), failure.code);
                     }
                 }
             }

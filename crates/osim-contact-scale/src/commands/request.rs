@@ -9,7 +9,7 @@ use osim_requests::Request;
 
 use crate::args::RequestArgs;
 use crate::session::Session;
-use crate::words;
+use crate::words::{self, Language};
 
 /// The name of standard input.
 const STDIN: &str = "-";
@@ -25,8 +25,9 @@ pub(super) fn read(args: &RequestArgs, session: &mut Session) -> Result<Request>
     let is_stdin = args.file == Path::new(STDIN);
     let shown = if is_stdin { "standard input".into() } else { args.file.to_string_lossy().into_owned() };
     let bytes = Disk.read(&args.file).with_context(|| shown.clone())?;
-    let request =
-        Request::from_json(&bytes).map_err(|fault| session.usage(&fault)).with_context(|| shown.clone())?;
+    let request = Request::from_json(&bytes).map_err(|fault| session.usage(&fault));
+    // Who called a function knows of no file.
+    let request = if args.words == Language::Matlab { request? } else { request.with_context(|| shown)? };
     if is_stdin && let Some(field) = request.field_that_reads(&args.file) {
         bail!("`{field}` is standard input, where the request itself was: put the request into a file");
     }

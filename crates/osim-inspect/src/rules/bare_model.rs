@@ -10,7 +10,7 @@ pub(crate) static RULE: Rule = Rule {
     seen: Seen::Model,
     verdict: None,
     what: "The model has no contacts.",
-    why: "Without a HuntCrossleyForce or a SmoothSphereHalfSpaceForce whose moving spheres meet a half-space there is nothing to judge, and nothing carries the model.",
+    why: "Nothing carries the model: it has no HuntCrossleyForce or SmoothSphereHalfSpaceForce whose moving spheres meet a half-space.",
     advice: "`add` gives it contacts: those of another model, spheres under its own bones, or places from a table",
     repair: Repair::NotPossible("only you know whose contacts it is to have"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/no_contacts.osim" },

@@ -36,7 +36,8 @@ impl ManyLimbs {
         let on = format!("on {} of its {} limbs", readable(carriers), self.limbs);
         let finding = match self.said < carriers {
             true => {
-                let message = phrase![&finding.message, format!("; {on} it is {}", four_significant(there))];
+                let message =
+                    phrase![&finding.message, format!("; {on} it is {} R", four_significant(there))];
                 finding.with_message(message)
             }
             false => finding,

@@ -7,9 +7,9 @@ pub(crate) static RULE: Rule = Rule {
     severity: Severity::Info,
     seen: Seen::Model,
     verdict: Some(VerdictOn::Mass),
-    what: "The note in the file cannot be relied on.",
-    why: "The values in the file are no longer those the note was written for, or only some of them were scaled.",
-    advice: "Say what the contacts are made for with `contacts_mass=KG`",
+    what: "The note that this program left in the file no longer fits its contacts.",
+    why: "The note says which mass the contacts were made for. Contacts were changed after it was written, or only some of them were scaled, or the note is damaged.",
+    advice: "Give the mass that the contacts are made for with `contacts_mass=KG`",
     repair: Repair::NotPossible("only you know what the contacts were made for"),
     example: Example::Models { good: "check/earlier_note.osim", bad: "check/stale_note.osim" },
 };

@@ -14,8 +14,8 @@ pub(crate) static RULE: Rule = Rule {
     severity: Severity::Error,
     seen: Seen::Model,
     verdict: Some(VerdictOn::Mass),
-    what: "Spheres sink in by their whole radius or more at body weight on one limb.",
-    why: "A sphere that is in the floor up to its centre meets no surface that a contact law knows: OpenSim goes on with the same formula. The stiffness is nearly always one of a lighter body, or the spheres too small.",
+    what: "The contacts are far too soft: at body weight on one limb, spheres sink into the floor up to their centres or deeper.",
+    why: "No contact law holds so deep, but OpenSim goes on with the same formula. Nearly always the contacts were made for a lighter body, or the spheres are too small.",
     advice: "If the contacts were made for another body, scale them to this one; else make them stiffer, for a relative indentation of {indentation}",
     repair: Repair::Command(
         "designs or multiplies the stiffness as for beyond-hertz; on more than two limbs takes over published contacts for two stance limbs; makes bottoms level where the lower spheres carry the body alone",
@@ -39,7 +39,10 @@ pub(super) fn is_own_height_too_deep(sphere: &SphereFigures) -> Option<f64> {
 fn level(limits: &Limits<'_>) -> Option<Found> {
     let found = limits.concerned(|sphere| sphere.value(Figure::Indentation).filter(|&x| x >= CENTRE))?;
     let x = four_significant(found.most);
-    let text = format!("at body weight on {} x/R is {x} by Hertz: in up to the centre", carriers(limits));
+    let text = format!(
+        "too soft: at body weight on {} spheres sink {x} R into the floor (x/R by Hertz)",
+        carriers(limits)
+    );
     let finding = limits.about(&RULE, &text, &found);
     Some(match ManyLimbs::of(limits) {
         Some(limbs) => limbs.sunk_in(finding, found.most, limits),
@@ -80,8 +83,8 @@ fn at_their_own_heights(limits: &Limits<'_>) -> Option<Found> {
     let found = limits.concerned(is_own_height_too_deep)?;
     let x = four_significant(found.most);
     let text = format!(
-        "at body weight on {} x/R is {x} with each sphere at its own height at the default pose: the lower ones carry it alone, in \
-         up to the centre",
+        "at body weight on {} the lower spheres carry the body alone, and sink {x} R into the floor (x/R with each sphere at its own \
+         height at the default pose)",
         carriers(limits)
     );
     Some(Found::new(limits.about(&RULE, &text, &found), limits.remedies.level()))

@@ -225,6 +225,11 @@ impl FaultKind {
             Self::UnknownBody { body } => {
                 phrase![Input::BodyScale.being(body), ": the model has no body of that name"]
             }
+            Self::NoContacts { detail } => phrase![
+                detail.clone(),
+                ": give it contacts with ",
+                Verb::Add.of_model().with(Input::From, "OTHER"),
+            ],
             Self::ContactsExist { forces } => phrase![
                 format!("the model has contacts already: {forces}; make them right with "),
                 Verb::Rescale.call(),
@@ -312,7 +317,6 @@ impl FaultKind {
                 let value = readable(*value);
                 format!("the new {property} is {value}, expected {expected}: it comes from {origin}")
             }
-            Self::NoContacts { detail } => format!("there are no contacts to work on: {detail}"),
             Self::Unresolved { owner, connectee, wanted } => {
                 format!("{owner}: nothing called '{connectee}' is in the file, expected the {wanted}")
             }

@@ -250,9 +250,9 @@ impl Needed {
                 known_contacts_mass(title, *made_for_kg, *bodies_kg, *input)
             }
             Self::ContactsGravity { doubt } => phrase![
-                "which gravity the contacts are made for is not certain: ",
+                "it is not certain which gravity the contacts are made for, because ",
                 doubt.as_str(),
-                ": say it with ",
+                ": give that gravity with ",
                 Input::ContactsGravity.like("G"),
             ],
             Self::Selection { trees, input } => {

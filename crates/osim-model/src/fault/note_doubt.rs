@@ -25,13 +25,15 @@ impl NoteDoubt {
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
-            Self::Absent => "there is no note in the file, and the bodies were scaled",
-            Self::Unreadable => "the note in the file cannot be read",
-            Self::MixedPair => "the force set and its geometry set were not written by the same run",
-            Self::ValuesChanged => "the values are no longer those the note was written for",
-            Self::Partial => "only some values were changed by the run that left the note",
-            Self::MassUnknown => "the mass was not known when the note was written",
-            Self::BodiesScaled => "the note gives no mass, and the bodies were scaled since it was written",
+            Self::Absent => "the bodies were scaled, and the file has no note of this program",
+            Self::Unreadable => "the note that this program left in the file is damaged",
+            Self::MixedPair => "the force set and its geometry set come from different runs",
+            Self::ValuesChanged => "contacts were changed after this program left its note in the file",
+            Self::Partial => "the run that left the note in the file changed only some values",
+            Self::MassUnknown => "the mass was not known when this program left its note in the file",
+            Self::BodiesScaled => {
+                "the note in the file gives no mass, and the bodies were scaled after it was written"
+            }
         }
     }
 }

@@ -121,9 +121,13 @@ pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_ch
 /// Asks what contacts with a doubtful note were made for: the model's own, or those of a reference.
 pub(super) fn contacts_mass(noted_kg: Option<f64>, doubt: NoteDoubt, input: Input) -> Phrase {
     let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", readable(kg)));
-    let what =
-        format!("which mass {} made for is not certain{}", contacts_are(input), noted.unwrap_or_default());
-    phrase![what, ": ", doubt.as_str(), ": say it with ", input.like("KG")]
+    phrase![
+        format!("it is not certain which mass {} made for, because ", contacts_are(input)),
+        doubt.as_str(),
+        noted.unwrap_or_default(),
+        ": give that mass with ",
+        input.like("KG")
+    ]
 }
 
 /// Asks what known contacts were made for, under bodies of another mass.
@@ -132,8 +136,8 @@ pub(super) fn known_contacts_mass(title: &str, made_for_kg: f64, bodies_kg: f64,
     let contacts = contacts_are(input);
     phrase![
         format!(
-            "{contacts} those of {title}, made for {made_for} kg, and the bodies weigh {bodies} kg: say what the contacts are \
-             made for with "
+            "{contacts} those of {title} for a body of {made_for} kg, but the bodies weigh {bodies} kg: if nobody changed the \
+             contacts, confirm their mass with "
         ),
         input.being(made_for.clone()),
     ]

@@ -18,7 +18,7 @@ use crate::gravity::GravityChange;
 use crate::objects::keeps_inside;
 use crate::plan::{Contents, FOLLOW, Masses, NoteFacts, Plan, TRANSFER};
 use crate::radii::{Radii, SphereRule};
-use crate::remarks::{GRAVITY_STAYS, PLACES_STAY, bottoms_remark, warn_forces};
+use crate::remarks::{GRAVITY_STAYS, PLACES_STAY, bottoms_remark_and_level, warn_forces};
 use crate::rules::{nothing_to_change, reference_without_smoothing};
 use crate::scaling::factor;
 use crate::surfaces::write_composite;
@@ -187,10 +187,10 @@ fn finish(
     } else if wanted.follow.is_some() {
         remarks.push("body masses stay as they are; spheres follow their bodies".into());
     } else if !moves.is_empty() {
-        remarks.push("body masses stay as they are; sphere centres move so that bottoms stay".into());
+        remarks.push(crate::remarks::LEVEL.into());
     } else {
         remarks.push(PLACES_STAY.into());
-        remarks.extend(bottoms_remark(radii));
+        remarks.extend(bottoms_remark_and_level(radii));
     }
     // Nothing is to be set in OpenSim where the target is the model's own gravity.
     let other_gravity = wanted.target_gravity_m_s2.is_some_and(|target| model.gravity() != Some(target));

@@ -66,8 +66,8 @@ fn how_far_bottoms_move_is_said_with_its_direction() {
             .collect::<Vec<_>>()
             .join("; ")
     };
-    assert!(remarks(RadiusRule::Isometric).contains("bottoms move 30.00 mm down"));
-    assert!(remarks(RadiusRule::Metres(0.02)).contains("bottoms move 10.00 mm up"));
+    assert!(remarks(RadiusRule::Isometric).contains("points of spheres move 30.00 mm down"));
+    assert!(remarks(RadiusRule::Metres(0.02)).contains("points of spheres move 10.00 mm up"));
     assert!(!remarks(RadiusRule::Keep).contains("bottoms"));
     let two = ONE_FOOT
         .replace(
@@ -84,7 +84,7 @@ fn how_far_bottoms_move_is_said_with_its_direction() {
         );
     let remarks =
         rescaled(&two, |_| ()).remarks.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
-    assert!(remarks.contains("bottoms move 10.00 to 30.00 mm down"), "{remarks}");
+    assert!(remarks.contains("points of spheres move 10.00 to 30.00 mm down"), "{remarks}");
 }
 
 #[test]

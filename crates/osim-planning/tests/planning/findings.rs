@@ -150,7 +150,7 @@ fn each_finding_says_its_figure_and_the_limit() {
         (
             FindingCode::SunkIn,
             Smooth { stiffness: stiffness_for(1.25, WEIGHT), ..SOLE },
-            "at body weight on one limb x/R is 1.25 by Hertz: in up to the centre (heel_r)",
+            "too soft: at body weight on one limb spheres sink 1.25 R into the floor (x/R by Hertz) (heel_r)",
         ),
         (
             FindingCode::BeyondHuntCrossley,

@@ -27,8 +27,11 @@ fn a_horse_gets_published_contacts_for_two_stance_limbs() {
     // By (3) x̂ follows E*^(-2/3): a twentieth makes 0.5608 to 4.132, and 2^(-2/3) of that is 2.603.
     let found = check_with(NAME, &horse(0.05), &InspectOptions::default());
     let said = message(&found, FindingCode::SunkIn);
-    assert!(said.starts_with("at body weight on one limb x/R is 4.132"), "{said}");
-    assert!(said.ends_with("; on 2 of its 4 limbs it is 2.603"), "{said}");
+    assert!(
+        said.starts_with("too soft: at body weight on one limb spheres sink 4.132 R into the floor"),
+        "{said}"
+    );
+    assert!(said.ends_with("; on 2 of its 4 limbs it is 2.603 R"), "{said}");
     assert_eq!(
         remedy(&found, FindingCode::SunkIn),
         json!({"verb": "transfer", "from": "falisse2022", "stance_limbs": 2.0})
@@ -88,7 +91,7 @@ fn a_horse_that_two_limbs_carry_is_not_told_to_change() {
     let own = find(&found, FindingCode::SunkIn);
     assert_eq!((own.severity, own.remedy.is_none()), (Severity::Warn, true));
     let said = own.message.to_string();
-    assert!(said.ends_with("; on 2 of its 4 limbs it is 0.7114"), "{said}");
+    assert!(said.ends_with("; on 2 of its 4 limbs it is 0.7114 R"), "{said}");
     assert!(own.advice.to_string().contains("Nothing, if at least two of its 4 limbs always carry it"));
     assert!(!has(&check_with(NAME, &horse(0.35), &trot()), FindingCode::SunkIn));
 }

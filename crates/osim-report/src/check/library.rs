@@ -8,12 +8,13 @@ use osim_model::{FindingCode, Severity};
 use osim_requests::spell::FrontEnd;
 
 use crate::layout::{Colour, clipped, severity, table};
+use crate::messages::in_a_cell;
 
 /// What was found in all models of a folder.
 #[derive(Debug, Default)]
 pub struct LibraryTable {
-    /// Counts; `None` for a model that could not be read.
-    models: Vec<(String, Option<Counts>)>,
+    /// Counts, or why there are none.
+    models: Vec<(String, Result<Counts, &'static str>)>,
     /// For each code and severity, how many models, and the first of them.
     codes: Vec<(Severity, FindingCode, usize, String)>,
     /// What puts them right, model by model.
@@ -38,13 +39,13 @@ impl LibraryTable {
                 None => self.codes.push((kind.0, kind.1, 1, found.model.clone())),
             }
         }
-        self.models.push((found.model.clone(), Some(found.counts)));
+        self.models.push((found.model.clone(), Ok(found.counts)));
         self.commands.extend(found.commands.iter().cloned());
     }
 
-    /// Adds a model that could not be read.
-    pub fn add_failed(&mut self, model: &str) {
-        self.models.push((model.to_owned(), None));
+    /// Adds a model that could not be checked, because of a failure with this code.
+    pub fn add_failed(&mut self, model: &str, code: &str) {
+        self.models.push((model.to_owned(), Err(in_a_cell(code))));
     }
 
     /// One row for each model, then one for each code, then the commands that put them right.
@@ -57,8 +58,8 @@ impl LibraryTable {
         for (model, counts) in &self.models {
             let count = |count: usize| if count == 0 { "-".to_owned() } else { count.to_string() };
             let cells = match counts {
-                Some(counts) => [count(counts.error), count(counts.warn), count(counts.info)],
-                None => ["not read", "", ""].map(str::to_owned),
+                Ok(counts) => [count(counts.error), count(counts.warn), count(counts.info)],
+                Err(why) => [*why, "", ""].map(str::to_owned),
             };
             models.add_row([vec![shown(model, 48)], cells.to_vec()].concat());
         }

@@ -74,7 +74,11 @@ fn published(found: &CheckResult) -> String {
         .map(|finding| finding.code().as_str())
         .collect();
     codes.dedup();
-    if codes.is_empty() { String::new() } else { format!(" (as published: {})", codes.join(", ")) }
+    if codes.is_empty() {
+        String::new()
+    } else {
+        format!(" (the published model has these findings, too: {})", codes.join(", "))
+    }
 }
 
 fn block(first: &Found, alike: &[&Found], more: &str, colour: Colour) -> String {

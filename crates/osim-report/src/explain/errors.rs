@@ -144,7 +144,7 @@ const MODEL: &[ErrorCode] = &[
     code(
         "no-contacts",
         "no HuntCrossleyForce or SmoothSphereHalfSpaceForce in which a moving sphere can touch a half-space. A folder's models without contacts are skipped instead",
-        "add contacts in OpenSim. If you see them there, look for a warning about a misnamed parameter set with inspect",
+        "give it contacts with `add MODEL from=OTHER`; see docs/add.md. If OpenSim shows contacts, `check MODEL` says why they are not found",
     ),
     code(
         "unresolved",
@@ -227,7 +227,7 @@ const QUESTION: &[ErrorCode] = &[
     code(
         "body-scale",
         "how a body was scaled is not in the files, or meshes, or left and right, say different things (`transfer follow_bodies`); or `body_scale_file` belongs to another generic model than `from`",
-        "`body_scale=BODY=x,y,z` (or one factor, `body_scale=BODY=f`), or `body_scale_file=FILE`",
+        "`body_scale=BODY=x,y,z` (or one factor, `body_scale=BODY=f`), or `body_scale_file=FILE`; see docs/scaling.md",
     ),
     code(
         "contacts-exist",
@@ -242,12 +242,12 @@ const QUESTION: &[ErrorCode] = &[
     code(
         "moved-spheres",
         "spheres were moved or resized already (`transfer follow_bodies`)",
-        "`moved_spheres=keep` or replace",
+        "keep them there with `moved_spheres=keep`, or place them again with `moved_spheres=replace`; see docs/scaling.md",
     ),
     code(
         "stale-note",
-        "the note in the file says a mass, but contacts were changed since, only some were scaled, the note cannot be read, or force set and geometry set were not written by the same run",
-        "`contacts_mass=KG`; for gravity `contacts_gravity=G`",
+        "this program left a note in the file, which says the mass that the contacts are made for, and the note no longer fits: contacts were changed since, only some were scaled, the note is damaged, or force set and geometry set come from different runs",
+        "give that mass with `contacts_mass=KG`, and that gravity with `contacts_gravity=G`; see docs/scaling.md",
     ),
     code(
         "several-trees",
@@ -325,7 +325,7 @@ const REQUEST: &[ErrorCode] = &[
     code(
         "manifest",
         "a row of a manifest is wrong: the message names row and column. No row was done",
-        "correct the cells that are named, and run again",
+        "correct the cells that are named, and run again; see docs/libraries.md",
     ),
     code(
         "internal",

@@ -30,8 +30,8 @@ pub enum Topic {
 pub struct UnknownTopic {
     /// The name.
     pub name: String,
-    /// A name like it, where there is one.
-    pub near: Option<&'static str>,
+    /// Names like it.
+    pub near: Vec<&'static str>,
 }
 
 impl Topic {
@@ -98,21 +98,34 @@ fn questions() -> Vec<Topic> {
 /// A topic that is this like the name was probably meant; 1 is the same.
 const NEAR: f64 = 0.7;
 
+/// A shorter name is a part of too many.
+const LONG: usize = 5;
+
+/// So many names are named, at most, that a name is a part of.
+const MOST: usize = 2;
+
 impl UnknownTopic {
     fn new(name: &str) -> Self {
         let known: Vec<&'static str> = Topic::all().into_iter().map(Topic::name).collect();
         let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);
-        let near = known.into_iter().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
-        let near = near.filter(|near| likeness(near) >= NEAR);
+        let nearest = known.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+        let mut near: Vec<&'static str> = nearest.into_iter().filter(|near| likeness(near) >= NEAR).collect();
+        if near.is_empty() && name.len() >= LONG {
+            near = known.into_iter().filter(|known| known.contains(name)).collect();
+            near.dedup();
+            near.truncate(MOST);
+        }
         Self { name: name.to_owned(), near }
     }
 
     /// What is wrong, and a way out.
     #[must_use]
     pub fn message(&self, front_end: &dyn FrontEnd) -> String {
-        let near = self.near.map(|near| format!(", expected one like '{near}'")).unwrap_or_default();
+        let near: Vec<String> = self.near.iter().map(|near| format!("'{near}'")).collect();
+        let near =
+            if near.is_empty() { String::new() } else { format!(": did you mean {}?", near.join(" or ")) };
         let list = front_end.command(&Verb::Explain.call());
-        format!("'{}' is neither an equation, a quantity nor a code{near}: `{list}` lists them", self.name)
+        format!("nothing called '{}' can be explained{near} (`{list}` lists all that can)", self.name)
     }
 }
 
@@ -133,8 +146,11 @@ mod tests {
         let unknown = Topic::find("11, sunk-inn").unwrap_err();
         assert_eq!(
             unknown.message(&CommandLine),
-            "'sunk-inn' is neither an equation, a quantity nor a code, expected one like 'sunk-in': `osim-contact-scale \
-             explain` lists them"
+            "nothing called 'sunk-inn' can be explained: did you mean 'sunk-in'? (`osim-contact-scale explain` lists all that can)"
+        );
+        assert_eq!(
+            Topic::find("smoothing").unwrap_err().near,
+            ["hertz_smoothing", "hunt_crossley_smoothing"]
         );
     }
 }

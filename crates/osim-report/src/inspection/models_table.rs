@@ -5,6 +5,7 @@ use osim_messages::{Dialect, Phrase, four_significant, shown, three_significant}
 use osim_model::Property;
 
 use crate::layout::{Colour, OUTSIDE, clipped, painted, table, wrapped, wrapped_with_path};
+use crate::messages::{NO_CONTACTS, in_a_cell};
 
 /// What is in a row beside the name, in the order of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -128,10 +129,11 @@ impl ModelsTable {
         self.rows.push((inspected.model.clone(), cells));
     }
 
-    /// Adds a model that could not be read.
-    pub fn add_failed(&mut self, model: &str) {
-        self.failed += 1;
-        let cell = |column| if column == Column::Findings { "not read" } else { "" };
+    /// Adds a model that could not be inspected, because of a failure with this code.
+    pub fn add_failed(&mut self, model: &str, code: &str) {
+        let why = in_a_cell(code);
+        *(if why == NO_CONTACTS { &mut self.without_contacts } else { &mut self.failed }) += 1;
+        let cell = |column| if column == Column::Findings { why } else { "" };
         self.rows.push((model.to_owned(), Column::ALL.map(|column| cell(column).to_owned())));
     }
 
@@ -324,5 +326,9 @@ fn extreme(values: impl Iterator<Item = Judged>, worse: fn(f64, f64) -> f64) -> 
 
 /// How many findings of the worst severity, and whether there are contacts at all.
 fn findings(inspected: &Inspection, counts: Counts) -> String {
-    counts.worst().describe(if inspected.forces.is_empty() { "no contacts" } else { NOTHING })
+    // What is found in a model without contacts is that it has none.
+    if inspected.forces.is_empty() && counts.error + counts.warn == 0 {
+        return NO_CONTACTS.to_owned();
+    }
+    counts.worst().describe(NOTHING)
 }

@@ -59,7 +59,7 @@ fn models() -> inspection::ModelsTable {
         seen.model = format!("/study/{folder}/{}", fixture.rsplit('/').next().unwrap());
         table.add(&seen, found.counts);
     }
-    table.add_failed("/study/animals/damaged.osim");
+    table.add_failed("/study/animals/damaged.osim", "malformed-xml");
     table
 }
 
@@ -145,7 +145,7 @@ fn a_library_is_one_table() {
     for name in [SMOOTH, MIXED, "check/sunk_in.osim", "check/floats.osim"] {
         library.add(&inspected(&InspectOptions::default(), &open(name), &CommandLine).1);
     }
-    library.add_failed("broken.osim");
+    library.add_failed("broken.osim", "malformed-xml");
     insta::assert_snapshot!("library", library.text(true, &CommandLine, Colour::Plain));
 }
 

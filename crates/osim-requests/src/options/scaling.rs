@@ -63,7 +63,7 @@ pub struct ScalingOptions {
     /// [default: isometric with `target_mass`, keep otherwise]
     #[cfg_attr(feature = "clap", arg(long, value_name = "RULE"))]
     pub radius: Option<Radius>,
-    /// Move centres so that bottoms stay on the sole while radii change
+    /// Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays
     #[cfg_attr(feature = "clap", arg(long))]
     pub level: bool,
     /// The axis of the spheres' frames that points up with the foot flat [default: nearest to -gravity]

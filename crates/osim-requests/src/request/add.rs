@@ -74,7 +74,7 @@ pub struct AddRequest {
     #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub body_map: Vec<BodyMap>,
-    /// Move the centres of spheres until the bottoms of each foot are as low as its lowest one, at the default pose
+    /// Move spheres down until all spheres of a foot are as low as its lowest one, at the default pose
     #[cfg_attr(feature = "clap", arg(long))]
     pub level: bool,
     /// Take the model's own foot contacts out first

@@ -31,7 +31,7 @@ pub use any::{Request, silent_fields};
 pub use convert::ConvertRequest;
 pub use design::DesignRequest;
 pub use drop_test::{DropTestRequest, SeriesFormat};
-pub use fig1::fig1;
+pub use fig1::{fig1, no_fig1};
 pub use figure::{FigureOptions, HeatOptions, HeatQuantity, QuantityChoice};
 pub use fit::{BranchChoice, FitRequest, FittedChoice, HeightChoice};
 pub use inspect::{CheckRequest, Deny, InspectRequest};

@@ -7,7 +7,7 @@ use osim_messages::{Input, Phrase, phrase};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::fig1::fig1;
+use super::fig1::no_fig1;
 use super::figure::{FigureOptions, HeatOptions};
 use super::motion::AngleChoice;
 use crate::choice::choices;
@@ -177,7 +177,7 @@ impl PlotRequest {
     /// They are.
     pub fn check_models(&self) -> Result<(), RequestFault> {
         if self.kind == Some(PlotKind::Fig1) {
-            return Err(RequestFault::general(Phrase::joined(fig1(), " ").unwrap_or_default()));
+            return Err(RequestFault::general(no_fig1()));
         }
         if self.is_of_paper() && (!self.models.is_empty() || self.target_mass.is_some()) {
             return Err(RequestFault::general(phrase![

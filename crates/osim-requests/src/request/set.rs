@@ -25,7 +25,7 @@ pub struct SetRequest {
     /// Properties by OpenSim's names, each with its value, or with a factor such as "x2"
     #[cfg_attr(feature = "clap", arg(skip))]
     pub set: Assignments,
-    /// Move the centres of spheres until the bottoms of each foot are as low as its lowest one, at the default pose
+    /// Move spheres down until all spheres of a foot are as low as its lowest one, at the default pose
     #[cfg_attr(feature = "clap", arg(long, help_heading = "What changes"))]
     pub level: bool,
     /// Which mass is meant.

@@ -67,10 +67,10 @@ impl FromStr for AxisName {
             "indentation" => Ok(Self::Indentation),
             "restitution" => Ok(Self::Restitution),
             "target-mass" | "target_mass" => Ok(Self::TargetMass),
-            other => other
-                .parse()
-                .map(Self::Property)
-                .map_err(|why: String| format!("{why}; or indentation, restitution, target_mass")),
+            other => other.parse().map(Self::Property).map_err(|why: String| match why.ends_with('?') {
+                true => why,
+                false => format!("{why}; or indentation, restitution, target_mass"),
+            }),
         }
     }
 }
