@@ -6,7 +6,7 @@ BEGIN, END = "<!-- begin muscles -->\n", "<!-- end muscles -->"
 ANGLES = ("hip_flexion_r", "knee_angle_r", "ankle_angle_r", "hip_flexion_l", "knee_angle_l", "ankle_angle_l")
 NAMES = {"rescaled": "transferred", "left": "left", "no_friction": "no `--friction`"}
 MESHES = ("15", "30", "60")
-HEAD = ("kg", "contacts", "iterations", *(f"cost, {mesh}" for mesh in MESHES), "angles off", "x/R", "sole", "forward")
+HEAD = ("kg", "contacts", "first search", *(f"cost, {mesh}" for mesh in MESHES), "angles off", "x/R", "sole", "forward")
 
 
 def block(table, curves):
@@ -59,7 +59,7 @@ def apart(ours, theirs):
         return ""
     pairs = [[np.array([float(row[name]) for row in each]) for each in (ours, theirs)] for name in ANGLES]
     value = max(float(np.max(np.abs(one - other))) for one, other in pairs)
-    return f"{value:.0e}" if value < 1e-3 else f"{value:.2f}"
+    return f"{value:.2f}" if value > 0.01 else f"{value:.4f}"
 
 
 def write(path, table, curves):
