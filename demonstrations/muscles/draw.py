@@ -6,10 +6,10 @@ matplotlib.use("svg")
 from matplotlib import pyplot
 
 PANELS = {
-    "up_r": "force of the right foot / body weight",
+    "up_r": "right foot / body weight",
     "knee_angle_r": "right knee, rad",
     "ankle_angle_r": "right ankle, rad",
-    "sole_r": "lowest end of the right sole, m / s",
+    "sole_r": "right sole, m / s",
 }
 COLOURS = {1.0: "#000000", 8.0: "#0072b2", 0.125: "#d55e00"}
 NAMES = {1.0: "62 kg", 8.0: "496 kg", 0.125: "7.75 kg"}
@@ -17,10 +17,10 @@ TITLES = {"rescaled": "contacts transferred", "left": "contacts left behind"}
 
 
 SHOWN = {
-    (1.0, "rescaled"): "30",
-    (8.0, "rescaled"): "30",
+    (1.0, "rescaled"): "60",
+    (8.0, "rescaled"): "60",
     (0.125, "rescaled"): "30",
-    (8.0, "left"): "30",
+    (8.0, "left"): "60",
     (0.125, "left"): "15",
 }
 
