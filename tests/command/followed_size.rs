@@ -55,9 +55,14 @@ fn each_kind_has_its_factor_and_a_verdict() {
 
 #[test]
 fn the_list_is_a_line_a_kind() {
-    let text = Bench::with(FILES).run(ALL).out();
+    let bench = Bench::with(FILES);
+    for call in [ALL, "inspect generic.osim --target-mass 20"] {
+        let text = bench.run(call).out();
+        let (_, list) = text.split_once("What else follows size:\n").unwrap();
+        assert!(list.lines().all(|line| line.chars().count() <= 80), "{list}");
+    }
+    let text = bench.run(ALL).out();
     let (_, list) = text.split_once("What else follows size:\n").unwrap();
-    assert!(list.lines().all(|line| line.chars().count() <= 80), "{list}");
     assert!(
         list.contains("one choice among several") || list.contains("one\n    choice among several"),
         "{list}"

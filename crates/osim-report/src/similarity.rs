@@ -64,7 +64,7 @@ pub fn headings(list: &SizeList) -> [&'static str; 5] {
     if list.is_of_two_models() {
         ["property", "count", "found", "similar", "verdict"]
     } else {
-        ["property", "count", "now", "similar", "formula"]
+        ["property", "count", "median now", "similar", "formula"]
     }
 }
 
@@ -76,7 +76,7 @@ pub fn cells(list: &SizeList, row: &SizeRow) -> [String; 5] {
     if list.is_of_two_models() {
         [name, count, found(row), similar, row.verdict_words.to_owned()]
     } else {
-        let now = format!("{} {}", spread(&row.value), row.unit);
+        let now = format!("{} {}", three_significant(row.value.median), row.unit);
         [name, count, now, similar, row.similarity_formula.clone()]
     }
 }
