@@ -35,7 +35,7 @@ pub(super) fn in_groups(command: Command, columns: Option<usize>) -> Command {
         .iter()
         .map(|(words, what)| format!("  {:<53}  {what}\n", format!("{name} {words}")))
         .collect();
-    let examples: String = if lines.iter().all(|line| line.trim_end().len() <= width) {
+    let examples: String = if lines.iter().all(|line| line.trim_ascii_end().len() <= width) {
         lines.concat()
     } else {
         EXAMPLES.iter().map(|(words, what)| format!("  {name} {words}\n      {what}\n")).collect()
