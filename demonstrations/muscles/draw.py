@@ -19,7 +19,7 @@ TITLES = {"rescaled": "contacts transferred", "left": "contacts left behind"}
 SHOWN = {
     (1.0, "rescaled"): "60",
     (8.0, "rescaled"): "60",
-    (0.125, "rescaled"): "30",
+    (0.125, "rescaled"): "60",
     (8.0, "left"): "60",
     (0.125, "left"): "15",
 }
