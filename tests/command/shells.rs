@@ -118,7 +118,7 @@ fn fish_completes_verbs_options_values_and_files() {
     assert_eq!(complete("model.osim --target-mass 80 --dry"), ["--dry-run"]);
     assert_eq!(complete("drop-test --compare-s"), ["--compare-spheres"]);
     // What a verb does not take.
-    assert!(complete("inspect model.osim --target-m").is_empty());
+    assert!(complete("inspect model.osim --target-g").is_empty());
     assert_eq!(complete("inspect --format j"), ["json"]);
     assert_eq!(complete("help drop"), ["drop-test"]);
     assert_eq!(complete("completions z"), ["zsh"]);
