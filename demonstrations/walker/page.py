@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import success
 from model import GRAVITY, LEG
 
 HERE = Path(__file__).resolve().parent
@@ -142,6 +143,7 @@ def _apart(curves, row):
 BLOCKS = {
     "mesh": mesh,
     "effort": effort,
+    "success": lambda: success.summary(success.read()),
     "sizes": sizes,
     "ladder": ladder,
 }
