@@ -26,7 +26,9 @@ CELL = 60_000
 
 def command(verb, *models):
     """What the command prints on standard output."""
-    ran = subprocess.run([program(), verb, *map(str, models)], capture_output=True, encoding="utf-8")
+    # The environment as Python knows it: readline puts COLUMNS into that of the process, and the command would break its lines there.
+    environment = dict(os.environ)
+    ran = subprocess.run([program(), verb, *map(str, models)], capture_output=True, encoding="utf-8", env=environment)
     return ran.stdout
 
 
