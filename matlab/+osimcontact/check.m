@@ -46,7 +46,8 @@ function results = check(varargin)
 %         struct of columns.
 %
 %   RESULTS: an array of structs with the fields model, counts, verdicts, findings, commands,
-%   similarity. docs/json.md says what each holds; what is missing is NaN, '' or empty.
+%   similarity. docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or
+%   empty.
 %
 %   Example:
 %       seen = osimcontact.check({'human.osim', 'emu.osim'});

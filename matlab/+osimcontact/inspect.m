@@ -41,7 +41,7 @@ function results = inspect(varargin)
 %   RESULTS: an array of structs with the fields model, document_version, name, mass_kg, gravity_m_s2,
 %   contacts_mass_kg, note, limbs, stance_limbs, spheres_per_limb, limbs_unknown, spheres, forces,
 %   warnings, bodies, body_factors, known_contacts, similarity, figures, standing, why_no_standing.
-%   docs/json.md says what each holds; what is missing is NaN, '' or empty.
+%   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
 %       seen = osimcontact.inspect({'human.osim', 'emu.osim'});

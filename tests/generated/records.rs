@@ -21,12 +21,17 @@ pub(crate) const PARTS: &[(&str, &[&str])] = &[
 const SHARED: &[(&str, &str)] =
     &[("FindingRecord", "finding"), ("ContactsMass", "mass"), ("Dimensionless", "dimensionless")];
 
+/// Records of several results, and the one that shows them.
+const SHOWN_ONCE: &[(&str, &str)] = &[("SizeList", "results/inspection")];
+
 /// A row for each record of these schemas.
 pub(crate) fn table(schemas: &[&str]) -> String {
     let mut text = "|record|fields|\n|---|---|\n".to_owned();
     for name in schemas {
         let schema = read(name);
-        let mut rows = Rows { definitions: &schema["$defs"], shown: Vec::new(), text: String::new() };
+        let elsewhere = SHOWN_ONCE.iter().filter(|(_, by)| by != name).map(|(record, _)| *record);
+        let mut rows =
+            Rows { definitions: &schema["$defs"], shown: elsewhere.collect(), text: String::new() };
         for variant in variants(&schema) {
             let title = name.rsplit('/').next().unwrap();
             let kind =

@@ -55,7 +55,7 @@ fn pictures_are_current() {
             bench.write(&name, std::fs::read(&path).unwrap());
         }
     }
-    for (page, least) in [("docs/plots.md", 8), ("docs/add.md", 2)] {
+    for (page, least) in [("docs/plots.md", 8), ("docs/add.md", 2), ("docs/tutorial.md", 2)] {
         let drawn = draws_its_pictures(&bench, page);
         assert!(drawn >= least, "{page} draws {drawn} figures");
     }
