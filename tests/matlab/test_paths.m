@@ -137,7 +137,7 @@ function nothing_is_left_in_the_temporary_folder()
     before = temporary_files();
     osimcontact.inspect('human.osim');
     must_throw('osimcontact:unreadable', @() osimcontact.inspect('gone.osim'));
-    must_throw('osimcontact:usage', @() osimcontact.inspect('human.osim', 'target_mass', 5));
+    must_throw('osimcontact:usage', @() osimcontact.inspect('human.osim', 'target_gravity', 5));
     must(isempty(setdiff(temporary_files(), before)), 'files are left');
 end
 
