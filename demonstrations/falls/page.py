@@ -28,7 +28,7 @@ def block(rows):
 
 
 def _apart(rows):
-    yield "| law | joints | contacts | height | force | centre of mass |"
+    yield "|law|joints|contacts|height|force|centre of mass|"
     yield "|---|---|---|---|---|---|"
     for law, law_name in LAWS.items():
         # With joints locked nothing slides: friction makes no difference there.
@@ -37,10 +37,10 @@ def _apart(rows):
                 own = [row for row in rows if (row["law"], row["joints"], row["contacts"]) == (law, joints, contacts)]
                 others = [row for row in own if row["animal"] != REFERENCE]
                 if others:
-                    worst = " | ".join(_share([row[curve] for row in others]) for curve in CURVES)
-                    yield f"| {law_name} | {joints} | {contacts} | {worst} |"
+                    worst = "|".join(_share([row[curve] for row in others]) for curve in CURVES)
+                    yield f"|{law_name}|{joints}|{contacts}|{worst}|"
             own = [row for row in rows if (row["law"], row["joints"], row["contacts"]) == (law, joints, "rescaled")]
-            yield f"| {law_name} | {joints} | *integrator* | {' | '.join(_share([row[c] for row in own]) for c in INTEGRATOR)} |"
+            yield f"|{law_name}|{joints}|*integrator*|{'|'.join(_share([row[c] for row in own]) for c in INTEGRATOR)}|"
 
 
 def _share(texts):
@@ -53,7 +53,7 @@ def _share(texts):
 
 def _peaks(rows):
     """Largest forces of the Hunt-Crossley law, in body weights."""
-    yield f"| animal | M (kg) | L (m) | {' | '.join(f'{joints}, {kind}' for joints in ('locked', 'free') for kind in CONTACTS)} |"
+    yield f"|animal|M (kg)|L (m)|{'|'.join(f'{joints}, {kind}' for joints in ('locked', 'free') for kind in CONTACTS)}|"
     yield "|---" * (3 + 2 * len(CONTACTS)) + "|"
     known = {(row["joints"], row["contacts"], row["animal"]): row for row in rows if row["law"] == "hunt_crossley"}
     for animal in sorted(ANIMALS, key=ANIMALS.get):
@@ -63,7 +63,7 @@ def _peaks(rows):
             for kind in CONTACTS:
                 row = known.get((joints, "rescaled" if animal == REFERENCE else kind, animal))
                 cells.append(f"{float(row['peak_force_bw']):.2f}")
-        yield f"| {' | '.join(cells)} |"
+        yield f"|{'|'.join(cells)}|"
 
 
 def write(path, rows):

@@ -25,12 +25,12 @@ def mesh_errors(table):
 def mesh():
     """The walk at the mesh and at twice the mesh."""
     table = read("mesh")
-    yield "| E₁\\* (MPa) | k̂ | α (s/m) | effort | at twice the mesh | difference |"
+    yield "|E₁\\* (MPa)|k̂|α (s/m)|effort|at twice the mesh|difference|"
     yield "|---|---|---|---|---|---|"
     for (_, row), error in zip(table.iterrows(), mesh_errors(table)):
         cells = [_mpa(row), f"{row['dimensionless_stiffness']:.2f}", f"{row['dissipation']:g}", f"{row['effort']:.4f}"]
         cells += [_effort(row, "_at_double_mesh", 4), f"{100 * error:+.2f} %"]
-        yield f"| {' | '.join(cells)} |"
+        yield f"|{'|'.join(cells)}|"
 
 
 def least():
@@ -75,7 +75,7 @@ def sizes():
     """The same walk at three lengths."""
     table, curves = read("sizes"), read("sizes_curves")
     human = table[table["length"] == 1].iloc[0]
-    yield "| length | mass (kg) | contacts | effort | difference | step / l | largest force (body weights) | curves apart | iterations |"
+    yield "|length|mass (kg)|contacts|effort|difference|step / l|largest force (body weights)|curves apart|iterations|"
     yield "|---|---|---|---|---|---|---|---|---|"
     for _, row in table.sort_values(["contacts", "length"], ascending=[False, True]).iterrows():
         length = row["length"]
@@ -83,20 +83,20 @@ def sizes():
         cells = [f"{length:g}", f"{62 * length**3:.4g}", row["contacts"], _effort(row, "", 4)]
         cells += [f"{100 * (row['effort'] / human['effort'] - 1):+.2f} %", f"{step:.3f}", f"{row['peak_force_bw']:.2f}"]
         cells += [_apart(curves, row), str(int(row["iterations"]))]
-        yield f"| {' | '.join(cells)} |"
+        yield f"|{'|'.join(cells)}|"
 
 
 def ladder():
     """From soft to stiff, and stiff at once."""
     table = read("ladder")
-    yield "| first guess | stiff at once: iterations | time | effort | ladder: iterations | time | effort |"
+    yield "|first guess|stiff at once: iterations|time|effort|ladder: iterations|time|effort|"
     yield "|---|---|---|---|---|---|---|"
     for (start, seed), rows in table.groupby(["start", "seed"], sort=False):
         cells = ["drawn by hand" if start == "hand" else f"random {seed:.0f}"]
         for way in ("stiff_at_once", "ladder"):
             row = rows[rows["way"] == way].iloc[0]
             cells += [f"{row['iterations']:.0f}", f"{row['cpu_s']:.0f} s", _effort(row, "", 3)]
-        yield f"| {' | '.join(cells)} |"
+        yield f"|{'|'.join(cells)}|"
 
 
 def _effort(row, end, digits):
@@ -111,12 +111,12 @@ def _mpa(row):
 def _grid(table, cell):
     """Stiffness down, dissipation across."""
     dissipations = sorted(table["dissipation"].unique())
-    yield f"| E₁\\* (MPa), k̂ | {' | '.join(f'α = {value:g}' for value in dissipations)} |"
+    yield f"|E₁\\* (MPa), k̂|{'|'.join(f'α = {value:g}' for value in dissipations)}|"
     yield "|---" * (1 + len(dissipations)) + "|"
     for stiffness, rows in table.groupby("stiffness"):
         known = {row["dissipation"]: cell(row) for _, row in rows.iterrows()}
         hat = 9.375 * (stiffness / table["stiffness"].max()) ** (2 / 3)
-        yield f"| {stiffness / 1e6:.3f}, {hat:.2f} | {' | '.join(known.get(value, '') for value in dissipations)} |"
+        yield f"|{stiffness / 1e6:.3f}, {hat:.2f}|{'|'.join(known.get(value, '') for value in dissipations)}|"
 
 
 def apart(curves, row):

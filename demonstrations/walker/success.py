@@ -131,13 +131,13 @@ def append(row):
 
 def summary(rows):
     """For each point: searches, those that the solver calls solved, and both counts, with intervals."""
-    yield "| contacts | guesses | solved | and the same at twice the mesh | and holds for a step |"
+    yield "|contacts|guesses|solved|and the same at twice the mesh|and holds for a step|"
     yield "|---|---|---|---|---|"
     for point in POINTS:
         own = [row for row in rows if row["point"] == point]
         if own:
             counts = [sum(int(row["solved"]) for row in own), *(sum(column) for column in zip(*map(succeeded, own)))]
-            yield f"| {point} | {len(own)} | {' | '.join(_share(count, len(own)) for count in counts)} |"
+            yield f"|{point}|{len(own)}|{'|'.join(_share(count, len(own)) for count in counts)}|"
 
 
 def _share(count, total):
