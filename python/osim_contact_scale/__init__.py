@@ -10,8 +10,8 @@ Every verb of the command `osim-contact-scale` is a function here, with the same
 P. A. van Bijlert (2026), "Scaling contact force parameters across body size, limb count, and number of contact spheres",
 Journal of Biomechanics; each is a function in `osim_contact_scale.scaling`.
 
-`explain("default-stiffness")` says what a code, an equation or a quantity means. The book is in `docs` of the sources and of the program's archive:
-`docs/python.md` is about this package, `docs/symptoms.md` starts from what goes wrong.
+`explain("default-stiffness")` says what a code, an equation or a quantity means. The book is in `docs` of the sources and of the program's
+archive: `docs/python.md` is about this package, `docs/symptoms.md` starts from what goes wrong.
 """
 
 from __future__ import annotations
