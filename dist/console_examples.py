@@ -22,7 +22,7 @@ BLOCK = re.compile(r"^```console[^\n]*\n(?P<body>.*?)^```$", re.S | re.M)
 #: A folder of fixtures in a command: its files may name one another, so that they belong together.
 FIXTURES = re.compile(r"(?<![\w/])fixtures/(\w+)(?=/|\s|$)")
 #: As in tests/documents.rs: no terminal, which would break lines, no colours, and the date of notes, 2025-11-26.
-SETTINGS = {"COLUMNS": "", "NO_COLOR": "1", "SOURCE_DATE_EPOCH": "1764115200"}
+SETTINGS = {"NO_COLOR": "1", "SOURCE_DATE_EPOCH": "1764115200"}
 SECONDS = 120
 
 

@@ -97,8 +97,6 @@ fn examples_in_the_documents_are_true() {
         cases.register_bin("osim-contact-scale", Path::new(env!("CARGO_BIN_EXE_osim-contact-scale")));
         // The date of notes: 2025-11-26.
         cases
-            // Nobody's terminal: it breaks lines.
-            .env("COLUMNS", "")
             .env("NO_COLOR", "1")
             .env("SOURCE_DATE_EPOCH", "1764115200")
             .case(&document)

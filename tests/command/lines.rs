@@ -1,12 +1,16 @@
 //! Lines of text end where the terminal ends; those for programs do not.
 
-use std::process::Stdio;
-
+use crate::screen::shown;
 use crate::support::{Bench, HUMAN};
 
-/// What a run prints on both streams, with lines of so many columns.
-fn in_columns(bench: &Bench, columns: &str, arguments: &str) -> (String, String) {
-    let output = bench.command(arguments).env("COLUMNS", columns).output().unwrap();
+/// What a run prints on both streams, on terminals of so many columns.
+fn in_columns(bench: &Bench, columns: u16, arguments: &str) -> (String, String) {
+    shown(bench.command(arguments), columns)
+}
+
+/// What it prints into pipes. Readline puts `COLUMNS` into the process of an interactive Python, which hands it on: it changes nothing.
+fn in_pipes(bench: &Bench, arguments: &str) -> (String, String) {
+    let output = bench.command(arguments).env("COLUMNS", "40").output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     (text(output.stdout), text(output.stderr))
 }
@@ -38,7 +42,7 @@ fn sentences_end_where_the_terminal_ends() {
         "check soft.osim",
         "reproduce",
     ] {
-        let (whole, narrow) = (in_columns(&bench, "", arguments), in_columns(&bench, "60", arguments));
+        let (whole, narrow) = (in_pipes(&bench, arguments), in_columns(&bench, 60, arguments));
         for (whole, narrow) in [(whole.0, narrow.0), (whole.1, narrow.1)] {
             assert_eq!(words(&whole), words(&narrow), "{arguments}");
             let is_text = |line: &&str| !line.contains(" $ ") && !line.trim_start().contains("   ");
@@ -51,7 +55,7 @@ fn sentences_end_where_the_terminal_ends() {
 #[test]
 fn the_command_that_corrects_something_stays_one_line() {
     let bench = Bench::with(&[("check/sunk_in.osim", "soft.osim")]);
-    let (out, _) = in_columns(&bench, "40", "check soft.osim");
+    let (out, _) = in_columns(&bench, 40, "check soft.osim");
     let command = out.lines().find(|line| line.starts_with("  $ osim-contact-scale design ")).unwrap();
     assert!(command.ends_with("--constant-indentation 0.054"), "{command}");
 }
@@ -75,7 +79,7 @@ fn lines_for_programs_have_no_end() {
         "completions zsh",
         "man check",
     ] {
-        let (whole, narrow) = (in_columns(&bench, "", arguments), in_columns(&bench, "40", arguments));
+        let (whole, narrow) = (in_pipes(&bench, arguments), in_columns(&bench, 40, arguments));
         assert!(!whole.0.is_empty(), "{arguments}: {}", whole.1);
         assert_eq!(whole.0, narrow.0, "{arguments}");
     }
@@ -85,9 +89,11 @@ fn lines_for_programs_have_no_end() {
 fn a_program_that_sends_a_request_gets_whole_lines() {
     let bench = Bench::with(&[("bad/no_contacts.osim", "bare.osim")]);
     bench.write("request.json", r#"{"verb": "rescale", "models": ["bare.osim"], "target_mass": 80}"#);
-    let mut command = bench.command("request request.json");
-    let output = command.env("COLUMNS", "40").stdin(Stdio::null()).output().unwrap();
-    assert_eq!(String::from_utf8(output.stderr).unwrap().lines().count(), 1);
+    for (_, said) in
+        [in_pipes(&bench, "request request.json"), in_columns(&bench, 40, "request request.json")]
+    {
+        assert_eq!(said.lines().count(), 1, "{said}");
+    }
 }
 
 #[test]
@@ -95,10 +101,17 @@ fn help_fits_narrow_terminals() {
     let bench = Bench::new();
     for columns in [60, 80, 100] {
         for arguments in ["-h", "--help"] {
-            let (help, _) = in_columns(&bench, &columns.to_string(), arguments);
+            let (help, _) = in_columns(&bench, columns, arguments);
             // Usage is code.
             let text: Vec<&str> = help.lines().filter(|line| !line.contains("osim-contact-scale")).collect();
-            assert!(longest(&text.join("\n")) <= columns, "{columns}: {help}");
+            assert!(longest(&text.join("\n")) <= usize::from(columns), "{columns}: {help}");
         }
     }
+}
+
+#[test]
+fn lines_in_a_pipe_have_no_end() {
+    let bench = Bench::with(&[("bad/no_contacts.osim", "bare.osim")]);
+    let (_, said) = in_pipes(&bench, "bare.osim --target-mass 80");
+    assert!(said.lines().count() == 1 && longest(&said) > 80, "{said}");
 }

@@ -33,6 +33,7 @@ mod html;
 mod inspected;
 mod json;
 mod laid;
+#[cfg(unix)]
 mod lines;
 mod masses;
 mod meant;
@@ -45,6 +46,8 @@ mod reproduced;
 mod requested;
 mod scaled_bodies;
 mod schemas;
+#[cfg(unix)]
+mod screen;
 mod shells;
 mod shown;
 mod slips;

@@ -28,8 +28,7 @@ REFUSED = ("no applied force presses a sphere on the ground", "a moving sphere m
 
 def rows(model, motion, *more):
     arguments = ["motion", str(model), str(motion), "--format", "csv", "--select", "*", *more]
-    # The environment as Python knows it: readline puts COLUMNS into that of the process, and messages would break there.
-    done = subprocess.run([str(command.BINARY), *arguments], capture_output=True, timeout=60, env=dict(os.environ))
+    done = subprocess.run([str(command.BINARY), *arguments], capture_output=True, timeout=60)
     said = done.stderr.decode("utf-8", "replace")
     if done.returncode and any(reason in said for reason in REFUSED):
         return None

@@ -26,9 +26,7 @@ CELL = 60_000
 
 def command(verb, *models):
     """What the command prints on standard output."""
-    # The environment as Python knows it: readline puts COLUMNS into that of the process, and the command would break its lines there.
-    environment = dict(os.environ)
-    ran = subprocess.run([program(), verb, *map(str, models)], capture_output=True, encoding="utf-8", env=environment)
+    ran = subprocess.run([program(), verb, *map(str, models)], capture_output=True, encoding="utf-8")
     return ran.stdout
 
 

@@ -1,7 +1,7 @@
 //! Standard output and standard error; a reader that has gone away (`… | head`) is no failure.
 //!
 //! Text for people is broken where the terminal ends, at blanks. Files and pipes get lines as they are, for lines are what programs
-//! look for; `COLUMNS` says otherwise, as it does for the help.
+//! look for. `COLUMNS` says nothing of them: readline puts it into the process of an interactive Python or Octave, which hands it on.
 
 use std::borrow::Cow;
 use std::io::{self, ErrorKind, IsTerminal, Write};
@@ -137,9 +137,8 @@ impl Terminal {
 
 /// Columns of a stream. A terminal that does not say how wide it is, or says 0, is taken for an old one.
 fn columns(is_terminal: bool, width: Option<Width>) -> Option<usize> {
-    let asked = || std::env::var("COLUMNS").ok()?.parse().ok();
-    let known = width.filter(|_| is_terminal).map(|width| usize::from(width.0));
-    known.or_else(asked).filter(|&columns| columns > 0).or(is_terminal.then_some(WIDTH))
+    let known = width.map(|width| usize::from(width.0)).filter(|&columns| columns > 0);
+    is_terminal.then(|| known.unwrap_or(WIDTH))
 }
 
 /// Text in lines of at most so many columns.
