@@ -96,11 +96,7 @@ fn examples_in_the_documents_are_true() {
         let cases = trycmd::TestCases::new();
         cases.register_bin("osim-contact-scale", Path::new(env!("CARGO_BIN_EXE_osim-contact-scale")));
         // The date of notes: 2025-11-26.
-        cases
-            .env("NO_COLOR", "1")
-            .env("SOURCE_DATE_EPOCH", "1764115200")
-            .case(&document)
-            .run();
+        cases.env("NO_COLOR", "1").env("SOURCE_DATE_EPOCH", "1764115200").case(&document).run();
         std::env::set_current_dir(root()).unwrap();
     }
 }
