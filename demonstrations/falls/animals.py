@@ -22,6 +22,8 @@ CONTACTS = {
     "radii": "spheres grow, parameters stay",
     "kept": "spheres and parameters stay",
 }
+# Where feet slide: with all that is rescaled, and without `--friction`.
+SLIDING = ("rescaled", "no_friction")
 
 # Masses and radii far from those of the model are meant here.
 MEANT = ("implausible-mass", "mass-in-pounds", "implausible-radius")
@@ -48,7 +50,7 @@ def write_model(folder: Path, animal: str, law: str, contacts: str) -> Path:
     body.make(left, length_ratio(animal), law)
     if animal == REFERENCE or contacts == "kept":
         return left
-    more = {"friction": True} if contacts == "rescaled" else {"only": ["radius"]}
+    more = {"rescaled": {"friction": True}, "no_friction": {}, "radii": {"only": ["radius"]}}[contacts]
     made = ocs.rescale(left, contacts_mass=ANIMALS[REFERENCE], target_mass=ANIMALS[animal], yes=MEANT, **more)
     path = folder / f"{animal}_{law}_{contacts}.osim"
     made.write(path, force=True)

@@ -21,6 +21,10 @@ COLUMNS = (
     *(f"{name}_integrator" for name in CURVES),
 )
 
+# Of slides: what is measured, and how far it is off from what the reference has, as a share of that.
+MEASURES = ("slide_over_hip_height", "along_bw", "up_bw")
+SLIDES = ("law", "motion", "contacts", "animal", "mass_kg", *MEASURES, *(f"{name}_off" for name in MEASURES))
+
 
 def curve(series, name, animal):
     """One curve of a fall, free of its dimensions; None where there is none."""
@@ -70,13 +74,24 @@ def compared(done):
     return rows
 
 
-def write_table(path, rows):
+def slides_compared(done):
+    """Rows of the table of slides: each against the same motion of the reference."""
+    rows = done.table.to_dict("records")
+    reference = {(row["law"], row["motion"]): row for row in rows if row["animal"] == REFERENCE}
+    for row in rows:
+        theirs = reference[row["law"], row["motion"]]
+        row["mass_kg"] = ANIMALS[row["animal"]]
+        row.update({f"{name}_off": row[name] / theirs[name] - 1 for name in MEASURES})
+    return rows
+
+
+def write_table(path, rows, columns):
     """As CSV, with six digits; what is absent is empty."""
     with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, COLUMNS, lineterminator="\n")
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
         writer.writeheader()
         for row in rows:
-            writer.writerow({name: _text(row[name]) for name in COLUMNS})
+            writer.writerow({name: _text(row[name]) for name in columns})
 
 
 def _text(value):

@@ -1,8 +1,9 @@
 """The same fall at six sizes: `python demonstrations/falls/falls.py --results FOLDER`
 
 A body of our own (`body.py`), from mouse to giraffe, falls in OpenSim from a tenth of its hip height, with joints locked and free, on
-contacts that were rescaled or left. Made of the results: `falls.csv` beside this program, and the figures of `docs/studies/falls.md`. With
-`--resume` it goes on where it was stopped. The tables of the page are made, too.
+contacts that were rescaled or left. It also slides (`slide.py`), on contacts rescaled with `--friction` and without it. Made of the
+results: `falls.csv` and `slides.csv` beside this program, the figures of `docs/studies/falls.md`, and its tables. With `--resume` it goes
+on where it was stopped.
 """
 
 import argparse
@@ -10,13 +11,15 @@ from pathlib import Path
 
 import body
 import page
-from animals import ANIMALS, CONTACTS, REFERENCE, length_m, time_unit_s, write_model
-from compare import compared, write_table
+import slide
+from animals import ANIMALS, CONTACTS, REFERENCE, SLIDING, length_m, length_ratio, time_unit_s, write_model
+from compare import COLUMNS, SLIDES, compared, slides_compared, write_table
 from draw import draw
 from osim_contact_scale import simulate
 
 HERE = Path(__file__).resolve().parent
 COMMITTED = HERE / "falls.csv"
+COMMITTED_SLIDES = HERE / "slides.csv"
 DOCS = HERE.parents[1] / "docs" / "studies" / "falls"
 PAGE = DOCS.with_suffix(".md")
 
@@ -25,6 +28,8 @@ DURATION = 8.0  # units of √(L/g)
 SAMPLES = 401
 # Of the integrator. It is about metres and radians, so that it must be far below the length of a mouse's leg.
 ACCURACY = 1e-10
+# Of slides, which are compared in per cent.
+SLIDE_ACCURACY = 1e-8
 
 
 def points(folder, animals=tuple(ANIMALS), laws=body.LAWS, duration=DURATION, samples=SAMPLES, accuracy=ACCURACY):
@@ -57,6 +62,28 @@ def points(folder, animals=tuple(ANIMALS), laws=body.LAWS, duration=DURATION, sa
     return rows
 
 
+def slide_points(folder, animals, laws, motions, duration=slide.AFTER):
+    """A row for each slide; the models are made in the folder."""
+    folder.mkdir(parents=True, exist_ok=True)
+    return [
+        {
+            "path": str(write_model(folder, animal, law, kind)),
+            "animal": animal,
+            "law": law,
+            "contacts": kind,
+            "motion": motion,
+            "length_ratio": length_ratio(animal),
+            "accuracy": SLIDE_ACCURACY,
+            "after": duration,
+        }
+        for law in laws
+        if law != "smooth_frictionless"
+        for animal in animals
+        for kind in (SLIDING[:1] if animal == REFERENCE else SLIDING)
+        for motion in motions
+    ]
+
+
 def fall(path, joints, height_m, duration_s, samples, accuracy):
     """One fall, in OpenSim."""
     return simulate.Drop(height=height_m, duration=duration_s, joints=joints, samples=samples, accuracy=accuracy)(path)
@@ -72,29 +99,43 @@ def main():
         "--animals", nargs="+", choices=ANIMALS, default=list(ANIMALS), help="only these, and the reference"
     )
     parser.add_argument("--laws", nargs="+", choices=body.LAWS, default=body.LAWS)
+    parser.add_argument("--only", choices=("falls", "slides"), help="one of the two studies")
+    parser.add_argument("--motions", nargs="+", choices=slide.MOTIONS, default=slide.MOTIONS, help="of slides")
     parser.add_argument("--duration", type=float, default=DURATION, help="in units of √(L/g)")
-    parser.add_argument("--samples", type=int, default=SAMPLES, help="points of a curve")
-    parser.add_argument("--accuracy", type=float, default=ACCURACY, help="of the integrator")
-    parser.add_argument("--table", type=Path, default=COMMITTED, help="where the table goes")
+    parser.add_argument("--samples", type=int, default=SAMPLES, help="points of a curve of a fall")
+    parser.add_argument("--accuracy", type=float, default=ACCURACY, help="of the integrator, for falls")
+    parser.add_argument("--table", type=Path, default=COMMITTED, help="where the table of falls goes")
+    parser.add_argument("--slides", type=Path, default=COMMITTED_SLIDES, help="where the table of slides goes")
     parser.add_argument("--figures", type=Path, default=DOCS, help="folder for the figures")
     given = parser.parse_args()
     animals = list(dict.fromkeys([REFERENCE, *given.animals]))
-    rows = points(given.results / "models", animals, given.laws, given.duration, given.samples, given.accuracy)
+    models = given.results / "models"
+    if given.only != "slides":
+        rows = points(models, animals, given.laws, given.duration, given.samples, given.accuracy)
+        done = run(given, rows, fall, given.results / "runs")
+        write_table(given.table, compared(done), COLUMNS)
+        draw(done, given.figures)
+    if given.only != "falls":
+        rows = slide_points(models, animals, given.laws, given.motions, given.duration)
+        write_table(given.slides, slides_compared(run(given, rows, slide.slide, given.results / "slides")), SLIDES)
+    if (given.table, given.slides) == (COMMITTED, COMMITTED_SLIDES):
+        page.write(PAGE, COMMITTED, COMMITTED_SLIDES)
+
+
+def run(given, rows, function, results):
+    """Does what is not done yet; ends the program where one of them failed."""
     done = simulate.run(
         rows,
-        fall,
-        results=given.results / "runs",
+        function,
+        results=results,
         workers=given.workers,
         scheduler=given.scheduler,
         resume=given.resume,
         progress=True,
     )
     if len(done.failures):
-        raise SystemExit(done.failures[["animal", "law", "contacts", "joints", "error"]].to_string())
-    write_table(given.table, compared(done))
-    draw(done, given.figures)
-    if given.table == COMMITTED:
-        page.write(PAGE, page.read(COMMITTED))
+        raise SystemExit(done.failures[["animal", "law", "contacts", "error"]].to_string())
+    return done
 
 
 if __name__ == "__main__":

@@ -1,17 +1,26 @@
-"""The tables of `docs/studies/falls.md`, made from `falls.csv`: `python demonstrations/falls/page.py TABLE` prints them."""
+"""The tables of `docs/studies/falls.md`, made from `falls.csv` and `slides.csv`.
+
+`python demonstrations/falls/page.py FALLS SLIDES` prints them.
+"""
 
 import csv
 import sys
 from pathlib import Path
 
 from animals import ANIMALS, CONTACTS, REFERENCE
+from compare import MEASURES
 
 LAWS = {
     "hunt_crossley": "Hunt–Crossley",
     "smooth": "smooth",
     "smooth_frictionless": "smooth, without friction",
 }
-BEGIN, END = "<!-- begin falls -->\n", "<!-- end falls -->"
+MOTIONS = {
+    "landing_sideways": "lands sideways",
+    "landing_forward": "lands forward",
+    "push_sideways": "pushed sideways",
+    "push_forward": "pushed forward",
+}
 CURVES = ("height_apart", "force_apart", "centre_of_mass_apart")
 INTEGRATOR = ("height_integrator", "force_integrator", "centre_of_mass_integrator")
 
@@ -22,9 +31,10 @@ def read(path):
         return list(csv.DictReader(file))
 
 
-def block(rows):
-    """Both tables, in Markdown."""
-    return "\n".join([*_apart(rows), "", *_peaks(rows)])
+def blocks(falls, slides):
+    """The tables, in Markdown, under the names of their places in the page."""
+    falls, slides = read(falls), read(slides)
+    return {"falls": "\n".join([*_apart(falls), "", *_peaks(falls)]), "slides": "\n".join(_slides(slides))}
 
 
 def _apart(rows):
@@ -66,13 +76,35 @@ def _peaks(rows):
         yield f"|{'|'.join(cells)}|"
 
 
-def write(path, rows):
+def _slides(rows):
+    yield "|law|motion|slide / L|along|up|with: most|without: slide (%)|along (%)|up (%)|"
+    yield "|---" * 9 + "|"
+    for law, motion in dict.fromkeys((row["law"], row["motion"]) for row in rows):
+        own = [row for row in rows if (row["law"], row["motion"]) == (law, motion)]
+        theirs = next(row for row in own if row["animal"] == REFERENCE)
+        kept = [row for row in own if row["contacts"] == "no_friction"]
+        most = max(abs(float(row[f"{name}_off"])) for row in own if row["contacts"] == "rescaled" for name in MEASURES)
+        cells = [LAWS[law], MOTIONS[motion], f"{float(theirs[MEASURES[0]]):.3f}"]
+        cells += [f"{float(theirs[name]):.2f}" for name in MEASURES[1:]]
+        cells += [f"{most:.0e}", *(_range([float(row[f"{name}_off"]) for row in kept]) for name in MEASURES)]
+        yield f"|{'|'.join(cells)}|"
+
+
+def _range(values):
+    """In per cent."""
+    low, high = (f"{round(100 * value):+d}".replace("+0", "0") for value in (min(values), max(values)))
+    return low if low == high else f"{low}..{high}"
+
+
+def write(path, falls, slides):
     """Puts the tables into the page."""
     text = path.read_text(encoding="utf-8")
-    before, rest = text.split(BEGIN)
-    after = rest.split(END)[1]
-    path.write_text(f"{before}{BEGIN}\n{block(rows)}\n\n{END}{after}", encoding="utf-8")
+    for name, block in blocks(falls, slides).items():
+        begin, end = f"<!-- begin {name} -->\n", f"<!-- end {name} -->"
+        before, rest = text.split(begin)
+        text = f"{before}{begin}\n{block}\n\n{end}{rest.split(end)[1]}"
+    path.write_text(text, encoding="utf-8")
 
 
 if __name__ == "__main__":
-    print(block(read(Path(sys.argv[1]))))
+    print(*blocks(*map(Path, sys.argv[1:])).values(), sep="\n\n")

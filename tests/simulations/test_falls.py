@@ -9,6 +9,8 @@ from conftest import TOP
 
 PROGRAM = TOP / "demonstrations" / "falls" / "falls.py"
 COMMITTED = TOP / "demonstrations" / "falls" / "falls.csv"
+SLIDES = TOP / "demonstrations" / "falls" / "slides.csv"
+MEASURES = ("slide_over_hip_height", "along_bw", "up_bw")
 SIMILAR = 1e-6  # of the range of a curve
 DIGITS = 2e-5  # of a number in the committed table, which has six digits
 
@@ -23,7 +25,8 @@ def read(path):
 def repeated(tmp_path_factory):
     folder = tmp_path_factory.mktemp("falls")
     quick = (
-        "--animals mouse --laws hunt_crossley --duration 1 --samples 101 --accuracy 1e-9 --scheduler here --workers 2"
+        "--only falls --animals mouse --laws hunt_crossley --duration 1 --samples 101 --accuracy 1e-9 "
+        "--scheduler here --workers 2"
     )
     words = [*quick.split(), "--results", folder, "--table", folder / "falls.csv", "--figures", folder]
     done = subprocess.run([sys.executable, PROGRAM, *map(str, words)], capture_output=True, text=True, cwd=folder)
@@ -62,11 +65,13 @@ def test_peaks_are_those_of_the_committed_table(repeated):
 
 def test_the_page_says_what_the_committed_table_says():
     printed = subprocess.run(
-        [sys.executable, PROGRAM.with_name("page.py"), COMMITTED], capture_output=True, text=True, check=True
+        [sys.executable, PROGRAM.with_name("page.py"), COMMITTED, SLIDES], capture_output=True, text=True, check=True
     )
     page = (TOP / "docs" / "studies" / "falls.md").read_text(encoding="utf-8")
-    block = page.split("<!-- begin falls -->")[1].split("<!-- end falls -->")[0]
-    assert block.strip() == printed.stdout.strip()
+    blocks = (
+        page.split(f"<!-- begin {name} -->")[1].split(f"<!-- end {name} -->")[0].strip() for name in ("falls", "slides")
+    )
+    assert "\n\n".join(blocks) == printed.stdout.strip()
 
 
 def test_the_committed_table_has_what_the_page_claims():
@@ -77,3 +82,46 @@ def test_the_committed_table_has_what_the_page_claims():
             assert worst < (1e-4 if (law, joints) == ("smooth", "free") else SIMILAR), (law, joints, animal)
         elif animal != "emu":  # Of nearly the mass of the reference.
             assert worst > 0.1, (law, joints, contacts, animal)
+
+
+def slides(path):
+    """The rows of a table of slides."""
+    with open(path, newline="", encoding="utf-8") as file:
+        return {
+            (row["law"], row["motion"], row["contacts"], row["animal"]): {
+                name: float(row[name]) for name in (*MEASURES, *(f"{one}_off" for one in MEASURES))
+            }
+            for row in csv.DictReader(file)
+        }
+
+
+def test_a_mouse_that_lands_forward_slides_like_the_reference_with_friction_only(tmp_path):
+    """Similarity says what must come out with `--friction`; the committed table, what else does."""
+    quick = "--only slides --animals mouse --laws hunt_crossley --motions landing_forward --scheduler here --workers 2"
+    words = [*quick.split(), "--results", tmp_path, "--slides", tmp_path / "slides.csv"]
+    done = subprocess.run([sys.executable, PROGRAM, *map(str, words)], capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    repeated, committed = slides(tmp_path / "slides.csv"), slides(SLIDES)
+    assert len(repeated) == 3
+    with_friction, without = (
+        repeated["hunt_crossley", "landing_forward", kind, "mouse"] for kind in ("rescaled", "no_friction")
+    )
+    assert max(abs(with_friction[f"{name}_off"]) for name in MEASURES) < SLIDES_ALIKE["hunt_crossley"]
+    assert without["slide_over_hip_height_off"] > 0.05
+    for key, row in repeated.items():
+        for name in MEASURES:
+            assert row[name] == pytest.approx(committed[key][name], rel=1e-4), (key, name)
+
+
+# With `--friction`, as shares: what the integrator leaves; the friction of the smooth class is similar only nearly.
+SLIDES_ALIKE = {"hunt_crossley": 1e-4, "smooth": 1e-2}
+
+
+def test_the_committed_slides_are_alike_with_friction_and_not_without_it():
+    """All sizes; the emu has nearly the mass of the reference."""
+    for (law, motion, contacts, animal), row in slides(SLIDES).items():
+        off = [abs(row[f"{name}_off"]) for name in MEASURES]
+        if contacts == "rescaled":
+            assert max(off) < SLIDES_ALIKE[law], (law, motion, animal)
+        elif animal == "mouse":
+            assert row["slide_over_hip_height_off"] > 0.05, (law, motion)
