@@ -3,19 +3,24 @@
 FOLDER has OpenSim's example2DWalking (Apache-2.0): 2D_gait.osim, referenceCoordinates.sto, referenceGRF.sto and referenceGRF.xml. They are
 not part of this project. `solve` searches one walk after the other, first with 15 mesh intervals, then with twice as many from that
 solution, and leaves rows in `muscles.csv` beside this program as they come; a row that is there is not searched again. `--mass` and
-`--contacts` choose single ones. `figures` draws from the tables. docs/studies/muscles.md says what was found.
+`--contacts` choose single ones. `predict` searches walks that nothing is tracked in, from solutions of `solve`, and leaves rows in
+`predictions.csv`. `figures` draws from the tables. docs/studies/muscles.md says what was found.
 """
 
 import argparse
 import csv
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 TABLE, CURVES = HERE / "muscles.csv", HERE / "curves.csv"
+PREDICTIONS, PREDICTED = HERE / "predictions.csv", HERE / "predicted.csv"
 FIGURES = HERE.parents[1] / "docs" / "studies" / "muscles"
 MASSES = (1.0, 8.0, 0.125)
 MESH = 15  # intervals of the first search
 MOST = 400  # iterations
+PREDICTING = "max_cpu_time 480\n"  # s
 
 
 def cases(masses=MASSES, contacts=None):
@@ -28,17 +33,24 @@ def cases(masses=MASSES, contacts=None):
 
 def solve(given):
     """Search the walks that are not in the table yet."""
-    import opensim
-
-    opensim.Logger.setLevelString("Warn")
     for mass, kind in cases(given.mass or MASSES, given.contacts):
         for mesh in given.meshes:
             start = "original" if given.from_original else "reference" if mesh == MESH else "half"
             key = {"mass": mass, "contacts": kind, "mesh": mesh, "start": start}
             if not any(_same(row, key) for row in read(given.table)):
-                numbers, series = search(given.moco, given.results, **key)
+                numbers, series = _alone(search, given.moco, given.results, **key)
                 _append(given.table, [key | numbers])
                 _append(given.curves, [key | one for one in _rows(series)])
+
+
+def _alone(function, *given, **key):
+    """Calls it in a process of its own.
+
+    In OpenSim 4.6 all muscles of a process (DeGrooteFregly2016Muscle) have the activation times of the first one that moves in it, whatever
+    its size.
+    """
+    with ProcessPoolExecutor(1, get_context("spawn")) as process:
+        return process.submit(function, *given, **key).result()
 
 
 def search(moco, results, mass, contacts, mesh, start, most=MOST):
@@ -57,11 +69,14 @@ def search(moco, results, mass, contacts, mesh, start, most=MOST):
         `"reference"`; `"half"`, the solution with half the mesh; or `"original"`, that of the original with the same mesh, scaled.
         Solutions have to be in `results`.
     """
+    import opensim
     import sizes
     from forward import forward
-    from track import scaled
-    from track import solve as solved
+    from problem import TERMS, tracking
+    from solve import NEAR, scaled
+    from solve import solve as solved
 
+    opensim.Logger.setLevelString("Warn")
     moco, results = Path(moco).absolute(), Path(results).absolute()
     size = sizes.Size(mass)
     model = sizes.of_mass(moco / sizes.MODEL, results / "models", size)[contacts]
@@ -71,8 +86,71 @@ def search(moco, results, mass, contacts, mesh, start, most=MOST):
         guess = results / f"{contacts}_{mass:g}_{mesh // 2}.sto"
     elif start == "original":
         guess = scaled(results / f"rescaled_1_{mesh}.sto", results / f"{name}_guess.sto", size)
-    numbers, series = solved(model, moco, results, size, mesh, most, guess, name)
+    study = tracking(model, moco, results / f"reference_{size.mass:g}", size)
+    options = "" if guess is None else NEAR
+    numbers, series = solved(study, model, results, size, mesh, most, guess, name, TERMS, options)
     return numbers | forward(model, results / f"{name}.sto", size), series
+
+
+def predict(given):
+    """Search the predicted walks that are not in the table yet."""
+    for mass, kind in cases(given.mass or MASSES, given.contacts or ("rescaled", "left")):
+        for mesh in given.meshes:
+            start = given.start or _start(mass, kind, mesh)
+            key = {"mass": mass, "contacts": kind, "mesh": mesh, "start": start}
+            if not any(_same(row, key) for row in read(given.table)):
+                numbers, series = _alone(prediction, given.moco, given.results, **key)
+                _append(given.table, [key | numbers])
+                _append(given.curves, [key | one for one in _rows(series)])
+
+
+def _start(mass, kind, mesh):
+    if mass != 1 and kind != "left":
+        return "original"
+    return "tracked" if mesh == MESH else "half"
+
+
+def prediction(moco, results, mass, contacts, mesh, start, most=500):
+    """One predicted walk: its numbers, and its curves without dimensions.
+
+    Parameters
+    ----------
+    moco, results : Path
+        The folder with Moco's files, and that for models and solutions.
+    mass : float
+        Factor of mass.
+    contacts : str
+    mesh : int
+        Intervals.
+    start : str
+        `"tracked"`, the tracked walk of the same body and mesh; `"half"`, the predicted one with half the mesh; or `"original"`, the
+        predicted one of the original with the same mesh, scaled. They have to be in `results`.
+    """
+    import opensim
+    import predict
+    import sizes
+    from forward import forward
+    from solve import NEAR, THERE, scaled
+    from solve import solve as solved
+
+    opensim.Logger.setLevelString("Warn")
+    moco, results = Path(moco).absolute(), Path(results).absolute()
+    size = sizes.Size(mass)
+    model = sizes.of_mass(moco / sizes.MODEL, results / "models", size)[contacts]
+    name = f"predicted_{contacts}_{mass:g}_{mesh}"
+    if start == "tracked":
+        guess, options = results / f"{contacts}_{mass:g}_{mesh}.sto", ""
+    elif start == "half":
+        guess, options = results / f"predicted_{contacts}_{mass:g}_{mesh // 2}.sto", NEAR
+    else:
+        guess, options = results / f"{name}_guess.sto", THERE
+        scaled(results / f"predicted_rescaled_1_{mesh}.sto", guess, size)
+    study = predict.prediction(model, size)
+    numbers, series = solved(
+        study, model, results, size, mesh, most, guess, name, options=PREDICTING + options, tolerance=predict.TOLERANCE
+    )
+    time = {"half_stride_s": float(series["time"][-1])}
+    return numbers | time | forward(model, results / f"{name}.sto", size), series
 
 
 def _same(row, key):
@@ -95,8 +173,9 @@ def read(path):
 
 def _append(path, rows):
     begun = path.exists()
+    columns = path.read_text(encoding="utf-8").split("\n", 1)[0].split(",") if begun else list(rows[0])
     with open(path, "a", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
+        writer = csv.DictWriter(file, columns, extrasaction="ignore", lineterminator="\n")
         if not begun:
             writer.writeheader()
         writer.writerows(
@@ -110,22 +189,31 @@ def figures(given):
     from draw import draw
 
     draw(read(CURVES), given.figures)
-    page.write(FIGURES.with_suffix(".md"), read(TABLE), read(CURVES))
+    page.write(FIGURES.with_suffix(".md"), *map(read, (TABLE, CURVES, PREDICTIONS, PREDICTED)))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     verbs = parser.add_subparsers(required=True)
-    one = verbs.add_parser("solve", help="search walks")
-    one.add_argument("--moco", type=Path, required=True, help="folder with OpenSim's example2DWalking")
-    one.add_argument("--results", type=Path, required=True, help="folder for models and solutions")
-    one.add_argument("--mass", type=float, nargs="+", help="only these factors of mass")
+    one = verbs.add_parser("solve", help="search walks that track the reference")
     one.add_argument("--contacts", nargs="+", choices=("rescaled", "left", "no_friction"))
-    one.add_argument("--meshes", type=int, nargs="+", default=(MESH, 2 * MESH), help="15, then 30, then 60 intervals")
     one.add_argument("--from-original", action="store_true", help="start from the original's solution, scaled")
     one.add_argument("--table", type=Path, default=TABLE)
     one.add_argument("--curves", type=Path, default=CURVES)
     one.set_defaults(run=solve)
+    two = verbs.add_parser("predict", help="search walks that track nothing, from solutions of solve")
+    two.add_argument("--contacts", nargs="+", choices=("rescaled", "left", "no_friction"))
+    two.add_argument("--start", choices=("tracked", "half", "original"), help="what to start from")
+    two.add_argument("--table", type=Path, default=PREDICTIONS)
+    two.add_argument("--curves", type=Path, default=PREDICTED)
+    two.set_defaults(run=predict)
+    for each in (one, two):
+        each.add_argument("--moco", type=Path, required=True, help="folder with OpenSim's example2DWalking")
+        each.add_argument("--results", type=Path, required=True, help="folder for models and solutions")
+        each.add_argument("--mass", type=float, nargs="+", help="only these factors of mass")
+        each.add_argument(
+            "--meshes", type=int, nargs="+", default=(MESH, 2 * MESH), help="15, then 30, then 60 intervals"
+        )
     other = verbs.add_parser("figures", help="draw from the tables")
     other.add_argument("--figures", type=Path, default=FIGURES)
     other.set_defaults(run=figures)

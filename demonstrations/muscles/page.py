@@ -1,20 +1,57 @@
-"""The table of docs/studies/muscles.md, from the tables beside this program."""
+"""The tables of docs/studies/muscles.md, from the tables beside this program."""
 
 import numpy as np
 
-BEGIN, END = "<!-- begin muscles -->\n", "<!-- end muscles -->"
 ANGLES = ("hip_flexion_r", "knee_angle_r", "ankle_angle_r", "hip_flexion_l", "knee_angle_l", "ankle_angle_l")
 NAMES = {"rescaled": "transferred", "left": "left", "no_friction": "no `--friction`"}
 MESHES = ("15", "30", "60")
 HEAD = ("kg", "contacts", "first search", *(f"cost, {mesh}" for mesh in MESHES), "angles off", "x/R", "sole", "forward")
+STARTS = {"tracked": "tracked walk", "half": "coarser mesh", "original": "original, scaled"}
+PREDICTED = (
+    "kg",
+    "contacts",
+    "from",
+    "mesh",
+    "iterations",
+    "cost",
+    "angles off",
+    "half stride",
+    "peak",
+    "sole",
+    "forward",
+)
 
 
 def block(table, curves):
     """Each case: its costs at the meshes, and of the finest one how far the walk is from the original's and where its feet are."""
-    yield f"| {' | '.join(HEAD)} |"
-    yield "|---" * len(HEAD) + "|"
-    for rows in cases(table).values():
-        yield f"| {' | '.join(_cells(rows, curves))} |"
+    yield from _table(HEAD, (_cells(rows, curves) for rows in cases(table).values()))
+
+
+def predicted(table, curves):
+    """Each predicted walk, and how far it is from the original's with the same mesh."""
+    return _table(PREDICTED, (_predicted(row, curves) for row in table))
+
+
+def _predicted(row, curves):
+    ours, theirs = (_curves(curves, key) for key in (key_of(row), (1.0, "rescaled", row["mesh"])))
+    yield f"{62 * float(row['mass']):g}"
+    yield NAMES[row["contacts"]]
+    yield STARTS[row["start"]]
+    yield row["mesh"]
+    yield row["iterations"]
+    yield f"{float(row['cost']):.4f}" + ("" if int(row["solved"]) else f", not solved, {float(row['violation']):.0e}")
+    yield apart([one for one in ours if one["start"] == row["start"]], theirs)
+    yield f"{float(row['half_stride_s']):.3f}"
+    yield f"{float(row['peak_force_bw']):.2f}"
+    yield f"{1000 * float(row['lowest_sole_m']):.0f}"
+    yield f"{100 * float(row['forward_held']):.0f} %"
+
+
+def _table(head, rows):
+    yield f"|{'|'.join(head)}|"
+    yield "|---" * len(head) + "|"
+    for row in rows:
+        yield f"|{'|'.join(row)}|"
 
 
 def cases(table):
@@ -62,8 +99,11 @@ def apart(ours, theirs):
     return f"{value:.2f}" if value > 0.01 else f"{value:.4f}"
 
 
-def write(path, table, curves):
-    """Put the table into the page."""
-    before, rest = path.read_text(encoding="utf-8").split(BEGIN)
-    lines = "\n".join(block(table, curves))
-    path.write_text(f"{before}{BEGIN}\n{lines}\n\n{END}{rest.split(END)[1]}", encoding="utf-8")
+def write(path, table, curves, predictions, theirs):
+    """Put the tables into the page."""
+    text = path.read_text(encoding="utf-8")
+    for name, lines in (("muscles", block(table, curves)), ("predictions", predicted(predictions, theirs))):
+        begin, end = f"<!-- begin {name} -->\n", f"<!-- end {name} -->"
+        before, rest = text.split(begin)
+        text = "\n".join((f"{before}{begin}", *lines, f"\n{end}{rest.split(end)[1]}"))
+    path.write_text(text, encoding="utf-8")

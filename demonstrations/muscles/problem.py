@@ -31,6 +31,8 @@ for _side in "lr":
     BOUNDS[f"/jointset/knee_{_side}/knee_angle_{_side}"] = (-50 * DEGREE, 0.0)
     BOUNDS[f"/jointset/ankle_{_side}/ankle_angle_{_side}"] = (-15 * DEGREE, 25 * DEGREE)
 SPEED = 50.0  # bound of every speed, rad/s or m/s: Moco's default
+# Parts of its cost.
+TERMS = ("state_tracking", "control_effort", "contact")
 GROUPS = {side: [f"contact{place}_{side}" for place in ("Heel", "Front")] for side in "rl"}
 
 
@@ -97,17 +99,17 @@ def tracking(model, source, folder, size):
     track.set_final_time(END * size.time)
     study = track.initialize()
     problem = study.updProblem()
-    names = _state_names(processor)
+    names = state_names(processor)
     _track_without_dimensions(problem, names, size)
-    problem.addGoal(_symmetry(names))
+    problem.addGoal(symmetry(names))
     effort = opensim.MocoControlGoal.safeDownCast(problem.updGoal("control_effort"))
     effort.setWeight(EFFORT / size.time)
     problem.addGoal(_ground(ground_reaction(source, folder, size), size))
-    _set_bounds(problem, size)
+    set_bounds(problem, size)
     return study
 
 
-def _state_names(processor):
+def state_names(processor):
     model = processor.process()
     model.initSystem()
     names = model.getStateVariableNames()
@@ -122,8 +124,8 @@ def _track_without_dimensions(problem, names, size):
             goal.setWeightForState(name, unit(name, size) ** -2)
 
 
-def _symmetry(names):
-    """What one side ends with, the other begins with; only the way forward goes on."""
+def symmetry(names):
+    """Half a stride: what one side ends with, the other begins with; only the way forward goes on."""
     goal = opensim.MocoPeriodicityGoal("symmetry")
     for name in names:
         mirrored = re.sub(r"_([rl])(?=/|$)", lambda side: "_l" if side[1] == "r" else "_r", name)
@@ -149,21 +151,21 @@ def _ground(loads, size):
     return goal
 
 
-def _set_bounds(problem, size):
+def set_bounds(problem, size):
     for path, (low, high) in BOUNDS.items():
         value, speed = unit(path, size), SPEED * unit(f"{path}/speed", size)
         problem.setStateInfo(f"{path}/value", opensim.MocoBounds(low * value, high * value))
         problem.setStateInfo(f"{path}/speed", opensim.MocoBounds(-speed, speed))
 
 
-def solver(study, mesh, most):
+def solver(study, mesh, most, tolerance=1e-3):
     """Moco's solver as all solutions have it: one thread, forward differences, variables scaled by their bounds."""
     made = opensim.MocoCasADiSolver.safeDownCast(study.updSolver())
     made.set_num_mesh_intervals(mesh)
     made.set_transcription_scheme("hermite-simpson")
     made.set_optim_finite_difference_scheme("forward")
     made.set_scale_variables_using_bounds(True)
-    made.set_optim_convergence_tolerance(1e-3)
+    made.set_optim_convergence_tolerance(tolerance)
     made.set_optim_constraint_tolerance(1e-4)
     made.set_optim_max_iterations(most)
     made.set_parallel(0)

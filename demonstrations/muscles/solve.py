@@ -1,4 +1,4 @@
-"""One tracking problem solved: `solve` gives numbers, and leaves the solution as a file of OpenSim."""
+"""One problem solved: `solve` gives numbers, and leaves the solution as a file of OpenSim."""
 
 import contextlib
 import os
@@ -8,50 +8,62 @@ from pathlib import Path
 
 import numpy as np
 import opensim
-from problem import GROUPS, solver, tracking, unit
+from problem import GROUPS, solver, unit
 
 # IPOPT keeps six steps for its picture of the second derivatives, and with six these searches wander. Moco has no setting for it, but IPOPT
-# reads a file of options where it is started.
-OPTIONS = "limited_memory_max_history 100\n"
-# From a solution: a small barrier from the start, because a large one drives the search away from it.
+# reads a file of options where it is started. What it writes there has the violation of constraints, which Moco does not give.
+OPTIONS = "limited_memory_max_history 100\noutput_file found.txt\nfile_print_level 5\n"
+# From a solution of a coarser mesh: a small barrier from the start, because a large one drives the search away from it.
 NEAR = "mu_strategy monotone\nmu_init 1e-5\n"
-TERMS = ("state_tracking", "control_effort", "contact")
+# From what should be a solution: it stays where it is, at its bounds, too.
+THERE = "mu_strategy monotone\nmu_init 1e-7\nbound_push 1e-8\nbound_frac 1e-8\n"
 GRAVITY = 9.80665  # m/s2
 
 
-def solve(model, source, folder, size, mesh=15, most=400, guess=None, name="solution"):
+def solve(
+    study, model, folder, size, mesh=15, most=400, guess=None, name="solution", terms=(), options="", tolerance=1e-3
+):
     """Search the walk.
 
     Parameters
     ----------
-    model, source, folder : Path
-        The model, the folder with Moco's reference, and where files go.
+    study : MocoStudy
+        The problem.
+    model, folder : Path
+        Its model, and where files go.
     size : sizes.Size
     mesh : int
         Mesh intervals.
     most : int
         Iterations after which the search is given up.
     guess : Path, optional
-        A solution to start from; without it, the reference, with muscles half active.
+        A solution to start from; without it, the guess of the problem.
     name : str
         Of the solution's file.
+    terms : sequence of str
+        Parts of the cost that are given.
+    options : str
+        Further ones for IPOPT, a line each: `NEAR`, `THERE`, or a limit of time.
+    tolerance : float
+        Of convergence.
 
     Returns
     -------
     numbers : dict
-        `solved` (what the solver says), `iterations`, `cpu_s`, `cost` with its parts, and what `judged` finds in the last iteration.
+        `solved` (what the solver says), `iterations`, `cpu_s`, `violation` (the largest of a constraint), `cost` with its parts, and what
+        `judged` finds in the last iteration.
     series : dict
         The `curves` of the last iteration.
     """
     folder = Path(folder).absolute()
     folder.mkdir(parents=True, exist_ok=True)
-    study = tracking(model, source, folder / f"reference_{size.mass:g}", size)
-    search = solver(study, mesh, most)
+    search = solver(study, mesh, most, tolerance)
     if guess is not None:
         search.setGuessFile(str(Path(guess).absolute()))
     cpu = time.process_time()
-    with _ipopt(near=guess is not None):
+    with _ipopt(options) as place:
         solution = study.solve()
+        violation = _violation(place / "found.txt")
     cpu = time.process_time() - cpu
     solved = solution.success()
     if not solved:
@@ -61,8 +73,9 @@ def solve(model, source, folder, size, mesh=15, most=400, guess=None, name="solu
         "solved": int(solved),
         "iterations": solution.getNumIterations(),
         "cpu_s": cpu,
+        "violation": violation,
         "cost": solution.getObjective(),
-        **{f"cost_{term}": solution.getObjectiveTerm(term) for term in TERMS},
+        **{f"cost_{term}": solution.getObjectiveTerm(term) for term in terms},
     }
     series = curves(model, study, solution, size)
     return numbers | judged(series), series
@@ -79,16 +92,22 @@ def scaled(solution, made, size):
 
 
 @contextlib.contextmanager
-def _ipopt(near):
+def _ipopt(options):
     """A folder of its own with the file of options, in which IPOPT is to be started."""
     before = Path.cwd()
     with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "ipopt.opt").write_text(OPTIONS + NEAR * near)
+        (Path(folder) / "ipopt.opt").write_text(OPTIONS + options)
         os.chdir(folder)
         try:
-            yield
+            yield Path(folder)
         finally:
             os.chdir(before)
+
+
+def _violation(found):
+    """What IPOPT says last about the constraints, in the units that they have."""
+    (line,) = [line for line in found.read_text().splitlines() if line.startswith("Constraint violation")]
+    return float(line.split()[-1])
 
 
 def curves(model, study, solution, size):
