@@ -24,7 +24,7 @@ use clap::error::ErrorKind;
 use osim_messages::Verb;
 use osim_requests::{PlotKind, RequestFault};
 
-use args::{Cli, check_typed, command, plain_command, usage_line};
+use args::{Cli, bare_command, check_typed, command, plain_command, usage_line};
 use exit::{Exit, exit_of, text_of};
 use meant::{axis_meant, figure_meant, meant};
 use session::Session;
@@ -54,12 +54,25 @@ pub fn main() -> ExitCode {
 
 /// The words of the command line, and whether they go together. What clap prints is an error to it.
 fn parsed(columns: Option<usize>) -> Result<(Cli, Result<(), RequestFault>), clap::Error> {
-    let matches = command(columns).try_get_matches()?;
-    let cli = Cli::from_arg_matches(&matches)?;
+    // To put the help together takes longer than to read the words, so it is done where something is to be shown.
+    let bare = (!asks_for_help()).then(|| bare_command().try_get_matches());
+    let mut matches = match bare {
+        Some(Ok(matches)) => matches,
+        Some(Err(version)) if version.kind() == ErrorKind::DisplayVersion => return Err(version),
+        _ => command(columns).try_get_matches()?,
+    };
+    let typed = check_typed(&matches);
+    let cli = Cli::from_arg_matches_mut(&mut matches)?;
     if let Some(words) = cli.in_other_words() {
         command(columns).try_get_matches_from(words)?;
     }
-    Ok((cli, check_typed(&matches)))
+    Ok((cli, typed))
+}
+
+/// Whether the words ask for help, or there are none. Where these words are values of options, nothing but time is lost.
+fn asks_for_help() -> bool {
+    let mut words = std::env::args_os().skip(1).peekable();
+    words.peek().is_none() || words.any(|word| word == "-h" || word == "--help")
 }
 
 /// What was probably meant by the words of this call, where those are what an unknown argument comes from.

@@ -36,15 +36,18 @@ impl<T: Args> Args for Later<T> {
     }
 }
 
-/// The options, what they need and exclude, and their help in the words of the command line.
+/// The options, what they need and exclude, and their help in the words of the command line, if the parser has a help.
 fn with_options<T: Args>(command: Command) -> Command {
     // The list of verbs says what this one does; the type of its options describes itself.
     let about = Resettable::from(command.get_about().cloned());
     let long_about = Resettable::from(command.get_long_about().cloned());
     let command = T::augment_args(command).about(about).long_about(long_about);
     let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == command.get_name());
-    in_words_of_the_command(match verb {
-        Some(verb) => with_usual_first(with_relations(command, verb), verb),
+    let has_help = !command.is_disable_help_flag_set();
+    let command = match verb {
+        Some(verb) if has_help => with_usual_first(with_relations(command, verb), verb),
+        Some(verb) => with_relations(command, verb),
         None => command,
-    })
+    };
+    if has_help { in_words_of_the_command(command) } else { command }
 }

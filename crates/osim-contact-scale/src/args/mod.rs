@@ -146,6 +146,11 @@ pub(crate) fn command(columns: Option<usize>) -> Command {
     in_groups(plain_command(), columns)
 }
 
+/// The parser without the texts of its help, which most calls do not ask for: it knows what options there are, and neither --help nor -h.
+pub(crate) fn bare_command() -> Command {
+    with_relations(Cli::command().disable_help_flag(true), Verb::Rescale)
+}
+
 /// The parser, with what options need and exclude, and help in the words of the command line. No verb is hidden.
 pub(crate) fn plain_command() -> Command {
     let command = with_usual_first(with_relations(Cli::command(), Verb::Rescale), Verb::Rescale);
