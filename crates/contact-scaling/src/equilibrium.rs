@@ -6,7 +6,7 @@
 use crate::Spheres;
 use crate::error::{DomainError, positive, within};
 use crate::hertz::depth;
-use crate::rest::{bisect, first_rest};
+use crate::rest::{bisect_near, first_rest, refined};
 
 pub use crate::rest::Raised;
 
@@ -87,7 +87,16 @@ pub fn hertz_indentation_of_lowest(spheres: &[Raised], load_n: f64) -> Result<f6
     let sum: f64 = spheres.iter().map(|s| s.spheres.count() * s.spheres.law().hertz().coefficient()).sum();
     let deepest = highest(spheres) + depth(load, positive("sum of force coefficients", sum)?);
     within(deepest.is_finite(), "load", load_n, "a load that the spheres can carry")?;
-    Ok(bisect(0.0, deepest, |x| force(x) >= load))
+    // For a guess, which needs no last bit, a root is quicker than a power. From the deep side Newton's steps stay there: the force
+    // rises ever more.
+    let power = |x: f64, of: fn(f64) -> f64| -> f64 {
+        let one = |s: &Raised| {
+            s.spheres.count() * s.spheres.law().hertz().coefficient() * of((x - s.height_m).max(0.0))
+        };
+        spheres.iter().map(one).sum()
+    };
+    let guess = refined(deepest, |x| power(x, |x| x * x.sqrt()) - load, |x| power(x, |x| 1.5 * x.sqrt()));
+    Ok(bisect_near(guess, 0.0, deepest, |x| force(x) >= load))
 }
 
 /// Indentation x of the lowest sphere at rest by the laws themselves, Σ F_i(x − h_i, 0) = F, in m.

@@ -93,7 +93,31 @@ pub(crate) fn first_rest(spheres: &[Raised], load_n: f64, hertz: f64) -> Result<
         stride *= 2.0;
     }
     within(below.is_finite() && !carried(above), "load", load_n, "a load that the spheres can carry")?;
-    Ok(bisect(above, below, carried))
+    let guess = refined(
+        hertz.max(above).min(below),
+        |x| sum(&|law, x| law.rest_force(x), x) - load_n,
+        |x| sum(&|law, x| law.rest_stiffness(x), x),
+    );
+    // A body that floats is carried by a small difference of large numbers, which rounds so coarsely that bisections on other ways end
+    // elsewhere.
+    let guess = if guess > 0.0 { guess } else { f64::NAN };
+    Ok(bisect_near(guess, above, below, carried))
+}
+
+/// Where `value` is 0, by Newton's method from `start`. It is a guess: nothing says that the steps end there.
+pub(crate) fn refined(start: f64, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> f64 {
+    // Each step doubles the digits that are right.
+    const STEPS: usize = 8;
+    let mut x = start;
+    for _ in 0..STEPS {
+        let next = x - value(x) / slope(x);
+        let is_there = (next - x).abs() <= 1e-14 * next.abs();
+        x = next;
+        if is_there || !x.is_finite() {
+            break;
+        }
+    }
+    x
 }
 
 /// The indentation of the lowest sphere up to which `sphere` carries nothing: a contact state is 0 in all digits 20 transitions
@@ -120,6 +144,28 @@ fn smallest_transition(spheres: &[Raised]) -> Option<f64> {
         Law::Smooth(law) => {
             let length = 1.0 / law.smoothing().hertz_smoothing;
             Some(shortest.map_or(length, |known| known.min(length)))
+        }
+    })
+}
+
+/// What [`bisect`] finds where `guess` is close to it: the same, to the last bit, and sooner.
+///
+/// Where the laws do not hold a little before `guess` and hold a little behind it, they need not be asked farther away: of the points that
+/// [`bisect`] asks about, most are there. A bad guess costs two questions, none at all (NaN) nothing.
+pub(crate) fn bisect_near(guess: f64, out: f64, within: f64, holds: impl Fn(f64) -> bool) -> f64 {
+    // Far more than rounding moves the point, and far less than a guess is to be wrong.
+    const NEAR: f64 = 1e-12;
+    let near = NEAR * guess.abs().max(within - out);
+    let (before, behind) = (guess - near, guess + near);
+    let is_close =
+        guess.is_finite() && (before <= out || !holds(before)) && (within <= behind || holds(behind));
+    bisect(out, within, |x| {
+        if is_close && x <= before {
+            false
+        } else if is_close && x >= behind {
+            true
+        } else {
+            holds(x)
         }
     })
 }
