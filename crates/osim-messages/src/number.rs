@@ -1,5 +1,7 @@
 //! The one spelling in which this project writes numbers into models and tables.
 
+use std::fmt::{self, Write as _};
+
 /// Shortest decimal text that reads back as exactly `value`.
 ///
 /// Plain digits between 1e-5 and 1e15 (`0.0641715826`, `2005361.956`), an exponent outside (`4e-6`), no `.0`.
@@ -19,9 +21,18 @@ pub fn shortest(value: f64) -> String {
     let magnitude = value.abs();
     if magnitude == 0.0 || (1e-5..1e15).contains(&magnitude) {
         // In this range `{}` is the shortest digits without an exponent.
-        return format!("{value}");
+        return text_of(format_args!("{value}"));
     }
-    format!("{value:e}")
+    text_of(format_args!("{value:e}"))
+}
+
+/// A number has few letters: its text gets room for all of them at once.
+fn text_of(number: fmt::Arguments<'_>) -> String {
+    const LONGEST: usize = 24;
+    let mut text = String::with_capacity(LONGEST);
+    // Writing to a string cannot fail.
+    let _ = text.write_fmt(number);
+    text
 }
 
 /// A number for people: exact if the exact text is short, else eight significant digits.

@@ -30,7 +30,7 @@ impl BodyShape {
         let components = model.components();
         let mut shapes: HashMap<String, Self> = HashMap::new();
         for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
-            shapes.entry(components.name(id)).or_insert_with(|| of_body(components, id));
+            shapes.entry(components.name(id).into_owned()).or_insert_with(|| of_body(components, id));
         }
         for (body, place_m) in model.body_facts.joints.ends(components) {
             if let Some(shape) = shapes.get_mut(body) {

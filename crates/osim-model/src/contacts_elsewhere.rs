@@ -25,7 +25,7 @@ impl Model {
             let Some(force) = at else { continue };
             for name in opensim_text::list(&tree.text_of(geometry)) {
                 let last = name.rsplit('/').next().unwrap_or(name);
-                users.entry(last.to_owned()).or_default().push(components.name(force));
+                users.entry(last.to_owned()).or_default().push(components.name(force).into_owned());
             }
         }
         users

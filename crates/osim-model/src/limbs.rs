@@ -212,7 +212,7 @@ impl Model {
         let side = group.first().and_then(|footing| footing.side);
         match side {
             Some(side) if group.iter().all(|footing| footing.side == Some(side)) => {
-                Ok(Limb { name, side, spheres })
+                Ok(Limb { name: name.into_owned(), side, spheres })
             }
             _ => {
                 let unknown = group.iter().find(|footing| footing.side.is_none());

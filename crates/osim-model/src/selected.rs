@@ -1,5 +1,7 @@
 //! Which forces a change is about.
 
+use std::borrow::Cow;
+
 use foldhash::{HashMap, HashMapExt};
 use osim_messages::Input;
 
@@ -138,7 +140,7 @@ fn no_contacts(model: &Model) -> Fault {
 /// Player and ball: bodies joined only through ground are not one animal, and only the user knows which is meant.
 fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> {
     let mut trees: Vec<(String, Vec<ForceId>)> = Vec::new();
-    let mut by_name: HashMap<String, usize> = HashMap::new();
+    let mut by_name: HashMap<Cow<'_, str>, usize> = HashMap::new();
     for force in forces.iter().filter_map(|&id| model.force(id)) {
         for sphere in force.spheres().into_iter().filter_map(|sphere| model.sphere(sphere)) {
             let Base::Body(body) = sphere.base else { continue };
@@ -150,7 +152,7 @@ fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> 
             match trees.get_mut(known) {
                 Some((_, forces)) if forces.last() == Some(&force.id) => {}
                 Some((_, forces)) => forces.push(force.id),
-                None => trees.push((top, vec![force.id])),
+                None => trees.push((top.into_owned(), vec![force.id])),
             }
         }
     }

@@ -83,7 +83,7 @@ impl Skeleton {
         let bodies = bodies.filter(|(id, _)| !components.is_ground(*id)).map(|(id, component)| {
             let document = components.document(component.file);
             let mass = document.value(component.element, Class::Body, Property::Mass, "mass");
-            let (name, path) = (components.name(id), components.tree.path(id));
+            let (name, path) = (components.name(id).into_owned(), components.tree.path(id));
             Body { name, path, mass, file: component.file, fixed: joined.welded.contains(&id) }
         });
         Self { bodies: bodies.collect(), joined }

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::decode::decode;
 use super::tree::{ElementId, PieceKind, Tree};
-use super::white::{is_white, trimmed};
+use super::white::{is_white, is_white_byte, trimmed};
 
 /// The text between an element's tags.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -98,15 +98,16 @@ impl Tree {
         if inner.is_empty() {
             return Some(("", piece.span.start..piece.span.start));
         }
-        let before = piece.text.find(|letter| !is_white(letter)).unwrap_or_default();
+        let before = piece.text.bytes().position(|byte| !is_white_byte(byte)).unwrap_or_default();
         let start = piece.span.start + before;
         Some((inner, start..start + inner.len()))
     }
 
     /// The text of `id`; for names and paths.
     #[must_use]
-    pub fn text_of(&self, id: ElementId) -> String {
-        self.raw_text(id).text
+    pub fn text_of(&self, id: ElementId) -> Cow<'_, str> {
+        self.plain_text(id)
+            .map_or_else(|| Cow::Owned(self.raw_text(id).text), |(text, _)| Cow::Borrowed(text))
     }
 
     /// The text of `id` without a copy where that is possible; `None` if it is not in one piece.

@@ -57,7 +57,9 @@ impl ScaleFile {
         let mut factors: BTreeMap<String, [f64; 3]> = BTreeMap::new();
         let scales = tree.child(root, "objects").into_iter().flat_map(|objects| tree.children(objects));
         for scale in scales.filter(|&scale| tree.name(scale) == "Scale") {
-            let Some(segment) = tree.child(scale, "segment").map(|segment| tree.text_of(segment)) else {
+            let Some(segment) =
+                tree.child(scale, "segment").map(|segment| tree.text_of(segment).into_owned())
+            else {
                 continue;
             };
             let applied = document.flag(scale, "apply")?.unwrap_or(true);

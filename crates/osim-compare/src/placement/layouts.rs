@@ -232,7 +232,7 @@ fn digest(places: &[Centre<'_>]) -> String {
         .collect();
     lines.sort();
     let hash = Sha256::digest(lines.concat());
-    hash.iter().take(16).fold(String::new(), |mut text, byte| {
+    hash.iter().take(16).fold(String::with_capacity(32), |mut text, byte| {
         // Writing to a string cannot fail.
         let _ = write!(text, "{byte:02x}");
         text

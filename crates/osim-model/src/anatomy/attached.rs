@@ -48,7 +48,7 @@ impl Model {
         });
         let of_frame = |(id, _)| {
             let (body, placement) = on_base(components, Some(id))?;
-            let body = components.name(body?);
+            let body = components.name(body?).into_owned();
             let attached = read(components, id).into_iter().filter(|(file, ..)| !file.is_empty());
             Some(attached.map(move |(file, factors, inner)| AttachedMesh {
                 body: body.clone(),

@@ -16,7 +16,7 @@ pub(crate) type ByBody = BTreeMap<String, BTreeMap<String, [f64; 3]>>;
 pub(crate) fn mesh_factors(components: &Components) -> ByBody {
     let mut found = ByBody::new();
     for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
-        found.entry(components.name(id)).or_default().extend(meshes(components, id));
+        found.entry(components.name(id).into_owned()).or_default().extend(meshes(components, id));
     }
     found
 }
@@ -71,13 +71,19 @@ impl Offsets {
         let Some(child) = owner.filter(|&id| components.tag(id) == "Body") else { return };
         let name = components.name(joint);
         if let Some(own) = document.triple(element, "location") {
-            self.offsets.entry(components.name(child)).or_default().insert(format!("{name} child"), own);
+            self.offsets
+                .entry(components.name(child).into_owned())
+                .or_default()
+                .insert(format!("{name} child"), own);
         }
         let parent = components.connectee(joint, "parent_frame", &["parent_body"]);
         let parent =
             parent.and_then(|parent| components.frame(joint, &parent)).and_then(|found| found.component);
         if let (Some(parent), Some(there)) = (parent, document.triple(element, "location_in_parent")) {
-            self.offsets.entry(components.name(parent)).or_default().insert(format!("{name} parent"), there);
+            self.offsets
+                .entry(components.name(parent).into_owned())
+                .or_default()
+                .insert(format!("{name} parent"), there);
         }
     }
 }
@@ -127,5 +133,5 @@ fn offset_on_body(components: &Components, frame: ComponentId) -> Option<(String
         components.frame(frame, &parent)?.component.filter(|&found| components.tag(found) == "Body")?;
     let translation =
         components.doc(frame).triple(components.element(frame), "translation").unwrap_or([0.0; 3]);
-    Some((components.name(body), translation))
+    Some((components.name(body).into_owned(), translation))
 }

@@ -184,7 +184,7 @@ fn read_one(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
             let (body, on_body) = end(components, joint, "parent_frame", &["parent_body"])?;
             let there = own(components, joint, "location_in_parent", "orientation_in_parent");
             let here = own(components, joint, "location", "orientation");
-            ((body, on_body.then(&there)), (Some(components.name(child)), here))
+            ((body, on_body.then(&there)), (Some(components.name(child).into_owned()), here))
         }
         None => (
             end(components, joint, "parent_frame", &["parent_body"])?,
@@ -192,7 +192,7 @@ fn read_one(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
         ),
     };
     Some(ModelJoint {
-        name: components.name(joint),
+        name: components.name(joint).into_owned(),
         class: components.tag(joint).to_owned(),
         parent: parent.0,
         child: child.0,
@@ -252,7 +252,7 @@ fn end(
 ) -> Option<(Option<String>, Placement)> {
     let connectee = components.connectee(joint, socket, legacy)?;
     let (body, placement) = on_base(components, components.frame(joint, &connectee)?.component)?;
-    Some((body.map(|body| components.name(body)), placement))
+    Some((body.map(|body| components.name(body).into_owned()), placement))
 }
 
 /// The body that carries a frame (`None` is ground), and the frame on it; outer `None` if the frame leads nowhere.

@@ -9,7 +9,7 @@ pub(super) const GEOMETRY_SETS: u32 = 20101;
 
 pub(super) fn file_of(document: &Document, element: ElementId, tag: &str) -> String {
     let tree = document.tree();
-    tree.child(element, tag).map(|file| tree.text_of(file)).unwrap_or_default()
+    tree.child(element, tag).map(|file| tree.text_of(file).into_owned()).unwrap_or_default()
 }
 
 /// Factors that are written but are not numbers stay visible as NaN: they must not pass for 1.

@@ -3,6 +3,8 @@
 //! Usually there is one. A model whose sets are in other files (`file="…"`), or a `ForceSet` with the
 //! `ContactGeometrySet` and the model it belongs to, are several.
 
+use std::borrow::Cow;
+
 use super::tree::{ComponentId, ComponentTree};
 use crate::document::Document;
 use crate::fault::{Fault, FaultKind, FileId};
@@ -107,8 +109,8 @@ impl Components {
     }
 
     /// The `name` as the file has it.
-    pub(crate) fn name(&self, id: ComponentId) -> String {
-        self.doc(id).tree().attribute(self.element(id), "name").unwrap_or_default().into_owned()
+    pub(crate) fn name(&self, id: ComponentId) -> Cow<'_, str> {
+        self.doc(id).tree().attribute(self.element(id), "name").unwrap_or_default()
     }
 
     /// What `owner` says about its socket, in whichever spelling its document version has; `<defaults>` may say it too.
@@ -170,7 +172,7 @@ impl Components {
                 .find(|&id| tree.attribute(id, "name").as_deref() == Some(socket))?;
             Some((tree.child(connector, "connectee_name")?, false))
         })?;
-        let text = tree.text_of(found);
+        let text = tree.text_of(found).into_owned();
         (!text.is_empty()).then_some(Connectee { text, element: found, legacy })
     }
 

@@ -112,7 +112,7 @@ impl Force {
             let mut seen = HashSet::new();
             return all().filter(|&sphere| seen.insert(sphere)).collect();
         }
-        let mut found = Vec::new();
+        let mut found = Vec::with_capacity(all().count());
         for sphere in all() {
             if !found.contains(&sphere) {
                 found.push(sphere);

@@ -93,13 +93,13 @@ impl HalfSpace {
             tag,
         };
         Some(HalfSpace {
-            name: components.name(id),
+            name: components.name(id).into_owned(),
             path: components.tree.path(id),
             frame_path: frame.map_or_else(|| "/ground".to_owned(), |frame| components.tree.path(frame)),
             location_m: place,
             on_ground: base == Base::Ground,
             body: match base {
-                Base::Body(body) => Some(components.name(body)),
+                Base::Body(body) => Some(components.name(body).into_owned()),
                 Base::Ground | Base::Unknown => None,
             },
             normal: normal.filter(|normal| normal.iter().all(|value| value.is_finite())),

@@ -76,7 +76,7 @@ impl<'r> ContactReader<'r> {
         let radius = document.value(element, Class::ContactSphere, Property::Radius, "radius");
         let location = document.whole_triple(element, "location").map_err(|fault| self.said_of(id, fault))?;
         let location_m = location.unwrap_or([0.0; 3]);
-        let name = self.components.name(id);
+        let name = self.components.name(id).into_owned();
         self.push_sphere(id, name, radius, location_m, frame, SphereSpelling::ContactSphere);
         self.sphere_components.push(id);
         Ok(())
@@ -99,7 +99,7 @@ impl<'r> ContactReader<'r> {
             if raw.span.is_empty() { document.tree().span(element) } else { raw.span }
         });
         let body = match base {
-            Base::Body(body) => Some(self.components.name(body)),
+            Base::Body(body) => Some(self.components.name(body).into_owned()),
             Base::Ground | Base::Unknown => None,
         };
         let element = self.components.element(id);
@@ -261,7 +261,7 @@ impl<'r> ContactReader<'r> {
         let tag = SphereSpelling::InsideForce.radius_tag();
         let radius = document.value(element, Class::SmoothSphereHalfSpaceForce, Property::Radius, tag);
         let location = document.triple(element, "contact_sphere_location").unwrap_or([0.0; 3]);
-        let name = self.components.name(id);
+        let name = self.components.name(id).into_owned();
         self.push_sphere(id, name, radius, location, frame, SphereSpelling::InsideForce);
         Ok(SphereId(self.spheres.len() - 1))
     }
@@ -346,7 +346,7 @@ impl<'r> ContactReader<'r> {
         let applies = self.applies(id).map_err(|fault| self.said_of(id, fault))?;
         self.forces.push(Force {
             id: ForceId(self.forces.len()),
-            name: self.components.name(id),
+            name: self.components.name(id).into_owned(),
             path: self.components.tree.path(id),
             kind,
             applies,

@@ -28,7 +28,7 @@ pub(super) fn find(model: &Model) -> Vec<Finding> {
     });
     let loops = skeleton.loops();
     let cut = loops.joints.first().map(|&first| {
-        let joints: Vec<_> = loops.joints.iter().map(|&joint| components.name(joint)).collect();
+        let joints: Vec<_> = loops.joints.iter().map(|&joint| components.name(joint).into_owned()).collect();
         let named = joints.get(..NAMED).map_or(joints.join(", "), |named| {
             format!("{} and {} more", named.join(", "), joints.len() - named.len())
         });

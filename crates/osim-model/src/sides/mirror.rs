@@ -166,7 +166,7 @@ fn marks(model: &Model) -> BTreeMap<String, BTreeMap<String, [f64; 3]>> {
     let mut marks: BTreeMap<String, BTreeMap<String, [f64; 3]>> = BTreeMap::new();
     for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
         if let Some(centre) = components.doc(id).triple(components.element(id), "mass_center") {
-            marks.entry(components.name(id)).or_default().insert(String::new(), centre);
+            marks.entry(components.name(id).into_owned()).or_default().insert(String::new(), centre);
         }
     }
     for joint in model.body_facts.joints.between_bodies(components) {

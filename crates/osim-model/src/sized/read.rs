@@ -121,7 +121,7 @@ impl Reader<'_> {
         if on && turns.is_none() {
             *self.not_read.entry((class.to_owned(), COUPLED)).or_default() += 1;
         }
-        let owner = components.name(id);
+        let owner = components.name(id).into_owned();
         for property in properties {
             let Some(kind) = kind(property.is, turns) else { continue };
             let found = numbers(document, element, property).into_iter().enumerate();
@@ -158,7 +158,9 @@ fn inertia(model: &Model, body: ComponentId) -> Option<SizedValue> {
     let components = model.components();
     let value = crate::body_shapes::trace(components, body)?;
     let owned = !components.is_ground(body) && value.is_finite();
-    owned.then(|| SizedValue::new(SizedKind::Inertia, components.name(body), ("inertia", 0), value))
+    owned.then(|| {
+        SizedValue::new(SizedKind::Inertia, components.name(body).into_owned(), ("inertia", 0), value)
+    })
 }
 
 /// The numbers of a property, as many as it has.
