@@ -140,7 +140,7 @@ enum Content<'t> {
 fn content<'t>(tree: &'t Tree, array: ElementId, coding: &Coding<'_>) -> Result<Content<'t>, MeshFault> {
     let attribute = |key| tree.attribute(array, key).unwrap_or_default();
     match &*attribute("format") {
-        "ascii" | "" => Ok(Content::Text(tree.text_of(array).into())),
+        "ascii" | "" => Ok(Content::Text(tree.text_of(array))),
         "binary" => coding.of_text(trimmed(&tree.text_of(array))).map(Content::Bytes),
         "appended" => {
             let offset = attribute("offset").parse();
