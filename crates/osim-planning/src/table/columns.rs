@@ -177,8 +177,9 @@ fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Kind>) -> String {
         a.starts_with(&b) || b.starts_with(&a) || strsim::osa_distance(&a, &b) <= 2
     });
     match close {
-        Some(field) if cell.contains('_') => format!(": did you mean '{field}'?"),
-        Some(field) => format!(": did you mean '{}'?", field.replace('_', "-")),
+        // As an option of the command line, where the cell is spelled like one.
+        Some(field) if cell.contains('-') => format!(": did you mean '{}'?", field.replace('_', "-")),
+        Some(field) => format!(": did you mean '{field}'?"),
         None => String::new(),
     }
 }
@@ -228,6 +229,8 @@ mod tests {
         assert!(columns.unwrap_err().to_string().contains("did you mean 'target-mass'?"));
         // As the reader writes names.
         let columns = Columns::of(&["model".to_owned(), "target_mas".to_owned()]);
+        assert!(columns.unwrap_err().to_string().contains("did you mean 'target_mass'?"));
+        let columns = Columns::of(&["model".to_owned(), "TargetMass".to_owned()]);
         assert!(columns.unwrap_err().to_string().contains("did you mean 'target_mass'?"));
     }
 
