@@ -472,10 +472,11 @@ fn published_models_and_what_is_known_of_them() {
         let bench = Bench::new();
         bench.write("m.osim", std::fs::read(folder.join(format!("{model}.osim"))).unwrap());
         let out = bench.run("check m.osim --deny warn").done().out();
-        assert!(
-            out.starts_with("m.osim: nothing is wrong; the contact parameters are those of"),
-            "{model}: {out}"
-        );
+        // Those that may be for another mass are not called right.
+        let certain = if model.contains("opencap") { " for certain" } else { "" };
+        let says = format!("m.osim: nothing is wrong{certain}; the contact parameters are those of");
+        let start = out.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(start.starts_with(&says), "{model}: {out}");
     }
     let landing = of("v40000_toy_landing");
     assert!(landing.contains("mixed-radii") && !landing.contains("beyond-hertz"));

@@ -9,6 +9,8 @@ mod solver;
 mod standing;
 mod verdict;
 
+use std::cmp::Reverse;
+
 use osim_model::{FindingCode, Model, VerdictOn};
 
 use self::known::Known;
@@ -24,7 +26,10 @@ pub(crate) fn of(model: &Model, inspected: &Inspection, findings: &[Found]) -> V
 }
 
 fn of_one(on: VerdictOn, known: &Known<'_>, findings: &[Found]) -> Verdict {
-    let deciding: Vec<&Found> = findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();
+    let mut deciding: Vec<&Found> = findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();
+    // Of two that are equally bad, the mass is the reason and the depth what follows.
+    deciding
+        .sort_by_key(|found| (Reverse(found.severity), found.code() != FindingCode::ContactsOfAnotherMass));
     if let Some((worst, others)) = deciding.split_first() {
         let story = (on == VerdictOn::Mass).then(|| mass::beside(known, worst.code())).flatten();
         return Verdict::of_findings(on, worst, others).and(story);

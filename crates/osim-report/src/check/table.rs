@@ -12,7 +12,7 @@ use crate::similarity;
 
 /// The verdicts, then every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` is before each remedy.
 ///
-/// What was published so with known contacts is named once, and not explained.
+/// What was published so with known contacts is named once, and not explained, except that they may be for another mass.
 #[must_use]
 pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
     let known = found.findings.iter().find(|finding| finding.code() == FindingCode::KnownContacts);
@@ -20,10 +20,17 @@ pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
     let shown: Vec<&Found> = found
         .findings
         .iter()
-        .filter(|finding| !finding.as_published && clean.is_none_or(|known| known.code() != finding.code()))
+        .filter(|finding| {
+            (!finding.as_published || is_of_another_mass(finding))
+                && clean.is_none_or(|known| known.code() != finding.code())
+        })
         .collect();
     let published = published(found);
     let head = match clean {
+        Some(known) if found.findings.iter().any(is_of_another_mass) => {
+            let mass = "this body weighs something else: the contacts may be for another mass";
+            format!("nothing is wrong for certain; {}, and {mass}{published}", known.message)
+        }
         Some(known) => format!("nothing is wrong; {}{published}", known.message),
         None => found.counts.describe("nothing to say"),
     };
@@ -65,12 +72,17 @@ fn commands<'f>(commands: impl IntoIterator<Item = &'f String>, prompt: &str) ->
     commands.into_iter().map(|command| format!("  {prompt}{}\n", one_line(command.clone()))).collect()
 }
 
+/// Whether it is a doubt about the mass: that others published contacts so does not make them right for this body.
+fn is_of_another_mass(finding: &Found) -> bool {
+    finding.code() == FindingCode::ContactsOfAnotherMass
+}
+
 /// The codes that are the published state of known contacts.
 fn published(found: &CheckResult) -> String {
     let mut codes: Vec<&str> = found
         .findings
         .iter()
-        .filter(|finding| finding.as_published)
+        .filter(|finding| finding.as_published && !is_of_another_mass(finding))
         .map(|finding| finding.code().as_str())
         .collect();
     codes.dedup();
