@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::fmt;
 
 use super::input::{Input, Verb};
+use super::phrase::Phrase;
 use super::shown::shown_whole;
 
 /// A part of a [`Phrase`](super::Phrase).
@@ -16,6 +17,8 @@ pub enum Part {
     Input(Input, Option<Example>),
     /// Something that the reader can do.
     Call(Call),
+    /// Words for verbs that take an input, and those for verbs that do not.
+    Either(Input, Box<[Phrase; 2]>),
 }
 
 /// An example of the value of an input.
@@ -81,6 +84,12 @@ impl Input {
     #[must_use]
     pub const fn like(self, placeholder: &'static str) -> Part {
         Part::Input(self, Some(Example::Placeholder(Cow::Borrowed(placeholder))))
+    }
+
+    /// Words for a verb that takes this input, and those for one that does not: see [`Phrase::keep_for`].
+    #[must_use]
+    pub fn either(self, taken: impl Into<Phrase>, otherwise: impl Into<Phrase>) -> Part {
+        Part::Either(self, Box::new([taken.into(), otherwise.into()]))
     }
 
     /// The input with a value: `--radius keep`.

@@ -69,6 +69,7 @@ impl Phrase {
                 Part::Text(_) => vec![],
                 Part::Input(input, _) => vec![*input],
                 Part::Call(call) => call.inputs.iter().map(|(input, _)| *input).collect(),
+                Part::Either(_, words) => words[0].inputs(),
             };
             inputs.into_iter().for_each(|input| {
                 if !named.contains(&input) {
@@ -90,9 +91,38 @@ impl Phrase {
                     text.push_str(&one_line(dialect.input(*input, example.as_ref())));
                 }
                 Part::Call(call) => text.push_str(&one_line(dialect.call(call))),
+                Part::Either(_, words) => text.push_str(&words[0].spelled(dialect)),
             }
         }
         text
+    }
+
+    /// Keeps, where words depend on it, those for a verb that takes the inputs for which `takes` is true. Without this call they are
+    /// those for a verb that takes all.
+    ///
+    /// ```
+    /// use osim_messages::{Input, phrase};
+    ///
+    /// let file = phrase![", or give the Scale Tool's ", Input::BodyScaleFile.like("FILE")];
+    /// let mut way_out = phrase!["say it with ", Input::BodyScale.like("BODY=x,y,z"), Input::BodyScaleFile.either(&file, "")];
+    /// way_out.keep_for(&|input| input != Input::BodyScaleFile);
+    /// assert_eq!(way_out.to_string(), "say it with `body_scale`");
+    /// ```
+    pub fn keep_for(&mut self, takes: &dyn Fn(Input) -> bool) {
+        if !self.0.iter().any(|part| matches!(part, Part::Either(..))) {
+            return;
+        }
+        for part in std::mem::take(&mut self.0) {
+            match part {
+                Part::Either(input, words) => {
+                    let [taken, otherwise] = *words;
+                    let mut kept = if takes(input) { taken } else { otherwise };
+                    kept.keep_for(takes);
+                    self.0.extend(kept.0);
+                }
+                part => self.0.push(part),
+            }
+        }
     }
 
     /// Spells the phrase for good: what is printed from now on is plain text.

@@ -86,6 +86,13 @@ pub trait Planner: Send + Sync {
         None
     }
 
+    /// `message` with the ways out that its verb has.
+    fn keep_ways_out(&self, message: &mut Phrase) {
+        if let Some(verb) = Verb::ALL.iter().find(|verb| verb.name() == self.name()) {
+            message.keep_for(&|input| takes(*verb, input));
+        }
+    }
+
     /// What the change aims at, apart from its numbers.
     fn aims(&self) -> Aims {
         Aims {
@@ -163,7 +170,10 @@ fn judge<P: Planner + ?Sized>(
 ) -> Result<(), Failure> {
     let before = InspectOptions::from(&planner.inspection());
     let worse = worse_findings(planner.aims(), &before, opened, (plan, changed), planner.answers())?;
-    plan.warnings.extend(worse);
+    for mut finding in worse {
+        planner.keep_ways_out(&mut finding.message);
+        plan.warnings.push(finding);
+    }
     Ok(())
 }
 

@@ -45,7 +45,7 @@ pub use request::{
     DesignRequest, DropTestRequest, ExplainRequest, FigureOptions, FitRequest, FittedChoice, HeatOptions,
     HeatQuantity, HeightChoice, InspectRequest, MotionFormat, MotionRequest, NoteRequest, PlotKind,
     PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest, Request, RescaleRequest,
-    SeriesFormat, SetRequest, SweepRequest, TransferRequest, fig1, no_fig1, silent_fields,
+    SeriesFormat, SetRequest, SweepRequest, TransferRequest, fig1, no_fig1, silent_fields, takes,
 };
 pub use values::{
     Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,

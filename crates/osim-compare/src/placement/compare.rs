@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_messages::{Phrase, Verb};
+use osim_messages::{Input, Phrase, Verb};
 use osim_model::{Anatomy, AnatomySphere, Fault, Finding, LevelAxis, Model, Note};
 
 use crate::follow::{Factors, ScaleFile};
@@ -85,7 +85,12 @@ impl Placement {
             noted_radii: noted_radii(model),
         };
         let placed = || {
-            let in_words = |fault: Fault| fault.phrase();
+            // Those who only look at a model cannot say factors.
+            let in_words = |fault: Fault| {
+                let mut why = fault.phrase();
+                why.keep_for(&|input| input != Input::BodyScale);
+                why
+            };
             let scaled = Anatomy::of(model).map_err(in_words)?;
             let factors = factors_between(&scaled, original, file).map_err(in_words)?;
             if let Some(difference) = &factors.difference {

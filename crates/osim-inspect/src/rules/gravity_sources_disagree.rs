@@ -33,9 +33,9 @@ pub(crate) fn find(model: &Model, options: &InspectOptions) -> Option<Finding> {
     let (noted, own) = (readable(noted), readable(own));
     let message = phrase![
         format!(
-            "its contacts are made for {noted} m/s2 (note in the file), and its gravity is {own} m/s2: set <gravity>, or say "
+            "its contacts are made for {noted} m/s2 (note in the file), and its gravity is {own} m/s2: set <gravity>"
         ),
-        Input::Gravity.being(noted),
+        Input::Gravity.either(phrase![", or say ", Input::Gravity.being(noted)], ""),
     ];
     Some(Finding::new(&RULE, message))
 }

@@ -6,7 +6,7 @@ use std::ffi::OsString;
 use std::fmt;
 use std::path::Path;
 
-use osim_messages::{Input, phrase};
+use osim_messages::{Input, Phrase, phrase};
 
 use crate::digest::{self, NameDigest};
 use crate::fault::LibraryFault;
@@ -74,17 +74,21 @@ impl<'p> PathConflicts<'p> {
     /// differs, because Windows and macOS see one file there.
     pub fn write(&mut self, path: &Path, owner: impl Into<PathOwner<'p>>) -> Result<(), LibraryFault> {
         let real = self.without_case(path);
+        let owner = owner.into();
         if let Some((input, _)) = self.inputs.get(&real) {
+            // Only a model can be changed itself: a report beside it needs a name of its own.
+            let itself = phrase![", or change it with ", Input::InPlace];
+            let itself = if matches!(owner, PathOwner::Model(..)) { itself } else { Phrase::default() };
             return Err(LibraryFault::new(phrase![
                 format!(
-                    "the output {} is an input of this run ({}): choose another name, or change it with ",
+                    "the output {} is an input of this run ({}): choose another name",
                     path.display(),
                     input.display()
                 ),
-                Input::InPlace,
+                &itself,
             ]));
         }
-        self.once(real, path, owner.into())
+        self.once(real, path, owner)
     }
 
     /// A file that is changed itself, for `owner`.

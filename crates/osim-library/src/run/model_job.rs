@@ -166,6 +166,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         if let Some(row) = self.task.row {
             failure.message.push(format!(" (row {row})"));
         }
+        self.task.settings.planner().keep_ways_out(&mut failure.message);
         failure.message.spell(self.front_end.dialect());
         failure
     }

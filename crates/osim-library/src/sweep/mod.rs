@@ -7,12 +7,12 @@ mod tables;
 
 use std::path::{Path, PathBuf};
 
-use osim_messages::{Input, phrase};
+use osim_messages::{Input, Verb, phrase};
 use osim_model::FileId;
 use osim_model::files::{Failure, FileName};
 use osim_planning::SweepPlan;
 use osim_requests::options::SetFiles;
-use osim_requests::{RequestError, RequestFault, SweepRequest};
+use osim_requests::{RequestError, RequestFault, SweepRequest, takes};
 
 use self::made::MadeFiles;
 use self::table_row::line;
@@ -86,9 +86,18 @@ impl<'s> SweepRun<'s> {
             return Err(RequestFault::general("a sweep makes variants of one model: name its file").into());
         }
         request.check()?;
-        let Loaded { files, origin } = Loaded::read(&Source::file(model), &SetFiles::default())?;
-        let plan = SweepPlan::new(request, files)?;
+        let (plan, origin) = Self::plan(request, model).map_err(|mut error| {
+            if let RequestError::Failure(failure) = &mut error {
+                failure.message.keep_for(&|input| takes(Verb::Sweep, input));
+            }
+            error
+        })?;
         Ok(Self { request, plan, origin, folder: folder(request, model) })
+    }
+
+    fn plan(request: &'s SweepRequest, model: &Path) -> Result<(SweepPlan<'s>, Origin), RequestError> {
+        let Loaded { files, origin } = Loaded::read(&Source::file(model), &SetFiles::default())?;
+        Ok((SweepPlan::new(request, files)?, origin))
     }
 
     /// How many variants this run makes: all, or those of its part.

@@ -1,6 +1,6 @@
 //! What only the user can know about the size of a body against that of another model.
 
-use osim_messages::{Input, Phrase, phrase};
+use osim_messages::{Input, Part, Phrase, phrase};
 
 /// What has to be answered about the factors of a body.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,8 +57,7 @@ impl FactorQuestion {
                     three(by_one),
                     three(by_other)
                 ),
-                ": say which with ",
-                Input::BodyScale.being(format!("{body}=x,y,z")),
+                say(": say which with ", &[body]),
             ],
             Self::Sides { bodies: [one, other], factors: [by_one, by_other] } => phrase![
                 format!(
@@ -67,26 +66,21 @@ impl FactorQuestion {
                     three(by_one),
                     three(by_other)
                 ),
-                ": say them with ",
-                Input::BodyScale.being(format!("{one}=x,y,z")),
-                " and ",
-                Input::BodyScale.being(format!("{other}=x,y,z")),
+                say(": say them with ", &[one, other]),
             ],
             Self::OtherBone { body, joint, ratios: [by_mesh, by_joint] } => phrase![
                 format!(
                     "the mesh of body {body} has a bone of the reference's size times {by_mesh:.4}, but its distance to joint {joint} is \
                      the reference's times {by_joint:.4}: the file is probably another animal's bone of the same name"
                 ),
-                "; say the factors with ",
-                Input::BodyScale.being(format!("{body}=x,y,z")),
+                say("; say the factors with ", &[body]),
             ],
             Self::Nothing { body } => phrase![
                 format!(
                     "how large body {body} is against the reference's is not in the files (no mesh of the same bone, and no joint \
                      of the same name 20 mm or more from its origin)"
                 ),
-                ": say it with ",
-                Input::BodyScale.being(format!("{body}=x,y,z")),
+                say(": say it with ", &[body]),
             ],
             Self::OtherReference { body, joint, apart_m } => phrase![
                 format!("joint {joint} on {body} is {:.1} mm from where ", apart_m * 1000.0),
@@ -97,4 +91,11 @@ impl FactorQuestion {
             ],
         }
     }
+}
+
+/// The way out of a verb that takes the factors of `bodies`.
+fn say(how: &'static str, bodies: &[&String]) -> Part {
+    let named = bodies.iter().map(|body| Input::BodyScale.being(format!("{body}=x,y,z")).into());
+    let named = Phrase::joined(named, " and ").unwrap_or_default();
+    Input::BodyScale.either(phrase![how, &named], "")
 }

@@ -6,6 +6,9 @@ use super::factor_question::FactorQuestion;
 use super::note_doubt::NoteDoubt;
 use super::way_out::{GravityFor, RadiusFrom, contacts_mass, known_contacts_mass, shared_sphere};
 
+/// The way out of a verb that takes no standalone set.
+const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on whole models";
+
 /// Something that has to be asked, because it is not in the files.
 ///
 /// Each variant says what is not known; [`Needed::inputs`] are the fields that answer it.
@@ -317,10 +320,18 @@ impl Needed {
             ],
             Self::BodyFactors { body, axes } => phrase![
                 format!("how body {body} was scaled along {} is not in the files", axes.join(" and ")),
-                ": say it with ",
-                Input::BodyScale.being(format!("{body}=x,y,z")),
-                ", or give the Scale Tool's ",
-                Input::BodyScaleFile.like("FILE"),
+                Input::BodyScale.either(
+                    phrase![
+                        ": say it with ",
+                        Input::BodyScale.being(format!("{body}=x,y,z")),
+                        Input::BodyScaleFile.either(
+                            phrase![", or give the Scale Tool's ", Input::BodyScaleFile.like("FILE")],
+                            ""
+                        ),
+                    ],
+                    Input::BodyScaleFile
+                        .either(phrase![": give the Scale Tool's ", Input::BodyScaleFile.like("FILE")], ""),
+                ),
             ],
             Self::Factors(question) => question.phrase(),
             Self::MovedSpheres { model, spheres } => phrase![
@@ -351,12 +362,15 @@ impl Needed {
                 Input::BodyScaleFile,
             ],
             Self::Geometry => phrase![
-                "this is a ForceSet that stands alone: its spheres are in another file, name it with ",
-                Input::Geometry.like("FILE"),
+                "this is a ForceSet that stands alone: its spheres are in another file, ",
+                Input::Geometry.either(phrase!["name it with ", Input::Geometry.like("FILE")], WHOLE_MODELS),
             ],
             Self::ForceSet => phrase![
-                "this is a ContactGeometrySet, which has no forces: name the ForceSet file and give this one as ",
-                Input::Geometry.like("FILE"),
+                "this is a ContactGeometrySet, which has no forces: ",
+                Input::Geometry.either(
+                    phrase!["name the ForceSet file and give this one as ", Input::Geometry.like("FILE")],
+                    WHOLE_MODELS,
+                ),
             ],
             Self::Load => phrase![
                 "an indentation needs a load: say ",

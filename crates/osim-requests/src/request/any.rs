@@ -1,6 +1,6 @@
 //! Any request, by its verb.
 
-use osim_messages::Verb;
+use osim_messages::{Input, Verb};
 #[cfg(feature = "schemas")]
 use schemars::Schema;
 use serde_json::{Map, Value};
@@ -88,6 +88,12 @@ macro_rules! requests {
         #[must_use]
         pub fn silent_fields(verb: Verb) -> Map<String, Value> {
             match verb { $(Verb::$variant => dictionary::map(&<$type>::default()),)+ _ => Map::new() }
+        }
+
+        /// Whether requests for `verb` have a field for `input`.
+        #[must_use]
+        pub fn takes(verb: Verb, input: Input) -> bool {
+            silent_fields(verb).contains_key(input.name())
         }
 
         /// How the fields of requests for `verb` depend on each other.

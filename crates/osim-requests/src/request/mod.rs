@@ -27,7 +27,7 @@ pub use add::AddRequest;
 pub(crate) use any::relations_of;
 #[cfg(feature = "schemas")]
 pub use any::schema_of;
-pub use any::{Request, silent_fields};
+pub use any::{Request, silent_fields, takes};
 pub use convert::ConvertRequest;
 pub use design::DesignRequest;
 pub use drop_test::{DropTestRequest, SeriesFormat};
