@@ -52,7 +52,7 @@ impl Model {
     #[must_use]
     pub fn scaled_since_note(&self) -> Option<ScaledSinceNote> {
         let note = self.note.as_ref().filter(|note| !note.sizes.is_empty())?;
-        if note.places.as_ref() != Some(&self.places_digest(|_| None)) {
+        if self.has_places_of(note) != Some(true) {
             return None;
         }
         let now = self.body_sizes();

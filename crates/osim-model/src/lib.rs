@@ -108,7 +108,9 @@ pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, positive_mass, same_gra
 pub use mass_slip::MassSlip;
 pub use masses_beside::MassesBeside;
 pub use model::Model;
-pub use note::{BodySize, ChangedSinceNote, Credits, Note, Scope, Source, Step};
+pub use note::{
+    BodySize, ChangedContacts, ChangedSinceNote, Credits, Note, NotedNames, NotedParts, Scope, Source, Step,
+};
 pub use object_name::{refuse_name, refuse_name_in_paths};
 pub use osim_xml::opensim_text::{self, NumberFault};
 pub use osim_xml::{Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree};

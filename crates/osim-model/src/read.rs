@@ -156,8 +156,7 @@ impl Model {
     /// where neither does, or both do, the one in the credits.
     fn take_note(&mut self, notes: NotesFound) {
         let found: Vec<_> = [notes.credits, notes.comment].into_iter().flatten().collect();
-        let digest = if found.len() > 1 { self.contact_digest(|_| None) } else { String::new() };
-        let fits = |note: &Note| note.digest == digest;
+        let fits = |note: &Note| found.len() > 1 && self.has_values_of(note);
         let chosen = found.iter().position(|note| note.as_ref().is_ok_and(fits)).unwrap_or(0);
         match found.into_iter().nth(chosen) {
             Some(Ok(note)) => self.note = Some(note),

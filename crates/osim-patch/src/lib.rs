@@ -64,7 +64,7 @@ mod written;
 pub use change::{Change, Move};
 pub use design::{Design, DesignModulus, design};
 pub use edit::{Edit, Patch, splice};
-pub use note::{kept_note, note, note_of_rest};
+pub use note::{kept_note, note, note_of_rest, note_stance_limbs};
 pub use objects::{
     Convert, Converted, Deed, Layout, Leftover, NewContact, NewSphere, ObjectChange, Rebuilt, add_contacts,
     added_forces, convert, leftovers, preset_model, presets_with_places, remove,

@@ -1,7 +1,7 @@
 //! Writing down what the user knows: the mass that contacts were made for. No number changes.
 
-use osim_messages::{Input, phrase};
-use osim_model::{Fault, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
+use osim_messages::{Input, phrase, readable};
+use osim_model::{Fault, Finding, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
 
 use crate::note_edits;
 use crate::objects::{EarlierNote, Rebuilt};
@@ -46,14 +46,42 @@ pub fn note(
         followed: None,
     };
     let masses = Some(Masses::same(contacts_mass));
-    let mut plan = Plan::new(model, Contents { masses, taken, ..Contents::default() }, &facts);
+    let plan = Plan::new(model, Contents { masses, taken, ..Contents::default() }, &facts);
+    Ok(noting(plan, model, stance_limbs, nothing_to_change::by_note(kg)))
+}
+
+/// Plans a note of how many `stance_limbs` share the weight. What the contacts of `model` were made for stays as the note in the file
+/// has it; without one, it says that they are made for what the bodies weigh.
+#[must_use]
+pub fn note_stance_limbs(model: &Model, stance_limbs: f64) -> Plan {
+    let KeptMass { kg, scope } = KeptMass::of(model, None);
+    let noted = model.note.as_ref();
+    let facts = NoteFacts {
+        target_mass_kg: kg,
+        gravity_m_s2: noted.map_or(model.gravity(), |note| note.gravity_m_s2),
+        scope,
+        operation: "note",
+        followed: None,
+    };
+    let taken = format!("{}: the note in the file says so; no number changes", limbs(stance_limbs));
+    let plan = Plan::new(model, Contents { taken: taken.into(), ..Contents::default() }, &facts);
+    noting(plan, model, Some(stance_limbs), nothing_to_change::by_stance_limbs(stance_limbs))
+}
+
+/// `2 stance limbs`.
+pub(crate) fn limbs(stance_limbs: f64) -> String {
+    format!("{} stance limb{}", readable(stance_limbs), if stance_limbs == 1.0 { "" } else { "s" })
+}
+
+/// `plan` with its note, unless the note in the file says the same: then with `same`.
+fn noting(mut plan: Plan, model: &Model, stance_limbs: Option<f64>, same: Finding) -> Plan {
     plan.note_anyway();
     plan.note_stance_limbs(stance_limbs);
     if plan.note().zip(model.note.as_ref()).is_some_and(|(new, old)| says_the_same(new, old)) {
-        plan.warnings.push(nothing_to_change::by_note(kg));
+        plan.warnings.push(same);
         plan.keep_note();
     }
-    Ok(plan)
+    plan
 }
 
 /// The note of `model` after an `operation` that makes it `rebuilt` and leaves what contacts were made for; `None` if it has
@@ -64,18 +92,9 @@ pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<No
     let Some(old) = &model.note else {
         return model.doubt_about_note().map(|_| doubtful(model, new, operation));
     };
-    let mut note = old.clone();
-    if old.digest == model.contact_digest(|_| None) {
-        note.digest = new.contact_digest(|_| None);
-    }
-    if old.radii.as_ref().is_none_or(|radii| *radii == model.radii_digest(|_| None)) {
-        note.radii = Some(new.radii_digest(|_| None));
-    }
+    let mut note = old.recorded_again(model, new);
     note.version = env!("CARGO_PKG_VERSION").to_owned();
     note.steps = story::after(story::earlier(model), Step::new(operation));
-    if old.places.as_ref().is_some_and(|places| *places == model.places_digest(|_| None)) {
-        note.places = Some(new.places_digest(|_| None));
-    }
     Some(note)
 }
 
@@ -92,6 +111,7 @@ fn doubtful(model: &Model, new: &Model, operation: &str) -> Note {
         sizes: Vec::new(),
         digest: new.contact_digest(|_| None),
         radii: Some(new.radii_digest(|_| None)),
+        parts: Some(new.noted_parts(|_| None)),
         places: None,
         made: note_edits::made(model, None),
         added: Vec::new(),
@@ -153,6 +173,7 @@ fn says_the_same(new: &Note, old: &Note) -> bool {
             note.scope,
             note.stance_limbs,
             note.digest.clone(),
+            note.parts.clone(),
             note.places.clone(),
             note.sizes.clone(),
         )

@@ -57,7 +57,7 @@ pub(crate) fn without_letters(made: &str, earlier: &str) -> String {
 }
 
 fn is_unmoved(note: &Note, model: &Model) -> bool {
-    note.places.as_ref().is_some_and(|places| *places == model.places_digest(|_| None))
+    model.has_places_of(note) == Some(true)
 }
 
 fn opened(document: &Document) -> Option<char> {

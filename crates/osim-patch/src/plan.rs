@@ -262,6 +262,7 @@ impl Plan {
             sizes: note_edits::sizes(model, facts.followed),
             digest: model.contact_digest(|key| changed.get(&key).copied()),
             radii: Some(model.radii_digest(|key| changed.get(&key).copied())),
+            parts: Some(model.noted_parts(|key| changed.get(&key).copied())),
             places: Some(model.places_digest(|sphere| moved.get(sphere.path.as_str()).copied())),
             made: note_edits::made(model, facts.followed),
             added: model.note.as_ref().map(|note| note.added.clone()).unwrap_or_default(),

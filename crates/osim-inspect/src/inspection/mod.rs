@@ -1,6 +1,7 @@
 //! Everything that is known of a model, as one struct.
 
 mod build;
+mod changed_since;
 mod data;
 mod note_story;
 mod standing;

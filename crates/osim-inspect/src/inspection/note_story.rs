@@ -1,10 +1,12 @@
 //! What the note in a model says to the one who received the file: who made its contacts from what, and what changed since.
 
 use osim_messages::{readable, shown};
-use osim_model::{ChangedSinceNote, Model, Note, Scope, Source, Step};
+use osim_model::{Model, Note, Scope, Source, Step};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
+
+use super::changed_since;
 
 /// What the note says.
 #[derive(Debug, Clone, Serialize)]
@@ -50,7 +52,7 @@ impl NoteStory {
     #[must_use]
     pub fn of(model: &Model) -> Option<Self> {
         let note = model.note.as_ref()?;
-        let changed_since = in_words(&model.changed_since_note());
+        let changed_since = changed_since::in_words(&model.changed_since_note());
         let mut sentences = vec![made(note)];
         if !changed_since.is_empty() {
             sentences.push(format!("Changed since: {}.", changed_since.join("; ")));
@@ -83,7 +85,10 @@ fn made(note: &Note) -> String {
     let mass = note
         .contacts_mass_kg
         .map_or("for what the bodies weighed".to_owned(), |kg| format!("for {} kg", readable(kg)));
-    let limbs = note.stance_limbs.map(|limbs| format!(", with {} stance limbs", readable(limbs)));
+    let limbs = note.stance_limbs.map(|limbs| {
+        let s = if limbs == 1.0 { "" } else { "s" };
+        format!(", with {} stance limb{s}", readable(limbs))
+    });
     let steps: Vec<String> = note.steps.iter().map(step_in_words).collect();
     format!("{which} were made {mass}{}: {}.", limbs.unwrap_or_default(), steps.join("; then "))
 }
@@ -108,18 +113,4 @@ pub(crate) fn step_in_words(step: &Step) -> String {
         text.push_str(&format!(" with {}", shown(&step.options)));
     }
     text + &step.date.as_ref().map(|date| format!(" on {}", shown(date))).unwrap_or_default()
-}
-
-fn in_words(changed: &ChangedSinceNote) -> Vec<String> {
-    let parts = [
-        (changed.radii, "radii"),
-        (changed.values, "values of contacts other than radii"),
-        (changed.places, "places of spheres"),
-        (changed.sizes, "sizes of bodies"),
-    ];
-    let named = parts.into_iter().filter(|(is, _)| *is).map(|(_, name)| name.to_owned());
-    let weight = changed.weight_kg.map(|(then, now)| {
-        format!("the bodies weighed {} kg then and weigh {} kg now", readable(then), readable(now))
-    });
-    named.chain(weight).collect()
 }

@@ -37,7 +37,7 @@ impl Note {
         let steps = vec![Step::new(fields.next()?.strip_prefix("by ")?)];
         let digest = fields.next()?.strip_prefix("digest ")?.to_owned();
         let (version, made) = (version.to_owned(), Self::nothing_made());
-        let (sizes, radii, places, added) = (Vec::new(), None, None, Vec::new());
+        let (sizes, radii, parts, places, added) = (Vec::new(), None, None, None, Vec::new());
         let (stance_limbs, weighed_kg) = (None, None);
         let note = Self {
             version,
@@ -50,6 +50,7 @@ impl Note {
             sizes,
             digest,
             radii,
+            parts,
             places,
             made,
             added,

@@ -1,5 +1,6 @@
 //! What a note says.
 
+use super::parts::NotedParts;
 use super::step::Step;
 
 /// Whether all contacts are made for one mass.
@@ -48,6 +49,8 @@ pub struct Note {
     pub digest: String,
     /// The same of the radii alone; `None` in notes of earlier versions.
     pub radii: Option<String>,
+    /// Names of the contacts and digests of their properties; `None` in notes of earlier versions.
+    pub parts: Option<NotedParts>,
     /// The same of the spheres' locations; `None` in notes of earlier versions.
     pub places: Option<String>,
     /// What was added to the file for the note, one letter each; `-` for nothing.

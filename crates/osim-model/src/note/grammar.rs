@@ -1,13 +1,15 @@
 //! How a note is spelled: printable ASCII with single blanks, because OpenSim condenses white space and re-encodes the rest.
 //!
 //! `[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale from 70 kg on 2026-11-25; stance limbs 2;
-//! weighed 62 kg; sizes calcn_r=1,1,1; digest 0123456789abcdef; radii 0123456789abcdef; places 0123456789abcdef; made -)]`
+//! weighed 62 kg; sizes calcn_r=1,1,1; digest 0123456789abcdef; radii 0123456789abcdef; spheres 6 0123456789abcdef;
+//! forces 6 0123456789abcdef; numbers stiffness=01234567 dissipation=01234567; places 0123456789abcdef; made -)]`
 //!
 //! Each step has its own `by`, the oldest first. What nobody said, and what earlier versions did not write, is left out.
 
 use osim_messages::shortest;
 
 use super::data::{BodySize, Note, Scope};
+use super::parts::NotedParts;
 use super::spelling::{UNKNOWN, gravity_m_s2, is_digest, is_plain, mass_kg, plain, positive};
 use super::step::Step;
 
@@ -45,7 +47,7 @@ impl Note {
         };
         let added = (!self.added.is_empty()).then(|| self.added.join(" "));
         format!(
-            "{BEGINS}{} at {}{NAMES}{}; {scope}{steps}{}{}; sizes {}; digest {}{}; places {}; made {}{}{ENDS}",
+            "{BEGINS}{} at {}{NAMES}{}; {scope}{steps}{}{}; sizes {}; digest {}{}{}; places {}; made {}{}{ENDS}",
             known(self.contacts_mass_kg, "kg"),
             known(self.gravity_m_s2, "m/s2"),
             self.version,
@@ -54,6 +56,7 @@ impl Note {
             if sizes.is_empty() { NO_SIZES.to_owned() } else { sizes.join(" ") },
             self.digest,
             optional(RADII, self.radii.clone()),
+            optional("", self.parts.as_ref().map(NotedParts::text)),
             self.places.as_deref().unwrap_or(UNKNOWN),
             self.made,
             optional(ADDED, added),
@@ -79,6 +82,7 @@ impl Note {
         let sizes = sizes(next_if("sizes ")?)?;
         let digest = next_if("digest ").filter(|text| is_digest(text))?.to_owned();
         let radii = next_if(RADII).map(|text| is_digest(text).then(|| text.to_owned()));
+        let parts = NotedParts::parse(next_if)?;
         if steps.is_empty() {
             return None;
         }
@@ -102,6 +106,7 @@ impl Note {
             weighed_kg: weighed_kg.map_or(Some(None), |kg| kg.map(Some))?,
             sizes,
             digest,
+            parts,
             radii: radii.map_or(Some(None), |radii| radii.map(Some))?,
             places,
             made,
@@ -178,7 +183,9 @@ fn names(text: &str) -> Option<Vec<String>> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::parts::NotedNames;
     use super::*;
+    use crate::property::Property;
 
     fn note() -> Note {
         Note {
@@ -195,6 +202,15 @@ mod tests {
             sizes: vec![BodySize { body: "calcn_r".into(), factors: [0.913_924, 1.0, 1e-3] }],
             digest: "0123456789abcdef".into(),
             radii: Some("0011223344556677".into()),
+            parts: Some(NotedParts {
+                spheres: NotedNames { count: 12, digest: "1122334455667788".into() },
+                forces: NotedNames { count: 6, digest: "2233445566778899".into() },
+                properties: [
+                    (Property::Stiffness, "33445566".into()),
+                    (Property::Dissipation, "44556677".into()),
+                ]
+                .into(),
+            }),
             places: Some("fedcba9876543210".into()),
             made: "c".into(),
             added: vec![],
@@ -207,7 +223,8 @@ mod tests {
             note().text(),
             "[contacts made for 0.0209 kg at 9.80665 m/s2 (osim-contact-scale 0.1.0; partial; by transfer on 2026-11-25; \
              by set stiffness=x2; stance limbs 2; weighed 0.021 kg; sizes calcn_r=0.913924,1,0.001; digest 0123456789abcdef; \
-             radii 0011223344556677; places fedcba9876543210; made c)]"
+             radii 0011223344556677; spheres 12 1122334455667788; forces 6 2233445566778899; \
+             numbers stiffness=33445566 dissipation=44556677; places fedcba9876543210; made c)]"
         );
     }
 
@@ -221,13 +238,16 @@ mod tests {
             weighed_kg: None,
             sizes: vec![],
             radii: None,
+            parts: None,
             places: None,
             made: Note::nothing_made(),
             ..note()
         };
+        let no_numbers = NotedParts { properties: [].into(), ..note().parts.unwrap() };
+        let no_numbers = Note { parts: Some(no_numbers), ..note() };
         let beside_others = Note { added: vec!["heel".into(), "toe".into()], ..note() };
         assert!(beside_others.text().ends_with("; made c; added heel toe)]"), "{}", beside_others.text());
-        for note in [note(), nothing_known, beside_others] {
+        for note in [note(), nothing_known, no_numbers, beside_others] {
             assert_eq!(Note::parse(&note.text()), Some(note));
         }
     }
@@ -260,6 +280,11 @@ mod tests {
             ("limbs 2", "limbs two"),
             ("weighed 0.021 kg", "weighed 0.021"),
             ("0011223344556677", "0011"),
+            ("spheres 12", "spheres many"),
+            ("1122334455667788", "1122"),
+            ("; forces 6 2233445566778899", ""),
+            ("stiffness=33445566", "stiffness=3344"),
+            ("stiffness=33445566", "steepness=33445566"),
             ("made c", "made c; more"),
             ("0123456789abcdef", "0123"),
             ("fedcba9876543210", "fedcba987654321z"),

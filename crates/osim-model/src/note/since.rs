@@ -1,29 +1,59 @@
 //! What somebody changed in a model since its note was written.
 
+use super::data::Note;
+use super::parts::{NotedNames, NotedParts};
 use crate::mass::{MassRequest, same_mass};
 use crate::model::Model;
+use crate::property::Property;
 
 /// What is no longer as it was when the note was written.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[non_exhaustive]
 pub struct ChangedSinceNote {
-    /// Whether radii are others.
-    pub radii: bool,
-    /// Whether other values of the contacts are. Where radii are, nobody can know: one digest covers all values.
-    pub values: bool,
-    /// Whether spheres have other places.
-    pub places: bool,
+    /// What is different about the contacts themselves.
+    pub contacts: ChangedContacts,
     /// Whether bodies that carry spheres have other mesh factors.
     pub sizes: bool,
     /// What the bodies weighed together then, and now, kg.
     pub weight_kg: Option<(f64, f64)>,
 }
 
-impl ChangedSinceNote {
-    /// Whether nothing is known to have changed.
-    #[must_use]
-    pub fn is_nothing(&self) -> bool {
-        *self == Self::default()
+/// What is different about contacts: as much as the note's record can tell.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ChangedContacts {
+    /// By a note that records numbers and names apart.
+    Apart {
+        /// How many spheres there were and are, where that is different. Then nothing else can be compared.
+        sphere_count: Option<(usize, usize)>,
+        /// The same of the forces.
+        force_count: Option<(usize, usize)>,
+        /// Whether spheres have other names.
+        sphere_names: bool,
+        /// Whether forces have other names.
+        force_names: bool,
+        /// Whether radii are others.
+        radii: bool,
+        /// Whether spheres have other places or bodies.
+        places: bool,
+        /// Properties of forces with other values.
+        properties: Vec<Property>,
+        /// Whether all numbers are still there, at other contacts.
+        exchanged: bool,
+    },
+    /// By a note of an earlier version, whose digests are of numbers and names together.
+    Together {
+        /// Whether radii or names of spheres are others.
+        radii: bool,
+        /// Whether other values of contacts, or names, are. Where radii are, nobody can know: one digest covers all values.
+        values: bool,
+        /// Whether places or names of spheres are others.
+        places: bool,
+    },
+}
+
+impl Default for ChangedContacts {
+    fn default() -> Self {
+        Self::Together { radii: false, values: false, places: false }
     }
 }
 
@@ -38,15 +68,44 @@ impl Model {
     #[must_use]
     pub fn changed_since_note(&self) -> ChangedSinceNote {
         let Some(note) = &self.note else { return ChangedSinceNote::default() };
-        let differs = |noted: &Option<String>, now: String| noted.as_ref().is_some_and(|noted| *noted != now);
-        let radii = differs(&note.radii, self.radii_digest(|_| None));
         let weighs = MassRequest::default().bodies_kg(self);
         ChangedSinceNote {
-            radii,
-            values: !radii && note.digest != self.contact_digest(|_| None),
-            places: differs(&note.places, self.places_digest(|_| None)),
+            contacts: self.changed_contacts(note),
             sizes: self.bodies_have_other_sizes(note),
             weight_kg: note.weighed_kg.zip(weighs).filter(|&(then, now)| !same_mass(then, now)),
         }
     }
+
+    fn changed_contacts(&self, note: &Note) -> ChangedContacts {
+        let radii = self.has_radii_of(note) == Some(false);
+        let places = self.has_places_of(note) == Some(false);
+        let values = !self.has_values_of(note);
+        let Some(then) = &note.parts else {
+            return ChangedContacts::Together { radii, values: values && !radii, places };
+        };
+        let now = self.noted_parts(|_| None);
+        let counts = |then: &NotedNames, now: &NotedNames| {
+            (then.count != now.count).then_some((then.count, now.count))
+        };
+        let (sphere_count, force_count) =
+            (counts(&then.spheres, &now.spheres), counts(&then.forces, &now.forces));
+        let comparable = sphere_count.is_none() && force_count.is_none();
+        let properties = if comparable { other_properties(then, &now) } else { Vec::new() };
+        ChangedContacts::Apart {
+            sphere_names: comparable && then.spheres.digest != now.spheres.digest,
+            force_names: comparable && then.forces.digest != now.forces.digest,
+            radii: comparable && radii,
+            places: comparable && places,
+            exchanged: comparable && values && !radii && properties.is_empty(),
+            properties,
+            sphere_count,
+            force_count,
+        }
+    }
+}
+
+/// Properties with other values, and those that only one of the two has.
+fn other_properties(then: &NotedParts, now: &NotedParts) -> Vec<Property> {
+    let differs = |property: &Property| then.properties.get(property) != now.properties.get(property);
+    Property::ALL.into_iter().filter(differs).collect()
 }

@@ -3,6 +3,8 @@
 use osim_messages::readable;
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 
+use crate::note::limbs;
+
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::NothingToChange,
     severity: Severity::Info,
@@ -24,6 +26,10 @@ pub(crate) fn by_design() -> Finding {
 
 pub(crate) fn by_note(contacts_mass_kg: f64) -> Finding {
     Finding::new(&RULE, format!("the note in the file says {} kg already", readable(contacts_mass_kg)))
+}
+
+pub(crate) fn by_stance_limbs(stance_limbs: f64) -> Finding {
+    Finding::new(&RULE, format!("the note in the file says {} already", limbs(stance_limbs)))
 }
 
 pub(crate) fn by_rescale() -> Finding {

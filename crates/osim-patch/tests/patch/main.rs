@@ -8,6 +8,7 @@
     reason = "a test fails by panicking, and has a name that says what it is about"
 )]
 
+mod changed_since;
 mod choices;
 mod consequences;
 mod convert;

@@ -89,6 +89,7 @@ fn noted(text: &str, kg: f64) -> String {
         stance_limbs: None,
         weighed_kg: None,
         radii: None,
+        parts: Some(model.noted_parts(|_| None)),
         sizes: model.body_sizes(),
         digest: model.contact_digest(|_| None),
         places: Some(model.places_digest(|_| None)),

@@ -1,0 +1,178 @@
+//! What a note can tell of changes that somebody made in the file after it was written.
+
+#![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use crate::given::fixture;
+use osim_model::{ChangedContacts, ChangedSinceNote, FileId, Model, NoteDoubt, Property};
+use osim_patch::note;
+
+const SMOOTH: &str = "table1/human_62kg_smooth_sphere.osim";
+const HUNT_CROSSLEY: &str = "scale_tool/generic_hunt_crossley.osim";
+
+/// The fixture with a note that its contacts were made for 62 kg.
+fn noted(name: &str) -> String {
+    let model = Model::parse(fixture(name)).unwrap();
+    let plan = note(&model, 62.0, Some(9.81), None).unwrap();
+    String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap()
+}
+
+#[track_caller]
+fn edited(text: &str, edits: &[(&str, &str)]) -> Model {
+    let mut text = text.to_owned();
+    for (from, to) in edits {
+        assert!(text.contains(from), "{from}");
+        text = text.replace(from, to);
+    }
+    Model::parse(text).unwrap()
+}
+
+fn nothing() -> ChangedSinceNote {
+    let contacts = ChangedContacts::Apart {
+        sphere_count: None,
+        force_count: None,
+        sphere_names: false,
+        force_names: false,
+        radii: false,
+        places: false,
+        properties: vec![],
+        exchanged: false,
+    };
+    let mut none = ChangedSinceNote::default();
+    none.contacts = contacts;
+    none
+}
+
+#[track_caller]
+fn assert_properties(changed: ChangedSinceNote, expected: &[Property], what: &str) {
+    let mut all = nothing();
+    if let ChangedContacts::Apart { properties, .. } = &mut all.contacts {
+        properties.extend(expected);
+    }
+    assert_eq!(changed, all, "{what}");
+}
+
+/// Each number that a force has is named, and no other, in both classes.
+#[test]
+fn the_property_that_changed_is_named() {
+    for name in [SMOOTH, HUNT_CROSSLEY] {
+        let text = noted(name);
+        assert_eq!(Model::parse(text.clone()).unwrap().changed_since_note(), nothing());
+        let mut found = 0;
+        for property in Property::ALL.into_iter().filter(|property| *property != Property::Radius) {
+            let open = format!("<{}>", property.name());
+            if !text.contains(&open) {
+                continue;
+            }
+            found += 1;
+            let model = edited(&text, &[(&open, &format!("{open}1"))]);
+            assert_properties(model.changed_since_note(), &[property], property.name());
+            assert_eq!(model.doubt_about_note(), Some(NoteDoubt::ValuesChanged));
+        }
+        assert!(found >= 6, "{name}: {found}");
+    }
+}
+
+#[test]
+fn all_that_changed_is_named_together() {
+    let text = noted(SMOOTH);
+    let both =
+        edited(&text, &[("<stiffness>", "<stiffness>1"), ("<radius>", "<radius>1")]).changed_since_note();
+    let ChangedContacts::Apart { radii: true, places: false, exchanged: false, properties, .. } =
+        both.contacts
+    else {
+        panic!("{both:?}");
+    };
+    assert_eq!((properties, both.weight_kg), (vec![Property::Stiffness], None));
+    let (then, now) = edited(&text, &[("<mass>42", "<mass>142")]).changed_since_note().weight_kg.unwrap();
+    assert!((then - 62.0).abs() < 1e-9 && (now - 162.0).abs() < 1e-9, "{then} {now}");
+}
+
+#[test]
+fn a_sphere_that_moved_is_named_and_puts_no_mass_in_doubt() {
+    let text = noted(SMOOTH);
+    let (_, spheres) = text.split_once("<ContactSphere name=").unwrap();
+    let (location, _) = spheres.split_once("<location>").unwrap().1.split_once('<').unwrap();
+    let model = edited(&text, &[(&format!("<location>{location}<"), "<location>1 1 1<")]);
+    let changed = model.changed_since_note();
+    assert!(matches!(
+        changed.contacts,
+        ChangedContacts::Apart { places: true, radii: false, sphere_names: false, exchanged: false, .. }
+    ));
+    assert_eq!(model.doubt_about_note(), None);
+}
+
+/// A new name changes no number: the note can be relied on, also for following bodies that OpenSim scales.
+#[test]
+fn new_names_alone_are_named_and_put_nothing_in_doubt() {
+    let text = noted(SMOOTH);
+    let plain = Model::parse(text.clone()).unwrap();
+    let (sphere, force) = (plain.spheres()[0].name.clone(), plain.forces()[0].name.clone());
+    for (name, of_spheres) in [(sphere, true), (force, false)] {
+        let (named, path) = (format!("name=\"{name}\""), format!("/{name}<"));
+        let edits = [(named.as_str(), "name=\"another\""), (path.as_str(), "/another<")];
+        let model = edited(&text, if of_spheres { &edits } else { &edits[..1] });
+        let changed = model.changed_since_note();
+        let ChangedContacts::Apart {
+            sphere_names, force_names, radii, places, properties, exchanged, ..
+        } = changed.contacts
+        else {
+            panic!("{name}");
+        };
+        assert_eq!((sphere_names, force_names), (of_spheres, !of_spheres), "{name}");
+        assert!(!radii && !places && !exchanged && properties.is_empty(), "{name}");
+        assert_eq!(model.doubt_about_note(), None, "{name}");
+        assert!(model.scaled_since_note().is_some_and(|scaled| !scaled.is_scaled()), "{name}");
+    }
+}
+
+#[test]
+fn contacts_that_went_are_counted() {
+    let text = noted(SMOOTH);
+    let start = text.rfind("<SmoothSphereHalfSpaceForce ").unwrap();
+    let end = text.rfind("</SmoothSphereHalfSpaceForce>").unwrap() + "</SmoothSphereHalfSpaceForce>".len();
+    let count = Model::parse(text.clone()).unwrap().forces().len();
+    let model = Model::parse(format!("{}{}", &text[..start], &text[end..])).unwrap();
+    let changed = model.changed_since_note();
+    let ChangedContacts::Apart { force_count, sphere_count, radii: false, places: false, .. } =
+        changed.contacts
+    else {
+        panic!("{changed:?}");
+    };
+    assert_eq!((force_count, sphere_count), (Some((count, count - 1)), Some((count, count - 1))));
+    assert_eq!(model.doubt_about_note(), Some(NoteDoubt::ValuesChanged));
+}
+
+/// Two forces that exchange their numbers: none is new, but the note does not fit.
+#[test]
+fn numbers_that_changed_places_are_named() {
+    let plain = String::from_utf8(fixture(SMOOTH)).unwrap();
+    let value = plain.split_once("<stiffness>").unwrap().1.split_once('<').unwrap().0.to_owned();
+    let other = plain.replacen(&format!("<stiffness>{value}<"), "<stiffness>7<", 1);
+    let model = Model::parse(other).unwrap();
+    let plan = note(&model, 62.0, Some(9.81), None).unwrap();
+    let text = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
+    let exchanged = text.replacen("<stiffness>7<", "<stiffness>HERE<", 1);
+    let exchanged = exchanged.replacen(&format!("<stiffness>{value}<"), "<stiffness>7<", 1);
+    let model = Model::parse(exchanged.replacen("HERE", &value, 1)).unwrap();
+    let changed = model.changed_since_note();
+    assert!(
+        matches!(&changed.contacts, ChangedContacts::Apart { exchanged: true, radii: false, properties, .. }
+            if properties.is_empty()),
+        "{changed:?}"
+    );
+    assert_eq!(model.doubt_about_note(), Some(NoteDoubt::ValuesChanged));
+}
+
+/// A note of an earlier version holds names and numbers together: it is read as before, and says that it cannot tell them apart.
+#[test]
+fn an_earlier_note_tells_what_it_can() {
+    let text = noted(SMOOTH);
+    let plain = Model::parse(text.clone()).unwrap();
+    let earlier = String::from_utf8(fixture("walks/scaled_noted.osim")).unwrap();
+    let model = Model::parse(earlier.clone()).unwrap();
+    assert_eq!(model.doubt_about_note(), None);
+    let radius = edited(&earlier, &[("<stiffness>", "<stiffness>1")]).changed_since_note();
+    assert_eq!(radius.contacts, ChangedContacts::Together { radii: false, values: true, places: false });
+    assert!(plain.note.unwrap().parts.is_some());
+}
