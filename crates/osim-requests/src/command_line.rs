@@ -20,7 +20,7 @@ pub fn with_relations(command: Command, verb: Verb) -> Command {
         let own = all.iter().copied().flatten().filter(|relation| name == relation.field());
         own.fold(argument, |argument, relation| match *relation {
             Relation::Required(_) => argument.required(true),
-            Relation::Expected(_) | Relation::Needs(..) => argument,
+            Relation::Expected(_) | Relation::ExpectedUnless(..) | Relation::Needs(..) => argument,
             Relation::RequiredUnless(_, other) => argument.required_unless_present(other),
             Relation::Excludes(_, other) => argument.conflicts_with(other),
         })

@@ -80,7 +80,9 @@ pub(crate) fn check_relations(
             Relation::Required(field) | Relation::Expected(field) if !says(field) => {
                 return Err(RequestFault::Missing { field });
             }
-            Relation::RequiredUnless(field, other) if !says(field) && !says(other) => {
+            Relation::RequiredUnless(field, other) | Relation::ExpectedUnless(field, other)
+                if !says(field) && !says(other) =>
+            {
                 return Err(RequestFault::Missing { field });
             }
             Relation::Needs(field, other) if says(field) && !says(other) => {

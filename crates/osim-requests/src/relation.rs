@@ -9,6 +9,8 @@ pub enum Relation {
     Expected(&'static str),
     /// It is required if the other is absent.
     RequiredUnless(&'static str, &'static str),
+    /// The same; the command line asks for it in its own words.
+    ExpectedUnless(&'static str, &'static str),
     /// It has no meaning without the other.
     Needs(&'static str, &'static str),
     /// Only one of the two can be given.
@@ -23,6 +25,7 @@ impl Relation {
             Self::Required(field)
             | Self::Expected(field)
             | Self::RequiredUnless(field, _)
+            | Self::ExpectedUnless(field, _)
             | Self::Needs(field, _)
             | Self::Excludes(field, _) => field,
         }

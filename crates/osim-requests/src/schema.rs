@@ -40,7 +40,9 @@ pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Sc
                 required.push(field.into());
                 all.push(says(field));
             }
-            Relation::RequiredUnless(field, other) => all.push(json!({"anyOf": [says(field), says(other)]})),
+            Relation::RequiredUnless(field, other) | Relation::ExpectedUnless(field, other) => {
+                all.push(json!({"anyOf": [says(field), says(other)]}))
+            }
             Relation::Needs(field, other) => {
                 all.push(json!({"anyOf": [{"not": says(field)}, says(other)]}));
             }

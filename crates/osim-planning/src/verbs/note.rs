@@ -2,7 +2,7 @@
 
 use osim_messages::{Input, phrase};
 use osim_model::{Fault, Model};
-use osim_patch::{Plan, note};
+use osim_patch::{Plan, note, note_stance_limbs};
 use osim_requests::options::{ForceOptions, InspectionOptions, MassOptions, StanceOptions};
 use osim_requests::{Acceleration, Count, NoteRequest, RequestFault};
 use serde_json::json;
@@ -10,10 +10,18 @@ use serde_json::json;
 use super::asking::Asking;
 use crate::planner::{Change, Planner};
 
+/// What the user knows.
+enum Noted {
+    /// The mass that contacts were made for, kg, and perhaps how many limbs share the weight.
+    Mass(f64, Option<f64>),
+    /// The limbs alone.
+    StanceLimbs(f64),
+}
+
 struct Noting {
-    contacts_mass_kg: f64,
+    /// What to write down.
+    noted: Noted,
     gravity_m_s2: Option<f64>,
-    stance_limbs: Option<f64>,
     inspection: InspectionOptions,
     settings: String,
 }
@@ -36,20 +44,28 @@ pub(super) fn prepare(request: NoteRequest) -> Result<Change, RequestFault> {
     if models.is_empty() {
         return Err(RequestFault::Missing { field: "models" });
     }
-    let Some(contacts_mass) = contacts_mass else {
-        return Err(RequestFault::general(phrase![
-            "the mass is missing: say which mass the contacts in the file were made for with ",
-            Input::ContactsMass.like("KG"),
-        ]));
+    let noted = match (contacts_mass, stance_limbs) {
+        (Some(mass), limbs) => Noted::Mass(mass.get(), limbs.map(Count::get)),
+        (None, Some(_)) if contacts_gravity.is_some() => {
+            return Err(RequestFault::Needs { field: "contacts_gravity", other: "contacts_mass" });
+        }
+        (None, Some(limbs)) => Noted::StanceLimbs(limbs.get()),
+        (None, None) => {
+            return Err(RequestFault::general(phrase![
+                "the mass is missing: say which mass the contacts in the file were made for with ",
+                Input::ContactsMass.like("KG"),
+                ", or how many limbs share the weight with ",
+                Input::StanceLimbs.like("N"),
+            ]));
+        }
     };
     if output.no_note {
         return Err(RequestFault::general(phrase!["a note is written or not: leave out ", Input::NoNote]));
     }
-    let masses = MassOptions { contacts_mass: Some(contacts_mass), ..MassOptions::default() };
+    let masses = MassOptions { contacts_mass, ..MassOptions::default() };
     let planner = Noting {
-        contacts_mass_kg: contacts_mass.get(),
+        noted,
         gravity_m_s2: contacts_gravity.map(Acceleration::get),
-        stance_limbs: stance_limbs.map(Count::get),
         inspection: InspectionOptions::new(
             StanceOptions::default(),
             masses,
@@ -76,6 +92,13 @@ impl Planner for Noting {
     }
 
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        note(model, self.contacts_mass_kg, self.gravity_m_s2.or(model.gravity()), self.stance_limbs)
+        match self.noted {
+            Noted::Mass(kg, limbs) => {
+                let mut plan = note(model, kg, self.gravity_m_s2.or(model.gravity()), limbs)?;
+                plan.warnings.extend(self.inspection.masses.request().noted_otherwise(model));
+                Ok(plan)
+            }
+            Noted::StanceLimbs(limbs) => Ok(note_stance_limbs(model, limbs)),
+        }
     }
 }

@@ -1,4 +1,4 @@
-//! Writing down the mass that contacts were made for.
+//! Writing down what the user knows of contacts: the mass they were made for, the limbs that share the weight.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ use crate::options::{AnswerOptions, OutputOptions, RunOptions, SetFiles};
 use crate::relation::Relation;
 use crate::values::{Acceleration, Count, Kilograms, path};
 
-/// Writes into models which mass their contacts were made for; no number changes.
+/// Writes into models which mass their contacts were made for, or how many limbs share the weight; no number changes.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
@@ -50,7 +50,7 @@ pub struct NoteRequest {
 
 impl NoteRequest {
     pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
-        &[Relation::Expected("models"), Relation::Expected("contacts_mass")],
+        &[Relation::Expected("models"), Relation::ExpectedUnless("contacts_mass", "stance_limbs")],
         OutputOptions::RELATIONS,
         RunOptions::RELATIONS,
     ];
