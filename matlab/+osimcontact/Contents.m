@@ -15,7 +15,7 @@
 %   fit        - Finds contact parameters from a measured indentation and force, or those of a model from recordings of its gait.
 %   inspect    - Shows what contacts models have.
 %   motion     - Shows what contacts do along a recorded motion, beside what force plates measured.
-%   note       - Writes into models which mass their contacts were made for; no number changes.
+%   note       - Writes into models which mass their contacts were made for, or how many limbs share the weight; no number changes.
 %   plot       - Draws what contacts do.
 %   presets    - Lists presets, or shows one.
 %   remove     - Takes the foot contacts out of models: forces, the spheres that nothing else uses, and what was made for them.

@@ -1,12 +1,12 @@
 function results = note(varargin)
-%NOTE Writes into models which mass their contacts were made for; no number changes.
+%NOTE Writes into models which mass their contacts were made for, or how many limbs share the weight; no number changes.
 %   RESULTS = osimcontact.note(MODELS, NAME, VALUE, ...)
 %
 %   MODELS: Models (.osim), a ForceSet (.xml) with geometry, folders. Takes a text or a cell array of
 %       texts.
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
-%     contacts_mass: Mass the contacts in the file were made for, kg. Takes a number. Must be given.
+%     contacts_mass: Mass the contacts in the file were made for, kg. Takes a number.
 %     contacts_gravity: Gravity the contacts in the file were made for, m/s2 [default: the model's].
 %         Takes a number.
 %     stance_limbs: Limbs that share the body weight [default: as the note in the model says]. Takes a
@@ -26,9 +26,9 @@ function results = note(varargin)
 %     resume: Skip models that summary says are done, if nothing has changed since. Takes true or false.
 %     shard: Only share I of N of the models, for job arrays. Takes a text.
 %     yes: Go on where a number looks like a slip: the code of the error that asks. Takes
-%         'implausible-mass' or 'mass-in-pounds' or 'implausible-radius' or 'implausible-place' or
-%         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
-%         or a cell array of these.
+%         'implausible-mass' or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or
+%         'implausible-place' or 'implausible-scale' or 'tilted-foot' or 'unequal-feet' or
+%         'wrong-afterwards' or 'many-models' or a cell array of these.
 %     geometry: The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet. Takes
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.

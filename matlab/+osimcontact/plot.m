@@ -67,9 +67,9 @@ function results = plot(varargin)
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.
 %     yes: Go on where a number looks like a slip: the code of the error that asks. Takes
-%         'implausible-mass' or 'mass-in-pounds' or 'implausible-radius' or 'implausible-place' or
-%         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
-%         or a cell array of these.
+%         'implausible-mass' or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or
+%         'implausible-place' or 'implausible-scale' or 'tilted-foot' or 'unequal-feet' or
+%         'wrong-afterwards' or 'many-models' or a cell array of these.
 %
 %   RESULTS: a struct with the fields output (the file) and text (remarks on it).
 %

@@ -55,9 +55,9 @@ function results = sweep(varargin)
 %     exclude: No forces with such a name. Takes a text or a cell array of texts.
 %     skip_disabled: Leave out forces that are switched off. Takes true or false.
 %     yes: Go on where a number looks like a slip: the code of the error that asks. Takes
-%         'implausible-mass' or 'mass-in-pounds' or 'implausible-radius' or 'implausible-place' or
-%         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
-%         or a cell array of these.
+%         'implausible-mass' or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or
+%         'implausible-place' or 'implausible-scale' or 'tilted-foot' or 'unequal-feet' or
+%         'wrong-afterwards' or 'many-models' or a cell array of these.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
 %         'error', one with a row for each of its entries. In GNU Octave, which has no tables, a struct
 %         of columns.

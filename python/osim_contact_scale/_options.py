@@ -12,8 +12,8 @@ Property = Literal[
 
 #: Codes of questions, which `yes` answers.
 Question = Literal[
-    "implausible-mass", "mass-in-pounds", "implausible-radius", "implausible-place", "implausible-scale",
-    "tilted-foot", "unequal-feet", "wrong-afterwards", "many-models",
+    "implausible-mass", "mass-in-pounds", "against-note", "implausible-radius", "implausible-place",
+    "implausible-scale", "tilted-foot", "unequal-feet", "wrong-afterwards", "many-models",
 ]
 
 #: Options that a row of a table has as columns.

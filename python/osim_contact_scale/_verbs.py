@@ -1035,7 +1035,7 @@ def note(
     source: Source,
     /,
     *,
-    contacts_mass: float,
+    contacts_mass: float | None = None,
     contacts_gravity: float | None = None,
     stance_limbs: int | None = None,
     no_note: bool = False,
@@ -1043,13 +1043,13 @@ def note(
     geometry: Source | None = None,
     model: Source | None = None,
 ) -> Result:
-    """Writes into models which mass their contacts were made for; no number changes.
+    """Writes into models which mass their contacts were made for, or how many limbs share the weight; no number changes.
 
     Parameters
     ----------
     source : path, bytes or opensim.Model
         Path of a model (.osim) or ForceSet (.xml), its bytes, a Result, or an `opensim.Model`.
-    contacts_mass : float
+    contacts_mass : float, optional
         Mass the contacts in the file were made for, kg.
     contacts_gravity : float, optional
         Gravity the contacts in the file were made for, m/s2 [default: the model's]

@@ -15,6 +15,7 @@
 
 mod add_slips;
 mod added;
+mod advised;
 mod afterwards;
 mod bad_input;
 mod batch;
@@ -54,6 +55,7 @@ mod slips;
 mod summaries;
 mod support;
 mod sweep;
+mod traced;
 mod transfers;
 mod workbooks;
 mod zero_constant;

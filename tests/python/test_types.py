@@ -81,7 +81,7 @@ ocs.rescale("a.osim", target_mass=70, yes="mass-in-stones")  # type: ignore[arg-
 ocs.rescale(3, target_mass=70)  # type: ignore[arg-type]
 ocs.transfer("a.osim")  # type: ignore[call-arg]
 ocs.convert("a.osim", to="smoth")  # type: ignore[arg-type]
-ocs.note("a.osim")  # type: ignore[call-arg]
+ocs.note("a.osim", stance_limbs=2)
 ocs.sweep("a.osim", radius=0.1)  # type: ignore[call-overload]
 ocs.fit(3)  # type: ignore[call-overload]
 ocs.many("fit", "a.osim")  # type: ignore[arg-type]

@@ -179,6 +179,26 @@ impl MassRequest {
         self.disagreements_with(model, taken, noted.map(|kg| (kg, "the note in the file".into())))
     }
 
+    /// A warning where the note in `model` can be relied on and gives another mass than the caller.
+    #[must_use]
+    pub fn noted_otherwise(&self, model: &Model) -> Option<Finding> {
+        let kg = self.contacts_mass_kg?;
+        let noted = self.otherwise_noted_kg(model)?;
+        let taken = Said { kg, source: MassSource::ContactsMass.describe() };
+        Some(mass_sources_disagree::of_masses(
+            &taken,
+            &Said { kg: noted, source: "the note in the file".into() },
+        ))
+    }
+
+    /// What the note in `model` gives, kg, where it can be relied on and the caller gave another mass.
+    #[must_use]
+    pub fn otherwise_noted_kg(&self, model: &Model) -> Option<f64> {
+        let said = self.contacts_mass_kg?;
+        let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg)?;
+        (!same_mass(noted, said) && model.doubt_about_note().is_none()).then_some(noted)
+    }
+
     /// The same for what a model weighs that gets other contacts: what its own were made for does not matter.
     #[must_use]
     pub fn disagreements_of_weight(&self, model: &Model, taken: &Mass) -> Vec<Finding> {

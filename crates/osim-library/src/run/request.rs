@@ -41,8 +41,9 @@ impl RunRequest {
     /// # Errors
     /// What is asked for several models makes sense for one only.
     pub fn of_change(change: Change, run: &RunOptions) -> Result<Self, LibraryFault> {
+        let sources = Sources::find(&change.models, change.output.output_dir.as_deref());
+        let change = if sources.models.len() > 1 { change.of_many() } else { change };
         let Change { models, output, set_files, planner, details, .. } = change;
-        let sources = Sources::find(&models, output.output_dir.as_deref());
         check_usage(&models, &sources, &output, run)?;
         if set_files.geometry.is_some() && sources.models.len() > 1 {
             return Err(LibraryFault::new(phrase![

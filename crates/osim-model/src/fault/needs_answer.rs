@@ -16,6 +16,8 @@ pub enum Question {
     ImplausibleMass,
     /// A mass that may be in pounds.
     MassInPounds,
+    /// A mass for many models that contradicts the note in one of them.
+    AgainstNote,
     /// A sphere that is larger than the bones around it.
     ImplausibleRadius,
     /// A place or a sole that is far from the bones.
@@ -34,9 +36,10 @@ pub enum Question {
 
 impl Question {
     /// Every question.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::ImplausibleMass,
         Self::MassInPounds,
+        Self::AgainstNote,
         Self::ImplausibleRadius,
         Self::ImplausiblePlace,
         Self::ImplausibleScale,
@@ -52,6 +55,7 @@ impl Question {
         match self {
             Self::ImplausibleMass => "implausible-mass",
             Self::MassInPounds => "mass-in-pounds",
+            Self::AgainstNote => "against-note",
             Self::ImplausibleRadius => "implausible-radius",
             Self::ImplausiblePlace => "implausible-place",
             Self::ImplausibleScale => "implausible-scale",

@@ -10,6 +10,7 @@ pub(crate) mod fitting;
 mod following;
 mod levelling;
 mod note;
+pub(crate) mod of_many;
 mod operation;
 mod reference;
 mod remove;

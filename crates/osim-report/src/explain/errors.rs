@@ -185,6 +185,11 @@ const QUESTION: &[ErrorCode] = &[
         "write it in kg; if it is meant as it is, `yes=mass-in-pounds`",
     ),
     code(
+        "against-note",
+        "one `contacts_mass` was given for several models, and the note of this one says another mass: the others are done",
+        "do this model in a call of its own, or give each model its mass in a table (`batch`); if it is meant, `yes=against-note`",
+    ),
+    code(
         "implausible-radius",
         "a sphere would get a radius above the longest distance between two joints of its body, or of a body next to it: it may be in mm or cm",
         "write it in m; if it is meant as it is, `yes=implausible-radius`",
