@@ -102,7 +102,7 @@ fn a_sphere_that_moved_is_named_and_puts_no_mass_in_doubt() {
     assert_eq!(model.doubt_about_note(), None);
 }
 
-/// A new name changes no number: the note can be relied on, also for following bodies that OpenSim scales.
+/// A new name changes no number: the note can be relied on, and the spheres are where they were.
 #[test]
 fn new_names_alone_are_named_and_put_nothing_in_doubt() {
     let text = noted(SMOOTH);
@@ -122,7 +122,7 @@ fn new_names_alone_are_named_and_put_nothing_in_doubt() {
         assert_eq!((sphere_names, force_names), (of_spheres, !of_spheres), "{name}");
         assert!(!radii && !places && !exchanged && properties.is_empty(), "{name}");
         assert_eq!(model.doubt_about_note(), None, "{name}");
-        assert!(model.scaled_since_note().is_some_and(|scaled| !scaled.is_scaled()), "{name}");
+        assert_eq!(model.has_places_of(model.note.as_ref().unwrap()), Some(true), "{name}");
     }
 }
 
