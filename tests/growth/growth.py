@@ -10,6 +10,7 @@ with more than 1.35: a loop within a loop shows there long before it shows in th
 
 import argparse
 import collections
+import json
 import math
 import os
 import re
@@ -23,6 +24,7 @@ from pathlib import Path
 import models
 
 LEAST, N, TIMES = 4, 64, 4
+MOTION = Path(__file__).resolve().parents[2] / "fixtures/motion"
 LIMIT, LIMIT_OF_FUNCTION = 1.1, 1.35
 # Of the whole at 4 N, and in instructions; less than this is noise, such as of tables whose hashes differ from run to run.
 WEIGHT, LEAST_WEIGHT = 0.01, 250_000
@@ -35,21 +37,35 @@ IN_JUMPS = re.compile(
 ALL = list(models.KINDS)
 SOME = ["forces", "bodies", "circle", "chain+", "defaults"]
 MODEL, OUT = "MODEL", "OUT"
+ASKED = ["--indentation", "0.3", "--restitution", "0.5"]
+WANTED = [*ASKED, "--spheres", "2", "--class", "smooth"]
 # Verb, the call, and in what it may grow. A call that follows bodies is given the model before they were scaled.
 VERBS = {
     "inspect": (["inspect", MODEL], ["forces", "spheres", "findings"]),
     "inspect csv": (["inspect", MODEL, "--format", "csv"], ["forces"]),
     "inspect json": (["inspect", MODEL, "--format", "json"], ["bodies"]),
     "inspect --from": (["inspect", MODEL, "--from", "GENERIC"], ["bodies", "chain+"]),
+    "inspect mass": (["inspect", MODEL, "--target-mass", "50"], ["forces", "bodies"]),
     "check": (["check", MODEL], ALL),
     "check --from": (["check", MODEL, "--from", "GENERIC"], ["forces", "bodies"]),
     "add": (["add", MODEL, "--from", "GENERIC", "--replace", "-o", OUT], ["forces", "bodies"]),
+    "add level": (["add", MODEL, "--from", "GENERIC", "--replace", "--level", "-o", OUT], ["forces"]),
+    "add table": (["add", MODEL, "--contacts", "PLACES", "--replace", *WANTED, "-o", OUT], ["places"]),
+    "motion": (["motion", MODEL, "MOTION"], ["forces", "bodies", "frames"]),
+    "motion plates": (["motion", MODEL, "MOTION", "--plates", "PLATES", "--loads", "LOADS", "--format", "csv"], ["frames"]),
+    "check --motion": (["check", MODEL, "--motion", "MOTION", "--plates", "PLATES", "--loads", "LOADS"], ["frames"]),
+    "fit motion": (["fit", MODEL, "--motion", "MOTION", "--plates", "PLATES", "--loads", "LOADS", "--fit", "height", "-o", OUT], ["frames"]),
+    "plot motion": (["plot", "motion", MODEL, "--motion", "MOTION", "-o", "OUT.svg"], ["frames"]),
+    "plot force": (["plot", "force", MODEL, "-o", "OUT.svg"], ["forces"]),
     "plot feet": (["plot", "feet", MODEL, "-o", "OUT.svg"], ["forces", "bodies", "chain", "chain+"]),
     "fit": (["fit", "DATA", "--radius", "0.03"], ["rows"]),
+    "diff": (["rescale", MODEL, "--target-mass", "500", "--diff", "--dry-run"], ["forces"]),
+    "request": (["request", "REQUEST"], ["forces"]),
     "rescale": (["rescale", MODEL, "--target-mass", "500", "-o", OUT], SOME),
     "follow bodies": (["transfer", MODEL, "--from", "GENERIC", "--follow-bodies", "-o", OUT], ["forces", "bodies"]),
     "report": (["rescale", MODEL, "--target-mass", "500", "-o", OUT, "--report", "OUT.html"], ["findings"]),
     "transfer": (["transfer", MODEL, "--from", "GENERIC", "-o", OUT], ["forces", "bodies"]),
+    "set level": (["set", MODEL, "radius=x1.1", "--level", "-o", OUT], ["forces"]),
     "set": (["set", MODEL, "stiffness=x2", "-o", OUT], ["forces", "shared"]),
     "design": (["design", MODEL, "--indentation", "0.1", "-o", OUT], ["forces", "chain+"]),
     "note": (["note", MODEL, "--contacts-mass", "80", "-o", OUT], ["bodies", "brackets"]),
@@ -57,6 +73,8 @@ VERBS = {
     "remove some": (["remove", MODEL, "--exclude", "f*0", "-o", OUT], ["forces"]),
     "convert": (["convert", MODEL, "--to", "hunt-crossley", "-o", OUT], ["forces", "spheres", "same name"]),
     "sweep": (["sweep", MODEL, "--grid", "stiffness=x1,x2", "-d", OUT, "--jobs", "1"], ["forces"]),
+    "ladder": (["sweep", MODEL, "--ladder", "2", *ASKED, "-d", OUT, "--jobs", "1"], ["forces"]),
+    "steps": (["sweep", "SMALL", "--ladder", "COUNT", *ASKED, "-d", OUT, "--jobs", "1"], ["files"]),
     "drop-test": (["drop-test", MODEL, "--duration", "0.01"], ["forces"]),
     "files": (["rescale", "FOLDER", "--target-mass", "500", "-d", OUT, "--summary", "OUT.csv", "--jobs", "1"], ["files"]),
     "check files": (["check", "FOLDER"], ["files"]),
@@ -115,6 +133,29 @@ def exponent(least, few, many):
 def counted(program, folder, verb, kind, size):
     """Instructions of each function; `None` where the program refuses."""
     place = Path(tempfile.mkdtemp(dir=folder))
+    call = prepared(place, verb, kind, size)
+    out = place / "callgrind"
+    counting = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}"]
+    done = run([*counting, program, *call], place)
+    if done is None or not out.exists():
+        return None
+    counts = functions(out)
+    shutil.rmtree(place)
+    return counts
+
+
+def run(call, place):
+    """What the program says on one thread; `None` where it refuses."""
+    environment = os.environ | {"RAYON_NUM_THREADS": "1"}
+    done = subprocess.run(call, cwd=place, env=environment, capture_output=True)
+    if done.returncode not in (0, 1) or b"\nerror:" in b"\n" + done.stderr:
+        print(done.stderr.decode(errors="replace")[-2000:], file=sys.stderr)
+        return None
+    return done
+
+
+def prepared(place, verb, kind, size):
+    """Writes what the call needs into `place`, and returns its words."""
     written = {"GENERIC": place / "generic.osim", OUT: place / "out", "FOLDER": place / "library"}
     if kind == "files":
         small = models.KINDS["forces"](LEAST)
@@ -131,22 +172,35 @@ def counted(program, folder, verb, kind, size):
         rows = [f"{t},{x},{4 / 3 * 1e6 * math.sqrt(0.03) * x**1.5 + 0.01 * (-1) ** i}" for i, (t, x) in enumerate(steps)]
         (place / "data.csv").write_text("\n".join(["time,indentation,force", *rows, ""]))
         written["DATA"] = place / "data.csv"
+    elif kind == "frames":
+        # Eight frames of the walk for each, because a spline needs some, with five rows of plates for each frame.
+        size *= 8
+        for name in ("walker.osim", "plates.xml"):
+            shutil.copy(MOTION / name, place)
+        (place / "motion.mot").write_text(longer(MOTION / "walk.mot", size, 0.01))
+        (place / "plates.sto").write_text(longer(MOTION / "plates.sto", 5 * size, 0.002))
+        written |= {MODEL: place / "walker.osim", "MOTION": place / "motion.mot"}
+        written |= {"PLATES": place / "plates.sto", "LOADS": place / "plates.xml"}
     else:
-        text = models.KINDS[kind](size)
+        text = models.KINDS["forces" if kind == "places" else kind](LEAST if kind == "places" else size)
         (place / "model.osim").write_text(text)
         (place / "generic.osim").write_text(text)
-        written[MODEL] = place / "model.osim"
-    call = [filled(word, written, size) for word in VERBS[verb][0]]
-    out = place / "callgrind"
-    counting = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}"]
-    environment = os.environ | {"RAYON_NUM_THREADS": "1"}
-    done = subprocess.run([*counting, program, *call], cwd=place, env=environment, capture_output=True)
-    if done.returncode not in (0, 1) or not out.exists() or b"\nerror:" in b"\n" + done.stderr:
-        print(done.stderr.decode(errors="replace")[-2000:], file=sys.stderr)
-        return None
-    counts = functions(out)
-    shutil.rmtree(place)
-    return counts
+        rows = [f"n{i},foot0_{'rl'[i % 2]},{i / size / 100},-0.02,0,0.03" for i in range(size)]
+        (place / "places.csv").write_text("\n".join(["name,body,x,y,z,radius", *rows, ""]))
+        (place / "motion.mot").write_text(models.STILL)
+        (place / "request.json").write_text(json.dumps({"verb": "set", "models": ["model.osim"], "set": {"stiffness": "x2"}, "dry_run": True}))
+        written |= {MODEL: place / "model.osim", "MOTION": place / "motion.mot", "PLACES": place / "places.csv"}
+        written["REQUEST"] = place / "request.json"
+    return [filled(word, written, size) for word in VERBS[verb][0]]
+
+
+def longer(path, rows, step):
+    """The table at `path`, which repeats itself, with so many rows, `step` seconds apart."""
+    lines = path.read_text().splitlines()
+    head = lines.index("endheader") + 2
+    cells = [line.split("\t")[1:] for line in lines[head:-1]]
+    own = ["\t".join([f"{row * step:.6g}", *cells[row % len(cells)]]) for row in range(rows)]
+    return "\n".join([*lines[:head], *own, ""])
 
 
 def filled(word, written, size):

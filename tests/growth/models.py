@@ -92,6 +92,9 @@ def brackets(n):
     return model(feet(2), spheres(2, foot), [smooth(i, i) for i in range(2)], f"<credits>{credits}</credits>")
 
 
+# A motion of all kinds of models here: nothing moves.
+STILL = "still\nversion=1\ninDegrees=no\nendheader\ntime\t/jointset/pelvis_joint/_coord_0/value\n" + "".join(f"{i / 100}\t0\n" for i in range(8))
+
 KINDS = {
     "forces": forces,
     "spheres": spheres_only,

@@ -71,7 +71,12 @@ impl ContactPlane {
                 pairing.add(plane, pressing);
             }
         }
-        pairing.planes.into_iter().map(|(plane, spheres)| Self::new(model, plane, spheres, pose)).collect()
+        // Sorted once: after each force, it would be work that grows with their square.
+        let sorted = pairing.planes.into_iter().map(|(plane, mut spheres)| {
+            spheres.sort_unstable();
+            (plane, spheres)
+        });
+        sorted.map(|(plane, spheres)| Self::new(model, plane, spheres, pose)).collect()
     }
 
     fn new(model: &Model, plane: Arc<HalfSpace>, spheres: Vec<SphereId>, pose: &DefaultPose) -> Self {
@@ -123,6 +128,5 @@ impl Pairing {
         }
         let Some((_, pressing)) = self.planes.get_mut(index) else { return };
         pressing.extend(spheres.into_iter().filter(|&sphere| self.known.insert((index, sphere))));
-        pressing.sort_unstable();
     }
 }
