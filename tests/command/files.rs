@@ -286,3 +286,26 @@ fn no_temporary_file_is_left_behind() {
         bench.files().keys()
     );
 }
+
+/// The set of forces of a model beside that model: its contacts count once.
+#[test]
+fn a_set_beside_its_whole_model_counts_once() {
+    let bench = Bench::with(&[("format/v40000.osim", "model.osim")]);
+    let text = bench.text("model.osim");
+    let (start, end) = (text.find("<ForceSet").unwrap(), text.find("</ForceSet>").unwrap());
+    let set =
+        format!("<OpenSimDocument Version=\"40000\">{}</ForceSet></OpenSimDocument>", &text[start..end]);
+    bench.write("forces.xml", set);
+    let seen = |call: &str| -> serde_json::Value {
+        serde_json::from_str(&bench.run(&format!("inspect {call} --format json")).done().out()).unwrap()
+    };
+    let alone = seen("model.osim");
+    for beside in ["--model model.osim", "--geometry model.osim", "--geometry model.osim --model model.osim"]
+    {
+        let with = seen(&format!("forces.xml {beside}"));
+        for field in ["mass_kg", "spheres_per_limb", "standing", "figures"] {
+            assert_eq!(with[field], alone[field], "{beside}: {field}");
+        }
+        assert_eq!(with["spheres"].as_array().unwrap().len(), 4, "{beside}");
+    }
+}

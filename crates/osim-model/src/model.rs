@@ -147,10 +147,8 @@ impl Model {
 
     /// The object that has the model's `gravity`, and the file that it is in; `None` for sets that stand alone.
     pub(crate) fn gravity_object(&self) -> Option<(FileId, ElementId)> {
-        let beside = self.companions().map(|(file, companion)| (file, &companion.document));
-        let mut files = std::iter::once((FileId::MAIN, self.document())).chain(beside);
-        let (file, document) = files.find(|(_, document)| document.is_model())?;
-        Some((file, document.data_root()))
+        let file = self.components.model_file()?;
+        Some((file, self.file(file).data_root()))
     }
 
     /// Line of `gravity` in its file, from 1; `None` where OpenSim's default counts.

@@ -58,8 +58,7 @@ impl Model {
         }
         let ContactReader { spheres, forces, warnings, .. } = reader;
         let (document, companions) = (components.main(), components.companions());
-        let all = std::iter::once(document).chain(companions.iter().map(|companion| &companion.document));
-        let gravity = match all.clone().find(|document| document.is_model()) {
+        let gravity = match components.model_file().map(|file| components.document(file)) {
             Some(document) => document
                 .whole_triple(document.data_root(), "gravity")
                 .map_err(|fault| fault.located(document.bytes()))?,

@@ -5,6 +5,7 @@
 
 use std::borrow::Cow;
 
+use super::counted::Counted;
 use super::tree::{ComponentId, ComponentTree};
 use crate::document::Document;
 use crate::fault::{Fault, FaultKind, FileId};
@@ -66,10 +67,15 @@ pub(crate) const MAX_FRAME_CHAIN: usize = 64;
 impl Components {
     pub(crate) fn new(main: Document, companions: Vec<Companion>) -> Self {
         let mut tree = ComponentTree::default();
-        tree.add(FileId::MAIN, &main, None);
+        tree.add(FileId::MAIN, &main, None, Counted::All);
+        let beside = companions.iter().filter(|companion| companion.included_by.is_none()).count();
         for (index, companion) in companions.iter().enumerate() {
             let mount = companion.included_by.and_then(|element| component_above(&main, &tree, element));
-            tree.add(FileId::companion(index), &companion.document, mount);
+            let counted = match companion.included_by {
+                Some(_) => Counted::All,
+                None => Counted::beside_set(index, beside),
+            };
+            tree.add(FileId::companion(index), &companion.document, mount, counted);
         }
         Self { main, companions, tree }
     }
@@ -85,6 +91,15 @@ impl Components {
 
     pub(crate) fn companions(&self) -> &[Companion] {
         &self.companions
+    }
+
+    /// The file of the model itself: beside a set, the last one that is a model, because geometry comes first.
+    pub(crate) fn model_file(&self) -> Option<FileId> {
+        if self.main.is_model() {
+            return Some(FileId::MAIN);
+        }
+        let is_model = |companion: &Companion| companion.document.is_model();
+        self.companions.iter().rposition(is_model).map(FileId::companion)
     }
 
     pub(crate) fn document(&self, file: FileId) -> &Document {

@@ -1,6 +1,7 @@
 //! The components of a model: which elements OpenSim turns into objects, what they are called, and what their sockets mean.
 
 mod classes;
+mod counted;
 mod documents;
 mod tree;
 

@@ -10,6 +10,7 @@ use std::sync::{Arc, OnceLock};
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use super::classes;
+use super::counted::Counted;
 use crate::document::Document;
 use crate::fault::FileId;
 use osim_xml::{ElementId, KeptElements};
@@ -86,10 +87,16 @@ enum Role {
 }
 
 impl ComponentTree {
-    /// Adds all objects of `document`. A file other than the model hangs below `mount`, the object that includes it.
-    pub(crate) fn add(&mut self, file: FileId, document: &Document, mount: Option<ComponentId>) {
+    /// Adds all objects of `document` that count. A file other than the model hangs below `mount`, the object that includes it.
+    pub(super) fn add(
+        &mut self,
+        file: FileId,
+        document: &Document,
+        mount: Option<ComponentId>,
+        counted: Counted,
+    ) {
         self.by_name = Arc::default();
-        let tree = document.tree();
+        let (tree, is_model) = (document.tree(), document.is_model());
         let mut roles = vec![Role::Nothing; tree.element_count()];
         let mut seen: HashSet<(ComponentId, &str)> = HashSet::new();
         // Most elements are properties of properties: they cost no look.
@@ -103,6 +110,8 @@ impl ComponentTree {
                 Role::Nothing
             } else if is_root {
                 Role::Object(self.push_root(file, document, mount))
+            } else if is_model && parent == document.data_root() && !counted.has(tag) {
+                Role::Nothing
             } else {
                 match above {
                     Role::Nothing => Role::Nothing,
@@ -354,7 +363,11 @@ impl ComponentTree {
     pub(crate) fn at_path(&self, owner: ComponentId, path: &str) -> Option<ComponentId> {
         match path.strip_prefix('/') {
             Some(absolute) => self.roots.iter().find_map(|&root| self.below_root(root, absolute)),
-            None => self.walk(owner, path),
+            // The path may lead out of a set that stands alone, into the model beside it.
+            None => self.walk(owner, path).or_else(|| match self.roots.as_slice() {
+                [_] => None,
+                _ => self.at_path(owner, &self.absolute(owner, path)?),
+            }),
         }
     }
 

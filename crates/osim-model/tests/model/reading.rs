@@ -5,7 +5,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use osim_model::{Document, Limbs, Model, Origin, Property, Selection, SetId};
+use osim_model::{Companion, Document, Limbs, Model, Origin, Property, Selection, SetId};
 
 /// One foot of 61.5 kg on a sphere of 0.0325 m, as the fixtures of `format/` have it.
 const STIFFNESS: f64 = 1_234_567.8;
@@ -399,4 +399,56 @@ fn included_files_are_named() {
     assert_eq!(files, ["standalone_ForceSet.xml", "standalone_ContactGeometrySet.xml"]);
     let bytes = fixture("format/v40000.osim");
     assert_eq!(Document::parse(bytes).unwrap().included_files(), []);
+}
+
+/// The set of forces of a model as a file of its own.
+fn force_set_of(text: &str) -> Document {
+    let (start, end) = (text.find("<ForceSet").unwrap(), text.find("</ForceSet>").unwrap());
+    let set = &text[start..end];
+    let text = format!("<OpenSimDocument Version=\"40000\">{set}</ForceSet></OpenSimDocument>");
+    Document::parse(text).unwrap()
+}
+
+#[test]
+fn a_set_takes_the_place_of_that_of_the_model_beside_it() {
+    for file in ["v40000", "floor_of_its_own", "frame_on_body", "connectee_relative"] {
+        let text = String::from_utf8(fixture(&format!("format/{file}.osim"))).unwrap();
+        let alone = Model::parse(text.as_str()).unwrap();
+        // As geometry or as the model that it belongs to, and as both.
+        for times in [1, 2] {
+            let beside = Companion { document: Document::parse(text.as_str()).unwrap(), included_by: None };
+            let read = Model::read_with(force_set_of(&text), vec![beside; times]).unwrap();
+            let spheres = |model: &Model| -> Vec<_> {
+                let each = model.spheres().iter();
+                each.map(|sphere| (sphere.path.clone(), sphere.body.clone(), sphere.radius.number)).collect()
+            };
+            let forces = |model: &Model| -> Vec<_> {
+                let each = model.forces().iter();
+                each.map(|force| (force.path.clone(), force.spheres(), force.applies)).collect()
+            };
+            assert_eq!(spheres(&read), spheres(&alone), "{file}, {times} times");
+            assert_eq!(forces(&read), forces(&alone), "{file}, {times} times");
+            let bodies = |model: &Model| -> Vec<_> {
+                model.bodies().iter().map(|body| (body.name.clone(), body.mass_kg().unwrap())).collect()
+            };
+            assert_eq!(bodies(&read), bodies(&alone), "{file}, {times} times");
+            assert_eq!(read.joints().len(), alone.joints().len(), "{file}, {times} times");
+            assert_eq!(read.gravity(), alone.gravity(), "{file}, {times} times");
+            let codes = |model: &Model| model.warnings.iter().map(|one| one.code()).collect::<Vec<_>>();
+            assert_eq!(codes(&read), codes(&alone), "{file}, {times} times");
+        }
+    }
+}
+
+#[test]
+fn gravity_beside_a_set_is_that_of_the_model_and_not_of_its_geometry() {
+    let text = String::from_utf8(fixture("format/v40000.osim")).unwrap();
+    let beside = |gravity: &str| {
+        let text =
+            text.replace("<gravity>0 -9.81 0</gravity>", &format!("<gravity>0 -{gravity} 0</gravity>"));
+        Companion { document: Document::parse(text).unwrap(), included_by: None }
+    };
+    let read = Model::read_with(force_set_of(&text), vec![beside("1.62"), beside("9.81")]).unwrap();
+    assert_eq!(read.gravity(), Some(9.81));
+    assert_eq!(read.gravity_line(), Model::parse(text.as_str()).unwrap().gravity_line());
 }
