@@ -271,3 +271,31 @@ fn spheres_of_ones_own_get_the_size_of_a_preset_and_stay_on_their_soles() {
         bench.run(&call).usage().says(&["--level says nothing here: radii stay, and bottoms with them"]);
     }
 }
+
+/// `add` takes moco-2d-gait, so `transfer` does: stiffnesses that somebody changed since are again what `add` made of it.
+#[test]
+fn a_preset_with_spheres_of_several_radii_is_taken() {
+    let bench = Bench::with(&[("feet/human_40000.osim", "bare.osim")]);
+    bench
+        .run("add bare.osim --from moco-2d-gait --body-scale calcn_r=1 --body-scale calcn_l=1 -o added.osim")
+        .done();
+    bench.run("set added.osim stiffness=x2 -o stiff.osim").done();
+    let of = |file: &str| -> Vec<f64> {
+        let seen: Value =
+            serde_json::from_str(&bench.run(&format!("inspect {file} --format json")).done().out()).unwrap();
+        let forces = seen["forces"].as_array().unwrap().iter();
+        forces.map(|force| force["parameters"]["stiffness"].as_f64().unwrap()).collect()
+    };
+    let (added, stiff) = (of("added.osim"), of("stiff.osim"));
+    assert!(added.len() == 4 && added.iter().zip(&stiff).all(|(one, twice)| 2.0 * one == *twice));
+    bench.run("transfer stiff.osim --from moco-2d-gait -o again.osim").done();
+    for (one, again) in added.iter().zip(of("again.osim")) {
+        assert!((one - again).abs() <= 1e-12 * one, "{one} {again}");
+    }
+    bench.run("drop-test moco-2d-gait --duration 0.01").done();
+    bench
+        .run("transfer stiff.osim --from moco-2d --dry-run")
+        .usage()
+        .says(&["one of: falisse2022, moco-2d-gait"]);
+    bench.run("presets moco-2d-gait").usage().says(&["add and transfer take them"]);
+}

@@ -80,9 +80,9 @@ pub(crate) fn find_preset(
 }
 
 /// The names of all presets, for messages.
-pub(crate) fn preset_names(file: Option<&Path>, files: &dyn Files) -> String {
+pub(crate) fn preset_names(file: Option<&Path>, files: &dyn Files) -> Vec<String> {
     let presets = presets(file, files).unwrap_or_default();
-    presets.iter().map(|preset| preset.name.to_string()).collect::<Vec<_>>().join(", ")
+    presets.iter().map(|preset| preset.name.to_string()).collect()
 }
 
 /// Why the values of a preset make no contact.
@@ -130,7 +130,13 @@ pub fn find_presets(request: &PresetsRequest, files: &dyn Files) -> Result<Vec<P
     let Some(name) = &request.name else { return Ok(all) };
     all.retain(|preset| preset.name == name.as_str());
     if all.is_empty() {
-        let names = preset_names(request.presets.as_deref(), files);
+        if osim_patch::preset_model(name).is_some() {
+            return Err(RequestFault::general(phrase![format!(
+                "the spheres of {name} have radii of their own, which this list cannot show: drop-test {name} says what they do; add and \
+                 transfer take them"
+            )]));
+        }
+        let names = preset_names(request.presets.as_deref(), files).join(", ");
         return Err(RequestFault::general(phrase![format!(
             "unknown preset '{name}', expected one of: {names}"
         )]));

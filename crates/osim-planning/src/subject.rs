@@ -4,7 +4,8 @@ use std::path::Path;
 
 use contact_scaling::Preset;
 use osim_messages::{Input, phrase};
-use osim_model::files::{Files, OpenModel};
+use osim_model::files::{Beside, Failure, Files, InMemory, ModelFiles, OpenModel};
+use osim_patch::{preset_model, presets_with_places};
 use osim_requests::options::SetFiles;
 use osim_requests::{RequestError, RequestFault};
 
@@ -14,6 +15,8 @@ use crate::presets::{find_preset, preset_names};
 /// What a word names.
 pub(crate) enum Named {
     Preset(Preset),
+    /// A preset whose spheres differ in their numbers: a model of ours, which nothing but a model can say.
+    Placed(Box<OpenModel>),
     /// A file, which may be missing.
     File,
 }
@@ -28,9 +31,12 @@ impl Named {
         input: Option<Input>,
         presets: Option<&Path>,
         files: &dyn Files,
-    ) -> Result<Self, RequestFault> {
+    ) -> Result<Self, RequestError> {
         if let Some(preset) = find_preset(word, presets, files)? {
             return Ok(Self::Preset(preset));
+        }
+        if let Some(open) = placed_preset(word)? {
+            return Ok(Self::Placed(Box::new(open)));
         }
         if may_be_file(word, files) {
             return Ok(Self::File);
@@ -38,13 +44,31 @@ impl Named {
         let neither = format!(
             "'{}': there is no such file and no such preset, expected a model or one of: {}",
             word.display(),
-            preset_names(presets, files)
+            all_names(presets, files)
         );
-        Err(match input {
+        let fault = match input {
             Some(input) => RequestFault::refused(input, phrase![input, " ", neither]),
             None => RequestFault::general(neither),
-        })
+        };
+        Err(fault.into())
     }
+}
+
+/// The preset of this name that has places, as a model; also where a file is called so.
+pub(crate) fn placed_preset(name: &Path) -> Result<Option<OpenModel>, Failure> {
+    let Some(text) = name.to_str().and_then(preset_model) else { return Ok(None) };
+    ModelFiles::read(name, text.into(), Beside::default(), &InMemory::default())?.open().map(Some)
+}
+
+/// All that may be named: presets, and those that only a model can say.
+fn all_names(presets: Option<&Path>, files: &dyn Files) -> String {
+    let mut names = preset_names(presets, files);
+    for name in presets_with_places() {
+        if !names.iter().any(|known| known == name) {
+            names.push(name.to_owned());
+        }
+    }
+    names.join(", ")
 }
 
 /// Whether `word` names a file: it is there, is standard input, or looks like the name of one.
@@ -76,6 +100,7 @@ impl Subject {
     ) -> Result<Self, RequestError> {
         Ok(match Named::find(path, None, presets, files)? {
             Named::Preset(preset) => Self::Preset(preset),
+            Named::Placed(open) => Self::Model(open),
             Named::File => Self::Model(Box::new(open_with(path, set_files.beside(), files)?)),
         })
     }

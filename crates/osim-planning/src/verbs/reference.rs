@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use contact_scaling::Preset;
 use osim_compare::ScaleFile;
 use osim_inspect::{LoadSharing, ReferenceState};
 use osim_messages::{Input, phrase};
@@ -11,12 +12,11 @@ use osim_model::{
     Anatomy, CountOf, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection, mass_slip,
 };
 use osim_patch::{Reference, reference_of_model};
-use osim_requests::{Acceleration, Count, Kilograms, RequestFault, TransferRequest};
+use osim_requests::{Acceleration, Count, Kilograms, TransferRequest};
 
 use crate::opening::{open, scale_file};
 use crate::planner::file_name;
 use crate::remarks::refuse_known;
-use crate::subject::Named;
 
 /// Which mass counts for published contacts of a reference that were made for another one than its bodies weigh.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -55,26 +55,17 @@ fn standing(model: &Model) -> BTreeSet<String> {
     spheres.filter_map(|sphere| Some(model.sphere(sphere)?.name.clone())).collect()
 }
 
-/// The preset that `from` names, if it names one.
-///
-/// # Errors
-/// It names neither a preset nor a file.
-pub(super) fn preset(
-    request: &TransferRequest,
-    from: &Path,
-    files: &dyn Files,
-) -> Result<Option<(Reference, ReferenceState)>, RequestFault> {
-    let own = request.presets.as_deref();
-    let Named::Preset(preset) = Named::find(from, Some(Input::From), own, files)? else { return Ok(None) };
-    let mut reference = Reference::from(&preset);
+/// The numbers of a preset, with the mass and the spheres that the request says.
+pub(super) fn of_preset(request: &TransferRequest, preset: &Preset) -> (Reference, ReferenceState) {
+    let mut reference = Reference::from(preset);
     if let Some(kg) = request.reference.reference_mass {
         reference.mass = reference_mass(kg);
     }
     let count = request.reference.reference_spheres.map(Count::get);
     reference.sphere_count = count.unwrap_or(reference.sphere_count);
     let gravity = request.reference.reference_gravity.map(Acceleration::get);
-    let state = ReferenceState::of_preset(&preset, reference.mass.kg, reference.sphere_count, gravity);
-    Ok(Some((reference, state)))
+    let state = ReferenceState::of_preset(preset, reference.mass.kg, reference.sphere_count, gravity);
+    (reference, state)
 }
 
 fn reference_mass(kg: Kilograms) -> Mass {

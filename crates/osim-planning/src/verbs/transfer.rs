@@ -12,9 +12,10 @@ use osim_requests::{Acceleration, Kilograms, Radius, RequestError, RequestFault,
 use serde_json::json;
 
 use super::asking::Asking;
-use super::reference::{Generic, preset, reference_from_file};
+use super::reference::{Generic, KnownMass, of_opened, of_preset, reference_from_file};
 use super::transferring::{ReferenceSaid, Transferring};
 use crate::planner::Change;
+use crate::subject::Named;
 
 /// A reference, the same as reports show it, and its bones where spheres follow them.
 pub(super) type Referenced = (Reference, ReferenceState, Option<Generic>);
@@ -28,29 +29,31 @@ pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Cha
     let Some(from) = request.from.clone() else {
         return Err(RequestFault::Missing { field: "from" }.into());
     };
-    let named = preset(&request, &from, files)?;
-    let is_file = named.is_none();
-    let (reference, state, generic) = match named {
-        Some(_) if request.follow.follow_bodies => {
-            let message = phrase![
-                Input::FollowBodies,
-                " needs the generic model as ",
-                Input::From,
-                ", a preset has no bodies",
-            ];
-            return Err(RequestFault::refused(Input::FollowBodies, message).into());
-        }
-        Some((reference, state)) => {
+    let named = Named::find(&from, Some(Input::From), request.presets.as_deref(), files)?;
+    let is_file = matches!(named, Named::File);
+    if !is_file && request.follow.follow_bodies {
+        let message = phrase![
+            Input::FollowBodies,
+            " needs the generic model as ",
+            Input::From,
+            ", a preset has no bodies"
+        ];
+        return Err(RequestFault::refused(Input::FollowBodies, message).into());
+    }
+    let referenced = match named {
+        Named::Preset(preset) => {
             // A preset has no bodies to compare its mass with.
             let said = request.reference.reference_mass.map(Kilograms::get);
             let asks = said.and_then(|kg| mass_slip(Input::ReferenceMass, kg, None));
             let asked = request.answers.ask(asks);
             asked.map_err(|kind| Failure::outside(from.as_path(), kind.code(), kind.phrase()))?;
+            let (reference, state) = of_preset(&request, &preset);
             (reference, state, None)
         }
-        None => reference_from_file(&request, &from, files)?,
+        Named::Placed(open) => of_opened(&request, &from, &open, KnownMass::Asked, files)?,
+        Named::File => reference_from_file(&request, &from, files)?,
     };
-    Ok(change(request, (reference, state, generic), is_file))
+    Ok(change(request, referenced, is_file))
 }
 
 /// The change with a reference that was read.

@@ -4,9 +4,9 @@ use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
 
 use osim_messages::{Input, Phrase, phrase};
-use osim_model::files::{Beside, Files, InMemory, ModelFiles, OpenModel};
+use osim_model::files::{Files, OpenModel};
 use osim_model::{Anatomy, Fault, FaultKind, FindingCode, Model, RadiusRule, Selected};
-use osim_patch::{Layout, Plan, Rebuilt, preset_model, presets_with_places, reference_of_model};
+use osim_patch::{Layout, Plan, Rebuilt, presets_with_places, reference_of_model};
 use osim_requests::{AddRequest, BodyMap, NewRadius, Radius, RequestError, RequestFault, TransferRequest};
 
 use super::super::reference::Generic;
@@ -14,7 +14,7 @@ use super::super::transferring::Transferring;
 use super::fault::AddFault;
 use super::made::added;
 use crate::opening::open;
-use crate::subject::Named;
+use crate::subject::{Named, placed_preset};
 
 /// Places, radii and numbers of a reference.
 pub(super) struct FromReference {
@@ -197,9 +197,8 @@ fn mapped(
 
 /// The reference: a preset with places, also where a file is called so, else a file.
 pub(super) fn reference(from: &Path, files: &dyn Files) -> Result<(OpenModel, bool), RequestError> {
-    if let Some(text) = from.to_str().and_then(preset_model) {
-        let own = ModelFiles::read(from, text.into(), Beside::default(), &InMemory::default())?;
-        return Ok((own.open()?, false));
+    if let Some(own) = placed_preset(from)? {
+        return Ok((own, false));
     }
     let Named::Preset(preset) = Named::find(from, Some(Input::From), None, files)? else {
         return Ok((open(from, files)?, true));
