@@ -128,6 +128,12 @@ const COMPOSED: &[Case] = &[
         check: "model.osim --from generic.osim",
     },
     Case {
+        code: "unmatched-pattern",
+        fixtures: &[("check/within_limits.osim", "model.osim")],
+        before: "",
+        check: "model.osim --exclude ball_*",
+    },
+    Case {
         code: "mass-sources-disagree",
         fixtures: &[("check/within_limits.osim", "model.osim")],
         before: "",

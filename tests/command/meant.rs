@@ -253,3 +253,39 @@ fn a_pattern_that_matches_no_force_is_named() {
     bench.run(&format!("{call} --select contact_* --select typo_*")).done().says(&[words]);
     bench.run(&format!("{call} --select contact_*")).done().says_not(&["no contact force of the model"]);
 }
+
+/// So does every verb that takes such a choice, of forces and of bodies.
+#[test]
+fn every_verb_names_a_pattern_that_matches_nothing() {
+    let bench = Bench::with(&[
+        ("check/known_contacts.osim", "human.osim"),
+        ("motion/walker.osim", "walker.osim"),
+        ("motion/walk.mot", "walk.mot"),
+    ]);
+    let forces = "--exclude balls_*: no contact force of the model has such a name";
+    let bodies = "--exclude-body props_*: no body of the model has such a name";
+    for call in [
+        "rescale human.osim --target-mass 70 --dry-run",
+        "set human.osim stiffness=x2 --dry-run",
+        "design human.osim --indentation 0.2 --dry-run",
+        "inspect human.osim",
+        "check human.osim",
+        "drop-test human.osim --duration 0.01",
+        "sweep human.osim --grid stiffness=x1,x2 --dry-run",
+        "plot force human.osim -o force.svg --force",
+        "plot feet human.osim -o feet.svg --force",
+        "motion walker.osim walk.mot",
+    ] {
+        let said = |words: &str| {
+            let ran = bench.run(&format!("{call} {words}"));
+            let text = format!("{}{}", ran.out(), ran.err());
+            text.split_whitespace().collect::<Vec<_>>().join(" ")
+        };
+        let text = said("--exclude balls_* --exclude-body props_*");
+        for words in [forces, bodies] {
+            assert!(text.contains(words), "{call}: {text}");
+        }
+        let text = said("");
+        assert!(!text.contains("has such a name"), "{call}: {text}");
+    }
+}

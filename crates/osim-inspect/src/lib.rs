@@ -55,7 +55,7 @@ pub use mass_mismatch::MassMismatch;
 pub use options::{InspectOptions, Stance};
 pub use quantity::Quantity;
 pub use reference_state::ReferenceState;
-pub use rules::RULES;
+pub use rules::{RULES, unmatched_patterns};
 #[cfg(feature = "schemas")]
 pub use serialized::ObjectSchema;
 pub use serialized::{FindingRecord, SCHEMA_VERSION};

@@ -127,6 +127,12 @@ impl Mass {
 }
 
 impl MassRequest {
+    /// Patterns of bodies by which no body of `model` is called: probably a slip.
+    pub fn unmatched<'p>(&'p self, model: &Model) -> impl Iterator<Item = &'p Pattern> {
+        let is_idle = |pattern: &Pattern| !model.bodies().iter().any(|body| pattern.matches(&body.name));
+        self.exclude_bodies.iter().filter(move |pattern| is_idle(pattern))
+    }
+
     /// What the model weighs: as said, else the sum of its bodies, left to right in file order.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use osim_inspect::{InspectOptions, ReferenceState};
+use osim_inspect::{InspectOptions, ReferenceState, unmatched_patterns};
 use osim_messages::{Phrase, Verb, phrase};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Fault, Model, Source};
@@ -155,11 +155,8 @@ fn unjudged<P: Planner + ?Sized>(
     }
     let standing: Vec<_> = plan.standing_warnings(model).cloned().collect();
     plan.warnings.splice(0..0, standing);
-    for (input, pattern) in InspectOptions::from(&planner.inspection()).selection.unmatched(model) {
-        let matched =
-            phrase![input.being(pattern.to_string()), ": no contact force of the model has such a name"];
-        plan.remarks.push(matched);
-    }
+    let InspectOptions { selection, masses, .. } = InspectOptions::from(&planner.inspection());
+    plan.remarks.extend(unmatched_patterns(&selection, &masses, model));
     Ok(plan)
 }
 

@@ -1,11 +1,14 @@
 //! Which verb is called.
 
+use std::path::PathBuf;
+
 use anyhow::Result;
-use osim_requests::Request;
+use osim_model::files::Beside;
+use osim_requests::{DropTestRequest, PlotRequest, Request, SweepRequest};
 
 use super::{
     batch, change, check, completions, design, drop_test, explain, fit, inspect, manual, motion, plot,
-    presets, reproduce, request, rescale, sweep,
+    presets, reproduce, request, rescale, sweep, unmatched,
 };
 use crate::args::{Cli, VerbArgs};
 use crate::exit::Exit;
@@ -62,12 +65,31 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
         | Request::Fit(_)
         | Request::Note(_)) => change::run(changing, session),
         Request::Batch(request) => batch::run(&request, session),
-        Request::Sweep(request) => sweep::run(&request, session),
+        Request::Sweep(request) => {
+            let exit = sweep::run(&request, session)?;
+            if !request.quiet {
+                let SweepRequest { model, choice, masses, .. } = &*request;
+                unmatched::note(model.as_deref(), Beside::default(), choice, masses, session)?;
+            }
+            Ok(exit)
+        }
         Request::Inspect(request) => inspect::run(&request, false, session),
         Request::Check(request) => check::run(&request, session),
-        Request::DropTest(request) => drop_test::run(&request, session),
+        Request::DropTest(request) => {
+            let exit = drop_test::run(&request, session)?;
+            let DropTestRequest { subject, compare, choice, masses, set_files, .. } = &*request;
+            let models = subject.iter().chain(compare).map(PathBuf::as_path);
+            unmatched::note(models, set_files.beside(), choice, masses, session)?;
+            Ok(exit)
+        }
         Request::Motion(request) => motion::run(&request, session),
-        Request::Plot(request) => plot::run(&request, session),
+        Request::Plot(request) => {
+            let exit = plot::run(&request, session)?;
+            let PlotRequest { models, choice, masses, set_files, .. } = &*request;
+            let models = models.iter().map(PathBuf::as_path);
+            unmatched::note(models, set_files.beside(), choice, masses, session)?;
+            Ok(exit)
+        }
         Request::Reproduce(request) => reproduce::run(&request, session),
         Request::Presets(request) => presets::run(&request, session),
         Request::Explain(request) => explain::run(&request, session),

@@ -22,5 +22,6 @@ mod rescale;
 mod run;
 mod shown;
 mod sweep;
+mod unmatched;
 
 pub(crate) use dispatch::call;

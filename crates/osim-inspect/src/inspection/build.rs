@@ -20,7 +20,7 @@ use crate::figures::Figures;
 use crate::known::KnownContacts;
 use crate::load_sharing::LoadSharing;
 use crate::options::InspectOptions;
-use crate::rules::{mass_unknown, stale_note};
+use crate::rules::{mass_unknown, stale_note, unmatched_pattern};
 use crate::serialized::SCHEMA_VERSION;
 
 impl InspectOptions {
@@ -64,6 +64,7 @@ impl InspectOptions {
                 warnings.push(warning);
             }
         }
+        warnings.extend(unmatched_pattern::find(&self.selection, &self.masses, model));
         let (mass, contacts_mass) = (mass.ok(), contacts_mass.ok());
         let weight = mass.as_ref().or(contacts_mass.as_ref());
         // Where nobody chose among several bodies, all of them stand somewhere.

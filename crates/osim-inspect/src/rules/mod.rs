@@ -32,10 +32,12 @@ pub(crate) mod sunk_in;
 mod turned_floors;
 pub(crate) mod uneven_bottoms;
 pub(crate) mod unlevel_foot;
+pub(crate) mod unmatched_pattern;
 pub(crate) mod wide_transition;
 pub(crate) mod zero_constant_contact_force;
 
 pub(crate) use limits::Limits;
+pub use unmatched_pattern::unmatched_patterns;
 
 use osim_model::{Finding, Model, Rule};
 
@@ -68,6 +70,7 @@ pub const RULES: &[&Rule] = &[
     &sunk_in::RULE,
     &uneven_bottoms::RULE,
     &unlevel_foot::RULE,
+    &unmatched_pattern::RULE,
     &wide_transition::RULE,
 ];
 

@@ -102,6 +102,7 @@ codes! {
     CountUnknown = "sphere-count-unknown",
     NoGravity = "no-gravity",
     BareModel = "bare-model",
+    UnmatchedPattern = "unmatched-pattern",
 }
 
 impl fmt::Display for FindingCode {
