@@ -13,11 +13,13 @@ RESULTS = {
     "check": "check",
     "sweep": "sweep",
     "drop-test": "drop-test",
-    "fit": "fit",
+    "motion": "motion",
     "reproduce": "reproduction",
     "presets": "preset",
     "explain": "explanation",
 }
+# These print changes of a model, or what they find without one.
+WITHOUT_MODEL = {"design": "design", "fit": "fit"}
 
 
 @cache
@@ -27,5 +29,9 @@ def validator(name):
 
 def check(verb, printed):
     """Raise ValidationError where `printed` is not what a call of `verb` may print."""
-    name = "failure" if "error" in printed else f"results/{RESULTS.get(verb, 'change')}"
+    name = f"results/{RESULTS.get(verb, 'change')}"
+    if "error" in printed:
+        name = "failure"
+    elif verb in WITHOUT_MODEL and "changes" not in printed:
+        name = f"results/{WITHOUT_MODEL[verb]}"
     validator(name).validate(printed)

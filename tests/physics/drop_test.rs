@@ -291,3 +291,12 @@ fn how_it_looks() {
         .looks_like("physics_drop_test_csv");
     bench.run("drop-test").looks_like("physics_drop_test_nothing");
 }
+
+/// A duration over sqrt(R/g) that is more than a double holds was one step of the integration, which met no contact.
+#[test]
+fn a_duration_beyond_all_measure_is_refused() {
+    let drop =
+        "drop-test --mass 53 --spheres 2 --radius 0.0325 --stiffness 1e6 --dissipation 2 --duration 1.7e308";
+    let ran = Bench::with(&[]).run(drop).wrote_nothing().says(&["expected a shorter duration"]);
+    assert_eq!(ran.status, Some(1));
+}

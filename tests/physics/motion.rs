@@ -50,6 +50,39 @@ fn the_first_frame_is_known() {
     assert_eq!(csv.lines().count(), 1 + 241 * 4);
 }
 
+/// Rows of plates that are missing were taken along a straight line, without a word.
+#[test]
+fn missing_rows_of_plates_are_named_once() {
+    let bench = Bench::with(&FILES);
+    let table = bench.text("plates.sto");
+    let without = |missing: &[(f64, f64)]| {
+        let is_kept = |line: &&str| match line.split('\t').next().and_then(|cell| cell.parse::<f64>().ok()) {
+            Some(time) => !missing.iter().any(|(from, to)| (*from..*to).contains(&time)),
+            None => true,
+        };
+        table.lines().filter(is_kept).map(|line| format!("{line}\n")).collect::<String>()
+    };
+    let said = |text: &str| {
+        bench.write("plates.sto", text);
+        let ran = bench.run(MEASURED).done().wrote_nothing();
+        let text = ran.out().split_whitespace().collect::<Vec<_>>().join(" ");
+        (text.matches("rows are missing").count(), text)
+    };
+    assert_eq!(said(&table).0, 0);
+    let (count, text) = said(&without(&[(0.505, 0.795)]));
+    assert_eq!(count, 1, "{text}");
+    assert!(text.contains("plates.sto: rows are missing in 1 gap from 0.504 to 0.796 s; "), "{text}");
+    let (count, text) = said(&without(&[(0.505, 0.795), (1.495, 1.505)]));
+    assert_eq!(count, 1, "{text}");
+    assert!(text.contains("rows are missing in 2 gaps, the longest from 0.504 to 0.796 s"), "{text}");
+    bench
+        .run(
+            "fit walker.osim --motion walk.mot --plates plates.sto --loads plates.xml --fit height --dry-run",
+        )
+        .done()
+        .says(&["rows are missing in 2 gaps"]);
+}
+
 #[test]
 fn plates_are_compared_and_words_come_first() {
     let bench = Bench::with(&FILES);
@@ -259,4 +292,23 @@ fn an_option_that_a_figure_does_not_have_is_named() {
     let bench = Bench::with(&FILES);
     bench.run("plot motion walker.osim --motion walk.mot --belt 1 -o a.svg").usage().says(&["--belt"]);
     bench.run("plot feet walker.osim --belt 1").usage().says(&["--belt"]);
+}
+
+/// JSON has no number for what is not finite, and its schema promises numbers: such a model is refused.
+#[test]
+fn numbers_beyond_all_measure_are_refused() {
+    let bench = Bench::with(&FILES);
+    let walker = bench.text("walker.osim");
+    for (old, new) in [
+        ("<radius>0.035", "<radius>5e-324"),
+        ("<stiffness>8e+06", "<stiffness>1e308"),
+        ("<mass>58.0", "<mass>1e150"),
+    ] {
+        assert!(walker.contains(old), "{old}");
+        bench.write("walker.osim", walker.replace(old, new));
+        for call in ["motion walker.osim walk.mot --format json", &format!("{MEASURED} --format json")] {
+            let ran = bench.run(call).wrote_nothing();
+            assert!(ran.status == Some(1) && ran.out().contains("\"error\""), "{new}: {}", ran.out());
+        }
+    }
 }

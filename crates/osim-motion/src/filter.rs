@@ -21,9 +21,10 @@ pub(crate) fn low_pass(table: &Table, values: &[f64], cutoff_hz: f64) -> Result<
     let rate_hz = 1.0 / step_s;
     if !(cutoff_hz > 0.0 && cutoff_hz < rate_hz / 2.0) {
         return Err(MotionFault::new(format!(
-            "it has {} rows a second: a cutoff is above 0 and below half of that, {} Hz, and not {cutoff_hz} Hz",
+            "it has {} rows a second: a cutoff is above 0 and below half of that, {} Hz, and not {} Hz",
             three_decimals(rate_hz),
-            three_decimals(rate_hz / 2.0)
+            three_decimals(rate_hz / 2.0),
+            short(cutoff_hz)
         )));
     }
     let too_few = || MotionFault::new(format!("its {} rows are too few for a filter", values.len()));
@@ -35,11 +36,17 @@ pub(crate) fn low_pass(table: &Table, values: &[f64], cutoff_hz: f64) -> Result<
     let filtered = filtered.map_err(|_| too_few())?;
     if !filtered.iter().all(|value| value.is_finite()) {
         return Err(MotionFault::new(format!(
-            "a cutoff of {cutoff_hz} Hz is too low for its {} rows",
+            "a cutoff of {} Hz is too low for its {} rows",
+            short(cutoff_hz),
             values.len()
         )));
     }
     Ok(filtered)
+}
+
+/// Without hundreds of digits.
+fn short(value: f64) -> String {
+    if (1e-6..1e9).contains(&value) { value.to_string() } else { format!("{value:e}") }
 }
 
 /// For sentences: the times of a file are rounded, too.

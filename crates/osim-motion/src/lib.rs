@@ -49,7 +49,7 @@ pub use sole::SoleAxes;
 pub use stance::{OFF_BW, ON_BW, Stance, strides};
 pub use states::{ContactState, ContactStates, StatesError};
 pub use summary::{FootSummary, SphereSummary, StanceSummary, Summary, TouchDown};
-pub use table::{AngleUnit, Column, Table};
+pub use table::{AngleUnit, Column, Gap, Table};
 pub use wrench::{CentreOfPressure, Wrench};
 
 /// The example of the README compiles.

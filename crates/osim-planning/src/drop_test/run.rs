@@ -11,6 +11,7 @@ use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::{CountOf, Fault, GravityFor, MassRequest, Model, Needed};
 use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestError, RequestFault};
 
+use super::register::DropColumn;
 use super::result::{ComparedDrop, DropResult};
 use crate::gravity::STANDARD_GRAVITY_M_S2;
 use crate::subject::Subject;
@@ -51,6 +52,11 @@ pub fn run_drop_test(request: &DropTestRequest, files: &dyn Files) -> Result<Dro
     };
     let failed = |error: DropError| Failure::outside(&falling.name, "drop-test", error.to_string());
     let report = falling.test.run().map_err(failed)?;
+    let is_finite = |sample| DropColumn::ALL.iter().all(|column| column.value(&report, sample).is_finite());
+    if !report.series.iter().all(is_finite) {
+        let why = "the series of this drop is not finite, expected a shorter duration, or masses, radii and gravity of a real body";
+        return Err(Failure::outside(&falling.name, "drop-test", why).into());
+    }
     let compared = match &other {
         Some(other) => {
             let difference = compare(&falling.test, &other.test).map_err(failed)?;

@@ -1,5 +1,6 @@
 //! Contacts along a recorded motion, beside what force plates measured.
 
+mod beyond;
 pub(crate) mod opened;
 mod plates;
 pub(crate) mod remarks;

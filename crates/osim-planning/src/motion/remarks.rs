@@ -1,6 +1,7 @@
 //! What a motion shows, in words.
 
 use osim_feet::dot;
+use osim_inspect::unmatched_patterns;
 use osim_messages::{Input, Phrase, Verb, four_significant, phrase, readable};
 use osim_motion::{AngleUnit, FootSummary, LeftOut, ON_BW, OnSole, PlateUse, Summary};
 use osim_requests::MotionRequest;
@@ -29,10 +30,11 @@ pub struct MotionRemark {
 }
 
 impl MotionResult {
-    /// One sentence for each foot, then what is odd, for a call that has no word for a belt: it changes slip alone.
+    /// One sentence for each foot, then what is odd, for a call that has no word for a belt, which changes slip alone, and that says
+    /// itself which choices fit nothing.
     pub(crate) fn remarks_without_belt(&self, request: &MotionRequest) -> Vec<MotionRemark> {
         let mut remarks = self.remarks(request);
-        remarks.retain(|remark| remark.code != "treadmill");
+        remarks.retain(|remark| !["treadmill", "unmatched-pattern"].contains(&remark.code));
         remarks
     }
 
@@ -51,6 +53,10 @@ impl MotionResult {
             {
                 remarks.say("centre-of-pressure", message);
             }
+        }
+        let (selection, masses) = (request.choice.selection(), request.masses.request());
+        for message in unmatched_patterns(&selection, &masses, &self.opened.model) {
+            remarks.say("unmatched-pattern", message);
         }
         self.treadmill(request, &mut remarks);
         self.taken(&mut remarks);
@@ -208,6 +214,9 @@ impl MotionResult {
                     read.file.display()
                 ),
             );
+        }
+        if let Some(gaps) = read.gaps_during(&self.recording.time_s) {
+            remarks.say("gaps-in-plates", gaps);
         }
         let names = self.summary.feet.iter().map(|foot| &foot.foot.name);
         for (name, frames) in names.zip(&measured.beside).filter(|(_, frames)| **frames > 0) {

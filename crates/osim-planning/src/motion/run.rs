@@ -5,6 +5,7 @@ use osim_model::{Fault, MassRequest, Model};
 use osim_motion::{Belt, ContactStates, Foot, Measured, OnSole, Recording, StatesError, Summary};
 use osim_requests::{MotionRequest, RequestError, RequestFault};
 
+use super::beyond;
 use super::opened::{belt, failure, recording_options, table};
 use super::plates::PlatesRead;
 use super::result::MotionResult;
@@ -37,6 +38,7 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
                 StatesError::Model(fault) => opened.failure(*fault),
                 StatesError::Pose(fault) => opened.failure(Fault::refused(fault.to_string())),
             })?;
+    beyond::refuse_states(&states, mass_kg * gravity_m_s2).map_err(|fault| opened.failure(fault))?;
     let feet = Foot::all(&opened.model, &states, &selected.forces);
     if feet.is_empty() {
         let fault =
@@ -49,6 +51,13 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
         && measured.total.iter().all(Option::is_none)
     {
         let why = "it has no time in common with the motion";
+        return Err(Failure::outside(read.name(), "motion", why).into());
+    }
+    let plates = result.plates.as_ref().zip(result.measured.as_ref());
+    if let Some((read, force_n)) =
+        plates.and_then(|(read, measured)| Some((read, beyond::of_plates(measured)?)))
+    {
+        let why = format!("it has a force of {force_n:e} N: correct the table");
         return Err(Failure::outside(read.name(), "motion", why).into());
     }
     Ok(result)

@@ -331,6 +331,8 @@ impl Planner for Fitting {
         };
         let subject = seen.iter().find_map(|one| other_weight(&one.summary, mass_kg, gravity_m_s2));
         plan.remarks.extend(subject.map(Phrase::from));
+        let gaps = self.trials.iter().filter_map(|trial| trial.plates.gaps_during(&trial.table.time_s));
+        plan.remarks.extend(gaps.map(Phrase::from));
         plan.remarks.extend(remarks(&fit, &trials, (&first.summary, &after), &self.bounds, &others));
         plan.remarks.extend(self.without_dimensions(&changed));
         Ok(plan)
