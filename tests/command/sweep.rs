@@ -338,8 +338,10 @@ fn points_and_shares_that_are_not_there_are_refused() {
     for (words, says) in [
         ("--point 0", "--point 0: the points of the grid are counted from 1 to 6"),
         ("--point 7", "--point 7: the points of the grid are counted from 1 to 6"),
-        ("--point one", "--point"),
-        ("--point 1.5", "--point"),
+        ("--point one", "expected the number of one point, counted from 1"),
+        ("--point 1.5", "expected the number of one point, counted from 1"),
+        ("--point 99999999999999999999", "expected the number of one point, counted from 1"),
+        ("--shard 1/1000000001", "n up to 1000000000"),
         ("--point 1 --shard 1/2", "cannot be used with"),
         ("--shard 0/2", "expected i/n with i from 1 to n"),
         ("--shard 3/2", "expected i/n with i from 1 to n"),
@@ -352,4 +354,33 @@ fn points_and_shares_that_are_not_there_are_refused() {
         .usage()
         .wrote_nothing()
         .says(&["--point 4: the steps of the ladder are counted from 1 to 3"]);
+}
+
+/// x1 of a stiffness and that stiffness are one contact: the table has both, and nobody would see it.
+#[test]
+fn points_with_the_same_contacts_are_named() {
+    let bench = Bench::with(&[EMU]);
+    let own = common(&bench, "emu.osim", "stiffness");
+    let call = format!("sweep emu.osim --grid stiffness=x1,{own},x2 -d out");
+    bench.run(&call).done().says(&["note: 1 of 3 models has the same contacts as an earlier one: 2 and 1"]);
+    let ran = bench.run("sweep emu.osim --grid stiffness=x1,x2 -d other").done();
+    assert!(!ran.err().contains("same contacts"), "{}", ran.err());
+}
+
+/// A folder keeps models of a sweep with other points, which a loop over its files would run, too.
+#[test]
+fn models_of_another_sweep_in_the_folder_are_named() {
+    let bench = Bench::with(&[EMU]);
+    let said = |call: &str| bench.run(call).done().err();
+    assert!(!said("sweep emu.osim --grid stiffness=x1,x2 -d out").contains("another sweep"));
+    let err = said("sweep emu.osim --grid stiffness=x1,x3 -d out --force");
+    let expected =
+        "note: out has a model of another sweep, which the manifest does not list: emu_2_stiffness-x2.osim";
+    assert!(err.contains(expected), "{err}");
+    // A ladder has a table of its own, and what is no model of a sweep is none of its business.
+    bench.write("out/emu_walks.osim", "mine");
+    let err = said("sweep emu.osim --ladder 3 --indentation 0.16 -d out");
+    assert!(!err.contains("another sweep"), "{err}");
+    let err = said("sweep emu.osim --ladder 2 --indentation 0.16 -d out --force");
+    assert!(err.contains("note: out has 3 models of another sweep"), "{err}");
 }

@@ -25,6 +25,6 @@ pub use fault::{Cause, LibraryFault};
 pub use folders::{Folders, make_folder_of};
 pub use paths::{folder_of, resolved};
 pub use source::{Disk, FOLDER_MARK, Loaded, OrdinaryFiles, Origin, Source, Sources, SplitName, Stamp};
-pub use sweep::{SweepEnd, SweepFrontEnd, SweepRun};
+pub use sweep::{OtherModels, SameContacts, SweepEnd, SweepFrontEnd, SweepRun};
 pub use workers::{in_order, threads};
 pub use write::{Mode, Prepared};

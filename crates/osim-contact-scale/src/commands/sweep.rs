@@ -64,6 +64,9 @@ pub(super) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
             "note: {worse} of {made} models have errors or warnings that the model itself has not: column worse of the manifest\n"
         ))?;
     }
+    if !request.quiet {
+        session.terminal.note(&aside(&end, &sweep))?;
+    }
     if end.not_begun > 0 {
         let (made, count) = (end.made + end.earlier, sweep.count());
         let resume = session.words.input(Input::Resume, None);
@@ -79,6 +82,30 @@ pub(super) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
         (0, _) => Exit::Failed,
         _ => Exit::Interrupted,
     })
+}
+
+/// What the table does not show: one note for each, or nothing.
+fn aside(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
+    let mut notes = String::new();
+    if let Some((point, earlier)) = end.same.first {
+        let such = if end.same.count > 1 { "such as " } else { "" };
+        notes.push_str(&format!(
+            "note: {} of {} models {} the same contacts as an earlier one: {such}{point} and {earlier}\n",
+            end.same.count,
+            end.made + end.earlier,
+            if end.same.count > 1 { "have" } else { "has" },
+        ));
+    }
+    if let Some(first) = &end.others.first {
+        notes.push_str(&format!(
+            "note: {} has {} of another sweep, which the manifest does not list: {}{}\n",
+            sweep.folder().display(),
+            if end.others.count > 1 { format!("{} models", end.others.count) } else { "a model".to_owned() },
+            if end.others.count > 1 { "such as " } else { "" },
+            first
+        ));
+    }
+    notes
 }
 
 /// What is known before a model is made.

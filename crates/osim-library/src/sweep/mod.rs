@@ -1,5 +1,6 @@
 //! A sweep on the disk: a folder of variants, and a table that says what is in which.
 
+mod aside;
 mod known;
 mod made;
 mod table_row;
@@ -14,6 +15,8 @@ use osim_planning::SweepPlan;
 use osim_requests::options::SetFiles;
 use osim_requests::{RequestError, RequestFault, SweepRequest, takes};
 
+use self::aside::Seen;
+pub use self::aside::{OtherModels, SameContacts};
 use self::made::MadeFiles;
 use self::table_row::line;
 use self::tables::Tables;
@@ -45,7 +48,7 @@ pub struct SweepRun<'s> {
 }
 
 /// How a sweep ended.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct SweepEnd {
     /// The table of what this run made, if it made something.
@@ -56,6 +59,10 @@ pub struct SweepEnd {
     pub earlier: usize,
     /// Variants with errors or warnings that the model itself has not.
     pub worse: usize,
+    /// Variants with the contacts of an earlier one, among those of this run.
+    pub same: SameContacts,
+    /// Models of another sweep in the folder, which the table has not; looked for where this run makes the whole.
+    pub others: OtherModels,
     /// Variants that could not be made.
     pub failed: usize,
     /// Variants that were not begun.
@@ -67,6 +74,9 @@ enum Made {
     /// Its row in the table, whether an earlier sweep made it, and whether it is worse than the model.
     Row {
         row: Vec<u8>,
+        /// Number of the variant, from 1, and the digest of its contacts.
+        number: usize,
+        contacts: String,
         earlier: bool,
         worse: bool,
     },
@@ -160,7 +170,7 @@ impl<'s> SweepRun<'s> {
         front_end: &F,
         mut report: impl FnMut(Option<Failure>),
     ) -> Result<SweepEnd, LibraryFault> {
-        let mut end = SweepEnd { manifest: None, made: 0, earlier: 0, worse: 0, failed: 0, not_begun: 0 };
+        let mut end = SweepEnd::default();
         if self.count() == 0 {
             // There are more shares than points.
             return Ok(end);
@@ -178,9 +188,11 @@ impl<'s> SweepRun<'s> {
             front_end.done(matches!(made, Made::Failed(_)));
             made
         };
+        let mut seen = Seen::default();
         let each = |_: &usize, made: Made| -> Result<(), LibraryFault> {
             match made {
-                Made::Row { row, earlier, worse } => {
+                Made::Row { row, number, contacts, earlier, worse } => {
+                    seen.add(contacts, number, &mut end.same);
                     end.worse += usize::from(worse);
                     *if earlier { &mut end.earlier } else { &mut end.made } += 1;
                     table.add(&row)?;
@@ -199,6 +211,9 @@ impl<'s> SweepRun<'s> {
         if end.made + end.earlier > 0 {
             table.commit()?;
             end.manifest = Some(tables.own().to_owned());
+            if !tables.is_part() {
+                end.others = OtherModels::find(&self.folder, &self.plan);
+            }
         }
         files.finish(end.made + end.earlier == self.count())?;
         Ok(end)
@@ -259,10 +274,11 @@ impl<'s> SweepRun<'s> {
             Err(failure) => return Made::Failed(failure),
         };
         let (operation, worse) = (variant.operation.clone(), variant.is_worse());
+        let contacts = variant.contact_digest().to_owned();
         let digest = sha256(&variant.bytes);
         let written = self.write(&path, &variant.bytes, files, &name, &digest);
         match written.and_then(|earlier| Ok((line(&variant.row(digest))?, earlier))) {
-            Ok((row, earlier)) => Made::Row { row, earlier, worse },
+            Ok((row, earlier)) => Made::Row { row, number: index + 1, contacts, earlier, worse },
             Err(fault) => {
                 let mut failure = fault.of_model(path.as_path(), "output");
                 failure.message.push(format!(" ({operation})"));

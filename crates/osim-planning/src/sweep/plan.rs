@@ -1,5 +1,6 @@
 //! All variants of a sweep: how many, under which names, and each with its row in the table.
 
+use std::borrow::Cow;
 use std::iter::StepBy;
 use std::ops::Range;
 use std::path::Path;
@@ -57,6 +58,12 @@ impl VariantMade {
     #[must_use]
     pub fn row(self, sha256: String) -> Vec<String> {
         manifest::row(self.number, self.file, self.asked, &self.variant, (&self.worse, sha256))
+    }
+
+    /// The same for variants whose contacts have the same numbers, however they were asked for.
+    #[must_use]
+    pub fn contact_digest(&self) -> &str {
+        &self.variant.digest
     }
 
     /// Whether something is wrong with it that is not with the model itself.
@@ -131,14 +138,27 @@ impl<'s> SweepPlan<'s> {
         part.is_some_and(part::is_of_name)
     }
 
+    /// Whether a variant of this model could have this name, in this sweep or in one with other points.
+    #[must_use]
+    pub fn is_like_file_name(&self, name: &str) -> bool {
+        let own = || name.strip_prefix(&*self.model_name())?.strip_prefix('_')?.strip_suffix(".osim");
+        own().is_some_and(|part| match self.ladder {
+            Some(_) => part.starts_with("ladder-"),
+            None => part.starts_with(|c: char| c.is_ascii_digit()) && part.contains('-'),
+        })
+    }
+
     fn kind(&self) -> &'static str {
         if self.ladder.is_some() { "ladder" } else { "sweep" }
     }
 
     /// `NAME_part.extension`
     fn named(&self, part: &str, extension: &str) -> String {
-        let model = self.request.model.as_deref().and_then(Path::file_stem).unwrap_or_default();
-        format!("{}_{part}.{extension}", model.to_string_lossy())
+        format!("{}_{part}.{extension}", self.model_name())
+    }
+
+    fn model_name(&self) -> Cow<'_, str> {
+        self.request.model.as_deref().and_then(Path::file_stem).unwrap_or_default().to_string_lossy()
     }
 
     /// The first row of the table.

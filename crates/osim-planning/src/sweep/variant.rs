@@ -18,6 +18,8 @@ pub(super) struct Variant {
     pub bytes: Vec<u8>,
     values: Vec<(Property, f64)>,
     figures: Option<Figures>,
+    /// The same for variants whose contacts have the same numbers.
+    pub digest: String,
     /// Codes of its errors and warnings.
     wrong: BTreeSet<FindingCode>,
 }
@@ -77,7 +79,8 @@ impl Variant {
         let sharing = LoadSharing::of(model, &selected.forces);
         let figures = Figures::of(model, &selected, &sharing, mass.as_ref(), &stance, &[]).ok();
         let bytes = model.file(FileId::MAIN).bytes().to_vec();
-        Ok(Self { bytes, values: values(model, &selected), figures, wrong })
+        let digest = model.contact_digest(|_| None);
+        Ok(Self { bytes, values: values(model, &selected), figures, digest, wrong })
     }
 
     /// Codes of the errors and warnings that `original` has not.

@@ -11,6 +11,7 @@ use crate::options::{
     WantedOptions,
 };
 use crate::relation::Relation;
+use crate::values::point_number;
 use crate::values::{Axis, Jobs, Positive, Shard, Steps, axis, path, serial};
 
 /// One row per model; columns are named like the long options of rescale, transfer, design and set.
@@ -70,8 +71,8 @@ pub struct SweepRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "K", default_value_t = Positive::SOFT_STIFFNESS))]
     pub soft: Positive,
     /// Only point N of the grid, or step N of the ladder, counted from 1, for job arrays
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N", hide_short_help = true))]
-    #[serde(deserialize_with = "serial::optional_from_text")]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N", hide_short_help = true, value_parser = point_number::of_word))]
+    #[serde(deserialize_with = "point_number::deserialize")]
     pub point: Option<usize>,
     /// Only share I of N of the points, for job arrays
     #[cfg_attr(feature = "clap", arg(long, value_name = "I/N", hide_short_help = true))]

@@ -156,11 +156,15 @@ fn value(name: AxisName, text: &str) -> Result<GridValue, String> {
 
 /// All values of a range; the ends keep their spelling.
 fn range(name: AxisName, text: &str) -> Result<Vec<GridValue>, String> {
-    let expected = "expected a range FROM..TO/COUNT with numbers above 0 and 2 or more, such as x0.1..x10/9";
-    let range = Range::read(text, MOST).filter(|range| range.are_factors().is_some()).ok_or(expected)?;
+    let expected = || {
+        format!(
+            "expected a range FROM..TO/COUNT with numbers above 0 and a COUNT from 2 to {MOST}, such as x0.1..x10/9"
+        )
+    };
+    let range = Range::read(text, MOST).filter(|range| range.are_factors().is_some()).ok_or_else(expected)?;
     let (first, last) = (value(name, range.first)?, value(name, range.last)?);
     if first.number <= 0.0 || last.number <= 0.0 {
-        return Err(expected.to_owned());
+        return Err(expected());
     }
     let x = if first.is_factor { "x" } else { "" };
     let mut values: Vec<GridValue> = spaced(first.number, last.number, range.count)

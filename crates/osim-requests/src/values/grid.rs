@@ -43,9 +43,12 @@ impl FromStr for Grid {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let expected = "expected FROM..TO/COUNT like 1e5..1e7/25, or factors like x0.1..x10/25";
-        let range = Range::read(text, u32::MAX)
-            .ok_or_else(|| with_colons(text).unwrap_or_else(|| expected.to_owned()))?;
+        let expected = || {
+            format!(
+                "expected FROM..TO/COUNT like 1e5..1e7/25, or factors like x0.1..x10/25, and a COUNT from 2 to {MOST}"
+            )
+        };
+        let range = Range::read(text, u32::MAX).ok_or_else(|| with_colons(text).unwrap_or_else(expected))?;
         let Some(factors) = range.are_factors() else {
             return Err("both ends are numbers, or both are factors like x0.1..x10/25".to_owned());
         };

@@ -14,6 +14,7 @@ mod height;
 mod new_radius;
 mod onset;
 pub mod path;
+pub(crate) mod point_number;
 pub mod property_list;
 mod quantity;
 mod radius;

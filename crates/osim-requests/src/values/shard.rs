@@ -14,6 +14,9 @@ use sha2::{Digest, Sha256};
 use super::serial::from_text;
 use crate::values::typed::trimmed;
 
+/// No cluster runs more jobs than this.
+const MOST: u64 = 1_000_000_000;
+
 /// Share `i` (from 1) of `n`: `i/n`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline, with = "String"))]
@@ -65,11 +68,15 @@ impl FromStr for Shard {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let expected = || "expected i/n with i from 1 to n, such as 2/8".to_owned();
+        let expected = || format!("expected i/n with i from 1 to n, and n up to {MOST}, such as 2/8");
         let (index, count) = text.split_once('/').ok_or_else(expected)?;
         let whole = |text: &str| trimmed(text).parse::<u64>().map_err(|_| expected());
         let shard = Self { index: whole(index)?, count: whole(count)? };
-        if (1..=shard.count).contains(&shard.index) { Ok(shard) } else { Err(expected()) }
+        if shard.count <= MOST && (1..=shard.count).contains(&shard.index) {
+            Ok(shard)
+        } else {
+            Err(expected())
+        }
     }
 }
 
@@ -98,7 +105,9 @@ mod tests {
     #[test]
     fn a_share_is_i_of_n() {
         assert_eq!("2/8".parse(), Ok(Shard { index: 2, count: 8 }));
-        for text in ["0/8", "9/8", "1/0", "1", "a/b", "1/8/2", "-1/8"] {
+        for text in
+            ["0/8", "9/8", "1/0", "1", "a/b", "1/8/2", "-1/8", "1/1000000001", "1/99999999999999999999"]
+        {
             assert!(text.parse::<Shard>().is_err(), "{text}");
         }
     }
@@ -108,7 +117,7 @@ mod tests {
         let of = |text: &str, count| text.parse::<Shard>().unwrap().of(count).collect::<Vec<_>>();
         assert_eq!([of("1/3", 7), of("2/3", 7), of("3/3", 7)], [vec![0, 3, 6], vec![1, 4], vec![2, 5]]);
         assert_eq!([of("1/1", 2), of("3/4", 2), of("4/4", 0)], [vec![0, 1], vec![], vec![]]);
-        assert_eq!("18446744073709551615/18446744073709551615".parse::<Shard>().unwrap().of(2).len(), 0);
+        assert_eq!("1000000000/1000000000".parse::<Shard>().unwrap().of(2).len(), 0);
         assert_eq!("2/12".parse::<Shard>().unwrap().file_part(), "shard-02-of-12");
     }
 
