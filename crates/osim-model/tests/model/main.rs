@@ -11,6 +11,9 @@
 mod loops;
 mod names;
 mod places;
+#[allow(dead_code, reason = "other tests need more of it")]
+#[path = "../../../osim-planning/tests/planning/random.rs"]
+mod random;
 mod reading;
 mod sides;
 mod sized;

@@ -2,6 +2,8 @@
 
 use osim_model::{FindingCode, Model};
 
+use crate::random::{Random, seeds};
+
 /// A foot called `foot` with a sphere of 0.0325 m and a floor, and the text of what is behind its sets.
 fn model(version: u32, foot: &str, sphere: &str, geometry: &str, behind: &str) -> String {
     let (ground, frame) = match version {
@@ -91,5 +93,125 @@ fn a_name_that_opensim_refuses_is_said() {
         let text = model(40000, "foot", "heel", "floor heel", "")
             .replace("name=\"press\"", &format!("name=\"{name}\""));
         assert_eq!(pressed(&text).3, [FindingCode::RefusedName], "{name}");
+    }
+}
+
+/// Names of sets, classes and other objects, and odd ones; without blanks and slashes, which not every version keeps.
+const ODD: [&str; 24] = [
+    "bodyset",
+    "jointset",
+    "forceset",
+    "contactgeometryset",
+    "componentset",
+    "default",
+    "frames",
+    "objects",
+    "geometry",
+    "m",
+    "BodySet",
+    "ContactSphere",
+    "contactsphere",
+    "body",
+    "heel.r",
+    "...",
+    ".heel",
+    "heel,r",
+    "a&b",
+    "<a>",
+    "h\u{e9}el",
+    "heel_0",
+    "heel*",
+    "1",
+];
+
+fn escaped(name: &str) -> String {
+    name.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// Two feet with a sphere each, with these names, as a document of `version` has them; `list` writes a member of a list of geometry.
+fn two_feet(
+    version: u32,
+    feet: [&str; 2],
+    spheres: [&str; 2],
+    floor: &str,
+    list: impl Fn(&str) -> String,
+) -> String {
+    let frame = |body: Option<&str>| {
+        let path = body.map_or_else(|| "ground".to_owned(), |body| format!("bodyset/{}", escaped(body)));
+        match version {
+            30000 => format!("<body_name>{}</body_name>", body.map_or_else(|| "ground".to_owned(), escaped)),
+            30505 => format!(
+                "<connectors><Connector_PhysicalFrame_ name=\"frame\"><connectee_name>../../{path}</connectee_name>\
+                 </Connector_PhysicalFrame_></connectors>"
+            ),
+            30516 => format!("<socket_frame_connectee_name>../../{path}</socket_frame_connectee_name>"),
+            _ => format!("<socket_frame>/{path}</socket_frame>"),
+        }
+    };
+    let bodies = feet.map(|foot| format!("<Body name=\"{}\"><mass>1</mass></Body>", escaped(foot)));
+    let geometry = [0, 1].map(|side| {
+        format!(
+            "<ContactSphere name=\"{}\">{}<radius>0.0{}</radius></ContactSphere>",
+            escaped(spheres[side]),
+            frame(Some(feet[side])),
+            side + 3
+        )
+    });
+    let forces = spheres.map(|sphere| {
+        format!(
+            "<HuntCrossleyForce name=\"{0}\"><HuntCrossleyForce::ContactParametersSet name=\"contact_parameters\"><objects>\
+             <HuntCrossleyForce::ContactParameters><geometry>{1} {2}</geometry><stiffness>1e6</stiffness>\
+             </HuntCrossleyForce::ContactParameters></objects></HuntCrossleyForce::ContactParametersSet></HuntCrossleyForce>",
+            escaped(sphere),
+            escaped(&list(floor)),
+            escaped(&list(sphere))
+        )
+    });
+    format!(
+        "<OpenSimDocument Version=\"{version}\"><Model name=\"m\"><BodySet><objects>{}</objects></BodySet><ForceSet><objects>{}\
+         </objects></ForceSet><ContactGeometrySet><objects><ContactHalfSpace name=\"{}\">{}</ContactHalfSpace>{}</objects>\
+         </ContactGeometrySet></Model></OpenSimDocument>",
+        bodies.concat(),
+        forces.concat(),
+        escaped(floor),
+        frame(None),
+        geometry.concat()
+    )
+}
+
+/// Each force presses the sphere of its name, which is on its own foot, whatever all of them are called.
+#[test]
+fn by_chance_every_name_leads_to_its_own() {
+    for seed in seeds() {
+        let mut random = Random::of(seed);
+        let version = [30000, 30505, 30516, 40000][random.index(4)];
+        let mut pair = |plain: [&'static str; 2]| {
+            let names = plain.map(|name| if random.below(3) == 0 { name } else { random.of_words(&ODD) });
+            if names[0] == names[1] { plain } else { names }
+        };
+        let (feet, spheres) = (pair(["foot_r", "foot_l"]), pair(["heel_r", "heel_l"]));
+        let floor = [pair(["floor", "plane"])[0], "ground_plane"];
+        let floor = if spheres.contains(&floor[0]) { floor[1] } else { floor[0] };
+        let style = random.below(if version == 30000 { 1 } else { 4 });
+        let text = two_feet(version, feet, spheres, floor, |name| match style {
+            0 => name.to_owned(),
+            1 => format!("/contactgeometryset/{name}"),
+            2 => format!("contactgeometryset/{name}"),
+            _ => format!("nothing/../contactgeometryset//./{name}"),
+        });
+        let model =
+            Model::parse(text.as_str()).unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{text}"));
+        for side in [0, 1] {
+            let [sphere] = model.forces()[side].spheres()[..] else {
+                panic!("seed {seed}: not one sphere\n{text}")
+            };
+            let sphere = model.sphere(sphere).unwrap();
+            assert_eq!(sphere.path, format!("/contactgeometryset/{}", spheres[side]), "seed {seed}\n{text}");
+            assert_eq!(sphere.body.as_deref(), Some(feet[side]), "seed {seed}\n{text}");
+            assert_eq!(sphere.radius_m().unwrap(), [0.03, 0.04][side], "seed {seed}\n{text}");
+            assert_eq!(model.forces()[side].sets[0].half_spaces, 1, "seed {seed}\n{text}");
+        }
+        let by_name = model.warnings.iter().filter(|found| found.code() == FindingCode::ConnecteeByName);
+        assert_eq!(by_name.count(), 0, "seed {seed}\n{text}");
     }
 }

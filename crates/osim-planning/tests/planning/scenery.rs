@@ -11,30 +11,14 @@ use osim_planning::{check_with_trials, open_with, prepare};
 use osim_requests::Request;
 use serde_json::{Value, json};
 
+use crate::random::{Random, number};
+
 const MODELS: [&str; 4] = [
     "check/within_limits.osim",
     "format/v40000.osim",
     "format/unequal_radii.osim",
     "format/both_classes.osim",
 ];
-
-/// Numbers that a seed makes: SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, end: u64) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut mixed = self.0;
-        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        (mixed ^ (mixed >> 31)) % end
-    }
-
-    fn of<'t>(&mut self, choices: &[&'t str]) -> &'t str {
-        let at = self.below(choices.len() as u64);
-        choices[usize::try_from(at).unwrap()]
-    }
-}
 
 /// What is put into the sets of a model.
 #[derive(Default)]
@@ -50,7 +34,7 @@ impl Scenery {
         let mut made = Self::default();
         let mut carriers = vec!["/ground".to_owned()];
         for index in 0..random.below(4) {
-            let name = format!("rock_{index}{}", random.of(&["", "_r", "_l"]));
+            let name = format!("rock_{index}{}", random.of_words(&["", "_r", "_l"]));
             let under = random.below(carriers.len() as u64);
             let under = carriers[usize::try_from(under).unwrap()].clone();
             // Massless, so that the weight of the model stays.
@@ -72,8 +56,8 @@ impl Scenery {
     }
 
     fn add_sphere(&mut self, random: &mut Random, index: u64, carrier: &str) {
-        let name = format!("boulder_{index}{}", random.of(&["", "_r", "_l"]));
-        let radius = random.of(&["0.3", "0.0325", "nan", "0"]);
+        let name = format!("boulder_{index}{}", random.of_words(&["", "_r", "_l"]));
+        let radius = random.of_words(&["0.3", "0.0325", "nan", "0"]);
         self.geometry.push_str(&format!(
             "<ContactSphere name=\"{name}\"><socket_frame>{carrier}</socket_frame><location>0.5 -9 0</location>\
              <radius>{radius}</radius></ContactSphere>\n"
@@ -182,18 +166,14 @@ fn text_of(path: &str, files: &InMemory) -> String {
     String::from_utf8(files.read(Path::new(path)).unwrap()).unwrap()
 }
 
-fn number(variable: &str, otherwise: u64) -> u64 {
-    std::env::var(variable).map_or(otherwise, |text| text.parse().unwrap())
-}
-
 #[test]
 fn scenery_counts_nowhere_and_stays_as_it_is() {
     let files = crate::rules::fixtures();
     let (first, runs) = (number("SCENERY_SEED", 1), number("SCENERY_RUNS", 60));
     let mut compared = 0;
     for seed in first..first + runs {
-        let mut random = Random(seed);
-        let bare = text_of(random.of(&MODELS), &files);
+        let mut random = Random::of(seed);
+        let bare = text_of(random.of_words(&MODELS), &files);
         let scenery = Scenery::of(&mut random);
         let whole = scenery.within(&bare);
         let said = Model::parse(whole.as_str()).unwrap();

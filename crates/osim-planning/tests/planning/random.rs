@@ -1,0 +1,47 @@
+//! Numbers that a seed makes, for tests that search by chance. A variable of the environment says how many runs, `GENERATED_RUNS` for
+//! most of them, and `GENERATED_SEED` where to begin; a failure says its seed.
+
+/// Numbers that a seed makes: SplitMix64.
+pub(crate) struct Random(u64);
+
+impl Random {
+    pub(crate) fn of(seed: u64) -> Self {
+        Self(seed)
+    }
+
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut mixed = self.0;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        mixed ^ (mixed >> 31)
+    }
+
+    pub(crate) fn below(&mut self, end: u64) -> u64 {
+        self.next() % end
+    }
+
+    pub(crate) fn index(&mut self, end: usize) -> usize {
+        usize::try_from(self.below(end as u64)).unwrap()
+    }
+
+    pub(crate) fn of_words<'t>(&mut self, choices: &[&'t str]) -> &'t str {
+        choices[self.index(choices.len())]
+    }
+
+    /// From 0 to 1, with the 53 bits that a double has.
+    pub(crate) fn part(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+/// What a variable of the environment says.
+pub(crate) fn number(variable: &str, otherwise: u64) -> u64 {
+    std::env::var(variable).map_or(otherwise, |text| text.parse().unwrap())
+}
+
+/// The seeds of a test.
+pub(crate) fn seeds() -> std::ops::Range<u64> {
+    let first = number("GENERATED_SEED", 1);
+    first..first + number("GENERATED_RUNS", 200)
+}

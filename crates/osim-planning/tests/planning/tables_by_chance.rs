@@ -1,0 +1,168 @@
+//! Tables of contacts as people and spreadsheets write them, by chance: every cell is read as it was meant, and one that is wrong is named.
+
+use osim_planning::contact_table::{ContactTable, TablePlace};
+
+use crate::random::{Random, seeds};
+
+/// A way to write a table.
+struct Style {
+    delimiter: char,
+    decimal: char,
+    end: &'static str,
+    bom: bool,
+    last_end: bool,
+}
+
+impl Style {
+    fn of(random: &mut Random) -> Self {
+        let delimiter = [',', ';', '\t'][random.index(3)];
+        let decimal = if delimiter != ',' && random.below(2) == 0 { ',' } else { '.' };
+        let end = ["\n", "\r\n"][random.index(2)];
+        Self { delimiter, decimal, end, bom: random.below(4) == 0, last_end: random.below(4) > 0 }
+    }
+
+    fn line(&self, cells: &[String], random: &mut Random) -> String {
+        let quoted = |cell: &String, random: &mut Random| {
+            let needs = cell.contains(self.delimiter);
+            if needs || random.below(6) == 0 { format!("\"{cell}\"") } else { cell.clone() }
+        };
+        let cells: Vec<String> = cells.iter().map(|cell| quoted(cell, random)).collect();
+        cells.join(&self.delimiter.to_string())
+    }
+}
+
+/// A number with few digits, and a way to write it.
+fn number(random: &mut Random, above_0: bool, decimal: char) -> (f64, String) {
+    let whole = random.below(2_000_000) as f64 + if above_0 { 1.0 } else { -1e6 };
+    let digits = random.index(7);
+    let value = whole / 10_f64.powi(i32::try_from(digits).unwrap());
+    let text = match random.below(4) {
+        0 => format!("{value:e}"),
+        1 => format!("{value:.8}"),
+        2 if value >= 0.0 => format!("+{value}"),
+        _ => value.to_string(),
+    };
+    // What is written is what counts.
+    (text.parse().unwrap(), text.replace('.', &decimal.to_string()))
+}
+
+struct Made {
+    text: String,
+    rows: Vec<(String, String, [f64; 3], Option<f64>)>,
+    columns: Vec<&'static str>,
+    style: Style,
+}
+
+fn made(random: &mut Random) -> Made {
+    let style = Style::of(random);
+    let mut columns = vec!["name", "body", "x", "y", "z"];
+    if random.below(3) > 0 {
+        columns.push("radius");
+    }
+    if random.below(3) == 0 {
+        columns.push("#remark");
+    }
+    for last in (1..columns.len()).rev() {
+        columns.swap(last, random.index(last + 1));
+    }
+    let header = columns.iter().map(|column| match random.below(6) {
+        0 => column.to_uppercase(),
+        1 if !["name", "body", "#remark"].contains(column) => format!("{column} [m]"),
+        _ => (*column).to_owned(),
+    });
+    let header: Vec<String> = header.collect();
+    let mut lines = vec![style.line(&header, random)];
+    let mut rows = Vec::new();
+    for row in 0..1 + random.index(6) {
+        let mut own = (
+            format!("{}_{row}", random.of_words(&["heel", "t\u{f6}e", "a.b", "1"])),
+            String::new(),
+            [0.0; 3],
+            None,
+        );
+        own.1 = random.of_words(&["calcn_r", "toes l", "Fu\u{df}"]).to_owned();
+        let cells = columns.iter().map(|column| match *column {
+            "name" => own.0.clone(),
+            "body" => own.1.clone(),
+            "radius" => {
+                let (value, text) = number(random, true, style.decimal);
+                own.3 = Some(value);
+                text
+            }
+            "#remark" => random.of_words(&["", "seen", "left, and up", "x;y"]).to_owned(),
+            axis => {
+                let (value, text) = number(random, false, style.decimal);
+                own.2[["x", "y", "z"].iter().position(|name| *name == axis).unwrap()] = value;
+                text
+            }
+        });
+        let cells: Vec<String> = cells.collect();
+        lines.push(style.line(&cells, random));
+        rows.push(own);
+    }
+    let mut text = lines.join(style.end);
+    if style.last_end {
+        text.push_str(style.end);
+    }
+    if style.bom {
+        text.insert(0, '\u{feff}');
+    }
+    Made { text, rows, columns, style }
+}
+
+#[test]
+fn by_chance_every_cell_is_read_as_it_was_meant() {
+    for seed in seeds() {
+        let made = made(&mut Random::of(seed));
+        let table = ContactTable::read(made.text.as_bytes());
+        let table = table.unwrap_or_else(|fault| panic!("seed {seed}: {}\n{}", fault.message, made.text));
+        let read: Vec<_> = table
+            .rows
+            .iter()
+            .map(|row| (row.name.clone(), row.body.clone(), row.place.clone(), row.radius_m))
+            .collect();
+        let meant: Vec<_> = made
+            .rows
+            .iter()
+            .map(|(name, body, place, radius)| {
+                (name.clone(), body.clone(), TablePlace::OfBody(*place), *radius)
+            })
+            .collect();
+        assert_eq!(read, meant, "seed {seed}\n{}", made.text);
+    }
+}
+
+/// One cell is spoilt: the message names its line, whatever else is in the table, and nothing is taken for a number that is none.
+#[test]
+fn by_chance_a_cell_that_is_no_number_is_named() {
+    for seed in seeds() {
+        let mut random = Random::of(seed);
+        let made = made(&mut random);
+        let column =
+            made.columns.iter().position(|column| ["x", "y", "z", "radius"].contains(column)).unwrap();
+        let row = random.index(made.rows.len());
+        let bad = random.of_words(&[
+            "#REF!", "#N/A", "#DIV/0!", "two", "1 cm", "0x10", "", "nan", "inf", "1e999", "--1", "1.2.3",
+        ]);
+        let mut lines: Vec<String> = made.text.split(made.style.end).map(str::to_owned).collect();
+        let line = &mut lines[row + 1];
+        // Only lines without quotes can be divided like that.
+        if line.contains('"') {
+            continue;
+        }
+        let mut cells: Vec<&str> = line.split(made.style.delimiter).collect();
+        cells[column] = bad;
+        *line = cells.join(&made.style.delimiter.to_string());
+        let text = lines.join(made.style.end);
+        let fault = ContactTable::read(text.as_bytes()).err();
+        let fault = fault.unwrap_or_else(|| panic!("seed {seed}: '{bad}' was read\n{text}"));
+        assert_eq!(fault.line, Some(row as u64 + 2), "seed {seed}: {}\n{text}", fault.message);
+        let is_formula = bad.starts_with('#');
+        assert_eq!(
+            is_formula,
+            fault.message.to_string().contains("broken formula"),
+            "seed {seed}: {}",
+            fault.message
+        );
+    }
+}
