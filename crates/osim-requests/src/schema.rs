@@ -41,7 +41,7 @@ pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Sc
                 all.push(says(field));
             }
             Relation::RequiredUnless(field, other) | Relation::ExpectedUnless(field, other) => {
-                all.push(json!({"anyOf": [says(field), says(other)]}))
+                all.push(json!({"anyOf": [says(field), says(other)]}));
             }
             Relation::Needs(field, other) => {
                 all.push(json!({"anyOf": [{"not": says(field)}, says(other)]}));
