@@ -434,7 +434,8 @@ fn a_set_takes_the_place_of_that_of_the_model_beside_it() {
             assert_eq!(bodies(&read), bodies(&alone), "{file}, {times} times");
             assert_eq!(read.joints().len(), alone.joints().len(), "{file}, {times} times");
             assert_eq!(read.gravity(), alone.gravity(), "{file}, {times} times");
-            let codes = |model: &Model| model.warnings.iter().map(|one| one.code()).collect::<Vec<_>>();
+            let codes =
+                |model: &Model| model.warnings.iter().map(osim_model::Finding::code).collect::<Vec<_>>();
             assert_eq!(codes(&read), codes(&alone), "{file}, {times} times");
         }
     }

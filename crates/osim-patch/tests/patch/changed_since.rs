@@ -44,12 +44,12 @@ fn nothing() -> ChangedSinceNote {
 }
 
 #[track_caller]
-fn assert_properties(changed: ChangedSinceNote, expected: &[Property], what: &str) {
+fn assert_properties(changed: &ChangedSinceNote, expected: &[Property], what: &str) {
     let mut all = nothing();
     if let ChangedContacts::Apart { properties, .. } = &mut all.contacts {
         properties.extend(expected);
     }
-    assert_eq!(changed, all, "{what}");
+    assert_eq!(*changed, all, "{what}");
 }
 
 /// Each number that a force has is named, and no other, in both classes.
@@ -66,7 +66,7 @@ fn the_property_that_changed_is_named() {
             }
             found += 1;
             let model = edited(&text, &[(&open, &format!("{open}1"))]);
-            assert_properties(model.changed_since_note(), &[property], property.name());
+            assert_properties(&model.changed_since_note(), &[property], property.name());
             assert_eq!(model.doubt_about_note(), Some(NoteDoubt::ValuesChanged));
         }
         assert!(found >= 6, "{name}: {found}");

@@ -116,8 +116,8 @@ fn spheres_follow_their_bodies() {
                 sphere.name,
                 read.radius.number
             );
-            for axis in 0..3 {
-                let expected = sphere.place[axis] * own[axis];
+            for (axis, factor) in own.iter().enumerate() {
+                let expected = sphere.place[axis] * factor;
                 let found = read.location_m[axis];
                 assert!(near(found, expected), "seed {seed}, {}: {found} {expected}\n{scaled}", sphere.name);
             }
