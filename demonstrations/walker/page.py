@@ -86,19 +86,6 @@ def sizes():
         yield f"|{'|'.join(cells)}|"
 
 
-def ladder():
-    """From soft to stiff, and stiff at once."""
-    table = read("ladder")
-    yield "|first guess|stiff at once: iterations|time|effort|ladder: iterations|time|effort|"
-    yield "|---|---|---|---|---|---|---|"
-    for (start, seed), rows in table.groupby(["start", "seed"], sort=False):
-        cells = ["drawn by hand" if start == "hand" else f"random {seed:.0f}"]
-        for way in ("stiff_at_once", "ladder"):
-            row = rows[rows["way"] == way].iloc[0]
-            cells += [f"{row['iterations']:.0f}", f"{row['cpu_s']:.0f} s", _effort(row, "", 3)]
-        yield f"|{'|'.join(cells)}|"
-
-
 def _effort(row, end, digits):
     """The effort, or that the search did not converge."""
     return f"{row[f'effort{end}']:.{digits}f}" if row[f"converged{end}"] else "not converged"
@@ -143,9 +130,9 @@ def _apart(curves, row):
 BLOCKS = {
     "mesh": mesh,
     "effort": effort,
-    "success": lambda: success.summary(success.read()),
+    "success": success.summary,
     "sizes": sizes,
-    "ladder": ladder,
+    "ladder": success.summary_of_ladder,
 }
 
 

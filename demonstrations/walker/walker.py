@@ -1,6 +1,6 @@
 """Walks of the planar walker: `python demonstrations/walker/walker.py STAGE ... --results FOLDER`
 
-Stages: guess, grid, branch, mesh, random, sizes, ladder, figures; or all. Each stage is a run of `simulate.run`, with its models and
+Stages: guess, grid, branch, mesh, random, sizes, figures; or all. Each stage is a run of `simulate.run`, with its models and
 results in the folder, and leaves its table as CSV beside this program (`guess` leaves the good first guess there). With `--resume` it goes
 on where it was stopped. docs/studies/walker.md says what was found.
 """
@@ -18,8 +18,6 @@ MESH = 25  # intervals; half of what the check of the mesh has
 COARSE = 12  # intervals of the searches from random guesses
 SEEDS = 2  # random guesses for each point of the grid
 LENGTHS = (0.25, 4.0)
-RUNGS = 5
-LADDER_SEEDS = 4
 MOST_ITERATIONS = 3000
 BRANCH_ITERATIONS = 300  # of each search on the branch: from a neighbour, most take 20 to 100
 INTEGERS = ("converged", "iterations", "active_bounds", "searches", "converged_searches", "seed", "index")
@@ -119,22 +117,6 @@ def sizes(given):
     write_table(run(given, "sizes_by_hand", rescaled, walk, {"mesh": MESH, "start": "hand"}).table, "sizes_by_hand")
 
 
-def ladder(given):
-    """From soft to stiff, and stiff at once, from the same first guesses."""
-    made = contacts.ladder(given.results / "models", RUNGS)
-    folder = Path(made.manifest).parent
-    paths = [str(folder / file) for file in pd.read_csv(made.manifest)["file"]]
-    starts = [{"start": "hand", "seed": 0}] + [{"start": "random", "seed": seed} for seed in range(1, LADDER_SEEDS + 1)]
-    rows = [{"path": paths[-1], **start} for start in starts]
-    settings = {"mesh": MESH, "max_iterations": MOST_ITERATIONS}
-    tables = []
-    for stage, below in (("stiff_at_once", []), ("ladder", paths[:-1])):
-        rungs = {"rungs": ";".join(below)}
-        done = run(given, stage, rows, climb, settings | rungs, [Path(path) for path in paths])
-        tables.append(done.table.assign(way=stage))
-    write_table(pd.concat(tables), "ladder")
-
-
 def grid_rows(given):
     """The grid's models as rows: path, index, and what is at the point."""
     manifest = Path(contacts.grid(given.results / "models").manifest)
@@ -165,7 +147,6 @@ STAGES = {
     "mesh": mesh,
     "random": random,
     "sizes": sizes,
-    "ladder": ladder,
     "figures": figures,
 }
 

@@ -170,10 +170,17 @@ def test_the_committed_tables_are_well_posed():
     assert len(mesh) == 5 and (mesh["converged"] == 1).all()
     assert np.abs(page.mesh_errors(mesh)).max() < 0.02
     assert (mesh["active_bounds_at_double_mesh"] == 0).all()
-    for name in ("grid", "branch", "mesh", "random", "sizes", "sizes_by_hand", "ladder"):
+    for name in ("grid", "branch", "mesh", "random", "sizes", "sizes_by_hand"):
         table = page.read(name)
         assert (table.loc[table["converged"] == 1, "active_bounds"] == 0).all(), name
     assert len(page.read("grid")) == len(page.read("branch")) == 25
+    for name in ("success", "ladder"):
+        table = page.read(name)
+        assert (
+            table["seed"].nunique() >= 20 and (table.groupby(list(table.columns[:1]))["seed"].nunique() >= 20).all()
+        ), name
+    climbed = page.read("ladder")
+    assert (climbed.loc[climbed["solved"] == 1, "active_bounds"] == 0).all()
 
 
 def test_the_page_says_what_the_committed_tables_say():
@@ -199,4 +206,4 @@ def test_rescaled_walkers_walk_alike_and_others_do_not():
 
 def test_the_program_says_what_it_does():
     done = subprocess.run([sys.executable, HERE / "walker.py", "--help"], capture_output=True, text=True)
-    assert done.returncode == 0 and "ladder" in done.stdout
+    assert done.returncode == 0 and "branch" in done.stdout
