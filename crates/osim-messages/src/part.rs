@@ -4,7 +4,6 @@ use std::borrow::Cow;
 use std::fmt;
 
 use super::input::{Input, Verb};
-use super::phrase::Phrase;
 use super::shown::shown_whole;
 
 /// A part of a [`Phrase`](super::Phrase).
@@ -18,7 +17,7 @@ pub enum Part {
     /// Something that the reader can do.
     Call(Call),
     /// Words for verbs that take an input, and those for verbs that do not.
-    Either(Input, Box<[Phrase; 2]>),
+    Either(Input, Box<[Vec<Part>; 2]>),
 }
 
 /// An example of the value of an input.
@@ -84,12 +83,6 @@ impl Input {
     #[must_use]
     pub const fn like(self, placeholder: &'static str) -> Part {
         Part::Input(self, Some(Example::Placeholder(Cow::Borrowed(placeholder))))
-    }
-
-    /// Words for a verb that takes this input, and those for one that does not: see [`Phrase::keep_for`].
-    #[must_use]
-    pub fn either(self, taken: impl Into<Phrase>, otherwise: impl Into<Phrase>) -> Part {
-        Part::Either(self, Box::new([taken.into(), otherwise.into()]))
     }
 
     /// The input with a value: `--radius keep`.

@@ -64,19 +64,7 @@ impl Phrase {
     #[must_use]
     pub fn inputs(&self) -> Vec<Input> {
         let mut named = Vec::new();
-        for part in &self.0 {
-            let inputs: Vec<Input> = match part {
-                Part::Text(_) => vec![],
-                Part::Input(input, _) => vec![*input],
-                Part::Call(call) => call.inputs.iter().map(|(input, _)| *input).collect(),
-                Part::Either(_, words) => words[0].inputs(),
-            };
-            inputs.into_iter().for_each(|input| {
-                if !named.contains(&input) {
-                    named.push(input);
-                }
-            });
-        }
+        name_inputs(&self.0, &mut named);
         named
     }
 
@@ -84,16 +72,7 @@ impl Phrase {
     #[must_use]
     pub fn spelled(&self, dialect: &dyn Dialect) -> String {
         let mut text = String::new();
-        for part in &self.0 {
-            match part {
-                Part::Text(words) => text.push_str(words),
-                Part::Input(input, example) => {
-                    text.push_str(&one_line(dialect.input(*input, example.as_ref())));
-                }
-                Part::Call(call) => text.push_str(&one_line(dialect.call(call))),
-                Part::Either(_, words) => text.push_str(&words[0].spelled(dialect)),
-            }
-        }
+        spell_into(&mut text, &self.0, dialect);
         text
     }
 
@@ -109,19 +88,9 @@ impl Phrase {
     /// assert_eq!(way_out.to_string(), "say it with `body_scale`");
     /// ```
     pub fn keep_for(&mut self, takes: &dyn Fn(Input) -> bool) {
-        if !self.0.iter().any(|part| matches!(part, Part::Either(..))) {
-            return;
-        }
-        for part in std::mem::take(&mut self.0) {
-            match part {
-                Part::Either(input, words) => {
-                    let [taken, otherwise] = *words;
-                    let mut kept = if takes(input) { taken } else { otherwise };
-                    kept.keep_for(takes);
-                    self.0.extend(kept.0);
-                }
-                part => self.0.push(part),
-            }
+        if self.0.iter().any(|part| matches!(part, Part::Either(..))) {
+            let parts = std::mem::take(&mut self.0);
+            keep(parts, takes, &mut self.0);
         }
     }
 
@@ -129,6 +98,59 @@ impl Phrase {
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         if self.0.iter().any(|part| !matches!(part, Part::Text(_))) {
             *self = Self::from(self.spelled(dialect));
+        }
+    }
+}
+
+impl Input {
+    /// Words for a verb that takes this input, and those for one that does not: see [`Phrase::keep_for`].
+    #[must_use]
+    pub fn either(self, taken: impl Into<Phrase>, otherwise: impl Into<Phrase>) -> Part {
+        Part::Either(self, Box::new([taken.into().0, otherwise.into().0]))
+    }
+}
+
+/// Adds the inputs that the parts name and that are not there yet.
+fn name_inputs(parts: &[Part], named: &mut Vec<Input>) {
+    for part in parts {
+        let inputs: Vec<Input> = match part {
+            Part::Text(_) => vec![],
+            Part::Input(input, _) => vec![*input],
+            Part::Call(call) => call.inputs.iter().map(|(input, _)| *input).collect(),
+            Part::Either(_, words) => {
+                name_inputs(&words[0], named);
+                vec![]
+            }
+        };
+        for input in inputs {
+            if !named.contains(&input) {
+                named.push(input);
+            }
+        }
+    }
+}
+
+/// Adds the parts in the words of a front end.
+fn spell_into(text: &mut String, parts: &[Part], dialect: &dyn Dialect) {
+    for part in parts {
+        match part {
+            Part::Text(words) => text.push_str(words),
+            Part::Input(input, example) => text.push_str(&one_line(dialect.input(*input, example.as_ref()))),
+            Part::Call(call) => text.push_str(&one_line(dialect.call(call))),
+            Part::Either(_, words) => spell_into(text, &words[0], dialect),
+        }
+    }
+}
+
+/// Adds the parts, and of words that depend on an input those for a verb that takes what `takes` says.
+fn keep(parts: Vec<Part>, takes: &dyn Fn(Input) -> bool, kept: &mut Vec<Part>) {
+    for part in parts {
+        match part {
+            Part::Either(input, words) => {
+                let [taken, otherwise] = *words;
+                keep(if takes(input) { taken } else { otherwise }, takes, kept);
+            }
+            part => kept.push(part),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Writing down what the user knows: the mass that contacts were made for. No number changes.
 
-use osim_messages::{Input, phrase, readable};
+use osim_messages::{Input, phrase};
 use osim_model::{Fault, Finding, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
 
 use crate::note_edits;
@@ -63,14 +63,9 @@ pub fn note_stance_limbs(model: &Model, stance_limbs: f64) -> Plan {
         operation: "note",
         followed: None,
     };
-    let taken = format!("{}: the note in the file says so; no number changes", limbs(stance_limbs));
+    let taken = format!("{}: the note in the file says so; no number changes", story::limbs(stance_limbs));
     let plan = Plan::new(model, Contents { taken: taken.into(), ..Contents::default() }, &facts);
     noting(plan, model, Some(stance_limbs), nothing_to_change::by_stance_limbs(stance_limbs))
-}
-
-/// `2 stance limbs`.
-pub(crate) fn limbs(stance_limbs: f64) -> String {
-    format!("{} stance limb{}", readable(stance_limbs), if stance_limbs == 1.0 { "" } else { "s" })
 }
 
 /// `plan` with its note, unless the note in the file says the same: then with `same`.

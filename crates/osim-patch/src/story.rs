@@ -1,5 +1,6 @@
 //! What a note says of the changes that made the contacts what they are.
 
+use osim_messages::readable;
 use osim_model::{Model, NoteDoubt, Source, Step};
 
 /// More steps than this help nobody: of a longer story the first and the latest are kept.
@@ -46,4 +47,9 @@ pub(crate) fn after(mut steps: Vec<Step>, step: Step) -> Vec<Step> {
         steps.drain(1..=steps.len() - MOST_STEPS);
     }
     steps
+}
+
+/// `2 stance limbs`.
+pub(crate) fn limbs(stance_limbs: f64) -> String {
+    format!("{} stance limb{}", readable(stance_limbs), if stance_limbs == 1.0 { "" } else { "s" })
 }

@@ -76,6 +76,7 @@ pub use sweep::{SweepPlan, VariantMade};
 pub use table::{RowFault, RowRequest, Table};
 pub use trial::{changeable, check_with_trials};
 pub use verbs::any::prepare;
+pub use verbs::of_many::of_many;
 
 /// The example of the README compiles.
 #[cfg(doctest)]

@@ -14,7 +14,6 @@ use osim_requests::takes;
 use crate::afterwards::{Aims, Changed, worse_findings};
 use crate::motion::{MotionRemark, MotionResult};
 use crate::opening::open_with;
-use crate::verbs::of_many::OfMany;
 
 /// Plans the change of one model after the other, on any thread.
 pub trait Planner: Send + Sync {
@@ -228,12 +227,6 @@ impl Change {
         planner: impl Planner + 'static,
     ) -> Self {
         Self { models, output, set_files, planner: Arc::new(planner), details: NoteDetails::default() }
-    }
-
-    /// The same for several models: a mass that was said for all of them is not taken for one whose note says another without asking.
-    #[must_use]
-    pub fn of_many(self) -> Self {
-        Self { planner: Arc::new(OfMany(self.planner)), ..self }
     }
 
     /// Opens one of its models, with the files of a standalone set.

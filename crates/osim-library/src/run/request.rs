@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use osim_messages::{Input, phrase};
 use osim_model::files::Failure;
-use osim_planning::Change;
+use osim_planning::{Change, of_many};
 use osim_requests::Request;
 use osim_requests::options::{OutputOptions, RunFormat, RunOptions};
 
@@ -42,7 +42,7 @@ impl RunRequest {
     /// What is asked for several models makes sense for one only.
     pub fn of_change(change: Change, run: &RunOptions) -> Result<Self, LibraryFault> {
         let sources = Sources::find(&change.models, change.output.output_dir.as_deref());
-        let change = if sources.models.len() > 1 { change.of_many() } else { change };
+        let change = if sources.models.len() > 1 { of_many(change) } else { change };
         let Change { models, output, set_files, planner, details, .. } = change;
         check_usage(&models, &sources, &output, run)?;
         if set_files.geometry.is_some() && sources.models.len() > 1 {

@@ -3,7 +3,7 @@
 use osim_messages::readable;
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 
-use crate::note::limbs;
+use crate::story::limbs;
 
 pub(crate) static RULE: Rule = Rule {
     code: FindingCode::NothingToChange,

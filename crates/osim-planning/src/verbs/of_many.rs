@@ -11,10 +11,16 @@ use osim_patch::Plan;
 use osim_requests::options::{AnswerOptions, InspectionOptions};
 
 use crate::motion::{MotionRemark, MotionResult};
-use crate::planner::Planner;
+use crate::planner::{Change, Planner};
+
+/// The same change for several models: a mass that was said for all of them is not taken for one whose note says another without asking.
+#[must_use]
+pub fn of_many(change: Change) -> Change {
+    Change { planner: Arc::new(OfMany(change.planner)), ..change }
+}
 
 /// A planner for several models. Before a mass that was said for all of them is taken for one whose own note says another, it asks.
-pub(crate) struct OfMany(pub(crate) Arc<dyn Planner>);
+struct OfMany(Arc<dyn Planner>);
 
 impl OfMany {
     fn ask(&self, model: &Model) -> Result<(), Fault> {
