@@ -150,19 +150,19 @@ fn smallest_transition(spheres: &[Raised]) -> Option<f64> {
 
 /// What [`bisect`] finds where `guess` is close to it: the same, to the last bit, and sooner.
 ///
-/// Where the laws do not hold a little before `guess` and hold a little behind it, they need not be asked farther away: of the points that
+/// Where the laws do not hold a little before `guess` and hold a little after it, they need not be asked farther away: of the points that
 /// [`bisect`] asks about, most are there. A bad guess costs two questions, none at all (NaN) nothing.
 pub(crate) fn bisect_near(guess: f64, out: f64, within: f64, holds: impl Fn(f64) -> bool) -> f64 {
     // Far more than rounding moves the point, and far less than a guess is to be wrong.
     const NEAR: f64 = 1e-12;
     let near = NEAR * guess.abs().max(within - out);
-    let (before, behind) = (guess - near, guess + near);
+    let (before, after) = (guess - near, guess + near);
     let is_close =
-        guess.is_finite() && (before <= out || !holds(before)) && (within <= behind || holds(behind));
+        guess.is_finite() && (before <= out || !holds(before)) && (within <= after || holds(after));
     bisect(out, within, |x| {
         if is_close && x <= before {
             false
-        } else if is_close && x >= behind {
+        } else if is_close && x >= after {
             true
         } else {
             holds(x)

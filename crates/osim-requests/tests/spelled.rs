@@ -146,6 +146,7 @@ fn with_field(verb: Verb, schema: &Value, field: &str) -> Value {
     wanted.extend((verb == Verb::Fit).then_some("radius"));
     // And so has a set.
     wanted.extend((verb == Verb::Set && field != "level").then_some("set"));
+    wanted.extend((verb == Verb::Note && field != "stance_limbs").then_some("contacts_mass"));
     wanted.push(field);
     while let Some(name) = wanted.pop() {
         if said.get(name).is_none() || name == "models" {

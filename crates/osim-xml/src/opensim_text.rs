@@ -51,8 +51,8 @@ pub fn words(text: &str) -> impl Iterator<Item = &str> {
         let start = rest.bytes().position(|byte| !is_white_byte(byte))?;
         let word = rest.get(start..)?;
         let length = word.bytes().position(is_white_byte).unwrap_or(word.len());
-        let (word, behind) = word.split_at_checked(length)?;
-        rest = behind;
+        let (word, after) = word.split_at_checked(length)?;
+        rest = after;
         Some(word)
     })
 }
@@ -234,7 +234,7 @@ pub fn number_at_start(token: &str) -> Option<(f64, usize)> {
     value.is_finite().then_some((value, end))
 }
 
-/// The number of at most [`EXACT_DIGITS`] digits, `fraction` of them behind the point. Both parts of the quotient are exact, so it is the
+/// The number of at most [`EXACT_DIGITS`] digits, `fraction` of them after the point. Both parts of the quotient are exact, so it is the
 /// double that is nearest to the text, as the parser of all numbers finds it: most numbers of models are that short, and there are
 /// hundreds in each.
 fn short_number(text: &[u8], fraction: usize) -> Option<f64> {

@@ -30,7 +30,7 @@ fn of_contacts(changed: &ChangedContacts) -> Vec<String> {
             let counts: Vec<String> =
                 count("spheres", sphere_count).into_iter().chain(count("forces", force_count)).collect();
             let unknown = (!counts.is_empty()).then(|| {
-                "the note cannot tell whether other numbers of the contacts changed, too".to_owned()
+                "the note cannot show whether other numbers of the contacts changed, too".to_owned()
             });
             let named = [
                 (*radii, "radii"),

@@ -22,7 +22,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Standing),
     what: "The bottoms of a limb's spheres differ in height by more than half a radius at the default pose, and the foot lies flat there.",
     why: "The lower spheres carry the body, the higher ones little or nothing, so that figures of a level foot do not hold. Of 134 published models with level floors two differ so much.",
-    advice: "If the spheres are meant to be on one sole, make their bottoms level, as low as the lowest one; else correct the places that are wrong. `inspect MODEL` says how deep each sphere is. Where radii change, `rescale level` keeps bottoms where they are",
+    advice: "If the spheres are meant to be on one sole, make their bottoms level, as low as the lowest one; else correct the places that are wrong. `inspect MODEL` says how deep each sphere is. Where radii change, a rescaling can keep bottoms where they are",
     repair: Repair::Command(
         "moves the centres of the limb's spheres until their bottoms are as low as its lowest one at the default pose",
     ),

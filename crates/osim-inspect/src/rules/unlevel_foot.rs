@@ -16,7 +16,7 @@ pub(crate) static RULE: Rule = Rule {
     verdict: Some(VerdictOn::Standing),
     what: "The bottoms of a limb's spheres differ in height by more than 0.3 radii at the default pose; by more than half a radius only because the foot leans there.",
     why: "The lower spheres are deeper than the figures of a level foot say. Of 134 published models with level floors 16 differ so much.",
-    advice: "Nothing, if that is meant; `inspect MODEL` says how deep each sphere is at its own height. Where radii change, `rescale level` keeps bottoms where they are",
+    advice: "Nothing, if that is meant; `inspect MODEL` says how deep each sphere is at its own height. Where radii change, a rescaling can keep bottoms where they are",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "format/mixed_radii.osim" },
 };

@@ -14,9 +14,9 @@ pub(crate) static RULE: Rule = Rule {
     why: "Nothing is chosen or left out by it. Most often the name has a slip, or is that of another model.",
     advice: "Correct the name",
     repair: Repair::NotPossible("only you know which name was meant"),
-    example: Example::InWords {
-        good: "`ball*` is left out of a model with a force called ball_r",
-        bad: "`bal_*` is",
+    example: Example::Request {
+        good: r#"{"verb": "inspect", "models": ["table1/human_62kg_smooth_sphere.osim"], "exclude": ["contact_s1_*"]}"#,
+        bad: r#"{"verb": "inspect", "models": ["table1/human_62kg_smooth_sphere.osim"], "exclude": ["contact_sl_*"]}"#,
     },
 };
 

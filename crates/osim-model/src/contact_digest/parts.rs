@@ -1,4 +1,4 @@
-//! What contacts are called, and a digest of each of their properties: the record by which a note tells what changed.
+//! What contacts are called, and a digest of each of their properties: the record by which a note shows what changed.
 
 use std::collections::BTreeMap;
 

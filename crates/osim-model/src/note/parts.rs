@@ -1,4 +1,4 @@
-//! What a note records of its contacts so that it can tell later which of their properties, or only their names, changed.
+//! What a note records of its contacts so that it can show later which of their properties, or only their names, changed.
 //!
 //! `spheres 12 0123456789abcdef; forces 12 0123456789abcdef; numbers stiffness=01234567 dissipation=89abcdef`
 

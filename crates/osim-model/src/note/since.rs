@@ -18,7 +18,7 @@ pub struct ChangedSinceNote {
     pub weight_kg: Option<(f64, f64)>,
 }
 
-/// What is different about contacts: as much as the note's record can tell.
+/// What is different about contacts: as much as the note's record can show.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ChangedContacts {
     /// By a note that records numbers and names apart.
