@@ -172,7 +172,7 @@ def test_what_is_said_of_odd_models(name, source, tmp_path, monkeypatch):
         (lambda: ocs.set(HUMAN, stiffness="a: b"), 'stiffness="a: b": expected a number', "stiffness"),
         (lambda: ocs.set(HUMAN, radius=float("nan")), "radius=nan: expected a finite number", "radius"),
         (lambda: ocs.set(HUMAN, dissipation={"a": 1}), 'dissipation={"a": 1}: expected a number', "dissipation"),
-        (lambda: ocs.sweep(HUMAN, grid="stiffness=1,2", point=-1), "point=-1: expected a whole number, 1", "point"),
+        (lambda: ocs.sweep(HUMAN, grid="stiffness=1,2", point=-1), "point=-1: expected the number of one point, counted from 1", "point"),
         (lambda: ocs.many("rescale", [HUMAN], from_=HUMAN), "there is no keyword 'from_' here", "from_"),
         (lambda: ocs.many("rescale", [HUMAN], target_mas=8), "'target_mas' here: did you mean target_mass=", "target_mas"),
         (lambda: ocs.inspect(""), '"": it is empty, expected the name of a file', None),
