@@ -9,6 +9,7 @@ solution, and leaves rows in `muscles.csv` beside this program as they come; a r
 
 import argparse
 import csv
+import os
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 from pathlib import Path
@@ -32,25 +33,34 @@ def cases(masses=MASSES, contacts=None):
 
 
 def solve(given):
-    """Search the walks that are not in the table yet."""
-    for mass, kind in cases(given.mass or MASSES, given.contacts):
+    """Search the tracked walks that are not in the table yet."""
+
+    def start(mass, kind, mesh):
+        return "original" if given.from_original else "reference" if mesh == MESH else "half"
+
+    _fill(given, search, given.contacts, start)
+
+
+def _fill(given, function, contacts, start_of):
+    """Adds to the tables each walk that is not there."""
+    for mass, kind in cases(given.mass or MASSES, contacts):
         for mesh in given.meshes:
-            start = "original" if given.from_original else "reference" if mesh == MESH else "half"
-            key = {"mass": mass, "contacts": kind, "mesh": mesh, "start": start}
+            key = {"mass": mass, "contacts": kind, "mesh": mesh, "start": start_of(mass, kind, mesh)}
             if not any(_same(row, key) for row in read(given.table)):
-                numbers, series = _alone(search, given.moco, given.results, **key)
+                numbers, series = _alone(function, given.moco.absolute(), given.results.absolute(), **key)
                 _append(given.table, [key | numbers])
                 _append(given.curves, [key | one for one in _rows(series)])
 
 
-def _alone(function, *given, **key):
-    """Calls it in a process of its own.
+def _alone(function, moco, results, **key):
+    """Calls it in a process of its own, in the folder for results, where Moco leaves files.
 
     In OpenSim 4.6 all muscles of a process (DeGrooteFregly2016Muscle) have the activation times of the first one that moves in it, whatever
     its size.
     """
-    with ProcessPoolExecutor(1, get_context("spawn")) as process:
-        return process.submit(function, *given, **key).result()
+    results.mkdir(parents=True, exist_ok=True)
+    with ProcessPoolExecutor(1, get_context("spawn"), initializer=os.chdir, initargs=(results,)) as process:
+        return process.submit(function, moco, results, **key).result()
 
 
 def search(moco, results, mass, contacts, mesh, start, most=MOST):
@@ -77,7 +87,6 @@ def search(moco, results, mass, contacts, mesh, start, most=MOST):
     from solve import solve as solved
 
     opensim.Logger.setLevelString("Warn")
-    moco, results = Path(moco).absolute(), Path(results).absolute()
     size = sizes.Size(mass)
     model = sizes.of_mass(moco / sizes.MODEL, results / "models", size)[contacts]
     name = f"{contacts}_{mass:g}_{mesh}" + "_from_original" * (start == "original")
@@ -94,14 +103,11 @@ def search(moco, results, mass, contacts, mesh, start, most=MOST):
 
 def predict(given):
     """Search the predicted walks that are not in the table yet."""
-    for mass, kind in cases(given.mass or MASSES, given.contacts or ("rescaled", "left")):
-        for mesh in given.meshes:
-            start = given.start or _start(mass, kind, mesh)
-            key = {"mass": mass, "contacts": kind, "mesh": mesh, "start": start}
-            if not any(_same(row, key) for row in read(given.table)):
-                numbers, series = _alone(prediction, given.moco, given.results, **key)
-                _append(given.table, [key | numbers])
-                _append(given.curves, [key | one for one in _rows(series)])
+
+    def start(mass, kind, mesh):
+        return given.start or _start(mass, kind, mesh)
+
+    _fill(given, prediction, given.contacts or ("rescaled", "left"), start)
 
 
 def _start(mass, kind, mesh):
@@ -134,7 +140,6 @@ def prediction(moco, results, mass, contacts, mesh, start, most=500):
     from solve import solve as solved
 
     opensim.Logger.setLevelString("Warn")
-    moco, results = Path(moco).absolute(), Path(results).absolute()
     size = sizes.Size(mass)
     model = sizes.of_mass(moco / sizes.MODEL, results / "models", size)[contacts]
     name = f"predicted_{contacts}_{mass:g}_{mesh}"
