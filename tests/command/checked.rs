@@ -487,16 +487,3 @@ fn published_models_and_what_is_known_of_them() {
     let landing = of("v40000_toy_landing");
     assert!(landing.contains("mixed-radii") && !landing.contains("beyond-hertz"));
 }
-
-/// What nobody may set is not proposed.
-#[test]
-fn no_number_that_is_none_is_proposed_for_the_other_side() {
-    let bench = Bench::with(&[("table1/human_62kg_smooth_sphere.osim", "model.osim")]);
-    let (text, tag) = (bench.text("model.osim"), "<transition_velocity>");
-    // The first force is one of the right side, which the left would be made like.
-    let at = text.find(tag).unwrap() + tag.len();
-    let end = at + text[at..].find('<').unwrap();
-    bench.write("model.osim", format!("{}nan{}", &text[..at], &text[end..]));
-    let found = bench.run("check model.osim").out();
-    assert!(found.contains("not-finite") && !found.contains("transition_velocity=NaN"), "{found}");
-}

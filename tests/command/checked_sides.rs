@@ -22,3 +22,16 @@ fn the_reference_shows_which_side_is_the_slip() {
     let advised = compared.commands.iter().find(|command| command.contains("set slip.osim")).unwrap();
     bench.run(advised.strip_prefix("osim-contact-scale ").unwrap()).done();
 }
+
+/// What nobody may set is not proposed.
+#[test]
+fn no_number_that_is_none_is_proposed_for_the_other_side() {
+    let bench = Bench::with(&[("table1/human_62kg_smooth_sphere.osim", "model.osim")]);
+    let (text, tag) = (bench.text("model.osim"), "<transition_velocity>");
+    // The first force is one of the right side, which the left would be made like.
+    let at = text.find(tag).unwrap() + tag.len();
+    let end = at + text[at..].find('<').unwrap();
+    bench.write("model.osim", format!("{}nan{}", &text[..at], &text[end..]));
+    let found = bench.run("check model.osim").out();
+    assert!(found.contains("not-finite") && !found.contains("transition_velocity=NaN"), "{found}");
+}
