@@ -191,8 +191,8 @@ impl<'j> Tree<'_, 'j> {
         let mut way = self.tree.way_of_all(&bodies);
         // What moves the floor along moves nothing against it.
         for plane in planes.iter().filter_map(|(plane, _)| plane.body.as_deref()) {
-            let of_plane = self.tree.way(plane);
-            way.retain(|hanging| of_plane.iter().all(|other| other.body != hanging.body));
+            let of_plane: HashSet<&str> = self.tree.way(plane).iter().map(|other| other.body).collect();
+            way.retain(|hanging| !of_plane.contains(hanging.body));
         }
         let normals: Vec<[f64; 3]> = planes.iter().map(|(_, surface)| surface.normal).collect();
         let lift = match normals.first() {

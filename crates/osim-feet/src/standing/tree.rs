@@ -21,13 +21,18 @@ pub(super) struct Hanging<'j> {
 pub(super) struct JointTree<'j> {
     above: HashMap<&'j str, Hanging<'j>>,
     below: HashMap<&'j str, Vec<&'j str>>,
+    /// Of each body the one on top of its tree: that which hangs on ground.
+    tops: HashMap<&'j str, &'j str>,
 }
 
 impl<'j> JointTree<'j> {
     pub(super) fn of(joints: &'j [ModelJoint]) -> Self {
-        let mut tree = Self { above: HashMap::new(), below: HashMap::new() };
+        let mut tree = Self { above: HashMap::new(), below: HashMap::new(), tops: HashMap::new() };
         for Crossing { joint, from, to, forward, closes } in joint_walk(joints) {
             let Some(body) = to.filter(|_| !closes) else { continue };
+            // What is above a body is walked to before it.
+            let top = from.and_then(|above| tree.tops.get(above).copied()).unwrap_or(body);
+            tree.tops.insert(body, top);
             tree.above.insert(body, Hanging { joint, body, parent: from, forward });
             tree.below.entry(from.unwrap_or_default()).or_default().push(body);
         }
@@ -47,7 +52,7 @@ impl<'j> JointTree<'j> {
 
     /// The body on top of the tree in which `body` is: the one that hangs on ground.
     pub(super) fn top(&self, body: &str) -> Option<&'j str> {
-        self.way(body).last().map(|hanging| hanging.body)
+        self.tops.get(body).copied()
     }
 
     /// The joints above all of `bodies`, from the lowest to ground. Each body is looked at once.
