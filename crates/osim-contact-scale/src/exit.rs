@@ -27,7 +27,7 @@ pub(crate) fn exit_of(error: &anyhow::Error) -> Exit {
     error.downcast_ref::<Ended>().map_or(otherwise, |ended| ended.exit)
 }
 
-/// What is said of it.
+/// The message for the reader.
 pub(crate) fn text_of(error: &anyhow::Error) -> String {
     match error.downcast_ref::<std::io::Error>() {
         Some(why) => format!("cannot write to standard output: {why}"),

@@ -3,7 +3,7 @@
 use osim_messages::readable;
 use osim_model::{ChangedContacts, ChangedSinceNote};
 
-/// Each change as a part of one sentence; none where nothing changed.
+/// Each change as a part of one sentence; an empty list if nothing changed.
 pub(super) fn in_words(changed: &ChangedSinceNote) -> Vec<String> {
     let sizes = changed.sizes.then(|| "sizes of bodies".to_owned());
     let weight = changed.weight_kg.map(|(then, now)| {

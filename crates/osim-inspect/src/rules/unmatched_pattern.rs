@@ -20,7 +20,7 @@ pub(crate) static RULE: Rule = Rule {
     },
 };
 
-/// What is said of each pattern of `selection` and of `masses` by which nothing in `model` is called.
+/// A message for each pattern of `selection` and of `masses` that fits no name in `model`.
 #[must_use]
 pub fn unmatched_patterns(selection: &Selection, masses: &MassRequest, model: &Model) -> Vec<Phrase> {
     let said = |input: Input, pattern: &Pattern, what: &str| {
