@@ -58,6 +58,15 @@ impl LineIndex {
             while kept.next_if(|(start, _)| *start < span.end).is_some() {}
             let start = span.start.saturating_add_signed(bytes);
             let came = new.get(start..start.saturating_add(*length)).unwrap_or_default();
+            // A look-up must not count all of what came, where that is much.
+            let (last, mut before) = blocks.last().copied().unwrap_or_default();
+            if start.saturating_add(came.len()).saturating_sub(last) > BLOCK {
+                before += line_ends(new.get(last..start).unwrap_or_default());
+                for (number, block) in came.chunks(BLOCK).enumerate() {
+                    blocks.push((start + number * BLOCK, before));
+                    before += line_ends(block);
+                }
+            }
             bytes = bytes.saturating_add_unsigned(*length).saturating_sub_unsigned(span.len());
             lines = lines
                 .saturating_add_unsigned(line_ends(came))
@@ -127,8 +136,11 @@ mod tests {
     #[test]
     fn lines_of_an_edited_file_are_those_of_its_bytes() {
         let old = "1234567\n".repeat(3 * BLOCK / 8);
+        let long = "12345\n".repeat(BLOCK);
         for (from, to, text) in [
             (0, 0, "\n\n"),
+            (0, 0, &*long),
+            (BLOCK + 5, BLOCK + 9, &long),
             (5, 5, "x"),
             (BLOCK, BLOCK, "\n"),
             (BLOCK - 3, 2 * BLOCK + 9, "a\nb"),
