@@ -199,7 +199,7 @@ def longer(path, rows, step):
     lines = path.read_text().splitlines()
     head = lines.index("endheader") + 2
     cells = [line.split("\t")[1:] for line in lines[head:-1]]
-    own = ["\t".join([f"{row * step:.6g}", *cells[row % len(cells)]]) for row in range(rows)]
+    own = ["\t".join([f"{row * step:.9g}", *cells[row % len(cells)]]) for row in range(rows)]
     return "\n".join([*lines[:head], *own, ""])
 
 

@@ -1,5 +1,7 @@
 //! When a foot stands.
 
+use std::ops::RangeInclusive;
+
 /// A foot touches down where its force along the normal passes this part of body weight,
 pub const ON_BW: f64 = 0.05;
 /// and lifts off where it falls below this one.
@@ -51,10 +53,10 @@ impl Stance {
         Some(self.off_s? - self.on_s?)
     }
 
-    /// Whether a frame is in it.
+    /// Its frames.
     #[must_use]
-    pub const fn has(&self, frame: usize) -> bool {
-        self.first <= frame && frame <= self.last
+    pub const fn frames(&self) -> RangeInclusive<usize> {
+        self.first..=self.last
     }
 }
 
@@ -92,7 +94,7 @@ mod tests {
         // 4.9 N does not begin one; the end is not seen.
         assert_eq!((stances[1].first, stances[1].last, stances[1].off_s), (8, 9, None));
         assert_eq!(strides(&stances), [(1.5, stances[1].on_s.unwrap())]);
-        assert!(stances[0].has(5) && !stances[0].has(6));
+        assert_eq!(stances[0].frames(), 2..=5);
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! What the contacts of each foot do along a recording.
 
+use std::ops::Range;
+
 use contact_scaling::{limits, restitution};
 use osim_feet::dot;
 
@@ -159,15 +161,18 @@ impl Summary {
 
 /// The part of `spans` in which more than one foot stands.
 fn double_support(time_s: &[f64], feet: &[FootSummary], spans: &[(f64, f64)]) -> Option<f64> {
-    let in_stride = |frame: usize| {
-        time_s.get(frame).is_some_and(|&time| spans.iter().any(|&(from, to)| time >= from && time < to))
-    };
-    let stand = |frame: usize| {
-        feet.iter().filter(|foot| foot.stances.iter().any(|one| one.stance.has(frame))).count()
-    };
-    let whole_s = duration_s(time_s, in_stride);
-    (feet.len() > 1 && whole_s > 0.0)
-        .then(|| duration_s(time_s, |frame| in_stride(frame) && stand(frame) > 1) / whole_s)
+    let mut in_stride = vec![false; time_s.len()];
+    for &span in spans {
+        in_stride.get_mut(frames_between(time_s, span)).unwrap_or_default().fill(true);
+    }
+    let mut standing = vec![0_usize; time_s.len()];
+    for stance in feet.iter().flat_map(|foot| &foot.stances).map(|one| one.stance) {
+        standing.get_mut(stance.frames()).unwrap_or_default().iter_mut().for_each(|feet| *feet += 1);
+    }
+    let whole = |frame: usize| in_stride.get(frame) == Some(&true);
+    let double = |frame: usize| whole(frame) && standing.get(frame).is_some_and(|&feet| feet > 1);
+    let whole_s = duration_s(time_s, whole);
+    (feet.len() > 1 && whole_s > 0.0).then(|| duration_s(time_s, double) / whole_s)
 }
 
 impl FootSummary {
@@ -196,9 +201,8 @@ impl FootSummary {
                 own.max_by(|a, b| a.indentation_m.total_cmp(&b.indentation_m))
             })
             .collect();
-        let in_stance = |frame: &usize| stances.iter().any(|stance| stance.has(*frame));
         let standing_states: Vec<&ContactState> =
-            (0..states.frames()).filter(in_stance).filter_map(|frame| *deepest.get(frame)?).collect();
+            stances.iter().flat_map(Stance::frames).filter_map(|frame| *deepest.get(frame)?).collect();
         let depths: Vec<f64> = standing_states.iter().map(|state| state.indentation_m).collect();
         let percentile = |part: f64| percentile(&depths, part);
         Self {
@@ -317,6 +321,12 @@ fn duration_s(time_s: &[f64], holds: impl Fn(usize) -> bool) -> f64 {
     steps.map(|(frame, step)| half(frame, step) + half(frame + 1, step)).sum()
 }
 
+/// The frames from a time up to another one, without that at its end: times rise.
+fn frames_between(time_s: &[f64], (from_s, to_s): (f64, f64)) -> Range<usize> {
+    let before = |limit: f64| time_s.partition_point(|&time| time < limit);
+    before(from_s)..before(to_s)
+}
+
 fn largest(values: &[f64]) -> (usize, f64) {
     let mut best = (0, f64::NEG_INFINITY);
     for (index, &value) in values.iter().enumerate() {
@@ -338,9 +348,9 @@ fn median_vector(states: &[&ContactState]) -> Option<[f64; 3]> {
 /// The mean over the frames that are in one of `spans`, where all of these are known.
 fn mean_over(time_s: &[f64], values: &[Option<f64>], spans: &[(f64, f64)]) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0.0);
-    for &(from, to) in spans {
-        let inside = time_s.iter().zip(values).filter(|(time, _)| **time >= from && **time < to);
-        let own: Option<Vec<f64>> = inside.map(|(_, value)| *value).collect();
+    for &span in spans {
+        let inside = values.get(frames_between(time_s, span)).unwrap_or_default();
+        let own: Option<Vec<f64>> = inside.iter().copied().collect();
         for value in own.into_iter().flatten() {
             sum += value;
             count += 1.0;

@@ -35,8 +35,9 @@ fn add(
     (label, series): (&str, usize),
     value: impl Fn(usize) -> Option<f64>,
 ) {
-    let times = result.states.time_s.iter().copied().enumerate();
-    let inside = times.filter(|(_, time_s)| (from_s..=to_s).contains(time_s));
+    let times = result.states.time_s.as_slice();
+    let first = times.partition_point(|&time_s| time_s < from_s);
+    let inside = times.iter().copied().enumerate().skip(first).take_while(|(_, time_s)| *time_s <= to_s);
     let percent = |time_s: f64| 100.0 * (time_s - from_s) / (to_s - from_s);
     let points: Vec<(f64, f64)> =
         inside.map_while(|(frame, time_s)| Some((percent(time_s), value(frame)?))).collect();
