@@ -50,7 +50,8 @@ def here(job):
     except Exception as error:
         reading |= {"connects": False, "error": str(error)}
     reading |= parts(opensim, model)
-    reading["fixed"] = sorted(welded_to_ground(model)) if reading["connects"] else []
+    welded = welded_to_ground(model) if reading["connects"] else set()
+    reading["fixed"], reading["scenery"] = sorted(welded), sorted(welded - held(model, welded) - {"/ground"})
     reading["gravity"] = vector(model.get_gravity())
     reading["name"] = model.getName()
     reading["mass_sum"] = left_to_right(body["mass"] for body in reading["bodies"])
@@ -173,22 +174,47 @@ def downcast_frame(component):
 
 def welded_to_ground(model):
     """The paths of ground and of all bodies that hang on it by WeldJoints alone."""
+    return welded_to({"/ground"}, [ends for joint, ends in joints(model) if joint.getConcreteClassName() == "WeldJoint"])
+
+
+def held(model, welded):
+    """Those of the welded bodies on which others hang by joints without a coordinate along which they move away."""
     import opensim
 
-    welds = []
-    for component in list(model.getComponentsList()):
-        if component.getConcreteClassName() == "WeldJoint":
-            joint = opensim.Joint.safeDownCast(component)
-            welds.append(
-                [
-                    frame.findBaseFrame().getAbsolutePathString()
-                    for frame in (joint.getParentFrame(), joint.getChildFrame())
-                ]
-            )
-    fixed = {"/ground"}
+    def moves_away(joint):
+        return any(
+            joint.get_coordinates(index).getMotionType() == opensim.Coordinate.Translational
+            for index in range(joint.numCoordinates())
+        )
+
+    pairs = joints(model)
+    holding = {
+        end
+        for joint, ends in pairs
+        if not set(ends) <= welded and not moves_away(joint)
+        for end in set(ends) & welded - {"/ground"}
+    }
+    welds = [ends for joint, ends in pairs if joint.getConcreteClassName() == "WeldJoint" and "/ground" not in ends]
+    return welded_to(holding, welds)
+
+
+def joints(model):
+    """Each joint, and the paths of the bodies that it joins."""
+    import opensim
+
+    found = [opensim.Joint.safeDownCast(component) for component in list(model.getComponentsList())]
+    return [
+        (joint, [frame.findBaseFrame().getAbsolutePathString() for frame in (joint.getParentFrame(), joint.getChildFrame())])
+        for joint in found
+        if joint
+    ]
+
+
+def welded_to(bodies, welds):
+    """These, and what is welded to them."""
     for _ in welds:
-        fixed |= {end for weld in welds if fixed & set(weld) for end in weld}
-    return fixed
+        bodies = bodies | {end for weld in welds if bodies & set(weld) for end in weld}
+    return bodies
 
 
 def simulated(model):

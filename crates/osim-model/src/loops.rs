@@ -13,6 +13,8 @@ pub(crate) struct JointLink {
     pub weld: bool,
     /// Whether it is a WeldJoint or a FreeJoint: with one of these in a loop, OpenSim counts a body twice.
     pub counts_twice: bool,
+    /// Whether what it joins moves away from each other, as an animal from the ground that it walks on.
+    pub moves_away: bool,
 }
 
 impl JointLink {

@@ -10,6 +10,7 @@ use crate::masses_beside::MassesBeside;
 use crate::model::Model;
 use crate::pattern::{Pattern, any_matches};
 use crate::rules::mass_sources_disagree::{self, Said};
+use crate::skeleton::Body;
 
 /// Masses closer than this (relative) count as one: a scale is not read better than to 0.1 %.
 pub const SAME_MASS: f64 = 1e-3;
@@ -133,7 +134,7 @@ impl MassRequest {
         self.exclude_bodies.iter().filter(move |pattern| is_idle(pattern))
     }
 
-    /// What the model weighs: as said, else the sum of its bodies, left to right in file order.
+    /// What the model weighs: as said, else the sum of its bodies but scenery ([`crate::Body::scenery`]), left to right in file order.
     ///
     /// # Errors
     /// A body without a mass, no body at all, a sum that is not above 0, or a loop of joints in which OpenSim counts a body
@@ -147,7 +148,8 @@ impl MassRequest {
         }
         let mut kg = 0.0;
         let mut bodies = 0;
-        for body in model.bodies().iter().filter(|body| !any_matches(&self.exclude_bodies, &body.name)) {
+        let is_summed = |body: &&Body| !body.scenery && !any_matches(&self.exclude_bodies, &body.name);
+        for body in model.bodies().iter().filter(is_summed) {
             kg += body.mass_kg()?;
             bodies += 1;
         }

@@ -25,6 +25,9 @@ pub struct Body {
     pub file: FileId,
     /// Whether only WeldJoints are between it and ground: spheres on it are scenery.
     pub fixed: bool,
+    /// Whether it is fixed and no body hangs on it, such as a platform or a goalkeeper: it is no part of what the model weighs. What stands
+    /// on it by a joint along which it can move away does not hang on it.
+    pub scenery: bool,
 }
 
 impl Body {
@@ -64,7 +67,12 @@ struct Joined {
     tops: HashMap<ComponentId, ComponentId>,
     /// Bodies welded to ground, directly or through others.
     welded: HashSet<ComponentId>,
+    /// Those on which no body hangs.
+    scenery: HashSet<ComponentId>,
 }
+
+/// Joints along which a body moves away from the other one.
+const MOVE_AWAY: [&str; 3] = ["FreeJoint", "PlanarJoint", "SliderJoint"];
 
 impl Skeleton {
     /// Reads all bodies and joints. A joint whose frames lead nowhere is left out: only limbs need it, and a body
@@ -84,7 +92,8 @@ impl Skeleton {
             let document = components.document(component.file);
             let mass = document.value(component.element, Class::Body, Property::Mass, "mass");
             let (name, path) = (components.name(id).into_owned(), components.tree.path(id));
-            Body { name, path, mass, file: component.file, fixed: joined.welded.contains(&id) }
+            let (fixed, scenery) = (joined.welded.contains(&id), joined.scenery.contains(&id));
+            Body { name, path, mass, file: component.file, fixed, scenery }
         });
         Self { bodies: bodies.collect(), joined }
     }
@@ -136,7 +145,8 @@ impl Joined {
         }
         joined.loops = Loops::of(&links);
         joined.index();
-        joined.welded = welded_to_ground(&links);
+        joined.welded = welded_to(vec![Base::Ground], &links);
+        joined.scenery = scenery(&joined.welded, &links);
         joined
     }
 
@@ -196,7 +206,9 @@ impl Joined {
             }
             _ => {}
         }
-        Some(JointLink { joint, ends, weld, counts_twice: weld || components.tag(joint) == "FreeJoint" })
+        let tag = components.tag(joint);
+        let (counts_twice, moves_away) = (weld || tag == "FreeJoint", MOVE_AWAY.contains(&tag));
+        Some(JointLink { joint, ends, weld, counts_twice, moves_away })
     }
 
     fn parent(&self, body: ComponentId) -> Option<ComponentId> {
@@ -207,14 +219,14 @@ impl Joined {
     }
 }
 
-/// The bodies between which and ground are only WeldJoints, whichever end each is written from.
-fn welded_to_ground(links: &[JointLink]) -> HashSet<ComponentId> {
+/// The bodies between which and one of `from` are only WeldJoints and bodies, whichever end each joint is written from.
+fn welded_to(from: Vec<Base>, links: &[JointLink]) -> HashSet<ComponentId> {
     let mut at: HashMap<Base, Vec<Base>> = HashMap::new();
     for [one, other] in links.iter().filter(|link| link.weld).map(|link| link.ends) {
         at.entry(one).or_default().push(other);
         at.entry(other).or_default().push(one);
     }
-    let (mut welded, mut next) = (HashSet::new(), vec![Base::Ground]);
+    let (mut welded, mut next) = (HashSet::new(), from);
     while let Some(from) = next.pop() {
         for &to in at.get(&from).into_iter().flatten() {
             if let Base::Body(body) = to
@@ -225,4 +237,19 @@ fn welded_to_ground(links: &[JointLink]) -> HashSet<ComponentId> {
         }
     }
     welded
+}
+
+/// Those of the bodies welded to ground on which no body hangs, directly or through others. A body that hangs on one makes it part of
+/// the animal: a model whose pelvis is held weighs what it weighs.
+fn scenery(welded: &HashSet<ComponentId>, links: &[JointLink]) -> HashSet<ComponentId> {
+    let is_fixed = |end: &Base| matches!(end, Base::Body(body) if welded.contains(body));
+    let is_free = |end: &Base| matches!(end, Base::Body(body) if !welded.contains(body));
+    let holds = |link: &&JointLink| !link.moves_away && link.ends.iter().any(is_free);
+    let holding: Vec<Base> =
+        links.iter().filter(holds).flat_map(|link| link.ends).filter(|end| is_fixed(end)).collect();
+    let mut hangs = welded_to(holding.clone(), links);
+    hangs.extend(
+        holding.into_iter().filter_map(|end| if let Base::Body(body) = end { Some(body) } else { None }),
+    );
+    welded.difference(&hangs).copied().collect()
 }

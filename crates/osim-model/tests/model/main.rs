@@ -15,6 +15,7 @@ mod places;
 #[path = "../../../osim-planning/tests/planning/random.rs"]
 mod random;
 mod reading;
+mod scenery;
 mod sides;
 mod sized;
 mod words;

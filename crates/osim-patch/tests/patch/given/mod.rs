@@ -187,11 +187,6 @@ impl Given {
         self
     }
 
-    pub(crate) fn excluding_body(mut self, glob: &str) -> Self {
-        self.masses.exclude_bodies = patterns(glob);
-        self
-    }
-
     pub(crate) fn standing_for(mut self, contacts_mass_kg: f64) -> Self {
         self.masses.contacts_mass_kg = Some(contacts_mass_kg);
         self
