@@ -185,7 +185,11 @@ def prepared(place, verb, kind, size):
         text = models.KINDS["forces" if kind == "places" else kind](LEAST if kind == "places" else size)
         (place / "model.osim").write_text(text)
         (place / "generic.osim").write_text(text)
-        rows = [f"n{i},foot0_{'rl'[i % 2]},{i / size / 100},-0.02,0,0.03" for i in range(size)]
+        # In rows and columns under each foot, so that no two are at the same place.
+        width = math.isqrt(size) + 1
+        rows = [
+            f"n{i},foot0_{'rl'[i % 2]},{i // 2 % width / width / 50},-0.02,{i // 2 // width / width / 50},0.03" for i in range(size)
+        ]
         (place / "places.csv").write_text("\n".join(["name,body,x,y,z,radius", *rows, ""]))
         (place / "motion.mot").write_text(models.STILL)
         (place / "request.json").write_text(json.dumps({"verb": "set", "models": ["model.osim"], "set": {"stiffness": "x2"}, "dry_run": True}))
