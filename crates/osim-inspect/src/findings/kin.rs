@@ -35,13 +35,20 @@ impl<'f> Kin<'f> {
         kin
     }
 
+    /// The first finding that says the same as `one`: about spheres it is one for all, else one for each place.
+    #[must_use]
+    pub fn same(&self, one: &Found) -> Option<&'f Found> {
+        let of_spheres = self.of_spheres.get(&one.code()).filter(|_| !one.spheres.is_empty());
+        let at =
+            of_spheres.into_iter().chain(self.at_place.get(&(one.code(), one.place.as_deref()))).min()?;
+        self.findings.get(*at)
+    }
+
     /// The first finding that says the same as `one`, else the first that is another step of the same ladder.
     #[must_use]
     pub fn nearest(&self, one: &Found) -> Option<&'f Found> {
-        let of_spheres = self.of_spheres.get(&one.code()).filter(|_| !one.spheres.is_empty());
-        let same = of_spheres.into_iter().chain(self.at_place.get(&(one.code(), one.place.as_deref()))).min();
         let steps = DEPTH.iter().filter(|code| **code != one.code() && DEPTH.contains(&one.code()));
-        let at = same.or_else(|| steps.filter_map(|code| self.of_code.get(code)).min())?;
-        self.findings.get(*at)
+        let first = || self.findings.get(*steps.filter_map(|code| self.of_code.get(code)).min()?);
+        self.same(one).or_else(first)
     }
 }

@@ -1,12 +1,11 @@
 //! The steps that put a model right, one after the other.
 
-use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
-
-use osim_inspect::{CheckResult, Found, InspectOptions, Inspection};
+use osim_inspect::{CheckResult, Found, InspectOptions, Inspection, Kin};
 use osim_model::files::{FileName, Files};
 use osim_model::{FindingCode, Model, Repair, Severity};
 use osim_requests::{ConstantIndentation, Request};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 
 use super::merged::{Candidate, joined, merged};
 use super::naming::{output, unnumbered};
@@ -50,8 +49,10 @@ impl Trials<'_> {
         if let [only] = steps.as_mut_slice() {
             unnumbered(&mut only.request, &path, self.files);
         }
+        let left: Vec<Kin<'_>> = steps.iter().map(|step| Kin::of(&step.found.findings)).collect();
         for one in &mut found.findings {
-            let gone = steps.iter().find(|step| !step.found.findings.iter().any(|left| is_same(left, one)));
+            let gone =
+                steps.iter().zip(&left).find(|(_, left)| left.same(one).is_none()).map(|(step, _)| step);
             one.remedy = gone.filter(|_| has_command(one)).map(|step| step.request.clone());
         }
         found.steps = steps.into_iter().map(|step| step.request).collect();
@@ -135,18 +136,13 @@ fn has_command(finding: &Found) -> bool {
     finding.severity >= Severity::Warn && matches!(finding.rule.repair, Repair::Command(_))
 }
 
-/// Findings that say the same: about spheres it is one for all, else one for each place.
-fn is_same(a: &Found, b: &Found) -> bool {
-    let about_spheres = !a.spheres.is_empty() && !b.spheres.is_empty();
-    a.code() == b.code() && (about_spheres || a.place == b.place)
-}
-
 /// Whether a remedy did what it promises.
 fn holds(its: &[&Found], request: &Request, before: &CheckResult, after: &CheckResult) -> bool {
-    let gone = !its.iter().any(|one| after.findings.iter().any(|left| is_same(left, one)));
+    let (left, old) = (Kin::of(&after.findings), Kin::of(&before.findings));
+    let gone = its.iter().all(|one| left.same(one).is_none());
     let makes_forces = matches!(request, Request::Convert(_));
-    let is_new = |one: &&Found| !before.findings.iter().any(|old| is_same(old, one));
-    let moved = bad(after).filter(is_new).any(|one| one.spheres.is_empty()) && !makes_forces;
+    let moved =
+        bad(after).filter(|one| old.same(one).is_none()).any(|one| one.spheres.is_empty()) && !makes_forces;
     gone && !moved && codes(after).is_subset(&codes(before))
 }
 
