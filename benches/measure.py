@@ -12,16 +12,17 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
+sys.path.insert(0, str(ROOT / "dist"))
+import building  # noqa: E402
 TARGET_KG = "500"
 MIB = 1 << 20
 
 
 def build():
-    """The path of the release build."""
-    call = ["cargo", "build", "--release", "-p", "osim-contact-scale", "--message-format=json-render-diagnostics"]
-    lines = subprocess.run(call, cwd=ROOT, stdout=subprocess.PIPE, check=True, text=True).stdout.splitlines()
-    built = [json.loads(line).get("executable") for line in lines]
-    return [path for path in built if path][-1]
+    """The path of the program that people download."""
+    call = ["cargo", "metadata", "--format-version", "1", "--no-deps"]
+    metadata = json.loads(subprocess.run(call, cwd=ROOT, stdout=subprocess.PIPE, check=True).stdout)
+    return str(building.program(building.host(), metadata["target_directory"], static=True))
 
 
 def rescale(command, model, *options):

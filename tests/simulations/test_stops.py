@@ -66,7 +66,9 @@ class Case:
         results = simulate.run(self.rows, self.task, results=self.results, scheduler=client, resume=True)
         # All but what was written was done again: by indices, as a row that was being done at the stop leaves its mark late.
         again = {int(mark.name.split(".")[0]) for mark in set(self.marks.iterdir()) - marks}
-        assert again == {row["index"] for row, key in zip(self.rows, results.table["key"], strict=True) if key not in before}
+        assert again == {
+            row["index"] for row, key in zip(self.rows, results.table["key"], strict=True) if key not in before
+        }
         assert table_bytes(self.results) == table_bytes(self.folder / "whole")
         assert [list(results.series(place)["index_back"]) for place in (0, COUNT - 1)] == [[1, 1], [COUNT, COUNT]]
         return before
