@@ -36,8 +36,12 @@ MEANT = [word for question in ("implausible-mass", "mass-in-pounds", "implausibl
 
 
 def model(draw):
+    """One of these models with one to three numbers at the edge of a double."""
+    return with_edges(draw, draw.choice(MODELS))
+
+
+def with_edges(draw, text):
     """A model with one to three numbers at the edge of a double."""
-    text = draw.choice(MODELS)
     found = draw.sample(list(NUMBERS.finditer(text)), draw.randint(1, 3))
     for number in sorted(found, key=lambda one: -one.start()):
         parts = number[2].split()

@@ -77,8 +77,9 @@ fn report(model: &Model, points: &[Point], fitted: &Parameters, radius: f64) -> 
         &[(Parameter::CompositeModulus, Some(&composite)), (Parameter::Dissipation, dissipation.as_ref())],
     );
     let touching = || points.iter().filter(|p| p.indentation > fitted.onset);
-    let deepest = touching().fold(0.0, |most: f64, p| most.max(p.indentation - fitted.onset)) / radius;
-    let fastest = touching().fold(0.0, |most: f64, p| most.max(p.speed.abs()));
+    let deepest_m = touching().fold(0.0, |most: f64, p| most.max(p.indentation - fitted.onset));
+    let deepest = finite("indentation over radius", deepest_m / radius)?;
+    let fastest = finite("speed", touching().fold(0.0, |most: f64, p| most.max(p.speed.abs())))?;
     let restitution = restitution::approximate(fitted.dissipation().max(0.0), fastest).ok();
     Ok(Fit {
         composite_modulus: composite,

@@ -17,11 +17,12 @@ pub(super) fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(),
     for (index, pair) in states.pairs.iter().enumerate() {
         for (state, time_s) in states.pair(index).zip(&states.time_s) {
             let depth = state.indentation_m / pair.radius_m;
+            let sum = |parts: [f64; 3]| parts.into_iter().fold(0.0, |sum: f64, part| sum + part.abs());
             let sizes = [
-                ("a force of", state.normal_force_n, "N"),
+                ("a force of", sum(state.force_n), "N"),
                 ("x/R of", depth, ""),
                 ("a speed of", state.slip_speed_m_s(), "m/s"),
-                ("a centre at", state.centre_m.into_iter().fold(0.0, |a: f64, b| a + b.abs()), "m"),
+                ("a centre at", sum(state.centre_m), "m"),
             ];
             if let Some((what, value, unit)) = sizes.into_iter().find(|(_, value, _)| !is_measurable(*value))
             {
@@ -36,10 +37,14 @@ pub(super) fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(),
     Ok(())
 }
 
-/// A force of the plates that is beyond all measure, if there is one, N.
-pub(super) fn of_plates(measured: &Measured) -> Option<f64> {
-    let forces = measured.total.iter().flatten().flat_map(|total| total.force_n);
-    forces.into_iter().find(|force| !is_measurable(*force))
+/// A force or a moment of the plates that is beyond all measure, if there is one, in words: of all plates, or of those of one foot.
+pub(super) fn of_plates(measured: &Measured) -> Option<String> {
+    let mut all = measured.total.iter().chain(measured.feet.iter().flatten()).flatten();
+    all.find_map(|wrench| {
+        let beyond = |values: [f64; 3]| values.into_iter().find(|value| !is_measurable(*value));
+        let force = beyond(wrench.force_n).map(|force| format!("a force of {force:e} N"));
+        force.or_else(|| Some(format!("a moment of {:e} N m about ground", beyond(wrench.moment_n_m)?)))
+    })
 }
 
 fn is_measurable(value: f64) -> bool {

@@ -54,10 +54,9 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
         return Err(Failure::outside(read.name(), "motion", why).into());
     }
     let plates = result.plates.as_ref().zip(result.measured.as_ref());
-    if let Some((read, force_n)) =
-        plates.and_then(|(read, measured)| Some((read, beyond::of_plates(measured)?)))
+    if let Some((read, what)) = plates.and_then(|(read, measured)| Some((read, beyond::of_plates(measured)?)))
     {
-        let why = format!("it has a force of {force_n:e} N: correct the table");
+        let why = format!("it has {what}: correct the table");
         return Err(Failure::outside(read.name(), "motion", why).into());
     }
     Ok(result)
