@@ -1,17 +1,17 @@
 //! Remarks beside a figure.
 
 use osim_inspect::series::Body;
-use osim_messages::{Dialect, readable};
+use osim_messages::{Dialect, counted, readable};
 
 /// What each body is taken to weigh and to stand on, one line each; or why it is not known, if it is not needed.
 #[must_use]
 pub fn weights(bodies: &[Body], dialect: &dyn Dialect) -> String {
     let line = |body: &Body| match &body.weight {
         Ok(weight) => format!(
-            "{}: {} kg on {} spheres, {} m/s2\n",
+            "{}: {} kg on {}, {} m/s2\n",
             body.name,
             readable(weight.mass_kg),
-            readable(weight.sphere_count),
+            counted(readable(weight.sphere_count), "sphere"),
             readable(weight.gravity_m_s2)
         ),
         Err(failure) => {

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use contact_scaling::limits;
 use maud::{Markup, html};
 use osim_figures::{self as figures, Indentations};
-use osim_messages::four_significant;
+use osim_messages::{counted, four_significant};
 use osim_model::{FindingCode, Severity};
 
 use super::entry::{EARLIER, Entry};
@@ -169,11 +169,6 @@ impl Tally {
             }
         }
     }
-}
-
-/// "1 model", "2 models".
-fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// The section about one model.

@@ -15,7 +15,7 @@ mod shown;
 
 pub use dialect::{Dialect, Plain};
 pub use input::{Input, Verb};
-pub use number::{four_significant, readable, shortest, three_significant};
+pub use number::{counted, four_significant, readable, shortest, three_significant};
 pub use part::{Call, Example, Part};
 pub use phrase::{IntoParts, Phrase};
 pub use shown::{SHOWN_LETTERS, Shown, harmless, is_seen, one_line, shown, shown_path, shown_whole};

@@ -1,6 +1,6 @@
 //! The one spelling in which this project writes numbers into models and tables.
 
-use std::fmt::{self, Write as _};
+use std::fmt::{self, Display, Write as _};
 
 /// Shortest decimal text that reads back as exactly `value`.
 ///
@@ -44,6 +44,14 @@ pub fn readable(value: f64) -> String {
         return exact;
     }
     shortest(rounded(value, 7))
+}
+
+/// `1 sphere`, `2 spheres`: a count, or a number as it is to be read, and what is counted.
+#[must_use]
+pub fn counted(count: impl Display, what: &str) -> String {
+    let count = count.to_string();
+    let ending = if count == "1" { "" } else { "s" };
+    format!("{count} {what}{ending}")
 }
 
 /// Four significant digits, to compare by eye.

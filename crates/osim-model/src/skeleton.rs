@@ -25,8 +25,8 @@ pub struct Body {
     pub file: FileId,
     /// Whether only WeldJoints are between it and ground: spheres on it are scenery.
     pub fixed: bool,
-    /// Whether it is fixed and no body hangs on it, such as a platform or a goalkeeper: it is no part of what the model weighs. What stands
-    /// on it by a joint along which it can move away does not hang on it.
+    /// Whether it is fixed and no body hangs on it, such as a platform or a goalkeeper: the model weighs what it weighs without it. What
+    /// stands on it by a joint along which it can move away does not hang on it.
     pub scenery: bool,
 }
 

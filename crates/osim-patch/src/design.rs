@@ -4,7 +4,7 @@ use contact_scaling::{
     Contact, ContactValues, DomainError, Law, RatioValues, Ratios, SharedLoad, SmoothingValues, Spheres,
     design as wanted_of, equilibrium, modulus, restitution, smoothing,
 };
-use osim_messages::{Phrase, phrase, readable};
+use osim_messages::{Phrase, counted, phrase, readable};
 use osim_model::{
     DissipationBy, Fault, FindingCode, Force, ForceKind, GravityFor, Mass, Model, Needed, Note, Property,
     PropertySet, RadiusRule, Scope, Selected, SetId, same_gravity, same_mass,
@@ -357,7 +357,9 @@ impl Design {
     fn taken(&self) -> Phrase {
         let mut parts: Vec<Phrase> = Vec::new();
         if let Some(load) = &self.load {
-            parts.push(format!("{} N on {} spheres", readable(load.load_n()), load.sphere_count()).into());
+            parts.push(
+                format!("{} N on {}", readable(load.load_n()), counted(load.sphere_count(), "sphere")).into(),
+            );
         }
         if let Some(mass) = &self.target_mass {
             let weighs = format!("model weighs {} kg (", readable(mass.kg));

@@ -2,6 +2,7 @@
 
 use std::cmp::Reverse;
 
+use osim_messages::counted;
 use osim_model::{FindingCode, Model, Severity};
 use osim_requests::Request;
 use osim_requests::spell::Speller;
@@ -92,7 +93,7 @@ impl Counts {
         let parts: Vec<String> = all
             .into_iter()
             .filter(|(count, _)| *count > 0)
-            .map(|(count, name)| format!("{count} {name}{}", if count == 1 { "" } else { "s" }))
+            .map(|(count, name)| counted(count, name))
             .collect();
         if parts.is_empty() { none.to_owned() } else { parts.join(", ") }
     }

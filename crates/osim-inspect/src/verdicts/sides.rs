@@ -1,6 +1,6 @@
 //! Whether left and right agree.
 
-use osim_messages::Phrase;
+use osim_messages::{Phrase, counted};
 
 use super::known::Known;
 
@@ -24,5 +24,5 @@ pub(super) fn right(known: &Known<'_>) -> Result<Phrase, Phrase> {
 }
 
 fn spheres(count: usize) -> String {
-    format!("{count} sphere{}", if count == 1 { "" } else { "s" })
+    counted(count, "sphere")
 }

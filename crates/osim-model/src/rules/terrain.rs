@@ -12,7 +12,7 @@ pub(crate) static RULE: Rule = Rule {
     severity: Severity::Info,
     seen: Seen::Model,
     verdict: None,
-    what: "A sphere of a contact force stands on ground or on a body welded to it, or such a body has a mass.",
+    what: "A sphere stands on ground or a body welded to it, or such a body has mass.",
     why: "Such a sphere or body is scenery: it does not grow with the animal and carries nobody. It counts in no limb, no mass and no figure, and no verb changes it. A body on which others hang is none: a model whose pelvis is held weighs all that it weighs.",
     advice: "Nothing, if that is meant",
     repair: Repair::NotPossible("nothing is wrong"),
@@ -35,11 +35,11 @@ fn bodies(model: &Model) -> Option<Finding> {
     let kg = readable(*kg);
     let text = match heavy.len() {
         1 => format!(
-            "{} ({kg} kg) is welded to ground: it is scenery, and no part of what the model weighs",
+            "{} ({kg} kg) is welded to ground: it is scenery, which does not count in what the model weighs",
             first.path
         ),
         count => format!(
-            "{} ({kg} kg) and {} more {} are welded to ground: they are scenery, and no part of what the model weighs",
+            "{} ({kg} kg) and {} more {} are welded to ground: they are scenery, which does not count in what the model weighs",
             first.path,
             count - 1,
             if count == 2 { "body" } else { "bodies" }

@@ -1,6 +1,6 @@
 //! Forces of one class as forces of the other.
 
-use osim_messages::{Input, Phrase, phrase};
+use osim_messages::{Input, Phrase, counted, phrase};
 use osim_model::{Fault, ForceKind, Model, Selection};
 use osim_patch::{Convert, Converted, Deed, ObjectChange, Plan, convert, kept_note};
 use osim_requests::options::{InspectionOptions, MassOptions, SetFiles, StanceOptions};
@@ -8,7 +8,6 @@ use osim_requests::{ConvertRequest, Positive, RequestFault};
 use serde_json::json;
 
 use super::asking::Asking;
-use super::remove::counted;
 use super::useless::refuse_geometry_output;
 use crate::planner::{Change, Planner};
 use crate::remarks::{dropped_pairs, shortened, smoothed, still_named, too_new, too_smooth};

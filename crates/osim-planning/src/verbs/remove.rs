@@ -1,6 +1,6 @@
 //! Contacts out of models.
 
-use osim_messages::{Input, Phrase, phrase, readable};
+use osim_messages::{Input, Phrase, counted, phrase, readable};
 use osim_model::{Fault, Model, Note, Selection};
 use osim_patch::{Deed, Plan, added_forces, note_of_rest, remove};
 use osim_requests::options::{InspectionOptions, MassOptions, SetFiles, StanceOptions};
@@ -83,11 +83,6 @@ impl Planner for Removing {
         }
         Ok(plan.with_note(note))
     }
-}
-
-/// `1 force`, `2 forces`.
-pub(super) fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// The remark about a note if contacts are left.

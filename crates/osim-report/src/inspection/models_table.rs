@@ -1,7 +1,7 @@
 //! Many models as one table: a row each, as many columns as fit.
 
 use osim_inspect::{Counts, Figure, InspectedForce, Inspection, SphereFigures};
-use osim_messages::{Dialect, Phrase, four_significant, shown, three_significant};
+use osim_messages::{Dialect, Phrase, counted, four_significant, shown, three_significant};
 use osim_model::Property;
 
 use crate::layout::{Colour, OUTSIDE, clipped, painted, table, wrapped, wrapped_with_path};
@@ -204,7 +204,7 @@ impl ModelsTable {
 
     fn counted(&self) -> String {
         let models = self.rows.len();
-        let mut text = format!("{models} model{}", if models == 1 { "" } else { "s" });
+        let mut text = counted(models, "model");
         for (count, what) in [
             (self.with_findings, "with errors or warnings"),
             (self.without_contacts, "without contacts"),

@@ -1,6 +1,6 @@
 //! The comparison for people and for spreadsheets.
 
-use osim_messages::{readable, shortest};
+use osim_messages::{counted, readable, shortest};
 
 use super::record::{AnimalRecord, NumberRecord, ReproductionRecord};
 use crate::layout::{csv_text, filled, table, wrapped};
@@ -80,7 +80,7 @@ pub fn reproduction_csv(record: &ReproductionRecord) -> Result<String, csv::Erro
 
 fn heading(animal: &AnimalRecord) -> String {
     let [mass, spheres, radius] = [animal.mass_kg, animal.sphere_count, animal.radius_m].map(readable);
-    format!("{}: {mass} kg on {spheres} spheres of R = {radius} m", animal.taxon)
+    format!("{}: {mass} kg on {} of R = {radius} m", animal.taxon, counted(spheres, "sphere"))
 }
 
 fn cells(number: &NumberRecord) -> Vec<String> {

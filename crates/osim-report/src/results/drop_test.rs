@@ -1,7 +1,7 @@
 //! A drop as text, CSV and a chart of letters.
 
 use contact_plots::{Axis, Curve, Look, Panel};
-use osim_messages::{readable, shortest};
+use osim_messages::{counted, readable, shortest};
 use osim_planning::{DropColumn, DropFigure, DropResult, DropRow};
 
 use crate::layout::{WIDTH, table};
@@ -16,10 +16,10 @@ const CHART_ROWS: usize = 16;
 pub fn drop_text(drop: &DropResult) -> String {
     let values = drop.values;
     let mut text = format!(
-        "{}: {} kg on {} spheres, {} m/s2, from {} m, {} s\n\n",
+        "{}: {} kg on {}, {} m/s2, from {} m, {} s\n\n",
         drop.name,
         readable(values.mass_kg),
-        readable(drop.sphere_count),
+        counted(readable(drop.sphere_count), "sphere"),
         readable(values.gravity_m_s2),
         readable(values.height_m),
         readable(values.duration_s)
