@@ -56,6 +56,8 @@ const PATHS: [&str; 24] = [
 ///
 /// let call = Verb::Transfer.of_model().saying(Input::From, "falisse2022");
 /// assert_eq!(Python.call(&call), r#"ocs.transfer("model.osim", from_="falisse2022")"#);
+/// let drawn = Verb::Plot.of_model().saying(Input::Kind, "feet").with(Input::Output, "FILE.svg");
+/// assert_eq!(Python.call(&drawn), r#"ocs.plot("feet", "model.osim").save("FILE.svg")"#);
 /// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Python;
@@ -76,9 +78,14 @@ impl Dialect for Python {
             Some(value_of(example.as_ref().filter(|_| is_positional(*input))?))
         }));
         arguments.extend(call.with_model.then(|| python_quoted("model.osim")));
+        // A figure is saved by a method of its own.
+        let is_saved = |input: &Input| call.verb == Verb::Plot && *input == Input::Output;
         let named = call.inputs.iter().filter(|(input, example)| !is_positional(*input) || example.is_none());
+        let named = named.filter(|(input, _)| !is_saved(input));
         arguments.extend(named.map(|(input, example)| self.input(*input, example.as_ref())));
-        function(call.verb, &arguments)
+        let saved = call.inputs.iter().find(|(input, _)| is_saved(input)).and_then(|(_, file)| file.as_ref());
+        let save = saved.map(|file| format!(".save({})", value_of(file))).unwrap_or_default();
+        format!("{}{save}", function(call.verb, &arguments))
     }
 }
 
@@ -298,7 +305,7 @@ mod tests {
         assert_eq!(spelled("`drop-test MODEL`, `inspect`"), "ocs.drop_test(\"model.osim\"), ocs.inspect()");
         assert_eq!(
             spelled("`plot MODEL output=FILE.svg kind=force`"),
-            "ocs.plot(\"force\", \"model.osim\", output=\"FILE.svg\")"
+            "ocs.plot(\"force\", \"model.osim\").save(\"FILE.svg\")"
         );
     }
 
