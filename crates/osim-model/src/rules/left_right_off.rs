@@ -36,6 +36,7 @@ pub(super) fn find(sides: &BothSides<'_>) -> Option<Finding> {
     let side = if first.side == Side::Left { "left" } else { "right" };
     let more = match off.len() {
         1 => String::new(),
+        2 => format!("; so is 1 other of {} pairs", sides.pairs.len()),
         count => format!("; so are {} others of {} pairs", count - 1, sides.pairs.len()),
     };
     let text = format!(

@@ -23,7 +23,7 @@ pub(super) fn of_component(model: &Model, id: ComponentId) -> Option<Finding> {
     let tag = components.tag(id);
     NOT_HERTZ.contains(&tag).then(|| {
         let path = components.tree.path(id);
-        let text = format!("{path} is a {tag}: left as it is");
+        let text = format!("{path} is of the class {tag}: left as it is");
         Finding::at(&RULE, components.line(id), text).about(&path)
     })
 }
