@@ -51,7 +51,7 @@ def here(job):
         reading |= {"connects": False, "error": str(error)}
     reading |= parts(opensim, model)
     welded = welded_to_ground(model) if reading["connects"] else set()
-    reading["fixed"], reading["scenery"] = sorted(welded), sorted(welded - held(model, welded) - {"/ground"})
+    reading["fixed"] = sorted(welded)
     reading["gravity"] = vector(model.get_gravity())
     reading["name"] = model.getName()
     reading["mass_sum"] = left_to_right(body["mass"] for body in reading["bodies"])
@@ -59,6 +59,8 @@ def here(job):
         opensim.OpenSimObject.setSerializeAllDefaults(True)
         reading["dump"] = model.dump()
     reading |= simulated(model)
+    # In what cannot be built, OpenSim may look for the body of a frame for ever.
+    reading["scenery"] = sorted(welded - held(model, welded) - {"/ground"}) if reading["builds"] else []
     return reading
 
 
@@ -174,7 +176,7 @@ def downcast_frame(component):
 
 def welded_to_ground(model):
     """The paths of ground and of all bodies that hang on it by WeldJoints alone."""
-    return welded_to({"/ground"}, [ends for joint, ends in joints(model) if joint.getConcreteClassName() == "WeldJoint"])
+    return welded_to({"/ground"}, [ends(joint) for joint in joints(model) if is_weld(joint)])
 
 
 def held(model, welded):
@@ -187,27 +189,27 @@ def held(model, welded):
             for index in range(joint.numCoordinates())
         )
 
-    pairs = joints(model)
-    holding = {
-        end
-        for joint, ends in pairs
-        if not set(ends) <= welded and not moves_away(joint)
-        for end in set(ends) & welded - {"/ground"}
-    }
-    welds = [ends for joint, ends in pairs if joint.getConcreteClassName() == "WeldJoint" and "/ground" not in ends]
-    return welded_to(holding, welds)
+    if welded == {"/ground"}:
+        return set()
+    pairs = [(joint, set(ends(joint))) for joint in joints(model)]
+    holding = {end for joint, both in pairs if not (both <= welded or moves_away(joint)) for end in both & welded - {"/ground"}}
+    return welded_to(holding, [both for joint, both in pairs if is_weld(joint) and "/ground" not in both])
 
 
 def joints(model):
-    """Each joint, and the paths of the bodies that it joins."""
     import opensim
 
     found = [opensim.Joint.safeDownCast(component) for component in list(model.getComponentsList())]
-    return [
-        (joint, [frame.findBaseFrame().getAbsolutePathString() for frame in (joint.getParentFrame(), joint.getChildFrame())])
-        for joint in found
-        if joint
-    ]
+    return [joint for joint in found if joint]
+
+
+def is_weld(joint):
+    return joint.getConcreteClassName() == "WeldJoint"
+
+
+def ends(joint):
+    """The paths of the two bodies that it joins."""
+    return [frame.findBaseFrame().getAbsolutePathString() for frame in (joint.getParentFrame(), joint.getChildFrame())]
 
 
 def welded_to(bodies, welds):
