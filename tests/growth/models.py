@@ -15,7 +15,7 @@ FLOOR = (
 
 def forces(n):
     """n spheres on one foot, each with a force of its own."""
-    return model(feet(2), spheres(n, foot), [smooth(i, i) for i in range(n)])
+    return model(feet(2), spheres(n, foot), [smooth(i, i, of=n) for i in range(n)])
 
 
 def spheres_only(n):
@@ -52,13 +52,13 @@ def defaults(n):
     objects = "".join(f'<Marker name="default{i}"><location>0 0 0</location></Marker>' for i in range(n))
     objects += '<SmoothSphereHalfSpaceForce name="default"><transition_velocity>0.2</transition_velocity>'
     objects += "</SmoothSphereHalfSpaceForce>"
-    some = [smooth(i, i, short=True) for i in range(n)]
+    some = [smooth(i, i, short=True, of=n) for i in range(n)]
     return model(feet(2), spheres(n, foot), some, f"<defaults>{objects}</defaults>")
 
 
 def shared(n):
     """n forces on one sphere of each foot."""
-    return model(feet(2), spheres(2, foot), [smooth(i, i % 2) for i in range(n)])
+    return model(feet(2), spheres(2, foot), [smooth(i, i % 2, of=n) for i in range(n)])
 
 
 def one_force(n):
@@ -76,7 +76,7 @@ def shared_by_all(n):
 
 def same_name(n):
     """n forces with one and the same name."""
-    some = [smooth(i, i).replace(f'name="f{i}"', 'name="f"') for i in range(n)]
+    some = [smooth(i, i, of=n).replace(f'name="f{i}"', 'name="f"') for i in range(n)]
     return model(feet(2), spheres(n, foot), some)
 
 
@@ -172,12 +172,14 @@ def spheres(n, body_of):
     ]
 
 
-def smooth(number, sphere, short=False):
-    """`short`: the rest comes from <defaults>."""
+def smooth(number, sphere, short=False, of=64):
+    """`short`: the rest comes from <defaults>. The softer, the more there are: how long a search for the rest takes follows from how deep
+    spheres sink."""
     rest = "" if short else "<transition_velocity>0.2</transition_velocity>"
+    stiffness = f"{6.4e7 / of:.6g}".replace("e+0", "e")
     return (
         f'<SmoothSphereHalfSpaceForce name="f{number}"><socket_sphere>/contactgeometryset/s{sphere}</socket_sphere>'
-        "<socket_half_space>/contactgeometryset/floor</socket_half_space><stiffness>1e6</stiffness>"
+        f"<socket_half_space>/contactgeometryset/floor</socket_half_space><stiffness>{stiffness}</stiffness>"
         "<dissipation>2</dissipation><static_friction>0.8</static_friction><dynamic_friction>0.8</dynamic_friction>"
         f"<viscous_friction>0.5</viscous_friction>{rest}</SmoothSphereHalfSpaceForce>"
     )
