@@ -3,7 +3,7 @@
 use osim_feet::{DefaultPose, PoseFault, dot};
 use osim_model::{Model, cross};
 
-use crate::sole::{forward, level};
+use crate::sole::{across, forward, level};
 use crate::stance::ON_BW;
 use crate::states::ContactStates;
 use crate::summary::FootSummary;
@@ -23,23 +23,31 @@ pub struct OnSole {
 }
 
 impl OnSole {
-    /// What `foot` and its plates show. The foot's direction along the floor is that in which its spheres lie as they do at the default
-    /// pose, as nearly as can be.
-    ///
-    /// # Errors
-    /// It is not known where a body is at the default pose.
-    pub fn of(
+    /// What each foot and its plates show; `None` where it is not known where a body is at the default pose. The foot's direction along the
+    /// floor is that in which its spheres lie as they do at the default pose, as nearly as can be.
+    pub fn all<'f>(
         model: &Model,
         states: &ContactStates,
+        feet: impl Iterator<Item = (&'f FootSummary, Option<&'f [Option<Wrench>]>)>,
+        weight_n: f64,
+    ) -> Vec<Option<Self>> {
+        let pose = DefaultPose::of(model);
+        let across = across(states, &pose).ok();
+        feet.map(|(foot, measured)| Self::of(states, (&pose, across?), foot, measured, weight_n).ok())
+            .collect()
+    }
+
+    fn of(
+        states: &ContactStates,
+        (pose, across): (&DefaultPose, [f64; 3]),
         foot: &FootSummary,
         measured: Option<&[Option<Wrench>]>,
         weight_n: f64,
     ) -> Result<Self, PoseFault> {
-        let pose = DefaultPose::of(model);
         let pairs: Vec<_> = foot.foot.pairs.iter().filter_map(|&pair| states.pairs.get(pair)).collect();
         let first = foot.foot.pairs.first().copied().unwrap_or_default();
         let normal = states.frame(0).get(first).map_or([0.0, 1.0, 0.0], |state| state.normal);
-        let forward = level(forward(states, &pose, normal)?, normal);
+        let forward = level(forward(across, normal), normal);
         let axes = [forward, cross(forward, normal)];
         let flat = |point_m: [f64; 3]| axes.map(|axis| dot(axis, point_m));
         let mut spheres_m = Vec::new();

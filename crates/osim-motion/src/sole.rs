@@ -26,7 +26,7 @@ impl SoleAxes {
     pub(crate) fn at_default_pose(model: &Model, states: &ContactStates) -> Result<Vec<Self>, PoseFault> {
         let pose = DefaultPose::of(model);
         let up = model.up();
-        let ahead = forward(states, &pose, up)?;
+        let ahead = forward(across(states, &pose)?, up);
         let each = states.pairs.iter().map(|pair| {
             let up = match pair.touched {
                 Touched::Plane(plane) => {
@@ -42,15 +42,11 @@ impl SoleAxes {
     }
 }
 
-/// Forward along the floor at the default pose: with the right spheres on the right of the left ones; x where nothing says what is right.
+/// From the middle of the left spheres to that of the right ones at the default pose, m; not finite where a side has none.
 ///
 /// # Errors
 /// It is not known where a body is at the default pose.
-pub(crate) fn forward(
-    states: &ContactStates,
-    pose: &DefaultPose,
-    up: [f64; 3],
-) -> Result<[f64; 3], PoseFault> {
+pub(crate) fn across(states: &ContactStates, pose: &DefaultPose) -> Result<[f64; 3], PoseFault> {
     let (mut sums, mut counts) = ([[0.0; 3]; 2], [0.0; 2]);
     for pair in &states.pairs {
         let Some(side) = Side::of_name(&pair.body) else { continue };
@@ -62,13 +58,18 @@ pub(crate) fn forward(
         }
     }
     let [right, left] = sums;
-    let across: [f64; 3] = std::array::from_fn(|i| right[i] / counts[0] - left[i] / counts[1]);
+    Ok(std::array::from_fn(|i| right[i] / counts[0] - left[i] / counts[1]))
+}
+
+/// Forward along the floor at the default pose, of what is [`across`]: with the right spheres on the right of the left ones; x where nothing
+/// says what is right.
+pub(crate) fn forward(across: [f64; 3], up: [f64; 3]) -> [f64; 3] {
     let rises = dot(across, up);
     let flat: [f64; 3] = std::array::from_fn(|i| across[i] - rises * up[i]);
     let length = libm::sqrt(dot(flat, flat));
     // Also false where a side has no spheres.
     let is_known = length > APART_M;
-    Ok(if is_known { cross(up, flat.map(|part| part / length)) } else { ViewAxes::with_up(up).forward })
+    if is_known { cross(up, flat.map(|part| part / length)) } else { ViewAxes::with_up(up).forward }
 }
 
 /// The part of a direction along a floor, with length 1; the direction itself where it is upright.

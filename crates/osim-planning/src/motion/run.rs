@@ -84,13 +84,12 @@ impl OnGround {
         let weight_n = mass_kg * gravity_m_s2;
         let measured = plates.as_ref().map(|read| Measured::of(&read.plates, &feet, &states, weight_n));
         let summary = Summary::of(&states, &feet, measured.as_ref(), weight_n);
-        let on_soles = summary.feet.iter().enumerate().map(|(index, foot)| {
+        let with_plates = summary.feet.iter().enumerate().map(|(index, foot)| {
             let plates = measured.as_ref().filter(|measured| measured.has_points.get(index) == Some(&true));
-            let plates = plates.and_then(|measured| measured.feet.get(index)).map(Vec::as_slice);
-            OnSole::of(&opened.model, &states, foot, plates, weight_n).ok()
+            (foot, plates.and_then(|measured| measured.feet.get(index)).map(Vec::as_slice))
         });
         MotionResult {
-            on_soles: on_soles.collect(),
+            on_soles: OnSole::all(&opened.model, &states, with_plates, weight_n),
             opened,
             motion,
             recording,
