@@ -1,6 +1,8 @@
 //! Which contacts belong to one foot.
 
-use osim_model::{ForceId, Model, Side};
+use std::collections::{BTreeSet, HashMap};
+
+use osim_model::{ForceId, Model, Side, SphereId};
 
 use crate::states::ContactStates;
 
@@ -25,17 +27,18 @@ impl Foot {
         let limbs = model.limbs(forces);
         let groups: Vec<(String, Option<Side>, Vec<usize>)> = match limbs.known() {
             Some(limbs) => {
-                let of = |spheres: &[osim_model::SphereId]| {
-                    pairs(states, |index| {
-                        is_reaction(states, index)
-                            && states.pairs.get(index).is_some_and(|pair| spheres.contains(&pair.sphere))
-                    })
+                let by_sphere = reactions_by_sphere(states);
+                let of = |spheres: &[SphereId]| {
+                    let own = spheres.iter().filter_map(|sphere| by_sphere.get(sphere)).flatten();
+                    own.copied().collect::<BTreeSet<usize>>().into_iter().collect()
                 };
                 limbs.iter().map(|limb| (limb.name.clone(), Some(limb.side), of(&limb.spheres))).collect()
             }
             None => by_side(states),
         };
-        let several = |side: Side| groups.iter().filter(|(_, other, _)| *other == Some(side)).count() > 1;
+        let count = |side: Side| groups.iter().filter(|(_, other, _)| *other == Some(side)).count();
+        let [right, left] = [Side::Right, Side::Left].map(count);
+        let several = |side: Side| (if side == Side::Right { right } else { left }) > 1;
         groups
             .iter()
             .filter(|(_, _, pairs)| !pairs.is_empty())
@@ -54,6 +57,17 @@ impl Foot {
 
 fn pairs(states: &ContactStates, is_own: impl Fn(usize) -> bool) -> Vec<usize> {
     (0..states.pairs.len()).filter(|&index| is_own(index)).collect()
+}
+
+/// The pairs of each sphere through which the ground pushes.
+fn reactions_by_sphere(states: &ContactStates) -> HashMap<SphereId, Vec<usize>> {
+    let mut found: HashMap<SphereId, Vec<usize>> = HashMap::new();
+    for index in pairs(states, |index| is_reaction(states, index)) {
+        if let Some(pair) = states.pairs.get(index) {
+            found.entry(pair.sphere).or_default().push(index);
+        }
+    }
+    found
 }
 
 /// Whether the ground pushes through it.

@@ -155,9 +155,7 @@ fn special_models_have_plots_and_the_others_say_how_to_get_them() {
     assert!(text.contains("limit, x̂ = 0.16"));
     assert_anchors(&text);
     let text = page(check(None), &Python, entries(&Python, DetailLevel::OneOfMany));
-    assert!(
-        text.contains("ocs.plot(&quot;force&quot;, &quot;model.osim&quot;, output=&quot;FILE.svg&quot;)")
-    );
+    assert!(text.contains("ocs.plot(&quot;force&quot;, &quot;model.osim&quot;).save(&quot;FILE.svg&quot;)"));
 }
 
 #[test]
