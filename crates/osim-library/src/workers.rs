@@ -20,8 +20,12 @@ const MANY: usize = 64;
 /// Threads to use: those asked for, else one per processor; never more than there are items, or than are of any use.
 #[must_use]
 pub fn threads(asked: Option<Jobs>, items: usize) -> usize {
+    // To know how many processors there are, Linux reads three files.
+    if items <= 1 {
+        return 1;
+    }
     let all = available_parallelism().map_or(1, NonZeroUsize::get);
-    let most = MANY.max(all.saturating_mul(4)).min(items.max(1));
+    let most = MANY.max(all.saturating_mul(4)).min(items);
     asked.map_or(all, |jobs| jobs.get().into()).min(most)
 }
 
