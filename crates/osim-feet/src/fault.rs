@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use osim_messages::Phrase;
+use osim_messages::{Phrase, listed};
 use osim_model::Fault;
 use osim_model::files::FileError;
 
@@ -141,12 +141,7 @@ impl FeetFault {
 const SHOWN: usize = 20;
 
 fn shown(names: &[String]) -> String {
-    match names.get(..SHOWN) {
-        Some(first) if names.len() > SHOWN => {
-            format!("{} and {} more", first.join(", "), names.len() - SHOWN)
-        }
-        _ => names.join(", "),
-    }
+    listed(names, SHOWN)
 }
 
 fn shown_paths(paths: &[PathBuf]) -> String {

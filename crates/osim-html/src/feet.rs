@@ -15,6 +15,9 @@ pub(super) fn section(fragment: &mut Fragment, states: &[ModelFeet]) {
     }
 }
 
+/// Meshes that are listed; more are counted.
+const LISTED: usize = 12;
+
 /// The figure with its caption.
 pub(super) fn figure(states: &[ModelFeet]) -> Option<Markup> {
     let last = states.last()?;
@@ -29,7 +32,7 @@ pub(super) fn figure(states: &[ModelFeet]) -> Option<Markup> {
     Some(html! {
         figure { div.plot.feet role="group" aria-label="Feet" tabindex="0" { (PreEscaped(svg)) } figcaption { (caption) } }
         @if !missing.is_empty() {
-            p.note { "No bones are drawn of " (missing.join(", ")) ": they are neither beside the model nor in its folder Geometry." }
+            p.note { "No bones are drawn of " (osim_messages::listed(&missing, LISTED)) ": they are neither beside the model nor in its folder Geometry." }
         }
     })
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use maud::{Markup, html};
 use osim_model::Severity;
-use osim_report::layout::{self, OUTSIDE};
+use osim_report::layout::OUTSIDE;
 
 /// How bad something is, as a word with a colour.
 pub(super) fn severity(severity: Severity) -> Markup {
@@ -16,7 +16,7 @@ pub(super) fn severity(severity: Severity) -> Markup {
 /// The first names, and how many more there are.
 pub(super) fn listed(names: &[&str]) -> String {
     const NAMED: usize = 8;
-    layout::listed(names, NAMED)
+    osim_messages::listed(names, NAMED)
 }
 
 /// A path that may be broken after each folder, so that long ones leave room for what is beside them.

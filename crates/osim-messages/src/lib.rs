@@ -8,6 +8,7 @@
 
 mod dialect;
 mod input;
+mod listed;
 mod number;
 mod part;
 mod phrase;
@@ -15,6 +16,7 @@ mod shown;
 
 pub use dialect::{Dialect, Plain};
 pub use input::{Input, Verb};
+pub use listed::listed;
 pub use number::{counted, four_significant, readable, shortest, three_significant};
 pub use part::{Call, Example, Part};
 pub use phrase::{IntoParts, Phrase};

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use foldhash::{HashMap, HashMapExt};
-use osim_messages::Input;
+use osim_messages::{Input, listed};
 
 use crate::components::Base;
 use crate::contacts::{Force, ForceId};
@@ -112,8 +112,7 @@ impl Model {
         const SHOWN: usize = 6;
         let named: Vec<&str> =
             forces.iter().filter_map(|&id| self.force(id)).map(|force| force.name.as_str()).collect();
-        let shown = named.iter().take(SHOWN).copied().collect::<Vec<_>>().join(", ");
-        if named.len() > SHOWN { format!("{shown} and {} more", named.len() - SHOWN) } else { shown }
+        listed(&named, SHOWN)
     }
 }
 

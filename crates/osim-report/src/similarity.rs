@@ -1,7 +1,7 @@
 //! What else follows the size of a body, as text.
 
 use osim_inspect::{SizeList, SizeRow, SizeSpread};
-use osim_messages::{four_significant, three_significant};
+use osim_messages::{four_significant, listed, three_significant};
 
 use crate::layout::{table, wrapped};
 
@@ -30,7 +30,7 @@ pub fn gaps(list: &SizeList) -> Vec<String> {
     let mut sentences = Vec::new();
     let pairs = [(&list.only_in_model, "the original"), (&list.only_in_original, "the model")];
     for (names, other) in pairs.into_iter().filter(|(names, _)| !names.is_empty()) {
-        sentences.push(format!("no counterpart in {other}: {}", named(names)));
+        sentences.push(format!("no counterpart in {other}: {}", listed(names, NAMED)));
     }
     for unread in &list.not_read {
         sentences.push(format!("not read: {} {} ({})", unread.count, unread.class, unread.why));
@@ -117,12 +117,4 @@ fn ratios(list: &SizeList) -> String {
         text.push_str(&format!("; gravity times {}, which is counted", three_significant(gravity)));
     }
     text
-}
-
-fn named(names: &[String]) -> String {
-    let shown = names.iter().take(NAMED).cloned().collect::<Vec<_>>().join(", ");
-    match names.len().saturating_sub(NAMED) {
-        0 => shown,
-        more => format!("{shown} and {more} more"),
-    }
 }

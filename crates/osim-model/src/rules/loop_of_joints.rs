@@ -1,5 +1,7 @@
 //! A body has more than one joint: joints form a loop, or OpenSim ignores some.
 
+use osim_messages::listed;
+
 use crate::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 use crate::model::Model;
 
@@ -29,9 +31,7 @@ pub(super) fn find(model: &Model) -> Vec<Finding> {
     let loops = skeleton.loops();
     let cut = loops.joints.first().map(|&first| {
         let joints: Vec<_> = loops.joints.iter().map(|&joint| components.name(joint).into_owned()).collect();
-        let named = joints.get(..NAMED).map_or(joints.join(", "), |named| {
-            format!("{} and {} more", named.join(", "), joints.len() - named.len())
-        });
+        let named = listed(&joints, NAMED);
         let what = if loops.mass_is_in_doubt {
             "counts the mass of a body in it twice"
         } else {

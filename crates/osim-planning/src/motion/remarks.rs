@@ -2,7 +2,7 @@
 
 use osim_feet::dot;
 use osim_inspect::unmatched_patterns;
-use osim_messages::{Input, Phrase, Verb, four_significant, phrase, readable};
+use osim_messages::{Input, Phrase, Verb, four_significant, listed, phrase, readable};
 use osim_motion::{AngleUnit, FootSummary, LeftOut, ON_BW, OnSole, PlateUse, Summary};
 use osim_requests::MotionRequest;
 
@@ -162,14 +162,17 @@ impl MotionResult {
                 "kept-coordinates",
                 format!(
                     "the motion has no column for {}: kept at the default of the model",
-                    listed(&facts.kept)
+                    listed(&facts.kept, LISTED)
                 ),
             );
         }
         if !facts.unused.is_empty() {
             remarks.say(
                 "unused-columns",
-                format!("columns that belong to no coordinate of the model: {}", listed(&facts.unused)),
+                format!(
+                    "columns that belong to no coordinate of the model: {}",
+                    listed(&facts.unused, LISTED)
+                ),
             );
         }
         if !facts.declared {
@@ -283,13 +286,4 @@ fn pressed_elsewhere(foot: &str, ahead_m: f64) -> Option<String> {
 fn two(value: f64) -> String {
     let digits = if value.abs() >= 10.0 || value == 0.0 { 0 } else { 1 - value.abs().log10().floor() as i32 };
     format!("{value:.*}", usize::try_from(digits.clamp(0, 9)).unwrap_or(0))
-}
-
-fn listed(names: &[String]) -> String {
-    let shown: Vec<&str> = names.iter().take(LISTED).map(String::as_str).collect();
-    let more = names.len().saturating_sub(LISTED);
-    match more {
-        0 => shown.join(", "),
-        _ => format!("{} and {more} more", shown.join(", ")),
-    }
 }

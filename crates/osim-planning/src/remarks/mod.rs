@@ -22,5 +22,5 @@ pub(crate) use planes::{leaning, planes_left};
 pub(crate) use smoothing::{smoothed, too_smooth};
 pub(crate) use sphere_pairs::dropped_pairs;
 pub(crate) use standing::standing;
-pub(crate) use still_named::{shortened, still_named};
+pub(crate) use still_named::still_named;
 pub(crate) use units::{Bones, pad_slip, scale_slip};

@@ -1,6 +1,6 @@
 //! Remarks about objects that were removed and are still named.
 
-use osim_messages::Phrase;
+use osim_messages::{Phrase, listed};
 use osim_patch::{Leftover, Rebuilt, leftovers};
 
 /// Objects and names that are listed; more are counted.
@@ -10,7 +10,7 @@ const SAID: usize = 3;
 pub(crate) fn still_named(rebuilt: &Rebuilt) -> Vec<Phrase> {
     let left = leftovers(rebuilt);
     let one = |leftover: &Leftover| {
-        let names = shortened(&leftover.names);
+        let names = listed(&leftover.names, SAID);
         Phrase::from(format!(
             "{} still names {names}, gone from this model: change that in OpenSim",
             leftover.object
@@ -21,13 +21,4 @@ pub(crate) fn still_named(rebuilt: &Rebuilt) -> Vec<Phrase> {
         said.push(format!("and so do {more} more").into());
     }
     said
-}
-
-/// The first of `names`, and how many more there are.
-pub(crate) fn shortened(names: &[String]) -> String {
-    let said = names.iter().take(SAID).cloned().collect::<Vec<_>>().join(", ");
-    match names.len().checked_sub(SAID) {
-        Some(more) if more > 0 => format!("{said} and {more} more"),
-        _ => said,
-    }
 }

@@ -1,6 +1,6 @@
 //! Forces of one class as forces of the other.
 
-use osim_messages::{Input, Phrase, counted, phrase};
+use osim_messages::{Input, Phrase, counted, listed, phrase};
 use osim_model::{Fault, ForceKind, Model, Selection};
 use osim_patch::{Convert, Converted, Deed, ObjectChange, Plan, convert, kept_note};
 use osim_requests::options::{InspectionOptions, MassOptions, SetFiles, StanceOptions};
@@ -10,7 +10,7 @@ use serde_json::json;
 use super::asking::Asking;
 use super::useless::refuse_geometry_output;
 use crate::planner::{Change, Planner};
-use crate::remarks::{dropped_pairs, shortened, smoothed, still_named, too_new, too_smooth};
+use crate::remarks::{dropped_pairs, smoothed, still_named, too_new, too_smooth};
 
 /// What is said where forces had their spheres inside themselves.
 const TAKEN_OUT: &str = "spheres and planes that forces kept inside themselves, as in Moco 0.1 to 0.3, are in the ContactGeometrySet: OpenSim 4.2 and \
@@ -145,6 +145,9 @@ fn renamed_forces(renamed: &[(String, Vec<String>)]) -> Vec<Phrase> {
     remarks
 }
 
+/// Names that are listed; more are counted.
+const LISTED: usize = 3;
+
 /// Names of forces that say the class that they were.
 fn names_of_the_other_class(plan: &Plan, class: &str) -> Option<Phrase> {
     let (hunt, smooth) = (ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str());
@@ -152,7 +155,7 @@ fn names_of_the_other_class(plan: &Plan, class: &str) -> Option<Phrase> {
     let new = plan.objects().iter().filter(|object| object.deed == Deed::Added);
     let names: Vec<String> =
         new.filter(|object| object.name.contains(other)).map(|object| object.name.clone()).collect();
-    let said = format!("names stay, also where they say the other class: {}", shortened(&names));
+    let said = format!("names stay, also where they say the other class: {}", listed(&names, LISTED));
     (!names.is_empty()).then(|| said.into())
 }
 

@@ -1,7 +1,7 @@
 //! A body over its floor and on its feet, in sentences: the text and the page share them.
 
 use osim_inspect::{OnFeet, StandingBody, StandingSphere};
-use osim_messages::{four_significant, shown, three_significant};
+use osim_messages::{four_significant, listed, shown, three_significant};
 
 /// Spheres that are named at most.
 const NAMED: usize = 6;
@@ -64,15 +64,11 @@ fn depths(rest: &OnFeet) -> String {
     match (touching.len(), rest.spheres.len()) {
         (1, 1) => format!("its only sphere touches, {x}"),
         (some, of) if some == of => format!("all {of} spheres touch, {x}"),
-        (some, of) => format!("{some} of {of} spheres touch ({}), {x}", listed(&touching)),
+        (some, of) => format!("{some} of {of} spheres touch ({}), {x}", named(&touching)),
     }
 }
 
-fn listed(spheres: &[&StandingSphere]) -> String {
-    let mut names: Vec<String> =
-        spheres.iter().take(NAMED).map(|one| shown(&one.sphere).to_string()).collect();
-    if spheres.len() > NAMED {
-        names.push(format!("{} more", spheres.len() - NAMED));
-    }
-    names.join(", ")
+fn named(spheres: &[&StandingSphere]) -> String {
+    let names: Vec<String> = spheres.iter().map(|one| shown(&one.sphere).to_string()).collect();
+    listed(&names, NAMED)
 }

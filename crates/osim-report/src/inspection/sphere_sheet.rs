@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use osim_inspect::{Figure, Inspection, SphereFigures};
-use osim_messages::{Dialect, Phrase};
+use osim_messages::{Dialect, Phrase, listed};
 
 use super::rows::{FigureText, Spheres, exact_key, heading, key, limit, value};
 use super::standing::{CAPTION, equally_deep};
@@ -11,6 +11,9 @@ use crate::layout::{OUTSIDE, table, wrapped};
 
 /// Figures of more groups of spheres than this go into a further table.
 const GROUPS_ABREAST: usize = 4;
+
+/// Names that are listed; more are counted.
+const NAMED: usize = 6;
 
 /// In place of a figure that is not known; its two blanks keep digits below digits.
 const NOTHING: &str = "-  ";
@@ -35,7 +38,7 @@ pub(super) fn text(inspected: &Inspection, dialect: &dyn Dialect) -> String {
     for (number, chunk) in groups.chunks(GROUPS_ABREAST).enumerate() {
         for (index, group) in chunk.iter().enumerate() {
             let label = format!("S{}", number * GROUPS_ABREAST + index + 1);
-            text.push_str(&wrapped(&format!("{label}  {}", listed(&group.names)), "    "));
+            text.push_str(&wrapped(&format!("{label}  {}", listed(&group.names, NAMED)), "    "));
         }
         text.push('\n');
         text.push_str(&sheet(inspected, chunk, number * GROUPS_ABREAST));
@@ -57,7 +60,7 @@ fn standing(inspected: &Inspection) -> String {
     let mut table = table(&["limb", "Hertz", "model's law", "spheres"]);
     for row in rows {
         let [hertz, model_law] = &row.indentation;
-        table.add_row([row.limb, hertz, model_law, &listed(&row.spheres)]);
+        table.add_row([row.limb, hertz, model_law, &listed(&row.spheres, NAMED)]);
     }
     table.right_aligned(&[1, 2]);
     format!("\n{}{}\n", wrapped(&format!("{CAPTION}:"), ""), table.trim_fmt())
@@ -78,15 +81,6 @@ fn groups(inspected: &Inspection) -> Vec<Alike<'_>> {
         }
     }
     groups
-}
-
-fn listed(names: &[&str]) -> String {
-    const SHOWN: usize = 6;
-    let shown = names.iter().take(SHOWN).copied().collect::<Vec<_>>().join(", ");
-    match names.len() {
-        0..=SHOWN => shown,
-        more => format!("{shown} and {} more", more - SHOWN),
-    }
 }
 
 fn sheet(inspected: &Inspection, groups: &[Alike<'_>], before: usize) -> String {

@@ -17,15 +17,6 @@ pub fn clipped(name: &str, width: usize) -> String {
     first.chain(&['~']).chain(last).collect()
 }
 
-/// The first names, up to `named` of them, and how many more there are.
-pub fn listed(names: &[&str], named: usize) -> String {
-    let first: Vec<&str> = names.iter().take(named).copied().collect();
-    match names.len().saturating_sub(named) {
-        0 => first.join(", "),
-        more => format!("{} and {more} more", first.join(", ")),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,12 +2,12 @@
 
 use std::collections::HashSet;
 
-use osim_messages::{one_line, readable};
+use osim_messages::{listed, one_line, readable};
 use osim_patch::{Change, Deed, Move, ObjectChange, Plan};
 
 use super::groups::{groups, names, several_groups, whose};
 use super::object_groups::object_groups;
-use crate::layout::{listed, table};
+use crate::layout::table;
 use crate::messages::warnings;
 
 /// What was taken, changed and noticed; `output` says the outcome. What the plan says is taken as it is spelled.
