@@ -21,8 +21,8 @@ fn main() {
     let pose = DefaultPose::of(&model);
     let moving: Vec<SphereId> =
         model.spheres().iter().filter(|sphere| !sphere.fixed).map(|sphere| sphere.id).collect();
-    for bodies in FootBodies::find(&model, &anatomy, &moving, &model.force_ids(), &pose) {
-        let foot = Foot::of(&model, &anatomy, &bodies, &pose);
+    let bodies = FootBodies::find(&model, &anatomy, &moving, &model.force_ids(), &pose);
+    for foot in Foot::all(&model, &anatomy, &bodies, &pose) {
         let spheres = foot.spheres.iter().map(|sphere| {
             let (name, centre, radius) = (&sphere.name, sphere.centre_m, sphere.radius_m);
             format!("{{\"name\": {name:?}, \"centre\": {centre:?}, \"radius\": {radius:?}}}")

@@ -1,5 +1,6 @@
 //! The feet of a model, as figures show them.
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use osim_feet::{AttachedBones, DefaultPose, FeetFault, Foot, FootBodies, MeshFolders};
@@ -57,7 +58,7 @@ impl ModelFeet {
         let pose = DefaultPose::of(model);
         let (spheres, forces) = chosen(model, selection)?;
         let bodies = FootBodies::find(model, &anatomy, &spheres, &forces, &pose);
-        let mut feet: Vec<Foot> = bodies.iter().map(|foot| Foot::of(model, &anatomy, foot, &pose)).collect();
+        let mut feet = Foot::all(model, &anatomy, &bodies, &pose);
         let misplaced = misplaced_spheres(model);
         mark(&mut feet, misplaced.as_ref());
         Ok(Self { name: name.to_owned(), feet, misplaced, missing: Vec::new(), anatomy, pose, bodies })
@@ -124,7 +125,8 @@ fn chosen(model: &Model, selection: &Selection) -> Result<(Vec<SphereId>, Vec<Fo
 
 fn mark(feet: &mut [Foot], finding: Option<&Finding>) {
     let Some(finding) = finding else { return };
+    let misplaced: HashSet<&String> = finding.spheres.iter().collect();
     for sphere in feet.iter_mut().flat_map(|foot| &mut foot.spheres) {
-        sphere.misplaced = finding.spheres.is_empty() || finding.spheres.contains(&sphere.name);
+        sphere.misplaced = misplaced.is_empty() || misplaced.contains(&sphere.name);
     }
 }

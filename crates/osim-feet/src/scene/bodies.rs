@@ -1,8 +1,9 @@
 //! Which bodies make a foot.
 
-use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::{Anatomy, ForceId, Model, Side, SphereId};
 
+use super::tree::Tree;
 use crate::default_pose::DefaultPose;
 use crate::vector::dot;
 
@@ -11,8 +12,6 @@ const NEAR_GROUND: f64 = 0.12;
 /// What bodies of feet are called, where the default pose does not say which they are.
 const NAMES: [&str; 10] =
     ["calcn", "calcan", "foot", "toe", "talus", "hoof", "paw", "hallux", "phalan", "metatars"];
-/// A chain of joints is followed no further up.
-const LONGEST_CHAIN: usize = 64;
 
 /// A foot: bodies that hang on each other, and the spheres on them.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,16 +37,16 @@ impl FootBodies {
         forces: &[ForceId],
         pose: &DefaultPose,
     ) -> Vec<Self> {
-        let tree = Tree { anatomy };
+        let tree = Tree::new(anatomy);
         if spheres.is_empty() {
             let up = model.up();
             let height_m = |body: &str| Some(dot(up, pose.placement(body).ok()?.translation_m));
-            return tree.near_ground(&height_m);
+            return near_ground(&tree, &height_m);
         }
         let mut groups = limbs(model, spheres, forces);
-        groups.extend(tree.by_body(model, rest(spheres, &groups)));
-        let carriers: HashSet<String> = spheres.iter().filter_map(|&id| body_of(model, id)).collect();
-        groups.into_iter().flat_map(|group| tree.feet(model, group, &carriers)).collect()
+        groups.extend(by_body(&tree, model, &rest(spheres, &groups)));
+        let carriers: HashSet<&str> = spheres.iter().filter_map(|&id| body_of(model, id)).collect();
+        groups.into_iter().flat_map(|group| feet(&tree, model, group, &carriers)).collect()
     }
 
     /// The body on which the others hang.
@@ -79,142 +78,75 @@ fn rest(spheres: &[SphereId], groups: &[Group]) -> Vec<SphereId> {
 }
 
 /// Ground has an empty name.
-fn body_of(model: &Model, sphere: SphereId) -> Option<String> {
-    Some(model.sphere(sphere)?.body.clone().unwrap_or_default())
+fn body_of(model: &Model, sphere: SphereId) -> Option<&str> {
+    Some(model.sphere(sphere)?.body.as_deref().unwrap_or_default())
 }
 
-struct Tree<'t> {
-    anatomy: &'t Anatomy,
+/// Spheres on their bodies, in the order of the first on each.
+fn on_bodies<'m>(model: &'m Model, spheres: &[SphereId]) -> Vec<(&'m str, Vec<SphereId>)> {
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    let mut on: Vec<(&str, Vec<SphereId>)> = Vec::new();
+    for &id in spheres {
+        let Some(body) = body_of(model, id) else { continue };
+        let place = *places.entry(body).or_insert(on.len());
+        match on.get_mut(place) {
+            Some((_, known)) => known.push(id),
+            None => on.push((body, vec![id])),
+        }
+    }
+    on
 }
 
-impl Tree<'_> {
-    /// A body and those above it.
-    fn chain(&self, body: &str) -> Vec<String> {
-        let mut chain = vec![body.to_owned()];
-        while let Some(joint) = chain.last().and_then(|last| self.anatomy.joint_above(last)) {
-            if chain.len() > LONGEST_CHAIN || chain.contains(&joint.parent) {
-                break;
-            }
-            chain.push(joint.parent.clone());
-        }
-        chain
+/// Spheres without a limb: body by body, and bodies of one side that hang on each other together.
+fn by_body(tree: &Tree<'_>, model: &Model, spheres: &[SphereId]) -> Vec<Group> {
+    let mut on: HashMap<&str, Vec<SphereId>> = HashMap::new();
+    let mut bodies = Vec::new();
+    for (body, spheres) in on_bodies(model, spheres) {
+        bodies.push(body);
+        on.insert(body, spheres);
     }
+    let groups = tree.connected(&bodies).into_iter().map(|group| Group {
+        side: group.first().and_then(|body| Side::of_name(body)),
+        spheres: group.iter().flat_map(|body| on.get(body).cloned().unwrap_or_default()).collect(),
+    });
+    groups.collect()
+}
 
-    fn parent(&self, body: &str) -> Option<&str> {
-        self.anatomy.joint_above(body).map(|joint| joint.parent.as_str())
-    }
-
-    /// Spheres without a limb: body by body, and bodies of one side that hang on each other together.
-    fn by_body(&self, model: &Model, spheres: Vec<SphereId>) -> Vec<Group> {
-        let mut order: Vec<String> = Vec::new();
-        let mut by_body: HashMap<String, Vec<SphereId>> = HashMap::new();
-        for id in spheres {
-            let Some(body) = body_of(model, id) else { continue };
-            if !by_body.contains_key(&body) {
-                order.push(body.clone());
-            }
-            by_body.entry(body).or_default().push(id);
-        }
-        let bodies: Vec<&str> = order.iter().map(String::as_str).collect();
-        let groups = self.connected(&bodies).into_iter().map(|group| Group {
-            side: group.first().and_then(|body| Side::of_name(body)),
-            spheres: group.iter().flat_map(|&body| by_body.get(body).cloned().unwrap_or_default()).collect(),
+/// The foot of a group: bodies with its spheres, those between them, and those of the same side below. Bodies that are joined
+/// only through ground are feet of their own.
+fn feet(tree: &Tree<'_>, model: &Model, group: Group, carriers: &HashSet<&str>) -> Vec<FootBodies> {
+    let own = on_bodies(model, &group.spheres);
+    let names: Vec<&str> = own.iter().map(|(body, _)| *body).collect();
+    let Some(joined) = tree.joined(&names) else {
+        let alone = own.into_iter().map(|(body, spheres)| FootBodies {
+            bodies: vec![body.to_owned()],
+            side: group.side,
+            spheres,
         });
-        groups.collect()
-    }
-
-    /// Bodies of one side that hang on each other, each group in the order given.
-    fn connected<'b>(&self, bodies: &[&'b str]) -> Vec<Vec<&'b str>> {
-        let mut groups: Vec<Vec<&'b str>> = Vec::new();
-        for &body in bodies {
-            let joined = |other: &&str| {
-                let one_above = self.parent(other) == Some(body) || self.parent(body) == Some(*other);
-                one_above && Side::of_name(other) == Side::of_name(body)
-            };
-            let (mine, others): (Vec<_>, Vec<_>) =
-                groups.into_iter().partition(|group: &Vec<&str>| group.iter().any(joined));
-            groups = others;
-            let mut merged: Vec<&str> = mine.into_iter().flatten().collect();
-            merged.push(body);
-            groups.push(merged);
-        }
-        groups
-    }
-
-    /// The foot of a group: bodies with its spheres, those between them, and those of the same side below. Bodies that are joined
-    /// only through ground are feet of their own.
-    fn feet(&self, model: &Model, group: Group, carriers: &HashSet<String>) -> Vec<FootBodies> {
-        let mut own: Vec<String> = Vec::new();
-        for body in group.spheres.iter().filter_map(|&id| body_of(model, id)) {
-            if !own.contains(&body) {
-                own.push(body);
-            }
-        }
-        let chains: Vec<Vec<String>> = own.iter().map(|body| self.chain(body)).collect();
-        let first = chains.first().into_iter().flatten();
-        let top = first.into_iter().find(|body| chains.iter().all(|chain| chain.contains(*body)));
-        let Some(top) = top else {
-            let alone = |body: &String| FootBodies {
-                bodies: vec![body.clone()],
-                side: group.side,
-                spheres: on(model, &group.spheres, body),
-            };
-            return own.iter().map(alone).collect();
-        };
-        let mut bodies: Vec<String> = Vec::new();
-        for chain in &chains {
-            let upto = chain.iter().position(|body| body == top).unwrap_or(0);
-            bodies.extend(chain.iter().take(upto + 1).rev().cloned());
-        }
-        self.add_below(&mut bodies, group.side, carriers);
-        vec![FootBodies { bodies: once(bodies), side: group.side, spheres: group.spheres }]
-    }
-
-    fn add_below(&self, bodies: &mut Vec<String>, side: Option<Side>, carriers: &HashSet<String>) {
-        let mut at = 0;
-        while let Some(body) = bodies.get(at).cloned() {
-            at += 1;
-            let below = self.anatomy.joints_below(&body).map(|joint| &joint.child);
-            let same = |child: &&String| side.is_some() && Side::of_name(child) == side;
-            let new: Vec<String> = below
-                .filter(same)
-                .filter(|child| !carriers.contains(*child) && !bodies.contains(child))
-                .cloned()
-                .collect();
-            bodies.extend(new);
-        }
-    }
-
-    /// Feet of a model without spheres.
-    fn near_ground(&self, height_m: &dyn Fn(&str) -> Option<f64>) -> Vec<FootBodies> {
-        let names: Vec<&str> = self.anatomy.bodies.iter().map(String::as_str).collect();
-        let sided = |name: &&str| Side::of_name(name).is_some();
-        let heights: Vec<(&str, f64)> =
-            names.iter().filter_map(|&name| Some((name, height_m(name)?))).collect();
-        let low = heights.iter().map(|(_, height)| *height).fold(f64::INFINITY, f64::min);
-        let high = heights.iter().map(|(_, height)| *height).fold(f64::NEG_INFINITY, f64::max);
-        let near = |height: f64| high > low && height <= low + NEAR_GROUND * (high - low);
-        let mut feet: Vec<&str> =
-            heights.iter().filter(|(_, height)| near(*height)).map(|(name, _)| *name).filter(sided).collect();
-        if heights.len() < names.len() {
-            let called = |name: &&str| NAMES.iter().any(|known| name.to_lowercase().contains(known));
-            feet = names.iter().copied().filter(sided).filter(called).collect();
-        }
-        let foot = |bodies: Vec<&str>| {
-            let mut bodies: Vec<String> = bodies.into_iter().map(str::to_owned).collect();
-            bodies.sort_by_key(|body| self.chain(body).len());
-            let side = bodies.first().and_then(|body| Side::of_name(body));
-            FootBodies { bodies, side, spheres: Vec::new() }
-        };
-        self.connected(&feet).into_iter().map(foot).collect()
-    }
+        return alone.collect();
+    };
+    let bodies = tree.with_below(joined, group.side, carriers).into_iter().map(str::to_owned).collect();
+    vec![FootBodies { bodies, side: group.side, spheres: group.spheres }]
 }
 
-fn on(model: &Model, spheres: &[SphereId], body: &str) -> Vec<SphereId> {
-    spheres.iter().copied().filter(|&id| body_of(model, id).as_deref() == Some(body)).collect()
-}
-
-fn once(names: Vec<String>) -> Vec<String> {
-    let mut seen = HashSet::new();
-    names.into_iter().filter(|name| seen.insert(name.clone())).collect()
+/// Feet of a model without spheres.
+fn near_ground(tree: &Tree<'_>, height_m: &dyn Fn(&str) -> Option<f64>) -> Vec<FootBodies> {
+    let names: Vec<&str> = tree.bodies().collect();
+    let sided = |name: &&str| Side::of_name(name).is_some();
+    let heights: Vec<(&str, f64)> = names.iter().filter_map(|&name| Some((name, height_m(name)?))).collect();
+    let low = heights.iter().map(|(_, height)| *height).fold(f64::INFINITY, f64::min);
+    let high = heights.iter().map(|(_, height)| *height).fold(f64::NEG_INFINITY, f64::max);
+    let near = |height: f64| high > low && height <= low + NEAR_GROUND * (high - low);
+    let mut feet: Vec<&str> =
+        heights.iter().filter(|(_, height)| near(*height)).map(|(name, _)| *name).filter(sided).collect();
+    if heights.len() < names.len() {
+        let called = |name: &&str| NAMES.iter().any(|known| name.to_lowercase().contains(known));
+        feet = names.iter().copied().filter(sided).filter(called).collect();
+    }
+    let foot = |bodies: Vec<&str>| FootBodies {
+        side: bodies.first().and_then(|body| Side::of_name(body)),
+        bodies: tree.top_first(bodies).into_iter().map(str::to_owned).collect(),
+        spheres: Vec::new(),
+    };
+    tree.connected(&feet).into_iter().map(foot).collect()
 }

@@ -1,5 +1,6 @@
 //! A foot: where everything on it is.
 
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::{Anatomy, AnatomyJoint, Model, ModelJoint, Side};
 
 use super::axes::ViewAxes;
@@ -14,6 +15,8 @@ use crate::vector::dot;
 const NEAR: f64 = 0.5;
 /// Bones of bodies without spheres are drawn up to this share of the foot's length above its lowest place.
 const SHOWN: f64 = 0.8;
+/// Joints between a body and the first of its foot: each body of a longer chain would walk all of it.
+const LONGEST_CHAIN: usize = 64;
 
 /// The frame in which a foot is drawn.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -95,33 +98,36 @@ pub struct Foot {
 }
 
 impl Foot {
-    /// Where everything on a foot is: in ground where the default pose is understood, else in the frame of its first body.
+    /// Where everything on each foot is: in ground where the default pose is understood, else in the frame of its first body.
     #[must_use]
-    pub fn of(model: &Model, anatomy: &Anatomy, bodies: &FootBodies, pose: &DefaultPose) -> Self {
+    pub fn all(model: &Model, anatomy: &Anatomy, feet: &[FootBodies], pose: &DefaultPose) -> Vec<Self> {
+        let shared = Shared::of(model);
+        feet.iter().map(|bodies| Self::of(&shared, anatomy, bodies, pose)).collect()
+    }
+
+    fn of(shared: &Shared<'_>, anatomy: &Anatomy, bodies: &FootBodies, pose: &DefaultPose) -> Self {
         let places = Places::of(anatomy, bodies, pose);
-        let frame = match &places.fault {
-            None => FootFrame::Ground,
-            Some(fault) => FootFrame::Body { name: bodies.top().to_owned(), fault: fault.clone() },
+        let (frame, floor) = match &places.fault {
+            None => (FootFrame::Ground, shared.floor.clone()),
+            Some(fault) => {
+                let frame = FootFrame::Body { name: bodies.top().to_owned(), fault: fault.clone() };
+                (frame, FloorPlace::NotInGround)
+            }
         };
-        let floor = if places.fault.is_none() { FloorPlace::of(model) } else { FloorPlace::NotInGround };
+        let is_unplaced = |body: &&String| places.at(body, [0.0; 3]).is_none();
         let mut foot = Self {
             name: bodies.top().to_owned(),
             side: bodies.side,
             frame,
             origin_m: places.at(bodies.top(), [0.0; 3]).unwrap_or_default(),
-            axes: ViewAxes::of(model),
+            axes: shared.axes,
             joints: Vec::new(),
-            spheres: spheres(model, bodies, &places),
+            spheres: spheres(shared.model, bodies, &places),
             bones: Vec::new(),
             floor,
-            unplaced: bodies
-                .bodies
-                .iter()
-                .filter(|body| places.at(body, [0.0; 3]).is_none())
-                .cloned()
-                .collect(),
+            unplaced: bodies.bodies.iter().filter(is_unplaced).cloned().collect(),
         };
-        foot.add_joints(anatomy, bodies, &places, model.joints());
+        foot.add_joints(anatomy, bodies, &places, shared);
         foot
     }
 
@@ -143,9 +149,10 @@ impl Foot {
     pub fn add_bones(&mut self, anatomy: &Anatomy, bodies: &FootBodies, bones: &[Bone], pose: &DefaultPose) {
         let places = Places::of(anatomy, bodies, pose);
         let top = self.lowest_m().map(|lowest| lowest + SHOWN * self.length_m());
+        let carriers: HashSet<&str> = self.spheres.iter().map(|sphere| sphere.body.as_str()).collect();
+        let mut shown_bones = Vec::new();
         for bone in bones {
-            let carries = self.spheres.iter().any(|sphere| sphere.body == bone.body);
-            let limit = if carries { None } else { top };
+            let limit = if carriers.contains(bone.body.as_str()) { None } else { top };
             let shown = |point: &[f64; 3]| limit.is_none_or(|top| dot(self.axes.up, *point) <= top);
             let points_m: Vec<[f64; 3]> = bone
                 .points_m
@@ -154,9 +161,10 @@ impl Foot {
                 .filter(shown)
                 .collect();
             if !points_m.is_empty() {
-                self.bones.push(FootBone { body: bone.body.clone(), mesh: bone.mesh.clone(), points_m });
+                shown_bones.push(FootBone { body: bone.body.clone(), mesh: bone.mesh.clone(), points_m });
             }
         }
+        self.bones.extend(shown_bones);
     }
 
     /// The height of the lowest sphere, m; without spheres that of the bones, else that of the joints.
@@ -195,8 +203,8 @@ impl Foot {
     #[must_use]
     pub fn reach(&self) -> Option<(f64, f64)> {
         let along = |point: [f64; 3]| dot(self.axes.forward, point);
-        let carriers = |body: &str| self.spheres.iter().any(|sphere| sphere.body == body);
-        let of_carriers = self.bones.iter().filter(|bone| carriers(&bone.body));
+        let carriers: HashSet<&str> = self.spheres.iter().map(|sphere| sphere.body.as_str()).collect();
+        let of_carriers = self.bones.iter().filter(|bone| carriers.contains(bone.body.as_str()));
         let (heel, toe) = of_carriers
             .flat_map(|bone| &bone.points_m)
             .map(|&point| along(point))
@@ -213,9 +221,9 @@ impl Foot {
         anatomy: &Anatomy,
         bodies: &FootBodies,
         places: &Places<'_>,
-        joints: &[ModelJoint],
+        shared: &Shared<'_>,
     ) {
-        let place = |joint: &AnatomyJoint| places.joint(joint, joints);
+        let place = |joint: &AnatomyJoint| places.joint(joint, shared);
         for body in &bodies.bodies {
             self.joints.extend(anatomy.joint_above(body).and_then(place));
         }
@@ -247,6 +255,27 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     dot(between, between).sqrt()
 }
 
+/// What all feet of a model share.
+struct Shared<'m> {
+    model: &'m Model,
+    axes: ViewAxes,
+    floor: FloorPlace,
+    /// By their own names and those of their children, the first of each.
+    joints: HashMap<(&'m str, &'m str), &'m ModelJoint>,
+}
+
+impl<'m> Shared<'m> {
+    fn of(model: &'m Model) -> Self {
+        let mut joints = HashMap::new();
+        for joint in model.joints() {
+            if let Some(child) = joint.child.as_deref() {
+                joints.entry((joint.name.as_str(), child)).or_insert(joint);
+            }
+        }
+        Self { model, axes: ViewAxes::of(model), floor: FloorPlace::of(model), joints }
+    }
+}
+
 /// Where bodies are in the frame of a foot.
 struct Places<'p> {
     anatomy: &'p Anatomy,
@@ -273,11 +302,10 @@ impl<'p> Places<'p> {
         }
     }
 
-    /// The point in the frame of the foot's first body, m: through the joints between them, or down to the body on which that
-    /// hangs.
+    /// The point in the frame of the foot's first body, m: through the joints between them.
     fn in_top(&self, body: &str, point_m: [f64; 3]) -> Option<[f64; 3]> {
         let (mut at, mut point) = (body, point_m);
-        for _ in 0..=self.anatomy.bodies.len() {
+        for _ in 0..=LONGEST_CHAIN {
             if at == self.top {
                 return Some(point);
             }
@@ -289,11 +317,9 @@ impl<'p> Places<'p> {
     }
 
     /// A joint, where it is on its parent as OpenSim reads it; on its child where the parent is not in the picture.
-    fn joint(&self, joint: &AnatomyJoint, joints: &[ModelJoint]) -> Option<FootJoint> {
-        let read = joints
-            .iter()
-            .find(|known| known.name == joint.name && known.child.as_deref() == Some(joint.child.as_str()));
-        let in_parent_m = read.map_or(joint.in_parent_m, ModelJoint::in_parent_m);
+    fn joint(&self, joint: &AnatomyJoint, shared: &Shared<'_>) -> Option<FootJoint> {
+        let read = shared.joints.get(&(joint.name.as_str(), joint.child.as_str()));
+        let in_parent_m = read.map_or(joint.in_parent_m, |read| read.in_parent_m());
         let at_m = self.at(&joint.parent, in_parent_m).or_else(|| self.at(&joint.child, joint.in_child_m))?;
         Some(FootJoint { name: joint.name.clone(), at_m })
     }

@@ -73,7 +73,7 @@ fn feet(model: &Model) -> Feet {
     let pose = DefaultPose::of(model);
     let spheres: Vec<SphereId> = model.spheres().iter().map(|sphere| sphere.id).collect();
     let found = FootBodies::find(model, &anatomy, &spheres, &model.force_ids(), &pose);
-    let feet = found.iter().map(|bodies| Foot::of(model, &anatomy, bodies, &pose)).collect();
+    let feet = Foot::all(model, &anatomy, &found, &pose);
     Feet { anatomy, pose, found, feet }
 }
 
@@ -124,6 +124,46 @@ fn spheres_on_a_body_that_is_no_limb_are_a_foot_of_their_own() {
     // The legs are not part of the pelvis; toes without spheres are part of the foot.
     assert_eq!(found[0].bodies, ["pelvis"]);
     assert_eq!(found[1].bodies, ["calcn_l", "toes_l"]);
+}
+
+/// A tail of `count` bodies, each 1 cm behind the one before, the first on ground.
+fn tail(count: usize, spheres: &str) -> Model {
+    let bodies: String =
+        (0..count).map(|i| format!("<Body name=\"tail{i}_r\"><mass>1</mass></Body>")).collect();
+    let joint = |i: usize| {
+        let parent = if i == 0 { "/ground".to_owned() } else { format!("/bodyset/tail{}_r", i - 1) };
+        format!(
+            "<WeldJoint name=\"joint{i}\"><socket_parent_frame>p</socket_parent_frame><socket_child_frame>/bodyset/tail{i}_r\
+             </socket_child_frame><frames><PhysicalOffsetFrame name=\"p\"><socket_parent>{parent}</socket_parent>\
+             <translation>-0.01 0 0</translation></PhysicalOffsetFrame></frames></WeldJoint>"
+        )
+    };
+    let joints: String = (0..count).map(joint).collect();
+    let text = format!(
+        "<OpenSimDocument Version=\"40000\"><Model name=\"m\"><gravity>0 -9.81 0</gravity><BodySet><objects>{bodies}</objects>\
+         </BodySet><JointSet><objects>{joints}</objects></JointSet><ContactGeometrySet><objects>{spheres}</objects>\
+         </ContactGeometrySet></Model></OpenSimDocument>"
+    );
+    Model::parse(text).unwrap()
+}
+
+#[test]
+fn bodies_of_a_long_chain_are_one_foot() {
+    let spheres: String =
+        (9..=190).map(|i| sphere(&format!("s{i}"), &format!("tail{i}_r"), "0 0 0")).collect();
+    let Feet { feet, found, .. } = feet(&tail(200, &spheres));
+    let [foot] = feet.as_slice() else { panic!("{feet:?}") };
+    assert_eq!((foot.name.as_str(), foot.spheres.len()), ("tail9_r", 182));
+    // From the first with a sphere to the end of the tail, each once.
+    let mut bodies: Vec<String> = (9..200).map(|i| format!("tail{i}_r")).collect();
+    bodies.sort();
+    let mut found: Vec<String> = found[0].bodies.clone();
+    assert_eq!(found[0], "tail9_r");
+    found.sort();
+    assert_eq!(found, bodies);
+    // 10 and 191 joints from ground.
+    close(foot.spheres[0].centre_m, [-0.1, 0.0, 0.0]);
+    close(foot.spheres[181].centre_m, [-1.91, 0.0, 0.0]);
 }
 
 #[test]

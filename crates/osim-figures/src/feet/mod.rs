@@ -3,9 +3,11 @@
 mod notes;
 mod views;
 
+use std::collections::HashMap;
+
 use contact_plots::{Block, Paper, Scene, SceneNames, scene};
 use osim_feet::{FloorPlace, Foot, FootFrame};
-use osim_messages::{four_significant, harmless};
+use osim_messages::{four_significant, harmless, listed};
 use osim_model::files::Failure;
 use osim_planning::ModelFeet;
 
@@ -16,7 +18,11 @@ use views::views;
 #[must_use]
 pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
     let (Some(now), before) = (states.last(), earlier(states)) else { return Scene::default() };
-    let blocks = now.feet.iter().map(|foot| block(foot, before));
+    let mut others: HashMap<&str, &Foot> = HashMap::new();
+    for other in before.into_iter().flat_map(|before| &before.feet) {
+        others.entry(&other.name).or_insert(other);
+    }
+    let blocks = now.feet.iter().map(|foot| block(foot, others.get(foot.name.as_str()).copied()));
     let whose = match before {
         Some(before) => format!("{} and {}", before.name, now.name),
         None => now.name.clone(),
@@ -60,8 +66,8 @@ fn earlier(states: &[ModelFeet]) -> Option<&ModelFeet> {
     states.split_last().and_then(|(_, before)| before.last())
 }
 
-fn block(foot: &Foot, before: Option<&ModelFeet>) -> Block {
-    let other = before.and_then(|before| before.feet.iter().find(|other| other.name == foot.name));
+/// `other` is the same foot in another state.
+fn block(foot: &Foot, other: Option<&Foot>) -> Block {
     let shift = other.map(|other| shift(other, foot));
     let name = if foot.name.is_empty() { "ground" } else { foot.name.as_str() };
     let title = match foot.side {
@@ -76,6 +82,9 @@ fn shift(other: &Foot, foot: &Foot) -> [f64; 3] {
     std::array::from_fn(|i| foot.origin_m[i] - other.origin_m[i])
 }
 
+/// Names and heights that a remark lists; more are counted.
+const LISTED: usize = 12;
+
 /// A foot that is moved by less than this is where it was, m.
 const STAYS_M: f64 = 1e-6;
 
@@ -87,7 +96,7 @@ fn remarks(foot: &Foot, before: Option<(&Foot, [f64; 3])>) -> Vec<String> {
     if !foot.unplaced.is_empty() {
         remarks.push(format!(
             "Not drawn, as the default pose of a joint cannot be calculated: {}.",
-            foot.unplaced.join(", ")
+            listed(&foot.unplaced, LISTED)
         ));
     }
     if let Some((_, shift)) = before
@@ -119,7 +128,7 @@ fn floor_in_words(foot: &Foot) -> Option<String> {
         }
         FloorPlace::Several(heights) => {
             let heights: Vec<String> = heights.iter().map(|height| metres(*height)).collect();
-            Some(format!("Floors are at {}; none is drawn.", heights.join(", ")))
+            Some(format!("Floors are at {}; none is drawn.", listed(&heights, LISTED)))
         }
         FloorPlace::None if !foot.spheres.is_empty() => Some("The model has no level floor.".to_owned()),
         _ => None,

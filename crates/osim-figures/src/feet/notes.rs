@@ -1,7 +1,9 @@
 //! Remarks beside a picture of feet.
 
+use std::collections::HashSet;
+
 use osim_feet::{FeetFault, FootFrame};
-use osim_messages::{Dialect, Input, phrase, shown};
+use osim_messages::{Dialect, Input, listed, phrase, shown};
 use osim_planning::ModelFeet;
 
 /// What is drawn of each state, one line each; what was not available, and what is wrong with the places of spheres.
@@ -37,13 +39,16 @@ fn count(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
 }
 
+/// Meshes that are listed; more are counted.
+const LISTED: usize = 12;
+
 /// Bones that are not drawn: meshes that were not found in one sentence, others each with what is wrong.
 fn missing(state: &ModelFeet, dialect: &dyn Dialect) -> Option<String> {
     let names = missing_meshes(state);
     let mut reasons: Vec<String> = Vec::new();
     if !names.is_empty() {
         let text = phrase![
-            format!("no bones are drawn of {}: name the folder of the meshes with ", names.join(", ")),
+            format!("no bones are drawn of {}: name the folder of the meshes with ", listed(&names, LISTED)),
             Input::GeometryDir.like("DIR"),
         ];
         reasons.push(text.spelled(dialect));
@@ -56,14 +61,10 @@ fn missing(state: &ModelFeet, dialect: &dyn Dialect) -> Option<String> {
 /// Meshes that were not found, each once, as the model spells them.
 #[must_use]
 pub fn missing_meshes(state: &ModelFeet) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for fault in &state.missing {
-        if let FeetFault::MeshMissing { mesh, .. } = fault {
-            let name = shown(mesh).to_string();
-            if !names.contains(&name) {
-                names.push(name);
-            }
-        }
-    }
-    names
+    let mut known = HashSet::new();
+    let missing = state.missing.iter().filter_map(|fault| match fault {
+        FeetFault::MeshMissing { mesh, .. } => Some(shown(mesh).to_string()),
+        _ => None,
+    });
+    missing.filter(|name| known.insert(name.clone())).collect()
 }

@@ -60,14 +60,8 @@ fn view(foot: &Foot, before: Option<(&Foot, [f64; 3])>, from: From) -> View {
 /// What another state has elsewhere: its spheres, and its bones where they are of another size.
 fn add_before(view: &mut View, foot: &Foot, other: &Foot, shift: [f64; 3], from: From) {
     let moved = |point: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| point[i] + shift[i]) };
-    let differs = |sphere: &&FootSphere| {
-        let at = moved(sphere.centre_m);
-        let same = |now: &&FootSphere| {
-            let off = (0..3).all(|i| (now.centre_m[i] - at[i]).abs() <= SAME_M);
-            off && (now.radius_m - sphere.radius_m).abs() <= SAME_M
-        };
-        !foot.spheres.iter().any(|now| same(&now))
-    };
+    let drawn = Drawn::of(&foot.spheres);
+    let differs = |sphere: &&FootSphere| !drawn.has(moved(sphere.centre_m), sphere.radius_m);
     view.balls.extend(other.spheres.iter().filter(differs).map(|sphere| Ball {
         name: String::new(),
         centre: seen(foot, moved(sphere.centre_m), from),
@@ -82,6 +76,35 @@ fn add_before(view: &mut View, foot: &Foot, other: &Foot, shift: [f64; 3], from:
         a.points.len() == b.points.len() && a.points.iter().zip(&b.points).all(near)
     };
     view.outlines.extend(there.into_iter().filter(|there| !here.iter().any(|here| close(here, there))));
+}
+
+/// Spheres in the order along the axis on which they are farthest apart, so that one is found without looking at all.
+struct Drawn<'f> {
+    axis: usize,
+    spheres: Vec<&'f FootSphere>,
+}
+
+impl<'f> Drawn<'f> {
+    fn of(spheres: &'f [FootSphere]) -> Self {
+        let spread = |axis: usize| {
+            let along = || spheres.iter().map(|sphere| sphere.centre_m[axis]);
+            along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+        };
+        let axis = (0..3).max_by(|&a, &b| spread(a).total_cmp(&spread(b))).unwrap_or(0);
+        let mut spheres: Vec<&FootSphere> = spheres.iter().collect();
+        spheres.sort_by(|a, b| a.centre_m[axis].total_cmp(&b.centre_m[axis]));
+        Self { axis, spheres }
+    }
+
+    fn has(&self, centre_m: [f64; 3], radius_m: f64) -> bool {
+        let off = |sphere: &FootSphere, axis: usize| sphere.centre_m[axis] - centre_m[axis];
+        let first = self.spheres.partition_point(|sphere| off(sphere, self.axis) < -SAME_M);
+        let from = self.spheres.get(first..).unwrap_or_default();
+        from.iter().take_while(|sphere| off(sphere, self.axis) <= SAME_M).any(|sphere| {
+            (0..3).all(|axis| off(sphere, axis).abs() <= SAME_M)
+                && (sphere.radius_m - radius_m).abs() <= SAME_M
+        })
+    }
 }
 
 fn seen(foot: &Foot, point: [f64; 3], from: From) -> Point {

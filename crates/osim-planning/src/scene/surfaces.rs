@@ -1,5 +1,6 @@
 //! The bones of all bodies, as surfaces.
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use osim_feet::{FeetFault, MeshFolders, attached_surface};
@@ -44,12 +45,12 @@ impl Bones {
     pub fn of(model: &Model, path: &Path, files: &dyn Files) -> Self {
         let folders = MeshFolders::of_model(path);
         let mut bones = Self::default();
-        let mut count = 0;
+        let (mut count, mut known) = (0, HashSet::new());
         for attached in model.attached_meshes() {
             let (body, mesh) = (attached.body.clone(), attached.file.clone());
             match attached_surface(&attached, &folders, files) {
                 Err(FeetFault::MeshMissing { .. }) => {
-                    if !bones.missing.contains(&mesh) {
+                    if known.insert(mesh.clone()) {
                         bones.missing.push(mesh);
                     }
                 }
