@@ -151,7 +151,7 @@ fn an_undetermined_axis_is_asked_for_and_never_1() {
     let bench = bench("smooth");
     without_meshes(&bench);
     // The toes end in no joint: nothing says how they were scaled.
-    refuses(&bench, CALL, &["toes_r", "x and y and z", "--body-scale toes_r=x,y,z", "[body-scale]"]);
+    refuses(&bench, CALL, &["toes_r", "x, y and z", "--body-scale toes_r=x,y,z", "[body-scale]"]);
     let seen = json(&bench.run("inspect scaled.osim --from generic.osim --format json").done());
     let toes = seen["body_factors"].as_array().unwrap().iter().find(|body| body["body"] == "toes_r").unwrap();
     assert_eq!(toes["factors"], serde_json::json!([null, null, null]));

@@ -82,7 +82,7 @@ impl Phrase {
     /// ```
     /// use osim_messages::{Input, phrase};
     ///
-    /// let file = phrase![", or give the Scale Tool's ", Input::BodyScaleFile.like("FILE")];
+    /// let file = phrase![", or give the ScaleSet that was applied with ", Input::BodyScaleFile.like("FILE")];
     /// let mut way_out = phrase!["say it with ", Input::BodyScale.like("BODY=x,y,z"), Input::BodyScaleFile.either(&file, "")];
     /// way_out.keep_for(&|input| input != Input::BodyScaleFile);
     /// assert_eq!(way_out.to_string(), "say it with `body_scale`");

@@ -319,18 +319,26 @@ impl Needed {
                 Input::Radius.being("keep"),
             ],
             Self::BodyFactors { body, axes } => phrase![
-                format!("how body {body} was scaled along {} is not in the files", axes.join(" and ")),
+                format!("how body {body} was scaled along {} is not in the files", in_words(axes)),
                 Input::BodyScale.either(
                     phrase![
                         ": say it with ",
                         Input::BodyScale.being(format!("{body}=x,y,z")),
                         Input::BodyScaleFile.either(
-                            phrase![", or give the Scale Tool's ", Input::BodyScaleFile.like("FILE")],
+                            phrase![
+                                ", or give the ScaleSet that was applied with ",
+                                Input::BodyScaleFile.like("FILE")
+                            ],
                             ""
                         ),
                     ],
-                    Input::BodyScaleFile
-                        .either(phrase![": give the Scale Tool's ", Input::BodyScaleFile.like("FILE")], ""),
+                    Input::BodyScaleFile.either(
+                        phrase![
+                            ": give the ScaleSet that was applied with ",
+                            Input::BodyScaleFile.like("FILE")
+                        ],
+                        ""
+                    ),
                 ),
             ],
             Self::Factors(question) => question.phrase(),
@@ -393,5 +401,13 @@ impl Needed {
                 Input::FollowBodies,
             ],
         }
+    }
+}
+
+/// One, two or all three axes in a sentence: `x, y and z`.
+fn in_words(axes: &[&str]) -> String {
+    match axes {
+        [x, y, z] => format!("{x}, {y} and {z}"),
+        fewer => fewer.join(" and "),
     }
 }

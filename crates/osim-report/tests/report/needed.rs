@@ -36,7 +36,7 @@ fn examples() -> Vec<Needed> {
         Needed::ReferenceContact { reference: name("human.osim"), unmatched: vec![name("toe_r")] },
         Needed::ReferenceContactOfForce { force: name("/forceset/foot_r") },
         Needed::ReferenceRadius { reference: name("human.osim"), unmatched: vec![name("toe_r")] },
-        Needed::BodyFactors { body: name("calcn_r"), axes: vec!["x", "z"] },
+        Needed::BodyFactors { body: name("calcn_r"), axes: vec!["x", "y", "z"] },
         Needed::Factors(FactorQuestion::Nothing { body: name("toes_r") }),
         Needed::MovedSpheres { model: name("scaled.osim"), spheres: vec![name("heel_r")] },
         Needed::Repetition { operation: name("set stiffness=x2") },
