@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use foldhash::{HashMap, HashMapExt, HashSet};
+
 use super::bones::Bones;
 use crate::model::Model;
 use crate::side::{Side, without_side};
@@ -78,80 +80,77 @@ fn times(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|axis| a[axis] * b[axis])
 }
 
-/// The bodies of a model that have counterparts.
+/// The bodies of a model that have a side.
 #[derive(Debug)]
 pub(crate) struct BodyPairs {
     /// By the name without its side; in order, so that sums have the same last bit in each run.
-    named: BTreeMap<String, [Option<String>; 2]>,
-    /// By body: its centre of mass and its joints, with names without a side.
-    marks: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
+    named: BTreeMap<String, Named>,
     /// The mirror that fits most bodies.
     usual: [f64; 3],
 }
 
+/// Bodies of one name but for its side.
+#[derive(Debug, Default)]
+struct Named {
+    right: Option<String>,
+    left: Option<String>,
+    /// Centres of mass and joints that both have, in the frame of each, m: right, left.
+    marks: Vec<([f64; 3], [f64; 3])>,
+}
+
+impl Named {
+    fn both(&self) -> Option<(&str, &str)> {
+        Some((self.right.as_deref()?, self.left.as_deref()?))
+    }
+}
+
 impl BodyPairs {
     pub(crate) fn of(model: &Model) -> Self {
-        let mut named: BTreeMap<String, [Option<String>; 2]> = BTreeMap::new();
+        let mut bodies: BTreeMap<String, [Option<&str>; 2]> = BTreeMap::new();
         for body in model.bodies().iter().filter(|body| !body.fixed) {
             let Some(side) = Side::of_name(&body.name) else { continue };
-            let [right, left] = named.entry(without_side(&body.name)).or_default();
+            let [right, left] = bodies.entry(without_side(&body.name)).or_default();
             let own = if side == Side::Right { right } else { left };
-            own.get_or_insert_with(|| body.name.clone());
+            own.get_or_insert(&body.name);
         }
-        let pairs = Self { named, marks: marks(model), usual: MIRRORS[0] };
-        Self { usual: pairs.usual(), ..pairs }
-    }
-
-    /// The mirror in which the marks of all bodies together are closest.
-    fn usual(&self) -> [f64; 3] {
-        let bodies =
-            || self.named.values().filter_map(|[right, left]| Some((right.as_ref()?, left.as_ref()?)));
-        let apart_m = |signs: [f64; 3]| -> f64 {
-            bodies()
-                .flat_map(|(right, left)| self.both_marks(right, left))
-                .map(|(r, l)| distance(times(signs, r), l))
-                .sum()
+        let paired = bodies.values().filter_map(|&[right, left]| Some([right?, left?])).flatten().collect();
+        let marks = marks(model, &paired);
+        let of_both = |[right, left]: [Option<&str>; 2]| {
+            let (right, left) = (marks.get(right?)?, marks.get(left?)?);
+            Some(right.iter().filter_map(|(name, &at_m)| Some((at_m, *left.get(name)?))).collect())
         };
-        let of_z = apart_m(MIRRORS[0]);
-        let others = MIRRORS.into_iter().map(|signs| (apart_m(signs), signs));
-        let best = others.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(apart_m, _)| *apart_m < CLOSER * of_z);
-        best.map_or(MIRRORS[0], |(_, signs)| signs)
-    }
-
-    /// The places of marks that both bodies have.
-    fn both_marks<'b>(
-        &'b self,
-        right: &str,
-        left: &str,
-    ) -> impl Iterator<Item = ([f64; 3], [f64; 3])> + use<'b> {
-        let both = self.marks.get(right).zip(self.marks.get(left));
-        both.into_iter().flat_map(|(right, left)| {
-            right.iter().filter_map(|(name, &right_m)| Some((right_m, *left.get(name)?)))
-        })
+        let named = |sides: [Option<&str>; 2]| {
+            let [right, left] = sides.map(|name| name.map(str::to_owned));
+            Named { right, left, marks: of_both(sides).unwrap_or_default() }
+        };
+        let named = bodies.into_iter().map(|(name, sides)| (name, named(sides))).collect();
+        Self { usual: usual(&named), named }
     }
 
     /// Whether some body is on `side`.
     pub(crate) fn has(&self, side: Side) -> bool {
-        self.named.values().any(|[right, left]| if side == Side::Right { right } else { left }.is_some())
+        let mut all = self.named.values();
+        all.any(|names| if side == Side::Right { &names.right } else { &names.left }.is_some())
     }
 
     /// The pair to which `body` belongs; `None` if it has no counterpart.
     pub(crate) fn pair(&self, body: &str, bones: &Bones<'_>) -> Option<BodyPair<'_>> {
-        let [right, left] = self.named.get(&without_side(body))?;
-        let (right, left) = (right.as_deref()?, left.as_deref()?);
+        let names = self.named.get(&without_side(body))?;
+        let (right, left) = names.both()?;
         let bone_m =
             [right, left].into_iter().filter_map(|body| bones.longest_of_limb_m(body)).reduce(f64::max);
         let sizes = bones.ratios(left, right);
         let pair = BodyPair { right, left, signs: Some(self.usual), sizes, bone_m };
-        Some(BodyPair { signs: bone_m.map_or(Some(self.usual), |bone_m| self.signs(&pair, bone_m)), ..pair })
+        let Some(bone_m) = bone_m else { return Some(pair) };
+        Some(BodyPair { signs: self.signs(&pair, &names.marks, bone_m), ..pair })
     }
 
     /// The mirror in which the marks of the two bodies are close; `None` if there is none.
-    fn signs(&self, pair: &BodyPair<'_>, bone_m: f64) -> Option<[f64; 3]> {
+    fn signs(&self, pair: &BodyPair<'_>, marks: &[([f64; 3], [f64; 3])], bone_m: f64) -> Option<[f64; 3]> {
         let apart = |signs: [f64; 3]| {
             let pair = BodyPair { signs: Some(signs), ..pair.clone() };
-            let marks = self.both_marks(pair.right, pair.left);
-            marks.filter_map(|(right_m, left_m)| pair.apart_m(right_m, left_m)).fold(0.0, f64::max) / bone_m
+            let apart_m = marks.iter().filter_map(|&(right_m, left_m)| pair.apart_m(right_m, left_m));
+            apart_m.fold(0.0, f64::max) / bone_m
         };
         if apart(self.usual) <= LIKELY {
             return Some(self.usual);
@@ -160,19 +159,47 @@ impl BodyPairs {
     }
 }
 
-/// Centres of mass and joints, by body.
-fn marks(model: &Model) -> BTreeMap<String, BTreeMap<String, [f64; 3]>> {
+/// The mirror in which the marks of all bodies together are closest.
+fn usual(named: &BTreeMap<String, Named>) -> [f64; 3] {
+    let apart_m = |signs: [f64; 3]| -> f64 {
+        let marks = named.values().flat_map(|names| &names.marks);
+        marks.map(|&(right_m, left_m)| distance(times(signs, right_m), left_m)).sum()
+    };
+    let of_z = apart_m(MIRRORS[0]);
+    let others = MIRRORS.into_iter().map(|signs| (apart_m(signs), signs));
+    let best = others.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(apart_m, _)| *apart_m < CLOSER * of_z);
+    best.map_or(MIRRORS[0], |(_, signs)| signs)
+}
+
+/// What a mark is, in the order in which they are compared.
+#[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Mark {
+    Centre,
+    /// A joint, by its name without its side; above the body or below it.
+    Joint {
+        name: String,
+        is_below: bool,
+    },
+}
+
+/// Centres of mass and joints of the bodies `paired`, which have counterparts.
+fn marks<'m>(model: &Model, paired: &HashSet<&'m str>) -> HashMap<&'m str, BTreeMap<Mark, [f64; 3]>> {
     let components = model.components();
-    let mut marks: BTreeMap<String, BTreeMap<String, [f64; 3]>> = BTreeMap::new();
+    let mut marks: HashMap<&str, BTreeMap<Mark, [f64; 3]>> = HashMap::new();
     for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
+        let Some(&body) = paired.get(components.name(id).as_ref()) else { continue };
         if let Some(centre) = components.doc(id).triple(components.element(id), "mass_center") {
-            marks.entry(components.name(id).into_owned()).or_default().insert(String::new(), centre);
+            marks.entry(body).or_default().insert(Mark::Centre, centre);
         }
     }
     for joint in model.body_facts.joints.between_bodies(components) {
-        let name = without_side(&joint.name);
-        marks.entry(joint.parent.clone()).or_default().insert(format!("{name} below"), joint.in_parent_m);
-        marks.entry(joint.child.clone()).or_default().insert(format!("{name} above"), joint.in_child_m);
+        let ends = [(&joint.parent, joint.in_parent_m, true), (&joint.child, joint.in_child_m, false)];
+        for (body, at_m, is_below) in ends {
+            if let Some(&body) = paired.get(body.as_str()) {
+                let mark = Mark::Joint { name: without_side(&joint.name), is_below };
+                marks.entry(body).or_default().insert(mark, at_m);
+            }
+        }
     }
     marks
 }
