@@ -65,7 +65,7 @@ pub use heat_table::{HeatTable, TableColumn};
 pub use inspector::Inspector;
 pub use motion::{MotionRemark, MotionResult, PlatesRead, run_motion};
 pub use opening::{open_with, scale_file};
-pub use planner::{Change, NoteDetails, Planner};
+pub use planner::{Change, Planner};
 pub use plot::{plot_bodies, plot_feet, plot_motion, plot_table};
 pub use presets::{find_presets, presets};
 pub use remedies::check_with_remedies;

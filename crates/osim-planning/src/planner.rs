@@ -9,7 +9,7 @@ use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Fault, Model, Source};
 use osim_patch::{Plan, StepDetails};
 use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions, SetFiles};
-use osim_requests::takes;
+use osim_requests::{NoteDetails, takes};
 
 use crate::afterwards::{Aims, Changed, worse_findings};
 use crate::motion::{MotionRemark, MotionResult};
@@ -173,15 +173,6 @@ fn judge<P: Planner + ?Sized>(
         plan.warnings.push(finding);
     }
     Ok(())
-}
-
-/// What the note of a changed model says of the request.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct NoteDetails {
-    /// Options that decided which numbers result, as `name=value`.
-    pub options: String,
-    /// Limbs that share the body weight, where the caller said so.
-    pub stance_limbs: Option<f64>,
 }
 
 /// A request that was checked: where its models are, what it plans, and where results go.

@@ -43,9 +43,10 @@ pub use request::schema_of;
 pub use request::{
     AddRequest, AngleChoice, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny,
     DesignRequest, DropTestRequest, ExplainRequest, FigureOptions, FitRequest, FittedChoice, HeatOptions,
-    HeatQuantity, HeightChoice, InspectRequest, MotionFormat, MotionRequest, NoteRequest, PlotKind,
-    PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest, Request, RescaleRequest,
-    SeriesFormat, SetRequest, SweepRequest, TransferRequest, fig1, no_fig1, silent_fields, takes,
+    HeatQuantity, HeightChoice, InspectRequest, MotionFormat, MotionRequest, NoteDetails, NoteRequest,
+    PlotKind, PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest, Request,
+    RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, fig1, no_fig1, silent_fields,
+    takes,
 };
 pub use values::{
     Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,

@@ -7,7 +7,8 @@ use osim_messages::{Input, phrase};
 use osim_model::FileId;
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
 use osim_patch::Plan;
-use osim_planning::{BeforeAfter, Change, NoteDetails, Planner};
+use osim_planning::{BeforeAfter, Change, Planner};
+use osim_requests::NoteDetails;
 use osim_requests::options::{OutputOptions, RunOptions, SetFiles};
 use osim_requests::spell::Speller;
 

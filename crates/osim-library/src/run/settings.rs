@@ -4,7 +4,8 @@ use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
 use osim_model::files::Files;
-use osim_planning::{NoteDetails, Planner};
+use osim_planning::Planner;
+use osim_requests::NoteDetails;
 use osim_requests::options::{OutputOptions, SetFiles};
 
 use crate::digest::sha256;

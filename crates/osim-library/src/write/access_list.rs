@@ -3,6 +3,7 @@
 
 use std::path::Path;
 
+use rustix::buffer::spare_capacity;
 use rustix::fs::{XattrFlags, fremovexattr, fsetxattr, getxattr};
 use rustix::io::Errno;
 use tempfile::NamedTempFile;
@@ -15,10 +16,10 @@ const MOST: usize = 1 << 16;
 /// Gives `file` the access list of `existing`, or takes away that of its folder where `existing` has none. Where the file system has no
 /// such lists there is nothing to do.
 pub(super) fn keep_access_list(file: &NamedTempFile, existing: &Path) {
-    let mut list = vec![0_u8; MOST];
+    let mut list: Vec<u8> = Vec::with_capacity(MOST);
     // A file that could not be read would not be replaced.
-    let kept = match getxattr(existing, NAME, &mut list) {
-        Ok(length) => fsetxattr(file, NAME, list.get(..length).unwrap_or_default(), XattrFlags::empty()),
+    let kept = match getxattr(existing, NAME, spare_capacity(&mut list)) {
+        Ok(_) => fsetxattr(file, NAME, &list, XattrFlags::empty()),
         Err(Errno::NODATA) => fremovexattr(file, NAME),
         Err(_) => Ok(()),
     };

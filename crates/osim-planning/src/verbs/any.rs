@@ -5,7 +5,7 @@ use osim_model::files::Files;
 use osim_requests::{Request, RequestError, RequestFault};
 
 use super::{adding, convert, design, fitting, note, remove, rescale, set, transfer};
-use crate::planner::{Change, NoteDetails};
+use crate::planner::Change;
 
 /// Verbs that change models.
 pub(crate) const CHANGING: [Verb; 9] = [
@@ -36,7 +36,7 @@ pub(crate) fn changing_verbs() -> String {
 /// Options that have no effect, or contradict each other; a file that cannot be read; or a verb that changes nothing.
 pub fn prepare(request: impl Into<Request>, files: &dyn Files) -> Result<Change, RequestError> {
     let request = request.into();
-    let details = NoteDetails { options: request.noted_options(), stance_limbs: request.stance_limbs_said() };
+    let details = request.noted();
     Ok(Change { details, ..change(request, files)? })
 }
 

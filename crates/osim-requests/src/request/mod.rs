@@ -39,6 +39,7 @@ pub use knowledge::{ExplainRequest, PresetsRequest};
 pub use library::{BatchRequest, SweepRequest};
 pub use motion::{AngleChoice, MotionFormat, MotionRequest};
 pub use note::NoteRequest;
+pub use noted::NoteDetails;
 pub use plot::{AxesChoice, PlotKind, PlotRequest};
 pub use remove::RemoveRequest;
 pub use reproduce::ReproduceRequest;

@@ -13,11 +13,20 @@ use crate::values::typed::trimmed;
 /// Fields that the operation, the mass or the reference of a note gives: see `Step` of `osim-model`.
 const SAID_ELSEWHERE: [&str; 6] = ["verb", "models", "from", "target_mass", "set", "stance_limbs"];
 
-impl Request {
+/// What the note of a changed model says of the request.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct NoteDetails {
     /// The options that decide which numbers result, as `name=value`: without files, masses and answers. Of files that are read, no
     /// folders, because a model travels.
+    pub options: String,
+    /// Limbs that share the body weight, where the request says so.
+    pub stance_limbs: Option<f64>,
+}
+
+impl Request {
+    /// What the note of a model that it changes says of it.
     #[must_use]
-    pub fn noted_options(&self) -> String {
+    pub fn noted(&self) -> NoteDetails {
         let others = [
             map(&AnswerOptions::default()),
             map(&MassOptions::default()),
@@ -31,14 +40,11 @@ impl Request {
             "level" => self.verb() == Verb::Set,
             name => SAID_ELSEWHERE.contains(&name) || others.iter().any(|fields| fields.contains_key(name)),
         };
-        let noted = self.to_map().into_iter().filter(|(name, value)| !is_elsewhere(name, value));
-        noted.map(|(name, value)| format!("{name}={}", in_a_word(&value))).collect::<Vec<_>>().join(" ")
-    }
-
-    /// Limbs that share the body weight, where the request says so.
-    #[must_use]
-    pub fn stance_limbs_said(&self) -> Option<f64> {
-        self.to_map().get("stance_limbs")?.as_f64()
+        let said = self.to_map();
+        let stance_limbs = said.get("stance_limbs").and_then(Value::as_f64);
+        let noted = said.into_iter().filter(|(name, value)| !is_elsewhere(name, value));
+        let options = noted.map(|(name, value)| format!("{name}={}", in_a_word(&value)));
+        NoteDetails { options: options.collect::<Vec<_>>().join(" "), stance_limbs }
     }
 }
 
@@ -63,7 +69,7 @@ mod tests {
 
     #[track_caller]
     fn notes(json: &str, noted: &str) {
-        assert_eq!(Request::from_json(json.as_bytes()).unwrap().noted_options(), noted);
+        assert_eq!(Request::from_json(json.as_bytes()).unwrap().noted().options, noted);
     }
 
     #[test]
