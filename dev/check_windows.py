@@ -243,7 +243,7 @@ def one_summary_for_two_runs(bench):
         while not (bench.folder / "done.csv.partial").exists() and time.monotonic() < end:
             time.sleep(0.05)
         bench.refused("model.osim", "--target-mass", "500", "-o", "two.osim", "--summary", "done.csv", "--force",
-                      status=2, says=["is being written by another run"])
+                      status=3, says=["is being written by another run"])
         text = first.communicate((bench.folder / "model.osim").read_bytes(), timeout=60)[0]
         assert first.returncode == 0, text
     finally:
