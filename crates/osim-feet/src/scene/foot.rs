@@ -15,8 +15,6 @@ use crate::vector::dot;
 const NEAR: f64 = 0.5;
 /// Bones of bodies without spheres are drawn up to this share of the foot's length above its lowest place.
 const SHOWN: f64 = 0.8;
-/// Joints between a body and the first of its foot: each body of a longer chain would walk all of it.
-const LONGEST_CHAIN: usize = 64;
 
 /// The frame in which a foot is drawn.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -305,7 +303,7 @@ impl<'p> Places<'p> {
     /// The point in the frame of the foot's first body, m: through the joints between them.
     fn in_top(&self, body: &str, point_m: [f64; 3]) -> Option<[f64; 3]> {
         let (mut at, mut point) = (body, point_m);
-        for _ in 0..=LONGEST_CHAIN {
+        for _ in 0..=self.anatomy.bodies.len() {
             if at == self.top {
                 return Some(point);
             }

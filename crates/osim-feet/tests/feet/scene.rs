@@ -126,16 +126,19 @@ fn spheres_on_a_body_that_is_no_limb_are_a_foot_of_their_own() {
     assert_eq!(found[1].bodies, ["calcn_l", "toes_l"]);
 }
 
-/// A tail of `count` bodies, each 1 cm behind the one before, the first on ground.
-fn tail(count: usize, spheres: &str) -> Model {
+/// A tail of `count` bodies, each 1 cm behind the one before, the first on ground by a joint of the class `root`.
+fn tail(count: usize, root: &str, spheres: &str) -> Model {
     let bodies: String =
         (0..count).map(|i| format!("<Body name=\"tail{i}_r\"><mass>1</mass></Body>")).collect();
     let joint = |i: usize| {
-        let parent = if i == 0 { "/ground".to_owned() } else { format!("/bodyset/tail{}_r", i - 1) };
+        let (class, parent) = match i {
+            0 => (root, "/ground".to_owned()),
+            _ => ("WeldJoint", format!("/bodyset/tail{}_r", i - 1)),
+        };
         format!(
-            "<WeldJoint name=\"joint{i}\"><socket_parent_frame>p</socket_parent_frame><socket_child_frame>/bodyset/tail{i}_r\
+            "<{class} name=\"joint{i}\"><socket_parent_frame>p</socket_parent_frame><socket_child_frame>/bodyset/tail{i}_r\
              </socket_child_frame><frames><PhysicalOffsetFrame name=\"p\"><socket_parent>{parent}</socket_parent>\
-             <translation>-0.01 0 0</translation></PhysicalOffsetFrame></frames></WeldJoint>"
+             <translation>-0.01 0 0</translation></PhysicalOffsetFrame></frames></{class}>"
         )
     };
     let joints: String = (0..count).map(joint).collect();
@@ -151,7 +154,7 @@ fn tail(count: usize, spheres: &str) -> Model {
 fn bodies_of_a_long_chain_are_one_foot() {
     let spheres: String =
         (9..=190).map(|i| sphere(&format!("s{i}"), &format!("tail{i}_r"), "0 0 0")).collect();
-    let Feet { feet, found, .. } = feet(&tail(200, &spheres));
+    let Feet { feet, found, .. } = feet(&tail(200, "WeldJoint", &spheres));
     let [foot] = feet.as_slice() else { panic!("{feet:?}") };
     assert_eq!((foot.name.as_str(), foot.spheres.len()), ("tail9_r", 182));
     // From the first with a sphere to the end of the tail, each once.
@@ -164,6 +167,10 @@ fn bodies_of_a_long_chain_are_one_foot() {
     // 10 and 191 joints from ground.
     close(foot.spheres[0].centre_m, [-0.1, 0.0, 0.0]);
     close(foot.spheres[181].centre_m, [-1.91, 0.0, 0.0]);
+    // The same in the frame of the first body, where nobody knows where that is.
+    let Feet { feet, .. } = self::feet(&tail(200, "ScapulothoracicJoint", &spheres));
+    assert_eq!(feet[0].unplaced, Vec::<String>::new());
+    close(feet[0].spheres[181].centre_m, [-1.81, 0.0, 0.0]);
 }
 
 #[test]
