@@ -5,7 +5,7 @@
 //! - [`floors`]: the one table of crates from low to high; a crate depends only on crates on lower floors.
 //! - [`texts`]: no option's name (`--mass`) and no file, process or stream of the system where they do not belong.
 //! - [`words`]: the words that messages, doc comments and docs must not use.
-//! - [`book`]: how many words each page of the book may have, and its sentences.
+//! - [`book`]: how long the sentences of a page are.
 //! - [`sizes`]: what has grown large, as places to look; nothing fails.
 //!
 //! The code is read as tokens ([`tokens`], [`module`]), not parsed: nothing is expanded, a method that is called on a value names no
