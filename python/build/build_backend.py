@@ -14,7 +14,7 @@ from pathlib import Path
 import maturin
 
 TOP = Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(TOP / "dist"))
+sys.path.insert(0, str(TOP / "dev/release"))
 
 import building  # noqa: E402
 from licences import licences  # noqa: E402

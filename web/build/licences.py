@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "dist"))
+sys.path.insert(0, str(ROOT / "dev/release"))
 sys.dont_write_bytecode = True
 
 from licences import licences  # noqa: E402

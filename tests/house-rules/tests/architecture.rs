@@ -15,11 +15,9 @@ const PAGE: &str = "docs/developers/architecture.md";
 
 /// A code span that begins so is a path from the project's root.
 const FOLDERS: &[&str] = &[
-    "benches/",
     "crates/",
     "demonstrations/",
     "dev/",
-    "dist/",
     "docs/",
     "fixtures/",
     "fuzz/",

@@ -1,7 +1,7 @@
 """Builds the wheel that people install with pip, with the program of the archive in its scripts; or the sdist.
 
-    python3 dist/build_wheel.py --program PATH [--target TRIPLE] [--out FOLDER]
-    python3 dist/build_wheel.py --sdist [--out FOLDER]
+    python3 dev/release/build_wheel.py --program PATH [--target TRIPLE] [--out FOLDER]
+    python3 dev/release/build_wheel.py --sdist [--out FOLDER]
 
 On Linux the module runs wherever glibc is 2.17 or later (manylinux2014): zig links it. Writes NAME and NAME.sha256.
 Needs Python 3.10, pip and Rust.
@@ -16,7 +16,7 @@ import tempfile
 import venv
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 MATURIN = "maturin==1.16.0"
 ZIG = "ziglang==0.15.2"
 

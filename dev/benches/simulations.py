@@ -1,6 +1,6 @@
 """What a run adds to the simulations themselves, and what two workers gain.
 
-    target/python-venv/bin/python benches/simulations.py [--drops N] [--empty N]
+    target/python-venv/bin/python dev/benches/simulations.py [--drops N] [--empty N]
 
 Needs the package with its extra `simulate`, and opensim. All is done by `simulate.run` with workers of Dask on this machine, which are
 there when a clock begins; that each imports OpenSim is in the time.
@@ -24,7 +24,7 @@ import osim_contact_scale as ocs
 from osim_contact_scale import simulate
 from osim_contact_scale.simulate import _worker
 
-MODEL = Path(__file__).resolve().parent.parent / "fixtures" / "table1" / "human_62kg_smooth_sphere.osim"
+MODEL = Path(__file__).resolve().parents[2] / "fixtures" / "table1" / "human_62kg_smooth_sphere.osim"
 
 
 def empty(path):

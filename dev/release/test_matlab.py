@@ -1,6 +1,6 @@
 """Unpacks the zip of the MATLAB package and has GNU Octave run its tests, tests/matlab/.
 
-    python3 dist/test_matlab.py FOLDER [PROGRAM]
+    python3 dev/release/test_matlab.py FOLDER [PROGRAM]
 
 FOLDER holds osim-contact-scale-matlab-VERSION.zip; PROGRAM is target/release/osim-contact-scale by default.
 Needs Octave 7.
@@ -14,7 +14,7 @@ from pathlib import Path
 
 from test_archive import unpack
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 EXPECTED = ["README.md", "LICENSE-MIT", "LICENSE-APACHE", "+osimcontact/rescale.m", "+osimcontact/Contents.m"]
 
 

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(__file__).resolve().parents[2]
 LICENCE_FILES = re.compile(r"(LICEN[CS]E|COPYING|COPYRIGHT|NOTICE|UNLICENSE)", re.IGNORECASE)
 
 
@@ -39,7 +39,7 @@ def licences(metadata, root, target):
     head.append("\nThe standard library of Rust: MIT OR Apache-2.0 (https://www.rust-lang.org).")
     if target.endswith("linux-gnu"):
         head.append("The GNU C Library: LGPL-2.1-or-later (https://www.gnu.org/software/libc). The program's sources are\n"
-                    "open: dist/build_archive.py links them with any other version of it.")
+                    "open: dev/release/build_archive.py links them with any other version of it.")
     if target.endswith("linux-musl"):
         head.append("musl: MIT (https://musl.libc.org).")
     parts = ["\n".join(head)]

@@ -1,6 +1,6 @@
 """The ```console examples of the documentation: finds them, runs them with a program, and compares what it prints.
 
-    python3 dist/console_examples.py PROGRAM FOLDER [PAGE...]
+    python3 dev/release/console_examples.py PROGRAM FOLDER [PAGE...]
 
 FOLDER is the top of the sources or of an unpacked archive. Examples are written as tests/documents.rs reads them: `$ COMMAND`, then
 `? STATUS` if it is not 0, then the output, where a line `...` means any lines and `[..]` any text of a line.

@@ -1,6 +1,6 @@
 """The Python package against the command and against opensim's own API, as ratios in one run.
 
-    target/python-venv/bin/python benches/python.py [--models N]
+    target/python-venv/bin/python dev/benches/python.py [--models N]
 
 Needs the package, as pip installs it, and models by other people (OSIM_CORPUS); opensim is compared where it is installed.
 Each figure is the median of its runs, which take turns, so that a machine that slows down slows down all.

@@ -1,6 +1,6 @@
 """Unpacks an archive and runs the program as on a machine that has nothing else.
 
-    python3 dist/test_archive.py ARCHIVE|FOLDER...
+    python3 dev/release/test_archive.py ARCHIVE|FOLDER...
 
 Checks the checksum, the files, every console example of the pages, and one scaling from start to end, with an empty environment;
 on Linux also in a root folder that holds the program and a model and nothing else.
@@ -134,7 +134,7 @@ def test(archive):
 
 
 def archives_of(folder):
-    # The package for MATLAB holds no program: dist/test_matlab.py tests it. Sources of the Python package have another name.
+    # The package for MATLAB holds no program: dev/release/test_matlab.py tests it. Sources of the Python package have another name.
     found = [path for path in sorted(folder.iterdir()) if path.name.endswith((".tar.gz", ".zip"))]
     own = [path for path in found if path.name.startswith(f"{COMMAND}-")]
     return [path for path in own if not path.name.startswith(f"{COMMAND}-matlab-")]

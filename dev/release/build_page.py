@@ -1,6 +1,6 @@
 """Builds the page for browsers, one HTML file which is the same for every system.
 
-    python3 dist/build_page.py [--out FOLDER] [--skip-build]
+    python3 dev/release/build_page.py [--out FOLDER] [--skip-build]
 
 Needs what `dev/install.sh web` installs. Writes osim-contact-scale-page-VERSION.html and the same with .sha256; --skip-build takes the
 page that `node web/build.mjs` made last.

@@ -1,6 +1,6 @@
 """Builds the archive that people download: the program, its pages with their examples' models, completions, manual and licences.
 
-    python3 dist/build_archive.py [--target TRIPLE] [--out FOLDER] [--program FOLDER] [--names FOLDER]
+    python3 dev/release/build_archive.py [--target TRIPLE] [--out FOLDER] [--program FOLDER] [--names FOLDER]
 
 On Linux and Windows the program is static: it needs no library that may be missing or of another version. The same
 sources, compiler and target give the same archive, byte for byte: names are sorted, owners and times are fixed.
@@ -61,7 +61,7 @@ def contents(program, target, metadata):
     for shell, name in SHELLS.items():
         add(f"completions/{name}", output_of(str(program), "completions", shell))
     if "windows" in target:
-        add("inspect.bat", (ROOT / "dist/inspect.bat").read_bytes().replace(b"\r\n", b"\n").replace(b"\n", b"\r\n"))
+        add("inspect.bat", (ROOT / "dev/release/inspect.bat").read_bytes().replace(b"\r\n", b"\n").replace(b"\n", b"\r\n"))
     else:
         with tempfile.TemporaryDirectory() as folder:
             output_of(str(program), "man", "--output-dir", folder)

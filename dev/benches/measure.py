@@ -11,8 +11,8 @@ import time
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parent
-sys.path.insert(0, str(ROOT / "dist"))
+ROOT = HERE.parent.parent
+sys.path.insert(0, str(ROOT / "dev/release"))
 import building  # noqa: E402
 TARGET_KG = "500"
 MIB = 1 << 20

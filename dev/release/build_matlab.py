@@ -1,8 +1,8 @@
 """Builds the zip of the package for MATLAB and GNU Octave, which is the same for every system.
 
-    python3 dist/build_matlab.py [--out FOLDER]
+    python3 dev/release/build_matlab.py [--out FOLDER]
 
-The same sources give the same zip, byte for byte. The archives of the program hold the package, too: dist/build_archive.py.
+The same sources give the same zip, byte for byte. The archives of the program hold the package, too: dev/release/build_archive.py.
 Needs Python 3.9; writes osim-contact-scale-matlab-VERSION.zip and the same with .sha256.
 """
 

@@ -1,4 +1,4 @@
-// Measures the page in Chromium: node benches/web.mjs
+// Measures the page in Chromium: node dev/benches/web.mjs
 //
 // Ready from a local file, opening the published model of 670 kB, a step of the slider, and the size of the file, each
 // against its limit, and against the command as a process on the same model in the same run. Needs what tests/web needs.
@@ -8,8 +8,8 @@ import { mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
 import { loadavg, tmpdir } from "node:os";
 import { join } from "node:path";
 
-import { launch, pageIn } from "../tests/web/support/launch.mjs";
-import { CORPUS, fixture, lacking, PAGE, PROGRAM } from "../tests/web/support/places.mjs";
+import { launch, pageIn } from "../../tests/web/support/launch.mjs";
+import { CORPUS, fixture, lacking, PAGE, PROGRAM } from "../../tests/web/support/places.mjs";
 
 const ROUNDS = 15;
 const STEPS = 200;
