@@ -4,7 +4,7 @@
     dev/check_windows.py [--no-macos]
 
 Needs what `dev/install.sh windows` installs: Debian's compiler with the sources of its library (rustc-web, rust-web-src), a
-linker (mingw) and Wine. What runs under Wine is compared with what the program for this system writes. CONTRIBUTING.md says
+linker (mingw) and Wine. What runs under Wine is compared with what the program for this system writes. dev/README.md says
 what Wine cannot show. Prints a line for each check, and ends with 1 where one failed.
 """
 
