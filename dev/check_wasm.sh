@@ -5,6 +5,5 @@ cd "$(dirname "$0")/.."
 
 # Default features: contact-plots makes its PNG pictures there, too. What the page itself uses is compiled by web/build.mjs.
 exec dev/cargo_wasm.sh check \
-    --package contact-scaling --package contact-plots --package osim-xml --package osim-messages --package osim-model --package osim-feet \
-    --package osim-requests --package osim-compare --package osim-patch --package osim-inspect --package osim-planning \
-    --package osim-figures --package osim-report --package osim-html
+    --package contact-scaling --package contact-plots --package osim-model --package osim-requests --package osim-patch \
+    --package osim-inspect --package osim-motion --package osim-planning --package osim-view

@@ -10,14 +10,14 @@ use std::path::{Path, PathBuf};
 
 use contact_scaling::limits;
 use osim_inspect::{CheckResult, Figure};
-use osim_messages::{Call, Dialect, Example, Input, Phrase};
 use osim_model::files::{Beside, InMemory, ModelFiles};
+use osim_model::messages::{Call, Dialect, Example, Input, Phrase};
 use osim_model::{FindingCode, Repair, Seen, Severity};
 use osim_planning::{DesignQuantity, Inspector, rules};
-use osim_report::ExitStatus;
-use osim_report::explain::ErrorGroup;
 use osim_requests::options::InspectionOptions;
 use osim_requests::spell::CommandLine;
+use osim_view::report::ExitStatus;
+use osim_view::report::explain::ErrorGroup;
 
 #[path = "generated/records.rs"]
 mod records;

@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::{CheckResult, FindingRecord, Inspection};
 use osim_library::run::JsonRecord;
-use osim_messages::Verb;
+use osim_model::messages::Verb;
 use osim_planning::DesignSheet;
-use osim_report::explain::TopicRecord;
-use osim_report::json::{FailureRecord, PlanRecord};
-use osim_report::reproduce::ReproductionRecord;
-use osim_report::results::{DropRecord, FitRecord, MotionRecord, PresetRecord, SweepRecord};
 use osim_requests::schema_of;
+use osim_view::report::explain::TopicRecord;
+use osim_view::report::json::{FailureRecord, PlanRecord};
+use osim_view::report::reproduce::ReproductionRecord;
+use osim_view::report::results::{DropRecord, FitRecord, MotionRecord, PresetRecord, SweepRecord};
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde_json::Value;

@@ -1,6 +1,6 @@
 //! Meshes of bones.
 
-use osim_feet::mesh_points;
+use osim_model::feet::mesh_points;
 
 /// Bytes as each kind of mesh: its points are finite and not too many, or there is a reason that can be printed.
 pub fn mesh(bytes: &[u8]) {

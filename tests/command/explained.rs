@@ -83,16 +83,14 @@ fn in_source(text: &str, found: &mut BTreeSet<String>) {
 const STATING: [&str; 2] = ["osim-patch", "osim-requests"];
 
 /// The crates that can refuse something.
-const PROGRAM: [&str; 9] = [
-    "osim-feet",
+const PROGRAM: [&str; 7] = [
     "osim-model",
-    "osim-compare",
     "osim-patch",
     "osim-inspect",
     "osim-requests",
     "osim-planning",
     "osim-library",
-    "osim-report",
+    "osim-view",
 ];
 
 /// Every source file of these crates, with its text.

@@ -1,6 +1,6 @@
 //! Text from outside (names in a model, file names, cells, options) is printed so that it can do no harm.
 
-use osim_messages::is_seen;
+use osim_model::messages::is_seen;
 
 use crate::support::{Bench, HUMAN, Ran, fixture};
 

@@ -6,11 +6,11 @@ use osim_inspect::CheckResult;
 use osim_model::FindingCode;
 use osim_model::files::InMemory;
 use osim_planning::{Inspector, open_with, prepare};
-use osim_report::check::{LibraryTable, csv_rows, text};
-use osim_report::json::line;
-use osim_report::layout::Colour;
 use osim_requests::spell::{CommandLine, FrontEnd};
 use osim_requests::{CheckRequest, Request};
+use osim_view::report::check::{LibraryTable, csv_rows, text};
+use osim_view::report::json::line;
+use osim_view::report::layout::Colour;
 use serde_json::json;
 
 use crate::front_end::{Changed, files_of, request};

@@ -6,11 +6,11 @@ use osim_model::FileId;
 use osim_model::files::{Failure, InMemory, ModelFiles, OpenModel};
 use osim_patch::Plan;
 use osim_planning::{Change, prepare};
-use osim_report::json::{FailureRecord, PlanRecord, line};
-use osim_report::plan;
 use osim_requests::Request;
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::CommandLine;
+use osim_view::report::json::{FailureRecord, PlanRecord, line};
+use osim_view::report::plan;
 use serde_json::Value;
 
 use crate::support::Bench;

@@ -3,11 +3,11 @@
 use osim_inspect::Inspection;
 use osim_model::files::InMemory;
 use osim_planning::{Inspector, open_with};
-use osim_report::inspection::{csv_rows, text};
-use osim_report::json::line;
-use osim_report::layout::Colour;
 use osim_requests::InspectRequest;
 use osim_requests::spell::CommandLine;
+use osim_view::report::inspection::{csv_rows, text};
+use osim_view::report::json::line;
+use osim_view::report::layout::Colour;
 use serde_json::{Value, json};
 
 use crate::front_end::{files_of, request};

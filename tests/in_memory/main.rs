@@ -1,7 +1,7 @@
 //! Every verb without a disk and without a terminal, as a page in a browser does it: a request in JSON, files in a map, and
 //! the libraries. What comes of it is what the command prints and writes for the same files.
 //!
-//! Only `osim-model`, `osim-patch`, `osim-inspect`, `osim-requests`, `osim-report` and `contact-plots` are used here. Each
+//! Only `osim-model`, `osim-patch`, `osim-inspect`, `osim-requests`, `osim-view` and `contact-plots` are used here. Each
 //! expected value is the command's: both are to be one logic behind two front ends.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]

@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use osim_html::{
-    self, About, Columns, DetailLevel, Entry, Examined, Files, InMemory as Texts, Inspected, Kept,
-    NamedDigest, Page, RunRow,
-};
-use osim_messages::Verb;
 use osim_model::files::{Beside, InMemory, ModelFiles, OpenModel};
+use osim_model::messages::Verb;
 use osim_planning::{BeforeAfter, Inspector, ModelFeet, open_with, prepare};
 use osim_requests::spell::CommandLine;
+use osim_view::html::{
+    About, Columns, DetailLevel, Entry, Examined, Files, InMemory as Texts, Inspected, Kept, NamedDigest,
+    Page, RunRow,
+};
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
@@ -55,7 +55,7 @@ fn of_an_inspection() {
         files: &digests(&opened),
         feet: Some(feet),
     };
-    let entry = osim_html::inspected(shown, DetailLevel::Alone, &CommandLine);
+    let entry = osim_view::html::inspected(shown, DetailLevel::Alone, &CommandLine);
     let words = "inspect human.osim --report page.html";
     bench.run(words).done().wrote(&["page.html"]);
     assert_eq!(
@@ -92,12 +92,12 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
         result: format!("written: {}", names.join(", ")),
         outputs: outputs.collect(),
     };
-    let mut shows = osim_html::Changed::of_states(&changed.plan, &both, told);
+    let mut shows = osim_view::html::Changed::of_states(&changed.plan, &both, told);
     if let Some(feet) = shows.feet.last_mut() {
         feet.add_bones(&changed.opened.model, path, None, &files);
     }
     shows.in_file = true;
-    let entry = osim_html::changed(&row, shows, DetailLevel::Alone, &CommandLine);
+    let entry = osim_view::html::changed(&row, shows, DetailLevel::Alone, &CommandLine);
 
     let words = format!("{words} --report page.html");
     bench.run(&words).done();

@@ -1,8 +1,8 @@
 //! Figures: SVG and PNG as bytes, and what is said beside them.
 
-use osim_figures as figures;
 use osim_planning::plot_bodies;
 use osim_requests::spell::CommandLine;
+use osim_view::figures;
 use serde_json::{Value, json};
 
 use crate::front_end::{files_of, request};

@@ -1,15 +1,15 @@
 //! Verbs that compute and change nothing: drops, fits, designs without a model, presets, explanations.
 
 use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit};
-use osim_report::explain::{Letters, answer};
-use osim_report::json::{FailureRecord, line};
-use osim_report::messages::mass_mismatch;
-use osim_report::reproduce::{ReproductionRecord, fig1_text, reproduction_text};
-use osim_report::results::{
-    DropRecord, FitRecord, PresetRecord, design_sheet_text, drop_csv, drop_text, fit_text, preset_text,
-};
 use osim_requests::RequestError;
 use osim_requests::spell::CommandLine;
+use osim_view::report::explain::{Letters, answer};
+use osim_view::report::json::{FailureRecord, line};
+use osim_view::report::messages::mass_mismatch;
+use osim_view::report::reproduce::{ReproductionRecord, fig1_text, reproduction_text};
+use osim_view::report::results::{
+    DropRecord, FitRecord, PresetRecord, design_sheet_text, drop_csv, drop_text, fit_text, preset_text,
+};
 use serde_json::json;
 
 use crate::front_end::{files_of, request};

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use osim_model::files::Files;
 use osim_planning::Table;
-use osim_report::json::{FailureRecord, PlanRecord, line};
 use osim_requests::spell::CommandLine;
+use osim_view::report::json::{FailureRecord, PlanRecord, line};
 
 use crate::front_end::{Changed, files_of, request};
 use crate::support::{Bench, HUMAN};

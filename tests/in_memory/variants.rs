@@ -4,8 +4,8 @@ use std::path::Path;
 
 use osim_model::files::{Beside, FileName, Files, ModelFiles};
 use osim_planning::SweepPlan;
-use osim_report::json::line;
-use osim_report::results::SweepRecord;
+use osim_view::report::json::line;
+use osim_view::report::results::SweepRecord;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 

@@ -1,7 +1,7 @@
 """Bones of feet in ground at the default pose, and spheres on their soles, against the real OpenSim and NumPy.
 
 OpenSim says where the bodies are, and which meshes are attached to them with which factors and frames. NumPy reads the mesh
-files itself, places their points, and compares with what `osim-feet` prints through its example `feet`.
+files itself, places their points, and compares with what `osim-model` prints through its example `feet`.
 """
 
 import json

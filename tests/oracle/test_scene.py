@@ -1,6 +1,6 @@
 """Feet as `plot feet` draws them, against the real OpenSim: places of spheres, joints and floors at the default pose.
 
-The scene is what the example `scene` of osim-feet prints, before anything is drawn.
+The scene is what the example `scene` of osim-model prints, before anything is drawn.
 """
 
 import json

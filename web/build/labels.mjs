@@ -5,7 +5,7 @@ import { join } from "node:path";
 
 import { ROOT } from "./paths.mjs";
 
-const SOURCE = "crates/osim-messages/src/input.rs";
+const SOURCE = "crates/osim-model/src/messages/input.rs";
 
 /** The label of each field, by its name in requests. */
 export function labels() {

@@ -14,7 +14,7 @@ import { guard, policyElement } from "./policy.mjs";
 
 const EXAMPLE = "fixtures/table1/human_62kg_smooth_sphere.osim";
 // The first is that of the report's fragments, which the page shows.
-const STYLES = ["crates/osim-html/src/style.css", "web/page/page.css", "web/page/forms.css", "web/page/panels.css", "web/page/bench.css"];
+const STYLES = ["crates/osim-view/src/html/style.css", "web/page/page.css", "web/page/forms.css", "web/page/panels.css", "web/page/bench.css"];
 
 /** The text of the page, and the sizes of its parts. */
 export async function assemble({ script, worker, wasm, licences }) {

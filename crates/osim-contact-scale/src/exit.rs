@@ -3,7 +3,7 @@
 use std::fmt;
 
 use osim_library::Cause;
-pub(crate) use osim_report::ExitStatus as Exit;
+pub(crate) use osim_view::report::ExitStatus as Exit;
 
 /// An error that ends the run with a status of its own; any other is wrong usage.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! The command `osim-contact-scale`: words, terminal and exit status around the libraries.
 //!
-//! [`osim_report::ExitStatus`] has what the exit status says.
+//! [`osim_view::report::ExitStatus`] has what the exit status says.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
@@ -21,7 +21,7 @@ use std::process::ExitCode;
 
 use clap::FromArgMatches;
 use clap::error::ErrorKind;
-use osim_messages::Verb;
+use osim_model::messages::Verb;
 use osim_requests::{PlotKind, RequestFault};
 
 use args::{Cli, bare_command, check_typed, command, plain_command, usage_line};

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Command, CommandFactory};
 use osim_library::SplitName;
-use osim_messages::{Input, Phrase, Verb, phrase};
+use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_requests::no_fig1;
 use osim_requests::{AxisName, Kilograms, PlotKind};
 

@@ -3,8 +3,8 @@
 use anyhow::Result;
 use osim_library::LibraryFault;
 use osim_model::files::Failure;
-use osim_report::json::{FailureRecord, line};
 use osim_requests::{RequestError, RequestFault};
+use osim_view::report::json::{FailureRecord, line};
 
 use crate::exit::{Ended, Exit, exit_of_cause};
 use crate::failure;

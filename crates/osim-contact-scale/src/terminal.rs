@@ -6,8 +6,8 @@
 use std::borrow::Cow;
 use std::io::{self, ErrorKind, IsTerminal, Write};
 
-use osim_messages::{harmless, one_line};
-use osim_report::layout::{WIDTH, broken};
+use osim_model::messages::{harmless, one_line};
+use osim_view::report::layout::{WIDTH, broken};
 use terminal_size::Width;
 
 /// Where the command talks.

@@ -1,6 +1,6 @@
 //! n, the number of spheres that share the body weight: the one rule for it.
 
-use osim_messages::Phrase;
+use osim_model::messages::Phrase;
 use osim_model::{CountOf, Fault, ForceId, Limb, Limbs, Model, Needed};
 
 /// Which spheres share the weight of the body that chosen forces belong to.

@@ -1,6 +1,6 @@
 //! Models that weigh something else than their contacts are made for: scaled contacts under a body that is not scaled yet.
 
-use osim_messages::{Input, Phrase, phrase, readable};
+use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{MassRequest, MassSource, Model, mass_slip, same_mass};
 
 /// The two masses, where the note in the file says one and the bodies another, and no option says which is meant.

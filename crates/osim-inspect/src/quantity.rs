@@ -1,8 +1,8 @@
 //! What a number is, apart from its value; and registers of such.
 
 use contact_scaling::limits::{self, Limit};
-use osim_messages::Phrase;
 use osim_model::Property;
+use osim_model::messages::Phrase;
 
 /// A quantity: its name, label, unit, equation, meaning and limit.
 ///

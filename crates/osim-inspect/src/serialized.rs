@@ -1,7 +1,7 @@
 //! What all JSON results share: their version, and findings and phrases as they have them.
 
-use osim_messages::Phrase;
 use osim_model::Finding;
+use osim_model::messages::Phrase;
 #[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};

@@ -1,6 +1,6 @@
 //! What else follows the size of a body, for JSON, tables and reports.
 
-use osim_compare::{LengthFrom, Similarity, SimilarityRow, SizeVerdict, Spread, formula};
+use osim_model::compare::{LengthFrom, Similarity, SimilarityRow, SizeVerdict, Spread, formula};
 use osim_model::{NotRead, SizedKind};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;

@@ -3,8 +3,8 @@
 use std::fmt::{self, Display};
 use std::path::Path;
 
-use osim_messages::{Dialect, Input, Phrase, phrase};
 use osim_model::files::{Failure, FileName};
+use osim_model::messages::{Dialect, Input, Phrase, phrase};
 
 /// Why something could not be done with files: what is wrong, what was expected, and a way out.
 #[derive(Debug, Clone, PartialEq)]

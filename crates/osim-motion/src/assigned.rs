@@ -1,7 +1,7 @@
 //! Which foot is on which plate.
 
-use osim_feet::dot;
 use osim_model::Side;
+use osim_model::feet::dot;
 
 use crate::beside::beside;
 use crate::feet::Foot;

@@ -1,6 +1,6 @@
 //! Feet that stand beside the plates.
 
-use osim_feet::dot;
+use osim_model::feet::dot;
 
 use crate::feet::Foot;
 use crate::percentile::percentile;

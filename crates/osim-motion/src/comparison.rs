@@ -1,6 +1,6 @@
 //! Forces of a model beside those that plates measured.
 
-use osim_feet::dot;
+use osim_model::feet::dot;
 
 use crate::wrench::Wrench;
 

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use osim_feet::prescribed_function;
+use osim_model::feet::prescribed_function;
 use osim_model::{CoordinateFunction, Model, ModelJoint};
 
 use crate::table::{Column, Table};

@@ -1,6 +1,6 @@
 //! Where forces act on the sole of a foot, which moves and turns over the floor.
 
-use osim_feet::{DefaultPose, PoseFault, dot};
+use osim_model::feet::{DefaultPose, PoseFault, dot};
 use osim_model::{Model, cross};
 
 use crate::sole::{across, forward, level};

@@ -1,7 +1,7 @@
 //! A table as values and speeds of all coordinates of a model.
 
 use gcv_spline::GcvSpline;
-use osim_feet::{Coupler, Couplers};
+use osim_model::feet::{Coupler, Couplers};
 use osim_model::{Model, ModelJoint};
 
 use crate::coordinates::{Columns, CoordinateKind, ModelCoordinate, columns_of, coordinates_of};

@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use osim_feet::{Crossing, PoseFault, joint_walk};
+use osim_model::feet::{Crossing, PoseFault, joint_walk};
 use osim_model::{Model, ModelJoint, MovingPlacement, Placement, Speeds};
 
 /// One joint on the way from ground, with its coordinates among all.

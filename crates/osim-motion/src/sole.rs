@@ -1,6 +1,6 @@
 //! Which way is down and ahead for the spheres of a foot, in their own bodies.
 
-use osim_feet::{DefaultPose, PoseFault, ViewAxes, dot};
+use osim_model::feet::{DefaultPose, PoseFault, ViewAxes, dot};
 use osim_model::{Model, Rotation, Side, cross};
 
 use crate::pair::Touched;

@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use osim_feet::{PoseFault, dot};
+use osim_model::feet::{PoseFault, dot};
 use osim_model::{Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, SphereId};
 
 use crate::belt::Belt;

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use contact_scaling::{limits, restitution};
-use osim_feet::dot;
+use osim_model::feet::dot;
 
 use crate::assigned::Measured;
 use crate::comparison::{ComparedOn, Comparison};

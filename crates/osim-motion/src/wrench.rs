@@ -1,7 +1,7 @@
 //! Forces with their moments, and where they act.
 
-use osim_feet::dot;
 use osim_model::cross;
+use osim_model::feet::dot;
 
 use crate::states::ContactState;
 

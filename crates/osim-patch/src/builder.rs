@@ -1,7 +1,7 @@
 //! Collecting changes: each number is checked, changed once, and only if it really changes.
 
 use foldhash::{HashSet, HashSetExt};
-use osim_messages::Phrase;
+use osim_model::messages::Phrase;
 use osim_model::{
     Fault, FaultKind, FileId, Finding, ForceId, HalfSpace, Model, Property, SetId, Slot, SphereId, ValueKey,
 };

@@ -1,6 +1,6 @@
 //! One number or one place that is to change.
 
-use osim_messages::readable;
+use osim_model::messages::readable;
 use osim_model::{Fault, FileId, Property, Slot, ValueKey};
 
 use crate::written;

@@ -4,7 +4,7 @@ use contact_scaling::{
     Contact, ContactValues, DomainError, Law, RatioValues, Ratios, SharedLoad, SmoothingValues, Spheres,
     design as wanted_of, equilibrium, modulus, restitution, smoothing,
 };
-use osim_messages::{Phrase, counted, phrase, readable};
+use osim_model::messages::{Phrase, counted, phrase, readable};
 use osim_model::{
     DissipationBy, Fault, FindingCode, Force, ForceKind, GravityFor, Mass, Model, Needed, Note, Property,
     PropertySet, RadiusRule, Scope, Selected, SetId, same_gravity, same_mass,

@@ -1,6 +1,6 @@
 //! Contacts that are scaled to another gravity: the ratio, and its words.
 
-use osim_messages::{Input, readable};
+use osim_model::messages::{Input, readable};
 use osim_model::{Fault, FaultKind, GravityFor, Needed};
 
 /// Gravity that contacts were made for and that they are scaled to.

@@ -25,7 +25,7 @@
 //!
 //! - [`rescale()`]: the model's own contacts at another mass or gravity.
 //! - [`transfer()`]: the contacts of another model or of a preset, given the size of this one. Spheres of a model that OpenSim
-//!   has scaled can follow their bodies ([`Follow`](osim_compare::Follow)).
+//!   has scaled can follow their bodies ([`Follow`](osim_model::compare::Follow)).
 //! - [`design()`]: parameters from what is wanted of a contact, such as its indentation or restitution.
 //! - [`set()`]: plain values and factors.
 //! - [`note()`]: no number changes; the mass that the contacts were made for is written down.

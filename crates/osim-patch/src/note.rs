@@ -1,6 +1,6 @@
 //! Writing down what the user knows: the mass that contacts were made for. No number changes.
 
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 use osim_model::{Fault, Finding, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
 
 use crate::note_edits;

@@ -5,7 +5,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashSet};
-use osim_messages::{Dialect, Phrase};
+use osim_model::messages::{Dialect, Phrase};
 use osim_model::{
     Class, ElementId, Fault, FileId, Finding, Mass, MassRequest, Model, Note, Property, Scope, Sphere,
     SphereId, Step, ValueKey, same_mass,

@@ -1,6 +1,6 @@
 //! Remarks about a change beside its numbers.
 
-use osim_messages::{Input, Phrase, phrase, readable};
+use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{ForceId, PropertySet};
 
 use crate::builder::PlanBuilder;

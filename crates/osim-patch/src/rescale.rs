@@ -1,8 +1,8 @@
 //! Rescaling a model's own contacts to another mass: every parameter times its ratio.
 
 use contact_scaling::{RatioValues, Ratios};
-use osim_compare::ScaleFile;
-use osim_messages::{Input, Phrase, readable};
+use osim_model::compare::ScaleFile;
+use osim_model::messages::{Input, Phrase, readable};
 use osim_model::{
     DissipationBy, Fault, ForceId, GravityFor, LevelAxis, Mass, Model, Needed, Property, PropertySet,
     RadiusRule, Scope, Selected, SetId, positive_mass, same_mass,

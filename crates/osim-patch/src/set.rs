@@ -1,6 +1,6 @@
 //! Plain changes: a property becomes a value, or is multiplied by a factor. Nothing else follows.
 
-use osim_messages::phrase;
+use osim_model::messages::phrase;
 use osim_model::{
     Assignment, Fault, HalfSpace, Mass, Model, Needed, Property, RadiusFrom, Selected, SphereId,
     moving_spheres,

@@ -1,6 +1,6 @@
 //! What a note says of the changes that made the contacts what they are.
 
-use osim_messages::readable;
+use osim_model::messages::readable;
 use osim_model::{Model, NoteDoubt, Source, Step};
 
 /// More steps than this help nobody: of a longer story the first and the latest are kept.

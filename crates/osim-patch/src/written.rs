@@ -1,6 +1,6 @@
 //! Numbers as they are written into files. Here they become text, for every verb, and what is not finite does not.
 
-use osim_messages::shortest;
+use osim_model::messages::shortest;
 use osim_model::{Fault, FaultKind, Property};
 
 /// The text of the new `value` of `property`; `origin` says what it comes from, for the message.

@@ -1,8 +1,8 @@
 //! The model as a change leaves it: how it is inspected, and what is worse in it than before.
 
 use osim_inspect::{Changeable, Found, InspectOptions, Kin, check_model, check_numbers};
-use osim_messages::{Phrase, phrase};
 use osim_model::files::{Failure, OpenModel};
+use osim_model::messages::{Phrase, phrase};
 use osim_model::{Fault, Finding, FindingCode, Model, NeedsAnswer, Question, Severity, same_mass};
 use osim_patch::Plan;
 use osim_requests::options::AnswerOptions;

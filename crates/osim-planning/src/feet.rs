@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 use std::path::Path;
 
-use osim_feet::{AttachedBones, DefaultPose, FeetFault, Foot, FootBodies, MeshFolders};
 use osim_inspect::misplaced_spheres;
+use osim_model::feet::{AttachedBones, DefaultPose, FeetFault, Foot, FootBodies, MeshFolders};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::{Anatomy, Fault, Finding, ForceId, Model, Selection, SphereId};
 

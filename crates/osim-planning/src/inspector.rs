@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_compare::{Factors, ModelSize, Placement, ScaleFile, Similarity, moco_bounds};
 use osim_inspect::{CheckResult, InspectOptions, Inspection, ReferenceContacts, SizeList, unexplained_slip};
+use osim_model::compare::{Factors, ModelSize, Placement, ScaleFile, Similarity, moco_bounds};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::{Anatomy, Document, Fault, Finding, MassRequest, Model, Severity};
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};

@@ -3,8 +3,8 @@
 
 use std::collections::HashMap;
 
-use osim_feet::LEANING_RAD;
 use osim_inspect::{Bottom, LoadSharing, StandingBody};
+use osim_model::feet::LEANING_RAD;
 use osim_model::{Finding, FindingCode, Limb, Model, Property};
 use osim_patch::Plan;
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use osim_compare::{ScaleFile, refuse_without_moco_phase};
+use osim_model::compare::{ScaleFile, refuse_without_moco_phase};
 use osim_model::files::{Beside, Failure, FileError, Files, ModelFiles, OpenModel};
 use osim_model::{Document, FileId};
 

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use osim_inspect::{InspectOptions, ReferenceState, unmatched_patterns};
-use osim_messages::{Phrase, Verb};
 use osim_model::files::{Failure, Files, OpenModel};
+use osim_model::messages::{Phrase, Verb};
 use osim_model::{Fault, Model, Source};
 use osim_patch::{Plan, StepDetails};
 use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions, SetFiles};

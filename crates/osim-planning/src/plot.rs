@@ -6,8 +6,8 @@ use contact_scaling::Ratios;
 use osim_inspect::Stance;
 use osim_inspect::series::Body;
 use osim_inspect::unexplained_slip;
-use osim_messages::{Input, phrase, readable};
 use osim_model::files::Files;
+use osim_model::messages::{Input, phrase, readable};
 use osim_model::{Fault, MassRequest};
 use osim_requests::{MotionRequest, PlotRequest, RequestError, RequestFault};
 

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use contact_scaling::{Contact, ContactValues, DomainError, Preset, Scale, ScaleValues, SmoothingValues};
-use osim_messages::{Input, phrase};
 use osim_model::LineIndex;
 use osim_model::files::Files;
+use osim_model::messages::{Input, phrase};
 use osim_requests::{PresetsRequest, RequestFault};
 use serde::Deserialize;
 use toml::Spanned;

@@ -1,8 +1,8 @@
 //! The bodies of a model over their floors, by all of its forces.
 
-use osim_feet::{PoseFault, Standing};
 use osim_inspect::{LoadSharing, Stance, StandingBody};
 use osim_model::Model;
+use osim_model::feet::{PoseFault, Standing};
 
 /// Each joint tree with spheres over a floor, one limb carrying it alone, and its limbs.
 ///

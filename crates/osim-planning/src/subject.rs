@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use contact_scaling::Preset;
-use osim_messages::{Input, phrase};
 use osim_model::files::{Beside, Failure, Files, InMemory, ModelFiles, OpenModel};
+use osim_model::messages::{Input, phrase};
 use osim_patch::{preset_model, presets_with_places};
 use osim_requests::options::SetFiles;
 use osim_requests::{RequestError, RequestFault};

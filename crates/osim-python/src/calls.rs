@@ -5,15 +5,15 @@ use std::path::PathBuf;
 
 use osim_model::Property;
 use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit, run_motion};
-use osim_report::explain::{Letters, answer};
-use osim_report::messages::mass_mismatch;
-use osim_report::reproduce::{ReproductionRecord, fig1_text, reproduction_text};
-use osim_report::results::{
+use osim_requests::Request;
+use osim_requests::spell::Python as PythonWords;
+use osim_view::report::explain::{Letters, answer};
+use osim_view::report::messages::mass_mismatch;
+use osim_view::report::reproduce::{ReproductionRecord, fig1_text, reproduction_text};
+use osim_view::report::results::{
     DropRecord, FitRecord, MotionCells, MotionRecord, PresetRecord, design_sheet_text, drop_text, fit_text,
     motion_columns, motion_text, preset_text,
 };
-use osim_requests::Request;
-use osim_requests::spell::Python as PythonWords;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use contact_plots::{Axis, Curve, Drawing, PlotError};
-use osim_figures as figures;
 use osim_inspect::series::Body;
-use osim_messages::Input;
+use osim_model::messages::Input;
 use osim_planning::{plot_bodies, plot_feet, plot_motion, plot_table};
 use osim_requests::spell::Python as PythonWords;
 use osim_requests::{PlotRequest, Request, RequestFault};
+use osim_view::figures;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;

@@ -3,18 +3,18 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_html::{About, Columns, DetailLevel, InMemory, Kept, Page};
 use osim_library::page::{Words, entry};
 use osim_library::run::{PlannedModel, Written};
 use osim_library::{Loaded, Source};
-use osim_messages::Verb;
 use osim_model::FileId;
+use osim_model::messages::Verb;
 use osim_planning::{Change, prepare};
-use osim_report::json::PlanRecord;
-use osim_report::plan as plan_text;
 use osim_requests::Request;
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::Python as PythonWords;
+use osim_view::html::{About, Columns, DetailLevel, InMemory, Kept, Page};
+use osim_view::report::json::PlanRecord;
+use osim_view::report::plan as plan_text;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyBytes, PyDict, PyList};

@@ -1,10 +1,10 @@
 //! What `inspect` and `check` print: one model in full, several as one table, as the command decides it.
 
-use osim_messages::harmless;
-use osim_report::check::LibraryTable;
-use osim_report::inspection::ModelsTable;
-use osim_report::layout::Colour;
-use osim_report::{check, inspection};
+use osim_model::messages::harmless;
+use osim_view::report::check::LibraryTable;
+use osim_view::report::inspection::ModelsTable;
+use osim_view::report::layout::Colour;
+use osim_view::report::{check, inspection};
 
 use crate::planned::WORDS;
 use crate::seen::Seen;

@@ -3,8 +3,8 @@
 use std::ffi::OsString;
 
 use osim_library::LibraryFault;
-use osim_messages::{Dialect, Input, Part, Phrase, Verb, phrase};
 use osim_model::files::Failure;
+use osim_model::messages::{Dialect, Input, Part, Phrase, Verb, phrase};
 use osim_requests::spell::Python as PythonWords;
 use osim_requests::{RequestError, RequestFault};
 use pyo3::exceptions::{PyException, PyRuntimeError};

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use osim_html::{DetailLevel, Entry};
 use osim_library::page::{ReportPage, bare_entry, entry};
 use osim_library::run::{
     ChangedModel, Detail, FrontEnd, JsonRecord, Outcome, Record, RowReader, Rows, Run, RunRequest, Task,
@@ -14,6 +13,7 @@ use osim_planning::prepare;
 use osim_requests::Request;
 use osim_requests::options::RunOptions;
 use osim_requests::spell::Speller;
+use osim_view::html::{DetailLevel, Entry};
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use osim_library::{SweepFrontEnd, SweepRun};
 use osim_model::files::Failure;
-use osim_report::json::FailureRecord;
-use osim_report::results::SweepRecord;
 use osim_requests::Request;
+use osim_view::report::json::FailureRecord;
+use osim_view::report::results::SweepRecord;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

@@ -1,6 +1,6 @@
 //! What is wrong with a call, in Python's words. A request has the values and types of JSON; a call has keywords and Python's own.
 
-use osim_messages::{Dialect, Input, Phrase, phrase};
+use osim_model::messages::{Dialect, Input, Phrase, phrase};
 use osim_requests::RequestFault;
 use osim_requests::spell::{Python as PythonWords, python_quoted};
 use serde_json::Value;

@@ -2,7 +2,7 @@
 
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Command};
-use osim_messages::Verb;
+use osim_model::messages::Verb;
 
 use crate::dictionary;
 use crate::fault::RequestFault;

@@ -1,7 +1,7 @@
 //! What can be wrong with a request, before any model is read.
 
-use osim_messages::{Dialect, Input, Phrase, phrase, shown};
 use osim_model::files::Failure;
+use osim_model::messages::{Dialect, Input, Phrase, phrase, shown};
 
 /// What is wrong with a request.
 #[derive(Debug, Clone, PartialEq)]

@@ -43,7 +43,7 @@ impl FieldGroup {
 
 #[cfg(test)]
 mod tests {
-    use osim_messages::Verb;
+    use osim_model::messages::Verb;
 
     use super::*;
     use crate::silent_fields;

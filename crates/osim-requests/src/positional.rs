@@ -1,6 +1,6 @@
 //! What has no name in a call.
 
-use osim_messages::Verb;
+use osim_model::messages::Verb;
 
 /// The fields of a request for `verb` that a call has without their names, in their order. In schemas they are `x-positional`.
 pub(crate) const fn positional(verb: Verb) -> &'static [&'static str] {

@@ -3,7 +3,7 @@
 //! Beside the words of JSON Schema they have two of their own, for what is made from them: `x-positional`, the fields that a call
 //! has without their names, and `x-group`, what a field is about that says nothing about contacts.
 
-use osim_messages::Verb;
+use osim_model::messages::Verb;
 #[cfg(feature = "schemas")]
 use schemars::generate::SchemaSettings;
 #[cfg(feature = "schemas")]

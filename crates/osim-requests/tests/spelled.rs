@@ -5,7 +5,7 @@
 use std::path::PathBuf;
 
 use clap::{Args, Command};
-use osim_messages::Verb;
+use osim_model::messages::Verb;
 use osim_requests::command_line::{check, with_relations};
 use osim_requests::spell::{CommandLine, Python, Speller};
 use osim_requests::{

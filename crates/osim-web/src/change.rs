@@ -3,16 +3,16 @@
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use osim_html::{DetailLevel, Entry, Explained, Files, NamedDigest, RunRow, Section, Sections};
 use osim_model::files::{Failure, ModelFiles};
 use osim_model::{FileId, Model};
 use osim_patch::Plan;
 use osim_planning::scene::{Fall, Scene};
 use osim_planning::{BeforeAfter, Change, States};
-use osim_report::json::PlanRecord;
-use osim_report::plan::unified_diff;
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::FrontEnd;
+use osim_view::html::{DetailLevel, Entry, Explained, Files, NamedDigest, RunRow, Section, Sections};
+use osim_view::report::json::PlanRecord;
+use osim_view::report::plan::unified_diff;
 use serde::Serialize;
 
 use crate::look::FindingShown;
@@ -168,7 +168,7 @@ impl Planned {
                 let findings = wants("findings").then(|| FindingShown::all(&last.1));
                 // Digests are only for the record.
                 let files = if wants("files") { self.files() } else { Files::default() };
-                let changed = osim_html::Changed::of_states(&self.plan, &both, files);
+                let changed = osim_view::html::Changed::of_states(&self.plan, &both, files);
                 let verdicts = wants("findings").then(|| VerdictShown::all(&last.1.verdicts));
                 (Sections::of_change(changed, wanted, self.words), findings, verdicts)
             }
@@ -231,8 +231,8 @@ impl Planned {
         row.contacts_mass_kg = plan.masses.as_ref().map(|masses| masses.contacts_mass.kg);
         row.target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
         row.changes = plan.changes.len() + plan.moves.len();
-        let mut shown = osim_html::Changed::of_states(plan, &both, self.files());
+        let mut shown = osim_view::html::Changed::of_states(plan, &both, self.files());
         shown.in_file = !plan.is_empty();
-        Ok(osim_html::changed(&row, shown, DetailLevel::Alone, self.words))
+        Ok(osim_view::html::changed(&row, shown, DetailLevel::Alone, self.words))
     }
 }

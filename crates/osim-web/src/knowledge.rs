@@ -1,10 +1,10 @@
 //! What is known apart from models: calculations, explanations, presets.
 
 use osim_planning::{DesignSheet, design_sheet, find_presets};
-use osim_report::explain::{Letters, answer};
-use osim_report::results::{PresetRecord, design_sheet_text, preset_text};
 use osim_requests::Request;
 use osim_requests::spell::Page;
+use osim_view::report::explain::{Letters, answer};
+use osim_view::report::results::{PresetRecord, design_sheet_text, preset_text};
 use serde::Serialize;
 
 use crate::problem::Problem;

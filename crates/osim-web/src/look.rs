@@ -1,13 +1,13 @@
 //! What is in a model, and what is wrong with it.
 
-use osim_html::{DetailLevel, Entry, Examined, Explained, Inspected, Section, Sections};
 use osim_inspect::series::Body;
 use osim_inspect::{CheckResult, FindingRecord, Found, Inspection};
-use osim_messages::Verb;
+use osim_model::messages::Verb;
 use osim_planning::scene::{Fall, Played, Scene};
 use osim_planning::{Inspector, ModelFeet, run_motion};
 use osim_requests::Request;
 use osim_requests::spell::{FrontEnd, Page};
+use osim_view::html::{DetailLevel, Entry, Examined, Explained, Inspected, Section, Sections};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -158,5 +158,5 @@ pub(crate) fn entry(
         feet: feet(inspector, opened, shelf),
         recording: None,
     };
-    Ok(osim_html::inspected(shown, DetailLevel::Alone, words))
+    Ok(osim_view::html::inspected(shown, DetailLevel::Alone, words))
 }

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_html::NamedDigest;
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
 use osim_requests::options::SetFiles;
+use osim_view::html::NamedDigest;
 use sha2::{Digest, Sha256};
 
 use crate::shelf::Shelf;

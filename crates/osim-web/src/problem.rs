@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
-use osim_messages::{Input, Phrase, harmless};
 use osim_model::Excerpt;
 use osim_model::files::Failure;
+use osim_model::messages::{Input, Phrase, harmless};
 use osim_requests::spell::Page;
 use osim_requests::{RequestError, RequestFault};
 use serde::Serialize;

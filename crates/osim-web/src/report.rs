@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use osim_html::{About, Columns, Entry, InMemory, Kept, Page};
-use osim_messages::Verb;
+use osim_model::messages::Verb;
 use osim_requests::spell::CommandLine;
+use osim_view::html::{About, Columns, Entry, InMemory, Kept, Page};
 use serde::Serialize;
 
 use crate::problem::Problem;

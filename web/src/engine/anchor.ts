@@ -1,4 +1,4 @@
-// Anchors of explanations, as crates/osim-html/src/explained.rs spells them, and the topics that they are about.
+// Anchors of explanations, as crates/osim-view/src/html/explained.rs spells them, and the topics that they are about.
 
 export function equationAnchor(label: string): string {
   return `equation-${label.toLowerCase().replace(/[^a-z0-9]/g, "-")}`;

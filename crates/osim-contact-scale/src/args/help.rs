@@ -2,7 +2,7 @@
 
 use clap::builder::StyledStr;
 use clap::{Arg, Command};
-use osim_messages::Phrase;
+use osim_model::messages::Phrase;
 
 use crate::words::WORDS;
 

@@ -2,7 +2,7 @@
 
 use clap::builder::Resettable;
 use clap::{ArgMatches, Args, Command, Error, FromArgMatches};
-use osim_messages::Verb;
+use osim_model::messages::Verb;
 use osim_requests::command_line::with_relations;
 
 use super::help::in_words_of_the_command;

@@ -10,14 +10,14 @@ mod verbs;
 use clap::{ArgMatches, Command, CommandFactory, Parser, Subcommand};
 use help::in_words_of_the_command;
 use later::Later;
-use osim_messages::Verb;
-use osim_report::ExitStatus;
+use osim_model::messages::Verb;
 use osim_requests::command_line::{check, with_relations};
 use osim_requests::{
     AddRequest, BatchRequest, CheckRequest, ConvertRequest, DesignRequest, DropTestRequest, ExplainRequest,
     FitRequest, InspectRequest, MotionRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest,
     ReproduceRequest, RequestFault, RescaleRequest, SweepRequest, TransferRequest,
 };
+use osim_view::report::ExitStatus;
 pub(crate) use own::{CompletionsArgs, HelpArgs, ManArgs, RequestArgs, SetArgs};
 pub(crate) use usage::usage_line;
 use usual::with_usual_first;

@@ -1,7 +1,7 @@
 //! A usage error in one line.
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use osim_messages::{Phrase, shown};
+use osim_model::messages::{Phrase, shown};
 
 /// A usage error in one line: what is wrong and what was expected.
 pub(crate) fn usage_line(error: &clap::Error) -> String {

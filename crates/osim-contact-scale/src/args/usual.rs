@@ -1,7 +1,7 @@
 //! Which options the help of a verb shows: those that it takes, the usual ones first; rare ones under `--help` alone.
 
 use clap::Command;
-use osim_messages::{Input, Verb};
+use osim_model::messages::{Input, Verb};
 
 /// After all usual ones under its heading.
 const LAST: usize = 1000;

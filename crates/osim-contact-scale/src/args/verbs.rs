@@ -2,7 +2,7 @@
 
 use clap::Command;
 use clap::builder::{PossibleValuesParser, Styles};
-use osim_report::layout::broken;
+use osim_view::report::layout::broken;
 
 /// What most people come for, with what it does.
 const EXAMPLES: [(&str, &str); 3] = [

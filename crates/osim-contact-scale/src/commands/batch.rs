@@ -6,8 +6,8 @@ use anyhow::{Context, Result, bail};
 use osim_library::run::{RowReader, Rows};
 use osim_library::{Disk, folder_of};
 use osim_model::files::{Failure, Files};
-use osim_report::json::{FailureRecord, line};
 use osim_requests::BatchRequest;
+use osim_view::report::json::{FailureRecord, line};
 
 use super::run;
 use crate::exit::Exit;

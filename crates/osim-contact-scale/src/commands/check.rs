@@ -1,18 +1,18 @@
 //! `check`: what the limits of the paper and the traps of the format say about models.
 
 use anyhow::Result;
-use osim_html::Entry;
 use osim_inspect::CheckResult;
 use osim_library::page::Survey;
 use osim_library::{Disk, Folders, Source, Sources, in_order, threads};
-use osim_messages::Verb;
 use osim_model::files::Failure;
+use osim_model::messages::Verb;
 use osim_planning::Inspector;
-use osim_report::check;
-use osim_report::json::line;
-use osim_report::layout::Colour;
 use osim_requests::CheckRequest;
 use osim_requests::options::SheetFormat;
+use osim_view::html::Entry;
+use osim_view::report::check;
+use osim_view::report::json::line;
+use osim_view::report::layout::Colour;
 
 use super::asked::asked;
 use super::inspect::Stop;

@@ -2,9 +2,9 @@
 
 use anyhow::Result;
 use osim_planning::design_sheet;
-use osim_report::json::line;
-use osim_report::results::design_sheet_text;
 use osim_requests::DesignRequest;
+use osim_view::report::json::line;
+use osim_view::report::results::design_sheet_text;
 
 use crate::exit::Exit;
 use crate::session::Session;

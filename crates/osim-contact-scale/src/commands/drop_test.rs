@@ -4,12 +4,12 @@ use std::io::IsTerminal;
 
 use anyhow::{Result, bail};
 use osim_library::Disk;
-use osim_messages::Verb;
+use osim_model::messages::Verb;
 use osim_planning::run_drop_test;
-use osim_report::json::line;
-use osim_report::messages::mass_mismatch;
-use osim_report::results::{DropRecord, drop_chart, drop_csv, drop_text};
 use osim_requests::{DropTestRequest, SeriesFormat};
+use osim_view::report::json::line;
+use osim_view::report::messages::mass_mismatch;
+use osim_view::report::results::{DropRecord, drop_chart, drop_csv, drop_text};
 
 use crate::exit::Exit;
 use crate::session::Session;

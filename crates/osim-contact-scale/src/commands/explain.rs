@@ -1,9 +1,9 @@
 //! `explain`: what an equation says, and what a warning or an error means.
 
 use anyhow::{Result, anyhow};
-use osim_report::explain::{Letters, answer};
 use osim_requests::ExplainRequest;
 use osim_requests::options::Format;
+use osim_view::report::explain::{Letters, answer};
 
 use crate::exit::Exit;
 use crate::session::Session;

@@ -3,9 +3,9 @@
 use anyhow::Result;
 use osim_library::Disk;
 use osim_planning::run_fit;
-use osim_report::json::{FailureRecord, line};
-use osim_report::results::{FitRecord, fit_text};
 use osim_requests::{FitRequest, RequestError};
+use osim_view::report::json::{FailureRecord, line};
+use osim_view::report::results::{FitRecord, fit_text};
 
 use crate::exit::Exit;
 use crate::session::Session;

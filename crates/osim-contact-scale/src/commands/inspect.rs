@@ -1,18 +1,18 @@
 //! `inspect`: what contacts a model has, and what they do under its weight.
 
 use anyhow::Result;
-use osim_html::Entry;
 use osim_inspect::{Counts, Inspection};
 use osim_library::page::Survey;
 use osim_library::{Disk, Folders, Source, Sources, in_order, threads};
-use osim_messages::{Call, Input, Verb};
 use osim_model::files::Failure;
+use osim_model::messages::{Call, Input, Verb};
 use osim_planning::Inspector;
-use osim_report::inspection::{self, ModelsTable};
-use osim_report::json::line;
-use osim_report::layout::Colour;
 use osim_requests::InspectRequest;
 use osim_requests::options::SheetFormat;
+use osim_view::html::Entry;
+use osim_view::report::inspection::{self, ModelsTable};
+use osim_view::report::json::line;
+use osim_view::report::layout::Colour;
 
 use super::asked::asked;
 use super::page::end_page;

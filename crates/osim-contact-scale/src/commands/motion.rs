@@ -5,11 +5,13 @@ use std::path::{Path, PathBuf};
 use anyhow::{Result, bail};
 use osim_library::run::PathConflicts;
 use osim_library::{Disk, Mode, Prepared};
-use osim_messages::Input;
+use osim_model::messages::Input;
 use osim_planning::{MotionResult, run_motion};
-use osim_report::json::line;
-use osim_report::results::{MotionRecord, external_loads_xml, ground_reactions_sto, motion_csv, motion_text};
 use osim_requests::{MotionFormat, MotionRequest};
+use osim_view::report::json::line;
+use osim_view::report::results::{
+    MotionRecord, external_loads_xml, ground_reactions_sto, motion_csv, motion_text,
+};
 
 use crate::exit::Exit;
 use crate::session::Session;

@@ -4,14 +4,14 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use contact_plots::Drawing;
-use osim_figures as figures;
 use osim_inspect::series::Body;
 use osim_library::run::PathConflicts;
 use osim_library::{Disk, Mode, Prepared};
-use osim_messages::Input;
+use osim_model::messages::Input;
 use osim_planning::{plot_bodies, plot_feet, plot_motion, plot_table};
-use osim_report::messages::mass_mismatch;
 use osim_requests::PlotRequest;
+use osim_view::figures;
+use osim_view::report::messages::mass_mismatch;
 
 use crate::exit::Exit;
 use crate::session::Session;

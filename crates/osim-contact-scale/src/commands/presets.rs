@@ -3,10 +3,10 @@
 use anyhow::Result;
 use osim_library::Disk;
 use osim_planning::find_presets;
-use osim_report::json::line;
-use osim_report::results::{PresetRecord, preset_text};
 use osim_requests::PresetsRequest;
 use osim_requests::options::Format;
+use osim_view::report::json::line;
+use osim_view::report::results::{PresetRecord, preset_text};
 
 use crate::exit::Exit;
 use crate::session::Session;

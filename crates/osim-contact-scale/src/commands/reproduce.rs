@@ -4,14 +4,14 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 use contact_plots::Paper;
-use osim_figures as figures;
 use osim_library::{Mode, Prepared, make_folder_of};
-use osim_messages::Input;
 use osim_model::files::Failure;
-use osim_report::json::line;
-use osim_report::reproduce::{ReproductionRecord, fig1_text, reproduction_csv, reproduction_text};
+use osim_model::messages::Input;
 use osim_requests::options::Format;
 use osim_requests::{PlotKind, PlotRequest, ReproduceRequest};
+use osim_view::figures;
+use osim_view::report::json::line;
+use osim_view::report::reproduce::{ReproductionRecord, fig1_text, reproduction_csv, reproduction_text};
 
 use crate::exit::Exit;
 use crate::session::Session;

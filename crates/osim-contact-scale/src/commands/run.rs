@@ -1,13 +1,13 @@
 //! One run of a changing verb: what is reported of it, and in which order.
 
 use anyhow::Result;
-use osim_html::DetailLevel;
 use osim_library::page::{ReportPage, bare_entry};
 use osim_library::run::{Counts, Outcome, Run, RunRequest, Task};
-use osim_messages::Input;
 use osim_model::files::Failure;
-use osim_report::json::{FailureRecord, line};
+use osim_model::messages::Input;
 use osim_requests::options::{RunFormat, RunOptions};
+use osim_view::html::DetailLevel;
+use osim_view::report::json::{FailureRecord, line};
 
 use super::asked::asked;
 use super::page::end_page;

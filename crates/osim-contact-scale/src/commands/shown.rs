@@ -1,13 +1,13 @@
 //! What is shown of a model that was changed, made on the thread that changed it.
 
-use osim_html::{DetailLevel, Entry};
 use osim_library::page::entry;
 use osim_library::run::{ChangedModel, Detail, FrontEnd, Written};
 use osim_model::FileId;
-use osim_report::json::{PlanRecord, line};
-use osim_report::plan;
 use osim_requests::options::{RunFormat, RunOptions};
 use osim_requests::spell::Speller;
+use osim_view::html::{DetailLevel, Entry};
+use osim_view::report::json::{PlanRecord, line};
+use osim_view::report::plan;
 
 use crate::interrupt;
 use crate::progress::Progress;

@@ -6,13 +6,13 @@ use std::path::Path;
 
 use anyhow::Result;
 use osim_library::{SweepEnd, SweepFrontEnd, SweepRun};
-use osim_messages::Input;
 use osim_model::Question;
 use osim_model::files::Failure;
-use osim_report::json::line;
-use osim_report::results::SweepRecord;
+use osim_model::messages::Input;
 use osim_requests::SweepRequest;
 use osim_requests::options::Format;
+use osim_view::report::json::line;
+use osim_view::report::results::SweepRecord;
 
 use crate::exit::Exit;
 use crate::interrupt;

@@ -2,8 +2,8 @@
 
 use contact_scaling::SharedLoad;
 use foldhash::HashMap;
-use osim_feet::{ByLaw, Standing};
 use osim_model::SphereId;
+use osim_model::feet::{ByLaw, Standing};
 
 use super::sphere_loads::SphereLoads;
 

@@ -6,9 +6,9 @@
 
 use contact_scaling::{mixed_radii, restitution};
 use foldhash::{HashMap, HashMapExt};
-use osim_feet::DefaultPose;
-use osim_feet::Standing;
-use osim_messages::Phrase;
+use osim_model::feet::DefaultPose;
+use osim_model::feet::Standing;
+use osim_model::messages::Phrase;
 use osim_model::{
     CountOf, Fault, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId, loaded_spheres,
 };

@@ -3,7 +3,7 @@
 #[cfg(feature = "schemas")]
 use std::borrow::Cow;
 
-use osim_messages::{Dialect, Phrase};
+use osim_model::messages::{Dialect, Phrase};
 #[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::ser::SerializeMap;

@@ -1,6 +1,6 @@
 //! Findings about the places of spheres: from the model that was scaled if it was given, else from this file alone.
 
-use osim_compare::{Evidence, Placement};
+use osim_model::compare::{Evidence, Placement};
 use osim_model::{Finding, FindingCode, Model, Note, ScaledSinceNote};
 
 use super::found::Found;

@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use contact_scaling::limits;
-use osim_messages::readable;
 use osim_model::files::FileName;
+use osim_model::messages::readable;
 use osim_model::{Assignment, Pattern, Property, Selection};
 use osim_requests::options::{CountOptions, ForceOptions, LoadOptions, MassOptions, SetFiles, WantedOptions};
 use osim_requests::{

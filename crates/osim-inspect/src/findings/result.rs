@@ -2,7 +2,7 @@
 
 use std::cmp::Reverse;
 
-use osim_messages::counted;
+use osim_model::messages::counted;
 use osim_model::{FindingCode, Model, Severity};
 use osim_requests::Request;
 use osim_requests::spell::Speller;

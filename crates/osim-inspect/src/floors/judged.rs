@@ -1,7 +1,7 @@
 //! Each plane that spheres press on, judged.
 
 use foldhash::HashSet;
-use osim_feet::{ContactPlane, DefaultPose, dot};
+use osim_model::feet::{ContactPlane, DefaultPose, dot};
 use osim_model::{Model, SphereId};
 
 use super::slope::Lie;

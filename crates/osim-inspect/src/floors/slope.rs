@@ -1,6 +1,6 @@
 //! Slopes: how steep a floor may be, and which part of the weight presses spheres on it.
 
-use osim_feet::{ContactPlane, DefaultPose, STEEPEST_RAD};
+use osim_model::feet::{ContactPlane, DefaultPose, STEEPEST_RAD};
 use osim_model::{ForceId, Model, Orientation};
 
 /// A floor that leans by no more than this, degrees, is level: 180 of 204 planes under spheres in published models are.

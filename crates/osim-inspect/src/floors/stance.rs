@@ -1,7 +1,7 @@
 //! Which spheres a body stands on, and in which direction the body is from them.
 
 use foldhash::{HashMap, HashMapExt};
-use osim_feet::{ContactPlane, DefaultPose, Movements, dot};
+use osim_model::feet::{ContactPlane, DefaultPose, Movements, dot};
 use osim_model::{Model, Side, Sphere, SphereId};
 
 /// Spheres below this share of the height of their body's tree, from its lowest origin, are under its feet: those of hands that

@@ -2,8 +2,8 @@
 
 use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues, mixed_radii};
 use foldhash::{HashMap, HashMapExt, HashSet};
-use osim_compare::{BodyFactors, Factors};
-use osim_feet::Standing;
+use osim_model::compare::{BodyFactors, Factors};
+use osim_model::feet::Standing;
 use osim_model::files::FileName;
 use osim_model::{
     CountOf, Fault, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId, SphereId,

@@ -1,6 +1,6 @@
 //! What somebody changed since the note was written, in words.
 
-use osim_messages::readable;
+use osim_model::messages::readable;
 use osim_model::{ChangedContacts, ChangedSinceNote};
 
 /// Each change as a part of one sentence; an empty list if nothing changed.

@@ -6,8 +6,8 @@
 use std::collections::BTreeMap;
 
 use contact_scaling::DimensionlessContact;
-use osim_compare::Placement;
-use osim_messages::{Dialect, Phrase, readable};
+use osim_model::compare::Placement;
+use osim_model::messages::{Dialect, Phrase, readable};
 use osim_model::{Finding, Mass, Origin, Property};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;

@@ -1,6 +1,6 @@
 //! What the note in a model says to the one who received the file: who made its contacts from what, and what changed since.
 
-use osim_messages::{readable, shown};
+use osim_model::messages::{readable, shown};
 use osim_model::{Model, Note, Scope, Source, Step};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use foldhash::HashMap;
-use osim_feet::{OverFloor, Rest, RestingSphere, Standing};
+use osim_model::feet::{OverFloor, Rest, RestingSphere, Standing};
 use osim_model::{Limb, Limbs, Model, SphereId};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;

@@ -1,6 +1,6 @@
 //! The words for a body over its floor: `check`, `inspect` and changes share it.
 
-use osim_messages::{readable, shown};
+use osim_model::messages::{readable, shown};
 
 use super::standing::{OnFeet, StandingBody};
 

@@ -1,7 +1,7 @@
 //! The contacts of the model that another one was made from: they show which side of it was changed.
 
 use foldhash::HashMap;
-use osim_messages::shown;
+use osim_model::messages::shown;
 use osim_model::{BothSides, Force, Model, Side, Value};
 
 /// The numbers of a reference's contact forces.

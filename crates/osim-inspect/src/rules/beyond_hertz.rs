@@ -1,7 +1,7 @@
 //! Spheres sink in deeper than Hertz' law is accurate for, at body weight on one limb.
 
 use contact_scaling::limits::INDENTATION;
-use osim_messages::four_significant;
+use osim_model::messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::limits::{CENTRE, Limits, beyond};

@@ -1,7 +1,7 @@
 //! Restitution by (13) is so low that the Hunt-Crossley law is not accurate.
 
 use contact_scaling::limits::RESTITUTION;
-use osim_messages::four_significant;
+use osim_model::messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::limits::Limits;

@@ -1,6 +1,6 @@
 //! The contacts are published ones, made for a body of another mass.
 
-use osim_messages::{four_significant, readable};
+use osim_model::messages::{four_significant, readable};
 use osim_model::same_mass;
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use osim_requests::options::MassOptions;

@@ -1,7 +1,7 @@
 //! The smoothing alone carries body weight: the spheres do not touch the floor.
 
 use contact_scaling::limits::{SUGGESTED_TRANSITION_WIDTH, TOUCHING_SHARE};
-use osim_messages::four_significant;
+use osim_model::messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, Positive, Request};

@@ -1,6 +1,6 @@
 //! A floor hangs on the body that stands on it.
 
-use osim_messages::shown;
+use osim_model::messages::shown;
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use crate::floors::{Floors, JudgedPlane, PlaneKind};

@@ -1,6 +1,6 @@
 //! A floor is a slope.
 
-use osim_messages::{readable, shown, three_significant};
+use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use crate::floors::{Floors, JudgedPlane, PlaneKind};

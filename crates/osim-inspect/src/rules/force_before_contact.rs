@@ -1,6 +1,6 @@
 //! A sphere that only just touches the floor carries a large part of its share of body weight already.
 
-use osim_messages::four_significant;
+use osim_model::messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::limits::{Limits, beyond};

@@ -1,6 +1,6 @@
 //! Gravity does not press spheres on their floor.
 
-use osim_messages::{readable, shown};
+use osim_model::messages::{readable, shown};
 use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::turned_floors::UPSIDE_DOWN_DEGREES;

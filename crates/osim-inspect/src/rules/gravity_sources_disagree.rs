@@ -1,6 +1,6 @@
 //! The note gives another gravity than the model.
 
-use osim_messages::{Input, phrase, readable};
+use osim_model::messages::{Input, phrase, readable};
 use osim_model::{
     Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, VerdictOn, same_gravity,
 };

@@ -1,6 +1,6 @@
 //! Gravity is in another unit.
 
-use osim_messages::readable;
+use osim_model::messages::readable;
 use osim_model::{Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, VerdictOn};
 
 pub(crate) static RULE: Rule = Rule {

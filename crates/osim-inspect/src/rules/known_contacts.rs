@@ -1,6 +1,6 @@
 //! The contacts are known: somebody published them.
 
-use osim_messages::readable;
+use osim_model::messages::readable;
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 
 use crate::known::KnownContacts;

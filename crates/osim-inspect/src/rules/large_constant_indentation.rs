@@ -1,7 +1,7 @@
 //! The constant indentation of constant_contact_force is a large part of the radius.
 
 use contact_scaling::limits::CONSTANT_INDENTATION;
-use osim_messages::four_significant;
+use osim_model::messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::limits::{Limits, beyond};

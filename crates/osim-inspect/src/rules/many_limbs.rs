@@ -1,7 +1,7 @@
 //! Bodies on more than two limbs: two of them at least carry the weight, and contacts made for a biped's one limb are not scaled to
 //! them by mass alone.
 
-use osim_messages::{Input, Phrase, Verb, four_significant, phrase, readable};
+use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable};
 use osim_model::{Finding, Severity};
 use osim_requests::Request;
 

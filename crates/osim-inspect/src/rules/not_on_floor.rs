@@ -1,6 +1,6 @@
 //! A simulation from the default pose starts far inside the floor, or above it.
 
-use osim_messages::shown;
+use osim_model::messages::shown;
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::limits::Limits;

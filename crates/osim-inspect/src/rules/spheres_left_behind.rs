@@ -1,8 +1,8 @@
 //! The remedies of a rule about places: spheres follow their bodies.
 
-use osim_compare::{Placement, is_stretched};
-use osim_messages::Verb;
 use osim_model::Model;
+use osim_model::compare::{Placement, is_stretched};
+use osim_model::messages::Verb;
 use osim_requests::options::{FollowOptions, MovedChoice, ScalingOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest, TransferRequest};
 

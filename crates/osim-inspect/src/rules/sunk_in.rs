@@ -1,7 +1,7 @@
 //! Spheres sink in by their whole radius or more at body weight on one limb.
 
 use contact_scaling::limits;
-use osim_messages::{Phrase, four_significant, phrase, readable};
+use osim_model::messages::{Phrase, four_significant, phrase, readable};
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn, same_mass};
 
 use super::limits::{CENTRE, Limits};

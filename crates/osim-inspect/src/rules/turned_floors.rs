@@ -1,6 +1,6 @@
 //! What the rules about floors share that are turned wrongly.
 
-use osim_messages::{readable, shown, three_significant};
+use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{Finding, Rule};
 
 use crate::floors::{Floors, JudgedPlane, PlaneKind};

@@ -1,8 +1,8 @@
 //! Bottoms of one foot that lie at different heights.
 
 use foldhash::HashMap;
-use osim_feet::LEANING_RAD;
-use osim_messages::{readable, shown, three_significant};
+use osim_model::feet::LEANING_RAD;
+use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 
 use super::limits::Limits;

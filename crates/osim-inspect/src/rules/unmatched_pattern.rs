@@ -1,6 +1,6 @@
 //! A choice of forces or bodies that chooses nothing.
 
-use osim_messages::{Input, Phrase, phrase};
+use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{
     Example, Finding, FindingCode, MassRequest, Model, Pattern, Repair, Rule, Seen, Selection, Severity,
 };

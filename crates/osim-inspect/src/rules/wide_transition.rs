@@ -1,7 +1,7 @@
 //! Contact sets in over more of the radius than in published models.
 
 use contact_scaling::limits::{SUGGESTED_TRANSITION_WIDTH, TRANSITION_WIDTH};
-use osim_messages::four_significant;
+use osim_model::messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use osim_requests::options::WantedOptions;
 use osim_requests::{Positive, Request};

@@ -5,8 +5,8 @@ use std::fmt::Display;
 use contact_scaling::{
     Contact, DimensionlessContact, DomainError, Law, Preset, Ratios, Scale, ScaleValues, Spheres,
 };
-use osim_messages::readable;
 use osim_model::files::Failure;
+use osim_model::messages::readable;
 use osim_model::{CountOf, Fault, ForceId, GravityFor, MassRequest, Model, Needed, loaded_spheres};
 
 use super::names;

@@ -2,8 +2,8 @@
 
 use contact_scaling::drop_test::{DropTest, DropValues};
 use contact_scaling::{Contact, ContactValues, DomainError, Law, Spheres, equilibrium, limits, restitution};
-use osim_messages::{Input, phrase};
 use osim_model::files::Failure;
+use osim_model::messages::{Input, phrase};
 use osim_requests::{DropHeight, HeatQuantity, PlotRequest, Positive};
 
 use super::body::{Body, SphereKind};

@@ -1,7 +1,7 @@
 //! Whether the floor is one.
 
-use osim_feet::{ContactPlane, DefaultPose};
-use osim_messages::{Phrase, readable, shown};
+use osim_model::feet::{ContactPlane, DefaultPose};
+use osim_model::messages::{Phrase, readable, shown};
 
 use super::known::Known;
 

@@ -1,7 +1,7 @@
 //! What verdicts are given from.
 
-use osim_messages::Phrase;
 use osim_model::Model;
+use osim_model::messages::Phrase;
 
 use crate::figures::{Figure, SphereFigures};
 use crate::inspection::Inspection;

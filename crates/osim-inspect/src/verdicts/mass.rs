@@ -1,6 +1,6 @@
 //! Whether the contacts fit the mass of the body.
 
-use osim_messages::{Phrase, four_significant, phrase, readable};
+use osim_model::messages::{Phrase, four_significant, phrase, readable};
 use osim_model::{FindingCode, MassSource};
 
 use super::known::Known;

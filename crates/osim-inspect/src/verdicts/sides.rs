@@ -1,6 +1,6 @@
 //! Whether left and right agree.
 
-use osim_messages::{Phrase, counted};
+use osim_model::messages::{Phrase, counted};
 
 use super::known::Known;
 

@@ -1,6 +1,6 @@
 //! Whether sizes and places of spheres are believable.
 
-use osim_messages::{Phrase, three_significant};
+use osim_model::messages::{Phrase, three_significant};
 
 use super::known::{Known, range};
 use crate::figures::Figure;

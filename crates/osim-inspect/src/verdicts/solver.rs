@@ -1,6 +1,6 @@
 //! Whether a solver can live with the contacts.
 
-use osim_messages::{Phrase, three_significant};
+use osim_model::messages::{Phrase, three_significant};
 
 use super::known::Known;
 use crate::figures::Figure;

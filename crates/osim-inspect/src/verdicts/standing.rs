@@ -1,6 +1,6 @@
 //! Whether the model stands at its default pose.
 
-use osim_messages::Phrase;
+use osim_model::messages::Phrase;
 
 use super::known::Known;
 use crate::inspection::StandingBody;

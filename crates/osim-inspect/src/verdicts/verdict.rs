@@ -1,6 +1,6 @@
 //! One verdict, as data.
 
-use osim_messages::Phrase;
+use osim_model::messages::Phrase;
 use osim_model::{FindingCode, Severity, VerdictOn};
 use osim_requests::spell::Speller;
 #[cfg(feature = "schemas")]

@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 
 use crate::feet::{HEEL, Smooth, TOE, foot};
 use osim_inspect::{Figure, Figures, InspectOptions, Inspection, SphereFigures, Stance};
-use osim_messages::{Call, Dialect, Example, Input};
+use osim_model::messages::{Call, Dialect, Example, Input};
 use osim_model::{Model, Pattern, Selection};
 
 /// 62 kg on 6 spheres a foot, all alike.

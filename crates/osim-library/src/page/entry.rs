@@ -1,7 +1,7 @@
 //! What a page shows of one model of a run.
 
-use osim_html::{Changed, DetailLevel, EarlierRun, Entry, Files, NamedDigest, RowError, RunRow};
 use osim_planning::BeforeAfter;
+use osim_view::html::{Changed, DetailLevel, EarlierRun, Entry, Files, NamedDigest, RowError, RunRow};
 
 use crate::Disk;
 use crate::page::words::Words;
@@ -27,9 +27,9 @@ pub fn entry(changed: &ChangedModel<'_>, both: &BeforeAfter, detail: DetailLevel
         feet.add_bones(&changed.opened.model, &changed.task.source.path, None, &Disk);
     }
     let followed = both.recording.as_ref();
-    change.recording = followed.map(|seen| osim_html::recording(&seen.0, &seen.1, words));
+    change.recording = followed.map(|seen| osim_view::html::recording(&seen.0, &seen.1, words));
     change.in_file = !changed.written.paths().is_empty();
-    let entry = osim_html::changed(&row(record), change, detail, words);
+    let entry = osim_view::html::changed(&row(record), change, detail, words);
     if changed.earlier { entry.of_earlier_run() } else { entry }
 }
 

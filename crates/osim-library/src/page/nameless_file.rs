@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 
-use osim_html::DeferredText;
+use osim_view::html::DeferredText;
 
 use crate::{LibraryFault, folder_of, reason, resolved};
 

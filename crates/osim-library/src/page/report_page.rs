@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use osim_html::{About, Columns, Entry, GENERATOR, Kept, Page};
-use osim_messages::{Input, Verb, phrase};
+use osim_model::messages::{Input, Verb, phrase};
 use osim_requests::options::RunOptions;
+use osim_view::html::{About, Columns, Entry, GENERATOR, Kept, Page};
 
 use crate::page::nameless_file::NamelessFile;
 use crate::page::words::Words;

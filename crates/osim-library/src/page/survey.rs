@@ -1,12 +1,12 @@
 //! Models inspected and checked one by one, with their entry on a page.
 
-use osim_html::{About, Columns, DetailLevel, Entry, Examined, NamedDigest, Section};
 use osim_inspect::{CheckResult, Inspection};
-use osim_messages::Verb;
 use osim_model::Finding;
 use osim_model::files::{Failure, Files, OpenModel};
+use osim_model::messages::Verb;
 use osim_planning::{Inspector, ModelFeet};
 use osim_requests::options::ReportOptions;
+use osim_view::html::{About, Columns, DetailLevel, Entry, Examined, NamedDigest, Section};
 
 use crate::page::report_page::{Replace, ReportPage};
 use crate::page::words::Words;
@@ -98,7 +98,7 @@ impl Survey<'_> {
         let files: Vec<NamedDigest> = inspected.opened.files().map(digest).collect();
         let detail = DetailLevel::of(self.sources.models.len() + self.sources.failures.len());
         let feet = detail.has_feet().then(|| self.feet(&inspected.opened)).flatten();
-        let shown = osim_html::Inspected {
+        let shown = osim_view::html::Inspected {
             options: self.inspector.options(),
             model: &inspected.opened,
             examined: Examined { inspection: &inspected.inspection, check: found },
@@ -106,13 +106,13 @@ impl Survey<'_> {
             feet,
             recording: self.recording(&inspected.opened),
         };
-        osim_html::inspected(shown, detail, self.words)
+        osim_view::html::inspected(shown, detail, self.words)
     }
 
     /// What its contacts do along the recording that was named, if one was.
     fn recording(&self, opened: &OpenModel) -> Option<Section> {
         let (result, remarks) = self.inspector.recording(&opened.name().to_path(), &Disk)?;
-        Some(osim_html::recording(&result, &remarks, self.words))
+        Some(osim_view::html::recording(&result, &remarks, self.words))
     }
 
     /// The feet of a model, with the bones whose meshes are available.

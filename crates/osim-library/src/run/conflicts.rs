@@ -6,7 +6,7 @@ use std::ffi::OsString;
 use std::fmt;
 use std::path::Path;
 
-use osim_messages::{Input, Phrase, phrase};
+use osim_model::messages::{Input, Phrase, phrase};
 
 use crate::digest::{self, NameDigest};
 use crate::fault::LibraryFault;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 use osim_planning::cell;
 
 use super::record::{JsonRecord, Record};

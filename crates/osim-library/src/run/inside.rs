@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_messages::{Input, Phrase, phrase, shown_path};
+use osim_model::messages::{Input, Phrase, phrase, shown_path};
 use osim_requests::options::OutputOptions;
 
 use super::destination::Destination;

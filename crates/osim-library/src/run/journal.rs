@@ -5,7 +5,7 @@
 use std::path::Path;
 use std::sync::Mutex;
 
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 use osim_requests::options::RunOptions;
 
 use super::form::Form;

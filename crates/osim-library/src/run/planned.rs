@@ -3,9 +3,9 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use osim_messages::{Input, phrase};
 use osim_model::FileId;
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
+use osim_model::messages::{Input, phrase};
 use osim_patch::Plan;
 use osim_planning::{BeforeAfter, Change, Planner};
 use osim_requests::NoteDetails;

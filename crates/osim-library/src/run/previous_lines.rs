@@ -5,7 +5,7 @@ use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 use std::sync::Mutex;
 
-use osim_messages::shown;
+use osim_model::messages::shown;
 use osim_planning::from_cell;
 
 use super::form::{Form, header_line};

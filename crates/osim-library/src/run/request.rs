@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use osim_messages::{Input, phrase};
 use osim_model::files::Failure;
+use osim_model::messages::{Input, phrase};
 use osim_planning::{Change, of_many};
 use osim_requests::Request;
 use osim_requests::options::{OutputOptions, RunFormat, RunOptions};

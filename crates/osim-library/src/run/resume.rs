@@ -8,7 +8,7 @@ use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 use osim_requests::options::RunOptions;
 
 use super::form::Form;

@@ -6,8 +6,8 @@ use std::collections::HashMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use osim_messages::{Input, phrase};
 use osim_model::files::Failure;
+use osim_model::messages::{Input, phrase};
 use osim_planning::{RowFault, RowRequest, Table};
 use osim_requests::BatchRequest;
 use osim_requests::options::OutputOptions;

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_messages::{Input, phrase};
 use osim_model::files::OpenModel;
+use osim_model::messages::{Input, phrase};
 use osim_model::{Fault, FileId, Model};
 use osim_patch::{Patch, Plan};
 

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::io::Cursor;
 
 use calamine::{CellErrorType, Data, Reader, Xlsx};
-use osim_messages::shortest;
 use osim_model::files::FileError;
+use osim_model::messages::shortest;
 
 /// How .xlsx begins, as every packed file does.
 const PACKED: &[u8] = b"PK\x03\x04";

@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 use osim_planning::{SweepPlan, from_cell};
 
 use super::table_row::line;

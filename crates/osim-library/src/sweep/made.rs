@@ -5,7 +5,7 @@
 
 use std::sync::{Mutex, OnceLock};
 
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 
 use super::known::{COLUMNS, Known};
 use super::table_row::line;

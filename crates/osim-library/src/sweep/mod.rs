@@ -8,9 +8,9 @@ mod tables;
 
 use std::path::{Path, PathBuf};
 
-use osim_messages::{Input, Verb, phrase};
 use osim_model::FileId;
 use osim_model::files::{Failure, FileName};
+use osim_model::messages::{Input, Verb, phrase};
 use osim_planning::SweepPlan;
 use osim_requests::options::SetFiles;
 use osim_requests::{RequestError, RequestFault, SweepRequest, takes};

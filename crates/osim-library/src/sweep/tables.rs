@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
-use osim_messages::phrase;
+use osim_model::messages::phrase;
 use osim_planning::SweepPlan;
 
 use super::known::is_of_sweep;

@@ -6,7 +6,7 @@ use std::fs::{File, Metadata};
 use std::io::{ErrorKind, IoSlice, Write};
 use std::path::{Path, PathBuf};
 
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 use tempfile::NamedTempFile;
 
 use super::temporary;

@@ -1,6 +1,6 @@
 //! How the contacts of a foot answer where its spheres move in their bodies, or where the recording is wrong about the foot.
 
-use osim_feet::dot;
+use osim_model::feet::dot;
 use osim_model::{Model, SphereId, cross};
 
 use crate::assigned::Measured;

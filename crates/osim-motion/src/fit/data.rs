@@ -1,8 +1,8 @@
 //! What a fit sees of a trial.
 
 use contact_scaling::Law;
-use osim_feet::dot;
 use osim_model::Model;
+use osim_model::feet::dot;
 
 use super::answers::{Answers, Displaced};
 use crate::assigned::Measured;

@@ -2,7 +2,7 @@
 
 use contact_scaling::{RatioValues, Ratios, SmoothingValues, falisse2022};
 use foldhash::HashSet;
-use osim_messages::readable;
+use osim_model::messages::readable;
 use osim_model::{
     ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, Property, Selected, Sphere, Tree,
     moving_spheres,

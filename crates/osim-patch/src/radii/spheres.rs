@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use osim_compare::ScaleFile;
+use osim_model::compare::ScaleFile;
 use osim_model::{
     Fault, Force, ForceId, LevelAxis, Property, PropertySet, RadiusFrom, RadiusRule, SphereId,
     moving_spheres, root_mean_square,

@@ -1,6 +1,6 @@
 //! The contacts are already made for the target mass, so nothing was written.
 
-use osim_messages::{Input, Verb, phrase, readable};
+use osim_model::messages::{Input, Verb, phrase, readable};
 use osim_model::{Example, Finding, FindingCode, Mass, Repair, Rule, Seen, Severity};
 
 pub(crate) static RULE: Rule = Rule {

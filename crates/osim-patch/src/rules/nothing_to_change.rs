@@ -1,6 +1,6 @@
 //! Something that was asked for changes nothing.
 
-use osim_messages::readable;
+use osim_model::messages::readable;
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 
 use crate::story::limbs;

@@ -1,8 +1,8 @@
 //! Contacts of a reference, given the dimensions of another body: (10), (14), (C.2), (C.5), (C.10).
 
 use contact_scaling::{RatioValues, Ratios};
-use osim_compare::Follow;
-use osim_messages::{phrase, readable};
+use osim_model::compare::Follow;
+use osim_model::messages::{phrase, readable};
 use osim_model::{
     DissipationBy, Fault, FaultKind, Force, ForceKind, GravityFor, Model, Property, RadiusRule, Scope,
     Selected, SphereId,

@@ -1,7 +1,7 @@
 //! What is wanted of a transfer, and where its contacts come from.
 
 use contact_scaling::{Contact, Preset};
-use osim_compare::Follow;
+use osim_model::compare::Follow;
 use osim_model::{DissipationBy, Fault, LevelAxis, Mass, MassSource, PropertySet, RadiusRule};
 
 /// One contact of a reference, and the spheres that have it.

@@ -1,7 +1,7 @@
 //! Remarks about a transfer whose spheres follow their bodies: the spread of their factors, and figures to compare by.
 
 use contact_scaling::{Contact, DimensionlessContact, RatioValues, Ratios, Scale, ScaleValues, restitution};
-use osim_messages::Phrase;
+use osim_model::messages::Phrase;
 use osim_model::{Fault, FaultKind, Model, Selected, SphereId};
 
 use super::choice::Choice;

@@ -168,7 +168,7 @@ fn an_explicit_radius_is_done_at_an_equal_mass_too() {
 #[test]
 fn a_computed_value_within_rounding_of_the_old_one_is_no_change() {
     let plan_with = |stiffness: f64| {
-        let text = ONE_FOOT.replace("1000000", &osim_messages::shortest(stiffness));
+        let text = ONE_FOOT.replace("1000000", &osim_model::messages::shortest(stiffness));
         let models = [ONE_FOOT, text.as_str()].map(|text| Model::parse(text).unwrap());
         let selected = Selection::default().apply(&models[0]).unwrap();
         let reference = reference_of_model(&models[0], &selected, mass(10.0), 1.0).unwrap();

@@ -207,7 +207,7 @@ fn a_force_without_a_half_space_is_refused_with_the_way_out() {
     let selected = Selection::default().apply_to_all(&model).unwrap();
     let fault = convert(&model, &selected, &Convert::new(ForceKind::SmoothSphereHalfSpace)).unwrap_err();
     assert_eq!(fault.code(), "refused");
-    assert_eq!(fault.kind.phrase().inputs(), [osim_messages::Input::Exclude]);
+    assert_eq!(fault.kind.phrase().inputs(), [osim_model::messages::Input::Exclude]);
     let said = fault.to_string();
     assert!(said.contains("/forceset/kick has no half-space") && said.contains("kick"), "{said}");
 }

@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use crate::given::{fixture, fixtures, given, given_fixture};
-use osim_compare::ScaleFile;
+use osim_model::compare::ScaleFile;
 use osim_model::{FileId, MassRequest, MassSource, Model, Note, Selection};
 use osim_patch::{Plan, Rescale, note, rescale};
 

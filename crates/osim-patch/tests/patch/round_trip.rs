@@ -240,7 +240,7 @@ proptest! {
 
     #[test]
     fn any_number_is_written_so_that_it_reads_the_same(number in prop::num::f64::POSITIVE | prop::num::f64::SUBNORMAL | prop::num::f64::ZERO) {
-        let text = osim_messages::shortest(number);
+        let text = osim_model::messages::shortest(number);
         prop_assert_eq!(text.parse::<f64>().unwrap().to_bits(), number.to_bits(), "{}", text);
         prop_assert!(text.len() <= 24, "{}", text);
         // As short as any exact spelling.

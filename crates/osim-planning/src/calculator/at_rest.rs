@@ -2,7 +2,7 @@
 
 use contact_scaling::sizing::{Known, Sizing, SizingError};
 use contact_scaling::{SmoothingValues, restitution, smoothing};
-use osim_messages::readable;
+use osim_model::messages::readable;
 use osim_requests::options::WantedOptions;
 use osim_requests::{Positive, RequestFault, RestitutionCoefficient};
 

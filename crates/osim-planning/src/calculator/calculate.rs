@@ -4,7 +4,7 @@ use contact_scaling::sizing::{Known, Sizing};
 use contact_scaling::{
     Hertz, SharedLoad, SmoothSphere, SmoothingValues, modulus, patch, restitution, smoothing, stiffness,
 };
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, DesignRequest, Positive, RequestFault, RestitutionCoefficient};
 

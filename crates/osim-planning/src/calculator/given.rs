@@ -2,8 +2,8 @@
 
 use contact_scaling::sizing::Known;
 use contact_scaling::{DomainError, SharedLoad, modulus};
-use osim_messages::{Input, Phrase, phrase, readable};
 use osim_model::RadiusRule;
+use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_requests::{
     Count, DesignRequest, Kilograms, PoissonRatio, Positive, RelativeIndentation, RequestFault,
 };

@@ -1,7 +1,7 @@
 //! Where a contact of a table is on its body.
 
-use osim_feet::{DefaultPose, PoseFault};
 use osim_model::Placement;
+use osim_model::feet::{DefaultPose, PoseFault};
 
 /// A frame this close to ground's is there, m.
 const SAME_FRAME: f64 = 1e-9;

@@ -6,8 +6,8 @@ use contact_scaling::drop_test::{DropError, DropTest, DropValues, compare};
 use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
 use osim_inspect::series::standing_spheres;
 use osim_inspect::{LoadSharing, MassMismatch, Stance, unexplained_slip, weight_share};
-use osim_messages::{Input, Phrase, phrase};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
+use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{CountOf, Fault, GravityFor, MassRequest, Model, Needed};
 use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestError, RequestFault};
 

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use osim_messages::{Input, Phrase, phrase};
 use osim_model::files::{Failure, Files};
+use osim_model::messages::{Input, Phrase, phrase};
 use osim_motion::{AngleUnit, Belt, MotionFault, RecordingOptions, Table};
 use osim_requests::{AngleChoice, Positive, Speed};
 

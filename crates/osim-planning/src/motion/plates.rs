@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_messages::{readable, shown};
 use osim_model::files::{Failure, Files};
+use osim_model::messages::{readable, shown};
 use osim_motion::{ExternalLoads, Gap, Plate};
 
 use super::opened::{failure, table};

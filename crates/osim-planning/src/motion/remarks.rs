@@ -1,8 +1,8 @@
 //! What a motion shows, in words.
 
-use osim_feet::dot;
 use osim_inspect::unmatched_patterns;
-use osim_messages::{Input, Phrase, Verb, four_significant, listed, phrase, readable};
+use osim_model::feet::dot;
+use osim_model::messages::{Input, Phrase, Verb, four_significant, listed, phrase, readable};
 use osim_motion::{AngleUnit, FootSummary, LeftOut, ON_BW, OnSole, PlateUse, Summary};
 use osim_requests::MotionRequest;
 

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use osim_inspect::{Sign, Verdict};
-use osim_messages::{Input, Phrase, Verb, phrase};
 use osim_model::files::Files;
+use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_requests::options::InspectionOptions;
 use osim_requests::{CheckRequest, MotionRequest, RequestError};
 

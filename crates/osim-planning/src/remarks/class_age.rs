@@ -1,6 +1,6 @@
 //! Forces that the OpenSim of an old document does not know.
 
-use osim_messages::Phrase;
+use osim_model::messages::Phrase;
 use osim_model::{Class, ForceKind};
 use osim_patch::{Deed, Rebuilt};
 

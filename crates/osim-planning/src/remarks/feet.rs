@@ -1,7 +1,7 @@
 //! Remarks on what the feet that get spheres consist of.
 
-use osim_feet::{Movements, Sole};
-use osim_messages::{Phrase, shown};
+use osim_model::feet::{Movements, Sole};
+use osim_model::messages::{Phrase, shown};
 use osim_model::{Model, Side, without_side};
 
 /// What a user may not expect of feet with `soles`: one side alone, parts that get nothing, and feet that do not bend.

@@ -1,7 +1,7 @@
 //! A remark on speeds of friction that stay those of another size.
 
 use contact_scaling::Ratios;
-use osim_messages::{Input, Phrase, phrase, three_significant};
+use osim_model::messages::{Input, Phrase, phrase, three_significant};
 use osim_model::{Force, Model, Property};
 use osim_patch::Plan;
 

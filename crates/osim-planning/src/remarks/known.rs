@@ -1,7 +1,7 @@
 //! Published contacts that were made for another mass than that of the bodies over them.
 
 use osim_inspect::KnownContacts;
-use osim_messages::Input;
+use osim_model::messages::Input;
 use osim_model::{Fault, Mass, Model, Needed, Selected, same_mass};
 
 /// Refuses to take what the bodies weigh where the contacts are known ones that were made for another mass, which `input` can

@@ -1,7 +1,7 @@
 //! A remark on stance limbs that the note remembers.
 
-use osim_messages::{Input, Phrase, phrase, readable};
 use osim_model::Model;
+use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_requests::options::CountOptions;
 
 /// How many limbs carry the body, where the note in `model` says so and the caller did not.

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use osim_feet::angle;
-use osim_messages::{Phrase, readable};
+use osim_model::feet::angle;
+use osim_model::messages::{Phrase, readable};
 use osim_model::{Force, ForceId, Model};
 use osim_patch::{Deed, Rebuilt};
 

@@ -5,7 +5,7 @@ use osim_inspect::{Found, InspectOptions, check_model};
 use osim_requests::{ConstantIndentation, Request};
 
 use crate::trial;
-use osim_messages::{Input, Phrase, Verb, readable};
+use osim_model::messages::{Input, Phrase, Verb, readable};
 use osim_model::{Finding, FindingCode, ForceKind, Model, Property};
 use osim_patch::{Deed, ObjectChange};
 

@@ -1,7 +1,7 @@
 //! Contacts between spheres, which end when a force is divided into forces of one sphere each.
 
-use osim_feet::{DefaultPose, SpherePair, sphere_pairs};
-use osim_messages::Phrase;
+use osim_model::feet::{DefaultPose, SpherePair, sphere_pairs};
+use osim_model::messages::Phrase;
 use osim_model::{Fault, FaultKind, Force, Model, Selected, SphereId};
 
 /// Pairs that are named; more are counted.

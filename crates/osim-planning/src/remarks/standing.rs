@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 
 use osim_inspect::StandingBody;
-use osim_messages::{Phrase, shown};
 use osim_model::Model;
+use osim_model::messages::{Phrase, shown};
 use osim_patch::Plan;
 
 use crate::standing_bodies::standing_bodies;

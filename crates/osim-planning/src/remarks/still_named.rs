@@ -1,6 +1,6 @@
 //! Remarks about objects that were removed and are still named.
 
-use osim_messages::{Phrase, listed};
+use osim_model::messages::{Phrase, listed};
 use osim_patch::{Leftover, Rebuilt, leftovers};
 
 /// Objects and names that are listed; more are counted.

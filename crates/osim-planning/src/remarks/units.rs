@@ -1,7 +1,7 @@
 //! Places, soles and factors that are probably in another unit.
 
-use osim_feet::Sole;
-use osim_messages::{Input, four_significant, phrase, readable, shown};
+use osim_model::feet::Sole;
+use osim_model::messages::{Input, four_significant, phrase, readable, shown};
 use osim_model::{Anatomy, JointDistances, Model, NeedsAnswer, Question, probable_units};
 use osim_requests::BodyScale;
 

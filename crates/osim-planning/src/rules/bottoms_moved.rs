@@ -1,7 +1,7 @@
 //! A change moves the bottoms of spheres, so that a body no longer stands at its default pose, or a foot is uneven.
 
 use osim_inspect::{Bottom, StandingBody};
-use osim_messages::{readable, shown, three_significant};
+use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
 
 pub(crate) static RULE: Rule = Rule {

@@ -17,7 +17,8 @@ const RULES: &[&Rule] =
 #[must_use]
 pub fn all() -> &'static [&'static Rule] {
     static ALL: LazyLock<Vec<&Rule>> = LazyLock::new(|| {
-        let crates = [osim_model::RULES, osim_compare::RULES, osim_inspect::RULES, osim_patch::RULES, RULES];
+        let crates =
+            [osim_model::RULES, osim_model::compare::RULES, osim_inspect::RULES, osim_patch::RULES, RULES];
         let mut all = crates.concat();
         all.sort_by_key(|rule| rule.code);
         all

@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
 
-use osim_feet::{DefaultPose, FootBodies, MeshFolders, odd_meshes};
+use osim_model::feet::{DefaultPose, FootBodies, MeshFolders, odd_meshes};
 use osim_model::files::Files;
 use osim_model::{Anatomy, Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, VerdictOn};
 

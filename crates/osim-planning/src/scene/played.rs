@@ -1,6 +1,6 @@
 //! A model along a recording, frame by frame: bodies, the forces of its contacts, and what plates measured.
 
-use osim_messages::Dialect;
+use osim_model::messages::Dialect;
 use osim_motion::{FootSummary, ON_BW, Poses, Wrench};
 use osim_requests::MotionRequest;
 use serde::Serialize;

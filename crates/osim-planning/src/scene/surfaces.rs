@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 use std::path::Path;
 
-use osim_feet::{FeetFault, MeshFolders, attached_surface};
 use osim_model::Model;
+use osim_model::feet::{FeetFault, MeshFolders, attached_surface};
 use osim_model::files::Files;
 use serde::Serialize;
 

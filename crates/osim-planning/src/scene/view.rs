@@ -2,8 +2,8 @@
 
 use std::collections::HashMap;
 
-use osim_feet::{ContactPlane, DefaultPose, Standing, ViewAxes};
 use osim_inspect::InspectOptions;
+use osim_model::feet::{ContactPlane, DefaultPose, Standing, ViewAxes};
 use osim_model::{ForceId, MassRequest, Model, Placement, Side, SphereId};
 use serde::Serialize;
 

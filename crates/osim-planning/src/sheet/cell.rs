@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use osim_messages::is_seen;
+use osim_model::messages::is_seen;
 
 /// Marks a cell as text, as in spreadsheets themselves.
 const TEXT_MARK: char = '\'';

@@ -1,8 +1,8 @@
 //! From a soft contact to the wanted one, in steps (section 4.3 of the paper).
 
 use contact_scaling::{continuation, stiffness};
-use osim_messages::{Input, Phrase, phrase, shortest};
 use osim_model::files::{Failure, ModelFiles};
+use osim_model::messages::{Input, Phrase, phrase, shortest};
 use osim_model::{Assignment, Property};
 use osim_requests::{RequestFault, SweepRequest};
 

@@ -1,8 +1,8 @@
 //! The table that says what is in which file.
 
 use osim_inspect::Figure;
-use osim_messages::shortest;
 use osim_model::Property;
+use osim_model::messages::shortest;
 
 use super::variant::Variant;
 

@@ -3,7 +3,7 @@
 use std::iter::StepBy;
 use std::ops::Range;
 
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 use osim_requests::{RequestFault, SweepRequest};
 
 /// A number from 1 to `count`, with zeros before it, so that names sort as the numbers do.

@@ -6,8 +6,8 @@ use std::ops::Range;
 use std::path::Path;
 
 use osim_inspect::unexplained_slip;
-use osim_messages::{Phrase, shortest};
 use osim_model::files::{Failure, ModelFiles};
+use osim_model::messages::{Phrase, shortest};
 use osim_model::{MassRequest, Question};
 use osim_requests::{AxisName, RequestError, RequestFault, SweepRequest};
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use osim_messages::{Input, phrase, shortest};
+use osim_model::messages::{Input, phrase, shortest};
 use osim_model::{Assignment, Property};
 use osim_requests::{
     AxisName, DesignRequest, Kilograms, RelativeIndentation, RequestFault, RescaleRequest,

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use osim_inspect::{Figure, Figures, InspectOptions, LoadSharing, Stance};
-use osim_messages::shortest;
 use osim_model::files::{Failure, ModelFiles, OpenModel};
+use osim_model::messages::shortest;
 use osim_model::{
     Fault, FileId, FindingCode, Mass, MassRequest, MassSource, Model, Property, Selected, Severity,
 };

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_messages::{Phrase, Verb};
 use osim_model::files::Files;
+use osim_model::messages::{Phrase, Verb};
 use osim_requests::values::path;
 use osim_requests::values::typed::trimmed;
 use serde_json::{Map, Value};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use osim_messages::{Input, Phrase, Verb, phrase};
+use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_requests::silent_fields;
 use serde_json::Value;
 

@@ -1,6 +1,6 @@
 //! What is wrong with a row, and in which column.
 
-use osim_messages::Phrase;
+use osim_model::messages::Phrase;
 
 /// What is wrong with a row, and in which column.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use osim_messages::Input;
 use osim_model::MassesBeside;
+use osim_model::messages::Input;
 use serde_json::{Map, Value};
 
 use super::cells::number;

@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_messages::{Input, Phrase, Verb, phrase, shown};
 use osim_model::Question;
 use osim_model::files::{Failure, Files};
+use osim_model::messages::{Input, Phrase, Verb, phrase, shown};
 use osim_requests::options::OutputOptions;
 use osim_requests::values::path;
 use osim_requests::{Request, RequestError, RequestFault};

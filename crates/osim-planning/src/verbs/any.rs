@@ -1,7 +1,7 @@
 //! Any request that changes models.
 
-use osim_messages::Verb;
 use osim_model::files::Files;
+use osim_model::messages::Verb;
 use osim_requests::{Request, RequestError, RequestFault};
 
 use super::{adding, convert, design, fitting, note, remove, rescale, set, transfer};

@@ -1,6 +1,6 @@
 //! Forces of one class as forces of the other.
 
-use osim_messages::{Input, Phrase, counted, listed, phrase};
+use osim_model::messages::{Input, Phrase, counted, listed, phrase};
 use osim_model::{Fault, ForceKind, Model, Selection};
 use osim_patch::{Convert, Converted, Deed, ObjectChange, Plan, convert, kept_note};
 use osim_requests::options::{InspectionOptions, MassOptions, SetFiles, StanceOptions};

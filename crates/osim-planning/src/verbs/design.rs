@@ -2,7 +2,7 @@
 
 use contact_scaling::SharedLoad;
 use osim_inspect::{LoadSharing, weight_share};
-use osim_messages::{Input, Verb, phrase};
+use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
     CountOf, Fault, GravityFor, Mass, MassRequest, Model, Needed, RadiusRule, Selected, Selection,
 };

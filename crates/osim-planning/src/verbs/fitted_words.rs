@@ -1,6 +1,6 @@
 //! What a fit to recordings found, in words.
 
-use osim_messages::{Input, Phrase, phrase, shown};
+use osim_model::messages::{Input, Phrase, phrase, shown};
 use osim_motion::Summary;
 use osim_motion::fit::{FitBounds, FitTrial, FittedParameter, MotionFit, MovedSphere, SlackUsed};
 

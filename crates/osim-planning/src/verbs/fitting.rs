@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{Figure, InspectOptions};
-use osim_messages::{Input, Phrase, phrase, shortest, shown};
 use osim_model::files::{FileName, Files, OpenModel};
+use osim_model::messages::{Input, Phrase, phrase, shortest, shown};
 use osim_model::{
     Assignment, Fault, HalfSpace, Mass, MassRequest, MassSource, Model, Property, Selected, Selection,
     SphereId,

@@ -1,7 +1,7 @@
 //! By how much bodies were scaled, where a rescaling moves spheres with them.
 
-use osim_compare::ScaleFile;
-use osim_messages::readable;
+use osim_model::compare::ScaleFile;
+use osim_model::messages::readable;
 use osim_model::{Fault, Model, Needed, Note, ScaledSinceNote};
 use osim_patch::{FOLLOWING, FOLLOWING_NOTE};
 

@@ -1,6 +1,6 @@
 //! Feet whose bottoms are made level.
 
-use osim_feet::{NotLevelled, levelled};
+use osim_model::feet::{NotLevelled, levelled};
 use osim_model::{Fault, ForceId, Model, SphereId};
 
 /// Where spheres of `forces` have to be in `model` for the bottoms of each foot to be as low as its lowest one, in their own frames, m;

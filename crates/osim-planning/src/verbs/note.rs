@@ -1,6 +1,6 @@
 //! Notes of what the user knows.
 
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 use osim_model::{Fault, Model};
 use osim_patch::{Plan, note, note_stance_limbs};
 use osim_requests::options::{ForceOptions, InspectionOptions, MassOptions, StanceOptions};

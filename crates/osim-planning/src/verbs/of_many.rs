@@ -4,8 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use osim_inspect::ReferenceState;
-use osim_messages::{Input, Verb, phrase, readable};
 use osim_model::files::{Failure, Files, OpenModel};
+use osim_model::messages::{Input, Verb, phrase, readable};
 use osim_model::{Fault, Model, NeedsAnswer, Question};
 use osim_patch::Plan;
 use osim_requests::options::{AnswerOptions, InspectionOptions};

@@ -1,6 +1,6 @@
 //! The operation as the note in a file records it.
 
-use osim_messages::shortest;
+use osim_model::messages::shortest;
 use osim_model::{Fault, Model, Needed, RadiusRule};
 
 /// A factor that the note says was applied already is not applied once more in place, unless that is wanted.

@@ -4,10 +4,10 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use contact_scaling::Preset;
-use osim_compare::ScaleFile;
 use osim_inspect::{LoadSharing, ReferenceState};
-use osim_messages::{Input, phrase};
+use osim_model::compare::ScaleFile;
 use osim_model::files::{Failure, Files, OpenModel};
+use osim_model::messages::{Input, phrase};
 use osim_model::{
     Anatomy, CountOf, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection, mass_slip,
 };

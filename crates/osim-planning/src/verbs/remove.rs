@@ -1,6 +1,6 @@
 //! Contacts out of models.
 
-use osim_messages::{Input, Phrase, counted, phrase, readable};
+use osim_model::messages::{Input, Phrase, counted, phrase, readable};
 use osim_model::{Fault, Model, Note, Selection};
 use osim_patch::{Deed, Plan, added_forces, note_of_rest, remove};
 use osim_requests::options::{InspectionOptions, MassOptions, SetFiles, StanceOptions};

@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use osim_compare::ScaleFile;
 use osim_inspect::misplaced_spheres;
-use osim_messages::{Input, phrase};
+use osim_model::compare::ScaleFile;
 use osim_model::files::Files;
+use osim_model::messages::{Input, phrase};
 use osim_model::{Fault, MassRequest, Model, Needed, NoteDoubt, RadiusRule, Selection};
 use osim_patch::{Plan, Rescale, rescale};
 use osim_requests::options::{InspectionOptions, ScalingOptions, StanceOptions};

@@ -1,6 +1,6 @@
 //! Plain changes.
 
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 use osim_model::{Fault, Mass, MassRequest, MassSource, Model, Selected, Selection, SphereId};
 use osim_patch::{Plan, Set, set};
 use osim_requests::options::{InspectionOptions, StanceOptions};

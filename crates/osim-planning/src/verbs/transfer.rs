@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use osim_inspect::ReferenceState;
-use osim_messages::{Input, phrase};
 use osim_model::files::{Failure, Files};
+use osim_model::messages::{Input, phrase};
 use osim_model::{Property, RadiusAxis, RadiusRule, mass_slip};
 use osim_patch::Reference;
 use osim_requests::options::{InspectionOptions, RuleChoice};

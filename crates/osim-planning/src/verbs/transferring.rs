@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use contact_scaling::Ratios;
-use osim_compare::{Factors, Follow, FollowRequest, OwnRadii};
 use osim_inspect::{LoadSharing, ReferenceState};
+use osim_model::compare::{Factors, Follow, FollowRequest, OwnRadii};
 use osim_model::{
     Anatomy, CountOf, Fault, GravityFor, MassRequest, Model, Needed, Property, RadiusRule, Selected,
     Selection, moving_spheres,

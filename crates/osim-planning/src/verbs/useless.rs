@@ -1,6 +1,6 @@
 //! Inputs that groups of options bring along, and that would do nothing.
 
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 use osim_requests::RequestFault;
 use osim_requests::options::OutputOptions;
 

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use crate::checks::said;
-use osim_compare::Placement;
 use osim_inspect::{CheckResult, InspectOptions};
+use osim_model::compare::Placement;
 use osim_model::{Anatomy, FileId, FindingCode, Mass, MassSource, Model, Selection, Severity};
 use osim_patch::{Rescale, note, rescale};
 use osim_planning::check_with_trials;

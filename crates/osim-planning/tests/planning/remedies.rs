@@ -6,7 +6,7 @@ use crate::checks::{check_foot, check_text, check_with, find, has, remedy};
 use crate::feet::{SOLE, Smooth, foot};
 use contact_scaling::SharedLoad;
 use osim_inspect::{CheckResult, InspectOptions, Stance};
-use osim_messages::{Call, Dialect, Example, Input};
+use osim_model::messages::{Call, Dialect, Example, Input};
 use osim_model::{Assignment, FileId, FindingCode, MassRequest, Model, Property, Selection};
 use osim_patch::{Design, DesignModulus, design};
 use osim_requests::options::WantedOptions;

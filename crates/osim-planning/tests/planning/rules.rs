@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use crate::checks::rule;
-use osim_messages::{Call, Dialect, Input};
 use osim_model::files::{Beside, InMemory};
+use osim_model::messages::{Call, Dialect, Input};
 use osim_model::{Example, Finding, FindingCode, Seen};
 use osim_planning::{Inspector, open_with, prepare, rules};
 use osim_requests::Request;
@@ -61,7 +61,7 @@ fn no_advice_about_a_model_names_a_command_that_changes_it() {
     // What changes a model is tried first: it is the remedy of a finding.
     struct Changing;
     impl Dialect for Changing {
-        fn input(&self, _: Input, _: Option<&osim_messages::Example>) -> String {
+        fn input(&self, _: Input, _: Option<&osim_model::messages::Example>) -> String {
             String::new()
         }
         fn call(&self, call: &Call) -> String {

@@ -3,9 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use osim_inspect::InspectOptions;
-use osim_messages::Plain;
 use osim_model::Model;
 use osim_model::files::{Files, InMemory};
+use osim_model::messages::Plain;
 use osim_planning::run_motion;
 use osim_planning::scene::{Bones, Played, Scene};
 use osim_requests::MotionRequest;

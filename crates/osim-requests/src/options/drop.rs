@@ -1,7 +1,7 @@
 //! A fall, and a contact that is given by its numbers.
 
 use contact_scaling::SmoothingValues;
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use osim_messages::Input;
+use osim_model::messages::Input;
 use osim_model::{MassRequest, MassesBeside, Pattern};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;

@@ -1,6 +1,6 @@
 //! What changes, and how.
 
-use osim_messages::{Input, phrase};
+use osim_model::messages::{Input, phrase};
 use osim_model::{Axis, DissipationBy, LevelAxis, Property, PropertySet};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;

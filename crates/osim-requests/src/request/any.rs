@@ -1,6 +1,6 @@
 //! Any request, by its verb.
 
-use osim_messages::{Input, Verb};
+use osim_model::messages::{Input, Verb};
 #[cfg(feature = "schemas")]
 use schemars::Schema;
 use serde_json::{Map, Value};

@@ -1,6 +1,6 @@
 //! Fig. 1 of the paper, which no equation gives: what it shows and what it needs.
 
-use osim_messages::Phrase;
+use osim_model::messages::Phrase;
 
 /// Why Fig. 1 is not drawn, what it needs, and how its models are made: a paragraph each.
 #[must_use]

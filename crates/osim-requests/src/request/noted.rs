@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use osim_messages::Verb;
+use osim_model::messages::Verb;
 use serde_json::Value;
 
 use super::any::Request;

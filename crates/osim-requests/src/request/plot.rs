@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use osim_messages::{Input, Phrase, phrase};
+use osim_model::messages::{Input, Phrase, phrase};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,6 @@
 //! How many models a sweep makes, and whether its axes go together: what can be known without the model.
 
-use osim_messages::{Input, Phrase, phrase};
+use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{Property, Question};
 
 use super::library::SweepRequest;

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use osim_messages::{Call, Dialect, Example, Input, Verb};
+use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 
 use super::fields::{Field, FieldValue, Fields, is_assignment};
 use super::front_end::FrontEnd;
@@ -19,7 +19,7 @@ const WITH_COMMAS: [&str; 3] = ["feet", "keep", "only"];
 /// The command line: `--mass KG`, `design MODEL --indentation 0.16`.
 ///
 /// ```
-/// use osim_messages::{Input, phrase};
+/// use osim_model::messages::{Input, phrase};
 /// use osim_requests::spell::CommandLine;
 ///
 /// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
@@ -140,7 +140,7 @@ fn option(field: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use osim_messages::Phrase;
+    use osim_model::messages::Phrase;
     use serde_json::{Value, json};
 
     use super::*;

@@ -1,7 +1,7 @@
 //! The fields of a request, as every language writes them.
 
-use osim_messages::{Call, Input, Verb, shortest};
 use osim_model::Property;
+use osim_model::messages::{Call, Input, Verb, shortest};
 use serde_json::{Map, Number, Value};
 
 use crate::group::FieldGroup;

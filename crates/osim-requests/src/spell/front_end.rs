@@ -1,6 +1,6 @@
 //! What a front end spells beyond requests and sentences.
 
-use osim_messages::Call;
+use osim_model::messages::Call;
 
 use super::speller::Speller;
 

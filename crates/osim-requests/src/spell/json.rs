@@ -1,6 +1,6 @@
 //! The words of requests in JSON.
 
-use osim_messages::{Call, Dialect, Example, Input, Verb};
+use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 use serde_json::Value;
 
 use super::fields::is_assignment;
@@ -11,7 +11,7 @@ use crate::request::Request;
 /// A request in JSON: `"mass": KG`, `{"verb": "design", "models": ["model.osim"], "indentation": 0.16}`.
 ///
 /// ```
-/// use osim_messages::{Dialect, Input, Verb, phrase};
+/// use osim_model::messages::{Dialect, Input, Verb, phrase};
 /// use osim_requests::spell::JsonRequest;
 ///
 /// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
@@ -74,7 +74,7 @@ fn number_or_text(value: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use osim_messages::Phrase;
+    use osim_model::messages::Phrase;
 
     use super::*;
 

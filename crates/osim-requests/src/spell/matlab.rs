@@ -1,6 +1,6 @@
 //! The words of MATLAB and GNU Octave.
 
-use osim_messages::{Call, Dialect, Example, Input, Verb};
+use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 
 use super::fields::{FieldValue, Fields, digits, is_assignment};
 use super::front_end::FrontEnd;
@@ -11,7 +11,7 @@ use crate::request::Request;
 /// MATLAB and GNU Octave: `'Mass', KG`, `osimcontact.design('model.osim', 'Indentation', 0.16)`.
 ///
 /// ```
-/// use osim_messages::{Dialect, Input, Verb};
+/// use osim_model::messages::{Dialect, Input, Verb};
 /// use osim_requests::spell::Matlab;
 ///
 /// let call = Verb::DropTest.of_model().saying(Input::Duration, "2");
@@ -181,7 +181,7 @@ fn quoted(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use osim_messages::Phrase;
+    use osim_model::messages::Phrase;
     use serde_json::{Value, json};
 
     use super::*;

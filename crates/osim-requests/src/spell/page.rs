@@ -1,6 +1,6 @@
 //! The words of a page with fields and buttons.
 
-use osim_messages::{Call, Dialect, Example, Input, Verb, readable};
+use osim_model::messages::{Call, Dialect, Example, Input, Verb, readable};
 
 use super::fields::{Field, FieldValue, Fields};
 use super::front_end::FrontEnd;
@@ -13,7 +13,7 @@ const MEANT: &str = "“It is meant as it is: go on”";
 /// A page: the field “mass of the model”.
 ///
 /// ```
-/// use osim_messages::{Input, phrase};
+/// use osim_model::messages::{Input, phrase};
 /// use osim_requests::spell::Page;
 ///
 /// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
@@ -104,7 +104,7 @@ impl FrontEnd for Page {}
 
 #[cfg(test)]
 mod tests {
-    use osim_messages::Phrase;
+    use osim_model::messages::Phrase;
     use serde_json::json;
 
     use super::*;

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use osim_messages::{Call, Dialect, Example, Input, Verb};
+use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 
 use super::fields::{Field, FieldValue, Fields, digits};
 use super::front_end::FrontEnd;
@@ -50,8 +50,8 @@ const PATHS: [&str; 24] = [
 /// Python: `mass=KG`, `ocs.design("model.osim", indentation=0.16)`.
 ///
 /// ```
-/// use osim_messages::{Input, Verb};
-/// use osim_messages::Dialect;
+/// use osim_model::messages::{Input, Verb};
+/// use osim_model::messages::Dialect;
 /// use osim_requests::spell::Python;
 ///
 /// let call = Verb::Transfer.of_model().saying(Input::From, "falisse2022");
@@ -280,7 +280,7 @@ pub fn python_quoted(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use osim_messages::Phrase;
+    use osim_model::messages::Phrase;
     use serde_json::{Value, json};
 
     use super::*;

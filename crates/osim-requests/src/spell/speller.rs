@@ -1,6 +1,6 @@
 //! What a language spells: requests, beside the inputs and calls in sentences.
 
-use osim_messages::Dialect;
+use osim_model::messages::Dialect;
 
 use crate::request::Request;
 

@@ -3,7 +3,7 @@
 #[cfg(feature = "schemas")]
 use std::borrow::Cow;
 
-use osim_messages::shortest;
+use osim_model::messages::shortest;
 use osim_model::{Assignment, Property};
 #[cfg(feature = "schemas")]
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};

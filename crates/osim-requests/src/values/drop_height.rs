@@ -1,6 +1,6 @@
 //! From how high a body falls.
 
-use osim_messages::readable;
+use osim_model::messages::readable;
 
 /// Height of the sphere bottoms at the start of a fall.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use osim_messages::shortest;
+use osim_model::messages::shortest;
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};

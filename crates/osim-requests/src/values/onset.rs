@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use contact_scaling::fit::Onset;
-use osim_messages::shortest;
+use osim_model::messages::shortest;
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};

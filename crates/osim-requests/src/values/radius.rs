@@ -3,8 +3,8 @@
 use std::fmt;
 use std::str::FromStr;
 
-use osim_messages::shortest;
 use osim_model::RadiusRule;
+use osim_model::messages::shortest;
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};

@@ -1,6 +1,6 @@
 //! Requests from dictionaries: what is read, and the messages about a wrong one.
 
-use osim_messages::{Input, Verb};
+use osim_model::messages::{Input, Verb};
 use osim_requests::{Request, RequestFault, schema_of};
 use serde_json::{Value, json};
 

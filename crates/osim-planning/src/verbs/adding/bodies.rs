@@ -1,6 +1,6 @@
 //! Names of bodies as people write them.
 
-use osim_messages::{Input, phrase, shown};
+use osim_model::messages::{Input, phrase, shown};
 use osim_requests::RequestFault;
 use osim_requests::values::typed::trimmed;
 

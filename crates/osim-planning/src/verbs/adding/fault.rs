@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use osim_feet::FeetFault;
-use osim_messages::{Input, Phrase, phrase, readable};
+use osim_model::feet::FeetFault;
 use osim_model::files::{Failure, OpenModel};
+use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{Fault, FaultKind, Needed};
 
 use super::bodies::meant;

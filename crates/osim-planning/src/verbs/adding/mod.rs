@@ -12,8 +12,8 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use osim_inspect::ReferenceState;
-use osim_messages::Phrase;
 use osim_model::files::{Failure, Files, InMemory, OpenModel};
+use osim_model::messages::Phrase;
 use osim_model::{Fault, FaultKind, FindingCode, ForceId, Model, Question, Selected, Selection};
 use osim_patch::{Deed, Layout, Plan, Rebuilt, remove};
 use osim_requests::BodyScale;

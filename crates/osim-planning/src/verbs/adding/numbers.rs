@@ -2,7 +2,7 @@
 
 use contact_scaling::Ratios;
 use osim_inspect::ReferenceState;
-use osim_messages::{Input, Phrase, phrase};
+use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{Fault, FaultKind, ForceKind, Model, Property, Selected};
 use osim_patch::{Layout, NewContact, PLACES_STAY, Plan, Reference};
 use osim_requests::options::InspectionOptions;

@@ -4,11 +4,11 @@ use std::cell::LazyCell;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
-use osim_feet::{
+use osim_model::feet::{
     Bone, DefaultPose, FeetFault, MeshFolders, Sole, SoleRequest, Tilting, bones, odd_size, soles,
 };
-use osim_messages::{Input, Phrase, four_significant, phrase, shown};
 use osim_model::files::Files;
+use osim_model::messages::{Input, Phrase, four_significant, phrase, shown};
 use osim_model::{Fault, Model, NeedsAnswer, Question, Side};
 use osim_patch::{Layout, NewContact};
 use osim_requests::options::AnswerOptions;

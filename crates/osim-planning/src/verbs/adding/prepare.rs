@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_messages::{Input, Phrase, phrase, readable};
 use osim_model::files::Files;
+use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{ForceKind, Selection};
 use osim_patch::reference_of_layout;
 use osim_requests::{AddRequest, DesignRequest, Metres, NewRadius, RequestError, RequestFault};

@@ -3,8 +3,8 @@
 use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
 
-use osim_messages::{Input, Phrase, phrase};
 use osim_model::files::{Files, OpenModel};
+use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{Anatomy, Fault, FaultKind, FindingCode, Model, RadiusRule, Selected};
 use osim_patch::{Layout, Plan, Rebuilt, presets_with_places, reference_of_model};
 use osim_requests::{AddRequest, BodyMap, NewRadius, Radius, RequestError, RequestFault, TransferRequest};

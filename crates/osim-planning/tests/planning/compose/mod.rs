@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use osim_inspect::CheckResult;
-use osim_messages::{Call, Dialect, Example, Input};
+use osim_model::messages::{Call, Dialect, Example, Input};
 use osim_model::{FindingCode, MassRequest, Model, Repair, Severity};
 use osim_planning::rules;
 use osim_requests::Request;

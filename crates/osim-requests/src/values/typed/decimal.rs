@@ -1,6 +1,6 @@
 //! Numbers as people type them, read strictly: a wrong one is refused with what to type instead.
 
-use osim_messages::shortest;
+use osim_model::messages::shortest;
 
 use super::blanks::trimmed;
 

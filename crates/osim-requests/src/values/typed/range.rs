@@ -1,6 +1,6 @@
 //! Numbers along an axis, in words: `FROM..TO/COUNT`.
 
-use osim_messages::shortest;
+use osim_model::messages::shortest;
 
 use super::blanks::trimmed;
 use super::decimal::{factor, plain};

@@ -1,0 +1,174 @@
+//! Whether one model is a scaled copy of another one.
+
+use crate::messages::Phrase;
+use crate::model::{Anatomy, AnatomyJoint};
+use foldhash::{HashMap, HashMapExt};
+
+use super::body_factors::AXES;
+use super::bones::{self, BonePair};
+
+/// Offsets that differ by more than this from what a factor gives are not explained by it, m.
+const EXPLAINED_M: f64 = 1e-6;
+/// Factors of meshes that differ by more than this (relative) are not the same.
+const SAME_FACTOR: f64 = 1e-6;
+/// Offsets shorter than this do not show a factor, m.
+pub(super) const SHORTEST_OFFSET_M: f64 = 1e-6;
+
+/// What shows that a model is not a scaled copy of another one.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Difference {
+    /// The reference has too few bodies to say: one joint is always explained by some factors.
+    Fragment,
+    /// A joint is between other bodies.
+    Joint {
+        /// Its name.
+        joint: String,
+        /// The bodies that it joins in the model.
+        here: [String; 2],
+        /// Those that it joins in the reference.
+        there: [String; 2],
+    },
+    /// No factor leads to the offset of a joint.
+    Offset {
+        /// The body on which the joint is.
+        body: String,
+        /// Its name.
+        joint: String,
+        /// x, y or z.
+        axis: &'static str,
+        /// The offset in the model, m.
+        here_m: f64,
+        /// The offset in the reference, m.
+        there_m: f64,
+    },
+    /// Meshes of one body have factors that are not the same.
+    Meshes {
+        /// The body.
+        body: String,
+        /// x, y or z.
+        axis: &'static str,
+    },
+}
+
+impl Difference {
+    /// In words, as the beginning of a sentence.
+    #[must_use]
+    pub fn phrase(&self) -> Phrase {
+        let text = match self {
+            Self::Fragment => "the reference has some bodies only: ".to_owned(),
+            Self::Joint { joint, here: [parent, child], there: [old_parent, old_child] } => format!(
+                "joint {joint} is between {parent} and {child}, in the reference between {old_parent} and {old_child}: "
+            ),
+            Self::Offset { body, joint, axis, here_m, there_m } => format!(
+                "joint {joint} is at {axis} = {here_m:.5} m on {body}, in the reference at {there_m:.5} m: "
+            ),
+            Self::Meshes { body, axis } => {
+                format!("the meshes of {body} were not scaled along {axis} by one factor above 0: ")
+            }
+        };
+        text.into()
+    }
+}
+
+/// The first thing in file order that no factors per body and axis explain; `None` where `scaled` is a scaled copy.
+pub(super) fn difference(scaled: &Anatomy, reference: &Anatomy) -> Option<Difference> {
+    if reference.is_fragment {
+        return Some(Difference::Fragment);
+    }
+    other_joint(scaled, reference).or_else(|| {
+        let joints = SharedJoints::of(scaled, reference);
+        let shared = scaled.bodies.iter().filter(|body| reference.has_body(body));
+        shared.into_iter().find_map(|body| {
+            let meshes = bones::pairs(scaled, reference, body);
+            let joints = joints.on(body);
+            AXES.iter().enumerate().find_map(|(axis, name)| unexplained(body, &meshes, joints, axis, name))
+        })
+    })
+}
+
+fn other_joint(scaled: &Anatomy, reference: &Anatomy) -> Option<Difference> {
+    let in_both = |body: &String| scaled.has_body(body) && reference.has_body(body);
+    scaled.joints.iter().find_map(|joint| {
+        let there = reference.joint(&joint.name)?;
+        let shared = [joint, there].into_iter().any(|joint| in_both(&joint.parent) && in_both(&joint.child));
+        let same = joint.parent == there.parent && joint.child == there.child;
+        (shared && !same).then(|| Difference::Joint {
+            joint: joint.name.clone(),
+            here: [joint.parent.clone(), joint.child.clone()],
+            there: [there.parent.clone(), there.child.clone()],
+        })
+    })
+}
+
+/// Where a joint is on a body, in the reference and in the scaled model.
+#[derive(Clone, Copy)]
+pub(super) struct SharedOffset<'a> {
+    pub(super) joint: &'a str,
+    pub(super) old_m: [f64; 3],
+    pub(super) new_m: [f64; 3],
+}
+
+/// The joints that both models have between the same bodies, by the bodies on which they are.
+pub(super) struct SharedJoints<'a>(HashMap<&'a str, Vec<SharedOffset<'a>>>);
+
+impl<'a> SharedJoints<'a> {
+    pub(super) fn of(scaled: &'a Anatomy, reference: &'a Anatomy) -> Self {
+        let ends = |joint: &'a AnatomyJoint| [&joint.name, &joint.parent, &joint.child].map(String::as_str);
+        let mut there: HashMap<[&str; 3], &AnatomyJoint> = HashMap::new();
+        for joint in &reference.joints {
+            there.entry(ends(joint)).or_insert(joint);
+        }
+        let mut found = Self(HashMap::new());
+        for joint in &scaled.joints {
+            let Some(old) = there.get(&ends(joint)) else { continue };
+            let offset = |old_m, new_m| SharedOffset { joint: &joint.name, old_m, new_m };
+            found.push(&joint.parent, offset(old.in_parent_m, joint.in_parent_m));
+            found.push(&joint.child, offset(old.in_child_m, joint.in_child_m));
+        }
+        found
+    }
+
+    fn push(&mut self, body: &'a str, offset: SharedOffset<'a>) {
+        self.0.entry(body).or_default().push(offset);
+    }
+
+    /// Offsets on `body`, in file order.
+    pub(super) fn on(&self, body: &str) -> &[SharedOffset<'a>] {
+        self.0.get(body).map(Vec::as_slice).unwrap_or_default()
+    }
+}
+
+fn unexplained(
+    body: &str,
+    meshes: &[BonePair],
+    joints: &[SharedOffset<'_>],
+    axis: usize,
+    name: &'static str,
+) -> Option<Difference> {
+    let meshes: Vec<f64> = meshes.iter().filter_map(|pair| pair.factors[axis]).collect();
+    let offsets: Vec<(&str, f64, f64)> =
+        joints.iter().map(|offset| (offset.joint, offset.old_m[axis], offset.new_m[axis])).collect();
+    let longest = offsets
+        .iter()
+        .filter(|(_, old, _)| old.abs() > SHORTEST_OFFSET_M)
+        .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    let factor = meshes.first().copied().or(longest.map(|(_, old, new)| new / old));
+    let positive = |value: f64| value.is_finite() && value > 0.0;
+    let same = |value: f64, factor: f64| (value - factor).abs() <= SAME_FACTOR * factor;
+    if meshes.iter().any(|&value| !positive(value) || factor.is_some_and(|factor| !same(value, factor))) {
+        return Some(Difference::Meshes { body: body.to_owned(), axis: name });
+    }
+    // Without a factor, both offsets have to be next to nothing.
+    let wrong = offsets.iter().find(|(_, old, new)| match factor {
+        Some(factor) => !positive(factor) || (new - factor * old).abs() > EXPLAINED_M,
+        None => new.abs() > EXPLAINED_M,
+    });
+    wrong.map(|(joint, old, new)| Difference::Offset {
+        body: body.to_owned(),
+        joint: (*joint).to_owned(),
+        axis: name,
+        here_m: *new,
+        there_m: *old,
+    })
+}

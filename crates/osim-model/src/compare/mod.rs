@@ -1,0 +1,38 @@
+//! Two OpenSim models compared: scale factors between their bodies, whether one is a scaled copy of the other, and where the
+//! contact spheres of a scaled model belong.
+//!
+//! OpenSim's scaling leaves `ContactSphere` radius and location as they were. [`Factors`] says how much each body grew,
+//! [`Follow`] where spheres then belong, [`Placement`] whether they are there.
+//!
+//! ```
+//! use std::collections::BTreeMap;
+//! use osim_model::compare::Factors;
+//! use osim_model::{Anatomy, Model};
+//!
+//! let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+//! let anatomy = Anatomy::of(&Model::parse(bytes)?)?;
+//! let given = BTreeMap::from([("foot_r".to_owned(), [1.2, 1.1, 1.0])]);
+//! let factors = Factors::find(&anatomy, &anatomy, None, &given)?;
+//! assert_eq!(factors.of("foot_r")?, [1.2, 1.1, 1.0]);
+//! # Ok::<(), osim_model::Fault>(())
+//! ```
+//!
+//! # What it will not do
+//!
+//! It plans and changes nothing, and knows no files, no options and no terminal.
+
+mod follow;
+mod placement;
+mod rules;
+mod similarity;
+
+pub use follow::{
+    AxisFactor, BodyFactors, Difference, FactorSource, Factors, Follow, FollowRequest, Followed, OwnRadii,
+    ScaleFile, SphereBodies, bone_of_mesh,
+};
+pub use placement::{Evidence, LayoutAnswer, PlacedSphere, Placement, Reach, is_stretched};
+pub use rules::RULES;
+pub use similarity::{
+    ComparedFactors, LengthFrom, ModelSize, Similarity, SimilarityRow, SizeRatios, SizeVerdict, Spread,
+    formula, moco_bounds, refuse_without_moco_phase,
+};

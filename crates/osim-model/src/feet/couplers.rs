@@ -1,0 +1,209 @@
+//! Values of coordinates at the default pose: their defaults, and what constraints make of them.
+
+use crate::model::{CoordinateFunction, Document, ElementId, FileId, Model, opensim_text};
+use foldhash::{HashMap, HashMapExt, HashSet};
+
+use crate::feet::pose_fault::PoseFault;
+
+/// OpenSim leaves coordinates that are this close to what a constraint says.
+const ASSEMBLED: f64 = 1e-10;
+/// How often constraints that depend on each other are followed, at most.
+const PASSES: usize = 8;
+/// From this version on, a constraint says whether it is enforced, not whether it is disabled.
+const ENFORCED: u32 = 30509;
+
+/// A coordinate that an enforced CoordinateCouplerConstraint makes a function of another one.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Coupler {
+    /// The coordinate that it depends on.
+    pub independent: String,
+    /// The coordinate that depends.
+    pub dependent: String,
+    factor: f64,
+    /// `None` for one that is not known.
+    function: Option<CoordinateFunction>,
+}
+
+impl Coupler {
+    /// The dependent coordinate where the independent one has this value, and by how much it changes with it; `None` where the
+    /// function is not known.
+    #[must_use]
+    pub fn at(&self, independent: f64) -> Option<(f64, f64)> {
+        let function = self.function.as_ref()?;
+        Some((self.factor * function.value(independent), self.factor * function.slope(independent)))
+    }
+}
+
+/// What the enforced constraints of a model say of its coordinates.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Couplers {
+    /// Coordinates that are functions of others, in file order.
+    pub all: Vec<Coupler>,
+    /// Constraints that are not understood.
+    pub unknown: Vec<PoseFault>,
+}
+
+impl Couplers {
+    /// Those of `model`.
+    #[must_use]
+    pub fn of(model: &Model) -> Self {
+        let mut couplers = Self { all: Vec::new(), unknown: Vec::new() };
+        for (document, constraint) in constraints(model) {
+            match coupler(document, constraint) {
+                Some(coupler) => couplers.all.push(coupler),
+                None => couplers.unknown.push(unknown(document, constraint)),
+            }
+        }
+        couplers
+    }
+}
+
+fn unknown(document: &Document, constraint: ElementId) -> PoseFault {
+    let tree = document.tree();
+    PoseFault::Constraint {
+        constraint: tree.attribute(constraint, "name").unwrap_or_default().into_owned(),
+        class: tree.name(constraint).to_owned(),
+    }
+}
+
+/// What the coordinates of a model are at its default pose.
+#[derive(Debug)]
+pub(crate) struct CoordinateValues {
+    /// Of all whose value is known.
+    pub(crate) values: HashMap<String, f64>,
+    /// The first constraint that is not understood.
+    pub(crate) doubt: Option<PoseFault>,
+}
+
+impl CoordinateValues {
+    /// Those of `model`.
+    pub(crate) fn of(model: &Model) -> &Self {
+        model.of_bodies(coordinate_values)
+    }
+}
+
+fn coordinate_values(model: &Model) -> CoordinateValues {
+    let mut values = HashMap::new();
+    for joint in model.joints() {
+        let document = model.file(joint.file);
+        for coordinate in &joint.coordinates {
+            let value = prescribed(document, coordinate.element).unwrap_or(coordinate.default);
+            if let Some(value) = value {
+                values.entry(coordinate.name.clone()).or_insert(value);
+            }
+        }
+    }
+    let couplers = Couplers::of(model);
+    let doubt = couplers.unknown.first().cloned();
+    let unknown = couple(&mut values, &couplers.all);
+    for dependent in unknown {
+        // Its joint says that it has no value.
+        values.remove(&dependent);
+    }
+    CoordinateValues { values, doubt }
+}
+
+/// The names of the coordinates that an enforced coupler makes depend on another.
+pub(crate) fn dependent_coordinates(model: &Model) -> HashSet<String> {
+    let couplers = constraints(model).into_iter().filter_map(|(document, id)| coupler(document, id));
+    couplers.map(|coupler| coupler.dependent).collect()
+}
+
+/// The value at time 0 of a coordinate that is prescribed: `Some(None)` where its function is not known.
+fn prescribed(document: &Document, coordinate: ElementId) -> Option<Option<f64>> {
+    Some(prescribed_function(document, coordinate)?.map(|function| function.value(0.0)))
+}
+
+/// The function of time that sets a coordinate, if one does: `Some(None)` for a function that is not known.
+#[must_use]
+pub fn prescribed_function(document: &Document, coordinate: ElementId) -> Option<Option<CoordinateFunction>> {
+    Some(CoordinateFunction::read(document, prescribing(document, coordinate)?))
+}
+
+/// The function that prescribes a coordinate, if one does.
+fn prescribing(document: &Document, coordinate: ElementId) -> Option<ElementId> {
+    let is_prescribed = matches!(document.flag(coordinate, "prescribed"), Ok(Some(true)));
+    let tree = document.tree();
+    let function = tree.children(tree.child(coordinate, "prescribed_function")?).next()?;
+    is_prescribed.then_some(function)
+}
+
+/// Whether a function of time sets a coordinate.
+pub(crate) fn is_prescribed(document: &Document, coordinate: ElementId) -> bool {
+    prescribing(document, coordinate).is_some()
+}
+
+/// Enforced constraints of all files of the model.
+fn constraints(model: &Model) -> Vec<(&Document, ElementId)> {
+    let files = [FileId::MAIN].into_iter().chain(model.companions().map(|(file, _)| file));
+    let mut found = Vec::new();
+    for document in files.map(|file| model.file(file)) {
+        let tree = document.tree();
+        let root = document.data_root();
+        let own = (tree.name(root) == "ConstraintSet").then_some(root);
+        let set = own.or_else(|| tree.child(root, "ConstraintSet"));
+        let members = set.and_then(|set| tree.child(set, "objects"));
+        let members = members.into_iter().flat_map(|members| tree.children(members));
+        found.extend(members.filter(|&id| is_enforced(document, id)).map(|id| (document, id)));
+    }
+    found
+}
+
+fn is_enforced(document: &Document, constraint: ElementId) -> bool {
+    if document.version() >= ENFORCED {
+        return !matches!(document.flag(constraint, "isEnforced"), Ok(Some(false)));
+    }
+    let tree = document.tree();
+    let disabled = tree.child(constraint, "isDisabled").map(|flag| tree.text_of(flag));
+    !disabled.is_some_and(|text| opensim_text::is_disabled(&text))
+}
+
+fn coupler(document: &Document, constraint: ElementId) -> Option<Coupler> {
+    let tree = document.tree();
+    if tree.name(constraint) != "CoordinateCouplerConstraint" {
+        return None;
+    }
+    let text = |tag| tree.child(constraint, tag).map(|child| tree.text_of(child)).unwrap_or_default();
+    let (independent, dependent) = (text("independent_coordinate_names"), text("dependent_coordinate_name"));
+    let [independent] = opensim_text::list(&independent).collect::<Vec<_>>()[..] else { return None };
+    let function = tree.children(tree.child(constraint, "coupled_coordinates_function")?).next()?;
+    // OpenSim moves the other coordinate then.
+    if tree.name(function) == "Constant" {
+        return None;
+    }
+    let factor = opensim_text::numbers(&text("scale_factor")).and_then(|values| values.first().copied());
+    Some(Coupler {
+        function: CoordinateFunction::read(document, function),
+        factor: factor.unwrap_or(1.0),
+        independent: independent.to_owned(),
+        dependent: opensim_text::trimmed(&dependent).to_owned(),
+    })
+}
+
+/// Sets dependent coordinates to the values that follow. Returns the names of those whose values are not known.
+fn couple(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Vec<String> {
+    let mut unknown = Vec::new();
+    for pass in 0..PASSES {
+        let mut changed = false;
+        for coupler in couplers {
+            let Some(&independent) = values.get(&coupler.independent) else { continue };
+            let Some((value, _)) = coupler.at(independent) else {
+                if pass == 0 {
+                    unknown.push(coupler.dependent.clone());
+                }
+                continue;
+            };
+            if let Some(dependent) = values.get_mut(&coupler.dependent)
+                && (*dependent - value).abs() > ASSEMBLED
+            {
+                *dependent = value;
+                changed = true;
+            }
+        }
+        if !changed {
+            break;
+        }
+    }
+    unknown
+}

@@ -1,0 +1,141 @@
+//! Where bodies are in ground while all coordinates have their default values.
+
+use std::sync::Arc;
+
+use crate::model::{Model, ModelJoint, Placement};
+use foldhash::{HashMap, HashMapExt};
+
+use crate::feet::couplers::CoordinateValues;
+use crate::feet::joint_walk::{Crossing, joint_walk};
+use crate::feet::pose_fault::PoseFault;
+
+/// Two ways from ground to a body that end as close as this are one, m and rad.
+const SAME: f64 = 1e-9;
+
+/// Where each body is in ground at the default pose, as OpenSim's `initSystem` leaves it: coordinates at `default_value`, locked
+/// and clamped ones too; prescribed ones where their function is at time 0; those that a CoordinateCouplerConstraint makes
+/// depend on another where it puts them. Other constraints, functions of several coordinates and joints of plugins are not
+/// understood.
+///
+/// ```
+/// use osim_model::feet::DefaultPose;
+///
+/// let text = r#"<OpenSimDocument Version="40000"><Model><BodySet><objects><Body name="foot"><mass>1</mass></Body></objects>
+/// </BodySet><JointSet><objects><SliderJoint name="j"><socket_parent_frame>/ground</socket_parent_frame>
+/// <socket_child_frame>/bodyset/foot</socket_child_frame><coordinates><Coordinate name="x"><default_value>0.5</default_value>
+/// </Coordinate></coordinates></SliderJoint></objects></JointSet></Model></OpenSimDocument>"#;
+/// let model = osim_model::Model::parse(text)?;
+/// assert_eq!(DefaultPose::of(&model).placement("foot").map(|there| there.translation_m), Ok([0.5, 0.0, 0.0]));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct DefaultPose(Arc<Placements>);
+
+/// Where each body is.
+#[derive(Debug, Clone, PartialEq)]
+struct Placements {
+    placements: HashMap<String, Result<Placement, PoseFault>>,
+    /// What makes all of them doubtful.
+    doubt: Option<PoseFault>,
+}
+
+impl DefaultPose {
+    /// That of `model`.
+    #[must_use]
+    pub fn of(model: &Model) -> Self {
+        Self(Arc::clone(model.of_bodies(|model| Arc::new(Placements::of(model)))))
+    }
+
+    /// The frame of `body` in ground.
+    ///
+    /// # Errors
+    /// What is not understood, or that the body hangs on nothing.
+    pub fn placement(&self, body: &str) -> Result<&Placement, PoseFault> {
+        if let Some(doubt) = &self.0.doubt {
+            return Err(doubt.clone());
+        }
+        let not_joined = || PoseFault::NotJoined { body: body.to_owned() };
+        self.0.placements.get(body).ok_or_else(not_joined)?.as_ref().map_err(Clone::clone)
+    }
+}
+
+impl Placements {
+    fn of(model: &Model) -> Self {
+        let joints = model.joints();
+        let known = CoordinateValues::of(model);
+        let places = Places { model, values: &known.values };
+        let mut pose = Self { placements: HashMap::new(), doubt: known.doubt.clone() };
+        let open = pose.place_all(joints, &places);
+        pose.doubt = pose.doubt.or(open);
+        pose
+    }
+
+    /// Goes from ground to all bodies; a joint that closes a loop elsewhere than where the other way ends.
+    fn place_all(&mut self, joints: &[ModelJoint], places: &Places<'_>) -> Option<PoseFault> {
+        let mut open = None;
+        for Crossing { joint, from, to, forward, closes } in joint_walk(joints) {
+            let placement = self.across(joint, from, forward, places);
+            let known = match to {
+                None => Some(Ok(Placement::IDENTITY)),
+                Some(body) => self.placements.get(body).cloned(),
+            };
+            match (known, to) {
+                (Some(known), _) if closes && !same(&known, &placement) => {
+                    open = open.or(Some(PoseFault::Loop { joint: joint.name.clone() }));
+                }
+                (None, Some(body)) => {
+                    self.placements.insert(body.to_owned(), placement);
+                }
+                _ => {}
+            }
+        }
+        open
+    }
+
+    /// Where the body at the other end of `joint` is.
+    fn across(
+        &self,
+        joint: &ModelJoint,
+        here: Option<&str>,
+        forward: bool,
+        places: &Places<'_>,
+    ) -> Result<Placement, PoseFault> {
+        let placement = places.of(joint)?;
+        let placement = if forward { placement } else { placement.inverse() };
+        match here.and_then(|body| self.placements.get(body)) {
+            Some(here) => Ok(here.clone()?.then(&placement)),
+            None => Ok(placement),
+        }
+    }
+}
+
+/// What is known of the joints.
+struct Places<'m> {
+    model: &'m Model,
+    values: &'m HashMap<String, f64>,
+}
+
+impl Places<'_> {
+    /// The child's frame in the parent's.
+    fn of(&self, joint: &ModelJoint) -> Result<Placement, PoseFault> {
+        let mut values = Vec::new();
+        for coordinate in &joint.coordinates {
+            let missing =
+                || PoseFault::Coordinate { coordinate: coordinate.name.clone(), joint: joint.name.clone() };
+            values.push(*self.values.get(&coordinate.name).ok_or_else(missing)?);
+        }
+        let unknown = || PoseFault::Joint { joint: joint.name.clone(), class: joint.class.clone() };
+        let placement = joint.placement(self.model, &values).ok_or_else(unknown)?;
+        let origin = placement.point([1.0; 3]);
+        if origin.iter().all(|value| value.is_finite()) { Ok(placement) } else { Err(unknown()) }
+    }
+}
+
+/// Whether two ways end at one place; if one is not known, the other counts.
+fn same(known: &Result<Placement, PoseFault>, other: &Result<Placement, PoseFault>) -> bool {
+    let (Ok(known), Ok(other)) = (known, other) else { return true };
+    [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].into_iter().all(|point| {
+        let pairs = known.point(point).into_iter().zip(other.point(point));
+        pairs.into_iter().all(|(a, b)| (a - b).abs() <= SAME)
+    })
+}

@@ -1,0 +1,164 @@
+//! What can be wrong with feet.
+
+use std::path::PathBuf;
+
+use crate::messages::{Phrase, listed};
+use crate::model::Fault;
+use crate::model::files::FileError;
+
+use crate::feet::mesh::MeshFault;
+use crate::feet::pose_fault::PoseFault;
+
+/// Why bones cannot be read or spheres not be laid.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FeetFault {
+    /// There is no body of that name.
+    #[error("there is no body {body}, the model has {}", shown(.bodies))]
+    NoBody {
+        /// As it was asked for.
+        body: String,
+        /// Those that are there.
+        bodies: Vec<String>,
+    },
+    /// Nothing is known about the form of a body.
+    #[error(
+        "no mesh is attached to body {body}: name another body, or give the places of the spheres in a table"
+    )]
+    NoMesh {
+        /// The body.
+        body: String,
+    },
+    /// A file that is in none of the folders.
+    #[error(
+        "body {body} shows mesh {mesh}, which is in none of the folders {}: copy it there, or name the folder that has it",
+        shown_paths(.folders)
+    )]
+    MeshMissing {
+        /// The body.
+        body: String,
+        /// The file as the model spells it.
+        mesh: String,
+        /// Where it was looked for.
+        folders: Vec<PathBuf>,
+    },
+    /// A file that is there and cannot be opened.
+    #[error("mesh {mesh} of body {body}, {}: {fault}", file.display())]
+    Unreadable {
+        /// The body.
+        body: String,
+        /// The file as the model spells it.
+        mesh: String,
+        /// The file that was opened.
+        file: PathBuf,
+        /// Why not.
+        fault: FileError,
+    },
+    /// A file that is not the mesh of a bone.
+    #[error("mesh {mesh} of body {body}, {}: {fault}", file.display())]
+    Mesh {
+        /// The body.
+        body: String,
+        /// The file as the model spells it.
+        mesh: String,
+        /// The file that was read.
+        file: PathBuf,
+        /// Why it is none.
+        fault: MeshFault,
+    },
+    /// Factors that no bone can have.
+    #[error("scale factors of mesh {mesh} of body {body} are {}, expected three numbers other than 0, at most 1e9", numbers(.factors))]
+    Factors {
+        /// The body.
+        body: String,
+        /// The file as the model spells it.
+        mesh: String,
+        /// As they were read.
+        factors: [f64; 3],
+    },
+    /// Nothing says what is up.
+    #[error("the model has no gravity, so it is not known where its soles point: give its <gravity> a value")]
+    NoGravity,
+    /// A number that makes no sense.
+    #[error("{what} is {value}, expected {expected}")]
+    Request {
+        /// Which number.
+        what: &'static str,
+        /// As it was given.
+        value: f64,
+        /// What it has to be.
+        expected: &'static str,
+    },
+    /// Bottoms would be closer than 1 mm.
+    #[error(
+        "of {count} spheres under {} some would be closer than 1 mm, expected at most {fits}: ask for fewer",
+        shown(.bodies)
+    )]
+    TooManySpheres {
+        /// The bodies of the foot.
+        bodies: Vec<String>,
+        /// As many were asked for.
+        count: usize,
+        /// As many can be laid.
+        fits: usize,
+    },
+    /// It is not known where a body is.
+    #[error(transparent)]
+    Pose(#[from] PoseFault),
+    /// A fault of the model itself.
+    #[error("{0}")]
+    Model(#[from] Fault),
+}
+
+impl FeetFault {
+    /// What is wrong, on one line, with names from outside escaped.
+    #[must_use]
+    pub fn phrase(&self) -> Phrase {
+        match self {
+            Self::Model(fault) => fault.phrase(),
+            other => other.to_string().into(),
+        }
+    }
+
+    /// Stable short name, as in the JSON `code`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::NoBody { .. } => "no-such-body",
+            Self::NoMesh { .. } => "no-mesh",
+            Self::MeshMissing { .. } => "mesh-missing",
+            Self::Unreadable { .. } => "unreadable",
+            Self::Mesh { .. } | Self::Factors { .. } => "bad-mesh",
+            Self::NoGravity | Self::Request { .. } => "refused",
+            Self::TooManySpheres { .. } => "too-many-spheres",
+            Self::Pose(_) => "unknown-pose",
+            Self::Model(fault) => fault.code(),
+        }
+    }
+}
+
+/// Names that are shown at most, so that a message stays readable.
+const SHOWN: usize = 20;
+
+fn shown(names: &[String]) -> String {
+    listed(names, SHOWN)
+}
+
+fn shown_paths(paths: &[PathBuf]) -> String {
+    let shown = |path: &PathBuf| match path.to_string_lossy() {
+        path if path.is_empty() => ".".to_owned(),
+        path => path.into_owned(),
+    };
+    shown_list(paths.iter().map(shown))
+}
+
+fn shown_list(names: impl Iterator<Item = String>) -> String {
+    names.collect::<Vec<_>>().join(", ")
+}
+
+fn numbers(values: &[f64; 3]) -> String {
+    if values.iter().all(|value| value.is_nan()) {
+        return "not three numbers".to_owned();
+    }
+    shown_list(values.iter().map(ToString::to_string))
+}

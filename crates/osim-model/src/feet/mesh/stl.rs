@@ -1,0 +1,101 @@
+//! Stereolithography files, in text or binary.
+
+use crate::xml::opensim_text::words;
+
+use super::fault::MeshFault;
+use super::numbers::{number, within};
+
+/// A binary file has this many bytes before its triangles: a title, and how many there are.
+const HEAD: usize = 84;
+const TITLE: usize = 80;
+/// Normal, three corners of single precision each, two bytes more.
+const TRIANGLE: usize = 50;
+const NORMAL: usize = 12;
+
+/// The corners of all triangles.
+pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
+    // Many binary files begin with "solid" too: the size decides.
+    let count = bytes.get(TITLE..HEAD).and_then(|count| Some(u32::from_le_bytes(count.try_into().ok()?)));
+    let size = count.and_then(|count| HEAD.checked_add(usize::try_from(count).ok()?.checked_mul(TRIANGLE)?));
+    let is_text = bytes.trim_ascii_start().starts_with(b"solid")
+        && bytes.iter().take(4 * HEAD).all(|&byte| byte.is_ascii() && byte != 0);
+    if is_text && size != Some(bytes.len()) {
+        return in_text(&String::from_utf8_lossy(bytes));
+    }
+    match size.and_then(|size| bytes.get(HEAD..size)) {
+        Some(triangles) => binary(triangles),
+        None if count.is_none() => {
+            Err(MeshFault::NotUnderstood("it is neither a text that begins with \"solid\" nor binary".into()))
+        }
+        None => Err(MeshFault::Truncated("its triangles")),
+    }
+}
+
+fn binary(triangles: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
+    within(triangles.len() / TRIANGLE)?;
+    let mut points = Vec::new();
+    for triangle in triangles.chunks_exact(TRIANGLE) {
+        let corners = triangle.get(NORMAL..TRIANGLE - 2).unwrap_or_default();
+        let values = corners.as_chunks::<4>().0.iter().map(|bytes| f64::from(f32::from_le_bytes(*bytes)));
+        let values: Vec<f64> = values.collect();
+        points.extend(values.as_chunks::<3>().0);
+    }
+    Ok(points)
+}
+
+fn in_text(text: &str) -> Result<Vec<[f64; 3]>, MeshFault> {
+    if !text.contains("endsolid") {
+        return Err(MeshFault::Truncated("its triangles"));
+    }
+    let mut points = Vec::new();
+    let mut words = words(text);
+    while let Some(word) = words.next() {
+        if word.eq_ignore_ascii_case("vertex") {
+            let mut next = || number(words.next().ok_or(MeshFault::Truncated("a vertex"))?, "the vertices");
+            points.push([next()?, next()?, next()?]);
+            within(points.len() / 3)?;
+        }
+    }
+    Ok(points)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn binary_of(title: &[u8], count: u32, triangles: &[[f32; 9]]) -> Vec<u8> {
+        let mut bytes = title.to_vec();
+        bytes.resize(TITLE, 0);
+        bytes.extend(count.to_le_bytes());
+        for triangle in triangles {
+            bytes.extend([0; NORMAL]);
+            bytes.extend(triangle.iter().flat_map(|value| value.to_le_bytes()));
+            bytes.extend([0; 2]);
+        }
+        bytes
+    }
+
+    #[test]
+    fn the_size_says_whether_it_is_binary() {
+        let triangle = [0.5, 0.0, 0.0, 1.0, 0.25, 0.0, 0.0, 1.0, -2.0];
+        let expected = [[0.5, 0.0, 0.0], [1.0, 0.25, 0.0], [0.0, 1.0, -2.0]];
+        assert_eq!(points(&binary_of(b"exported", 1, &[triangle])).unwrap(), expected);
+        assert_eq!(points(&binary_of(b"solid exported", 1, &[triangle])).unwrap(), expected);
+        let text = "solid toe\n facet normal 0 0 1\n  outer loop\n   vertex 5e-1 0 0\n   vertex 1 .25 0\n   vertex 0 1 -2\n  \
+                    endloop\n endfacet\nendsolid toe\n";
+        assert_eq!(points(text.as_bytes()).unwrap(), expected);
+    }
+
+    #[test]
+    fn counts_are_not_believed() {
+        let triangle = [0.0; 9];
+        assert_eq!(
+            points(&binary_of(b"x", u32::MAX, &[triangle])),
+            Err(MeshFault::Truncated("its triangles"))
+        );
+        assert_eq!(points(&binary_of(b"x", 2, &[triangle])), Err(MeshFault::Truncated("its triangles")));
+        assert!(matches!(points(b"binary"), Err(MeshFault::NotUnderstood(_))));
+        assert_eq!(points(b"solid x vertex 1 2 3"), Err(MeshFault::Truncated("its triangles")));
+        assert!(matches!(points(b"solid x vertex 1 2 endsolid"), Err(MeshFault::NotUnderstood(_))));
+    }
+}

@@ -1,0 +1,78 @@
+//! What a model's feet look like: bones from meshes, where they stand, and spheres below them.
+//!
+//! [`bones`] reads the meshes that are attached to bodies, through [`Files`](crate::model::files::Files); [`DefaultPose`] says where
+//! the bodies are in ground; [`soles`] lays spheres under the feet.
+//!
+//! ```
+//! use std::path::Path;
+//! use osim_model::feet::{MeshFolders, SoleRequest, bones, soles};
+//! use osim_model::Model;
+//! use osim_model::files::InMemory;
+//!
+//! fn main() -> Result<(), osim_model::feet::FeetFault> {
+//!     let model = r#"<OpenSimDocument Version="40000"><Model><gravity>0 -9.81 0</gravity><BodySet><objects><Body name="foot">
+//!         <mass>1</mass><attached_geometry><Mesh><mesh_file>foot.obj</mesh_file></Mesh></attached_geometry></Body></objects></BodySet>
+//!         <JointSet><objects><WeldJoint name="j"><socket_parent_frame>/ground</socket_parent_frame>
+//!         <socket_child_frame>/bodyset/foot</socket_child_frame></WeldJoint></objects></JointSet></Model></OpenSimDocument>"#;
+//!     let mesh = "v 0 0 0\nv 0.2 0 0.05\nv 0.2 0 -0.05\nv 0 0.1 0\n";
+//!
+//!     let model = Model::parse(model)?;
+//!     let files = InMemory::from_iter([("Geometry/foot.obj", mesh)]);
+//!     let bones = bones(&model, &["foot"], &MeshFolders::of_model(Path::new("walker.osim")), &files)?;
+//!     let soles = soles(&model, &bones, &SoleRequest { count: 3, radius_m: 0.03, pad_m: 0.01 })?;
+//!     // 1 cm below the bone, which is at 0.
+//!     assert_eq!(soles[0].height_m, -0.01);
+//!     assert!(soles[0].spheres.iter().all(|sphere| (sphere.centre_m[1] - 0.02).abs() < 1e-12));
+//!     Ok(())
+//! }
+//! ```
+//!
+//! # What it will not do
+//!
+//! It changes nothing and opens no file by itself. It poses nothing but the default pose, and knows no constraints but couplers.
+
+mod bone;
+mod bones;
+mod contact_plane;
+mod couplers;
+mod default_pose;
+mod fault;
+mod folders;
+mod held;
+mod joint_walk;
+mod mesh;
+mod movements;
+mod odd_mesh;
+mod pose_fault;
+mod posed_unlike;
+mod scene;
+mod sole;
+mod sphere_pairs;
+mod standing;
+mod tilted;
+mod vector;
+mod welds;
+
+pub use bone::Bone;
+pub use bones::{AttachedBones, attached_surface, bones};
+pub use contact_plane::{ContactPlane, PlaneSurface, STEEPEST_RAD};
+pub use couplers::{Coupler, Couplers, prescribed_function};
+pub use default_pose::DefaultPose;
+pub use fault::FeetFault;
+pub use folders::MeshFolders;
+pub use joint_walk::{Crossing, joint_walk};
+pub use mesh::{MeshFault, Surface, mesh_points, mesh_surface};
+pub use movements::{Freedom, Movements};
+pub use odd_mesh::{OddMesh, odd_meshes, odd_size};
+pub use pose_fault::PoseFault;
+pub use scene::{
+    FloorPlace, Foot, FootBodies, FootBone, FootFrame, FootJoint, FootSphere, ViewAxes, silhouette,
+};
+pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, soles};
+pub use sphere_pairs::{SpherePair, sphere_pairs};
+pub use standing::{
+    ByLaw, LEANING_RAD, LevelledSphere, Lift, NotLevelled, NotLifted, OverFloor, Rest, RestingSphere,
+    Standing, levelled,
+};
+pub use tilted::Tilting;
+pub use vector::{angle, dot};

@@ -1,0 +1,207 @@
+//! How bodies can move against each other: what joints and their coordinates leave free.
+
+use std::sync::Arc;
+
+use crate::model::{Model, ModelJoint, Placement};
+use foldhash::{HashMap, HashMapExt};
+
+use crate::feet::couplers::CoordinateValues;
+use crate::feet::held::{Held, HeldCoordinates};
+
+/// How far a coordinate is moved to see what it moves, rad or m.
+const STEP: f64 = 0.1;
+/// A rotation that changes its cells by no more than this is the same.
+const SAME: f64 = 1e-9;
+/// Bodies on the way to ground, at most.
+const MOST_JOINTS: usize = 64;
+
+/// What is free between two bodies.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Freedom {
+    /// A coordinate turns one of them.
+    pub turns: bool,
+    /// A coordinate shifts one of them and turns nothing.
+    pub slides: bool,
+}
+
+/// The joint above a body.
+#[derive(Debug, Clone)]
+struct Above {
+    /// The body it hangs on; `None` is ground.
+    parent: Option<String>,
+    freedom: Freedom,
+}
+
+/// How the bodies of a model can move. Coordinates that are locked or prescribed, or that a coupler makes depend on another, are
+/// not free; of a joint that is not understood, everything is.
+#[derive(Debug, Clone)]
+pub struct Movements(Arc<Ways>);
+
+/// The ways from bodies to ground.
+#[derive(Debug, Clone)]
+struct Ways {
+    above: HashMap<String, Above>,
+    ends: HashMap<String, End>,
+}
+
+/// What is known of the way from a body to ground.
+#[derive(Debug, Clone)]
+struct End {
+    /// The last body on it.
+    top: String,
+    /// Whether anything is free on it.
+    moves: bool,
+}
+
+impl Freedom {
+    const ALL: Self = Self { turns: true, slides: true };
+
+    /// Whether anything is free.
+    #[must_use]
+    pub const fn is_any(self) -> bool {
+        self.turns || self.slides
+    }
+
+    fn and(self, other: Self) -> Self {
+        Self { turns: self.turns || other.turns, slides: self.slides || other.slides }
+    }
+}
+
+impl Movements {
+    /// Those of `model`.
+    #[must_use]
+    pub fn of(model: &Model) -> Self {
+        Self(Arc::clone(model.of_bodies(|model| Arc::new(Ways::of(model)))))
+    }
+
+    /// Whether `body` can move in ground.
+    #[must_use]
+    pub fn moves(&self, body: &str) -> bool {
+        // A body that hangs on nothing moves as it likes.
+        self.0.ends.get(body).is_none_or(|end| end.moves)
+    }
+
+    /// The body above `body` that hangs on no other one; `body` itself if nothing is above it.
+    #[must_use]
+    pub fn top<'b>(&'b self, body: &'b str) -> &'b str {
+        self.0.ends.get(body).map_or(body, |end| end.top.as_str())
+    }
+
+    /// What is free between two bodies; `None` where they hang together only through ground.
+    #[must_use]
+    pub fn between(&self, one: &str, other: &str) -> Option<Freedom> {
+        let (one, other) = (self.0.way(one), self.0.way(other));
+        let (mut here, mut there) = (one.len(), other.len());
+        // From the top down, as long as both ways are one.
+        while here > 0
+            && there > 0
+            && one.get(here - 1).map(|way| way.0) == other.get(there - 1).map(|way| way.0)
+        {
+            here -= 1;
+            there -= 1;
+        }
+        let own = one.iter().take(here).chain(other.iter().take(there));
+        (here < one.len()).then(|| own.fold(Freedom::default(), |all, (_, freedom)| all.and(*freedom)))
+    }
+}
+
+impl Ways {
+    fn of(model: &Model) -> Self {
+        let coordinates =
+            Coordinates { model, known: CoordinateValues::of(model), held: HeldCoordinates::of(model) };
+        let mut above = HashMap::new();
+        for joint in model.joints() {
+            let (body, parent) = match (&joint.child, &joint.parent) {
+                (Some(child), parent) => (child, parent.clone()),
+                // A joint written the other way round, from the body to ground.
+                (None, Some(body)) => (body, None),
+                (None, None) => continue,
+            };
+            above
+                .entry(body.clone())
+                .or_insert_with(|| Above { parent, freedom: coordinates.freedom_of(joint) });
+        }
+        Self { ends: ends(&above), above }
+    }
+
+    /// `body` and those above it, each with what the joint above it leaves free.
+    fn way<'b>(&'b self, body: &'b str) -> Vec<(&'b str, Freedom)> {
+        let mut way = Vec::new();
+        let mut at = Some(body);
+        while let Some(body) = at.filter(|_| way.len() < MOST_JOINTS) {
+            let above = self.above.get(body);
+            way.push((body, above.map_or(Freedom::ALL, |above| above.freedom)));
+            at = above.and_then(|above| above.parent.as_deref());
+        }
+        way
+    }
+}
+
+/// The ends of the ways of all bodies that hang on others or on ground, each joint looked at once.
+fn ends(above: &HashMap<String, Above>) -> HashMap<String, End> {
+    let mut ends: HashMap<String, End> = HashMap::new();
+    for body in above.keys() {
+        let (mut way, mut at) = (Vec::new(), Some(body.as_str()));
+        // Joints in a circle end where they have all been passed.
+        while let Some((name, joint)) = at.and_then(|name| Some((name, above.get(name)?))) {
+            if ends.contains_key(name) || way.len() > above.len() {
+                break;
+            }
+            way.push((name, joint.freedom));
+            at = joint.parent.as_deref();
+        }
+        let known = at.and_then(|name| ends.get(name).cloned());
+        let last = at.or(way.last().map(|(name, _)| *name)).unwrap_or(body);
+        let alone = || End { top: last.to_owned(), moves: at.is_some() };
+        let mut end = known.unwrap_or_else(alone);
+        for (name, freedom) in way.into_iter().rev() {
+            end.moves |= freedom.is_any();
+            ends.insert(name.to_owned(), end.clone());
+        }
+    }
+    ends
+}
+
+/// The coordinates of a model at the default pose.
+struct Coordinates<'m> {
+    model: &'m Model,
+    known: &'m CoordinateValues,
+    held: HeldCoordinates<'m>,
+}
+
+impl Coordinates<'_> {
+    fn freedom_of(&self, joint: &ModelJoint) -> Freedom {
+        if joint.coordinates.is_empty() {
+            return unwritten(&joint.class);
+        }
+        let own = joint.coordinates.iter().map(|coordinate| self.known.values.get(&coordinate.name).copied());
+        let placed = own
+            .collect::<Option<Vec<f64>>>()
+            .and_then(|values| Some((joint.placement(self.model, &values)?, values)));
+        let Some((here, values)) = placed else { return Freedom::ALL };
+        let is_free = |coordinate| self.held.held(joint, coordinate) == Held::Not;
+        let free = joint.coordinates.iter().enumerate().filter(|(_, coordinate)| is_free(coordinate));
+        free.fold(Freedom::default(), |all, (index, _)| {
+            let mut moved = values.clone();
+            moved.iter_mut().skip(index).take(1).for_each(|value| *value += STEP);
+            all.and(joint.placement(self.model, &moved).map_or(Freedom::ALL, |there| moved_by(&here, &there)))
+        })
+    }
+}
+
+/// What a joint leaves free whose coordinates the file leaves to OpenSim.
+fn unwritten(class: &str) -> Freedom {
+    match class {
+        "WeldJoint" | "CustomJoint" => Freedom::default(),
+        "PinJoint" | "UniversalJoint" | "BallJoint" | "GimbalJoint" => Freedom { turns: true, slides: false },
+        _ => Freedom::ALL,
+    }
+}
+
+fn moved_by(here: &Placement, there: &Placement) -> Freedom {
+    let differ = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).any(|(a, b)| (a - b).abs() > SAME);
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let turns = axes.iter().any(|&axis| differ(here.rotation.to_body(axis), there.rotation.to_body(axis)));
+    Freedom { turns, slides: !turns && differ(here.translation_m, there.translation_m) }
+}

@@ -1,0 +1,152 @@
+//! Which bodies make a foot.
+
+use crate::model::{Anatomy, ForceId, Model, Side, SphereId};
+use foldhash::{HashMap, HashMapExt, HashSet};
+
+use super::tree::Tree;
+use crate::feet::default_pose::DefaultPose;
+use crate::feet::vector::dot;
+
+/// Bodies whose origins are within this share of the model's height above the lowest one are feet.
+const NEAR_GROUND: f64 = 0.12;
+/// What bodies of feet are called, where the default pose does not say which they are.
+const NAMES: [&str; 10] =
+    ["calcn", "calcan", "foot", "toe", "talus", "hoof", "paw", "hallux", "phalan", "metatars"];
+
+/// A foot: bodies that hang on each other, and the spheres on them.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct FootBodies {
+    /// Its bodies, the one on which the others hang first.
+    pub bodies: Vec<String>,
+    /// Right or left, if known.
+    pub side: Option<Side>,
+    /// Its spheres, in file order.
+    pub spheres: Vec<SphereId>,
+}
+
+impl FootBodies {
+    /// The feet of a model: where its spheres are, limb by limb; spheres on other bodies are a foot for each body.
+    /// A model without chosen spheres has its feet where bodies with a side in their names are near the ground at the
+    /// default pose.
+    #[must_use]
+    pub fn find(
+        model: &Model,
+        anatomy: &Anatomy,
+        spheres: &[SphereId],
+        forces: &[ForceId],
+        pose: &DefaultPose,
+    ) -> Vec<Self> {
+        let tree = Tree::new(anatomy);
+        if spheres.is_empty() {
+            let up = model.up();
+            let height_m = |body: &str| Some(dot(up, pose.placement(body).ok()?.translation_m));
+            return near_ground(&tree, &height_m);
+        }
+        let mut groups = limbs(model, spheres, forces);
+        groups.extend(by_body(&tree, model, &rest(spheres, &groups)));
+        let carriers: HashSet<&str> = spheres.iter().filter_map(|&id| body_of(model, id)).collect();
+        groups.into_iter().flat_map(|group| feet(&tree, model, group, &carriers)).collect()
+    }
+
+    /// The body on which the others hang.
+    #[must_use]
+    pub fn top(&self) -> &str {
+        self.bodies.first().map_or("", String::as_str)
+    }
+}
+
+/// Spheres of one limb, or of one body.
+struct Group {
+    side: Option<Side>,
+    spheres: Vec<SphereId>,
+}
+
+fn limbs(model: &Model, spheres: &[SphereId], forces: &[ForceId]) -> Vec<Group> {
+    let limbs = model.limbs(forces);
+    let chosen: HashSet<SphereId> = spheres.iter().copied().collect();
+    let limbs = limbs.known().unwrap_or_default().iter().map(|limb| Group {
+        side: Some(limb.side),
+        spheres: limb.spheres.iter().copied().filter(|id| chosen.contains(id)).collect(),
+    });
+    limbs.filter(|group| !group.spheres.is_empty()).collect()
+}
+
+fn rest(spheres: &[SphereId], groups: &[Group]) -> Vec<SphereId> {
+    let known: HashSet<SphereId> = groups.iter().flat_map(|group| group.spheres.iter().copied()).collect();
+    spheres.iter().copied().filter(|id| !known.contains(id)).collect()
+}
+
+/// Ground has an empty name.
+fn body_of(model: &Model, sphere: SphereId) -> Option<&str> {
+    Some(model.sphere(sphere)?.body.as_deref().unwrap_or_default())
+}
+
+/// Spheres on their bodies, in the order of the first on each.
+fn on_bodies<'m>(model: &'m Model, spheres: &[SphereId]) -> Vec<(&'m str, Vec<SphereId>)> {
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    let mut on: Vec<(&str, Vec<SphereId>)> = Vec::new();
+    for &id in spheres {
+        let Some(body) = body_of(model, id) else { continue };
+        let place = *places.entry(body).or_insert(on.len());
+        match on.get_mut(place) {
+            Some((_, known)) => known.push(id),
+            None => on.push((body, vec![id])),
+        }
+    }
+    on
+}
+
+/// Spheres without a limb: body by body, and bodies of one side that hang on each other together.
+fn by_body(tree: &Tree<'_>, model: &Model, spheres: &[SphereId]) -> Vec<Group> {
+    let mut on: HashMap<&str, Vec<SphereId>> = HashMap::new();
+    let mut bodies = Vec::new();
+    for (body, spheres) in on_bodies(model, spheres) {
+        bodies.push(body);
+        on.insert(body, spheres);
+    }
+    let groups = tree.connected(&bodies).into_iter().map(|group| Group {
+        side: group.first().and_then(|body| Side::of_name(body)),
+        spheres: group.iter().flat_map(|body| on.get(body).cloned().unwrap_or_default()).collect(),
+    });
+    groups.collect()
+}
+
+/// The foot of a group: bodies with its spheres, those between them, and those of the same side below. Bodies that are joined
+/// only through ground are feet of their own.
+fn feet(tree: &Tree<'_>, model: &Model, group: Group, carriers: &HashSet<&str>) -> Vec<FootBodies> {
+    let own = on_bodies(model, &group.spheres);
+    let names: Vec<&str> = own.iter().map(|(body, _)| *body).collect();
+    let Some(joined) = tree.joined(&names) else {
+        let alone = own.into_iter().map(|(body, spheres)| FootBodies {
+            bodies: vec![body.to_owned()],
+            side: group.side,
+            spheres,
+        });
+        return alone.collect();
+    };
+    let bodies = tree.with_below(joined, group.side, carriers).into_iter().map(str::to_owned).collect();
+    vec![FootBodies { bodies, side: group.side, spheres: group.spheres }]
+}
+
+/// Feet of a model without spheres.
+fn near_ground(tree: &Tree<'_>, height_m: &dyn Fn(&str) -> Option<f64>) -> Vec<FootBodies> {
+    let names: Vec<&str> = tree.bodies().collect();
+    let sided = |name: &&str| Side::of_name(name).is_some();
+    let heights: Vec<(&str, f64)> = names.iter().filter_map(|&name| Some((name, height_m(name)?))).collect();
+    let low = heights.iter().map(|(_, height)| *height).fold(f64::INFINITY, f64::min);
+    let high = heights.iter().map(|(_, height)| *height).fold(f64::NEG_INFINITY, f64::max);
+    let near = |height: f64| high > low && height <= low + NEAR_GROUND * (high - low);
+    let mut feet: Vec<&str> =
+        heights.iter().filter(|(_, height)| near(*height)).map(|(name, _)| *name).filter(sided).collect();
+    if heights.len() < names.len() {
+        let called = |name: &&str| NAMES.iter().any(|known| name.to_lowercase().contains(known));
+        feet = names.iter().copied().filter(sided).filter(called).collect();
+    }
+    let foot = |bodies: Vec<&str>| FootBodies {
+        side: bodies.first().and_then(|body| Side::of_name(body)),
+        bodies: tree.top_first(bodies).into_iter().map(str::to_owned).collect(),
+        spheres: Vec::new(),
+    };
+    tree.connected(&feet).into_iter().map(foot).collect()
+}

@@ -1,0 +1,222 @@
+//! The sole of each foot, and spheres that stand on it.
+
+mod axes;
+mod footprint;
+mod limbs;
+mod outline;
+mod spread;
+
+use crate::model::{Model, Placement, Side};
+use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
+
+use self::axes::{Axes, Flat, Point};
+use self::limbs::{FootBodies, foot_bodies};
+use self::outline::hull;
+use self::spread::spread;
+use crate::feet::bone::Bone;
+use crate::feet::default_pose::DefaultPose;
+use crate::feet::fault::FeetFault;
+
+pub use self::footprint::Footprint;
+
+/// What counts as near the ground: height above the lowest point, as a part of the foot's greatest extent along the ground.
+const NEAR: f64 = 0.1;
+/// Spheres that may be under one limb at most.
+const MOST_SPHERES: usize = 60;
+/// Of the points in a square of this size, one counts, m; and in one of this part of the foot's length.
+const CELL: f64 = 1e-3;
+const CELLS: f64 = 150.0;
+
+/// How many spheres are wanted, and where the sole is below the bones.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SoleRequest {
+    /// Spheres for each limb.
+    pub count: usize,
+    /// Radius of each, m.
+    pub radius_m: f64,
+    /// How far below the lowest point of the bones the sole is, m: bones have no skin.
+    pub pad_m: f64,
+}
+
+/// The sole of one limb at the default pose, and the spheres that stand on it.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Sole {
+    /// The bodies of the foot, in the order in which they were listed.
+    pub bodies: Vec<String>,
+    /// The side, where the names of all bodies say it.
+    pub side: Option<Side>,
+    /// The direction opposite to gravity, in ground; of length 1.
+    pub up: [f64; 3],
+    /// The points of the sole's plane have this component along `up`, m.
+    pub height_m: f64,
+    /// Corners of the outline in the plane, in ground, m: of the convex hull of all bone points that are near the ground.
+    pub outline_m: Vec<[f64; 3]>,
+    /// How much of the foot is near the ground.
+    pub footprint: Footprint,
+    /// The spheres.
+    pub spheres: Vec<SoleSphere>,
+}
+
+/// A sphere that stands on a sole.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct SoleSphere {
+    /// The body that carries it: that of the bone point nearest to its bottom.
+    pub body: String,
+    /// Its centre in the frame of that body, m.
+    pub centre_m: [f64; 3],
+    /// Its radius, m.
+    pub radius_m: f64,
+    /// Its lowest point in ground at the default pose, m.
+    pub bottom_m: [f64; 3],
+}
+
+/// The soles of the limbs to which `bones` belong, with spheres: one limb are bodies that hang on each other, and bodies of one
+/// side that hang on a body of that side.
+///
+/// Each sole's plane is normal to gravity. The first spheres are under the outline's extremes: of four and more, under the
+/// rearmost, the foremost, the outermost and the innermost corner (heel, toe tip, both sides of the forefoot of a human), along the
+/// outline's own direction if it is long; of three, under these without the foremost; of two, under the corners farthest apart. One
+/// alone is in the middle. Each further sphere is under the bone where it is farthest from all others. Left and right
+/// are mirror images where the bones are.
+///
+/// # Errors
+/// No gravity, a body whose place is not known, a radius that is not above 0, no sphere, or bottoms closer than 1 mm.
+pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec<Sole>, FeetFault> {
+    check(request)?;
+    let up = up_of(model).ok_or(FeetFault::NoGravity)?;
+    let pose = DefaultPose::of(model);
+    let mut placements: HashMap<&str, Placement> = HashMap::new();
+    for bone in bones {
+        placements.insert(&bone.body, *pose.placement(&bone.body)?);
+    }
+    let feet = foot_bodies(model, bones);
+    let soles = feet.iter().map(|foot| {
+        let points = points_in_ground(foot, bones, &placements);
+        let pair = foot.pair_in(&feet).and_then(|pair| feet.get(pair));
+        let across = pair.and_then(|pair| across(foot, pair, &pose));
+        let axes = Axes::of(up, foot.side, &points, across);
+        let sole = sole(foot, &points, &axes, request).map_err(|fits| FeetFault::TooManySpheres {
+            bodies: foot.bodies.clone(),
+            count: request.count,
+            fits,
+        })?;
+        Ok(sole.in_bodies(&placements))
+    });
+    soles.collect()
+}
+
+/// From where the left limb of a pair begins to where the right one does.
+fn across(foot: &FootBodies, pair: &FootBodies, pose: &DefaultPose) -> Option<[f64; 3]> {
+    let origin = |foot: &FootBodies| Some(pose.placement(&foot.limb).ok()?.translation_m);
+    let (own, other) = (origin(foot)?, origin(pair)?);
+    let sign = if foot.side == Some(Side::Left) { -1.0 } else { 1.0 };
+    Some(std::array::from_fn(|i| sign * (own[i] - other[i])))
+}
+
+fn check(request: &SoleRequest) -> Result<(), FeetFault> {
+    let SoleRequest { count, radius_m, pad_m } = *request;
+    let wrong = |what, value, expected| Err(FeetFault::Request { what, value, expected });
+    if !(1..=MOST_SPHERES).contains(&count) {
+        return wrong("number of spheres", count as f64, "a whole number from 1 to 60");
+    }
+    if !(radius_m > 0.0 && radius_m.is_finite()) {
+        return wrong("radius", radius_m, "a number above 0 m");
+    }
+    if !pad_m.is_finite() {
+        return wrong("pad", pad_m, "a finite number of m");
+    }
+    Ok(())
+}
+
+/// The direction opposite to gravity.
+fn up_of(model: &Model) -> Option<[f64; 3]> {
+    let size = model.gravity().filter(|size| size.is_finite() && *size > 0.0)?;
+    // Not -0, where gravity has 0.
+    Some(model.gravity_m_s2?.map(|value| 0.0 - value / size))
+}
+
+fn points_in_ground(foot: &FootBodies, bones: &[Bone], placements: &HashMap<&str, Placement>) -> Vec<Point> {
+    let mut points = Vec::new();
+    for (body, name) in foot.bodies.iter().enumerate() {
+        let Some(placement) = placements.get(name.as_str()) else { continue };
+        let of_body = bones.iter().filter(|bone| bone.body == *name).flat_map(|bone| &bone.points_m);
+        points.extend(of_body.map(|&point| Point { at: placement.point(point), body }));
+    }
+    points
+}
+
+/// One sole; where its spheres would be too close, how many fit.
+fn sole(foot: &FootBodies, points: &[Point], axes: &Axes, request: &SoleRequest) -> Result<Sole, usize> {
+    let flat: Vec<Flat> = axes.flat(points);
+    let near = near_ground(&flat);
+    let corners = hull(&near);
+    let bottoms = spread(&corners, &thinned(&near), request.count)?;
+    let height_m = axes.lowest - request.pad_m;
+    let spheres = bottoms.into_iter().map(|bottom| {
+        let body = nearest_body(&flat, bottom, -request.pad_m).and_then(|body| foot.bodies.get(body));
+        SoleSphere {
+            body: body.cloned().unwrap_or_default(),
+            // Moved into its body later.
+            centre_m: axes.in_ground(bottom, height_m + request.radius_m),
+            radius_m: request.radius_m,
+            bottom_m: axes.in_ground(bottom, height_m),
+        }
+    });
+    Ok(Sole {
+        bodies: foot.bodies.clone(),
+        side: foot.side,
+        up: axes.up,
+        height_m,
+        footprint: Footprint::of(&flat, &near),
+        spheres: spheres.collect(),
+        outline_m: corners.into_iter().map(|corner| axes.in_ground(corner, height_m)).collect(),
+    })
+}
+
+impl Sole {
+    /// The same with the centres, which are in ground, in the frames of the bodies.
+    fn in_bodies(mut self, placements: &HashMap<&str, Placement>) -> Self {
+        for sphere in &mut self.spheres {
+            if let Some(placement) = placements.get(sphere.body.as_str()) {
+                sphere.centre_m = placement.inverse().point(sphere.centre_m);
+            }
+        }
+        self
+    }
+}
+
+/// Along the ground, the points that are near it, in an order that does not depend on that of the files.
+fn near_ground(flat: &[Flat]) -> Vec<[f64; 2]> {
+    let extent = |axis: usize| {
+        let along = |point: &Flat| point.at[axis];
+        let least = flat.iter().map(along).fold(f64::INFINITY, f64::min);
+        flat.iter().map(along).fold(f64::NEG_INFINITY, f64::max) - least
+    };
+    let near = NEAR * extent(0).max(extent(1));
+    let mut points: Vec<[f64; 2]> =
+        flat.iter().filter(|point| point.height <= near).map(|point| point.at).collect();
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    points.dedup();
+    points
+}
+
+/// Of points that are close together, the first; `points` are sorted.
+fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let ends = points.first().zip(points.last());
+    let length = ends.map_or(0.0, |(first, last)| last[0] - first[0]);
+    let cell = CELL.max(length / CELLS);
+    let mut seen = HashSet::new();
+    let number = |point: &[f64; 2]| point.map(|value| (value / cell).floor().to_bits());
+    points.iter().filter(|point| seen.insert(number(point))).copied().collect()
+}
+
+/// The body of the point that is nearest to a `bottom` at `height` above the lowest point.
+fn nearest_body(flat: &[Flat], bottom: [f64; 2], height: f64) -> Option<usize> {
+    let distance = |point: &Flat| {
+        let [a, b] = [point.at[0] - bottom[0], point.at[1] - bottom[1]];
+        a * a + b * b + (point.height - height) * (point.height - height)
+    };
+    flat.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|point| point.body)
+}

@@ -1,0 +1,246 @@
+//! Where the spheres of a joint tree are over their floor at the default pose, which coordinate puts them on it, and how deep they
+//! are where they carry the tree's weight.
+
+mod gaps;
+mod levelled;
+mod lift;
+mod rest;
+mod tree;
+
+use std::collections::BTreeSet;
+
+use crate::model::{ForceId, Model, SphereId, loaded_spheres};
+use contact_scaling::DomainError;
+use foldhash::{HashMap, HashMapExt, HashSet};
+
+use crate::feet::contact_plane::{ContactPlane, PlaneSurface};
+use crate::feet::default_pose::DefaultPose;
+use crate::feet::pose_fault::PoseFault;
+use crate::feet::vector::{angle, dot};
+
+pub use gaps::OverFloor;
+pub use levelled::{LEANING_RAD, LevelledSphere, NotLevelled, levelled};
+pub use lift::{Lift, NotLifted};
+pub use rest::{ByLaw, Rest, RestingSphere};
+
+use gaps::{Floors, Pressing};
+use lift::Lifting;
+use tree::JointTree;
+
+/// Floors whose normals are this close have one direction, rad.
+const SAME_DIRECTION: f64 = 1e-6;
+
+/// A joint tree on its floor, its joints as they are at the default pose.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Standing {
+    /// The body on top of the tree, which is joined to ground.
+    pub top: String,
+    /// Its spheres that press on floors, in file order.
+    pub spheres: Vec<OverFloor>,
+    /// The coordinate that lifts them all from the floor, or why there is none.
+    pub lift: Result<Lift, NotLifted>,
+    /// Mass of the bodies that this coordinate moves, kg: of the whole tree but what is above its joint. `None` if a mass cannot be
+    /// read.
+    pub mass_kg: Option<f64>,
+    /// The part of their weight along the floor's normal, N; `None` without mass or gravity.
+    pub load_n: Option<f64>,
+    pressing: Vec<Pressing>,
+}
+
+impl Standing {
+    /// Each joint tree of `model` that moving spheres of `forces` press on a floor, in the order of its first sphere.
+    ///
+    /// # Errors
+    /// It is not known where a body is at the default pose.
+    pub fn all(model: &Model, forces: &[ForceId]) -> Result<Vec<Self>, PoseFault> {
+        let joints = model.joints();
+        let pose = DefaultPose::of(model);
+        let floors = Floors::of(model, forces, &pose);
+        let tree = JointTree::of(joints);
+        let lifting = Lifting::of(model, &pose);
+        let bodies = model.bodies().iter().enumerate();
+        let masses = bodies.map(|(place, body)| (body.name.as_str(), (place, body.mass_kg().ok()))).collect();
+        let mut found = Vec::new();
+        for (top, spheres) in by_top(model, &floors, &tree, &pose)? {
+            let tree = Tree { model, floors: &floors, tree: &tree, masses: &masses, top };
+            found.push(tree.standing(&spheres, &pose, &lifting)?);
+        }
+        press(model, forces, &floors, &pose, &mut found)?;
+        Ok(found)
+    }
+
+    /// How the tree rests on the `chosen` spheres of it alone while they carry `share` of its weight, by the laws of the file; `None` if its
+    /// weight or one of their contacts is not known, or there is no such sphere.
+    ///
+    /// # Errors
+    /// No indentation carries the load.
+    #[must_use]
+    pub fn rest(&self, chosen: &[SphereId], share: f64) -> Option<Result<Rest, DomainError>> {
+        self.rest_under(chosen, share * self.load_n?, ByLaw::OfFile)
+    }
+
+    /// The same under a load, in N, along the normal.
+    ///
+    /// # Errors
+    /// No indentation carries the load.
+    #[must_use]
+    pub fn rest_under(
+        &self,
+        chosen: &[SphereId],
+        load_n: f64,
+        law: ByLaw,
+    ) -> Option<Result<Rest, DomainError>> {
+        let chosen: BTreeSet<SphereId> = chosen.iter().copied().collect();
+        let of = |sphere: &SphereId| {
+            let start = self.pressing.partition_point(|one| one.contact.sphere < *sphere);
+            let own = self.pressing.iter().skip(start);
+            own.take_while(|one| one.contact.sphere == *sphere).collect::<Vec<&Pressing>>()
+        };
+        let pressing: Vec<Vec<&Pressing>> = chosen.iter().map(of).collect();
+        if pressing.is_empty() || pressing.iter().any(Vec::is_empty) {
+            return None;
+        }
+        Some(Rest::of(&pressing.concat(), load_n, law))
+    }
+
+    /// The value of the coordinate at which the tree is `down_m` lower than at the default pose; `None` if no coordinate lifts it.
+    #[must_use]
+    pub fn value(&self, down_m: f64) -> Option<f64> {
+        let lift = self.lift.as_ref().ok()?;
+        Some(lift.default_m - down_m / lift.rise)
+    }
+
+    /// The sphere whose bottom is lowest.
+    #[must_use]
+    pub fn lowest(&self) -> Option<&OverFloor> {
+        self.spheres.iter().min_by(|a, b| a.gap_m.total_cmp(&b.gap_m))
+    }
+}
+
+/// The spheres on floors by the body on top of their tree, in the order of the first sphere of each.
+fn by_top<'j>(
+    model: &Model,
+    floors: &Floors,
+    tree: &JointTree<'j>,
+    pose: &DefaultPose,
+) -> Result<Vec<(&'j str, Vec<SphereId>)>, PoseFault> {
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    let mut tops: HashMap<&str, Option<&str>> = HashMap::new();
+    let mut found: Vec<(&str, Vec<SphereId>)> = Vec::new();
+    for id in floors.spheres() {
+        let Some(body) = model.sphere(id).and_then(|sphere| sphere.body.as_deref()) else { continue };
+        pose.placement(body)?;
+        let Some(top) = *tops.entry(body).or_insert_with(|| tree.top(body)) else { continue };
+        let place = *places.entry(top).or_insert(found.len());
+        match found.get_mut(place) {
+            Some((_, spheres)) => spheres.push(id),
+            None => found.push((top, vec![id])),
+        }
+    }
+    Ok(found)
+}
+
+/// A tree whose standing is asked for.
+struct Tree<'t, 'j> {
+    model: &'t Model,
+    floors: &'t Floors,
+    tree: &'t JointTree<'j>,
+    /// Of each body its place in the file and its mass, kg.
+    masses: &'t HashMap<&'t str, (usize, Option<f64>)>,
+    top: &'j str,
+}
+
+impl<'j> Tree<'_, 'j> {
+    fn standing(
+        &self,
+        spheres: &[SphereId],
+        pose: &DefaultPose,
+        lifting: &Lifting<'_>,
+    ) -> Result<Standing, PoseFault> {
+        let planes = self.floors.under(spheres);
+        let normal = planes.first().map(|(_, surface)| surface.normal);
+        let mut over = Vec::new();
+        for &sphere in spheres {
+            let gaps = self.floors.gaps(self.model, sphere, pose)?;
+            let least = gaps.iter().map(|(_, gap)| *gap).reduce(f64::min);
+            let body = self.model.sphere(sphere).and_then(|sphere| sphere.body.as_deref());
+            let tilt_rad = match (body, normal) {
+                (Some(body), Some(normal)) => gaps::tilt(pose.placement(body)?, normal),
+                _ => 0.0,
+            };
+            over.extend(least.map(|gap_m| OverFloor { sphere, gap_m, tilt_rad }));
+        }
+        let (lift, mass_kg) = self.lift(spheres, &planes, lifting);
+        let gravity = self.model.gravity().filter(|gravity| *gravity > 0.0 && gravity.is_finite());
+        let along = normal.map(|normal| dot(normal, self.model.up()));
+        let load_n = mass_kg.zip(gravity).zip(along).map(|((mass, gravity), along)| mass * gravity * along);
+        let top = self.top.to_owned();
+        Ok(Standing { top, spheres: over, lift, mass_kg, load_n, pressing: Vec::new() })
+    }
+
+    /// The coordinate that lifts `spheres` from `planes`, and the mass that it moves.
+    fn lift(
+        &self,
+        spheres: &[SphereId],
+        planes: &[&(ContactPlane, PlaneSurface)],
+        lifting: &Lifting<'_>,
+    ) -> (Result<Lift, NotLifted>, Option<f64>) {
+        let bodies: Vec<&str> =
+            spheres.iter().filter_map(|&id| self.model.sphere(id)?.body.as_deref()).collect();
+        let mut way = self.tree.way_of_all(&bodies);
+        // What moves the floor along moves nothing against it.
+        for plane in planes.iter().filter_map(|(plane, _)| plane.body.as_deref()) {
+            let of_plane: HashSet<&str> = self.tree.way(plane).iter().map(|other| other.body).collect();
+            way.retain(|hanging| !of_plane.contains(hanging.body));
+        }
+        let normals: Vec<[f64; 3]> = planes.iter().map(|(_, surface)| surface.normal).collect();
+        let lift = match normals.first() {
+            Some(&first) if normals.iter().all(|&other| angle(first, other) <= SAME_DIRECTION) => {
+                lifting.find(&way, first)
+            }
+            _ => Err(NotLifted::SeveralFloors),
+        };
+        let place = lift.as_ref().map_or(way.len().saturating_sub(1), |(place, _)| *place);
+        let mass_kg = way.get(place).and_then(|hanging| self.mass_below(hanging.body));
+        (lift.map(|(_, lift)| lift), mass_kg)
+    }
+
+    /// The mass of `body` and all bodies below it, kg.
+    fn mass_below(&self, body: &'j str) -> Option<f64> {
+        let below = self.tree.with_all_below(body);
+        let mut own: Vec<(usize, Option<f64>)> =
+            below.into_iter().filter_map(|body| self.masses.get(body)).copied().collect();
+        // A sum is the same in every run only in one order.
+        own.sort_unstable_by_key(|(place, _)| *place);
+        own.into_iter().map(|(_, mass)| mass).sum()
+    }
+}
+
+fn paths_of_planes(model: &Model, force: ForceId) -> HashSet<String> {
+    let planes = model.force(force).map(|force| model.planes_of(force)).unwrap_or_default();
+    planes.into_iter().map(|plane| plane.path.clone()).collect()
+}
+
+/// Gives each of `standing` the contacts of its spheres, in their order; none if a number of theirs cannot be read.
+fn press(
+    model: &Model,
+    forces: &[ForceId],
+    floors: &Floors,
+    pose: &DefaultPose,
+    standing: &mut [Standing],
+) -> Result<(), PoseFault> {
+    let Ok(mut loaded) = loaded_spheres(model, forces) else { return Ok(()) };
+    loaded.sort_by_key(|one| one.sphere);
+    let places = standing.iter().enumerate();
+    let places: HashMap<SphereId, usize> =
+        places.flat_map(|(place, one)| one.spheres.iter().map(move |over| (over.sphere, place))).collect();
+    let mut planes: HashMap<ForceId, HashSet<String>> = HashMap::new();
+    for one in &loaded {
+        let Some(own) = places.get(&one.sphere).and_then(|&place| standing.get_mut(place)) else { continue };
+        let gaps = floors.gaps(model, one.sphere, pose)?;
+        let planes = planes.entry(one.force).or_insert_with(|| paths_of_planes(model, one.force));
+        own.pressing.extend(Floors::pressing(one, &gaps, planes));
+    }
+    Ok(())
+}

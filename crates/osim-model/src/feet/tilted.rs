@@ -1,0 +1,118 @@
+//! Feet that do not lie flat at the default pose, and what tilts them.
+
+use crate::messages::{readable, shown};
+use crate::model::{Model, ModelJoint, Placement};
+
+use crate::feet::couplers::CoordinateValues;
+use crate::feet::default_pose::DefaultPose;
+use crate::feet::sole::Sole;
+
+/// What tilts a foot by less than this does not matter, rad: 0.3 degrees.
+const TILTS: f64 = 0.005;
+/// Coordinates that are named at most.
+const NAMED: usize = 4;
+/// Joints above a body, at most.
+const MOST_JOINTS: usize = 64;
+
+/// A coordinate whose default value tilts a foot.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Tilting {
+    /// Its name, such as `ankle_angle_r`.
+    pub name: String,
+    /// Its value at the default pose, rad.
+    pub value: f64,
+}
+
+impl Sole {
+    /// The coordinates that tilt this foot or a part of it at the default pose of `model`, from the foot up.
+    #[must_use]
+    pub fn tilted_by(&self, model: &Model) -> Vec<Tilting> {
+        let joints = model.joints();
+        let known = CoordinateValues::of(model);
+        let pose = DefaultPose::of(model);
+        let mut found: Vec<Tilting> = Vec::new();
+        for joint in self.joints_above(joints) {
+            let own: Option<Vec<f64>> =
+                joint.coordinates.iter().map(|one| known.values.get(&one.name).copied()).collect();
+            let Some(own) = own else { continue };
+            let parent = match &joint.parent {
+                Some(body) => pose.placement(body).copied().unwrap_or(Placement::IDENTITY),
+                None => Placement::IDENTITY,
+            };
+            let up = |values: &[f64]| {
+                let placed = parent.then(&joint.placement(model, values)?);
+                Some(placed.rotation.inverse().to_body(self.up))
+            };
+            for (index, coordinate) in joint.coordinates.iter().enumerate() {
+                let mut without = own.clone();
+                let Some(value) = without.get_mut(index).map(std::mem::take) else { continue };
+                let tilts = up(&own).zip(up(&without)).is_some_and(|(a, b)| distance(a, b) > TILTS);
+                if tilts && !found.iter().any(|known| known.name == coordinate.name) {
+                    found.push(Tilting { name: coordinate.name.clone(), value });
+                }
+            }
+        }
+        found
+    }
+
+    /// What is wrong with a foot that does not lie flat at the default pose, and by how much; `None` where it does.
+    #[must_use]
+    pub fn not_flat(&self) -> Option<String> {
+        let print = &self.footprint;
+        if print.is_flat() {
+            return None;
+        }
+        let tilt = |what: &str, tilt: f64| {
+            let degrees = format!("{:.1} degrees", tilt.abs().to_degrees());
+            format!("its {what} is {degrees} {}", if tilt < 0.0 { "down" } else { "up" })
+        };
+        let tilt = match print.pitch_rad.abs() >= print.roll_rad.abs() {
+            true => tilt("front", print.pitch_rad),
+            false => tilt("outer side", print.roll_rad),
+        };
+        let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+        let bodies: Vec<String> = self.bodies.iter().map(|body| shown(body).to_string()).collect();
+        Some(format!(
+            "the foot of {} does not lie flat at the default pose: {tilt}, and bones near the ground cover {} of its length and {} \
+             of its width, expected at most 10 degrees, and 80 % or more",
+            bodies.join(", "),
+            percent(print.of_length),
+            percent(print.of_width),
+        ))
+    }
+
+    /// The joints of the foot's bodies, then those above them.
+    fn joints_above<'j>(&self, joints: &'j [ModelJoint]) -> Vec<&'j ModelJoint> {
+        let above = |body: &str| joints.iter().find(|joint| joint.child.as_deref() == Some(body));
+        let mut found: Vec<&ModelJoint> = self.bodies.iter().filter_map(|body| above(body)).collect();
+        for start in found.clone() {
+            let mut at = start;
+            while let Some(next) = at.parent.as_deref().and_then(above)
+                && !found.iter().any(|known| std::ptr::eq(*known, next))
+                && found.len() <= MOST_JOINTS
+            {
+                found.push(next);
+                at = next;
+            }
+        }
+        found
+    }
+}
+
+impl Tilting {
+    /// Their names and values for a sentence: `ankle_angle_r = 0.2 rad`; of many the first.
+    #[must_use]
+    pub fn listed(all: &[Self]) -> String {
+        let one = |own: &Self| format!("{} = {} rad", shown(&own.name), readable(own.value));
+        let mut named: Vec<String> = all.iter().take(NAMED).map(one).collect();
+        if all.len() > NAMED {
+            named.push(format!("{} more", all.len() - NAMED));
+        }
+        named.join(", ")
+    }
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
+}

@@ -1,0 +1,32 @@
+//! Sentences about things that a caller can say, without the words of any front end.
+//!
+//! A message often ends in a way out: "say what the model weighs with …". What stands there is `--mass KG` on the command
+//! line, `mass=` in Python and a field on a page. So a [`Phrase`] keeps the [`Input`] as data, and each front end spells
+//! it by its own [`Dialect`].
+//!
+//! ```
+//! use osim_model::messages::{Input, phrase, shown};
+//!
+//! fn main() {
+//!     let name = "heel\u{1b}[2J";
+//!     let message = phrase![format!("sphere {} has no radius, set one with ", shown(name)), Input::Radius.like("METRES")];
+//!     assert_eq!(message.to_string(), r"sphere heel\u{1b}[2J has no radius, set one with `radius`");
+//! }
+//! ```
+
+mod dialect;
+mod input;
+mod listed;
+mod number;
+mod part;
+mod phrase;
+mod shown;
+
+pub use crate::phrase;
+pub use dialect::{Dialect, Plain};
+pub use input::{Input, Verb};
+pub use listed::listed;
+pub use number::{counted, four_significant, readable, shortest, three_significant};
+pub use part::{Call, Example, Part};
+pub use phrase::{IntoParts, Phrase};
+pub use shown::{SHOWN_LETTERS, Shown, harmless, is_seen, one_line, shown, shown_path, shown_whole};

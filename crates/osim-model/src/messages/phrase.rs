@@ -1,0 +1,319 @@
+//! Text with inputs and calls in it as data.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use super::dialect::{Dialect, Plain};
+use super::input::{Input, Verb};
+use super::part::{Call, Example, Part};
+use super::shown::one_line;
+
+/// A piece of text in which inputs and calls are data until a front end spells them.
+///
+/// ```
+/// use osim_model::messages::{Input, Phrase};
+///
+/// let phrase = Phrase::template("Say `mass=KG`, or look at the model with `inspect MODEL`");
+/// // A page shows a field for each input.
+/// assert_eq!(phrase.inputs(), [Input::Mass]);
+/// // Without a dialect, inputs have the names of their fields.
+/// assert_eq!(phrase.to_string(), "Say `mass`, or look at the model with `inspect`");
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Phrase(Vec<Part>);
+
+impl Phrase {
+    /// A text in which inputs and calls are in backticks: `` `mass` ``, `` `contacts_mass=KG` ``,
+    /// `` `design MODEL indentation=0.16` ``. What stands there and is neither stays as it is.
+    #[must_use]
+    pub fn template(text: &str) -> Self {
+        let mut phrase = Self::default();
+        for (index, piece) in text.split('`').enumerate() {
+            match (index % 2 == 1).then(|| reference(piece)).flatten() {
+                Some(part) => phrase.push(part),
+                None if index % 2 == 1 => phrase.push(format!("`{piece}`")),
+                None if piece.is_empty() => {}
+                None => phrase.push(piece.to_owned()),
+            }
+        }
+        phrase
+    }
+
+    /// Several phrases as one, with `mark` between them; `None` where there are none.
+    #[must_use]
+    pub fn joined(phrases: impl IntoIterator<Item = Self>, mark: &'static str) -> Option<Self> {
+        phrases.into_iter().reduce(|mut all, next| {
+            all.push(mark);
+            all.push(&next);
+            all
+        })
+    }
+
+    /// Adds a part, or all of another phrase.
+    pub fn push(&mut self, part: impl IntoParts) {
+        self.0.extend(part.into_parts());
+    }
+
+    /// The parts, in order.
+    #[must_use]
+    pub fn parts(&self) -> &[Part] {
+        &self.0
+    }
+
+    /// The inputs it names, each once, in order.
+    #[must_use]
+    pub fn inputs(&self) -> Vec<Input> {
+        let mut named = Vec::new();
+        name_inputs(&self.0, &mut named);
+        named
+    }
+
+    /// The phrase in the words of a front end.
+    #[must_use]
+    pub fn spelled(&self, dialect: &dyn Dialect) -> String {
+        let mut text = String::new();
+        spell_into(&mut text, &self.0, dialect);
+        text
+    }
+
+    /// Keeps, where words depend on it, those for a verb that takes the inputs for which `takes` is true. Without this call they are
+    /// those for a verb that takes all.
+    ///
+    /// ```
+    /// use osim_model::messages::{Input, phrase};
+    ///
+    /// let file = phrase![", or give the ScaleSet that was applied with ", Input::BodyScaleFile.like("FILE")];
+    /// let mut way_out = phrase!["say it with ", Input::BodyScale.like("BODY=x,y,z"), Input::BodyScaleFile.either(&file, "")];
+    /// way_out.keep_for(&|input| input != Input::BodyScaleFile);
+    /// assert_eq!(way_out.to_string(), "say it with `body_scale`");
+    /// ```
+    pub fn keep_for(&mut self, takes: &dyn Fn(Input) -> bool) {
+        if self.0.iter().any(|part| matches!(part, Part::Either(..))) {
+            let parts = std::mem::take(&mut self.0);
+            keep(parts, takes, &mut self.0);
+        }
+    }
+
+    /// Spells the phrase for good: what is printed from now on is plain text.
+    pub fn spell(&mut self, dialect: &dyn Dialect) {
+        if self.0.iter().any(|part| !matches!(part, Part::Text(_))) {
+            *self = Self::from(self.spelled(dialect));
+        }
+    }
+}
+
+impl Input {
+    /// Words for a verb that takes this input, and those for one that does not: see [`Phrase::keep_for`].
+    #[must_use]
+    pub fn either(self, taken: impl Into<Phrase>, otherwise: impl Into<Phrase>) -> Part {
+        Part::Either(self, Box::new([taken.into().0, otherwise.into().0]))
+    }
+}
+
+/// Adds the inputs that the parts name and that are not there yet.
+fn name_inputs(parts: &[Part], named: &mut Vec<Input>) {
+    for part in parts {
+        let inputs: Vec<Input> = match part {
+            Part::Text(_) => vec![],
+            Part::Input(input, _) => vec![*input],
+            Part::Call(call) => call.inputs.iter().map(|(input, _)| *input).collect(),
+            Part::Either(_, words) => {
+                name_inputs(&words[0], named);
+                vec![]
+            }
+        };
+        for input in inputs {
+            if !named.contains(&input) {
+                named.push(input);
+            }
+        }
+    }
+}
+
+/// Adds the parts in the words of a front end.
+fn spell_into(text: &mut String, parts: &[Part], dialect: &dyn Dialect) {
+    for part in parts {
+        match part {
+            Part::Text(words) => text.push_str(words),
+            Part::Input(input, example) => text.push_str(&one_line(dialect.input(*input, example.as_ref()))),
+            Part::Call(call) => text.push_str(&one_line(dialect.call(call))),
+            Part::Either(_, words) => spell_into(text, &words[0], dialect),
+        }
+    }
+}
+
+/// Adds the parts, and of words that depend on an input those for a verb that takes what `takes` says.
+fn keep(parts: Vec<Part>, takes: &dyn Fn(Input) -> bool, kept: &mut Vec<Part>) {
+    for part in parts {
+        match part {
+            Part::Either(input, words) => {
+                let [taken, otherwise] = *words;
+                keep(if takes(input) { taken } else { otherwise }, takes, kept);
+            }
+            part => kept.push(part),
+        }
+    }
+}
+
+/// An input or a call as a template has it.
+fn reference(text: &str) -> Option<Part> {
+    let mut words = text.split(' ');
+    let first = words.next()?;
+    let Some(verb) = Verb::ALL.iter().find(|verb| verb.name() == first) else {
+        let (input, example) = input(first)?;
+        return words.next().is_none().then_some(Part::Input(input, example));
+    };
+    let mut call = verb.call();
+    for word in words {
+        match word {
+            "MODEL" => call.with_model = true,
+            word => call.inputs.push(input(word)?),
+        }
+    }
+    Some(Part::Call(call))
+}
+
+/// `name` or `name=VALUE`; what begins with a capital letter is a placeholder.
+fn input(word: &str) -> Option<(Input, Option<Example>)> {
+    let (name, value) = word.split_once('=').map_or((word, None), |(name, value)| (name, Some(value)));
+    let input = Input::ALL.iter().find(|input| input.name() == name)?;
+    let example = value.map(|value| match value.starts_with(|c: char| c.is_ascii_uppercase()) {
+        true => Example::Placeholder(Cow::Owned(value.to_owned())),
+        false => Example::Value(value.to_owned()),
+    });
+    Some((*input, example))
+}
+
+/// In plain field names, for callers that have no dialect.
+impl fmt::Display for Phrase {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.spelled(&Plain))
+    }
+}
+
+impl<T: IntoParts> From<T> for Phrase {
+    fn from(parts: T) -> Self {
+        Self(parts.into_parts())
+    }
+}
+
+/// What a [`Phrase`] can be put together from.
+pub trait IntoParts {
+    /// The parts, in order.
+    fn into_parts(self) -> Vec<Part>;
+}
+
+impl IntoParts for &'static str {
+    fn into_parts(self) -> Vec<Part> {
+        vec![Part::Text(Cow::Borrowed(self))]
+    }
+}
+
+/// Text that was put together may have names from outside in it: it is shown on one line, with what cannot be seen escaped.
+impl IntoParts for String {
+    fn into_parts(self) -> Vec<Part> {
+        vec![Part::Text(Cow::Owned(one_line(self)))]
+    }
+}
+
+impl IntoParts for Part {
+    fn into_parts(self) -> Vec<Part> {
+        vec![self]
+    }
+}
+
+impl IntoParts for Input {
+    fn into_parts(self) -> Vec<Part> {
+        vec![Part::Input(self, None)]
+    }
+}
+
+impl IntoParts for Call {
+    fn into_parts(self) -> Vec<Part> {
+        vec![Part::Call(self)]
+    }
+}
+
+impl IntoParts for &Phrase {
+    fn into_parts(self) -> Vec<Part> {
+        self.0.clone()
+    }
+}
+
+/// Puts a [`Phrase`] together from texts, inputs, calls and phrases.
+///
+/// ```
+/// use osim_model::messages::{Input, phrase};
+///
+/// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
+/// assert_eq!(way_out.to_string(), "say what the model weighs with `mass`");
+/// ```
+#[macro_export]
+macro_rules! phrase {
+    ($($part:expr),* $(,)?) => {{
+        #[allow(unused_mut, reason = "an empty phrase gets no parts")]
+        let mut phrase = $crate::messages::Phrase::default();
+        $(phrase.push($part);)*
+        phrase
+    }};
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Shouting;
+
+    impl Dialect for Shouting {
+        fn input(&self, input: Input, example: Option<&Example>) -> String {
+            let example = example.map(|example| format!(" {example}")).unwrap_or_default();
+            format!("{}{example}", input.name().to_uppercase())
+        }
+
+        fn call(&self, call: &Call) -> String {
+            call.verb.name().to_uppercase()
+        }
+    }
+
+    #[test]
+    fn a_front_end_spells_inputs_and_calls() {
+        let phrase =
+            phrase!["say ", Input::Mass.like("KG"), " or ", Verb::Check.of_model(), ", ", 62.to_string()];
+        assert_eq!(phrase.spelled(&Shouting), "say MASS KG or CHECK, 62");
+        assert_eq!(phrase.inputs(), [Input::Mass]);
+    }
+
+    #[test]
+    fn what_is_spelled_stays_as_it_is() {
+        let mut phrase = phrase!["say ", Input::Radius.being("keep")];
+        phrase.spell(&Shouting);
+        assert_eq!(phrase.to_string(), "say RADIUS keep");
+        assert_eq!(phrase, Phrase::from("say RADIUS keep".to_owned()));
+    }
+
+    #[test]
+    fn a_template_names_inputs_and_calls_in_backticks() {
+        let phrase = Phrase::template(
+            "`mass`, `radius=keep`, `load=N` or `design MODEL indentation=0.16`: see `docs`",
+        );
+        assert_eq!(phrase.spelled(&Shouting), "MASS, RADIUS keep, LOAD N or DESIGN: see `docs`");
+        assert_eq!(phrase.inputs(), [Input::Mass, Input::Radius, Input::Load, Input::Indentation]);
+    }
+
+    #[test]
+    fn text_from_outside_is_never_taken_for_an_input() {
+        assert_eq!(Phrase::from("{mass} `mass`".to_owned()).spelled(&Shouting), "{mass} `mass`");
+    }
+
+    #[test]
+    fn text_from_outside_cannot_begin_a_line_or_steer_a_terminal() {
+        let name = "a\nerror: \u{1b}[2J\u{202e}";
+        let phrase = phrase![format!("the sphere {name} has no radius, say "), Input::Radius.being(name)];
+        let printed = phrase.spelled(&Shouting);
+        assert_eq!(
+            printed,
+            r"the sphere a\nerror: \u{1b}[2J\u{202e} has no radius, say RADIUS a\nerror: \u{1b}[2J\u{202e}"
+        );
+        assert!(Phrase::from("a".repeat(5_000_000)).to_string().len() < 5100);
+    }
+}

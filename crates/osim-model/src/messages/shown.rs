@@ -1,0 +1,184 @@
+//! Text from outside, as people may see it.
+//!
+//! Names in a model, file names and cells of tables can hold anything: escape sequences that recolour a terminal or
+//! clear it, line ends that look like a line of ours, letters that turn the direction of what follows, megabytes. None
+//! of that is ever printed as it is. What is shown is for reading; JSON and tables for programs have the whole text.
+
+use std::borrow::Cow;
+use std::fmt::{self, Write};
+use std::path::Path;
+
+/// Letters of a text from outside that are shown in a message.
+pub const SHOWN_LETTERS: usize = 200;
+
+/// Letters of a sentence in which names of several forces and files are. No system has longer paths.
+const SENTENCE_LETTERS: usize = 5000;
+
+/// Letters at its end, where names differ.
+const LAST_LETTERS: usize = 40;
+
+/// A text from outside that prints on one line: letters that are not seen as they are (control characters, line ends,
+/// letters that turn the direction of writing, unusual blanks) as `\n` or `\u{1b}`, and of a long text its beginning
+/// and its end.
+///
+/// ```
+/// use osim_model::messages::shown;
+///
+/// assert_eq!(shown("heel_r").to_string(), "heel_r");
+/// assert_eq!(shown("\u{1b}[31mred\n").to_string(), r"\u{1b}[31mred\n");
+/// assert!(shown(&"a".repeat(5_000_000)).to_string().len() < 300);
+/// ```
+#[derive(Clone, Copy)]
+pub struct Shown<'t> {
+    text: &'t str,
+    most: usize,
+}
+
+/// The text as it may be shown in a message: on one line, and short.
+#[must_use]
+pub const fn shown(text: &str) -> Shown<'_> {
+    Shown { text, most: SHOWN_LETTERS }
+}
+
+/// The text on one line, however long it is: paths that the reader has to find again.
+#[must_use]
+pub const fn shown_whole(text: &str) -> Shown<'_> {
+    Shown { text, most: usize::MAX }
+}
+
+/// A text with names from outside in it, as a sentence has it: on one line, and not endless.
+#[must_use]
+pub fn one_line(text: String) -> String {
+    let plain = text.len() <= SENTENCE_LETTERS && text.bytes().all(|byte| matches!(byte, b' '..=b'~'));
+    if plain { text } else { Shown { text: &text, most: SENTENCE_LETTERS }.to_string() }
+}
+
+/// A path as it may be shown, whole. What is not UTF-8 in it is shown as `�`.
+#[must_use]
+pub fn shown_path(path: &Path) -> String {
+    shown_whole(&path.to_string_lossy()).to_string()
+}
+
+impl fmt::Display for Shown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // Few texts are long: the others are not counted.
+        let letters = if self.text.len() <= self.most { 0 } else { self.text.chars().count() };
+        if letters <= self.most {
+            return visible(self.text, f);
+        }
+        let first: String = self.text.chars().take(self.most.saturating_sub(LAST_LETTERS)).collect();
+        let skipped = letters.saturating_sub(LAST_LETTERS);
+        let last: String = self.text.chars().skip(skipped).collect();
+        visible(&first, f)?;
+        f.write_str("...")?;
+        visible(&last, f)?;
+        write!(f, " ({letters} letters)")
+    }
+}
+
+impl fmt::Debug for Shown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "\"{self}\"")
+    }
+}
+
+fn visible(text: &str, f: &mut impl Write) -> fmt::Result {
+    if text.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
+        return f.write_str(text);
+    }
+    text.chars().try_for_each(|letter| match is_seen(letter) {
+        true => f.write_char(letter),
+        false => write!(f, "{}", letter.escape_debug()),
+    })
+}
+
+/// Whether a letter is seen as it is, and steers nothing. An accent that stands alone is: it may belong to the letter
+/// before it.
+#[must_use]
+pub fn is_seen(letter: char) -> bool {
+    if letter.is_ascii() {
+        return matches!(letter, ' '..='~');
+    }
+    let mut bytes = [0; 4];
+    let escaped = letter.encode_utf8(&mut bytes).escape_debug().count() > 1;
+    // The standard library escapes accents, but not after a letter.
+    !escaped || format!("a{letter}").escape_debug().count() == 2
+}
+
+/// Returns text of many lines so that nothing in it from outside can steer a terminal. Line ends, tabs and no-break
+/// spaces stay.
+///
+/// Names are shown by [`shown`] already; this is the last check, for texts in which that was forgotten.
+///
+/// ```
+/// use osim_model::messages::harmless;
+///
+/// assert_eq!(harmless("a\tb\r\nc\n"), "a\tb\r\nc\n");
+/// assert_eq!(harmless("\u{1b}]0;title\u{7}"), r"\u{1b}]0;title\u{7}");
+/// ```
+#[must_use]
+pub fn harmless(text: &str) -> Cow<'_, str> {
+    if text.bytes().all(|byte| matches!(byte, b' '..=b'~' | b'\n' | b'\t')) {
+        return Cow::Borrowed(text);
+    }
+    let mut out = String::with_capacity(text.len());
+    let mut letters = text.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let ends_line = letter == '\r' && letters.peek() == Some(&'\n');
+        if ends_line || matches!(letter, '\n' | '\t' | '\u{a0}') || is_seen(letter) {
+            out.push(letter);
+        } else {
+            out.extend(letter.escape_debug());
+        }
+    }
+    Cow::Owned(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn letters_of_all_languages_are_seen() {
+        for text in ["heel_r", "Ferse (rechts), 5 N/m²", "左足", "x̂ = x / R", "E₁*", "Füße", "\"'\\"]
+        {
+            assert_eq!(shown(text).to_string(), text);
+            assert_eq!(harmless(text), text);
+        }
+    }
+
+    #[test]
+    fn nothing_that_steers_a_terminal_or_turns_a_line_is_printed() {
+        // ESC, C1's CSI, bell, backspace, line and paragraph separators, direction marks, zero width, byte order mark.
+        let hostile =
+            "\u{1b}\u{9b}\u{7}\u{8}\u{2028}\u{2029}\u{202e}\u{2066}\u{200f}\u{200b}\u{feff}\u{7f}\r\n\0";
+        for printed in [shown(hostile).to_string(), shown_whole(hostile).to_string()] {
+            assert!(printed.bytes().all(|byte| matches!(byte, b' '..=b'~')), "{printed:?}");
+        }
+        assert_eq!(harmless(hostile).matches(|letter: char| !matches!(letter, ' '..='~')).count(), 2);
+    }
+
+    /// Our own pages keep a figure and its mark together with it. In a name it would look like a blank, and be none.
+    #[test]
+    fn a_no_break_space_stays_in_text_and_is_seen_in_a_name() {
+        assert_eq!(harmless("0.3533\u{a0}!"), "0.3533\u{a0}!");
+        assert_eq!(shown("heel\u{a0}r").to_string(), r"heel\u{a0}r");
+    }
+
+    #[test]
+    fn of_a_long_text_both_ends_are_shown_and_its_length() {
+        let text = format!("begin{}end", "ä".repeat(1000));
+        let printed = shown(&text).to_string();
+        assert!(printed.starts_with("beginä") && printed.ends_with("end (1008 letters)"), "{printed}");
+        assert!(printed.chars().count() < SHOWN_LETTERS + 30);
+        assert_eq!(shown_whole(&text).to_string(), text);
+        let just = "ä".repeat(SHOWN_LETTERS);
+        assert_eq!(shown(&just).to_string(), just);
+    }
+
+    #[test]
+    fn paths_are_shown_whole() {
+        let path = format!("{}\u{1b}.osim", "folder/".repeat(100));
+        assert_eq!(shown_path(Path::new(&path)), path.replace('\u{1b}', r"\u{1b}"));
+    }
+}

@@ -1,0 +1,249 @@
+//! What a model's bones say about its size: mesh scale factors, joint offsets, and where its contact spheres are.
+
+use std::collections::BTreeMap;
+
+use foldhash::{HashMap, HashSet};
+
+use crate::model::components::MAX_FRAME_CHAIN;
+use crate::model::fault::Fault;
+use crate::model::reference_frame::Rotation;
+use crate::model::typed_model::Model;
+
+mod attached;
+pub(crate) mod bone_sizes;
+mod functions;
+pub(crate) mod joints;
+mod mesh_elements;
+mod model_joints;
+mod pose;
+mod simm_spline;
+mod speeds;
+mod straight_lines;
+
+pub use attached::AttachedMesh;
+pub use functions::CoordinateFunction;
+pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
+pub use speeds::Speeds;
+
+/// The part of a model that scaling changes (or should have changed), by body name.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Anatomy {
+    /// Names of the bodies, in file order.
+    pub bodies: Vec<String>,
+    /// Per body: mesh file (numbered where it repeats) and its scale factors along x, y and z; NaN where they are not numbers.
+    pub meshes: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
+    /// Per body: translations of frames that are fixed to it, m, by the name of the joint or frame.
+    pub offsets: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
+    /// Contact spheres.
+    pub spheres: Vec<AnatomySphere>,
+    /// Joints between bodies of the files, in file order; those to ground are not among them.
+    pub joints: Vec<AnatomyJoint>,
+    /// Whether it has some bodies of a larger model, too few to recognise scaled copies of that model.
+    pub is_fragment: bool,
+    index: AnatomyIndex,
+}
+
+/// Where the first of each name is, so that looking for all of them takes no longer than reading them.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct AnatomyIndex {
+    bodies: HashSet<String>,
+    spheres: HashMap<String, usize>,
+    /// Names that several spheres have.
+    twins: HashSet<String>,
+    joints: HashMap<String, usize>,
+    joints_by_child: HashMap<String, usize>,
+    joints_by_parent: HashMap<String, Vec<usize>>,
+}
+
+impl AnatomyIndex {
+    fn new(anatomy: &Anatomy) -> Self {
+        let mut index = Self { bodies: anatomy.bodies.iter().cloned().collect(), ..Self::default() };
+        for (at, sphere) in anatomy.spheres.iter().enumerate() {
+            if *index.spheres.entry(sphere.name.clone()).or_insert(at) != at {
+                index.twins.insert(sphere.name.clone());
+            }
+        }
+        for (at, joint) in anatomy.joints.iter().enumerate() {
+            index.joints.entry(joint.name.clone()).or_insert(at);
+            index.joints_by_child.entry(joint.child.clone()).or_insert(at);
+            index.joints_by_parent.entry(joint.parent.clone()).or_default().push(at);
+        }
+        index
+    }
+}
+
+/// A contact sphere and where it is.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct AnatomySphere {
+    /// Name as in the file.
+    pub name: String,
+    /// Body that carries it; `None` is ground.
+    pub body: Option<String>,
+    /// Location of its centre in its frame, m.
+    pub location_m: [f64; 3],
+    /// Radius, m.
+    pub radius_m: f64,
+    /// Rotation of its frame in the body.
+    pub rotation: Rotation,
+}
+
+impl AnatomySphere {
+    /// A sphere called `name` with its centre and radius, m, in a frame that is turned by `rotation` in `body`.
+    #[must_use]
+    pub fn new(
+        name: String,
+        body: Option<String>,
+        (location_m, radius_m): ([f64; 3], f64),
+        rotation: Rotation,
+    ) -> Self {
+        Self { name, body, location_m, radius_m, rotation }
+    }
+}
+
+impl Anatomy {
+    /// The same bones with other spheres.
+    #[must_use]
+    pub fn with_spheres(mut self, spheres: Vec<AnatomySphere>) -> Self {
+        self.spheres = spheres;
+        self.index = AnatomyIndex::new(&self);
+        self
+    }
+
+    /// The bodies of `model`, their meshes and the joints between them, without spheres and frames.
+    #[must_use]
+    pub fn bones_of(model: &Model) -> Self {
+        let mut anatomy = Self::without_index(model);
+        anatomy.index = AnatomyIndex::new(&anatomy);
+        anatomy
+    }
+
+    fn without_index(model: &Model) -> Self {
+        let components = model.components();
+        Self {
+            bodies: model.bodies().iter().map(|body| body.name.clone()).collect(),
+            meshes: model.body_facts.mesh_factors(components).clone(),
+            offsets: BTreeMap::new(),
+            spheres: Vec::new(),
+            joints: model.body_facts.joints.between_bodies(components).to_vec(),
+            is_fragment: false,
+            index: AnatomyIndex::default(),
+        }
+    }
+
+    /// Reads the anatomy of `model`.
+    ///
+    /// # Errors
+    /// A frame that leads nowhere, or a radius that cannot be scaled.
+    pub fn of(model: &Model) -> Result<Self, Fault> {
+        let mut anatomy = Self {
+            offsets: model.body_facts.frame_offsets(model.components()).clone(),
+            ..Self::without_index(model)
+        };
+        for sphere in model.spheres() {
+            let radius_m = sphere.radius_m()?;
+            anatomy.spheres.push(AnatomySphere {
+                name: sphere.name.clone(),
+                body: sphere.body.clone(),
+                location_m: sphere.location_m,
+                radius_m,
+                rotation: model.rotation_of(sphere)?,
+            });
+        }
+        anatomy.index = AnatomyIndex::new(&anatomy);
+        Ok(anatomy)
+    }
+
+    /// The joint by which `body` hangs on another one.
+    #[must_use]
+    pub fn joint_above(&self, body: &str) -> Option<&AnatomyJoint> {
+        self.joints.get(*self.index.joints_by_child.get(body)?)
+    }
+
+    /// The joints by which others hang on `body`, in file order.
+    pub fn joints_below(&self, body: &str) -> impl Iterator<Item = &AnatomyJoint> {
+        let below = self.index.joints_by_parent.get(body).into_iter().flatten();
+        below.filter_map(|&at| self.joints.get(at))
+    }
+
+    /// The first joint of that name.
+    #[must_use]
+    pub fn joint(&self, name: &str) -> Option<&AnatomyJoint> {
+        self.joints.get(*self.index.joints.get(name)?)
+    }
+
+    /// Whether there is a body of that name.
+    #[must_use]
+    pub fn has_body(&self, name: &str) -> bool {
+        self.index.bodies.contains(name)
+    }
+
+    /// Where `joint` is, seen from the origin of `body` at the default pose, m; `None` unless it lies below that body, with at
+    /// most 64 joints between: each joint of a long chain would walk all of it.
+    #[must_use]
+    pub fn place_below(&self, body: &str, joint: &AnatomyJoint) -> Option<[f64; 3]> {
+        let (mut at, mut point) = (joint.parent.as_str(), joint.in_parent_m);
+        for _ in 0..=MAX_FRAME_CHAIN {
+            if at == body {
+                return Some(point);
+            }
+            let above = self.joint_above(at)?;
+            point = above.in_parent(point)?;
+            at = &above.parent;
+        }
+        None
+    }
+
+    /// A point of the body `from`, seen from the body `above` at the default pose, m; `None` unless `from` hangs on that body, with
+    /// at most 64 joints between.
+    #[must_use]
+    pub fn seen_from(&self, above: &str, from: &str, point_m: [f64; 3]) -> Option<[f64; 3]> {
+        let (mut at, mut point) = (from, point_m);
+        for _ in 0..=MAX_FRAME_CHAIN {
+            if at == above {
+                return Some(point);
+            }
+            let joint = self.joint_above(at)?;
+            point = joint.in_parent(point)?;
+            at = &joint.parent;
+        }
+        None
+    }
+
+    /// The same bones, with `name` as the name of `body`.
+    #[must_use]
+    pub fn with_name(mut self, body: &str, name: &str) -> Self {
+        let renamed = |known: &mut String| {
+            if known == body {
+                name.clone_into(known);
+            }
+        };
+        self.bodies.iter_mut().for_each(renamed);
+        for joint in &mut self.joints {
+            renamed(&mut joint.parent);
+            renamed(&mut joint.child);
+        }
+        self.spheres.iter_mut().filter_map(|sphere| sphere.body.as_mut()).for_each(renamed);
+        if let Some(meshes) = self.meshes.remove(body) {
+            self.meshes.insert(name.to_owned(), meshes);
+        }
+        if let Some(offsets) = self.offsets.remove(body) {
+            self.offsets.insert(name.to_owned(), offsets);
+        }
+        self.index = AnatomyIndex::new(&self);
+        self
+    }
+
+    /// The first sphere of that name.
+    #[must_use]
+    pub fn sphere(&self, name: &str) -> Option<&AnatomySphere> {
+        self.spheres.get(*self.index.spheres.get(name)?)
+    }
+
+    /// Whether several spheres have that name.
+    #[must_use]
+    pub fn has_twins(&self, name: &str) -> bool {
+        self.index.twins.contains(name)
+    }
+}

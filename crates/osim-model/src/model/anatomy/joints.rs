@@ -1,0 +1,281 @@
+//! Joints between bodies: where they are on both, and how the bodies are placed to each other at the default pose.
+
+use std::sync::OnceLock;
+
+use crate::xml::ElementId;
+use foldhash::HashSet;
+
+use super::functions::numbers;
+use super::pose::Motion;
+use super::speeds::Speeds;
+use crate::model::components::{ComponentId, Components, MAX_FRAME_CHAIN};
+use crate::model::document::Document;
+use crate::model::fault::FileId;
+use crate::model::reference_frame::{MovingPlacement, Placement};
+
+/// A joint between two bodies.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct AnatomyJoint {
+    /// Its name.
+    pub name: String,
+    /// The body it hangs on.
+    pub parent: String,
+    /// The body that hangs on it.
+    pub child: String,
+    /// Where it is on its parent, m.
+    pub in_parent_m: [f64; 3],
+    /// Where it is on its child, m.
+    pub in_child_m: [f64; 3],
+    /// The child's frame in the parent's at the default pose; `None` where a function of the joint is not understood.
+    placement: Option<Placement>,
+}
+
+impl AnatomyJoint {
+    /// A point of the child, seen from the parent at the default pose, m.
+    #[must_use]
+    pub fn in_parent(&self, point_m: [f64; 3]) -> Option<[f64; 3]> {
+        Some(self.placement?.point(point_m))
+    }
+}
+
+/// A joint, to ground or between bodies, and what it takes to place one by the other.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct ModelJoint {
+    /// Its name.
+    pub name: String,
+    /// Its class, such as `CustomJoint`.
+    pub class: String,
+    /// The body it hangs on; `None` is ground.
+    pub parent: Option<String>,
+    /// The body that hangs on it; `None` is ground.
+    pub child: Option<String>,
+    /// The file it is in.
+    pub file: FileId,
+    /// Its coordinates, in order.
+    pub coordinates: Vec<JointCoordinate>,
+    element: ElementId,
+    in_parent: Placement,
+    in_child: Placement,
+    /// Whether it is in its child, as in documents before version 4.
+    in_body: bool,
+    /// Whether the child moves the parent, which such a joint may say.
+    reversed: bool,
+    /// What its coordinates do, read when it is first placed; `None` inside if it is not understood.
+    motion: OnceLock<Option<Motion>>,
+}
+
+/// A coordinate of a joint.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct JointCoordinate {
+    /// Its name.
+    pub name: String,
+    /// Where it is in the joint's file; the joint itself if only OpenSim makes it.
+    pub element: ElementId,
+    /// `default_value`, rad or m; `None` where it is not a number.
+    pub default: Option<f64>,
+}
+
+impl ModelJoint {
+    /// Where it is on its parent (or in ground), m.
+    #[must_use]
+    pub fn in_parent_m(&self) -> [f64; 3] {
+        self.in_parent.translation_m
+    }
+
+    pub(super) fn placed(&self, components: &Components, values: &[f64]) -> Option<Placement> {
+        let motion = self.motion(components)?.placement(values);
+        let motion = if self.reversed { motion.inverse() } else { motion };
+        Some(self.in_parent.then(&motion).then(&self.in_child.inverse()))
+    }
+
+    pub(super) fn moved(
+        &self,
+        components: &Components,
+        values: &[f64],
+        speeds: Speeds<'_>,
+    ) -> Option<MovingPlacement> {
+        let motion = self.motion(components)?.moving(values, speeds);
+        let motion = if self.reversed { motion.inverse() } else { motion };
+        let still = MovingPlacement::still;
+        Some(still(self.in_parent).then(&motion).then(&still(self.in_child.inverse())))
+    }
+
+    pub(super) fn motion(&self, components: &Components) -> Option<&Motion> {
+        let read = || {
+            let names: Vec<&str> = self.coordinates.iter().map(|one| one.name.as_str()).collect();
+            Motion::read(components.document(self.file), self.element, &names)
+        };
+        self.motion.get_or_init(read).as_ref()
+    }
+
+    /// The same with its frames as OpenSim converts those of a joint in a body: with six digits.
+    pub(super) fn converted(mut self) -> Self {
+        if self.in_body {
+            self.in_parent = self.in_parent.in_six_digits();
+            self.in_child = self.in_child.in_six_digits();
+        }
+        self
+    }
+}
+
+/// The joints of a model, read when somebody first asks for them: several who plan a change do.
+#[derive(Debug, Default)]
+pub(crate) struct Joints {
+    all: OnceLock<Vec<(ComponentId, ModelJoint)>>,
+    converted: OnceLock<Vec<ModelJoint>>,
+    between_bodies: OnceLock<Vec<AnatomyJoint>>,
+}
+
+impl Joints {
+    /// All joints of the files. One whose frames lead nowhere is left out: nothing is known of its limb then.
+    pub(super) fn read(&self, components: &Components) -> &[(ComponentId, ModelJoint)] {
+        let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
+        self.all.get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_one(components, id)?))).collect())
+    }
+
+    /// All but those that are `ignored`, with their frames as OpenSim converts them.
+    pub(super) fn converted(&self, components: &Components, ignored: &[ComponentId]) -> &[ModelJoint] {
+        self.converted.get_or_init(|| {
+            let ignored: HashSet<&ComponentId> = ignored.iter().collect();
+            let read = self.read(components).iter().filter(|(id, _)| !ignored.contains(id));
+            read.map(|(_, joint)| joint.clone().converted()).collect()
+        })
+    }
+
+    /// Each body at an end of a joint, and where the joint is on it, m.
+    pub(crate) fn ends(&self, components: &Components) -> impl Iterator<Item = (&str, [f64; 3])> {
+        self.read(components).iter().flat_map(|(_, joint)| {
+            let parent = joint.parent.as_deref().map(|body| (body, joint.in_parent.translation_m));
+            let child = joint.child.as_deref().map(|body| (body, joint.in_child.translation_m));
+            parent.into_iter().chain(child)
+        })
+    }
+
+    /// Those between bodies.
+    pub(crate) fn between_bodies(&self, components: &Components) -> &[AnatomyJoint] {
+        let all = self.read(components).iter();
+        self.between_bodies
+            .get_or_init(|| all.filter_map(|(_, joint)| between_bodies(components, joint)).collect())
+    }
+}
+
+fn between_bodies(components: &Components, joint: &ModelJoint) -> Option<AnatomyJoint> {
+    let defaults: Option<Vec<f64>> = joint.coordinates.iter().map(|coordinate| coordinate.default).collect();
+    Some(AnatomyJoint {
+        name: joint.name.clone(),
+        parent: joint.parent.clone()?,
+        child: joint.child.clone()?,
+        placement: defaults.and_then(|values| joint.placed(components, &values)),
+        in_parent_m: joint.in_parent.translation_m,
+        in_child_m: joint.in_child.translation_m,
+    })
+}
+
+fn read_one(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
+    let element = components.element(joint);
+    let document = components.doc(joint);
+    let old = components.tree.get(joint)?.parent.filter(|&id| components.tag(id) == "Body");
+    let (parent, child) = match old {
+        // A document of version 3: the joint is in its child and holds both places.
+        Some(child) => {
+            let (body, on_body) = end(components, joint, "parent_frame", &["parent_body"])?;
+            let there = own(components, joint, "location_in_parent", "orientation_in_parent");
+            let here = own(components, joint, "location", "orientation");
+            ((body, on_body.then(&there)), (Some(components.name(child).into_owned()), here))
+        }
+        None => (
+            end(components, joint, "parent_frame", &["parent_body"])?,
+            end(components, joint, "child_frame", &["child_body"])?,
+        ),
+    };
+    Some(ModelJoint {
+        name: components.name(joint).into_owned(),
+        class: components.tag(joint).to_owned(),
+        parent: parent.0,
+        child: child.0,
+        file: components.file_of(joint),
+        coordinates: coordinates(document, element).unwrap_or_else(|| unwritten(components, joint)),
+        element,
+        in_parent: parent.1,
+        in_child: child.1,
+        in_body: old.is_some(),
+        reversed: old.is_some() && matches!(document.flag(element, "reverse"), Ok(Some(true))),
+        motion: OnceLock::new(),
+    })
+}
+
+/// The coordinates of a joint that are not in the file: OpenSim makes them by itself, all at 0, before the joint has its name.
+fn unwritten(components: &Components, joint: ComponentId) -> Vec<JointCoordinate> {
+    let count = match components.tag(joint) {
+        "PinJoint" | "SliderJoint" => 1,
+        "UniversalJoint" => 2,
+        "GimbalJoint" | "BallJoint" | "EllipsoidJoint" | "PlanarJoint" => 3,
+        "FreeJoint" => 6,
+        _ => 0,
+    };
+    let element = components.element(joint);
+    let coordinate =
+        |number| JointCoordinate { name: format!("_coord_{number}"), element, default: Some(0.0) };
+    (0..count).map(coordinate).collect()
+}
+
+/// The coordinates that the file has for a joint; `None` if it has no list of them.
+fn coordinates(document: &Document, joint: ElementId) -> Option<Vec<JointCoordinate>> {
+    let tree = document.tree();
+    let old = || tree.child(tree.child(joint, "CoordinateSet")?, "objects");
+    let list = tree.child(joint, "coordinates").or_else(old)?;
+    let coordinates = tree.children(list).filter(|&id| tree.name(id) == "Coordinate");
+    let found = coordinates
+        .map(|element| {
+            let name = tree.attribute(element, "name").unwrap_or_default().into_owned();
+            let default = match tree.child(element, "default_value") {
+                Some(_) => {
+                    numbers(document, element, "default_value").and_then(|values| values.first().copied())
+                }
+                None => Some(0.0),
+            };
+            JointCoordinate { name, element, default }
+        })
+        .collect();
+    Some(found)
+}
+
+/// The body at one end of a joint (`None` is ground), and the joint's frame on it.
+fn end(
+    components: &Components,
+    joint: ComponentId,
+    socket: &str,
+    legacy: &[&str],
+) -> Option<(Option<String>, Placement)> {
+    let connectee = components.connectee(joint, socket, legacy)?;
+    let (body, placement) = on_base(components, components.frame(joint, &connectee)?.component)?;
+    Some((body.map(|body| components.name(body).into_owned()), placement))
+}
+
+/// The body that carries a frame (`None` is ground), and the frame on it; outer `None` if the frame leads nowhere.
+pub(super) fn on_base(
+    components: &Components,
+    frame: Option<ComponentId>,
+) -> Option<(Option<ComponentId>, Placement)> {
+    let (mut at, mut placement) = (frame, Placement::IDENTITY);
+    for _ in 0..=MAX_FRAME_CHAIN {
+        let Some(frame) = at else { return Some((None, placement)) };
+        match components.tag(frame) {
+            "Body" => return Some(((!components.is_ground(frame)).then_some(frame), placement)),
+            "Ground" => return Some((None, placement)),
+            _ => {}
+        }
+        placement = own(components, frame, "translation", "orientation").then(&placement);
+        let parent = components.connectee(frame, "parent", &["parent_frame"])?;
+        at = components.frame(frame, &parent)?.component;
+    }
+    None
+}
+
+fn own(components: &Components, owner: ComponentId, translation: &str, orientation: &str) -> Placement {
+    let triple = |tag| components.doc(owner).triple(components.element(owner), tag).unwrap_or([0.0; 3]);
+    Placement::of_triples(triple(orientation), triple(translation))
+}

@@ -1,0 +1,370 @@
+//! How the two frames of a joint are placed to each other at given values of its coordinates.
+
+use crate::xml::{ElementId, opensim_text};
+
+use super::functions::CoordinateFunction;
+use super::speeds::Speeds;
+use crate::model::document::Document;
+use crate::model::reference_frame::{MovingPlacement, Placement, Rotation, cross, times};
+
+/// Three axes of rotation and three of translation, in the order in which OpenSim applies them.
+const ROTATIONS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];
+const TRANSLATIONS: [&str; 3] = ["translation1", "translation2", "translation3"];
+
+/// What the coordinates of a joint do to the frame of its child, read from the file once.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Motion {
+    Weld,
+    Pin,
+    Slider,
+    Universal,
+    /// Three angles.
+    Gimbal,
+    /// Three angles, whose speeds are an angular velocity in OpenSim.
+    Ball,
+    Planar,
+    Free,
+    /// Three angles, and the radii of the ellipsoid that the child glides on, m.
+    Ellipsoid([f64; 3]),
+    /// The axes of a `<SpatialTransform>`.
+    Spatial(Vec<Axis>),
+}
+
+/// One axis of a `<SpatialTransform>`.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Axis {
+    /// Whether it turns about the axis; else it shifts along it.
+    turns: bool,
+    direction: [f64; 3],
+    /// Which of the joint's coordinates it is a function of; `None` if of none.
+    coordinate: Option<usize>,
+    function: CoordinateFunction,
+    /// Whether the function is a `LinearFunction` of slope 1 or -1: the coordinate is an angle or a length.
+    is_pure: bool,
+}
+
+impl Motion {
+    /// That of the joint at `element` with these `coordinates`, by name; `None` if it is not known.
+    pub(super) fn read(document: &Document, element: ElementId, coordinates: &[&str]) -> Option<Self> {
+        Some(match document.tree().name(element) {
+            "WeldJoint" => Self::Weld,
+            "PinJoint" => Self::Pin,
+            "SliderJoint" => Self::Slider,
+            "UniversalJoint" => Self::Universal,
+            "GimbalJoint" => Self::Gimbal,
+            "BallJoint" => Self::Ball,
+            "PlanarJoint" => Self::Planar,
+            "FreeJoint" => Self::Free,
+            "EllipsoidJoint" => Self::Ellipsoid(document.triple(element, "radii_x_y_z")?),
+            "CustomJoint" => Self::Spatial(axes(document, element, coordinates)?),
+            _ => return None,
+        })
+    }
+
+    /// The child's frame of the joint in its parent's where its coordinates have `values`; 0 where there are fewer.
+    pub(super) fn placement(&self, values: &[f64]) -> Placement {
+        let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
+        let [first, second, third] = [value(0), value(1), value(2)];
+        let turned = || Rotation::body_fixed_xyz([first, second, third]);
+        let only = |rotation| Placement { rotation, ..Placement::IDENTITY };
+        match self {
+            Self::Weld => Placement::IDENTITY,
+            Self::Pin => only(Rotation::about([0.0, 0.0, 1.0], first)),
+            Self::Slider => Placement { translation_m: [first, 0.0, 0.0], ..Placement::IDENTITY },
+            Self::Universal => only(Rotation::body_fixed_xyz([first, second, 0.0])),
+            Self::Gimbal | Self::Ball => only(turned()),
+            Self::Planar => Placement {
+                rotation: Rotation::about([0.0, 0.0, 1.0], first),
+                translation_m: [second, third, 0.0],
+            },
+            Self::Free => Placement { rotation: turned(), translation_m: [value(3), value(4), value(5)] },
+            Self::Ellipsoid(radii_m) => {
+                let rotation = turned();
+                Placement { rotation, translation_m: times(*radii_m, rotation.to_body([0.0, 0.0, 1.0])) }
+            }
+            Self::Spatial(axes) => {
+                axes.iter().fold(Placement::IDENTITY, |placement, axis| axis.after(placement, value))
+            }
+        }
+    }
+}
+
+impl Motion {
+    /// Whether its coordinate number `index` turns (else shifts) about (or along) an axis by its own value; `None` where it is
+    /// neither an angle nor a length. The last axis counts, as in OpenSim.
+    pub(super) fn pure_axis(&self, index: usize) -> Option<bool> {
+        let Self::Spatial(axes) = self else { return None };
+        axes.iter().rfind(|axis| axis.coordinate == Some(index) && axis.is_pure).map(|axis| axis.turns)
+    }
+
+    /// The same of the coordinates of any joint.
+    pub(super) fn turns(&self, index: usize) -> Option<bool> {
+        match self {
+            Self::Weld => None,
+            Self::Pin | Self::Universal | Self::Gimbal | Self::Ball | Self::Ellipsoid(_) => Some(true),
+            Self::Slider => Some(false),
+            Self::Planar => Some(index == 0),
+            Self::Free => Some(index < 3),
+            Self::Spatial(_) => self.pure_axis(index),
+        }
+    }
+
+    /// The child's frame of the joint in its parent's where its coordinates have `values` and change with `speeds`.
+    pub(super) fn moving(&self, values: &[f64], speeds: Speeds<'_>) -> MovingPlacement {
+        let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
+        let speed = |index: usize| speeds.get(index);
+        let [first, second, third] = [speed(0), speed(1), speed(2)];
+        let at = self.placement(values);
+        let still = MovingPlacement::still(at);
+        match self {
+            Self::Weld => still,
+            Self::Pin => MovingPlacement { angular_velocity: [0.0, 0.0, first], ..still },
+            Self::Slider => MovingPlacement { velocity_m_s: [first, 0.0, 0.0], ..still },
+            Self::Universal => {
+                let angular_velocity =
+                    Rotation::body_fixed_velocity([value(0), value(1), 0.0], [first, second, 0.0]);
+                MovingPlacement { angular_velocity, ..still }
+            }
+            Self::Gimbal => {
+                let angles = [value(0), value(1), value(2)];
+                let angular_velocity = Rotation::body_fixed_velocity(angles, [first, second, third]);
+                MovingPlacement { angular_velocity, ..still }
+            }
+            Self::Ball => MovingPlacement { angular_velocity: speeds.turning(values), ..still },
+            Self::Planar => MovingPlacement {
+                angular_velocity: [0.0, 0.0, first],
+                velocity_m_s: [second, third, 0.0],
+                ..still
+            },
+            Self::Free => MovingPlacement {
+                angular_velocity: speeds.turning(values),
+                velocity_m_s: [speed(3), speed(4), speed(5)],
+                ..still
+            },
+            Self::Ellipsoid(radii_m) => {
+                let angular_velocity = speeds.turning(values);
+                let along = cross(angular_velocity, at.rotation.to_body([0.0, 0.0, 1.0]));
+                MovingPlacement { angular_velocity, velocity_m_s: times(*radii_m, along), ..still }
+            }
+            Self::Spatial(axes) => {
+                let start = MovingPlacement::still(Placement::IDENTITY);
+                axes.iter().fold(start, |moving, axis| axis.after_moving(moving, value, speed))
+            }
+        }
+    }
+}
+
+impl Axis {
+    /// `moving`, turned or shifted further, while its coordinate changes.
+    fn after_moving(
+        &self,
+        mut moving: MovingPlacement,
+        value_of: impl Fn(usize) -> f64,
+        speed_of: impl Fn(usize) -> f64,
+    ) -> MovingPlacement {
+        let rate =
+            self.coordinate.map_or(0.0, |index| self.function.slope(value_of(index)) * speed_of(index));
+        let [x, y, z] = self.direction;
+        let length = libm::sqrt(x * x + y * y + z * z);
+        if length > 0.0 {
+            let along = self.direction.map(|part| part / length * rate);
+            if self.turns {
+                // The axis is one of the frame that those before have turned.
+                let along = moving.at.rotation.to_body(along);
+                moving.angular_velocity = std::array::from_fn(|i| moving.angular_velocity[i] + along[i]);
+            } else {
+                moving.velocity_m_s = std::array::from_fn(|i| moving.velocity_m_s[i] + along[i]);
+            }
+        }
+        moving.at = self.after(moving.at, value_of);
+        moving
+    }
+
+    /// `placement`, turned or shifted further: rotations come one after the other, each in the frame that those before have turned.
+    fn after(&self, mut placement: Placement, value_of: impl Fn(usize) -> f64) -> Placement {
+        let value = self.function.value(self.coordinate.map_or(0.0, value_of));
+        if self.turns {
+            placement.rotation = placement.rotation.after(&Rotation::about(self.direction, value));
+            return placement;
+        }
+        let [x, y, z] = self.direction;
+        let length = libm::sqrt(x * x + y * y + z * z);
+        // OpenSim gives each axis the length 1; one without length moves nothing.
+        let value = if length > 0.0 { value / length } else { 0.0 };
+        placement.translation_m =
+            std::array::from_fn(|i| placement.translation_m[i] + self.direction[i] * value);
+        placement
+    }
+}
+
+/// The axes of a joint's `<SpatialTransform>`, in the order in which they are applied.
+fn axes(document: &Document, joint: ElementId, coordinates: &[&str]) -> Option<Vec<Axis>> {
+    let tree = document.tree();
+    let Some(transform) = tree.child(joint, "SpatialTransform") else { return Some(Vec::new()) };
+    let read = |(index, axis): (usize, ElementId)| {
+        let name = tree.attribute(axis, "name").unwrap_or_default();
+        let named = ROTATIONS.iter().chain(&TRANSLATIONS).position(|known| *known == &*name);
+        let (coordinate, function, is_pure) = function_of(document, axis, coordinates)?;
+        let turns = named.unwrap_or(index) < ROTATIONS.len();
+        let direction = document.triple(axis, "axis").unwrap_or([0.0; 3]);
+        Some(Axis { turns, direction, coordinate, function, is_pure })
+    };
+    tree.children(transform).enumerate().map(read).collect()
+}
+
+/// What moves along or about one axis: a function, and the coordinate that it is of.
+fn function_of(
+    document: &Document,
+    axis: ElementId,
+    coordinates: &[&str],
+) -> Option<(Option<usize>, CoordinateFunction, bool)> {
+    let tree = document.tree();
+    let names = tree.child(axis, "coordinates").map(|list| tree.text_of(list)).unwrap_or_default();
+    let mut names = opensim_text::list(&names);
+    let coordinate = match names.next() {
+        Some(name) => Some(coordinates.iter().position(|known| *known == name)?),
+        None => None,
+    };
+    // A function of several coordinates is not understood.
+    if names.next().is_some() {
+        return None;
+    }
+    let wrapped = tree.child(axis, "function").and_then(|wrapper| tree.children(wrapper).next());
+    let is_function = |id: &ElementId| !["coordinates", "axis", "function"].contains(&tree.name(*id));
+    let element = wrapped.or_else(|| tree.children(axis).find(is_function));
+    let function = match element {
+        Some(function) => CoordinateFunction::read(document, function)?,
+        None if coordinate.is_none() => CoordinateFunction::ZERO,
+        None => return None,
+    };
+    let is_linear = element.is_some_and(|function| tree.name(function) == "LinearFunction");
+    let is_pure = is_linear && function.slope(0.0).abs() == 1.0;
+    Some((coordinate, function, is_pure))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::model::anatomy::Anatomy;
+    use crate::model::typed_model::Model;
+
+    /// A chain of bodies: calcn, mid, fore; each joint says what stands between its frames.
+    fn chain(middle: &str, end: &str) -> Anatomy {
+        let body = |name: &str| format!("<Body name=\"{name}\"><mass>1</mass></Body>");
+        let frame = |name: &str, at: &str, turned: &str, body: &str| {
+            format!(
+                "<PhysicalOffsetFrame name=\"{name}\"><socket_parent>/bodyset/{body}</socket_parent><translation>{at}</translation>\
+                 <orientation>{turned}</orientation></PhysicalOffsetFrame>"
+            )
+        };
+        let joint = |class: &str, name: &str, frames: &str, inner: &str| {
+            format!(
+                "<{class} name=\"{name}\"><socket_parent_frame>p</socket_parent_frame><socket_child_frame>c</socket_child_frame>\
+                 {inner}<frames>{frames}</frames></{class}>"
+            )
+        };
+        let (class, inner) = middle.split_once(':').unwrap();
+        let middle = joint(
+            class,
+            "mid_joint",
+            &format!(
+                "{}{}",
+                frame("p", "0.1 0 0", "0 0 0", "calcn_r"),
+                frame("c", "0 0.02 0", "0 0 0", "mid_r")
+            ),
+            inner,
+        );
+        let last = joint(
+            "WeldJoint",
+            "mtp_r",
+            &format!("{}{}", frame("p", end, "0 0 0", "mid_r"), frame("c", "0 0 0", "0 0 0", "toes_r")),
+            "",
+        );
+        let text = format!(
+            "<OpenSimDocument Version=\"40000\"><Model name=\"m\"><BodySet><objects>{}{}{}</objects></BodySet><JointSet><objects>\
+             {middle}{last}</objects></JointSet></Model></OpenSimDocument>",
+            body("calcn_r"),
+            body("mid_r"),
+            body("toes_r")
+        );
+        Anatomy::of(&Model::parse(text).unwrap()).unwrap()
+    }
+
+    #[track_caller]
+    fn at(anatomy: &Anatomy, expected: [f64; 3]) {
+        let joint = anatomy.joints.iter().find(|joint| joint.name == "mtp_r").unwrap();
+        let place = anatomy.place_below("calcn_r", joint).unwrap();
+        for (value, expected) in place.into_iter().zip(expected) {
+            assert!((value - expected).abs() < 1e-15, "{place:?}");
+        }
+    }
+
+    #[test]
+    fn a_joint_is_found_through_bodies_between() {
+        // 0.1 to the joint, 0.02 down to the middle body's origin, then 0.05 on.
+        at(&chain("WeldJoint:", "0.05 0 0"), [0.15, -0.02, 0.0]);
+        let anatomy = chain("WeldJoint:", "0.05 0 0");
+        assert!(anatomy.place_below("toes_r", &anatomy.joints[1]).is_none(), "it is not below the toes");
+    }
+
+    #[test]
+    fn default_values_turn_and_move_the_bodies_between() {
+        let coordinate = |name: &str, value: &str| {
+            format!("<Coordinate name=\"{name}\"><default_value>{value}</default_value></Coordinate>")
+        };
+        // A quarter turn about z: the middle body's x points up, its y back; 0.1 - (-0.02 turned) = 0.1 + 0.02, and 0.05 up.
+        let quarter = "1.5707963267948966";
+        let pin = format!("PinJoint:<coordinates>{}</coordinates>", coordinate("q", quarter));
+        at(&chain(&pin, "0.05 0 0"), [0.12, 0.05, 0.0]);
+        // The same by a CustomJoint: half of the angle by each of two functions, and 0.03 along z.
+        let axis = |name: &str, q: &str, direction: &str, function: &str| {
+            format!(
+                "<TransformAxis name=\"{name}\"><coordinates>{q}</coordinates><axis>{direction}</axis>{function}</TransformAxis>"
+            )
+        };
+        let linear = "<LinearFunction name=\"function\"><coefficients> 0.5 0</coefficients></LinearFunction>";
+        let scaled = "<function><MultiplierFunction><function><PolynomialFunction><coefficients>1 0</coefficients>\
+                      </PolynomialFunction></function><scale>0.5</scale></MultiplierFunction></function>";
+        let spline = "<SimmSpline><x> -1 0 1</x><y> 0.01 0.03 0.02</y></SimmSpline>";
+        let custom = format!(
+            "CustomJoint:<coordinates>{}{}</coordinates><SpatialTransform>{}{}{}{}{}{}</SpatialTransform>",
+            coordinate("q", quarter),
+            coordinate("t", "0"),
+            axis("rotation1", "q", "0 0 1", linear),
+            axis("rotation2", "q", "0 0 2", scaled),
+            axis("rotation3", "", "1 0 0", "<Constant><value>0</value></Constant>"),
+            axis("translation1", "", "1 0 0", ""),
+            axis("translation2", "", "0 1 0", ""),
+            // OpenSim gives the axis the length 1.
+            axis("translation3", "t", "0 0 2", spline),
+        );
+        at(&chain(&custom, "0.05 0 0"), [0.12, 0.05, 0.03]);
+        // A curve that is not known is not guessed.
+        let unknown = custom.replace("SimmSpline", "GCVSpline");
+        let anatomy = chain(&unknown, "0.05 0 0");
+        assert!(anatomy.place_below("calcn_r", &anatomy.joints[1]).is_none());
+    }
+
+    #[test]
+    fn a_joint_far_down_a_chain_says_nothing_about_a_body() {
+        // Body number n hangs on number n - 1, 0.1 m along x.
+        let joint = |n: usize| {
+            format!(
+                "<WeldJoint name=\"j{n}\"><socket_parent_frame>/bodyset/b{}</socket_parent_frame>\
+                 <socket_child_frame>f</socket_child_frame><frames><PhysicalOffsetFrame name=\"f\"><socket_parent>/bodyset/b{n}\
+                 </socket_parent><translation>-0.1 0 0</translation></PhysicalOffsetFrame></frames></WeldJoint>",
+                n - 1
+            )
+        };
+        let bodies: String = (0..100).map(|n| format!("<Body name=\"b{n}\"><mass>1</mass></Body>")).collect();
+        let joints: String = (1..100).map(joint).collect();
+        let text = format!(
+            "<OpenSimDocument Version=\"40000\"><Model name=\"m\"><BodySet><objects>{bodies}</objects></BodySet>\
+             <JointSet><objects>{joints}</objects></JointSet></Model></OpenSimDocument>"
+        );
+        let anatomy = Anatomy::of(&Model::parse(text).unwrap()).unwrap();
+        let place = |n: usize| anatomy.place_below("b0", anatomy.joint(&format!("j{n}")).unwrap());
+        // Joint 65 is at body 64, with 64 joints between.
+        assert!((place(65).unwrap()[0] - 6.4).abs() < 1e-12);
+        assert!(place(66).is_none());
+    }
+}

@@ -1,0 +1,448 @@
+//! The components of a model and their paths: which elements OpenSim turns into objects, and what they are called.
+//!
+//! One pass over the elements in file order gives every element its role. Components are the items of `<objects>`,
+//! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and ground; everything else is a property. `<defaults>` of the data root is left out: its objects are not part of the model.
+
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+use std::sync::{Arc, OnceLock};
+
+use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
+
+use super::classes;
+use super::counted::Counted;
+use crate::model::document::Document;
+use crate::model::fault::FileId;
+use crate::xml::{ElementId, KeptElements};
+
+/// Sets of a model that may hold contacts or what they are attached to; markers, muscles' path points and the like are
+/// skipped, which keeps large models fast.
+const MODEL_SETS: [&str; 6] =
+    ["ForceSet", "ContactGeometrySet", "BodySet", "JointSet", "ConstraintSet", "ComponentSet"];
+/// Sets inside a contact force.
+const CONTACT_PARAMETERS_SETS: [&str; 2] =
+    ["HuntCrossleyForce::ContactParametersSet", "ElasticFoundationForce::ContactParametersSet"];
+
+/// Index of an object among all files read together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub(crate) struct ComponentId(u32);
+
+/// One component.
+#[derive(Debug, Clone)]
+pub(crate) struct Component {
+    /// Which of the files.
+    pub file: FileId,
+    pub element: ElementId,
+    pub parent: Option<ComponentId>,
+    /// Last segment of the path: OpenSim's name of it, numbered where siblings share a name.
+    pub segment: Arc<str>,
+    /// The name that it would have alone, where it was numbered.
+    pub shared: Option<Arc<str>>,
+    /// Whether it is in `<components>`, which OpenSim reads before all other properties.
+    is_member: bool,
+    children: Children,
+    /// The next child of its parent.
+    next: Option<ComponentId>,
+}
+
+/// The children of a component, in the order of the files.
+#[derive(Debug, Clone, Copy, Default)]
+struct Children {
+    count: u32,
+    first: Option<ComponentId>,
+    last: Option<ComponentId>,
+    /// Whether they are in `by_parent`.
+    are_listed: bool,
+}
+
+/// Up to so many children are looked through for one of them; more of them are looked up.
+const FEW_CHILDREN: u32 = 12;
+/// Objects on the way from the root to most others, and to themselves.
+const USUAL_DEPTH: usize = 4;
+
+/// All components of the files read together, with look-up by path and by name.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ComponentTree {
+    list: Vec<Component>,
+    roots: Vec<ComponentId>,
+    /// The children, by their segments, of objects that have many or whose children are numbered.
+    by_parent: Arc<HashMap<ComponentId, HashMap<Arc<str>, ComponentId>>>,
+    /// All of them by the names that they would have alone, once somebody asks for one by name.
+    by_name: Arc<OnceLock<HashMap<Arc<str>, Vec<ComponentId>>>>,
+    /// Objects of which two children share a name, so that these are to be numbered.
+    crowded: HashSet<ComponentId>,
+    /// Members of `<components>` of a class that OpenSim does not know: file and element.
+    pub(crate) skipped: Vec<(FileId, ElementId)>,
+}
+
+#[derive(Clone, Copy)]
+enum Role {
+    /// Nothing below here is an object.
+    Nothing,
+    Object(ComponentId),
+    /// The children of this element are objects that belong to this one.
+    Items(ComponentId),
+    /// As `Items`, but a class that OpenSim does not know is skipped.
+    Components(ComponentId),
+}
+
+impl ComponentTree {
+    /// Adds all objects of `document` that count. A file other than the model hangs below `mount`, the object that includes it.
+    pub(super) fn add(
+        &mut self,
+        file: FileId,
+        document: &Document,
+        mount: Option<ComponentId>,
+        counted: Counted,
+    ) {
+        self.by_name = Arc::default();
+        let (tree, is_model) = (document.tree(), document.is_model());
+        let mut roles = vec![Role::Nothing; tree.element_count()];
+        let mut seen: HashSet<(ComponentId, &str)> = HashSet::new();
+        // Most elements are properties of properties: they cost no look.
+        tree.walk(document.data_root(), |id| {
+            let Some(parent) = tree.parent(id) else { return false };
+            let is_root = id == document.data_root();
+            let above = roles.get(parent.index()).copied().unwrap_or(Role::Nothing);
+            let tag = tree.name(id);
+            // What is in another file hangs here once that file is added.
+            let role = if document.file_of(id).is_some() {
+                Role::Nothing
+            } else if is_root {
+                Role::Object(self.push_root(file, document, mount))
+            } else if is_model && parent == document.data_root() && !counted.has(tag) {
+                Role::Nothing
+            } else {
+                match above {
+                    Role::Nothing => Role::Nothing,
+                    Role::Components(_) if !classes::is_known(tag) => {
+                        self.skipped.push((file, id));
+                        Role::Nothing
+                    }
+                    Role::Items(owner) | Role::Components(owner) => {
+                        // OpenSim calls a component without a name after its class.
+                        let name = name_in_paths(document, id);
+                        let segment = if name.is_empty() { tag.to_lowercase().into() } else { name.into() };
+                        let is_member = matches!(above, Role::Components(_));
+                        Role::Object(self.push(file, id, Some(owner), segment, is_member))
+                    }
+                    Role::Object(owner) => self.role_of_property(file, document, id, tag, owner, &mut seen),
+                }
+            };
+            if let Some(slot) = roles.get_mut(id.index()) {
+                *slot = role;
+            }
+            !matches!(role, Role::Nothing)
+        });
+        self.number_siblings();
+    }
+
+    /// The same components, those of the main file at the places of `kept`.
+    pub(crate) fn moved(&self, kept: &KeptElements) -> Self {
+        let mut moved = self.clone();
+        let own = moved.list.iter_mut().map(|component| (component.file, &mut component.element));
+        let skipped = moved.skipped.iter_mut().map(|(file, element)| (*file, element));
+        for (_, element) in own.chain(skipped).filter(|(file, _)| *file == FileId::MAIN) {
+            *element = kept.place(*element);
+        }
+        moved
+    }
+
+    fn push_root(&mut self, file: FileId, document: &Document, mount: Option<ComponentId>) -> ComponentId {
+        let tree = document.tree();
+        let element = document.data_root();
+        let tag = tree.name(element);
+        let segment = if tag == "Model" {
+            Arc::default()
+        } else if tag.ends_with("Set") {
+            tag.to_lowercase().into()
+        } else {
+            tree.attribute(element, "name").unwrap_or_default().into()
+        };
+        // A set that stands alone belongs to a model elsewhere; its paths are those it has there.
+        self.push(file, element, mount, segment, false)
+    }
+
+    fn role_of_property<'d>(
+        &mut self,
+        file: FileId,
+        document: &'d Document,
+        id: ElementId,
+        tag: &'d str,
+        owner: ComponentId,
+        seen: &mut HashSet<(ComponentId, &'d str)>,
+    ) -> Role {
+        let tree = document.tree();
+        let owner_tag = self.get(owner).map(|object| tree.name(object.element)).unwrap_or_default();
+        let holds_items = match tag {
+            "components" => true,
+            "objects" => owner_tag.ends_with("Set"),
+            "frames" => owner_tag.ends_with("Joint"),
+            "Joint" => owner_tag == "Body",
+            _ => false,
+        };
+        let is_set = match owner_tag {
+            "Model" => MODEL_SETS.contains(&tag),
+            _ => CONTACT_PARAMETERS_SETS.contains(&tag),
+        };
+        let is_ground = tag == "Ground" && owner_tag == "Model";
+        // OpenSim reads the first of duplicated properties.
+        if !(holds_items || is_set || is_ground) || !seen.insert((owner, tag)) {
+            return Role::Nothing;
+        }
+        if holds_items {
+            return if tag == "components" { Role::Components(owner) } else { Role::Items(owner) };
+        }
+        // Sets (and ground) are called after their class, whatever name their element has.
+        Role::Object(self.push(file, id, Some(owner), tag.to_lowercase().into(), false))
+    }
+
+    fn push(
+        &mut self,
+        file: FileId,
+        element: ElementId,
+        parent: Option<ComponentId>,
+        segment: Arc<str>,
+        is_member: bool,
+    ) -> ComponentId {
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "no more objects than elements, and those are u32"
+        )]
+        let id = ComponentId(self.list.len() as u32);
+        match parent {
+            None => self.roots.push(id),
+            Some(owner) if self.child(owner, &segment).is_some() => {
+                self.crowded.insert(owner);
+            }
+            Some(_) => {}
+        }
+        let (children, next) = (Children::default(), None);
+        self.list.push(Component { file, element, parent, segment, shared: None, is_member, children, next });
+        if let Some(owner) = parent {
+            self.hang(owner, id);
+        }
+        id
+    }
+
+    /// Makes `id` the last child of `owner`.
+    fn hang(&mut self, owner: ComponentId, id: ComponentId) {
+        let Some(Component { children, .. }) = self.list.get_mut(owner.0 as usize) else { return };
+        let last = children.last.replace(id);
+        children.first = children.first.or(Some(id));
+        children.count += 1;
+        let (were_listed, are_many) = (children.are_listed, children.count >= FEW_CHILDREN);
+        children.are_listed = were_listed || are_many;
+        if let Some(last) = last.and_then(|last| self.list.get_mut(last.0 as usize)) {
+            last.next = Some(id);
+        }
+        if were_listed {
+            let segment = self.get(id).map(|child| Arc::clone(&child.segment)).unwrap_or_default();
+            Arc::make_mut(&mut self.by_parent).entry(owner).or_default().entry(segment).or_insert(id);
+        } else if are_many {
+            let mut by_segment = HashMap::new();
+            for (id, child) in self.children(owner) {
+                by_segment.entry(Arc::clone(&child.segment)).or_insert(id);
+            }
+            Arc::make_mut(&mut self.by_parent).insert(owner, by_segment);
+        }
+    }
+
+    /// The children of `owner`, in the order of the files.
+    fn children(&self, owner: ComponentId) -> impl Iterator<Item = (ComponentId, &Component)> {
+        let first = self.get(owner).and_then(|object| object.children.first);
+        let ids = std::iter::successors(first, |&id| self.get(id)?.next);
+        ids.filter_map(|id| Some((id, self.get(id)?)))
+    }
+
+    /// OpenSim calls the second of two siblings `f` `f_0`, the third `f_1`, in the order in which it reads them.
+    fn number_siblings(&mut self) {
+        let crowded = std::mem::take(&mut self.crowded);
+        if crowded.is_empty() {
+            return;
+        }
+        for owner in crowded.into_iter().collect::<BTreeSet<ComponentId>>() {
+            let mut children: Vec<(bool, ComponentId)> =
+                self.children(owner).map(|(id, object)| (!object.is_member, id)).collect();
+            children.sort_by_key(|(is_later, _)| *is_later);
+            let children: Vec<ComponentId> = children.into_iter().map(|(_, id)| id).collect();
+            self.number(owner, &children);
+        }
+    }
+
+    /// Numbers the `children` of `owner`, which OpenSim reads in this order.
+    fn number(&mut self, owner: ComponentId, children: &[ComponentId]) {
+        // Hundreds of equal names are a mistake, not a model: no need to number them all.
+        const MOST: usize = 64;
+        let mut tried: HashMap<Arc<str>, usize> = HashMap::new();
+        let mut by_segment: HashMap<Arc<str>, ComponentId> = HashMap::new();
+        for &id in children {
+            let Some(object) = self.list.get_mut(id.0 as usize) else { continue };
+            // What an earlier file numbered is numbered again, with what this one has.
+            let name = object.shared.take().unwrap_or_else(|| Arc::clone(&object.segment));
+            object.segment = Arc::clone(&name);
+            if by_segment.contains_key(&name) {
+                let tried = tried.entry(Arc::clone(&name)).or_default();
+                loop {
+                    object.segment = format!("{name}_{tried}").into();
+                    if *tried >= MOST || !by_segment.contains_key(&object.segment) {
+                        break;
+                    }
+                    *tried += 1;
+                }
+                object.shared = Some(name);
+            }
+            by_segment.entry(Arc::clone(&object.segment)).or_insert(id);
+        }
+        Arc::make_mut(&mut self.by_parent).insert(owner, by_segment);
+        if let Some(object) = self.list.get_mut(owner.0 as usize) {
+            object.children.are_listed = true;
+        }
+    }
+
+    pub(crate) fn get(&self, id: ComponentId) -> Option<&Component> {
+        self.list.get(id.0 as usize)
+    }
+
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (ComponentId, &Component)> {
+        #[expect(clippy::cast_possible_truncation, reason = "see push")]
+        self.list.iter().enumerate().map(|(index, object)| (ComponentId(index as u32), object))
+    }
+
+    /// The object that is written as `element` of `file`.
+    pub(crate) fn of_element(&self, file: FileId, element: ElementId) -> Option<ComponentId> {
+        // Components of one file are in element order.
+        let start = self.list.partition_point(|object| object.file < file);
+        let end = self.list.partition_point(|object| object.file <= file);
+        let of_file = self.list.get(start..end)?;
+        let at = of_file.binary_search_by_key(&element, |object| object.element).ok()?;
+        u32::try_from(start + at).ok().map(ComponentId)
+    }
+
+    /// The absolute path, as OpenSim prints it.
+    pub(crate) fn path(&self, id: ComponentId) -> String {
+        let mut segments = Vec::with_capacity(USUAL_DEPTH);
+        let mut next = Some(id);
+        while let Some(object) = next.and_then(|id| self.get(id)) {
+            if object.parent.is_some() || !object.segment.is_empty() {
+                segments.push(&*object.segment);
+            }
+            next = object.parent;
+        }
+        // Every message and every contact has one: a path grows once.
+        let mut path = String::with_capacity(segments.iter().map(|segment| segment.len() + 1).sum());
+        for segment in segments.iter().rev() {
+            path.push('/');
+            path.push_str(segment);
+        }
+        if path.is_empty() { "/".to_owned() } else { path }
+    }
+
+    /// The data root of the model.
+    pub(crate) fn first(&self) -> Option<ComponentId> {
+        (!self.list.is_empty()).then_some(ComponentId(0))
+    }
+
+    /// The data root above `id`.
+    pub(crate) fn root_of(&self, id: ComponentId) -> ComponentId {
+        let mut at = id;
+        while let Some(parent) = self.get(at).and_then(|object| object.parent) {
+            at = parent;
+        }
+        at
+    }
+
+    fn child(&self, parent: ComponentId, segment: &str) -> Option<ComponentId> {
+        if self.get(parent)?.children.are_listed {
+            return self.by_parent.get(&parent)?.get(segment).copied();
+        }
+        self.children(parent).find(|(_, object)| *object.segment == *segment).map(|(id, _)| id)
+    }
+
+    /// Follows `path`, absolute or relative to `owner`, exactly as OpenSim does.
+    pub(crate) fn at_path(&self, owner: ComponentId, path: &str) -> Option<ComponentId> {
+        match path.strip_prefix('/') {
+            Some(absolute) => self.roots.iter().find_map(|&root| self.below_root(root, absolute)),
+            // The path may lead out of a set that stands alone, into the model beside it.
+            None => self.walk(owner, path).or_else(|| match self.roots.as_slice() {
+                [_] => None,
+                _ => self.at_path(owner, &self.absolute(owner, path)?),
+            }),
+        }
+    }
+
+    fn below_root(&self, root: ComponentId, path: &str) -> Option<ComponentId> {
+        let segment = &self.get(root)?.segment;
+        if segment.is_empty() {
+            return self.walk(root, path);
+        }
+        // A set that stands alone: its own name is the first segment.
+        let rest = path.strip_prefix(&**segment)?;
+        match rest.strip_prefix('/') {
+            Some(rest) => self.walk(root, rest),
+            None => rest.is_empty().then_some(root),
+        }
+    }
+
+    /// The absolute path that `path` means, seen from `owner`; it need not lead anywhere.
+    pub(crate) fn absolute(&self, owner: ComponentId, path: &str) -> Option<String> {
+        if path.starts_with('/') {
+            return Some(path.to_owned());
+        }
+        let base = self.path(owner);
+        let mut segments: Vec<&str> = base.split('/').filter(|segment| !segment.is_empty()).collect();
+        for segment in path.split('/').filter(|segment| !segment.is_empty() && *segment != ".") {
+            if segment == ".." {
+                segments.pop()?;
+            } else {
+                segments.push(segment);
+            }
+        }
+        Some(format!("/{}", segments.join("/")))
+    }
+
+    /// As OpenSim goes: a step and the `..` after it are nothing, whether the step leads anywhere or not.
+    fn walk(&self, from: ComponentId, path: &str) -> Option<ComponentId> {
+        let segments = || path.split('/').filter(|segment| !segment.is_empty() && *segment != ".");
+        if !path.as_bytes().windows(2).any(|pair| pair == b"..") {
+            return segments().try_fold(from, |at, segment| self.child(at, segment));
+        }
+        let (mut at, mut down) = (from, Vec::new());
+        for segment in segments() {
+            match segment {
+                ".." if down.pop().is_none() => at = self.get(at)?.parent?,
+                ".." => {}
+                segment => down.push(segment),
+            }
+        }
+        down.into_iter().try_fold(at, |at, segment| self.child(at, segment))
+    }
+
+    /// All objects with this last segment that pass `accept`.
+    pub(crate) fn named<'s>(
+        &'s self,
+        name: &str,
+        accept: impl Fn(ComponentId) -> bool + 's,
+    ) -> impl Iterator<Item = ComponentId> + 's {
+        let by_name = self.by_name.get_or_init(|| {
+            let mut by_name: HashMap<Arc<str>, Vec<ComponentId>> = HashMap::new();
+            for (id, object) in self.iter() {
+                let name = object.shared.as_ref().unwrap_or(&object.segment);
+                by_name.entry(Arc::clone(name)).or_default().push(id);
+            }
+            by_name
+        });
+        by_name.get(name).into_iter().flatten().copied().filter(move |&id| accept(id))
+    }
+}
+
+/// The name of an element as paths have it: of documents before version 3.5, OpenSim takes the blanks out of names.
+fn name_in_paths(document: &Document, id: ElementId) -> Cow<'_, str> {
+    const FIRST_WITH_BLANKS: u32 = 30500;
+    let name = document.tree().attribute(id, "name").unwrap_or_default();
+    let is_blank = |letter: char| letter.is_ascii_whitespace() || letter == '\u{b}';
+    if document.version() >= FIRST_WITH_BLANKS || !name.contains(is_blank) {
+        return name;
+    }
+    Cow::Owned(name.chars().filter(|&letter| !is_blank(letter)).collect())
+}

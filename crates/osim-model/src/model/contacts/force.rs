@@ -1,0 +1,165 @@
+//! Contact forces as typed values over the tree.
+
+use foldhash::{HashSet, HashSetExt};
+
+use super::ids::{ForceId, SetId, SphereId};
+use super::slot::Slot;
+use crate::model::class::Class;
+use crate::model::components::{Base, ComponentId};
+use crate::model::fault::{Fault, FileId};
+use crate::model::property::Property;
+use crate::model::value::Value;
+use crate::xml::ElementId;
+
+/// Which contact force class.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum ForceKind {
+    /// `HuntCrossleyForce`
+    HuntCrossley,
+    /// `SmoothSphereHalfSpaceForce`
+    SmoothSphereHalfSpace,
+}
+
+impl ForceKind {
+    /// OpenSim's class name.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::HuntCrossley => "HuntCrossleyForce",
+            Self::SmoothSphereHalfSpace => "SmoothSphereHalfSpaceForce",
+        }
+    }
+}
+
+/// One contact force.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Force {
+    /// Its handle in the model.
+    pub id: ForceId,
+    /// Name as in the file.
+    pub name: String,
+    /// Component path.
+    pub path: String,
+    /// Class.
+    pub kind: ForceKind,
+    /// Whether it is switched on (`appliesForce`, or `isDisabled` in old documents).
+    pub applies: bool,
+    /// One for a `SmoothSphereHalfSpaceForce`, one per `ContactParameters` for a `HuntCrossleyForce`.
+    pub sets: Vec<ParameterSet>,
+    /// The force's own `transition_velocity`.
+    pub transition_velocity: Value,
+    /// Line of its element, from 1.
+    pub line: usize,
+    /// The file it is in.
+    pub file: FileId,
+    pub(crate) element: ElementId,
+}
+
+/// Parameters and the surfaces they belong to.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct ParameterSet {
+    /// Its handle in the force.
+    pub id: SetId,
+    /// Number of the `ContactParameters` for reports, from 0; `None` for a `SmoothSphereHalfSpaceForce`, which has one set.
+    pub number: Option<usize>,
+    /// Its spheres.
+    pub spheres: Vec<SphereId>,
+    /// Number of half-spaces among the surfaces.
+    pub half_spaces: usize,
+    /// Number of surfaces that are neither sphere nor half-space (meshes and others).
+    pub other_surfaces: usize,
+    /// Effective values, in OpenSim's order; `transition_velocity` among them for a `SmoothSphereHalfSpaceForce`.
+    pub values: Vec<Value>,
+    /// Whether the whole set is in `<defaults>`, where other forces find it too.
+    pub inherited: bool,
+    /// Line of its element, from 1.
+    pub line: usize,
+    pub(crate) element: ElementId,
+    pub(crate) class: Class,
+    pub(crate) half_space_bases: Vec<Base>,
+    /// Those of its half-spaces that are components of their own.
+    pub(crate) half_space_components: Vec<ComponentId>,
+    /// The force, where it keeps its half-space inside itself (Moco 0.1 to 0.3).
+    pub(crate) half_space_inside: Option<ComponentId>,
+}
+
+impl ParameterSet {
+    /// The value of `property`, if this class has it.
+    #[must_use]
+    pub fn value(&self, property: Property) -> Option<&Value> {
+        self.values.iter().find(|value| value.property == property)
+    }
+}
+
+/// Up to so many spheres of a force are compared with each other.
+const FEW_SPHERES: usize = 16;
+
+impl Force {
+    /// Its element in its [`file`](Self::file).
+    #[must_use]
+    pub const fn element(&self) -> ElementId {
+        self.element
+    }
+
+    /// All spheres of the force, each once, in order.
+    #[must_use]
+    pub fn spheres(&self) -> Vec<SphereId> {
+        let all = || self.sets.iter().flat_map(|set| &set.spheres).copied();
+        if all().take(FEW_SPHERES + 1).count() > FEW_SPHERES {
+            let mut seen = HashSet::new();
+            return all().filter(|&sphere| seen.insert(sphere)).collect();
+        }
+        let mut found = Vec::with_capacity(all().count());
+        for sphere in all() {
+            if !found.contains(&sphere) {
+                found.push(sphere);
+            }
+        }
+        found
+    }
+
+    /// A parameter set; `None` if there is none: then the handle is another force's.
+    #[must_use]
+    pub fn set(&self, set: SetId) -> Option<&ParameterSet> {
+        self.sets.get(set.0)
+    }
+
+    /// The value of `property` in parameter set `set`, or of the force itself; `None` where the class has no such property.
+    #[must_use]
+    pub fn value(&self, set: SetId, property: Property) -> Option<&Value> {
+        self.set(set)
+            .and_then(|set| set.value(property))
+            .or_else(|| (self.transition_velocity.property == property).then_some(&self.transition_velocity))
+    }
+
+    /// The number of `property` in its own unit, if it can be scaled; `None` where the class has no such property.
+    ///
+    /// # Errors
+    /// A text that is not a plain number, or a number outside its domain, with its place.
+    pub fn checked(&self, set: SetId, property: Property) -> Result<Option<f64>, Fault> {
+        let Some(value) = self.value(set, property) else { return Ok(None) };
+        value.checked().map(Some).map_err(|fault| fault.of(self.path.clone()).in_file(self.file))
+    }
+
+    /// Where `property` of parameter set `set`, or of the force itself, is; `None` where the class has no such property.
+    #[must_use]
+    pub fn slot(&self, set: SetId, property: Property) -> Option<Slot> {
+        let own = self.set(set).and_then(|set| Some((set, set.value(property)?)));
+        let (value, object, class) = match own {
+            Some((set, value)) => (value, set.element, set.class),
+            None if self.transition_velocity.property == property => {
+                (&self.transition_velocity, self.element, Class::HuntCrossleyForce)
+            }
+            None => return None,
+        };
+        let (span, offset) = (value.span.clone(), value.offset);
+        Some(Slot { file: self.file, object, class, tag: property.name(), span, offset })
+    }
+
+    pub(crate) fn half_space_bases(&self) -> impl Iterator<Item = Base> + '_ {
+        self.sets.iter().flat_map(|set| set.half_space_bases.iter().copied())
+    }
+}

@@ -1,0 +1,168 @@
+//! Half-spaces: the floor, and other planes that spheres meet.
+
+use crate::xml::ElementId;
+
+use super::orientation::Orientation;
+use super::slot::Slot;
+use crate::model::class::Class;
+use crate::model::components::{Base, ComponentId, Components};
+use crate::model::fault::FileId;
+use crate::model::reference_frame::Rotation;
+
+/// Components of a unit vector below this are what rounding left.
+const NOISE: f64 = 1e-12;
+
+/// A `ContactHalfSpace`.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct HalfSpace {
+    /// Name as in the file.
+    pub name: String,
+    /// Component path.
+    pub path: String,
+    /// Component path of its frame.
+    pub frame_path: String,
+    /// Its place in that frame, m; `None` where a number cannot be read.
+    pub location_m: Option<[f64; 3]>,
+    /// Whether its frame is ground, or fixed to ground by offset frames.
+    pub on_ground: bool,
+    /// Name of the body that carries its frame; `None` is ground or a body in a file that was not given.
+    pub body: Option<String>,
+    /// Its outward normal in the frame of ground or of the body that carries it; `None` where a number cannot be read.
+    pub normal: Option<[f64; 3]>,
+    /// A point of the plane in the same frame, m; `None` where a number cannot be read.
+    pub point_m: Option<[f64; 3]>,
+    /// How its frame is turned in ground or in that body; `None` where the frame leads nowhere.
+    pub frame_rotation: Option<Rotation>,
+    /// The orientations that turn it: its own, then those of the offset frames between it and ground or its body.
+    pub orientations: Vec<Orientation>,
+    /// The property that names its frame.
+    pub frame: FrameProperty,
+    /// The file it is in.
+    pub file: FileId,
+    /// Line of its element, from 1.
+    pub line: usize,
+    /// Its element in that file.
+    pub element: ElementId,
+    /// Where its place is in that file.
+    pub(crate) location_slot: Slot,
+    component: ComponentId,
+}
+
+/// The property that names a frame.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct FrameProperty {
+    /// Its name, such as `socket_frame`.
+    pub tag: String,
+    /// Its line, from 1.
+    pub line: usize,
+    /// What it says where the frame is ground.
+    pub ground: &'static str,
+}
+
+impl HalfSpace {
+    /// The half-space that `id` is or keeps inside itself, by the names of its socket and of its place; `turned` is how it is turned
+    /// that says nothing of it, rad.
+    pub(super) fn read(
+        components: &Components,
+        id: ComponentId,
+        (socket, legacy): (&str, &[&str]),
+        (location, orientation, turned): (&'static str, &'static str, [f64; 3]),
+    ) -> Option<Self> {
+        let (document, element) = (components.doc(id), components.element(id));
+        let connectee = components.connectee(id, socket, legacy)?;
+        let frame = components.frame(id, &connectee)?.component;
+        let base = components.base(frame).ok()?;
+        let place = match document.property_element(element, location) {
+            Some(_) => document.triple(element, location),
+            None => Some([0.0; 3]),
+        };
+        let own = Orientation::read(components, id, orientation, turned);
+        let frame_rotation = components.rotation_to_base(frame);
+        // The solid is where x is above 0 in the half-space's own frame.
+        let normal = own.angles_rad.zip(frame_rotation).map(|(angles, turned)| {
+            turned.after(&Rotation::body_fixed_xyz(angles)).to_body([-1.0, 0.0, 0.0])
+        });
+        let offsets = components.offset_frames(frame).into_iter();
+        let above = offsets.map(|frame| Orientation::read(components, frame, "orientation", [0.0; 3]));
+        let tag = document.tree().name(connectee.element).to_owned();
+        let frame_property = FrameProperty {
+            line: document.line(document.tree().span(connectee.element).start),
+            ground: if connectee.legacy { "ground" } else { "/ground" },
+            tag,
+        };
+        Some(HalfSpace {
+            name: components.name(id).into_owned(),
+            path: components.tree.path(id),
+            frame_path: frame.map_or_else(|| "/ground".to_owned(), |frame| components.tree.path(frame)),
+            location_m: place,
+            on_ground: base == Base::Ground,
+            body: match base {
+                Base::Body(body) => Some(components.name(body).into_owned()),
+                Base::Ground | Base::Unknown => None,
+            },
+            normal: normal.filter(|normal| normal.iter().all(|value| value.is_finite())),
+            point_m: place.and_then(|point| components.in_body(frame, point)),
+            frame_rotation,
+            orientations: std::iter::once(own).chain(above).collect(),
+            frame: frame_property,
+            file: components.file_of(id),
+            line: components.line(id),
+            element,
+            location_slot: location_slot(components, id, location),
+            component: id,
+        })
+    }
+}
+
+impl HalfSpace {
+    /// Where its place is in the file.
+    #[must_use]
+    pub fn location_slot(&self) -> Slot {
+        self.location_slot.clone()
+    }
+
+    /// Its own place in its frame (m) where it moves by `up_m` along its normal; `None` where its place cannot be read.
+    #[must_use]
+    pub fn location_moved_up(&self, up_m: f64) -> Option<[f64; 3]> {
+        let (place, normal) = (self.location_m?, self.normal?);
+        let in_frame = self.frame_rotation?.inverse().to_body(normal);
+        Some(std::array::from_fn(|i| {
+            // What rounding left of a turned normal moves nothing.
+            let part = if in_frame[i].abs() < NOISE { 0.0 } else { in_frame[i] };
+            place[i] + up_m * part
+        }))
+    }
+
+    /// Its own orientation, rad, with which its normal would have this `direction` of ground or of the body that carries it.
+    #[must_use]
+    pub fn orientation_facing(&self, direction: [f64; 3]) -> Option<[f64; 3]> {
+        let in_frame = self.frame_rotation?.inverse().to_body(direction);
+        // What rounding left would turn it about y by any angle.
+        Some(Orientation::facing(in_frame.map(|value| if value.abs() < NOISE { 0.0 } else { value })))
+    }
+}
+
+/// Where the place of a half-space is, or the object that would get it: itself, or the force that keeps it inside.
+fn location_slot(components: &Components, id: ComponentId, tag: &'static str) -> Slot {
+    let (document, object) = (components.doc(id), components.element(id));
+    let tree = document.tree();
+    let span = tree.child(object, tag).map(|element| {
+        let raw = tree.raw_text(element);
+        if raw.span.is_empty() { tree.span(element) } else { raw.span }
+    });
+    let class = match components.tag(id) {
+        "ContactHalfSpace" => Class::ContactHalfSpace,
+        _ => Class::SmoothSphereHalfSpaceForce,
+    };
+    let offset = span.as_ref().map_or(tree.span(object).start, |span| span.start);
+    Slot { file: components.file_of(id), object, class, tag, span, offset }
+}
+
+impl PartialEq for HalfSpace {
+    /// Whether both are the same half-space of a model.
+    fn eq(&self, other: &Self) -> bool {
+        self.component == other.component
+    }
+}

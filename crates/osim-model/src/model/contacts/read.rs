@@ -1,0 +1,408 @@
+//! Reading contacts: every spelling of spheres, forces and their connections becomes the same typed values.
+
+use super::force::{Force, ForceKind, ParameterSet};
+use super::ids::{ForceId, SetId, SphereId};
+use super::sphere::{Sphere, SphereSpelling};
+use crate::model::class::Class;
+use crate::model::components::{Base, ComponentId, Components};
+use crate::model::document::Document;
+use crate::model::fault::Fault;
+use crate::model::finding::Finding;
+use crate::model::property::Property;
+use crate::model::rules::{connectee_by_name, misnamed_parameter_set};
+use crate::model::skeleton::Skeleton;
+use crate::model::value::Value;
+use crate::xml::ElementId;
+use crate::xml::opensim_text::{self, is_disabled};
+
+/// The frame a geometry is attached to.
+struct Attachment {
+    path: String,
+    base: Base,
+    component: Option<ComponentId>,
+}
+
+/// A surface named by a force.
+#[derive(Clone, Copy)]
+enum Surface {
+    Sphere(SphereId),
+    HalfSpace(ComponentId, Base),
+    Other,
+}
+
+/// Reads spheres and forces of all components.
+pub(crate) struct ContactReader<'r> {
+    pub components: &'r Components,
+    pub skeleton: &'r Skeleton,
+    pub spheres: Vec<Sphere>,
+    pub forces: Vec<Force>,
+    pub warnings: Vec<Finding>,
+    sphere_components: Vec<ComponentId>,
+}
+
+impl<'r> ContactReader<'r> {
+    pub(crate) fn new(components: &'r Components, skeleton: &'r Skeleton) -> Self {
+        Self {
+            components,
+            skeleton,
+            spheres: vec![],
+            forces: vec![],
+            warnings: vec![],
+            sphere_components: vec![],
+        }
+    }
+
+    /// All spheres first, then all forces, each in file order.
+    pub(crate) fn read(&mut self) -> Result<(), Fault> {
+        self.components.check_texts()?;
+        for (id, _) in self.components.tree.iter() {
+            if self.components.tag(id) == "ContactSphere" {
+                self.add_sphere(id)?;
+            }
+        }
+        for (id, _) in self.components.tree.iter() {
+            match self.components.tag(id) {
+                "SmoothSphereHalfSpaceForce" => self.add_smooth(id)?,
+                "HuntCrossleyForce" => self.add_hunt_crossley(id)?,
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn add_sphere(&mut self, id: ComponentId) -> Result<(), Fault> {
+        let (document, element) = (self.components.doc(id), self.components.element(id));
+        let frame = self.attachment(id, "frame", &["body_name"])?;
+        let radius = document.value(element, Class::ContactSphere, Property::Radius, "radius");
+        let location = document.whole_triple(element, "location").map_err(|fault| self.said_of(id, fault))?;
+        let location_m = location.unwrap_or([0.0; 3]);
+        let name = self.components.name(id).into_owned();
+        self.push_sphere(id, name, radius, location_m, frame, SphereSpelling::ContactSphere);
+        self.sphere_components.push(id);
+        Ok(())
+    }
+
+    fn push_sphere(
+        &mut self,
+        id: ComponentId,
+        name: String,
+        radius: Value,
+        location_m: [f64; 3],
+        frame: Attachment,
+        spelling: SphereSpelling,
+    ) {
+        let Attachment { path: frame, base, component: frame_component } = frame;
+        let document = self.components.doc(id);
+        let location = document.tree().child(self.components.element(id), spelling.location_tag());
+        let location_span = location.map(|element| {
+            let raw = document.tree().raw_text(element);
+            if raw.span.is_empty() { document.tree().span(element) } else { raw.span }
+        });
+        let body = match base {
+            Base::Body(body) => Some(self.components.name(body).into_owned()),
+            Base::Ground | Base::Unknown => None,
+        };
+        let element = self.components.element(id);
+        self.spheres.push(Sphere {
+            id: SphereId(self.spheres.len()),
+            name,
+            path: self.components.tree.path(id),
+            radius,
+            location_m,
+            frame,
+            body,
+            fixed: self.skeleton.is_fixed(base),
+            line: self.components.line(id),
+            file: self.components.file_of(id),
+            element,
+            start: document.tree().span(element).start,
+            base,
+            spelling,
+            frame_component,
+            location_span,
+        });
+    }
+
+    /// The frame a geometry is attached to: its path and the body that carries it.
+    fn attachment(&mut self, id: ComponentId, socket: &str, legacy: &[&str]) -> Result<Attachment, Fault> {
+        let Some(connectee) = self.components.connectee(id, socket, legacy) else {
+            return Err(self.components.unresolved(id, "", "frame it is attached to"));
+        };
+        let Some(found) = self.components.frame(id, &connectee) else {
+            // A geometry set that stands alone points into a model that may not have been read.
+            let alone = self.components.tag(self.components.tree.root_of(id)) != "Model";
+            return if alone {
+                Ok(Attachment { path: connectee.text, base: Base::Unknown, component: None })
+            } else {
+                Err(self.components.unresolved(id, &connectee.text, "frame it is attached to"))
+            };
+        };
+        if found.by_name {
+            self.say_by_name(id, &connectee.text, connectee.element, found.component);
+        }
+        let path =
+            found.component.map_or_else(|| "/ground".to_owned(), |object| self.components.tree.path(object));
+        Ok(Attachment { path, base: self.components.base(found.component)?, component: found.component })
+    }
+
+    fn say_by_name(
+        &mut self,
+        owner: ComponentId,
+        text: &str,
+        element: ElementId,
+        found: Option<ComponentId>,
+    ) {
+        let path = found.map_or_else(|| "/ground".to_owned(), |id| self.components.tree.path(id));
+        let line = self.components.doc(owner).line(self.components.doc(owner).tree().span(element).start);
+        let whose = self.components.tree.path(owner);
+        self.warnings.push(connectee_by_name::of_connectee(text, &whose, &path, line));
+    }
+
+    /// The surface that `text` of `force` means; `socket` is the class that it has to be of, `None` in a `<geometry>` list.
+    fn surface(
+        &mut self,
+        force: ComponentId,
+        text: &str,
+        element: ElementId,
+        socket: Option<&str>,
+    ) -> Result<Surface, Fault> {
+        let accept = |id: ComponentId| {
+            let tag = self.components.tag(id);
+            socket.map_or_else(|| GEOMETRY.contains(&tag), |class| class == tag)
+        };
+        let (id, by_name) = match socket {
+            // In a `<geometry>` list: a path from the model, then a member of its geometry set.
+            None => self.in_model(text, accept).map(|id| (id, false)),
+            Some(_) => None,
+        }
+        .or_else(|| self.components.resolve(force, text, accept))
+        .ok_or_else(|| self.components.unresolved(force, text, "contact geometry of that name"))?;
+        if by_name {
+            self.say_by_name(force, text, element, Some(id));
+        }
+        match self.components.tag(id) {
+            "ContactSphere" => {
+                let index = self.sphere_components.binary_search(&id).unwrap_or_default();
+                Ok(Surface::Sphere(SphereId(index)))
+            }
+            "ContactHalfSpace" => {
+                Ok(Surface::HalfSpace(id, self.attachment(id, "frame", &["body_name"])?.base))
+            }
+            _ => Ok(Surface::Other),
+        }
+    }
+
+    fn in_model(&self, name: &str, accept: impl Fn(ComponentId) -> bool) -> Option<ComponentId> {
+        let root = self.components.tree.first()?;
+        let from_root = self.components.tree.at_path(root, name).filter(|&id| accept(id));
+        let in_set = || self.components.tree.at_path(root, &format!("/contactgeometryset/{name}"));
+        from_root.or_else(|| in_set().filter(|&id| accept(id)))
+    }
+
+    /// Up to 30508 a force is switched off by `isDisabled`, too: the first of both elements counts. Later documents ignore it.
+    fn applies(&self, id: ComponentId) -> Result<bool, Fault> {
+        let (document, element) = (self.components.doc(id), self.components.element(id));
+        let tree = document.tree();
+        let in_words = |element| -> Result<bool, Fault> { Ok(!is_disabled(&document.whole_text(element)?)) };
+        if document.version() <= LAST_VERSION_WITH_IS_DISABLED {
+            for object in std::iter::once(element).chain(document.defaults_of(element)) {
+                let first =
+                    tree.children(object).find(|&id| ["isDisabled", "appliesForce"].contains(&tree.name(id)));
+                match first.map(|id| (tree.name(id), id)) {
+                    Some(("isDisabled", disabled)) => return in_words(disabled),
+                    Some(_) => break,
+                    None => {}
+                }
+            }
+        }
+        Ok(document.flag(element, "appliesForce")?.unwrap_or(true))
+    }
+
+    fn add_smooth(&mut self, id: ComponentId) -> Result<(), Fault> {
+        let class = Class::SmoothSphereHalfSpaceForce;
+        let (document, element) = (self.components.doc(id), self.components.element(id));
+        let mut set = self.parameter_set(document, element, class, None);
+        if self.components.connectee(id, "sphere_frame", &[]).is_some() {
+            let sphere = self.add_sphere_inside(id)?;
+            set.spheres.push(sphere);
+            let base = self.attachment(id, "half_space_frame", &[]).map_or(Base::Unknown, |plane| plane.base);
+            set.half_space_bases.push(base);
+            set.half_space_inside = Some(id);
+            self.take_first_constant(&mut set, document, element);
+        } else {
+            for (socket, class) in [("sphere", "ContactSphere"), ("half_space", "ContactHalfSpace")] {
+                let Some(connectee) = self.components.connectee(id, socket, &[]) else {
+                    return Err(self.components.unresolved(id, "", "contact geometry of its socket"));
+                };
+                let surface = self.surface(id, &connectee.text, connectee.element, Some(class))?;
+                set.add(surface);
+            }
+        }
+        set.half_spaces = set.half_space_bases.len();
+        let transition_velocity =
+            document.value(element, class, Property::TransitionVelocity, Property::TransitionVelocity.name());
+        self.push_force(id, ForceKind::SmoothSphereHalfSpace, vec![set], transition_velocity)
+    }
+
+    /// The first version of the class had another name for `constant_contact_force`.
+    fn take_first_constant(&self, set: &mut ParameterSet, document: &Document, element: ElementId) {
+        let has = |tag: &str| document.tree().child(element, tag).is_some();
+        let constant = Property::ConstantContactForce;
+        if has(FIRST_CONSTANT) && !has(constant.name()) {
+            let values = set.values.iter_mut().filter(|value| value.property == constant);
+            values.for_each(|value| *value = document.value(element, set.class, constant, FIRST_CONSTANT));
+        }
+    }
+
+    /// Moco 0.1 to 0.3: the sphere's frame, radius and location are in the force.
+    fn add_sphere_inside(&mut self, id: ComponentId) -> Result<SphereId, Fault> {
+        let (document, element) = (self.components.doc(id), self.components.element(id));
+        let frame = self.attachment(id, "sphere_frame", &[])?;
+        let tag = SphereSpelling::InsideForce.radius_tag();
+        let radius = document.value(element, Class::SmoothSphereHalfSpaceForce, Property::Radius, tag);
+        let location = document.triple(element, "contact_sphere_location").unwrap_or([0.0; 3]);
+        let name = self.components.name(id).into_owned();
+        self.push_sphere(id, name, radius, location, frame, SphereSpelling::InsideForce);
+        Ok(SphereId(self.spheres.len() - 1))
+    }
+
+    fn add_hunt_crossley(&mut self, id: ComponentId) -> Result<(), Fault> {
+        let (document, element) = (self.components.doc(id), self.components.element(id));
+        let mut sets = Vec::new();
+        let own = parameter_sets_of(document, element);
+        let inherited = own.is_none();
+        let container = own.or_else(|| parameter_sets_of(document, document.defaults_of(element)?));
+        match container {
+            Some(container) => {
+                let tree = document.tree();
+                let items =
+                    tree.child(container, "objects").into_iter().flat_map(|objects| tree.children(objects));
+                for item in items.filter(|&item| tree.name(item) == Class::ContactParameters.tag()) {
+                    let mut set =
+                        self.parameter_set(document, item, Class::ContactParameters, Some(sets.len()));
+                    set.inherited = inherited;
+                    if let Some(geometry) = document.property_element(item, "geometry") {
+                        let names = document.whole_text(geometry).map_err(|fault| self.said_of(id, fault))?;
+                        for name in opensim_text::list(&names) {
+                            let surface = self.surface(id, name, geometry, None)?;
+                            set.add(surface);
+                        }
+                    }
+                    set.half_spaces = set.half_space_bases.len();
+                    sets.push(set);
+                }
+            }
+            None => self.warn_misnamed_set(id, document, element),
+        }
+        let class = Class::HuntCrossleyForce;
+        let transition_velocity =
+            document.value(element, class, Property::TransitionVelocity, Property::TransitionVelocity.name());
+        self.push_force(id, ForceKind::HuntCrossley, sets, transition_velocity)
+    }
+
+    fn warn_misnamed_set(&mut self, id: ComponentId, document: &Document, element: ElementId) {
+        let tree = document.tree();
+        let set = tree.children(element).find(|&child| tree.name(child) == CONTACT_PARAMETERS_SET);
+        if let Some(set) = set {
+            let name = tree.attribute(set, "name").unwrap_or_default();
+            let whose = self.components.tree.path(id);
+            let line = document.line(tree.span(set).start);
+            self.warnings.push(misnamed_parameter_set::of_set(&name, &whose, line));
+        }
+    }
+
+    fn parameter_set(
+        &self,
+        document: &Document,
+        element: ElementId,
+        class: Class,
+        number: Option<usize>,
+    ) -> ParameterSet {
+        let value = |&property: &Property| document.value(element, class, property, property.name());
+        ParameterSet {
+            id: SetId(number.unwrap_or_default()),
+            number,
+            spheres: vec![],
+            half_spaces: 0,
+            other_surfaces: 0,
+            values: class.parameters().iter().map(value).collect(),
+            line: document.line(document.tree().span(element).start),
+            element,
+            class,
+            half_space_bases: vec![],
+            half_space_components: vec![],
+            half_space_inside: None,
+            inherited: false,
+        }
+    }
+
+    fn push_force(
+        &mut self,
+        id: ComponentId,
+        kind: ForceKind,
+        sets: Vec<ParameterSet>,
+        transition_velocity: Value,
+    ) -> Result<(), Fault> {
+        let applies = self.applies(id).map_err(|fault| self.said_of(id, fault))?;
+        self.forces.push(Force {
+            id: ForceId(self.forces.len()),
+            name: self.components.name(id).into_owned(),
+            path: self.components.tree.path(id),
+            kind,
+            applies,
+            sets,
+            transition_velocity,
+            line: self.components.line(id),
+            file: self.components.file_of(id),
+            element: self.components.element(id),
+        });
+        Ok(())
+    }
+
+    fn said_of(&self, id: ComponentId, fault: Fault) -> Fault {
+        fault.of(self.components.tree.path(id)).in_file(self.components.file_of(id))
+    }
+}
+
+impl ParameterSet {
+    fn add(&mut self, surface: Surface) {
+        match surface {
+            Surface::Sphere(sphere) => self.spheres.push(sphere),
+            Surface::HalfSpace(id, base) => {
+                self.half_space_bases.push(base);
+                self.half_space_components.push(id);
+            }
+            Surface::Other => self.other_surfaces += 1,
+        }
+    }
+}
+
+/// OpenSim's classes of contact geometry.
+const GEOMETRY: [&str; 6] = [
+    "ContactSphere",
+    "ContactHalfSpace",
+    "ContactMesh",
+    "ContactEllipsoid",
+    "ContactCylinder",
+    "ContactTorus",
+];
+/// What the first version of Moco's class called `constant_contact_force`.
+pub(super) const FIRST_CONSTANT: &str = "derivative_smoothing";
+const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
+const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";
+
+/// The list of parameter sets, in any of its three spellings. OpenSim prefers the wrapper `<contact_parameters>`, then
+/// the set of that name, then one without a name (documents of version 2), wherever they are.
+fn parameter_sets_of(document: &Document, force: ElementId) -> Option<ElementId> {
+    let tree = document.tree();
+    if let Some(wrapper) = tree.child(force, "contact_parameters") {
+        return tree.child(wrapper, CONTACT_PARAMETERS_SET);
+    }
+    let called = |accept: fn(&str) -> bool| {
+        tree.children(force).find(|&child| {
+            tree.name(child) == CONTACT_PARAMETERS_SET
+                && accept(&tree.attribute(child, "name").unwrap_or_default())
+        })
+    };
+    called(|name| name == "contact_parameters").or_else(|| called(str::is_empty))
+}

@@ -1,0 +1,410 @@
+//! One file: its bytes, its tree, its version, its data root and its `<defaults>`.
+
+use std::borrow::Cow;
+use std::ops::Range;
+use std::sync::OnceLock;
+
+use crate::xml::opensim_text::{NumberFault, flag, number, trimmed, triple};
+use crate::xml::{ElementId, LineIndex, Position, SyntaxError, Tree};
+use foldhash::{HashMap, HashMapExt};
+
+use crate::model::class::Class;
+use crate::model::fault::{Fault, FaultKind};
+use crate::model::property::Property;
+use crate::model::value::{Origin, Value};
+
+/// Sets of a model that OpenSim also reads from files of their own.
+const FILE_SETS: [&str; 9] = [
+    "BodySet",
+    "ComponentSet",
+    "ConstraintSet",
+    "ContactGeometrySet",
+    "ControllerSet",
+    "ForceSet",
+    "JointSet",
+    "MarkerSet",
+    "ProbeSet",
+];
+/// Such sets of a force.
+const PARAMETER_SETS: [&str; 2] =
+    ["HuntCrossleyForce::ContactParametersSet", "ElasticFoundationForce::ContactParametersSet"];
+
+/// A scanned OpenSim document, with its bytes.
+///
+/// ```
+/// let text = r#"<OpenSimDocument Version="40000"><Model name="walker"/></OpenSimDocument>"#;
+/// let document = osim_model::Document::parse(text)?;
+/// assert_eq!(document.version(), 40000);
+/// assert_eq!(document.tree().name(document.data_root()), "Model");
+/// assert_eq!(document.bytes(), text.as_bytes());
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Document {
+    tree: Tree,
+    version: u32,
+    data_root: ElementId,
+    defaults: Option<ElementId>,
+    /// The first object of each class in `defaults`.
+    by_class: HashMap<String, DefaultObject>,
+    may_include: OnceLock<bool>,
+    /// Built when a line is first asked for.
+    lines: OnceLock<LineIndex>,
+}
+
+impl Document {
+    /// Scans `bytes` and finds version, data root and defaults.
+    ///
+    /// # Errors
+    /// What is not one well-formed XML document, or not an OpenSim document, with its place.
+    pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {
+        Self::of_tree(Tree::scan(bytes)?)
+    }
+
+    /// The same document after an edit: [`Tree::edited`] says what `edits` are.
+    ///
+    /// # Errors
+    /// As [`Document::parse`].
+    pub fn edited(&self, bytes: impl Into<Vec<u8>>, edits: &[(Range<usize>, usize)]) -> Result<Self, Fault> {
+        let mut edited = Self::of_tree(self.tree.edited(bytes, edits)?)?;
+        if let Some(lines) = self.lines.get() {
+            edited.lines = OnceLock::from(lines.edited(self.bytes(), edited.bytes(), edits));
+        }
+        if !self.may_include() && !edits_may_include(edited.bytes(), edits) {
+            return Ok(edited.including_nothing());
+        }
+        Ok(edited)
+    }
+
+    /// The same, where it is known that there is no `file="…"` in it.
+    pub(crate) fn including_nothing(self) -> Self {
+        Self { may_include: OnceLock::from(false), ..self }
+    }
+
+    fn of_tree(tree: Tree) -> Result<Self, Fault> {
+        let (version, data_root) =
+            version_and_data_root(&tree).map_err(|fault| fault.located(tree.bytes()))?;
+        let defaults = tree.child(data_root, "defaults");
+        let by_class = defaults.map(|defaults| defaults_by_class(&tree, defaults)).unwrap_or_default();
+        Ok(Self {
+            tree,
+            version,
+            data_root,
+            defaults,
+            by_class,
+            may_include: OnceLock::new(),
+            lines: OnceLock::new(),
+        })
+    }
+
+    /// The file, untouched.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        self.tree.bytes()
+    }
+
+    /// The file, untouched, without a copy.
+    #[must_use]
+    pub fn into_bytes(self) -> Vec<u8> {
+        self.tree.into_bytes()
+    }
+
+    /// The elements and their spans.
+    #[must_use]
+    pub fn tree(&self) -> &Tree {
+        &self.tree
+    }
+
+    /// `Version` of the document, for example 40000.
+    #[must_use]
+    pub fn version(&self) -> u32 {
+        self.version
+    }
+
+    /// The element that holds everything: `Model`, `ForceSet` or `ContactGeometrySet`.
+    #[must_use]
+    pub fn data_root(&self) -> ElementId {
+        self.data_root
+    }
+
+    /// Whether it holds a whole model, and no set that stands alone.
+    #[must_use]
+    pub fn is_model(&self) -> bool {
+        self.tree.name(self.data_root()) == "Model"
+    }
+
+    /// The `<defaults>` of the document, if it has any.
+    #[must_use]
+    pub fn defaults(&self) -> Option<ElementId> {
+        self.defaults
+    }
+
+    fn lines(&self) -> &LineIndex {
+        self.lines.get_or_init(|| LineIndex::new(self.bytes()))
+    }
+
+    /// Line (from 1) of the byte `offset` (from 0).
+    #[must_use]
+    pub fn line(&self, offset: usize) -> usize {
+        self.lines().line(self.bytes(), offset)
+    }
+
+    /// Line and column (from 1) of the byte `offset` (from 0).
+    #[must_use]
+    pub fn position(&self, offset: usize) -> Position {
+        self.lines().position(self.bytes(), offset)
+    }
+
+    /// The effective value of `property`, spelled `tag`, of `object`: element, else `<defaults>`, else class default.
+    pub(crate) fn value(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
+        if let Some(element) = self.tree.child(object, tag) {
+            return self.own_value(element, property, || self.inherited(object, class, property, tag).number);
+        }
+        self.inherited(object, class, property, tag)
+    }
+
+    fn own_value(&self, element: ElementId, property: Property, fallback: impl FnOnce() -> f64) -> Value {
+        let raw = self.tree.raw_text(element);
+        let (number, fault) = match number(&raw) {
+            Ok(number) => (number, None),
+            Err(NumberFault::Prefix { opensim_reads }) => {
+                (opensim_reads, Some(NumberFault::Prefix { opensim_reads }))
+            }
+            Err(fault) => (fallback(), Some(fault)),
+        };
+        let offset = if raw.span.is_empty() { self.tree.span(element).start } else { raw.span.start };
+        let span = if raw.span.is_empty() { self.tree.span(element) } else { raw.span };
+        // A blank that is not ASCII looks like one and does not count as one: show it.
+        let text = if raw.text.is_ascii() { raw.text } else { raw.text.escape_default().to_string() };
+        Value { property, number, origin: Origin::Element, span: Some(span), fault, text, offset }
+    }
+
+    fn inherited(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
+        let offset = self.tree.span(object).start;
+        match self.default_property(class.tag(), tag) {
+            Some(element) => Value {
+                origin: Origin::Defaults,
+                span: None,
+                offset,
+                ..self.own_value(element, property, || class.default(property))
+            },
+            None => Value {
+                property,
+                number: class.default(property),
+                origin: Origin::ClassDefault,
+                span: None,
+                fault: None,
+                text: String::new(),
+                offset,
+            },
+        }
+    }
+
+    fn may_include(&self) -> bool {
+        *self.may_include.get_or_init(|| may_include(self.bytes()))
+    }
+
+    /// Elements whose contents are in another file, and that file as written: `<ForceSet file="x.xml"/>`.
+    #[must_use]
+    pub fn included_files(&self) -> Vec<(ElementId, String)> {
+        if !self.may_include() {
+            return Vec::new();
+        }
+        let elements = self.tree.elements();
+        elements.filter_map(|id| Some((id, self.file_of(id)?.into_owned()))).collect()
+    }
+
+    /// The file in which OpenSim looks for the contents of `id`. It does so for sets that are a property of their object, the
+    /// first of each, and for members of `<components>` and `<frames>`; elsewhere it ignores `file`.
+    pub(crate) fn file_of(&self, id: ElementId) -> Option<Cow<'_, str>> {
+        if !self.may_include() {
+            return None;
+        }
+        let file = self.tree.attribute(id, "file").filter(|file| !file.is_empty())?;
+        let (parent, tag) = (self.tree.parent(id)?, self.tree.name(id));
+        let is_set = match self.tree.name(parent) {
+            "components" | "frames" => return Some(file),
+            "Model" => FILE_SETS.contains(&tag),
+            _ => PARAMETER_SETS.contains(&tag),
+        };
+        (is_set && self.tree.child(parent, tag) == Some(id)).then_some(file)
+    }
+
+    /// The class's object in `<defaults>`: the first of that class, whatever its name.
+    fn default_object(&self, class: &str) -> Option<&DefaultObject> {
+        self.by_class.get(class)
+    }
+
+    fn default_property(&self, class: &str, tag: &str) -> Option<ElementId> {
+        self.default_object(class)?.properties.get(tag).copied()
+    }
+
+    /// The element of a property: the object's own, else that of the class's object in `<defaults>`.
+    pub(crate) fn property_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
+        self.tree.child(object, tag).or_else(|| self.default_property(self.tree.name(object), tag))
+    }
+
+    /// The element of a property in the class's object in `<defaults>`, if it is there.
+    pub(crate) fn inherited_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
+        self.default_property(self.tree.name(object), tag)
+    }
+
+    /// The class's object in `<defaults>` for `object`, if there is one.
+    pub(crate) fn defaults_of(&self, object: ElementId) -> Option<ElementId> {
+        self.default_object(self.tree.name(object)).map(|default| default.element)
+    }
+
+    /// The text of a list or path.
+    ///
+    /// # Errors
+    /// Something in the middle of it, which OpenSim refuses.
+    pub(crate) fn whole_text(&self, element: ElementId) -> Result<Cow<'_, str>, Fault> {
+        self.tree.whole_text(element).ok_or_else(|| {
+            let property = self.tree.name(element).to_owned();
+            Fault::over(FaultKind::BrokenText { property }, self.tree.span(element))
+        })
+    }
+
+    /// The flag `tag` of `object` as OpenSim reads it, else what `<defaults>` say; `None` where neither is a flag.
+    ///
+    /// # Errors
+    /// Something in the middle of it, which OpenSim refuses.
+    pub fn flag(&self, object: ElementId, tag: &str) -> Result<Option<bool>, Fault> {
+        self.first_readable(object, tag, |element| Ok(flag(&self.whole_text(element)?)))
+    }
+
+    /// The three numbers of `tag`, such as a location, as OpenSim reads them: from `<defaults>` where `object` has none; `None` where
+    /// neither can be read. They need not be finite.
+    #[must_use]
+    pub fn triple(&self, object: ElementId, tag: &str) -> Option<[f64; 3]> {
+        self.whole_triple(object, tag).ok()?
+    }
+
+    /// The same.
+    ///
+    /// # Errors
+    /// Something in the middle of it, which OpenSim refuses.
+    pub(crate) fn whole_triple(&self, object: ElementId, tag: &str) -> Result<Option<[f64; 3]>, Fault> {
+        self.first_readable(object, tag, |element| Ok(triple(&self.whole_text(element)?)))
+    }
+
+    /// What `read` makes of the property `tag` of `object`, else of that in `<defaults>`.
+    fn first_readable<T>(
+        &self,
+        object: ElementId,
+        tag: &str,
+        read: impl Fn(ElementId) -> Result<Option<T>, Fault>,
+    ) -> Result<Option<T>, Fault> {
+        let own = self.tree.child(object, tag).map(&read).transpose()?.flatten();
+        if own.is_some() {
+            return Ok(own);
+        }
+        let inherited = self.default_property(self.tree.name(object), tag);
+        Ok(inherited.map(read).transpose()?.flatten())
+    }
+}
+
+/// An object in `<defaults>`, and the first of each of its properties: every object of its class asks for some of them.
+#[derive(Debug, Clone)]
+struct DefaultObject {
+    element: ElementId,
+    properties: HashMap<String, ElementId>,
+}
+
+fn defaults_by_class(tree: &Tree, defaults: ElementId) -> HashMap<String, DefaultObject> {
+    let mut by_class = HashMap::new();
+    for element in tree.children(defaults) {
+        by_class.entry(tree.name(element).to_owned()).or_insert_with(|| {
+            let mut properties = HashMap::new();
+            for property in tree.children(element) {
+                properties.entry(tree.name(property).to_owned()).or_insert(property);
+            }
+            DefaultObject { element, properties }
+        });
+    }
+    by_class
+}
+
+impl From<SyntaxError> for Fault {
+    fn from(error: SyntaxError) -> Self {
+        let bytes = error.bytes();
+        Self::at(FaultKind::Syntax(error.fault.clone()), error.offset).located(bytes)
+    }
+}
+
+fn version_and_data_root(tree: &Tree) -> Result<(u32, ElementId), Fault> {
+    let root = ElementId::ROOT;
+    if tree.name(root) != "OpenSimDocument" {
+        let kind = FaultKind::NotOpenSim { root: tree.name(root).to_owned() };
+        return Err(Fault::over(kind, tree.open_span(root)));
+    }
+    let found = trimmed(&tree.attribute(root, "Version").unwrap_or_default()).to_owned();
+    let Ok(version) = found.parse::<u32>() else {
+        return Err(Fault::over(FaultKind::NoVersion { found }, tree.open_span(root)));
+    };
+    match tree.children(root).next() {
+        Some(data_root) => Ok((version, data_root)),
+        None => {
+            let kind = FaultKind::WrongDataRoot { tag: "(nothing)".to_owned() };
+            Err(Fault::over(kind, tree.open_span(root)))
+        }
+    }
+}
+
+/// Whether `file="…"` may be somewhere in `bytes`: cheap, and never `false` if it is there.
+///
+/// Most models include nothing; finding that out must not cost a scan.
+#[must_use]
+pub fn may_include(bytes: &[u8]) -> bool {
+    memchr::memmem::find_iter(bytes, b"file").any(|at| {
+        let before = at.checked_sub(1).and_then(|at| bytes.get(at));
+        let after = bytes.get(at + 4..).unwrap_or_default().trim_ascii_start().first();
+        before.is_some_and(u8::is_ascii_whitespace) && after == Some(&b'=')
+    })
+}
+
+/// The same of what `edits` brought into `bytes`, and of what it stands beside now.
+fn edits_may_include(bytes: &[u8], edits: &[(Range<usize>, usize)]) -> bool {
+    let mut shift = 0_isize;
+    edits.iter().any(|(span, length)| {
+        let start = span.start.saturating_add_signed(shift);
+        shift = shift.saturating_add_unsigned(*length).saturating_sub_unsigned(span.len());
+        let before = bytes.get(..start).unwrap_or_default().trim_ascii_end().len().saturating_sub(5);
+        let end = start.saturating_add(*length).saturating_add(4).min(bytes.len());
+        let behind = bytes.get(end..).unwrap_or_default();
+        let end = (end + (behind.len() - behind.trim_ascii_start().len()) + 1).min(bytes.len());
+        bytes.get(before..end).is_none_or(may_include)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "<OpenSimDocument Version='40000'><Model name='m'><defaults><ContactSphere name='default'>\
+        <radius>0.5</radius></ContactSphere></defaults><ContactSphere name='own'><radius> 0.1 </radius>\
+        <radius>0.2</radius></ContactSphere><ContactSphere name='none'/></Model></OpenSimDocument>";
+
+    #[test]
+    fn the_first_element_counts_then_defaults_then_the_class() {
+        let document = Document::parse(TEXT).unwrap();
+        let spheres: Vec<_> = document.tree().children(document.data_root()).skip(1).collect();
+        let radius = |id| document.value(id, Class::ContactSphere, Property::Radius, "radius");
+        assert_eq!((radius(spheres[0]).number, radius(spheres[0]).origin), (0.1, Origin::Element));
+        assert_eq!(&TEXT[radius(spheres[0]).span.unwrap()], "0.1");
+        assert_eq!((radius(spheres[1]).number, radius(spheres[1]).origin), (0.5, Origin::Defaults));
+        assert_eq!(radius(spheres[1]).span, None);
+    }
+
+    #[test]
+    fn other_documents_are_named_for_what_they_are() {
+        for (text, code) in [
+            ("<html/>", "not-opensim"),
+            ("<OpenSimDocument><Model/></OpenSimDocument>", "not-opensim"),
+            ("<OpenSimDocument Version='x'><Model/></OpenSimDocument>", "not-opensim"),
+            ("<OpenSimDocument Version='40000'/>", "not-opensim"),
+        ] {
+            assert_eq!(Document::parse(text.as_bytes()).unwrap_err().code(), code);
+        }
+    }
+}

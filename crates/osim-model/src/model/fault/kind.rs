@@ -1,0 +1,379 @@
+//! The kinds of fault.
+
+use crate::messages::{Input, Phrase, Verb, phrase, readable};
+use crate::xml::SyntaxFault;
+use crate::xml::opensim_text::NumberFault;
+use contact_scaling::{DomainError, limits};
+
+use super::needed::Needed;
+use super::needs_answer::NeedsAnswer;
+
+/// Kinds of fault, each with what a program needs to know of it.
+///
+/// ```
+/// use osim_model::{FaultKind, Model, NumberFault, Property, SetId};
+///
+/// # let text = include_str!("../../../tests/data/one_foot.osim");
+/// // A decimal comma: OpenSim reads 1 and ignores the rest.
+/// let model = Model::parse(text.replace("<stiffness>1000000<", "<stiffness>1,5e6<"))?;
+/// let fault = model.forces()[0].checked(SetId::FIRST, Property::Stiffness).unwrap_err();
+/// let FaultKind::Number { property, text, fault: why } = &fault.kind else { panic!("{fault}") };
+/// assert_eq!((property.as_str(), text.as_str()), ("stiffness", "1,5e6"));
+/// assert_eq!(*why, NumberFault::Prefix { opensim_reads: 1.0 });
+/// // Line and column follow from the bytes.
+/// let place = fault.located(model.document().bytes()).position;
+/// assert_eq!(place.map(|place| place.line), Some(30));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum FaultKind {
+    /// Not one well-formed document.
+    Syntax(SyntaxFault),
+    /// XML, but not an OpenSim document.
+    NotOpenSim {
+        /// Tag of the root element.
+        root: String,
+    },
+    /// The `Version` attribute is missing or no number.
+    NoVersion {
+        /// The attribute as written.
+        found: String,
+    },
+    /// An OpenSim document of another kind.
+    WrongDataRoot {
+        /// Tag of the data root.
+        tag: String,
+    },
+    /// A number that a strict reader and OpenSim do not read alike.
+    Number {
+        /// OpenSim's property name.
+        property: String,
+        /// As written.
+        text: String,
+        /// Why it is not a plain number.
+        fault: NumberFault,
+    },
+    /// A text that OpenSim refuses because something is in the middle of it.
+    BrokenText {
+        /// Tag of the element.
+        property: String,
+    },
+    /// A number outside the domain in which the equations hold.
+    Domain {
+        /// OpenSim's property name.
+        property: String,
+        /// As OpenSim reads it.
+        value: f64,
+        /// The domain, in words.
+        expected: &'static str,
+    },
+    /// A number that would be written, and is not finite or outside the domain in which the equations hold.
+    NewValue {
+        /// OpenSim's property name.
+        property: String,
+        /// What it would be.
+        value: f64,
+        /// The domain, in words.
+        expected: &'static str,
+        /// What it comes from: the value before, the factor, the equation.
+        origin: String,
+    },
+    /// A `constant_contact_force` that would become 0.
+    ZeroConstantContactForce,
+    /// No contact forces in the model.
+    NoContacts {
+        /// What was looked for and what was found instead.
+        detail: String,
+    },
+    /// A path or name that leads nowhere.
+    Unresolved {
+        /// The component that points there.
+        owner: String,
+        /// The path or name as written.
+        connectee: String,
+        /// What should be there.
+        wanted: &'static str,
+    },
+    /// Something that only the caller can know.
+    Needed(Needed),
+    /// Something that looks like a slip, and is done only if the caller confirms it.
+    NeedsAnswer(NeedsAnswer),
+    /// A model that is to get contacts has some.
+    ContactsExist {
+        /// Names of their forces.
+        forces: String,
+    },
+    /// Bodies that carry spheres in the reference and are not in the model.
+    MissingCarriers {
+        /// Their names.
+        bodies: Vec<String>,
+    },
+    /// What should change is in another file, which the model names.
+    IncludedFile {
+        /// Component path.
+        path: String,
+        /// The file, as the model names it.
+        file: String,
+    },
+    /// What should change is in `<defaults>`.
+    ParametersInDefaults {
+        /// Component path of the force.
+        force: String,
+    },
+    /// A number that the caller said is outside its domain.
+    BadInput {
+        /// Which.
+        input: Input,
+        /// The number that the caller gave.
+        value: f64,
+        /// The domain, in words.
+        expected: &'static str,
+    },
+    /// Scale factors for a body that is not there.
+    UnknownBody {
+        /// The name that the caller gave.
+        body: String,
+    },
+    /// A sphere that is not in the reference.
+    UnknownReferenceSphere {
+        /// The name that the caller gave.
+        sphere: String,
+        /// Name of the reference.
+        reference: String,
+        /// The spheres it has.
+        known: Vec<String>,
+    },
+    /// The choice of forces leaves none.
+    NothingSelected {
+        /// Names of the forces there are, shortened.
+        forces: String,
+    },
+    /// Something that a change warns of, and that was to be refused.
+    StrictlyRefused {
+        /// What it is.
+        text: String,
+    },
+    /// A force for which a change cannot be made, and that can be left out of it.
+    LeaveOut {
+        /// What is wrong with it.
+        text: String,
+        /// Its name.
+        force: String,
+        /// Another way out, where there is one: a clause.
+        otherwise: &'static str,
+    },
+    /// A request that makes no sense for this model. The text names no input.
+    Refused(String),
+    /// A quantity given by the caller is outside its domain.
+    Quantity(DomainError),
+    /// A force that keeps its sphere inside itself, as Moco 0.1 to 0.3 wrote it, and that is to get the contacts of others.
+    OldDialect {
+        /// Its component path.
+        force: String,
+    },
+    /// Edits that overlap: a defect of this program, never of the file.
+    OverlappingEdits {
+        /// First byte of the second edit, or of the one that reaches past the end.
+        at: usize,
+    },
+}
+
+impl FaultKind {
+    /// Stable short name, as in the JSON `code`.
+    #[must_use]
+    pub fn code(&self) -> &'static str {
+        match self {
+            Self::Syntax(SyntaxFault::NotXml | SyntaxFault::Empty) => "not-xml",
+            Self::Syntax(SyntaxFault::Utf16 | SyntaxFault::SecondByteOrderMark) => "encoding",
+            Self::Syntax(SyntaxFault::DoctypeSubset) => "doctype",
+            Self::Syntax(_) => "malformed-xml",
+            Self::NotOpenSim { .. } | Self::NoVersion { .. } | Self::WrongDataRoot { .. } => "not-opensim",
+            Self::Number { .. } => "not-a-number",
+            Self::BrokenText { .. } => "broken-text",
+            Self::Domain { .. } | Self::NewValue { .. } | Self::ZeroConstantContactForce => "out-of-domain",
+            Self::NoContacts { .. } => "no-contacts",
+            Self::Unresolved { .. } => "unresolved",
+            Self::Needed(needed) => needed.code(),
+            Self::NeedsAnswer(asks) => asks.question().code(),
+            Self::ContactsExist { .. } => "contacts-exist",
+            Self::MissingCarriers { .. } => "missing-body",
+            Self::IncludedFile { .. } => "included-file",
+            Self::ParametersInDefaults { .. } => "parameters-in-defaults",
+            Self::BadInput { .. }
+            | Self::UnknownBody { .. }
+            | Self::UnknownReferenceSphere { .. }
+            | Self::NothingSelected { .. }
+            | Self::StrictlyRefused { .. }
+            | Self::LeaveOut { .. }
+            | Self::OldDialect { .. }
+            | Self::Refused(_) => "refused",
+            Self::Quantity(_) => "out-of-range",
+            Self::OverlappingEdits { .. } => "internal",
+        }
+    }
+
+    /// What is wrong and what was expected.
+    #[must_use]
+    pub fn phrase(&self) -> Phrase {
+        match self {
+            Self::Needed(needed) => needed.phrase(),
+            Self::NeedsAnswer(asks) => asks.phrase(),
+            Self::BadInput { input, value, expected } => {
+                phrase![*input, format!(" is {value}, expected {expected}")]
+            }
+            Self::UnknownBody { body } => {
+                phrase![Input::BodyScale.being(body), ": the model has no body of that name"]
+            }
+            Self::NoContacts { detail } => phrase![
+                detail.clone(),
+                ": give it contacts with ",
+                Verb::Add.of_model().with(Input::From, "OTHER"),
+            ],
+            Self::ContactsExist { forces } => phrase![
+                format!("the model has contacts already: {forces}; make them right with "),
+                Verb::Rescale.call(),
+                " or ",
+                Verb::Transfer.call(),
+                ", or replace them with ",
+                Input::Replace,
+            ],
+            Self::MissingCarriers { bodies } => {
+                let (is, first) = match bodies.as_slice() {
+                    [one] => (format!("body {one}, which carries"), one.as_str()),
+                    [one, ..] => (format!("bodies {}, which carry", bodies.join(", ")), one.as_str()),
+                    [] => (String::new(), ""),
+                };
+                phrase![
+                    format!("the model lacks {is} spheres in the reference: name what takes them here with "),
+                    Input::BodyMap.being(format!("{first}=BODY")),
+                ]
+            }
+            Self::UnknownReferenceSphere { sphere, reference, known } => phrase![
+                Input::ReferenceSphere.being(sphere),
+                match known.as_slice() {
+                    [] => format!(" is not in {reference}, whose contact belongs to no named sphere"),
+                    known => format!(" is not in {reference}, which has {}", known.join(", ")),
+                },
+            ],
+            Self::NothingSelected { forces } => phrase![
+                "no contact force is left by ",
+                Input::Select,
+                ", ",
+                Input::Exclude,
+                " and ",
+                Input::SkipDisabled,
+                format!("; the model has {forces}"),
+            ],
+            Self::ZeroConstantContactForce => phrase![
+                "the new constant_contact_force is 0, and OpenSim computes NaN with 0 whenever the sphere does not \
+                 slip, so in every model at rest: give it a small value, such as that of ",
+                Verb::Design
+                    .call()
+                    .saying(Input::ConstantIndentation, limits::SUGGESTED_CONSTANT_INDENTATION.to_string()),
+            ],
+            Self::StrictlyRefused { text } => {
+                phrase![text.clone(), " (refused because of ", Input::Strict, ")"]
+            }
+            Self::OldDialect { force } => phrase![
+                format!(
+                    "{force} keeps its sphere inside itself, as Moco 0.1 to 0.3 wrote it, and OpenSim 4.2 and later cannot read that: \
+                     first do "
+                ),
+                Verb::Convert.call().saying(Input::To, "smooth"),
+                ", then this with what it wrote",
+            ],
+            Self::LeaveOut { text, force, otherwise } => {
+                let other = if otherwise.is_empty() { String::new() } else { format!(", or {otherwise}") };
+                phrase![format!("{text}: leave this force out with "), Input::Exclude.being(force), other]
+            }
+            other => other.without_inputs().into(),
+        }
+    }
+
+    /// The text of a fault that names nothing that the caller can say.
+    fn without_inputs(&self) -> String {
+        match self {
+            Self::Syntax(fault) => fault.to_string(),
+            Self::NotOpenSim { root } => format!(
+                "this is XML but not an OpenSim document: the outermost element is <{root}>, expected <OpenSimDocument>"
+            ),
+            Self::NoVersion { found } => format!(
+                "<OpenSimDocument> has no readable Version (found '{found}'), expected a number like 40000"
+            ),
+            Self::WrongDataRoot { tag } => {
+                format!("the document holds a <{tag}>, expected a Model, a ForceSet or a ContactGeometrySet")
+            }
+            Self::Number { property, text, fault } => {
+                format!("{property} is '{text}', {}", number_hint(fault))
+            }
+            Self::BrokenText { property } => format!(
+                "{property} has a comment or element in the middle of its text, which OpenSim cannot read: remove it"
+            ),
+            Self::Domain { property, value, expected } => {
+                format!("{property} is {value}, expected {expected}")
+            }
+            Self::NewValue { property, value, expected, origin } => {
+                let value = readable(*value);
+                format!("the new {property} is {value}, expected {expected}: it comes from {origin}")
+            }
+            Self::Unresolved { owner, connectee, wanted } => {
+                format!("{owner}: nothing called '{connectee}' is in the file, expected the {wanted}")
+            }
+            Self::IncludedFile { path, file } => format!(
+                "{path} is in the file '{file}' that the model includes: open the model in OpenSim and save it as one \
+                 file, then change that"
+            ),
+            Self::ParametersInDefaults { force } => format!(
+                "{force} takes its ContactParameters from <defaults>, which may serve other forces too: write a \
+                 contact_parameters set into the force itself, then change that"
+            ),
+            Self::Refused(text) => text.clone(),
+            Self::Quantity(error) => error.to_string(),
+            Self::OverlappingEdits { at } => {
+                format!("internal error: two edits overlap at byte {at}; nothing was changed")
+            }
+            // All others have a phrase of their own.
+            _ => String::new(),
+        }
+    }
+}
+
+impl From<SyntaxFault> for FaultKind {
+    fn from(fault: SyntaxFault) -> Self {
+        Self::Syntax(fault)
+    }
+}
+
+impl From<Needed> for FaultKind {
+    fn from(needed: Needed) -> Self {
+        Self::Needed(needed)
+    }
+}
+
+impl From<NeedsAnswer> for FaultKind {
+    fn from(asks: NeedsAnswer) -> Self {
+        Self::NeedsAnswer(asks)
+    }
+}
+
+impl From<DomainError> for FaultKind {
+    fn from(error: DomainError) -> Self {
+        Self::Quantity(error)
+    }
+}
+
+fn number_hint(fault: &NumberFault) -> String {
+    match fault {
+        NumberFault::Empty => "expected a number: OpenSim silently takes its default here".to_owned(),
+        NumberFault::Prefix { opensim_reads } => {
+            format!(
+                "expected one plain number like 1.5e6: OpenSim reads {opensim_reads} and ignores the rest"
+            )
+        }
+        NumberFault::Unreadable => "expected a number: OpenSim silently takes its default instead".to_owned(),
+        NumberFault::Interrupted => {
+            "with a comment or element in the middle of it, expected one plain number".to_owned()
+        }
+    }
+}

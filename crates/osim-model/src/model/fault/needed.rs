@@ -1,0 +1,413 @@
+//! What only the caller can know.
+
+use crate::messages::{Input, Phrase, phrase, readable};
+
+use super::factor_question::FactorQuestion;
+use super::note_doubt::NoteDoubt;
+use super::way_out::{GravityFor, RadiusFrom, contacts_mass, known_contacts_mass, shared_sphere};
+
+/// The way out of a verb that takes no standalone set.
+const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on whole models";
+
+/// Something that has to be asked, because it is not in the files.
+///
+/// Each variant says what is not known; [`Needed::inputs`] are the fields that answer it.
+///
+/// ```
+/// use osim_model::messages::Input;
+/// use osim_model::{FaultKind, MassRequest, Model};
+///
+/// # let text = include_str!("../../../tests/data/one_foot.osim");
+/// // A model whose only body has no mass.
+/// let model = Model::parse(text.replace("<mass>10</mass>", ""))?;
+/// let fault = MassRequest::default().of_model(&model).unwrap_err();
+/// let FaultKind::Needed(needed) = fault.kind else { panic!("{fault}") };
+/// // A page can show a field for the mass; the text says it in words.
+/// assert_eq!((needed.code(), needed.inputs()), ("no-mass", vec![Input::Mass]));
+/// assert!(needed.phrase().to_string().starts_with("body 'foot_r' has no mass"));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Needed {
+    /// The mass of the model: a body has none.
+    BodyMass {
+        /// Name of the body.
+        body: String,
+    },
+    /// The mass of the model: its bodies have none together.
+    ModelMass {
+        /// How many bodies were summed.
+        bodies: usize,
+        /// Their sum, kg.
+        kg: f64,
+    },
+    /// The mass of the model: OpenSim counts a body in a loop of joints twice.
+    MassOfLoop,
+    /// What the contacts were made for: the note in the file cannot be relied on.
+    ContactsMass {
+        /// What the note says, kg.
+        noted_kg: Option<f64>,
+        /// Why it is in doubt.
+        doubt: NoteDoubt,
+        /// The field that answers it: [`Input::ReferenceMass`] for contacts that others are made from.
+        input: Input,
+    },
+    /// The gravity that the contacts were made for: the note in the file cannot be relied on.
+    ContactsGravity {
+        /// Why it is in doubt.
+        doubt: NoteDoubt,
+    },
+    /// Which forces are meant: they belong to several animals.
+    Selection {
+        /// The animals.
+        trees: Vec<TreeOfForces>,
+        /// The field that answers it: the model's own choice of forces, or that of a reference.
+        input: Input,
+    },
+    /// How many spheres share the weight.
+    SphereCount {
+        /// Of which body.
+        of: CountOf,
+        /// Why it is not known.
+        why: Phrase,
+    },
+    /// A choice of forces that leaves no sphere in two worlds.
+    SharedSphere {
+        /// Component path of the sphere.
+        sphere: String,
+        /// Names of the forces that change, shortened.
+        changed: String,
+        /// Names of the forces that stay.
+        left: Vec<String>,
+        /// Whether all of those can be chosen, too.
+        can_choose: bool,
+        /// Why its radius would change.
+        radius: RadiusFrom,
+    },
+    /// Whose contact to take: those of the reference differ.
+    ReferenceContact {
+        /// Name of the reference.
+        reference: String,
+        /// Spheres without one of the same name there.
+        unmatched: Vec<String>,
+    },
+    /// Whose contact to take for one force: its spheres have different ones in the reference.
+    ReferenceContactOfForce {
+        /// Component path of the force.
+        force: String,
+    },
+    /// The radius: those of the reference differ.
+    ReferenceRadius {
+        /// Name of the reference.
+        reference: String,
+        /// Spheres without one of the same name there.
+        unmatched: Vec<String>,
+    },
+    /// How a body was scaled.
+    BodyFactors {
+        /// Name of the body.
+        body: String,
+        /// Axes whose factor is not known.
+        axes: Vec<&'static str>,
+    },
+    /// How large a body is against that of another model.
+    Factors(FactorQuestion),
+    /// What to do with spheres that were moved already.
+    MovedSpheres {
+        /// Name of the model.
+        model: String,
+        /// Their names.
+        spheres: Vec<String>,
+    },
+    /// Whether a factor should be applied once more.
+    Repetition {
+        /// The operation, as the note has it.
+        operation: String,
+    },
+    /// No ScaleSet: by the note, spheres followed it already.
+    Followed,
+    /// The other half of a force set that stands alone.
+    Geometry,
+    /// The other half of a geometry set that stands alone.
+    ForceSet,
+    /// The load that an indentation is about.
+    Load,
+    /// A gravity: the file has none.
+    Gravity {
+        /// What it is needed for.
+        purpose: GravityFor,
+    },
+    /// What the contacts were made for: they are known ones, made for another mass than the bodies weigh.
+    KnownContactsMass {
+        /// As people cite them.
+        title: String,
+        /// The mass that they were made for, kg.
+        made_for_kg: f64,
+        /// What the bodies weigh, kg.
+        bodies_kg: f64,
+        /// As of [`Needed::ContactsMass`].
+        input: Input,
+    },
+    /// How bodies were scaled, which the note was to say: it has no sizes, or spheres were moved since.
+    NotedSizes,
+    /// The ratio of heights that PredSim's rule is about.
+    HeightRatio,
+}
+
+/// Forces of one animal.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TreeOfForces {
+    /// Name of the body that is joined to ground.
+    pub top: String,
+    /// Names of its forces, shortened.
+    pub forces: String,
+}
+
+/// Whose spheres are to be counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum CountOf {
+    /// The model's.
+    Model,
+    /// The reference's.
+    Reference,
+    /// Those of the body that a drop is compared with.
+    Compared,
+}
+
+impl CountOf {
+    /// The field that says it.
+    #[must_use]
+    pub const fn input(self) -> Input {
+        match self {
+            Self::Model => Input::Spheres,
+            Self::Reference => Input::ReferenceSpheres,
+            Self::Compared => Input::CompareSpheres,
+        }
+    }
+}
+
+impl Needed {
+    /// Stable short name, as in the JSON `code`.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::BodyMass { .. }
+            | Self::ModelMass { .. }
+            | Self::MassOfLoop
+            | Self::KnownContactsMass { .. }
+            | Self::ContactsMass { doubt: NoteDoubt::Absent, .. } => "no-mass",
+            Self::ContactsMass { .. } | Self::ContactsGravity { .. } => "stale-note",
+            Self::Selection { .. } => "several-trees",
+            Self::SphereCount { .. } => "sphere-count",
+            Self::SharedSphere { .. } => "shared-sphere",
+            Self::ReferenceContact { .. }
+            | Self::ReferenceContactOfForce { .. }
+            | Self::ReferenceRadius { .. } => "which-reference",
+            Self::NotedSizes | Self::BodyFactors { .. } | Self::Factors(_) => "body-scale",
+            Self::MovedSpheres { .. } => "moved-spheres",
+            Self::Repetition { .. } | Self::Followed => "same-operation",
+            Self::Geometry | Self::ForceSet => "incomplete-set",
+            Self::Load | Self::Gravity { .. } | Self::HeightRatio => "refused",
+        }
+    }
+
+    /// The fields that answer it, the usual one first.
+    #[must_use]
+    pub fn inputs(&self) -> Vec<Input> {
+        match self {
+            // The message begins with what was asked for.
+            Self::HeightRatio => vec![Input::HeightRatio, Input::FollowBodies],
+            other => other.phrase().inputs(),
+        }
+    }
+
+    /// What is not known, and how to say it.
+    #[must_use]
+    pub fn phrase(&self) -> Phrase {
+        match self {
+            Self::BodyMass { body } => phrase![
+                format!(
+                    "body '{body}' has no mass (OpenSim reads NaN): give it a <mass>, or say what the model weighs with "
+                ),
+                Input::Mass.like("KG"),
+            ],
+            Self::ModelMass { bodies, kg } => phrase![
+                match bodies {
+                    0 => "the mass is not in the file: no body is left to sum".to_owned(),
+                    count => format!("the {count} bodies weigh {} kg in all", readable(*kg)),
+                },
+                ": say what the model weighs with ",
+                Input::Mass.like("KG"),
+                ", or which mass its contacts are made for with ",
+                Input::ContactsMass.like("KG"),
+            ],
+            Self::MassOfLoop => phrase![
+                "joints form a loop with a WeldJoint or FreeJoint between bodies, where OpenSim counts the mass of a body twice: \
+                 say what the model weighs with ",
+                Input::Mass.like("KG"),
+            ],
+            Self::ContactsMass { noted_kg, doubt, input } => contacts_mass(*noted_kg, *doubt, *input),
+            Self::KnownContactsMass { title, made_for_kg, bodies_kg, input } => {
+                known_contacts_mass(title, *made_for_kg, *bodies_kg, *input)
+            }
+            Self::ContactsGravity { doubt } => phrase![
+                "it is not certain which gravity the contacts are made for, because ",
+                doubt.as_str(),
+                ": give that gravity with ",
+                Input::ContactsGravity.like("G"),
+            ],
+            Self::Selection { trees, input } => {
+                let each: Vec<_> =
+                    trees.iter().map(|tree| format!("{} (forces {})", tree.top, tree.forces)).collect();
+                phrase![
+                    "contact spheres stand on bodies that are joined only through ground: ",
+                    each.join("; "),
+                    ": say which forces are meant with ",
+                    input.like("GLOB"),
+                ]
+            }
+            other => other.about_spheres(),
+        }
+    }
+
+    /// Questions about spheres of the model.
+    fn about_spheres(&self) -> Phrase {
+        match self {
+            Self::SphereCount { of, why } => phrase![
+                "how many spheres share the body weight is not known: ",
+                why,
+                ": say it with ",
+                of.input().like("N"),
+            ],
+            Self::SharedSphere { sphere, changed, left, can_choose, radius } => {
+                let mut text = shared_sphere(sphere, changed, left, *can_choose);
+                text.push(&radius.phrase());
+                text
+            }
+            other => other.about_reference(),
+        }
+    }
+
+    /// Questions of transfers.
+    fn about_reference(&self) -> Phrase {
+        match self {
+            Self::ReferenceContact { reference, unmatched } => phrase![
+                format!(
+                    "the contacts of {reference} differ from each other, and it has no spheres with these names: {}",
+                    unmatched.join(", ")
+                ),
+                ": say whose contact to take with ",
+                Input::ReferenceSphere.like("NAME"),
+            ],
+            Self::ReferenceContactOfForce { force } => phrase![
+                format!("the spheres of {force} have different contacts in the reference"),
+                ": say whose contact to take with ",
+                Input::ReferenceSphere.like("NAME"),
+            ],
+            Self::ReferenceRadius { reference, unmatched } => phrase![
+                format!(
+                    "radii differ in {reference}, and it has no spheres with these names: {}",
+                    unmatched.join(", ")
+                ),
+                ": say the radius with ",
+                Input::Radius.like("METRES"),
+                ", or whose with ",
+                Input::ReferenceSphere.like("NAME"),
+                ", or keep radii with ",
+                Input::Radius.being("keep"),
+            ],
+            Self::BodyFactors { body, axes } => phrase![
+                format!("how body {body} was scaled along {} is not in the files", in_words(axes)),
+                Input::BodyScale.either(
+                    phrase![
+                        ": say it with ",
+                        Input::BodyScale.being(format!("{body}=x,y,z")),
+                        Input::BodyScaleFile.either(
+                            phrase![
+                                ", or give the ScaleSet that was applied with ",
+                                Input::BodyScaleFile.like("FILE")
+                            ],
+                            ""
+                        ),
+                    ],
+                    Input::BodyScaleFile.either(
+                        phrase![
+                            ": give the ScaleSet that was applied with ",
+                            Input::BodyScaleFile.like("FILE")
+                        ],
+                        ""
+                    ),
+                ),
+            ],
+            Self::Factors(question) => question.phrase(),
+            Self::MovedSpheres { model, spheres } => phrase![
+                format!(
+                    "spheres of {model} were moved or resized already, by another tool or by hand: {}",
+                    spheres.join(", ")
+                ),
+                ": keep them with ",
+                Input::MovedSpheres.being("keep"),
+                ", or place them again with ",
+                Input::MovedSpheres.being("replace"),
+            ],
+            other => other.about_request(),
+        }
+    }
+
+    /// Questions about what was asked for, and what belongs to it.
+    fn about_request(&self) -> Phrase {
+        match self {
+            Self::Repetition { operation } => phrase![
+                format!("the note in the file says that '{operation}' was done already"),
+                ": apply it once more with ",
+                Input::Force,
+            ],
+            Self::Followed => phrase![
+                "by the note in the file, spheres follow their bodies already, and a ScaleSet would move them once more: \
+                 leave out ",
+                Input::BodyScaleFile,
+            ],
+            Self::Geometry => phrase![
+                "this is a ForceSet that stands alone: its spheres are in another file, ",
+                Input::Geometry.either(phrase!["name it with ", Input::Geometry.like("FILE")], WHOLE_MODELS),
+            ],
+            Self::ForceSet => phrase![
+                "this is a ContactGeometrySet, which has no forces: ",
+                Input::Geometry.either(
+                    phrase!["name the ForceSet file and give this one as ", Input::Geometry.like("FILE")],
+                    WHOLE_MODELS,
+                ),
+            ],
+            Self::Load => phrase![
+                "an indentation needs a load: say ",
+                Input::Load.like("N"),
+                " or ",
+                Input::BodyWeights.like("B"),
+            ],
+            Self::NotedSizes => phrase![
+                "the note in the file does not say how bodies were scaled since (there is none, or spheres were moved): take \
+                 the contacts of the model that was scaled (transfer), or name the Scale Tool's file with ",
+                Input::BodyScaleFile.like("FILE"),
+            ],
+            Self::Gravity { purpose } => purpose.phrase(),
+            // `HeightRatio`; the others were answered before.
+            _ => phrase![
+                Input::Rule.being("predsim"),
+                " needs the ratio of heights: say ",
+                Input::HeightRatio.like("RATIO"),
+                ", or ",
+                Input::FollowBodies,
+            ],
+        }
+    }
+}
+
+/// One, two or all three axes in a sentence: `x, y and z`.
+fn in_words(axes: &[&str]) -> String {
+    match axes {
+        [x, y, z] => format!("{x}, {y} and {z}"),
+        fewer => fewer.join(" and "),
+    }
+}

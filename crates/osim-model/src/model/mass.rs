@@ -1,0 +1,259 @@
+//! Masses: what the model weighs, and the mass its contacts were made for.
+
+use std::collections::BTreeMap;
+
+use crate::messages::{Input, Phrase, phrase, readable};
+
+use crate::model::fault::{Fault, FaultKind, Needed};
+use crate::model::finding::Finding;
+use crate::model::masses_beside::MassesBeside;
+use crate::model::pattern::{Pattern, any_matches};
+use crate::model::rules::mass_sources_disagree::{self, Said};
+use crate::model::skeleton::Body;
+use crate::model::typed_model::Model;
+
+/// Masses closer than this (relative) count as one: a scale is not read better than to 0.1 %.
+pub const SAME_MASS: f64 = 1e-3;
+
+/// Gravities closer than this (relative) count as one.
+const SAME_GRAVITY: f64 = 1e-3;
+
+/// What the user says about masses. Give what is known and take the rest from [`MassRequest::default`]: fields may be added.
+///
+/// ```
+/// # let model = osim_model::Model::parse(include_bytes!("../../tests/data/one_foot.osim").as_slice())?;
+/// use osim_model::{MassRequest, MassSource};
+///
+/// // No mass is given: the bodies are summed. There is one, of 10 kg.
+/// let mass = MassRequest::default().of_model(&model)?;
+/// assert_eq!((mass.kg, mass.source), (10.0, MassSource::Bodies(1)));
+///
+/// // The contacts were made for another mass, and the user knows which.
+/// let said = MassRequest { contacts_mass_kg: Some(62.0), ..MassRequest::default() };
+/// let (mass, warnings) = said.of_contacts(&model)?;
+/// assert_eq!((mass.kg, mass.source), (62.0, MassSource::ContactsMass));
+/// // The bodies say something else, which may be a mistake.
+/// assert_eq!(warnings[0].code().as_str(), "mass-sources-disagree");
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct MassRequest {
+    /// The mass that the contacts in the file were made for, kg.
+    pub contacts_mass_kg: Option<f64>,
+    /// What the model weighs, kg.
+    pub model_kg: Option<f64>,
+    /// The mass that the contacts will be scaled to, kg. A source that says this mass is no reason for a warning: the bodies
+    /// are often scaled before the contacts.
+    pub target_mass_kg: Option<f64>,
+    /// Bodies that do not belong to the animal and are not summed.
+    pub exclude_bodies: Vec<Pattern>,
+    /// Of a row of a table: what its other rows say of the same masses.
+    pub beside: BTreeMap<Input, MassesBeside>,
+}
+
+/// The source of a mass.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum MassSource {
+    /// The caller, of the contacts.
+    ContactsMass,
+    /// The note in the file.
+    Note,
+    /// The caller, of the model.
+    Mass,
+    /// The sum of the bodies, with their number.
+    Bodies(usize),
+    /// A preset of this name.
+    Preset(String),
+    /// The caller, of the reference.
+    ReferenceMass,
+    /// A point of a grid.
+    Grid,
+}
+
+impl MassSource {
+    /// As in the JSON.
+    #[must_use]
+    pub const fn as_str(&self) -> &'static str {
+        match self {
+            Self::ContactsMass => "contacts-mass",
+            Self::Note => "note",
+            Self::Mass => "mass",
+            Self::Bodies(_) => "bodies",
+            Self::Preset(_) => "preset",
+            Self::ReferenceMass => "reference-mass",
+            Self::Grid => "grid",
+        }
+    }
+
+    /// Whether the source is about the contacts, and not only about the body that carries them.
+    #[must_use]
+    pub const fn is_of_contacts(&self) -> bool {
+        !matches!(self, Self::Mass | Self::Bodies(_))
+    }
+
+    /// In words: `sum of 21 bodies`.
+    #[must_use]
+    pub fn describe(&self) -> Phrase {
+        match self {
+            Self::ContactsMass => Input::ContactsMass.into(),
+            Self::Note => "note in the file".into(),
+            Self::Mass => Input::Mass.into(),
+            Self::Bodies(1) => "mass of 1 body".into(),
+            Self::Bodies(count) => format!("sum of {count} bodies").into(),
+            Self::Preset(name) => format!("preset {name}").into(),
+            Self::ReferenceMass => Input::ReferenceMass.into(),
+            Self::Grid => Input::Grid.into(),
+        }
+    }
+}
+
+/// A mass and where it comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mass {
+    /// In kg.
+    pub kg: f64,
+    /// Who said so.
+    pub source: MassSource,
+}
+
+impl Mass {
+    /// As the mass that contacts were made for, in words. If no source is about the contacts, it is taken.
+    #[must_use]
+    pub fn made_for(&self) -> Phrase {
+        let taken =
+            if self.source.is_of_contacts() { "contacts made for" } else { "contacts taken as made for" };
+        phrase![format!("{taken} {} kg (", readable(self.kg)), &self.source.describe(), ")"]
+    }
+}
+
+impl MassRequest {
+    /// Patterns of bodies by which no body of `model` is called: probably a slip.
+    pub fn unmatched<'p>(&'p self, model: &Model) -> impl Iterator<Item = &'p Pattern> {
+        let is_idle = |pattern: &Pattern| !model.bodies().iter().any(|body| pattern.matches(&body.name));
+        self.exclude_bodies.iter().filter(move |pattern| is_idle(pattern))
+    }
+
+    /// What the model weighs: as said, else the sum of its bodies but scenery ([`crate::model::Body::scenery`]), left to right in file order.
+    ///
+    /// # Errors
+    /// A body without a mass, no body at all, a sum that is not above 0, or a loop of joints in which OpenSim counts a body
+    /// twice.
+    pub fn of_model(&self, model: &Model) -> Result<Mass, Fault> {
+        if let Some(kg) = self.model_kg {
+            return Ok(Mass { kg: positive_mass(Input::Mass, kg)?, source: MassSource::Mass });
+        }
+        if model.skeleton().loops().mass_is_in_doubt {
+            return Err(Fault::new(Needed::MassOfLoop));
+        }
+        let mut kg = 0.0;
+        let mut bodies = 0;
+        let is_summed = |body: &&Body| !body.scenery && !any_matches(&self.exclude_bodies, &body.name);
+        for body in model.bodies().iter().filter(is_summed) {
+            kg += body.mass_kg()?;
+            bodies += 1;
+        }
+        if kg > 0.0 && kg.is_finite() {
+            return Ok(Mass { kg, source: MassSource::Bodies(bodies) });
+        }
+        Err(Fault::new(Needed::ModelMass { bodies, kg }))
+    }
+
+    /// The mass that the contacts were made for: as said, else the note, else what the model weighs; and a warning for each
+    /// other source that disagrees with it.
+    ///
+    /// # Errors
+    /// A note that no longer fits the file, or any error of [`MassRequest::of_model`].
+    pub fn of_contacts(&self, model: &Model) -> Result<(Mass, Vec<Finding>), Fault> {
+        let noted_kg = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
+        let mass = if let Some(kg) = self.contacts_mass_kg {
+            Mass { kg: positive_mass(Input::ContactsMass, kg)?, source: MassSource::ContactsMass }
+        } else if let Some(doubt) = model.doubt_about_note() {
+            return Err(Fault::new(Needed::ContactsMass { noted_kg, doubt, input: Input::ContactsMass }));
+        } else if let Some(kg) = noted_kg {
+            Mass { kg, source: MassSource::Note }
+        } else {
+            self.of_model(model)?
+        };
+        let warnings = self.disagreements(model, &mass);
+        Ok((mass, warnings))
+    }
+
+    /// A warning for each other source that disagrees with the mass that was `taken`.
+    #[must_use]
+    pub fn disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
+        let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
+        let noted = noted.filter(|_| taken.source != MassSource::Note);
+        self.disagreements_with(model, taken, noted.map(|kg| (kg, "the note in the file".into())))
+    }
+
+    /// A warning where the note in `model` can be relied on and gives another mass than the caller.
+    #[must_use]
+    pub fn noted_otherwise(&self, model: &Model) -> Option<Finding> {
+        let kg = self.contacts_mass_kg?;
+        let noted = self.otherwise_noted_kg(model)?;
+        let taken = Said { kg, source: MassSource::ContactsMass.describe() };
+        Some(mass_sources_disagree::of_masses(
+            &taken,
+            &Said { kg: noted, source: "the note in the file".into() },
+        ))
+    }
+
+    /// What the note in `model` gives, kg, where it can be relied on and the caller gave another mass.
+    #[must_use]
+    pub fn otherwise_noted_kg(&self, model: &Model) -> Option<f64> {
+        let said = self.contacts_mass_kg?;
+        let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg)?;
+        (!same_mass(noted, said) && model.doubt_about_note().is_none()).then_some(noted)
+    }
+
+    /// The same for what a model weighs that gets other contacts: what its own were made for does not matter.
+    #[must_use]
+    pub fn disagreements_of_weight(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
+        self.disagreements_with(model, taken, None)
+    }
+
+    fn disagreements_with(&self, model: &Model, taken: &Mass, noted: Option<(f64, Phrase)>) -> Vec<Finding> {
+        let mut others: Vec<(f64, Phrase)> = noted.into_iter().collect();
+        if let (Some(kg), true) = (self.model_kg, taken.source != MassSource::Mass) {
+            others.push((kg, Input::Mass.into()));
+        }
+        let bodies = Self { model_kg: None, ..self.clone() };
+        if let (Ok(mass), false) = (bodies.of_model(model), matches!(taken.source, MassSource::Bodies(_))) {
+            others.push((mass.kg, phrase!["the ", &mass.source.describe()]));
+        }
+        // The usual case: the body was scaled to the target already, and the user says what the contacts were made for.
+        let expected = |kg: f64| {
+            matches!(taken.source, MassSource::ContactsMass | MassSource::Note)
+                && self.target_mass_kg.is_some_and(|target_mass_kg| same_mass(kg, target_mass_kg))
+        };
+        let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
+        let taken_as = Said { kg: taken.kg, source: taken.source.describe() };
+        let warning =
+            |(kg, source): (f64, Phrase)| mass_sources_disagree::of_masses(&taken_as, &Said { kg, source });
+        others.into_iter().filter(|(kg, _)| differs(*kg)).map(warning).collect()
+    }
+}
+
+/// Whether two masses count as one: `a` is within [`SAME_MASS`] of `b` (relative to `b`).
+#[must_use]
+pub fn same_mass(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME_MASS * b.abs()
+}
+
+/// Whether two gravities count as one: `noted` is within a thousandth of `own`.
+#[must_use]
+pub fn same_gravity(noted: f64, own: f64) -> bool {
+    (noted - own).abs() <= SAME_GRAVITY * own
+}
+
+/// `kg`, if it is a mass. The caller said it as `input`, which a refusal names.
+///
+/// # Errors
+/// It is not finite or not above 0.
+pub fn positive_mass(input: Input, kg: f64) -> Result<f64, Fault> {
+    if kg.is_finite() && kg > 0.0 {
+        return Ok(kg);
+    }
+    Err(Fault::new(FaultKind::BadInput { input, value: kg, expected: "a mass in kg above 0" }))
+}

@@ -1,0 +1,300 @@
+//! How a note is spelled: printable ASCII with single blanks, because OpenSim condenses white space and re-encodes the rest.
+//!
+//! `[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale from 70 kg on 2026-11-25; stance limbs 2;
+//! weighed 62 kg; sizes calcn_r=1,1,1; digest 0123456789abcdef; radii 0123456789abcdef; spheres 6 0123456789abcdef;
+//! forces 6 0123456789abcdef; numbers stiffness=01234567 dissipation=01234567; places 0123456789abcdef; made -)]`
+//!
+//! Each step has its own `by`, the oldest first. What nobody said, and what earlier versions did not write, is left out.
+
+use crate::messages::shortest;
+
+use super::data::{BodySize, Note, Scope};
+use super::parts::NotedParts;
+use super::spelling::{UNKNOWN, gravity_m_s2, is_digest, is_plain, mass_kg, plain, positive};
+use super::step::Step;
+
+/// How every note begins.
+pub(super) const BEGINS: &str = "[contacts made for ";
+/// How every note ends.
+pub(super) const ENDS: &str = ")]";
+/// What follows mass and gravity in every note; text in square brackets without it is not a note.
+pub(super) const NAMES: &str = " (osim-contact-scale ";
+const NOTHING: &str = "-";
+const NO_SIZES: &str = "none";
+/// Before each step.
+const BY: &str = "by ";
+const STANCE: &str = "stance limbs ";
+const WEIGHED: &str = "weighed ";
+const RADII: &str = "radii ";
+/// Before the names of forces that were added beside others, where there are some.
+const ADDED: &str = "added ";
+
+impl Note {
+    /// The note as it is in the file.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let known = |value: Option<f64>, unit: &str| {
+            value.map_or(UNKNOWN.to_owned(), |value| format!("{} {unit}", shortest(value)))
+        };
+        let scope = match self.scope {
+            Scope::All => "all",
+            Scope::Partial => "partial",
+        };
+        let sizes: Vec<String> = self.sizes.iter().map(BodySize::text).collect();
+        let steps: String = self.steps.iter().map(|step| format!("; {BY}{}", step.text())).collect();
+        let optional = |name: &str, value: Option<String>| {
+            value.map(|value| format!("; {name}{value}")).unwrap_or_default()
+        };
+        let added = (!self.added.is_empty()).then(|| self.added.join(" "));
+        format!(
+            "{BEGINS}{} at {}{NAMES}{}; {scope}{steps}{}{}; sizes {}; digest {}{}{}; places {}; made {}{}{ENDS}",
+            known(self.contacts_mass_kg, "kg"),
+            known(self.gravity_m_s2, "m/s2"),
+            self.version,
+            optional(STANCE, self.stance_limbs.map(shortest)),
+            optional(WEIGHED, self.weighed_kg.map(|kg| format!("{} kg", shortest(kg)))),
+            if sizes.is_empty() { NO_SIZES.to_owned() } else { sizes.join(" ") },
+            self.digest,
+            optional(RADII, self.radii.clone()),
+            optional("", self.parts.as_ref().map(NotedParts::text)),
+            self.places.as_deref().unwrap_or(UNKNOWN),
+            self.made,
+            optional(ADDED, added),
+        )
+    }
+
+    /// Reads a note that is all of `text`, with single blanks.
+    pub(super) fn parse(text: &str) -> Option<Self> {
+        let text = text.strip_prefix(BEGINS)?.strip_suffix(ENDS)?;
+        let (made_for, fields) = text.split_once(NAMES)?;
+        let (mass, gravity) = made_for.split_once(" at ")?;
+        let mut fields = fields.split("; ").peekable();
+        let version = fields.next()?.to_owned();
+        let scope = match fields.next()? {
+            "all" => Scope::All,
+            "partial" => Scope::Partial,
+            _ => return None,
+        };
+        let mut next_if = |name: &str| fields.next_if(|field| field.starts_with(name))?.strip_prefix(name);
+        let steps: Vec<Step> = std::iter::from_fn(|| next_if(BY)).map(Step::parse).collect();
+        let stance_limbs = next_if(STANCE).map(positive);
+        let weighed_kg = next_if(WEIGHED).map(|text| mass_kg(text).flatten());
+        let sizes = sizes(next_if("sizes ")?)?;
+        let digest = next_if("digest ").filter(|text| is_digest(text))?.to_owned();
+        let radii = next_if(RADII).map(|text| is_digest(text).then(|| text.to_owned()));
+        let parts = NotedParts::parse(next_if)?;
+        if steps.is_empty() {
+            return None;
+        }
+        let places = match fields.next()?.strip_prefix("places ")? {
+            UNKNOWN => None,
+            text if is_digest(text) => Some(text.to_owned()),
+            _ => return None,
+        };
+        let made = fields.next()?.strip_prefix("made ")?.to_owned();
+        if made != NOTHING && !made.chars().all(|letter| letter.is_ascii_alphabetic()) {
+            return None;
+        }
+        let note = Self {
+            version,
+            contacts_mass_kg: mass_kg(mass)?,
+            gravity_m_s2: gravity_m_s2(gravity)?,
+            scope,
+            steps,
+            // One that is there can be read.
+            stance_limbs: stance_limbs.map_or(Some(None), |limbs| limbs.map(Some))?,
+            weighed_kg: weighed_kg.map_or(Some(None), |kg| kg.map(Some))?,
+            sizes,
+            digest,
+            parts,
+            radii: radii.map_or(Some(None), |radii| radii.map(Some))?,
+            places,
+            made,
+            added: fields.next().map_or(Some(Vec::new()), names)?,
+        };
+        fields.next().is_none().then_some(note)
+    }
+
+    /// `operation` in the letters that a note can hold: what would end a field, or is written otherwise when OpenSim saves the
+    /// file, becomes `_`.
+    #[must_use]
+    pub fn operation_text(operation: &str) -> String {
+        plain(operation)
+    }
+
+    /// The letter among those of `made` that says that all spheres were placed with their bodies.
+    pub const PLACED: char = 'p';
+
+    /// Whether all spheres were placed with their bodies when it was written, or before and not moved since.
+    #[must_use]
+    pub fn placed(&self) -> bool {
+        self.made.contains(Self::PLACED)
+    }
+
+    /// The letter among those of `made` that says that all contacts of the model were added.
+    pub const ALL_ADDED: char = 'n';
+
+    /// Whether `force` is one of those that were added, by its name.
+    #[must_use]
+    pub fn has_added(&self, force: &str) -> bool {
+        self.added.contains(&plain(force))
+    }
+
+    /// `made` of a note of a file to which nothing was added.
+    #[must_use]
+    pub fn nothing_made() -> String {
+        NOTHING.to_owned()
+    }
+}
+
+impl BodySize {
+    /// `calcn_r=0.9,1,1`.
+    fn text(&self) -> String {
+        format!("{}={}", self.body, self.factors.map(shortest).join(","))
+    }
+
+    fn parse(text: &str) -> Option<Self> {
+        let (body, factors) = text.split_once('=').filter(|(body, _)| !body.is_empty())?;
+        let mut numbers = factors.split(',').map(|number| {
+            let factor: f64 = number.parse().ok()?;
+            (factor.is_finite() && factor > 0.0).then_some(factor)
+        });
+        let factors = [numbers.next()??, numbers.next()??, numbers.next()??];
+        numbers.next().is_none().then(|| Self { body: body.to_owned(), factors })
+    }
+
+    /// Whether a note can hold the name of the body.
+    pub(crate) fn can_name(body: &str) -> bool {
+        body.chars().all(|letter| is_plain(letter) && !"=,".contains(letter))
+    }
+}
+
+fn sizes(text: &str) -> Option<Vec<BodySize>> {
+    if text == NO_SIZES {
+        return Some(Vec::new());
+    }
+    text.split(' ').map(BodySize::parse).collect()
+}
+
+/// `added heel toe`.
+fn names(text: &str) -> Option<Vec<String>> {
+    Some(text.strip_prefix(ADDED)?.split(' ').map(str::to_owned).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::parts::NotedNames;
+    use super::*;
+    use crate::model::property::Property;
+
+    fn note() -> Note {
+        Note {
+            version: "0.1.0".into(),
+            contacts_mass_kg: Some(0.0209),
+            gravity_m_s2: Some(9.80665),
+            scope: Scope::Partial,
+            steps: vec![
+                Step { date: Some("2026-11-25".into()), ..Step::new("transfer") },
+                Step::new("set stiffness=x2"),
+            ],
+            stance_limbs: Some(2.0),
+            weighed_kg: Some(0.021),
+            sizes: vec![BodySize { body: "calcn_r".into(), factors: [0.913_924, 1.0, 1e-3] }],
+            digest: "0123456789abcdef".into(),
+            radii: Some("0011223344556677".into()),
+            parts: Some(NotedParts {
+                spheres: NotedNames { count: 12, digest: "1122334455667788".into() },
+                forces: NotedNames { count: 6, digest: "2233445566778899".into() },
+                properties: [
+                    (Property::Stiffness, "33445566".into()),
+                    (Property::Dissipation, "44556677".into()),
+                ]
+                .into(),
+            }),
+            places: Some("fedcba9876543210".into()),
+            made: "c".into(),
+            added: vec![],
+        }
+    }
+
+    #[test]
+    fn a_note_is_spelled_as_agreed() {
+        assert_eq!(
+            note().text(),
+            "[contacts made for 0.0209 kg at 9.80665 m/s2 (osim-contact-scale 0.1.0; partial; by transfer on 2026-11-25; \
+             by set stiffness=x2; stance limbs 2; weighed 0.021 kg; sizes calcn_r=0.913924,1,0.001; digest 0123456789abcdef; \
+             radii 0011223344556677; spheres 12 1122334455667788; forces 6 2233445566778899; \
+             numbers stiffness=33445566 dissipation=44556677; places fedcba9876543210; made c)]"
+        );
+    }
+
+    #[test]
+    fn a_note_reads_back_as_written() {
+        let nothing_known = Note {
+            contacts_mass_kg: None,
+            gravity_m_s2: None,
+            steps: vec![Step::new("rescale")],
+            stance_limbs: None,
+            weighed_kg: None,
+            sizes: vec![],
+            radii: None,
+            parts: None,
+            places: None,
+            made: Note::nothing_made(),
+            ..note()
+        };
+        let no_numbers = NotedParts { properties: [].into(), ..note().parts.unwrap() };
+        let no_numbers = Note { parts: Some(no_numbers), ..note() };
+        let beside_others = Note { added: vec!["heel".into(), "toe".into()], ..note() };
+        assert!(beside_others.text().ends_with("; made c; added heel toe)]"), "{}", beside_others.text());
+        for note in [note(), nothing_known, no_numbers, beside_others] {
+            assert_eq!(Note::parse(&note.text()), Some(note));
+        }
+    }
+
+    #[test]
+    fn what_a_note_cannot_hold_is_replaced() {
+        for (operation, expected) in [
+            ("rescale radius=x2", "rescale radius=x2"),
+            (
+                "transfer  from 'T. rex [2]; (é).osim'\t--level",
+                "transfer from _T. rex _2__ ___.osim_ __level",
+            ),
+        ] {
+            assert_eq!(Note::operation_text(operation), expected);
+            let note = Note { steps: vec![Step::new(operation)], ..note() };
+            assert_eq!(Note::parse(&note.text()), Some(note));
+        }
+    }
+
+    #[test]
+    fn anything_else_is_no_note() {
+        let text = note().text();
+        for (from, to) in [
+            ("0.0209 kg", "-1 kg"),
+            ("0.0209 kg", "0.0209"),
+            ("9.80665 m/s2", "NaN m/s2"),
+            ("partial", "half"),
+            ("; made c", ""),
+            ("; by transfer on 2026-11-25; by set stiffness=x2", ""),
+            ("limbs 2", "limbs two"),
+            ("weighed 0.021 kg", "weighed 0.021"),
+            ("0011223344556677", "0011"),
+            ("spheres 12", "spheres many"),
+            ("1122334455667788", "1122"),
+            ("; forces 6 2233445566778899", ""),
+            ("stiffness=33445566", "stiffness=3344"),
+            ("stiffness=33445566", "steepness=33445566"),
+            ("made c", "made c; more"),
+            ("0123456789abcdef", "0123"),
+            ("fedcba9876543210", "fedcba987654321z"),
+            ("=0.913924,1,0.001", "=0.913924,1"),
+            ("=0.913924,1,0.001", "=0.913924,1,0"),
+            ("calcn_r=", "="),
+        ] {
+            let changed = text.replacen(from, to, 1);
+            assert_ne!(changed, text);
+            assert_eq!(Note::parse(&changed), None, "{changed}");
+        }
+    }
+}

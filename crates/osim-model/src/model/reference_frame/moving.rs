@@ -1,0 +1,123 @@
+//! Where a frame is in another one, and how it moves there.
+
+use super::placement::Placement;
+use super::rotation::cross;
+
+/// A frame that moves in another one.
+///
+/// ```
+/// use osim_model::{MovingPlacement, Placement, Rotation};
+///
+/// // 1 m along x, and 2 rad/s about z: a point another metre out moves along y.
+/// let there = Placement { rotation: Rotation::IDENTITY, translation_m: [1.0, 0.0, 0.0] };
+/// let turning = MovingPlacement { at: there, angular_velocity: [0.0, 0.0, 2.0], velocity_m_s: [0.0; 3] };
+/// assert_eq!(turning.velocity_of([1.0, 0.0, 0.0]), [0.0, 2.0, 0.0]);
+/// // Seen from the frame, the other one turns back.
+/// assert_eq!(turning.inverse().angular_velocity, [0.0, 0.0, -2.0]);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MovingPlacement {
+    /// Where it is.
+    pub at: Placement,
+    /// How it turns, rad/s, seen from the other one.
+    pub angular_velocity: [f64; 3],
+    /// How its origin moves, m/s, seen from the other one.
+    pub velocity_m_s: [f64; 3],
+}
+
+impl MovingPlacement {
+    /// A frame that does not move.
+    #[must_use]
+    pub const fn still(at: Placement) -> Self {
+        Self { at, angular_velocity: [0.0; 3], velocity_m_s: [0.0; 3] }
+    }
+
+    /// How a point of the frame moves, m/s, seen from the other one.
+    #[must_use]
+    pub fn velocity_of(&self, point_m: [f64; 3]) -> [f64; 3] {
+        self.velocity_at_offset(self.at.rotation.to_body(point_m))
+    }
+
+    /// How a point of the frame moves (m/s) that is now at `point_m` of the other one.
+    #[must_use]
+    pub fn velocity_at(&self, point_m: [f64; 3]) -> [f64; 3] {
+        self.velocity_at_offset(std::array::from_fn(|i| point_m[i] - self.at.translation_m[i]))
+    }
+
+    /// How a point of the frame moves (m/s) that is `offset_m` away from its origin, along axes of the other one.
+    fn velocity_at_offset(&self, offset_m: [f64; 3]) -> [f64; 3] {
+        let turned = cross(self.angular_velocity, offset_m);
+        std::array::from_fn(|i| self.velocity_m_s[i] + turned[i])
+    }
+
+    /// A frame that moves in this one, seen from where this one is seen.
+    #[must_use]
+    pub fn then(&self, inner: &Self) -> Self {
+        let turned = self.at.rotation.to_body(inner.angular_velocity);
+        let carried = self.velocity_of(inner.at.translation_m);
+        let moved = self.at.rotation.to_body(inner.velocity_m_s);
+        Self {
+            at: self.at.then(&inner.at),
+            angular_velocity: std::array::from_fn(|i| self.angular_velocity[i] + turned[i]),
+            velocity_m_s: std::array::from_fn(|i| carried[i] + moved[i]),
+        }
+    }
+
+    /// The other frame, seen from this one.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        let back = self.at.rotation.inverse();
+        // d/dt(-Rt p) = Rt (w x p - v).
+        let carried = cross(self.angular_velocity, self.at.translation_m);
+        let velocity = std::array::from_fn(|i| carried[i] - self.velocity_m_s[i]);
+        Self {
+            at: self.at.inverse(),
+            angular_velocity: back.to_body(self.angular_velocity).map(|value| -value),
+            velocity_m_s: back.to_body(velocity),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::reference_frame::Rotation;
+
+    /// A frame that turns and moves, at a time.
+    fn at(time_s: f64) -> Placement {
+        Placement {
+            rotation: Rotation::body_fixed_xyz([0.3 + 0.5 * time_s, -0.7 * time_s, 1.1 - 0.2 * time_s]),
+            translation_m: [0.1 + time_s, 0.2 - 2.0 * time_s, -0.3 * time_s],
+        }
+    }
+
+    /// The same with its velocities at time 0, by the rates of its angles.
+    fn moving() -> MovingPlacement {
+        let angular_velocity = Rotation::body_fixed_velocity([0.3, 0.0, 1.1], [0.5, -0.7, -0.2]);
+        MovingPlacement { at: at(0.0), angular_velocity, velocity_m_s: [1.0, -2.0, -0.3] }
+    }
+
+    #[track_caller]
+    fn close(value: [f64; 3], expected: [f64; 3]) {
+        assert!(value.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-8), "{value:?} {expected:?}");
+    }
+
+    /// How a point that `place` gives at a time moves at time 0.
+    fn by_places(place: impl Fn(f64) -> [f64; 3]) -> [f64; 3] {
+        let step = 1e-5;
+        let (after, before) = (place(step), place(-step));
+        std::array::from_fn(|i| (after[i] - before[i]) / (2.0 * step))
+    }
+
+    #[test]
+    fn velocities_are_those_of_the_places() {
+        let point = [0.4, -0.5, 0.6];
+        close(moving().velocity_of(point), by_places(|time| at(time).point(point)));
+        close(moving().velocity_at(at(0.0).point(point)), moving().velocity_of(point));
+        close(moving().inverse().velocity_of(point), by_places(|time| at(time).inverse().point(point)));
+        let twice = moving().then(&moving().inverse().then(&moving()));
+        close(twice.velocity_of(point), moving().velocity_of(point));
+        let chained = moving().then(&moving());
+        close(chained.velocity_of(point), by_places(|time| at(time).then(&at(time)).point(point)));
+    }
+}

@@ -1,0 +1,205 @@
+//! The mirror between two bodies: which axis of their frames changes its sign from one side to the other.
+
+use std::collections::BTreeMap;
+
+use foldhash::{HashMap, HashMapExt, HashSet};
+
+use super::bones::Bones;
+use crate::model::side::{Side, without_side};
+use crate::model::typed_model::Model;
+
+/// Frames of two bodies are mirror images where their joints and centres of mass are that close, as a part of the limb's longest bone.
+const SURE: f64 = 0.05;
+/// Up to here, the mirror of the other bodies is taken: the bones of some people differ that much, and centres of mass of some models are
+/// not mirrored.
+const LIKELY: f64 = 0.15;
+/// Another mirror than z has to be that much closer: a body with all joints in one plane shows none.
+const CLOSER: f64 = 0.5;
+
+/// OpenSim's own models have z to the right on both sides, so z comes first; some models have another lateral axis, and some have a
+/// left frame in which all three axes are reversed.
+const MIRRORS: [[f64; 3]; 4] = [[1.0, 1.0, -1.0], [1.0, -1.0, 1.0], [-1.0, 1.0, 1.0], [-1.0, -1.0, -1.0]];
+
+/// A body on the right and its counterpart on the left.
+///
+/// Places are compared in the frames of the two bodies, not in ground: the default pose of many models is a step, in which one foot
+/// is ahead of the other, while the frames of a foot are the same in every pose.
+#[derive(Debug, Clone)]
+pub(crate) struct BodyPair<'m> {
+    pub right: &'m str,
+    pub left: &'m str,
+    /// The signs that lead from the right frame to the left one; `None` where the frames are not mirror images.
+    signs: Option<[f64; 3]>,
+    /// Left over right.
+    sizes: Option<[f64; 3]>,
+    /// The longest bone of the limb, m.
+    pub bone_m: Option<f64>,
+}
+
+impl BodyPair<'_> {
+    /// Where a place on the right body belongs on the left one: as far from its origin, and as the sizes of the bones have it.
+    pub(crate) fn images(&self, right_m: [f64; 3]) -> Option<[[f64; 3]; 2]> {
+        let mirrored = times(self.signs?, right_m);
+        Some([mirrored, times(self.sizes.unwrap_or([1.0; 3]), mirrored)])
+    }
+
+    /// The only axis that changes its sign (0, 1 or 2): in the frames of both bodies it leads sideways.
+    pub(crate) fn reversed_axis(&self) -> Option<usize> {
+        let signs = self.signs?;
+        let mut reversed = (0..3).filter(|&axis| signs[axis] < 0.0);
+        reversed.next().filter(|_| reversed.next().is_none())
+    }
+
+    /// How far a place on the left body is from the mirror image of one on the right body, m.
+    pub(crate) fn apart_m(&self, right_m: [f64; 3], left_m: [f64; 3]) -> Option<f64> {
+        nearest(self.images(right_m)?, left_m)
+    }
+
+    /// The axis that would have to change its sign on the left body for the places to be mirror images; `None` if none would
+    /// bring them closer than `within_m`.
+    pub(crate) fn other_sign(&self, right_m: [f64; 3], left_m: [f64; 3], within_m: f64) -> Option<char> {
+        let images = self.images(right_m)?;
+        let axis = (0..3).find(|&axis| {
+            let mut other = left_m;
+            other[axis] = -other[axis];
+            nearest(images, other).is_some_and(|apart| apart <= within_m)
+        })?;
+        ['x', 'y', 'z'].get(axis).copied()
+    }
+}
+
+fn nearest(images: [[f64; 3]; 2], place: [f64; 3]) -> Option<f64> {
+    images.into_iter().map(|image| distance(image, place)).reduce(f64::min)
+}
+
+pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
+}
+
+fn times(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|axis| a[axis] * b[axis])
+}
+
+/// The bodies of a model that have a side.
+#[derive(Debug)]
+pub(crate) struct BodyPairs {
+    /// By the name without its side; in order, so that sums have the same last bit in each run.
+    named: BTreeMap<String, Named>,
+    /// The mirror that fits most bodies.
+    usual: [f64; 3],
+}
+
+/// Bodies of one name but for its side.
+#[derive(Debug, Default)]
+struct Named {
+    right: Option<String>,
+    left: Option<String>,
+    /// Centres of mass and joints that both have, in the frame of each, m: right, left.
+    marks: Vec<([f64; 3], [f64; 3])>,
+}
+
+impl Named {
+    fn both(&self) -> Option<(&str, &str)> {
+        Some((self.right.as_deref()?, self.left.as_deref()?))
+    }
+}
+
+impl BodyPairs {
+    pub(crate) fn of(model: &Model) -> Self {
+        let mut bodies: BTreeMap<String, [Option<&str>; 2]> = BTreeMap::new();
+        for body in model.bodies().iter().filter(|body| !body.fixed) {
+            let Some(side) = Side::of_name(&body.name) else { continue };
+            let [right, left] = bodies.entry(without_side(&body.name)).or_default();
+            let own = if side == Side::Right { right } else { left };
+            own.get_or_insert(&body.name);
+        }
+        let paired = bodies.values().filter_map(|&[right, left]| Some([right?, left?])).flatten().collect();
+        let marks = marks(model, &paired);
+        let of_both = |[right, left]: [Option<&str>; 2]| {
+            let (right, left) = (marks.get(right?)?, marks.get(left?)?);
+            Some(right.iter().filter_map(|(name, &at_m)| Some((at_m, *left.get(name)?))).collect())
+        };
+        let named = |sides: [Option<&str>; 2]| {
+            let [right, left] = sides.map(|name| name.map(str::to_owned));
+            Named { right, left, marks: of_both(sides).unwrap_or_default() }
+        };
+        let named = bodies.into_iter().map(|(name, sides)| (name, named(sides))).collect();
+        Self { usual: usual(&named), named }
+    }
+
+    /// Whether some body is on `side`.
+    pub(crate) fn has(&self, side: Side) -> bool {
+        let mut all = self.named.values();
+        all.any(|names| if side == Side::Right { &names.right } else { &names.left }.is_some())
+    }
+
+    /// The pair to which `body` belongs; `None` if it has no counterpart.
+    pub(crate) fn pair(&self, body: &str, bones: &Bones<'_>) -> Option<BodyPair<'_>> {
+        let names = self.named.get(&without_side(body))?;
+        let (right, left) = names.both()?;
+        let bone_m =
+            [right, left].into_iter().filter_map(|body| bones.longest_of_limb_m(body)).reduce(f64::max);
+        let sizes = bones.ratios(left, right);
+        let pair = BodyPair { right, left, signs: Some(self.usual), sizes, bone_m };
+        let Some(bone_m) = bone_m else { return Some(pair) };
+        Some(BodyPair { signs: self.signs(&pair, &names.marks, bone_m), ..pair })
+    }
+
+    /// The mirror in which the marks of the two bodies are close; `None` if there is none.
+    fn signs(&self, pair: &BodyPair<'_>, marks: &[([f64; 3], [f64; 3])], bone_m: f64) -> Option<[f64; 3]> {
+        let apart = |signs: [f64; 3]| {
+            let pair = BodyPair { signs: Some(signs), ..pair.clone() };
+            let apart_m = marks.iter().filter_map(|&(right_m, left_m)| pair.apart_m(right_m, left_m));
+            apart_m.fold(0.0, f64::max) / bone_m
+        };
+        if apart(self.usual) <= LIKELY {
+            return Some(self.usual);
+        }
+        MIRRORS.into_iter().find(|&signs| apart(signs) <= SURE)
+    }
+}
+
+/// The mirror in which the marks of all bodies together are closest.
+fn usual(named: &BTreeMap<String, Named>) -> [f64; 3] {
+    let apart_m = |signs: [f64; 3]| -> f64 {
+        let marks = named.values().flat_map(|names| &names.marks);
+        marks.map(|&(right_m, left_m)| distance(times(signs, right_m), left_m)).sum()
+    };
+    let of_z = apart_m(MIRRORS[0]);
+    let others = MIRRORS.into_iter().map(|signs| (apart_m(signs), signs));
+    let best = others.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(apart_m, _)| *apart_m < CLOSER * of_z);
+    best.map_or(MIRRORS[0], |(_, signs)| signs)
+}
+
+/// What a mark is, in the order in which they are compared.
+#[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Mark {
+    Centre,
+    /// A joint, by its name without its side; above the body or below it.
+    Joint {
+        name: String,
+        is_below: bool,
+    },
+}
+
+/// Centres of mass and joints of the bodies `paired`, which have counterparts.
+fn marks<'m>(model: &Model, paired: &HashSet<&'m str>) -> HashMap<&'m str, BTreeMap<Mark, [f64; 3]>> {
+    let components = model.components();
+    let mut marks: HashMap<&str, BTreeMap<Mark, [f64; 3]>> = HashMap::new();
+    for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
+        let Some(&body) = paired.get(components.name(id).as_ref()) else { continue };
+        if let Some(centre) = components.doc(id).triple(components.element(id), "mass_center") {
+            marks.entry(body).or_default().insert(Mark::Centre, centre);
+        }
+    }
+    for joint in model.body_facts.joints.between_bodies(components) {
+        let ends = [(&joint.parent, joint.in_parent_m, true), (&joint.child, joint.in_child_m, false)];
+        for (body, at_m, is_below) in ends {
+            if let Some(&body) = paired.get(body.as_str()) {
+                let mark = Mark::Joint { name: without_side(&joint.name), is_below };
+                marks.entry(body).or_default().insert(mark, at_m);
+            }
+        }
+    }
+    marks
+}

@@ -1,0 +1,255 @@
+//! Bodies and the joints between them, in the spelling of every document version.
+
+use std::sync::Arc;
+
+use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
+
+use crate::model::class::Class;
+use crate::model::components::{Base, ComponentId, Components};
+use crate::model::fault::{Fault, FaultKind, FileId, Needed};
+use crate::model::loops::{JointLink, Loops};
+use crate::model::property::Property;
+use crate::model::value::{Origin, Value};
+
+/// One body of the model, ground left out.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Body {
+    /// Name as in the file.
+    pub name: String,
+    /// Component path.
+    pub path: String,
+    /// `mass` in kg; NaN where the file gives none. [`Body::mass_kg`] checks it.
+    pub mass: Value,
+    /// The file it is in.
+    pub file: FileId,
+    /// Whether only WeldJoints are between it and ground: spheres on it are scenery.
+    pub fixed: bool,
+    /// Whether it is fixed and no body hangs on it, such as a platform or a goalkeeper: the model weighs what it weighs without it. What
+    /// stands on it by a joint along which it can move away does not hang on it.
+    pub scenery: bool,
+}
+
+impl Body {
+    /// The mass, if it is one plain number that is not negative.
+    ///
+    /// # Errors
+    /// No mass, or a text that is not a plain number, with its place.
+    pub fn mass_kg(&self) -> Result<f64, Fault> {
+        let missing = self.mass.origin == Origin::ClassDefault && self.mass.fault.is_none();
+        let fault = if missing {
+            Fault::at(FaultKind::Needed(Needed::BodyMass { body: self.name.clone() }), self.mass.offset)
+        } else {
+            match self.mass.checked() {
+                Ok(mass) => return Ok(mass),
+                Err(fault) => fault,
+            }
+        };
+        Err(fault.of(self.path.clone()).in_file(self.file))
+    }
+}
+
+/// The joint tree: which body hangs on which.
+#[derive(Debug)]
+pub(crate) struct Skeleton {
+    pub bodies: Vec<Body>,
+    joined: Arc<Joined>,
+}
+
+/// What joints say: which component hangs on which.
+#[derive(Debug, Default)]
+struct Joined {
+    parents: HashMap<ComponentId, Base>,
+    loops: Loops,
+    /// Joints that OpenSim does not read: all but the first of a body in documents that have joints in bodies.
+    ignored_joints: Vec<ComponentId>,
+    /// For each body that is joined to another one, the body on top of its joint tree.
+    tops: HashMap<ComponentId, ComponentId>,
+    /// Bodies welded to ground, directly or through others.
+    welded: HashSet<ComponentId>,
+    /// Those on which no body hangs.
+    scenery: HashSet<ComponentId>,
+}
+
+/// Joints along which a body moves away from the other one.
+const MOVE_AWAY: [&str; 3] = ["FreeJoint", "PlanarJoint", "SliderJoint"];
+
+impl Skeleton {
+    /// Reads all bodies and joints. A joint whose frames lead nowhere is left out: only limbs need it, and a body
+    /// without a joint to a parent stands on ground.
+    pub(crate) fn read(components: &Components) -> Self {
+        Self::of(components, Arc::new(Joined::read(components)))
+    }
+
+    /// That of `components` whose joints are the same, and have the same places among them.
+    pub(crate) fn moved(&self, components: &Components) -> Self {
+        Self::of(components, Arc::clone(&self.joined))
+    }
+
+    fn of(components: &Components, joined: Arc<Joined>) -> Self {
+        let bodies = components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body");
+        let bodies = bodies.filter(|(id, _)| !components.is_ground(*id)).map(|(id, component)| {
+            let document = components.document(component.file);
+            let mass = document.value(component.element, Class::Body, Property::Mass, "mass");
+            let (name, path) = (components.name(id).into_owned(), components.tree.path(id));
+            let (fixed, scenery) = (joined.welded.contains(&id), joined.scenery.contains(&id));
+            Body { name, path, mass, file: component.file, fixed, scenery }
+        });
+        Self { bodies: bodies.collect(), joined }
+    }
+
+    /// The loops that joints form.
+    pub(crate) fn loops(&self) -> &Loops {
+        &self.joined.loops
+    }
+
+    /// Joints that OpenSim does not read.
+    pub(crate) fn ignored_joints(&self) -> &[ComponentId] {
+        &self.joined.ignored_joints
+    }
+
+    pub(crate) fn parent(&self, body: ComponentId) -> Option<ComponentId> {
+        self.joined.parent(body)
+    }
+
+    /// The body above `body` that is joined to ground: `body` itself if it hangs on no other one.
+    pub(crate) fn top(&self, body: ComponentId) -> ComponentId {
+        self.joined.tops.get(&body).copied().unwrap_or(body)
+    }
+
+    /// Whether it is ground or a body welded to ground: what is there is scenery.
+    pub(crate) fn is_fixed(&self, base: Base) -> bool {
+        match base {
+            Base::Ground => true,
+            Base::Unknown => false,
+            Base::Body(body) => self.joined.welded.contains(&body),
+        }
+    }
+}
+
+impl Joined {
+    fn read(components: &Components) -> Self {
+        let mut joined = Self::default();
+        let mut links = Vec::new();
+        let mut last_joined = None;
+        for (id, component) in components.tree.iter() {
+            let tag = components.tag(id);
+            if tag.ends_with("Joint") {
+                let inside = component.parent.filter(|&owner| components.tag(owner) == "Body");
+                if inside.is_some() && std::mem::replace(&mut last_joined, inside) == inside {
+                    joined.ignored_joints.push(id);
+                } else {
+                    links.extend(joined.add_joint(components, id, tag == "WeldJoint"));
+                }
+            }
+        }
+        joined.loops = Loops::of(&links);
+        joined.index();
+        joined.welded = welded_to(vec![Base::Ground], &links);
+        joined.scenery = scenery(&joined.welded, &links);
+        joined
+    }
+
+    /// Finds the top of each body, each link looked at once. Joints that form a loop have no top:
+    /// the loop is cut above the body that comes first in the files.
+    fn index(&mut self) {
+        let mut joined: Vec<ComponentId> = self.parents.keys().copied().collect();
+        joined.sort_unstable();
+        for body in joined {
+            // Up to a body that is known, or to a top.
+            let mut way = vec![body];
+            let mut on_way = HashSet::from_iter([body]);
+            let top = loop {
+                let Some(&last) = way.last() else { break body };
+                if let Some(&top) = self.tops.get(&last) {
+                    break top;
+                }
+                let Some(parent) = self.parent(last) else { break last };
+                if !on_way.insert(parent) {
+                    break self.cut_loop(parent);
+                }
+                way.push(parent);
+            };
+            self.tops.extend(way.into_iter().map(|id| (id, top)));
+        }
+    }
+
+    /// Cuts the loop of joints in which `body` is; its new top.
+    fn cut_loop(&mut self, body: ComponentId) -> ComponentId {
+        let (mut top, mut at) = (body, self.parent(body));
+        while let Some(id) = at.filter(|&id| id != body) {
+            top = top.min(id);
+            at = self.parent(id);
+        }
+        self.parents.remove(&top);
+        top
+    }
+
+    fn add_joint(&mut self, components: &Components, joint: ComponentId, weld: bool) -> Option<JointLink> {
+        let end = |socket: &str, legacy: &[&str]| -> Option<Base> {
+            let connectee = components.connectee(joint, socket, legacy)?;
+            components.base(components.frame(joint, &connectee)?.component).ok()
+        };
+        let parent = end("parent_frame", &["parent_body"]).or_else(|| end("parent_body", &[]));
+        let owner = components.tree.get(joint).and_then(|component| component.parent);
+        let inside = owner.filter(|&id| components.tag(id) == "Body").map(Base::Body);
+        let child = end("child_frame", &["child_body"]).or_else(|| end("child_body", &[])).or(inside);
+        let known = |end: Option<Base>| end.filter(|end| *end != Base::Unknown);
+        let ends = [known(parent)?, known(child)?];
+        match (parent, child) {
+            (Some(parent), Some(Base::Body(child))) => {
+                self.parents.entry(child).or_insert(parent);
+            }
+            // A joint written the other way round, from the body to ground.
+            (Some(Base::Body(body)), Some(Base::Ground)) => {
+                self.parents.entry(body).or_insert(Base::Ground);
+            }
+            _ => {}
+        }
+        let tag = components.tag(joint);
+        let (counts_twice, moves_away) = (weld || tag == "FreeJoint", MOVE_AWAY.contains(&tag));
+        Some(JointLink { joint, ends, weld, counts_twice, moves_away })
+    }
+
+    fn parent(&self, body: ComponentId) -> Option<ComponentId> {
+        match self.parents.get(&body)? {
+            Base::Body(parent) => Some(*parent),
+            Base::Ground | Base::Unknown => None,
+        }
+    }
+}
+
+/// The bodies between which and one of `from` are only WeldJoints and bodies, whichever end each joint is written from.
+fn welded_to(from: Vec<Base>, links: &[JointLink]) -> HashSet<ComponentId> {
+    let mut at: HashMap<Base, Vec<Base>> = HashMap::new();
+    for [one, other] in links.iter().filter(|link| link.weld).map(|link| link.ends) {
+        at.entry(one).or_default().push(other);
+        at.entry(other).or_default().push(one);
+    }
+    let (mut welded, mut next) = (HashSet::new(), from);
+    while let Some(from) = next.pop() {
+        for &to in at.get(&from).into_iter().flatten() {
+            if let Base::Body(body) = to
+                && welded.insert(body)
+            {
+                next.push(to);
+            }
+        }
+    }
+    welded
+}
+
+/// Those of the bodies welded to ground on which no body hangs, directly or through others. A body that hangs on one makes it part of
+/// the animal: a model whose pelvis is held weighs what it weighs.
+fn scenery(welded: &HashSet<ComponentId>, links: &[JointLink]) -> HashSet<ComponentId> {
+    let is_fixed = |end: &Base| matches!(end, Base::Body(body) if welded.contains(body));
+    let is_free = |end: &Base| matches!(end, Base::Body(body) if !welded.contains(body));
+    let holds = |link: &&JointLink| !link.moves_away && link.ends.iter().any(is_free);
+    let holding: Vec<Base> =
+        links.iter().filter(holds).flat_map(|link| link.ends).filter(|end| is_fixed(end)).collect();
+    let mut hangs = welded_to(holding.clone(), links);
+    hangs.extend(
+        holding.into_iter().filter_map(|end| if let Base::Body(body) = end { Some(body) } else { None }),
+    );
+    welded.difference(&hangs).copied().collect()
+}

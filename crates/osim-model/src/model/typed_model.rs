@@ -1,0 +1,181 @@
+//! The typed view of a model: bodies, limbs, contact spheres and contact forces with their effective values.
+
+use std::any::Any;
+use std::collections::BTreeMap;
+use std::sync::{Arc, OnceLock};
+
+use crate::model::body_facts::BodyFacts;
+use crate::model::components::{Companion, ComponentId, Components};
+use crate::model::contacts::{Force, ForceId, HalfSpace, SetId, Sphere, SphereId};
+use crate::model::document::Document;
+use crate::model::fault::{Fault, FileId, NoteDoubt};
+use crate::model::finding::Finding;
+use crate::model::joint_distances::JointDistances;
+use crate::model::note::Note;
+use crate::model::property::Property;
+use crate::model::skeleton::{Body, Skeleton};
+use crate::xml::ElementId;
+
+/// Everything that is known about a model.
+///
+/// ```
+/// # let bytes: &[u8] = include_bytes!("../../tests/data/one_foot.osim");
+/// let model = osim_model::Model::parse(bytes)?;
+/// let sphere = &model.spheres()[0];
+/// assert_eq!((sphere.name.as_str(), sphere.radius_m()?), ("heel_r", 0.03));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug)]
+pub struct Model {
+    /// The same in a model with other numbers of its contacts.
+    pub(crate) components: Arc<Components>,
+    pub(crate) skeleton: Arc<Skeleton>,
+    pub(crate) body_facts: Arc<BodyFacts>,
+    pub(crate) half_spaces: OnceLock<BTreeMap<ComponentId, Arc<HalfSpace>>>,
+    pub(crate) spheres: Vec<Sphere>,
+    pub(crate) forces: Vec<Force>,
+    /// A comment that begins like the note and cannot be read, or a pair whose notes differ.
+    pub(crate) note_fault: Option<NoteDoubt>,
+    /// For each companion, the `file="…"` that names it, where one does.
+    pub(crate) included: Vec<Option<String>>,
+    /// Name of the model.
+    pub name: String,
+    /// Gravity vector, m/s²; `None` where its text is not three numbers.
+    pub gravity_m_s2: Option<[f64; 3]>,
+    /// The note that an earlier change left in the file.
+    pub note: Option<Note>,
+    /// Traps found while reading, in the order in which reports list them.
+    pub warnings: Vec<Finding>,
+    /// How many of these reading the contacts showed, then how many each rule found.
+    pub(crate) found_by: Vec<usize>,
+}
+
+impl Model {
+    /// OpenSim's `gravity` where a model gives none, m/s².
+    pub(crate) const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
+
+    /// Contact spheres, in file order.
+    #[must_use]
+    pub fn spheres(&self) -> &[Sphere] {
+        &self.spheres
+    }
+
+    /// Contact forces, in file order.
+    #[must_use]
+    pub fn forces(&self) -> &[Force] {
+        &self.forces
+    }
+
+    /// A contact sphere; `None` where there is none: the handle is another model's.
+    #[must_use]
+    pub fn sphere(&self, id: SphereId) -> Option<&Sphere> {
+        self.spheres.get(id.index())
+    }
+
+    /// A contact force; `None` where there is none: the handle is another model's.
+    #[must_use]
+    pub fn force(&self, id: ForceId) -> Option<&Force> {
+        self.forces.get(id.index())
+    }
+
+    /// The effective value of a force's property, where it can be scaled; `None` where the class has none.
+    ///
+    /// # Errors
+    /// A value that is not a plain number or outside its domain, with its place.
+    pub fn parameter(&self, force: ForceId, set: SetId, property: Property) -> Result<Option<f64>, Fault> {
+        self.force(force).map_or(Ok(None), |force| force.checked(set, property))
+    }
+
+    /// The effective radius of a sphere, m, where it can be scaled.
+    ///
+    /// # Errors
+    /// A radius that is not a plain number or outside its domain; a handle that is another model's.
+    pub fn radius_m(&self, sphere: SphereId) -> Result<f64, Fault> {
+        match self.sphere(sphere) {
+            Some(sphere) => sphere.radius_m(),
+            None => Err(Fault::refused(format!("there is no sphere number {}", sphere.index()))),
+        }
+    }
+
+    /// How far apart the joints of each body are.
+    #[must_use]
+    pub fn joint_distances(&self) -> &JointDistances {
+        self.body_facts.joint_distances(&self.components)
+    }
+
+    /// What `make` makes of this model: made once for it and for all that a change of contacts alone makes of it, so that it must
+    /// follow from bodies, joints and constraints alone. There is one of each type.
+    pub fn of_bodies<T: Any + Send + Sync>(&self, make: impl FnOnce(&Self) -> T) -> &T {
+        self.body_facts.made.get_or_make(|| make(self))
+    }
+
+    /// Handles of all contact forces, in file order.
+    #[must_use]
+    pub fn force_ids(&self) -> Vec<ForceId> {
+        self.forces.iter().map(|force| force.id).collect()
+    }
+
+    /// The name under which the model includes `file`, if it does.
+    #[must_use]
+    pub fn included_file(&self, file: FileId) -> Option<&str> {
+        self.included.get(file.companion_index()?)?.as_deref()
+    }
+
+    /// The main file.
+    #[must_use]
+    pub fn document(&self) -> &Document {
+        self.components.main()
+    }
+
+    /// One of the files; the main one where the handle is another model's.
+    #[must_use]
+    pub fn file(&self, file: FileId) -> &Document {
+        self.components.document(file)
+    }
+
+    /// The files beside the main one, with their handles.
+    pub fn companions(&self) -> impl Iterator<Item = (FileId, &Companion)> {
+        let companions = self.components.companions().iter().enumerate();
+        companions.map(|(index, companion)| (FileId::companion(index), companion))
+    }
+
+    /// Bodies in file order, ground left out.
+    #[must_use]
+    pub fn bodies(&self) -> &[Body] {
+        &self.skeleton.bodies
+    }
+
+    /// The object that has the model's `gravity`, and the file that it is in; `None` for sets that stand alone.
+    pub(crate) fn gravity_object(&self) -> Option<(FileId, ElementId)> {
+        let file = self.components.model_file()?;
+        Some((file, self.file(file).data_root()))
+    }
+
+    /// Line of `gravity` in its file, from 1; `None` where OpenSim's default counts.
+    #[must_use]
+    pub fn gravity_line(&self) -> Option<usize> {
+        let (file, object) = self.gravity_object()?;
+        let document = self.file(file);
+        Some(document.line(document.tree().span(document.property_element(object, "gravity")?).start))
+    }
+
+    /// Magnitude of gravity, m/s², where it is a number; 0 or `None` makes figures by body weight meaningless.
+    #[must_use]
+    pub fn gravity(&self) -> Option<f64> {
+        self.gravity_m_s2.map(|[x, y, z]| (x * x + y * y + z * z).sqrt()).filter(|size| size.is_finite())
+    }
+
+    /// Gravity that the contacts were made for, m/s²: the note's, else the model's.
+    #[must_use]
+    pub fn contacts_gravity(&self) -> Option<f64> {
+        self.note.as_ref().and_then(|note| note.gravity_m_s2).or(self.gravity())
+    }
+
+    pub(crate) fn skeleton(&self) -> &Skeleton {
+        &self.skeleton
+    }
+
+    pub(crate) fn components(&self) -> &Components {
+        &self.components
+    }
+}

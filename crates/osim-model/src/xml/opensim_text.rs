@@ -1,0 +1,401 @@
+//! Values as OpenSim 4.6 reads their text: the one place that knows white space, numbers, flags, lists and names.
+//!
+//! Everything here was seen in the real OpenSim; `tests/oracle/test_words.py` asks it again.
+//!
+//! | text | what OpenSim makes of it |
+//! |---|---|
+//! | white space | that of C: blank, tab, line feed, vertical tab, form feed, carriage return. A no-break space or a byte order mark is a letter |
+//! | around a value | left out, but not where it comes from CDATA or a reference: after a number, a flag or a list it then spoils all of it (`12&#32;` is the default), in a path or name it is a letter |
+//! | comments | before and after a value they do not count; one inside, an element, an instruction, a second CDATA section, or text beside CDATA, and OpenSim refuses the model ([`RawText::whole`]) |
+//! | values of one kind | words, each read as far as it looks like one (`1,5e6` is 1); one word that cannot be read at all spoils everything, and the default counts |
+//! | number | of the words the first; `nan` and `inf` only as a whole word, in any case; above the range of a double: unreadable |
+//! | three numbers | the first three of 3, 6, 9 ... words; commas and brackets have no meaning (`0.1,0.2,0.3` is one word) |
+//! | flag | `true` or `false` in any case as a whole word, else a whole number at the start of the word: 0 is false, 1 is true (`0.0`, `00`, `-0`, `0abc`, `1abc`), others cannot be read |
+//! | `isDisabled` | the same, but of the whole text, and what cannot be read is false, any whole number but 0 true |
+//! | list of names | words; commas and brackets are letters |
+//! | path of a socket, name, `file=` | the whole text; no white space is left out of an attribute |
+//! | no text | the default: `<defaults>`, else that of the class |
+
+use super::raw_text::RawText;
+use super::white::is_white_byte;
+pub use super::white::{is_white, trimmed};
+
+/// Whole numbers of so many digits are exact as doubles.
+const EXACT_DIGITS: usize = 15;
+/// Powers of ten, which are exact, too.
+const POWERS_OF_TEN: [f64; EXACT_DIGITS + 1] =
+    [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
+
+/// Why a text is not one plain number.
+///
+/// Exhaustive: a text is empty, read in part, not read, or refused.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NumberFault {
+    /// Nothing there, or only white space.
+    Empty,
+    /// OpenSim reads a number from the start of the text and ignores the rest.
+    Prefix {
+        /// What OpenSim makes of it.
+        opensim_reads: f64,
+    },
+    /// OpenSim cannot read the text either and silently takes its default.
+    Unreadable,
+    /// A comment or element interrupts the number.
+    Interrupted,
+}
+
+/// The words of `text`, with white space between them.
+pub fn words(text: &str) -> impl Iterator<Item = &str> {
+    let mut rest = text;
+    std::iter::from_fn(move || {
+        let start = rest.bytes().position(|byte| !is_white_byte(byte))?;
+        let word = rest.get(start..)?;
+        let length = word.bytes().position(is_white_byte).unwrap_or(word.len());
+        let (word, after) = word.split_at_checked(length)?;
+        rest = after;
+        Some(word)
+    })
+}
+
+/// The words of a value that may be several. There are none if white space from CDATA or a reference ends the text, which spoils
+/// it.
+///
+/// ```
+/// use osim_model::xml::opensim_text::list;
+///
+/// assert_eq!(list("floor\u{b}heel_r").collect::<Vec<_>>(), ["floor", "heel_r"]);
+/// assert_eq!(list("floor heel_r ").count(), 0);
+/// ```
+pub fn list(text: &str) -> impl Iterator<Item = &str> {
+    words(if text.ends_with(is_white) { "" } else { text })
+}
+
+/// Reads one number strictly; where OpenSim reads something else, says what.
+///
+/// # Errors
+/// The text is not one plain number.
+pub fn number(raw: &RawText) -> Result<f64, NumberFault> {
+    if !raw.whole {
+        return Err(NumberFault::Interrupted);
+    }
+    if trimmed(&raw.text).is_empty() {
+        return Err(NumberFault::Empty);
+    }
+    let mut tokens = list(&raw.text);
+    let (value, length, token) = tokens
+        .next()
+        .and_then(|token| number_at_start(token).map(|(value, length)| (value, length, token)))
+        .ok_or(NumberFault::Unreadable)?;
+    let mut alone = true;
+    for other in tokens {
+        alone = false;
+        // One later word that is not a number spoils the whole text.
+        if number_at_start(other).is_none() {
+            return Err(NumberFault::Unreadable);
+        }
+    }
+    if alone && length == token.len() { Ok(value) } else { Err(NumberFault::Prefix { opensim_reads: value }) }
+}
+
+/// All numbers of `text`; `None` where OpenSim can read none and takes its default.
+#[must_use]
+pub fn numbers(text: &str) -> Option<Vec<f64>> {
+    let all: Vec<f64> =
+        list(text).map(|word| number_at_start(word).map(|(value, _)| value)).collect::<Option<_>>()?;
+    (!all.is_empty()).then_some(all)
+}
+
+/// A vector of three numbers, which need not be finite; `None` where OpenSim can read none and takes its default.
+///
+/// ```
+/// use osim_model::xml::opensim_text::triple;
+///
+/// assert_eq!(triple("0.1, 0.2 0.3)"), Some([0.1, 0.2, 0.3]));
+/// for text in ["0.1,0.2,0.3", "(0.1 0.2 0.3)", "0.1 0.2", "0.1 0.2 0.3 0.4"] {
+///     assert_eq!(triple(text), None);
+/// }
+/// ```
+#[must_use]
+pub fn triple(text: &str) -> Option<[f64; 3]> {
+    let (mut first, mut count) = ([0.0; 3], 0_usize);
+    for word in list(text) {
+        let (value, _) = number_at_start(word)?;
+        if let Some(place) = first.get_mut(count) {
+            *place = value;
+        }
+        count += 1;
+    }
+    (count > 0 && count % 3 == 0).then_some(first)
+}
+
+/// Whether a text is three numbers, and OpenSim reads those that people see. Commas after the first two do no harm.
+///
+/// ```
+/// use osim_model::xml::opensim_text::is_plain_triple;
+///
+/// assert!(is_plain_triple("0.1 -2e-3 inf") && is_plain_triple("1, 2, 3"));
+/// for text in ["0.1,0.2,0.3", "0,5 1 2", "1 2 3,", "1x 2 3", "1 2", "1 2 3 4 5 6", ""] {
+///     assert!(!is_plain_triple(text), "{text}");
+/// }
+/// ```
+#[must_use]
+pub fn is_plain_triple(text: &str) -> bool {
+    let is_number = |word: &str| number_at_start(word).is_some_and(|(_, length)| length == word.len());
+    let before_comma = |word: &str| is_number(word.strip_suffix(',').unwrap_or(word));
+    let all: Vec<&str> = list(text).collect();
+    matches!(all[..], [x, y, z] if before_comma(x) && before_comma(y) && is_number(z))
+}
+
+/// A flag; `None` where OpenSim cannot read it and takes its default.
+///
+/// ```
+/// use osim_model::xml::opensim_text::flag;
+///
+/// assert_eq!((flag("FALSE"), flag("0abc"), flag("1.0")), (Some(false), Some(false), Some(true)));
+/// assert_eq!((flag("2"), flag("yes"), flag("true yes")), (None, None, None));
+/// ```
+#[must_use]
+pub fn flag(text: &str) -> Option<bool> {
+    let all: Vec<bool> = list(text).map(flag_of_word).collect::<Option<_>>()?;
+    all.first().copied()
+}
+
+fn flag_of_word(word: &str) -> Option<bool> {
+    if let Some(spelled) = spelled_flag(word) {
+        return Some(spelled);
+    }
+    match whole_number_at_start(word)? {
+        "" => Some(false),
+        "1" if !word.starts_with('-') => Some(true),
+        _ => None,
+    }
+}
+
+/// Whether `isDisabled` of documents up to 30508 is true. OpenSim reads it by a rule of its own.
+///
+/// ```
+/// use osim_model::xml::opensim_text::is_disabled;
+///
+/// assert!(is_disabled(" True ") && is_disabled("2") && !is_disabled("true false") && !is_disabled("yes"));
+/// ```
+#[must_use]
+pub fn is_disabled(text: &str) -> bool {
+    let text = trimmed(text);
+    spelled_flag(text).unwrap_or_else(|| whole_number_at_start(text).is_some_and(|digits| !digits.is_empty()))
+}
+
+fn spelled_flag(word: &str) -> Option<bool> {
+    let is = |flag: &str| word.eq_ignore_ascii_case(flag);
+    if is("true") { Some(true) } else { is("false").then_some(false) }
+}
+
+/// The digits at the start of `word`, after a sign, without zeros in front of them: none are left of 0.
+fn whole_number_at_start(word: &str) -> Option<&str> {
+    let digits = word.strip_prefix(['+', '-']).unwrap_or(word);
+    let end = digits.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits.len());
+    let digits = digits.get(..end).filter(|digits| !digits.is_empty())?;
+    Some(digits.trim_start_matches('0'))
+}
+
+/// What a C++ stream reads from the start of `token`, and how many bytes of it.
+///
+/// `None` where the stream fails (no digits, an exponent without digits, out of the range of a double).
+#[must_use]
+pub fn number_at_start(token: &str) -> Option<(f64, usize)> {
+    let bytes = token.as_bytes();
+    let sign = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
+    if bytes.get(sign).is_some_and(u8::is_ascii_alphabetic) {
+        return spelled_number(token).map(|value| (value, token.len()));
+    }
+    let digits = |from: usize| bytes.iter().skip(from).take_while(|byte| byte.is_ascii_digit()).count();
+    let whole = digits(sign);
+    let mut end = sign + whole;
+    let mut fraction = 0;
+    if bytes.get(end) == Some(&b'.') {
+        fraction = digits(end + 1);
+        end += 1 + fraction;
+    }
+    if whole + fraction == 0 {
+        return None;
+    }
+    if whole + fraction <= EXACT_DIGITS && !matches!(bytes.get(end), Some(b'e' | b'E')) {
+        return Some((short_number(bytes.get(..end)?, fraction)?, end));
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
+        let exponent = digits(end + 1 + sign);
+        if exponent == 0 {
+            return None;
+        }
+        end += 1 + sign + exponent;
+    }
+    let text = token.get(..end)?;
+    let value: f64 = text.parse().ok()?;
+    value.is_finite().then_some((value, end))
+}
+
+/// The number of at most [`EXACT_DIGITS`] digits, `fraction` of them after the point. Both parts of the quotient are exact, so it is the
+/// double that is nearest to the text, as the parser of all numbers finds it: most numbers of models are that short, and there are
+/// hundreds in each.
+fn short_number(text: &[u8], fraction: usize) -> Option<f64> {
+    let digits = text.iter().filter(|byte| byte.is_ascii_digit());
+    let whole = digits.fold(0_u64, |sum, digit| sum * 10 + u64::from(digit - b'0'));
+    #[expect(clippy::cast_precision_loss, reason = "so few digits are exact")]
+    let size = whole as f64 / POWERS_OF_TEN.get(fraction)?;
+    Some(if text.first() == Some(&b'-') { -size } else { size })
+}
+
+/// `nan` and `inf`, in any case; of these only infinity may have a sign.
+fn spelled_number(token: &str) -> Option<f64> {
+    if token.eq_ignore_ascii_case("nan") {
+        return Some(f64::NAN);
+    }
+    let (sign, word) = match token.strip_prefix('-') {
+        Some(word) => (-1.0, word),
+        None => (1.0, token.strip_prefix('+').unwrap_or(token)),
+    };
+    let is_infinite = word.eq_ignore_ascii_case("inf") || word.eq_ignore_ascii_case("infinity");
+    is_infinite.then_some(sign * f64::INFINITY)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::xml::{ElementId, Tree};
+
+    fn raw(xml: &str) -> RawText {
+        Tree::scan(xml).unwrap().raw_text(ElementId::ROOT)
+    }
+
+    #[track_caller]
+    fn reads(content: &str, expected: &Result<f64, NumberFault>) {
+        assert_eq!(&number(&raw(&format!("<a>{content}</a>"))), expected, "{content}");
+    }
+
+    // Expected readings are those seen from OpenSim 4.6 on the same texts.
+    #[test]
+    fn plain_numbers_are_read_as_opensim_reads_them() {
+        for (text, value) in [
+            ("1000000", 1e6),
+            ("+8e6", 8e6),
+            (".5E+6", 5e5),
+            ("  10000.00000000 ", 1e4),
+            ("0.80000000000000004", 0.8),
+            ("&#49;e6", 1e6),
+            ("1&#46;5", 1.5),
+            ("<![CDATA[2e6]]>", 2e6),
+            ("<!-- before -->3e6<!-- after -->", 3e6),
+            ("5.", 5.0),
+            ("inf", f64::INFINITY),
+            ("-Infinity", f64::NEG_INFINITY),
+        ] {
+            reads(text, &Ok(value));
+        }
+        assert!(number(&raw("<a>NaN</a>")).unwrap().is_nan());
+    }
+
+    #[test]
+    fn where_opensim_reads_something_else_the_text_is_refused() {
+        for (text, value) in [("1,5e6", 1.0), ("2e6N", 2e6), (" 3e6 4e6 ", 3e6), ("1d6", 1.0), ("0x10", 0.0)]
+        {
+            reads(text, &Err(NumberFault::Prefix { opensim_reads: value }));
+        }
+        reads("", &Err(NumberFault::Empty));
+        reads(" \n ", &Err(NumberFault::Empty));
+        reads("abc", &Err(NumberFault::Unreadable));
+        reads("1e400", &Err(NumberFault::Unreadable));
+        for text in ["1e", "1e+", "-NaN", "+nan", "inf5", "3e6 abc", "3 1e400"] {
+            reads(text, &Err(NumberFault::Unreadable));
+        }
+        reads("3 4x", &Err(NumberFault::Prefix { opensim_reads: 3.0 }));
+        reads("1e-400", &Ok(0.0));
+        reads("2<![CDATA[e6]]>", &Err(NumberFault::Interrupted));
+        reads("2e6<x/>", &Err(NumberFault::Interrupted));
+        reads("1<!-- in -->e6", &Err(NumberFault::Interrupted));
+        for text in
+            ["\u{a0}1e6", "\u{feff}12", "12&#32;", "12&#10;", "<![CDATA[1e6 ]]>", "&#160;1", "12 &bogus;"]
+        {
+            reads(text, &Err(NumberFault::Unreadable));
+        }
+        for text in ["<![CDATA[1]]><![CDATA[2]]>", "1<?pi?>2", "<![CDATA[]]>1e6"] {
+            reads(text, &Err(NumberFault::Interrupted));
+        }
+    }
+
+    #[test]
+    fn white_space_is_that_of_c() {
+        for text in [
+            "\u{b}1e6\u{b}",
+            "\u{c}1e6",
+            "&#10;1e6",
+            "&#11;1e6",
+            "<![CDATA[ 1e6]]> ",
+            "<?pi?>1e6 <!-- x --> ",
+        ] {
+            reads(text, &Ok(1e6));
+        }
+        reads("1\u{b}2", &Err(NumberFault::Prefix { opensim_reads: 1.0 }));
+        reads("12\u{a0}", &Err(NumberFault::Prefix { opensim_reads: 12.0 }));
+    }
+
+    /// Numbers of few digits are not read as others are: each as the standard library reads it, to the last bit.
+    #[test]
+    fn short_numbers_are_exact() {
+        let mut seed = 1_u64;
+        for _ in 0..50_000 {
+            // Marsaglia's xorshift.
+            seed ^= seed << 13;
+            seed ^= seed >> 7;
+            seed ^= seed << 17;
+            let digits = format!("{:017}", seed % 100_000_000_000_000_000);
+            let digits = &digits[..1 + (seed >> 57) as usize % 17];
+            for point in 0..=digits.len() {
+                let (whole, fraction) = digits.split_at(point);
+                let text = format!("-{whole}.{fraction}");
+                for text in [&text[1..], text.as_str()] {
+                    let (value, length) = number_at_start(text).unwrap();
+                    let expected: f64 = text.parse().unwrap();
+                    assert_eq!((value.to_bits(), length), (expected.to_bits(), text.len()), "{text}");
+                }
+            }
+        }
+        assert_eq!(number_at_start("-0").unwrap().0.to_bits(), (-0.0_f64).to_bits());
+    }
+
+    #[test]
+    fn three_numbers_are_words() {
+        let read = "0.1 0.2 0.3|0.1\u{b}0.2\u{c}0.3|0.1x 0.2 0.3)(|0.1, 0.2, 0.3|0.1 0.2 0.3 4 5 6";
+        for text in read.split('|') {
+            assert_eq!(triple(text), Some([0.1, 0.2, 0.3]), "{text}");
+        }
+        let unread = "0.1,0.2,0.3|(0.1 0.2 0.3)|[0.1,0.2,0.3]|~[0.1 0.2 0.3]|0.1\u{a0}0.2 0.3|0.1 0.2|0.1 0.2 0.3 x|0.1 0.2 0.3 4 5|\
+            0.1 , 0.2 , 0.3|0.1 0.2 0.3 ,||0.1 0.2 -nan|0.1 0.2 1e400|0.1 0.2 0.3 ";
+        for text in unread.split('|') {
+            assert_eq!(triple(text), None, "{text}");
+        }
+        assert!(triple("1 2 nan").unwrap()[2].is_nan());
+    }
+
+    #[test]
+    fn flags_are_words_or_whole_numbers() {
+        let yes = "true|TRUE|tRuE|1|+1|01|1.0|1e0|1abc|1,1|true false|1\u{a0}x| true|1 0";
+        let no = "false|0|-0|+0|00|0.0|0.5|0abc|0x1|0e5|0true|false true|false 1abc|\u{b}false";
+        let neither = "| |2|-1|abc|t|yes|true abc|true 2|truex|true,|true |\u{a0}true|nan|+|-|99999999999999999999|(false)|+false|\
+            true\u{a0}";
+        for (texts, expected) in [(yes, Some(true)), (no, Some(false)), (neither, None)] {
+            for text in texts.split('|') {
+                assert_eq!(flag(text), expected, "{text}");
+            }
+        }
+    }
+
+    #[test]
+    fn is_disabled_has_a_rule_of_its_own() {
+        for text in "true|TRUE|1|1abc|true | true|2|-1|01|99999999999999999999".split('|') {
+            assert!(is_disabled(text), "{text}");
+        }
+        for text in "false|0|0.0|-0|true false|true 2|abc||t|yes|\u{a0}true|+|false 1".split('|') {
+            assert!(!is_disabled(text), "{text}");
+        }
+    }
+}

@@ -1,0 +1,341 @@
+//! The flat tree: pieces that tile the file, and elements that point into them.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use super::decode::decode;
+use super::file_text::FileText;
+use super::names::{is_plain, is_space};
+
+/// What a piece of the file is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+#[non_exhaustive]
+pub enum PieceKind {
+    /// The byte order mark.
+    ByteOrderMark,
+    /// `<tag …>`
+    Open,
+    /// `</tag>`
+    Close,
+    /// `<tag …/>`
+    Empty,
+    /// Character data.
+    Text,
+    /// `<![CDATA[…]]>`
+    CData,
+    /// `&name;`
+    Reference,
+    /// `<!-- … -->`
+    Comment,
+    /// XML declaration, processing instruction or DOCTYPE.
+    Other,
+}
+
+/// One piece of the file; pieces tile it without gaps or overlaps.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Piece<'t> {
+    /// What stands there.
+    pub kind: PieceKind,
+    /// Its bytes in the file, from 0.
+    pub span: Range<usize>,
+    /// Its text; a byte that is not UTF-8 is a `?` in it.
+    pub text: &'t str,
+}
+
+/// A piece as the tree keeps it: it ends where the next one starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct StoredPiece {
+    pub(super) start: u32,
+    pub(super) kind: PieceKind,
+}
+
+/// Handle of an element of a [`Tree`]. Elements are in file order, [`ElementId::ROOT`] is the first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ElementId(u32);
+
+impl ElementId {
+    /// The first element of the file.
+    pub const ROOT: Self = Self(0);
+
+    /// Its place among all elements of the file, from 0: to count and to print, the handle itself is for the tree.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+
+    /// The element so many places later.
+    pub(super) const fn later(self, by: u32) -> Self {
+        Self(self.0.saturating_add(by))
+    }
+}
+
+/// An element as indices: its tags among the pieces, its parent and the end of its subtree among the elements.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct StoredElement {
+    /// Piece of the start tag (or of the empty-element tag).
+    pub(super) open: u32,
+    /// Piece of the end tag; equal to `open` for `<tag/>`.
+    pub(super) close: u32,
+    /// Parent element; the root is its own parent.
+    pub(super) parent: u32,
+    /// First element after this one and all below it.
+    pub(super) subtree_end: u32,
+    /// Length of the tag name, which starts one byte after the `<`.
+    pub(super) name_len: u32,
+}
+
+/// A scanned file: its elements, and the pieces they are made of. All spans are bytes of the file, from 0.
+///
+/// ```
+/// use osim_model::xml::{ElementId, Tree};
+///
+/// let text = "<ContactSphere name='heel'><radius> 0.03 </radius></ContactSphere>";
+/// let tree = Tree::scan(text).expect("it is well formed");
+/// assert_eq!(tree.attribute(ElementId::ROOT, "name").as_deref(), Some("heel"));
+/// let radius = tree.child(ElementId::ROOT, "radius").expect("it has a radius");
+/// // What an edit would replace: the number without the blanks around it.
+/// assert_eq!(&text[tree.raw_text(radius).span], "0.03");
+/// assert_eq!(&text[tree.span(radius)], "<radius> 0.03 </radius>");
+/// ```
+#[derive(Debug, Clone)]
+pub struct Tree {
+    text: FileText,
+    pieces: Vec<StoredPiece>,
+    elements: Vec<StoredElement>,
+}
+
+impl Tree {
+    pub(super) fn new(text: FileText, pieces: Vec<StoredPiece>, elements: Vec<StoredElement>) -> Self {
+        Self { text, pieces, elements }
+    }
+
+    pub(super) fn text(&self) -> &str {
+        self.text.as_str()
+    }
+
+    pub(super) fn stored_pieces(&self) -> &[StoredPiece] {
+        &self.pieces
+    }
+
+    /// The innermost element that holds the border before piece `piece`, and the first element after it.
+    pub(super) fn place_among_elements(&self, piece: usize) -> Option<(usize, usize)> {
+        let elements = &self.elements;
+        let next = elements.partition_point(|element| (element.open as usize) < piece);
+        let mut parent = next.checked_sub(1)?;
+        loop {
+            let element = elements.get(parent)?;
+            if element.close as usize >= piece {
+                return Some((parent, next));
+            }
+            // The root is its own parent: outside of it nothing is inserted.
+            parent = Some(element.parent as usize).filter(|&above| above != parent)?;
+        }
+    }
+
+    pub(super) fn stored_elements(&self) -> &[StoredElement] {
+        &self.elements
+    }
+
+    /// The file, untouched.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        self.text.bytes()
+    }
+
+    /// The file, untouched, without a copy.
+    #[must_use]
+    pub fn into_bytes(self) -> Vec<u8> {
+        self.text.into_bytes()
+    }
+
+    /// All pieces, in file order.
+    pub fn pieces(&self) -> impl DoubleEndedIterator<Item = Piece<'_>> {
+        (0..self.pieces.len()).filter_map(|index| self.piece(index))
+    }
+
+    /// Pieces between the element's tags, without the tags; those of its child elements are among them.
+    pub fn content(&self, id: ElementId) -> impl DoubleEndedIterator<Item = Piece<'_>> {
+        let element = self.element(id);
+        let content = if element.open == element.close { 0..0 } else { element.open + 1..element.close };
+        content.filter_map(|index| self.piece(index as usize))
+    }
+
+    fn piece(&self, index: usize) -> Option<Piece<'_>> {
+        let kind = self.pieces.get(index)?.kind;
+        let span = self.piece_span(index);
+        Some(Piece { kind, text: self.slice(span.clone()), span })
+    }
+
+    /// All elements, in file order.
+    pub fn elements(&self) -> impl Iterator<Item = ElementId> + use<> {
+        // Their number was counted in `u32`.
+        (0..u32::try_from(self.elements.len()).unwrap_or(u32::MAX)).map(ElementId)
+    }
+
+    /// Number of elements.
+    #[must_use]
+    pub fn element_count(&self) -> usize {
+        self.elements.len()
+    }
+
+    /// Bytes of piece `index`; empty past the end.
+    fn piece_span(&self, index: usize) -> Range<usize> {
+        let end = self.text.as_str().len();
+        let start = self.pieces.get(index).map_or(end, |piece| piece.start as usize);
+        start..self.pieces.get(index + 1).map_or(end, |next| next.start as usize)
+    }
+
+    /// The text of the bytes `span`; empty where they do not begin and end with a character of the file.
+    #[must_use]
+    #[inline]
+    pub fn slice(&self, span: Range<usize>) -> &str {
+        self.text.as_str().get(span).unwrap_or_default()
+    }
+
+    fn element(&self, id: ElementId) -> StoredElement {
+        // Ids are only made by this tree; the fallback keeps a foreign id from panicking.
+        self.elements.get(id.index()).copied().unwrap_or(StoredElement {
+            open: 0,
+            close: 0,
+            parent: 0,
+            subtree_end: 0,
+            name_len: 0,
+        })
+    }
+
+    /// Whether it is written as `<tag/>`.
+    #[must_use]
+    pub fn is_empty_tag(&self, id: ElementId) -> bool {
+        let element = self.element(id);
+        element.open == element.close
+    }
+
+    /// From the `<` of the start tag to the `>` of the end tag.
+    #[must_use]
+    pub fn span(&self, id: ElementId) -> Range<usize> {
+        let element = self.element(id);
+        self.piece_span(element.open as usize).start..self.piece_span(element.close as usize).end
+    }
+
+    /// The start tag.
+    #[must_use]
+    pub fn open_span(&self, id: ElementId) -> Range<usize> {
+        self.piece_span(self.element(id).open as usize)
+    }
+
+    /// The end tag (the whole tag for `<tag/>`).
+    #[must_use]
+    pub fn close_span(&self, id: ElementId) -> Range<usize> {
+        self.piece_span(self.element(id).close as usize)
+    }
+
+    /// The tag name, as written.
+    #[must_use]
+    #[inline]
+    pub fn name(&self, id: ElementId) -> &str {
+        let element = self.element(id);
+        let start = self.pieces.get(element.open as usize).map_or(0, |piece| piece.start as usize) + 1;
+        self.slice(start..start + element.name_len as usize)
+    }
+
+    /// The decoded value of attribute `key`, if the start tag has it.
+    #[must_use]
+    pub fn attribute(&self, id: ElementId, key: &str) -> Option<Cow<'_, str>> {
+        let tag = self.slice(self.open_span(id));
+        let name = self.name(id);
+        // `<name>` and `<name/>` have no attributes.
+        if tag.len() <= name.len() + 3 {
+            return None;
+        }
+        let body = tag.get(1..).unwrap_or_default().trim_end_matches('>').trim_end_matches('/');
+        if body.len() == name.len() {
+            return None;
+        }
+        if let Some(found) = body.get(name.len()..).and_then(|attributes| plain_attribute(attributes, key)) {
+            return found.map(Cow::Borrowed);
+        }
+        let mut attributes = quick_xml::events::attributes::Attributes::new(body, name.len());
+        attributes.with_checks(false);
+        let found = attributes.flatten().find(|attribute| attribute.key.as_ref() == key)?;
+        Some(decode(found.value))
+    }
+
+    /// The parent element; `None` for the root.
+    #[must_use]
+    #[inline]
+    pub fn parent(&self, id: ElementId) -> Option<ElementId> {
+        (id != ElementId::ROOT).then(|| ElementId(self.element(id).parent))
+    }
+
+    /// Child elements in file order.
+    #[must_use]
+    #[inline]
+    pub fn children(&self, id: ElementId) -> Children<'_> {
+        let element = self.element(id);
+        Children { tree: self, next: id.0.saturating_add(1), end: element.subtree_end }
+    }
+
+    /// Visits `top` and the elements below it, in file order; `visit` says whether to go below an element.
+    pub fn walk(&self, top: ElementId, mut visit: impl FnMut(ElementId) -> bool) {
+        let (mut next, end) = (top.0, self.element(top).subtree_end);
+        while next < end {
+            let id = ElementId(next);
+            next = if visit(id) { next.saturating_add(1) } else { self.element(id).subtree_end };
+        }
+    }
+
+    /// The first child element with this tag name: OpenSim reads the first of duplicates.
+    #[must_use]
+    #[inline]
+    pub fn child(&self, id: ElementId, name: &str) -> Option<ElementId> {
+        self.children(id).find(|&child| self.name(child) == name)
+    }
+}
+
+/// The value of `key` among attributes such as ` a="1" b='2'`, if it is among them; outer `None` where something else is between them, or
+/// a reference in the value.
+fn plain_attribute<'t>(attributes: &'t str, key: &str) -> Option<Option<&'t str>> {
+    let mut rest = attributes;
+    loop {
+        let blanks = rest.bytes().take_while(|&byte| is_space(byte)).count();
+        rest = rest.get(blanks..)?;
+        if rest.is_empty() {
+            return Some(None);
+        }
+        let (name, value) = rest.split_at_checked(rest.bytes().position(|byte| !is_plain(byte))?)?;
+        let quote = value.as_bytes().get(1).copied().filter(|&byte| matches!(byte, b'"' | b'\''))?;
+        let value = value.strip_prefix('=')?.get(1..)?;
+        let (value, behind) = value.split_at_checked(memchr::memchr(quote, value.as_bytes())?)?;
+        if blanks == 0 || name.is_empty() {
+            return None;
+        }
+        if name == key {
+            return (!value.contains('&')).then_some(Some(value));
+        }
+        rest = behind.get(1..)?;
+    }
+}
+
+/// Child elements in file order, from [`Tree::children`].
+#[derive(Debug, Clone)]
+pub struct Children<'t> {
+    tree: &'t Tree,
+    next: u32,
+    end: u32,
+}
+
+impl Iterator for Children<'_> {
+    type Item = ElementId;
+
+    #[inline]
+    fn next(&mut self) -> Option<ElementId> {
+        if self.next >= self.end {
+            return None;
+        }
+        let id = ElementId(self.next);
+        self.next = self.tree.element(id).subtree_end;
+        Some(id)
+    }
+}

@@ -1,0 +1,113 @@
+//! What the default pose says of joints that it cannot place. Places themselves: `tests/oracle/test_feet.py`.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+use osim_model::Model;
+use osim_model::feet::{DefaultPose, PoseFault};
+
+/// A document of the bodies a, b, c with `joints` and `constraints`.
+fn pose(joints: &str, constraints: &str) -> DefaultPose {
+    let bodies: String =
+        ["a", "b", "c"].map(|name| format!("<Body name=\"{name}\"><mass>1</mass></Body>")).concat();
+    let text = format!(
+        "<OpenSimDocument Version=\"40000\"><Model><BodySet><objects>{bodies}</objects></BodySet><JointSet><objects>{joints}\
+         </objects></JointSet><ConstraintSet><objects>{constraints}</objects></ConstraintSet></Model></OpenSimDocument>"
+    );
+    DefaultPose::of(&Model::parse(text).unwrap())
+}
+
+/// A joint that slides along x.
+fn slider(name: &str, parent: &str, child: &str, value: &str) -> String {
+    joint("SliderJoint", name, parent, child, value)
+}
+
+fn joint(class: &str, name: &str, parent: &str, child: &str, value: &str) -> String {
+    let path = |body: &str| if body == "ground" { "/ground".into() } else { format!("/bodyset/{body}") };
+    format!(
+        "<{class} name=\"{name}\"><socket_parent_frame>{}</socket_parent_frame><socket_child_frame>{}</socket_child_frame>\
+         <coordinates><Coordinate name=\"{name}_x\"><default_value>{value}</default_value></Coordinate></coordinates></{class}>",
+        path(parent),
+        path(child)
+    )
+}
+
+fn x(pose: &DefaultPose, body: &str) -> Result<f64, String> {
+    pose.placement(body).map(|there| there.translation_m[0]).map_err(|fault| fault.to_string())
+}
+
+#[test]
+fn bodies_are_found_through_joints_in_either_direction() {
+    let joints =
+        [slider("j", "ground", "b", "0.5"), slider("k", "a", "b", "0.2"), slider("l", "a", "c", "1")]
+            .concat();
+    let pose = pose(&joints, "");
+    assert_eq!((x(&pose, "b"), x(&pose, "a"), x(&pose, "c")), (Ok(0.5), Ok(0.3), Ok(1.3)));
+}
+
+#[test]
+fn what_is_not_known_is_said_of_the_bodies_that_it_moves() {
+    let joints = [
+        slider("j", "ground", "a", "0.5"),
+        joint("PluginJoint", "k", "a", "b", "0"),
+        slider("l", "b", "c", "1"),
+    ];
+    let found = pose(&joints.concat(), "");
+    assert_eq!(x(&found, "a"), Ok(0.5));
+    let unknown = "it is not known how joint k, a PluginJoint, stands at the default pose: one of its functions, or the joint itself, \
+                   is not understood";
+    assert_eq!((x(&found, "b"), x(&found, "c")), (Err(unknown.into()), Err(unknown.into())));
+    let word = pose(&slider("j", "ground", "a", "far"), "");
+    assert_eq!(x(&word, "a"), Err("coordinate j_x of joint j has no default value that can be read".into()));
+    assert_eq!(
+        x(&word, "b"),
+        Err("no joints lead from ground to body b, so it is not known where it is at the default pose".into())
+    );
+}
+
+/// Loops that close at the default pose say nothing new; of those that are open, OpenSim would choose a place.
+#[test]
+fn loops_must_be_closed() {
+    let ring = |last: &str| {
+        let joints = [
+            slider("j", "ground", "a", "0.5"),
+            slider("k", "a", "b", "0.2"),
+            slider("l", "ground", "b", last),
+        ];
+        pose(&joints.concat(), "")
+    };
+    assert_eq!(x(&ring("0.7"), "b"), Ok(0.7));
+    let Err(PoseFault::Loop { joint }) = ring("0.8").placement("a").cloned() else { panic!("it is open") };
+    assert!(["j", "k", "l"].contains(&&*joint));
+}
+
+#[test]
+fn constraints_other_than_couplers_are_not_computed() {
+    let joints = slider("j", "ground", "a", "0.5");
+    let weld = |flag: &str| format!("<WeldConstraint name=\"w\">{flag}</WeldConstraint>");
+    assert_eq!(
+        x(&pose(&joints, &weld("")), "a"),
+        Err("constraint w, a WeldConstraint, may move bodies at the default pose, which is not computed: switch it off in a copy of \
+             the model"
+            .into())
+    );
+    assert_eq!(x(&pose(&joints, &weld("<isEnforced>false</isEnforced>")), "a"), Ok(0.5));
+}
+
+/// Far more bodies than any animal has, each on the one before.
+#[test]
+fn long_chains_are_walked_once() {
+    const LENGTH: usize = 20_000;
+    let bodies: String = (0..LENGTH).map(|n| format!("<Body name=\"b{n}\"><mass>1</mass></Body>")).collect();
+    let joints: String = (0..LENGTH)
+        .map(|n| {
+            let parent = if n == 0 { "ground".into() } else { format!("b{}", n - 1) };
+            slider(&format!("j{n}"), &parent, &format!("b{n}"), "0.001")
+        })
+        .collect();
+    let text = format!(
+        "<OpenSimDocument Version=\"40000\"><Model><BodySet><objects>{bodies}</objects></BodySet><JointSet><objects>{joints}\
+         </objects></JointSet></Model></OpenSimDocument>"
+    );
+    let pose = DefaultPose::of(&Model::parse(text).unwrap());
+    assert!((x(&pose, "b19999").unwrap() - 20.0).abs() < 1e-9);
+}

@@ -1,0 +1,352 @@
+//! Bodies on their floors, by numbers made by hand: (1) with E* = stiffness/2^(3/2) (A.4). The real OpenSim: `tests/oracle/test_standing.py`.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+use osim_model::feet::{ByLaw, Lift, NotLifted, Rest, Standing};
+use osim_model::{Model, SphereId};
+
+/// E* = 375,000 N/m2: a sphere of 0.04 m that is 0.01 m deep carries 4/3 E* 0.2 m^1/2 0.001 m^3/2 = 100 N.
+const STIFFNESS: f64 = 375_000.0 * 2.0 * std::f64::consts::SQRT_2;
+
+/// What moves a body against its parent along one axis.
+struct Moves<'c> {
+    coordinate: &'c str,
+    axis: &'c str,
+    more: &'c str,
+}
+
+const UP: Moves<'_> =
+    Moves { coordinate: "height", axis: "0 1 0", more: "<default_value>0.5</default_value>" };
+
+fn body(name: &str, mass: f64) -> String {
+    format!("<Body name=\"{name}\"><mass>{mass}</mass></Body>")
+}
+
+fn frame(body: &str) -> String {
+    if body == "ground" { "/ground".into() } else { format!("/bodyset/{body}") }
+}
+
+fn joint(parent: &str, child: &str, moves: &[Moves<'_>]) -> String {
+    let coordinates =
+        moves.iter().map(|one| format!("<Coordinate name=\"{}\">{}</Coordinate>", one.coordinate, one.more));
+    let axes = moves.iter().enumerate().map(|(number, one)| {
+        format!(
+            "<TransformAxis name=\"translation{}\"><coordinates>{}</coordinates><axis>{}</axis><LinearFunction><coefficients>1 0\
+             </coefficients></LinearFunction></TransformAxis>",
+            number + 1, one.coordinate, one.axis
+        )
+    });
+    format!(
+        "<CustomJoint name=\"{parent}_{child}\"><socket_parent_frame>{}</socket_parent_frame><socket_child_frame>{}\
+         </socket_child_frame><coordinates>{}</coordinates><SpatialTransform>{}</SpatialTransform></CustomJoint>",
+        frame(parent),
+        frame(child),
+        coordinates.collect::<String>(),
+        axes.collect::<String>()
+    )
+}
+
+/// A sphere of 0.04 m at a height of its body.
+fn sphere(name: &str, body: &str, height: f64) -> String {
+    format!(
+        "<ContactSphere name=\"{name}\"><socket_frame>{}</socket_frame><location>0 {height} 0</location><radius>0.04</radius>\
+         </ContactSphere>",
+        frame(body)
+    )
+}
+
+/// A floor through the origin of a body, its normal turned about z from up.
+fn floor(name: &str, body: &str, slope: f64) -> String {
+    let turned = slope - std::f64::consts::FRAC_PI_2;
+    format!(
+        "<ContactHalfSpace name=\"{name}\"><socket_frame>{}</socket_frame><orientation>0 0 {turned}</orientation></ContactHalfSpace>",
+        frame(body)
+    )
+}
+
+fn force(name: &str, surfaces: &str) -> String {
+    format!(
+        "<HuntCrossleyForce name=\"{name}\"><HuntCrossleyForce::ContactParametersSet><objects>\
+         <HuntCrossleyForce::ContactParameters><geometry>{surfaces}</geometry><stiffness>{STIFFNESS}</stiffness>\
+         <dissipation>1</dissipation></HuntCrossleyForce::ContactParameters></objects>\
+         </HuntCrossleyForce::ContactParametersSet></HuntCrossleyForce>"
+    )
+}
+
+struct Parts {
+    bodies: String,
+    joints: String,
+    surfaces: String,
+    forces: String,
+    constraints: String,
+}
+
+impl Parts {
+    fn model(&self) -> Model {
+        let Self { bodies, joints, surfaces, forces, constraints } = self;
+        let text = format!(
+            "<OpenSimDocument Version=\"40000\"><Model><gravity>0 -10 0</gravity><BodySet><objects>{bodies}</objects></BodySet>\
+             <JointSet><objects>{joints}</objects></JointSet><ContactGeometrySet><objects>{surfaces}</objects></ContactGeometrySet>\
+             <ForceSet><objects>{forces}</objects></ForceSet><ConstraintSet><objects>{constraints}</objects></ConstraintSet></Model>\
+             </OpenSimDocument>"
+        );
+        Model::parse(text).unwrap()
+    }
+
+    fn standing(&self) -> Vec<Standing> {
+        let model = self.model();
+        Standing::all(&model, &model.force_ids()).unwrap()
+    }
+
+    /// That of the only tree.
+    fn only(&self) -> Standing {
+        let mut all = self.standing();
+        assert_eq!(all.len(), 1);
+        all.remove(0)
+    }
+}
+
+/// A foot of some mass on spheres at these heights of it, joined to ground by `joint`.
+fn foot(mass: f64, heights: &[f64], joints: String) -> Parts {
+    let names: Vec<String> = (0..heights.len()).map(|number| format!("s{number}")).collect();
+    let spheres: String =
+        names.iter().zip(heights).map(|(name, height)| sphere(name, "foot", *height)).collect();
+    Parts {
+        bodies: body("foot", mass),
+        joints,
+        surfaces: spheres + &floor("floor", "ground", 0.0),
+        forces: force("contact", &format!("{} floor", names.join(" "))),
+        constraints: String::new(),
+    }
+}
+
+fn lifted(mass: f64, heights: &[f64]) -> Parts {
+    foot(mass, heights, joint("ground", "foot", &[UP]))
+}
+
+fn rest(standing: &Standing) -> Rest {
+    let all: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
+    standing.rest(&all, 1.0).unwrap().unwrap()
+}
+
+fn lift(standing: &Standing) -> &Lift {
+    standing.lift.as_ref().unwrap()
+}
+
+fn close(a: f64, b: f64) -> bool {
+    (a - b).abs() < 1e-13
+}
+
+#[test]
+fn one_sphere_carries_100_n_at_0_01_m() {
+    let standing = lifted(10.0, &[-0.1]).only();
+    assert_eq!((standing.top.as_str(), standing.mass_kg, standing.load_n), ("foot", Some(10.0), Some(100.0)));
+    assert!(close(standing.spheres[0].gap_m, 0.5 - 0.1 - 0.04) && standing.spheres[0].tilt_rad < 1e-12);
+    assert_eq!((lift(&standing).coordinate.as_str(), lift(&standing).default_m), ("height", 0.5));
+    let rest = rest(&standing);
+    assert!(close(rest.spheres[0].relative_indentation, 0.25), "{rest:?}");
+    assert!((rest.spheres[0].force_n - 100.0).abs() < 1e-10 && rest.is_carried());
+    assert!(close(standing.value(rest.down_m).unwrap(), 0.14 - 0.01), "{rest:?}");
+    assert!(close(standing.value(standing.spheres[0].gap_m).unwrap(), 0.14));
+}
+
+/// x = 0.01 m and 0.0025 m: x^(3/2) is 1 and 0.125 thousandths, which carry 100 and 12.5 N.
+#[test]
+fn the_lower_sphere_carries_more() {
+    let standing = lifted(11.25, &[-0.1, -0.1 + 0.0075]).only();
+    let rest = rest(&standing);
+    let [low, high] = rest.spheres[..] else { panic!("two") };
+    assert!((low.force_n - 100.0).abs() < 1e-9 && (high.force_n - 12.5).abs() < 1e-9, "{rest:?}");
+    assert!(close(low.relative_indentation, 0.25) && close(high.relative_indentation, 0.0625));
+    assert!(low.touches() && high.touches());
+}
+
+#[test]
+fn a_sphere_out_of_reach_carries_nothing_and_one_alone_can_be_chosen() {
+    let standing = lifted(10.0, &[-0.1, -0.08]).only();
+    let both = rest(&standing);
+    assert!(
+        close(both.spheres[0].relative_indentation, 0.25)
+            && close(both.spheres[1].relative_indentation, -0.25)
+    );
+    assert!(both.spheres[1].force_n == 0.0 && !both.spheres[1].touches());
+    let high = standing.spheres[1].sphere;
+    let alone = standing.rest(&[high], 1.0).unwrap().unwrap();
+    assert!(close(alone.down_m, both.down_m + 0.02) && alone.spheres.len() == 1);
+    // Half of the weight on one of two limbs: x goes with F^(2/3).
+    let half = standing.rest(&[high], 0.5).unwrap().unwrap();
+    assert!(close(half.spheres[0].relative_indentation, 0.25 * 0.5_f64.powf(2.0 / 3.0)));
+    let hertz = standing.rest_under(&[high], 100.0, ByLaw::Hertz).unwrap().unwrap();
+    assert!(close(hertz.down_m, alone.down_m));
+}
+
+/// Eight times the weight at x = 0.04 m, the radius: nothing carries it as a sphere.
+#[test]
+fn a_sphere_that_is_in_up_to_its_centre_cannot_carry() {
+    assert!(!rest(&lifted(80.001, &[-0.1]).only()).is_carried());
+    assert!(rest(&lifted(79.999, &[-0.1]).only()).is_carried());
+}
+
+/// The normal leans by 0.6 and 0.8: of 100 N it gets 80, and a metre of height is 0.8 m along it.
+#[test]
+fn on_a_slope_the_part_along_the_normal_counts() {
+    let mut parts = lifted(10.0, &[-0.1]);
+    parts.surfaces = sphere("s0", "foot", -0.1) + &floor("floor", "ground", 0.6_f64.asin());
+    let standing = parts.only();
+    assert!(close(standing.load_n.unwrap(), 80.0) && close(lift(&standing).rise, 0.8), "{standing:?}");
+    // The foot is upright, the floor is not.
+    assert!(close(standing.spheres[0].tilt_rad, 0.6_f64.asin()));
+    // Its centre is 0.4 m over the origin: 0.32 m from the plane.
+    assert!(close(standing.spheres[0].gap_m, 0.32 - 0.04));
+    let rest = rest(&standing);
+    assert!(close(rest.spheres[0].relative_indentation * 0.04, 0.01 * 0.8_f64.powf(2.0 / 3.0)));
+    let down = standing.value(rest.down_m).unwrap() - 0.5;
+    assert!(close(down * 0.8, -rest.down_m));
+}
+
+#[test]
+fn a_coordinate_that_points_down_is_raised_to_go_down() {
+    let down = Moves { coordinate: "depth", axis: "0 -1 0", more: "<default_value>-0.5</default_value>" };
+    let standing = foot(10.0, &[-0.1], joint("ground", "foot", &[down])).only();
+    assert_eq!(lift(&standing).rise, -1.0);
+    assert!(close(standing.value(rest(&standing).down_m).unwrap(), -0.13));
+}
+
+/// The cart stays above: the coordinate below it moves the foot alone.
+#[test]
+fn only_what_the_coordinate_moves_is_carried() {
+    let along = Moves { coordinate: "along", axis: "1 0 0", more: "" };
+    let mut parts = foot(10.0, &[-0.1], joint("ground", "cart", &[along]) + &joint("cart", "foot", &[UP]));
+    parts.bodies.push_str(&body("cart", 7.0));
+    let standing = parts.only();
+    assert_eq!((standing.top.as_str(), standing.mass_kg), ("cart", Some(10.0)));
+}
+
+/// All that hangs on the trunk, whatever hangs below one of its branches: 1 + 2 + 4 + 8 + 16 kg.
+#[test]
+fn everything_below_the_joint_is_carried() {
+    let mut parts = foot(1.0, &[-0.1], String::new());
+    parts.bodies = ["trunk 2", "arm 4", "leg 8", "head 16", "foot 1"]
+        .map(|one| one.split_once(' ').map(|(name, mass)| body(name, mass.parse().unwrap())).unwrap())
+        .concat();
+    parts.joints = joint("ground", "trunk", &[UP]);
+    for (above, below) in [("trunk", "arm"), ("trunk", "leg"), ("trunk", "head"), ("leg", "foot")] {
+        parts.joints.push_str(&joint(above, below, &[]));
+    }
+    assert_eq!(parts.only().mass_kg, Some(31.0));
+}
+
+/// Neither a locked nor a free platform is what lifts the foot from it; nor does its mass count.
+#[test]
+fn a_platform_is_not_what_stands() {
+    for more in ["<locked>true</locked>", ""] {
+        let plate = Moves { coordinate: "plate_ty", axis: "0 1 0", more };
+        let mut parts = lifted(10.0, &[-0.1]);
+        parts.bodies.push_str(&body("plate", 300.0));
+        parts.joints.push_str(&joint("ground", "plate", &[plate]));
+        parts.surfaces = sphere("s0", "foot", -0.1) + &floor("floor", "plate", 0.0);
+        let standing = parts.only();
+        assert_eq!((lift(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
+        // A foot that hangs on the platform, too.
+        parts.joints = joint("ground", "plate", &[Moves { coordinate: "plate_ty", axis: "0 1 0", more }])
+            + &joint("plate", "foot", &[UP]);
+        let standing = parts.only();
+        assert_eq!((lift(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
+    }
+}
+
+#[test]
+fn a_ball_stands_by_itself() {
+    let mut parts = lifted(10.0, &[-0.1]);
+    parts.bodies.push_str(&body("ball", 0.5));
+    parts.joints.push_str(&joint(
+        "ground",
+        "ball",
+        &[Moves { coordinate: "ball_ty", axis: "0 1 0", more: "" }],
+    ));
+    parts.surfaces.push_str(&sphere("ball_surface", "ball", 0.0));
+    parts.forces.push_str(&force("ball_contact", "ball_surface floor"));
+    let all = parts.standing();
+    let found: Vec<_> =
+        all.iter().map(|one| (one.top.as_str(), one.mass_kg, lift(one).coordinate.as_str())).collect();
+    assert_eq!(found, [("foot", Some(10.0), "height"), ("ball", Some(0.5), "ball_ty")]);
+}
+
+#[test]
+fn why_nothing_lifts_it() {
+    let why = |joints: String| foot(10.0, &[-0.1], joints).only().lift.unwrap_err();
+    let weld = "<WeldJoint name=\"w\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/foot\
+                </socket_child_frame></WeldJoint>";
+    // What a WeldJoint holds on ground is terrain.
+    assert_eq!(why(joint("ground", "foot", &[])), NotLifted::Welded);
+    assert_eq!(why(weld.replace("Weld", "Pin")), NotLifted::Pinned);
+    // Its axis is x.
+    assert_eq!(why(weld.replace("Weld", "Slider")), NotLifted::Slides);
+    let held = |more| why(joint("ground", "foot", &[Moves { more, ..UP }]));
+    assert_eq!(held("<locked>true</locked>"), NotLifted::Locked { coordinate: "height".into() });
+    let prescribed = "<prescribed>true</prescribed><prescribed_function><Constant><value>0.5</value></Constant></prescribed_function>";
+    assert_eq!(held(prescribed), NotLifted::Driven { coordinate: "height".into() });
+    let along = Moves { coordinate: "along", axis: "1 0 0", more: "" };
+    let mut coupled = foot(10.0, &[-0.1], joint("ground", "foot", &[UP, along]));
+    coupled.constraints = "<CoordinateCouplerConstraint name=\"c\"><coupled_coordinates_function><LinearFunction><coefficients>1 0\
+                           </coefficients></LinearFunction></coupled_coordinates_function><independent_coordinate_names>along\
+                           </independent_coordinate_names><dependent_coordinate_name>height</dependent_coordinate_name>\
+                           </CoordinateCouplerConstraint>"
+        .to_owned();
+    assert_eq!(coupled.only().lift, Err(NotLifted::Driven { coordinate: "height".into() }));
+}
+
+/// OpenSim makes the coordinates of a FreeJoint that the file does not have: three that turn, then three that move.
+#[test]
+fn coordinates_need_not_be_written() {
+    let free = "<FreeJoint name=\"free\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/foot\
+                </socket_child_frame></FreeJoint>";
+    let standing = foot(10.0, &[-0.1], free.to_owned()).only();
+    assert_eq!(lift(&standing).joint, "free");
+    assert_eq!((lift(&standing).coordinate.as_str(), lift(&standing).default_m), ("_coord_4", 0.0));
+}
+
+#[test]
+fn floors_of_two_directions_are_no_floor_to_stand_on_and_a_wall_is_none() {
+    let mut parts = lifted(10.0, &[-0.1]);
+    parts.surfaces.push_str(&floor("slope", "ground", 0.1));
+    parts.forces.push_str(&force("other", "s0 slope"));
+    assert_eq!(parts.only().lift, Err(NotLifted::SeveralFloors));
+    let mut parts = lifted(10.0, &[-0.1]);
+    parts.surfaces.push_str(&floor("wall", "ground", 1.5));
+    parts.forces.push_str(&force("other", "s0 wall"));
+    let standing = parts.only();
+    assert_eq!(lift(&standing).coordinate, "height");
+    // What would press it on the wall carries nothing.
+    assert!(close(rest(&standing).spheres[0].relative_indentation, 0.25));
+}
+
+/// A sphere on two planes of one force, and on one of another: 100 N of each that it is 0.01 m in.
+#[test]
+fn a_sphere_on_two_floors_is_carried_by_both() {
+    let mut parts = lifted(20.0, &[-0.1]);
+    parts.surfaces.push_str(&floor("second", "ground", 0.0));
+    parts.forces.push_str(&force("other", "s0 second"));
+    let rest = rest(&parts.only());
+    assert_eq!(rest.spheres.len(), 1);
+    assert!(
+        close(rest.spheres[0].relative_indentation, 0.25) && (rest.spheres[0].force_n - 200.0).abs() < 1e-9
+    );
+}
+
+#[test]
+fn bodies_whose_place_is_not_known_are_no_standing() {
+    let model = foot(10.0, &[-0.1], String::new()).model();
+    assert!(Standing::all(&model, &model.force_ids()).unwrap_err().to_string().contains("foot"));
+}
+
+/// A mass that cannot be read leaves the heights known, and the weight unknown.
+#[test]
+fn without_a_mass_there_is_no_weight() {
+    let mut parts = lifted(10.0, &[-0.1]);
+    parts.bodies = parts.bodies.replace("<mass>10</mass>", "<mass>heavy</mass>");
+    let standing = parts.only();
+    assert_eq!((standing.mass_kg, standing.load_n), (None, None));
+    assert!(standing.rest(&[standing.spheres[0].sphere], 1.0).is_none());
+    assert!(close(standing.spheres[0].gap_m, 0.36));
+}

@@ -1,0 +1,206 @@
+//! Counts and failures: what a reader wants to know first.
+
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+
+use crate::figures::{self as figures, Indentations};
+use contact_scaling::limits;
+use maud::{Markup, html};
+use osim_model::messages::{counted, four_significant};
+use osim_model::{FindingCode, Severity};
+
+use super::entry::{EARLIER, Entry};
+use super::explained::Topics;
+use super::fragment::table;
+use super::values::{marked_outside, severity};
+use crate::html::special::{Indentation, is_too_deep};
+
+pub(super) const SECTION: (&str, &str) = ("glance", "At a glance");
+pub(super) const CHART: (&str, &str) = ("indentation", "Relative indentation at rest, x̂");
+
+/// References that are named; rows of a manifest may have one each.
+const REFERENCES: usize = 5;
+
+/// The outcome of all models together.
+#[derive(Debug, Default)]
+pub(super) struct Tally {
+    models: usize,
+    failed: usize,
+    earlier: usize,
+    /// The different references, in order of appearance; a run has one, a manifest may have many.
+    references: Vec<String>,
+    /// The outcomes of models that did not fail, with their numbers, in order of appearance.
+    outcomes: Vec<(String, usize)>,
+    /// Those that were inspected.
+    seen: usize,
+    /// Of these, those with errors, with warnings, with remarks.
+    with: [usize; 3],
+    findings: BTreeMap<(FindingCode, Severity), usize>,
+    /// x̂ of each model in each state, if known.
+    before: Vec<f64>,
+    not_scaled: Vec<f64>,
+    now: Vec<f64>,
+}
+
+impl Tally {
+    pub(super) fn add(&mut self, entry: &Entry) {
+        self.models += 1;
+        self.earlier += usize::from(entry.earlier);
+        if entry.failed {
+            self.failed += 1;
+            return;
+        }
+        match self.outcomes.iter_mut().find(|(outcome, _)| *outcome == entry.outcome) {
+            Some((_, count)) => *count += 1,
+            None => self.outcomes.push((entry.outcome.clone(), 1)),
+        }
+        let Some(facts) = &entry.facts else { return };
+        if let Some(reference) = &facts.reference
+            && self.references.len() < REFERENCES
+            && !self.references.contains(reference)
+        {
+            self.references.push(reference.clone());
+        }
+        self.seen += 1;
+        let counts = [facts.counts.error, facts.counts.warn, facts.counts.info];
+        self.with.iter_mut().zip(counts).for_each(|(with, count)| *with += usize::from(count > 0));
+        facts
+            .codes
+            .iter()
+            .for_each(|(code, severity)| *self.findings.entry((*code, *severity)).or_default() += 1);
+        let Indentation { before, not_scaled, now } = facts.indentation;
+        self.before.extend(before);
+        self.not_scaled.extend(not_scaled);
+        self.now.extend(now);
+    }
+
+    pub(super) fn models(&self) -> usize {
+        self.models
+    }
+
+    pub(super) fn has_failures(&self) -> bool {
+        self.failed > 0
+    }
+
+    /// Whether there is a chart.
+    pub(super) fn has_chart(&self) -> bool {
+        self.now.len() > 1
+    }
+
+    /// The counts. Failed models come next.
+    pub(super) fn counts(&self) -> Markup {
+        let too_deep = self.now.iter().filter(|value| is_too_deep(**value)).count();
+        html! {
+            ul.counts {
+                li { b { (self.models) } (if self.models == 1 { " model" } else { " models" }) }
+                @if self.failed > 0 { li.bad { b { (self.failed) } " failed" } }
+                @for (outcome, count) in &self.outcomes { li { b { (count) } " " (outcome) } }
+                @if self.seen > 0 {
+                    @for (severity, (with, what)) in [Severity::Error, Severity::Warn, Severity::Info]
+                        .into_iter().zip(self.with.iter().zip(["errors", "warnings", "remarks"])) {
+                        @if *with > 0 { li class=(severity.as_str()) { b { (with) } " with " (what) } }
+                    }
+                }
+                @if !self.now.is_empty() {
+                    li { b { (too_deep) " of " (self.now.len()) } " deeper at rest than x̂ = " (limits::INDENTATION.value) }
+                }
+            }
+            @for reference in &self.references { p { b { "Reference: " } (reference) "." } }
+            @if self.earlier > 0 {
+                p { (counted(self.earlier, "model")) " done by an earlier run of this call, marked with" (EARLIER) "." }
+            }
+        }
+    }
+
+    /// The findings, the worst and most frequent first.
+    pub(super) fn findings(&self, topics: &mut Topics) -> Markup {
+        let rows = self.rows(topics);
+        html! {
+            @if !rows.is_empty() {
+                h3 { "Findings by kind" }
+                (table("Findings by kind", "In how many models each finding is.", &["finding", " how bad", "models"], &rows))
+            }
+        }
+    }
+
+    fn rows(&self, topics: &mut Topics) -> Vec<Markup> {
+        let mut findings: Vec<((FindingCode, Severity), usize)> =
+            self.findings.iter().map(|(finding, count)| (*finding, *count)).collect();
+        findings.sort_by_key(|((code, severity), count)| (Reverse((*severity, *count)), *code));
+        let row = |((code, how_bad), count): &((FindingCode, Severity), usize)| {
+            html! {
+                tr { th scope="row" { (topics.code(*code)) } td.words { (severity(*how_bad)) } td { (count) } }
+            }
+        };
+        findings.iter().map(row).collect()
+    }
+
+    /// The chart of x̂ over the models.
+    pub(super) fn chart(&self) -> Markup {
+        let (id, title) = CHART;
+        let (now, limit) =
+            (if self.before.is_empty() { "models" } else { "after" }, limits::INDENTATION.value);
+        let states: Vec<Indentations<'_>> =
+            [(now, &self.now), ("before", &self.before), ("before, under the new weight", &self.not_scaled)]
+                .into_iter()
+                .map(|(name, indentations)| Indentations { name, indentations })
+                .collect();
+        let above: usize = states.iter().map(|state| figures::above_the_axis(state.indentations)).sum();
+        let Some(svg) = figures::indentations(&states) else { return html! {} };
+        html! {
+            section id=(id) aria-labelledby="indentation-title" {
+                h2 id="indentation-title" { (title) }
+                figure {
+                    div.plot { (maud::PreEscaped(svg)) }
+                    figcaption {
+                        "x̂ = x/R of the sphere that sinks in most under the body weight on one limb, by the Hertz law, which \
+                         holds up to " (limit) ". Each curve has an order of its own, from the smallest value to the largest"
+                        @if self.seen > self.now.len() { "; " (counted(self.seen - self.now.len(), "model")) " without a known x̂ left out" }
+                        @if above > 0 { "; " (counted(above, "value")) " above 1 drawn at 1" }
+                        "."
+                        @if !self.before.is_empty() {
+                            " Where the curves before and after are one, scaling kept x̂."
+                        }
+                        @if !self.not_scaled.is_empty() {
+                            " Under the new weight: the old contacts, had they not been changed."
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The section about one model.
+pub(super) fn of_one(entry: &Entry, code: &Markup) -> Markup {
+    let (id, title) = SECTION;
+    html! {
+        section id=(id) aria-labelledby="glance-title" {
+            h2 id="glance-title" { (title) }
+            @if entry.failed || entry.facts.is_none() {
+                p.note { b { (entry.model) } ": " (entry.summary) (code) }
+            } @else {
+                ul.counts {
+                    li { (entry.summary) @if entry.earlier { " (done by an earlier run)" } }
+                    @if let Some(facts) = &entry.facts { (depth(facts.indentation)) }
+                }
+            }
+        }
+    }
+}
+
+fn depth(indentation: Indentation) -> Markup {
+    let Indentation { before, not_scaled, now } = indentation;
+    let Some(now) = now else { return html! {} };
+    let which = if before.is_some() { "after" } else { "at rest" };
+    let shown = four_significant(now);
+    let shown = if is_too_deep(now) { marked_outside(&shown) } else { shown };
+    html! {
+        li {
+            "x̂ of the deepest sphere " (which) ": " b { (shown) }
+            @if let Some(before) = before { "; before: " (four_significant(before)) }
+            @if let Some(not_scaled) = not_scaled { "; before, under the new weight: " (four_significant(not_scaled)) }
+            "; limit " (limits::INDENTATION.value)
+        }
+    }
+}

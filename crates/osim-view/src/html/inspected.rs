@@ -1,0 +1,202 @@
+//! A model that was inspected and checked.
+
+use crate::report::inspection::force_groups::{described, groups};
+use crate::report::inspection::lengths;
+use crate::report::inspection::on_feet::sentences;
+use maud::{Markup, html};
+use osim_inspect::series::Body;
+use osim_inspect::{InspectOptions, Inspection};
+use osim_model::files::OpenModel;
+use osim_model::messages::{Dialect, four_significant, readable};
+use osim_planning::ModelFeet;
+
+use super::detail_level::DetailLevel;
+use super::entry::Entry;
+use super::examined::Examined;
+use super::files::{self, NamedDigest};
+use super::fragment::{Fragment, table};
+use super::section::Section;
+use super::sphere_figures::{self, State};
+use super::values::file_name;
+use super::{findings, plots, similarity};
+use crate::html::special::{Drawn, Facts};
+
+/// A model that was inspected, and what a page shows of it.
+#[derive(Debug)]
+pub struct Inspected<'m> {
+    /// How it was inspected.
+    pub options: &'m InspectOptions,
+    /// The model.
+    pub model: &'m OpenModel,
+    /// What is in it, and what is wrong with it.
+    pub examined: Examined<'m>,
+    /// The files that it was read from, the model first.
+    pub files: &'m [NamedDigest],
+    /// Its feet, to be drawn where there are plots.
+    pub feet: Option<ModelFeet>,
+    /// What its contacts do along a recording, where one was named: from [`recording`](crate::html::recording).
+    pub recording: Option<Section>,
+}
+
+/// Everything about one model that was inspected.
+#[must_use]
+pub fn inspected(inspected: Inspected<'_>, detail: DetailLevel, dialect: &dyn Dialect) -> Entry {
+    let mut fragment = Fragment::new(detail);
+    let Examined { inspection, check } = inspected.examined;
+    let drawn = fill(&mut fragment, inspected, dialect);
+    let facts = Facts::new(&inspection.figures, check, drawn.bodies.first());
+    Entry::of_inspection(inspection, facts, drawn, fragment)
+}
+
+/// Adds the sections; what may be drawn of the model elsewhere.
+pub(super) fn fill(fragment: &mut Fragment, inspected: Inspected<'_>, dialect: &dyn Dialect) -> Drawn {
+    let Inspected { options, model, examined, files, feet, recording } = inspected;
+    let inspected = examined.inspection;
+    findings::of_model(fragment, examined.check);
+    if let Some(recording) = recording {
+        fragment.section(recording.id, recording.title, &maud::PreEscaped(recording.html));
+    }
+    let failed = |fault| model.failure(fault);
+    let body = || Body::inspected(file_name(model.name()).to_owned(), &model.model, options, &failed).ok();
+    let drawn = Drawn {
+        bodies: body().into_iter().collect(),
+        has_reference: false,
+        feet: feet.into_iter().collect(),
+    };
+    if fragment.detail.is_alone() {
+        super::feet::section(fragment, &drawn.feet);
+        if !drawn.bodies.is_empty() {
+            plots::section(fragment, &drawn.bodies, false, dialect);
+            plots::state_section(fragment, &drawn.bodies);
+        }
+    }
+    sphere_figures::section(
+        fragment,
+        &[State { name: String::new(), figures: &inspected.figures, is_reference: false }],
+    );
+    let asked = inspected.similarity.as_ref();
+    let compared = examined.check.similarity.as_ref().filter(|list| list.is_worth_showing());
+    if let Some(list) = compared.or(asked) {
+        similarity::section(fragment, list);
+    }
+    let body = html! { (forces(inspected)) (spheres(inspected)) (standing(inspected)) (factors(inspected)) };
+    fragment.section("contacts", "Forces and spheres of the model", &body);
+    fragment.section("model", "The model and its files", &the_model(inspected, files));
+    drawn
+}
+
+fn forces(inspected: &Inspection) -> Markup {
+    let groups = groups(inspected);
+    let rows: Vec<Markup> = groups
+        .iter()
+        .map(|group| {
+            html! { tr { th scope="row" { (described(&group.forces)) } @for cell in &group.cells { td { (cell) } } } }
+        })
+        .collect();
+    if rows.is_empty() {
+        return html! { p { "No contact force." } };
+    }
+    let mut caption =
+        "Forces with the same parameters share a row. E₁*, E* in N/m², α and bv in s/m, slip in m/s, cf \
+                       in m², bd in 1/m; friction static/dynamic/viscous."
+            .to_owned();
+    if groups.iter().any(|group| group.cells.iter().any(|cell| cell.contains('*'))) {
+        caption.push_str(" * not in the file: from <defaults> or OpenSim's class default.");
+    }
+    table("Forces", &caption, &["forces", "E₁*", "E*", "α", "friction", "slip", "cf", "bd", "bv"], &rows)
+}
+
+/// Where bodies are over their floors, and what puts them on their feet.
+fn standing(inspected: &Inspection) -> Markup {
+    let several = inspected.standing.len() > 1;
+    html! {
+        @for body in &inspected.standing {
+            p {
+                "Standing" @if several { " of " (body.body) } ": "
+                @for (number, sentence) in sentences(body).iter().enumerate() { @if number > 0 { "; " } (sentence) } "."
+            }
+        }
+        @if let Some(why) = &inspected.why_no_standing { p.note { "Where it stands is not known: " (why) "." } }
+    }
+}
+
+fn spheres(inspected: &Inspection) -> Markup {
+    if inspected.spheres.is_empty() {
+        return html! {};
+    }
+    let decimals = lengths::decimals(&inspected.spheres);
+    let metres = |value: f64| lengths::metres(value, decimals);
+    let rows: Vec<Markup> = inspected
+        .spheres
+        .iter()
+        .map(|sphere| {
+            let lowest = sphere.lowest_point_m.map(|point| point.map(metres));
+            html! {
+                tr {
+                    th scope="row" { (sphere.name) }
+                    td.words { (sphere.body.as_deref().unwrap_or(&sphere.frame)) }
+                    td.words { (sphere.limb.as_deref().unwrap_or("–")) }
+                    td { (metres(sphere.radius_m)) }
+                    @for value in lowest.unwrap_or_else(|| ["?", "?", "?"].map(str::to_owned)) { td { (value) } }
+                }
+            }
+        })
+        .collect();
+    let caption = "Spheres, in m. The lowest point is in the body's frame, with the body's axes upright.";
+    table("Spheres", caption, &["sphere", " body", " limb", "radius", "lowest x", "y", "z"], &rows)
+}
+
+/// Each body's factors, compared with the generic model, if there is one.
+fn factors(inspected: &Inspection) -> Markup {
+    let Some(factors) = &inspected.body_factors else { return html! {} };
+    let shown = |factor: Option<f64>| factor.map_or_else(|| "?".to_owned(), |factor| format!("{factor:.6}"));
+    let rows: Vec<Markup> = factors
+        .iter()
+        .map(|body| {
+            html! {
+                tr {
+                    th scope="row" { (body.body) }
+                    @for factor in body.factors { td { (shown(factor)) } }
+                    td.words { (sources(&body.sources)) }
+                }
+            }
+        })
+        .collect();
+    let caption = "How bodies were scaled against the generic model; ? where nothing says.";
+    table("Factors of bodies", caption, &["body", "x", "y", "z", " from"], &rows)
+}
+
+fn sources(sources: &[Option<&'static str>]) -> String {
+    let mut named: Vec<&str> = sources.iter().flatten().copied().collect();
+    named.dedup();
+    named.join(", ")
+}
+
+fn the_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
+    let limbs = inspected.limbs.iter().flatten();
+    let limbs: Vec<String> =
+        limbs.map(|limb| format!("{} ({}, n = {})", limb.name, limb.side, limb.spheres.len())).collect();
+    html! {
+        dl {
+            (files::read(files))
+            dt { "Name" } dd { (inspected.name) ", document version " (inspected.document_version) }
+            dt { "Weighs" } dd { @match inspected.mass_kg {
+                Some(mass) => { (readable(mass)) " kg (" (inspected.mass_source) ")" }
+                None => { "not known" }
+            } }
+            dt { "Contacts made for" } dd { @match &inspected.contacts_mass_kg {
+                Some(mass) => { (mass.in_words()) }
+                None => { "not known" }
+            } }
+            @if let Some(note) = &inspected.note { dt { "Note" } dd { (note.sentences.join(" ")) } }
+            dt { "Gravity" } dd { @match inspected.gravity_m_s2 {
+                Some(gravity) => { (four_significant(gravity)) " m/s²" }
+                None => { "cannot be read" }
+            } }
+            dt { "Limbs" } dd {
+                @if limbs.is_empty() { "not known" } @else { (limbs.join(", ")) }
+                @if let Some(why) = &inspected.limbs_unknown { ": " (why) }
+            }
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! The contact beside that of the reference it was taken from, both without dimensions.
+
+use contact_scaling::DimensionlessContact;
+use maud::{Markup, html};
+use osim_inspect::ReferenceState;
+use osim_inspect::series::{Body, SphereKind};
+use osim_model::messages::{four_significant, readable};
+
+use super::fragment::{Fragment, table};
+
+pub(super) const SECTION: (&str, &str) = ("reference", "The contact beside that of the reference");
+/// Contacts whose numbers differ by less (relative) are one.
+const SAME: f64 = 1e-9;
+
+type Contacts<'b> = Vec<(&'b SphereKind, DimensionlessContact)>;
+
+/// The section: `bodies` are the states of the model, before and after.
+pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodies: &[Body]) {
+    let Some(own) = &reference.body else { return };
+    let states: Vec<(&str, Contacts<'_>)> =
+        bodies.iter().filter_map(|body| Some((body.name.as_str(), body.dimensionless().ok()?))).collect();
+    // A transfer that scales no gravity takes the contacts as they are under the gravity of the model.
+    let gravity = bodies.last().and_then(|body| body.weight().ok()).map(|weight| weight.gravity_m_s2);
+    let here = gravity.map(|gravity| under(own, gravity));
+    let (Ok(there), Some(Ok(there_here))) = (own.dimensionless(), here.as_ref().map(Body::dimensionless))
+    else {
+        return;
+    };
+    let last = states.last().map(|(_, last)| last);
+    let equal = |there: &Contacts<'_>| last.is_some_and(|last| all_agree(last, there));
+    let own_gravity = equal(&there) || !equal(&there_here);
+    let shown = if own_gravity { &there } else { &there_here };
+    let mut rows: Vec<Markup> = shown.iter().map(|contact| row("reference", contact)).collect();
+    for (state, contacts) in &states {
+        rows.extend(contacts.iter().map(|contact| row(state, contact)));
+    }
+    let name = match gravity.filter(|_| !own_gravity) {
+        Some(gravity) => format!("{} under {} m/s²", reference.name, readable(gravity)),
+        None => reference.name.clone(),
+    };
+    let caption = "Contacts without dimensions, each under its own weight: x/R by (11), damping, constant indentation, and \
+                   smoothing.";
+    let headers = ["contact", " spheres", "R in m", "x/R", "α √(gR)", "√cf/R", "bd R", "bv √(gR)"];
+    let body = html! {
+        p { (verdict(&name, equal(shown), states.len() > 1)) }
+        (table("Contacts beside the reference's", caption, &headers, &rows))
+        (parameters(own, bodies))
+    };
+    fragment.section(SECTION.0, SECTION.1, &body);
+}
+
+/// The reference in one clause, for a page about many models.
+pub(super) fn in_words(reference: &ReferenceState) -> String {
+    let Some(own) = &reference.body else { return reference.name.clone() };
+    let weight = own
+        .weight()
+        .ok()
+        .map(|weight| format!(" ({} kg, n = {})", readable(weight.mass_kg), readable(weight.sphere_count)));
+    let contacts = own.dimensionless().unwrap_or_default();
+    let kinds = contacts.iter().map(|(kind, contact)| {
+        let (modulus, damping) = (kind.contact.plane_strain_modulus(), kind.contact.dissipation());
+        format!(
+            "R = {} m, E₁* = {} N/m², α = {} s/m, x/R = {}",
+            readable(kind.radius_m),
+            readable(modulus),
+            readable(damping),
+            four_significant(contact.relative_indentation())
+        )
+    });
+    let kinds: Vec<String> = kinds.collect();
+    format!("{}{}: {}", reference.name, weight.unwrap_or_default(), kinds.join("; "))
+}
+
+/// The numbers of both models as their files have them.
+fn parameters(reference: &Body, bodies: &[Body]) -> Markup {
+    let named =
+        std::iter::once(("reference", reference)).chain(bodies.iter().map(|body| (body.name.as_str(), body)));
+    let rows: Vec<Markup> = named
+        .flat_map(|(state, body)| body.kinds.iter().map(move |kind| of_kind(state, body, kind)))
+        .collect();
+    let caption = "The same contacts with dimensions: body mass, n (spheres that share the weight), R, and the properties of the \
+                   force. They differ from the reference's as the bodies do.";
+    let headers = [
+        "contact",
+        " spheres",
+        "mass, kg",
+        "n",
+        "R, m",
+        "E₁*, N/m²",
+        "α, s/m",
+        "cf, m²",
+        "bd, 1/m",
+        "bv, s/m",
+    ];
+    table("Parameters beside the reference's", caption, &headers, &rows)
+}
+
+fn of_kind(state: &str, body: &Body, kind: &SphereKind) -> Markup {
+    let weight = body.weight().ok();
+    let (contact, smoothing) = (kind.contact.values(), kind.contact.smoothing());
+    let numbers = [
+        weight.map(|weight| weight.mass_kg),
+        weight.map(|weight| weight.sphere_count),
+        Some(kind.radius_m),
+        Some(contact.plane_strain_modulus),
+        Some(contact.dissipation),
+        smoothing.map(|smoothing| smoothing.constant_contact_force),
+        smoothing.map(|smoothing| smoothing.hertz_smoothing),
+        smoothing.map(|smoothing| smoothing.hunt_crossley_smoothing),
+    ];
+    html! {
+        tr {
+            th scope="row" { (state) }
+            td.words { (of_spheres(kind)) }
+            @for number in numbers { td { (number.map_or_else(|| "–".to_owned(), readable)) } }
+        }
+    }
+}
+
+fn of_spheres(kind: &SphereKind) -> &str {
+    if kind.spheres.is_empty() { "all" } else { &kind.spheres }
+}
+
+/// The same body under another gravity.
+fn under(body: &Body, gravity_m_s2: f64) -> Body {
+    let mut body = body.clone();
+    if let Ok(weight) = &mut body.weight {
+        weight.gravity_m_s2 = gravity_m_s2;
+    }
+    body
+}
+
+fn all_agree(here: &Contacts<'_>, there: &Contacts<'_>) -> bool {
+    here.iter().all(|(_, contact)| there.iter().any(|(_, other)| agree(contact, other)))
+}
+
+/// Whether the contact is that of the reference.
+fn verdict(name: &str, equal: bool, changed: bool) -> String {
+    let is = if changed { "The contact is now" } else { "The contact is" };
+    if equal {
+        return format!(
+            "{is} as that of {name}: without dimensions all numbers are equal. What is outside a limit here is outside it in \
+             the reference, too."
+        );
+    }
+    format!("{is} not that of {name} in all numbers: the rows of this table show which differ.")
+}
+
+/// Whether the numbers that both have are the same: a HuntCrossleyForce has no smoothing.
+fn agree(one: &DimensionlessContact, other: &DimensionlessContact) -> bool {
+    let numbers = |contact: &DimensionlessContact| {
+        [
+            Some(contact.modulus()),
+            Some(contact.dissipation()),
+            contact.constant_indentation(),
+            contact.hertz_smoothing(),
+            contact.hunt_crossley_smoothing(),
+        ]
+    };
+    numbers(one).into_iter().zip(numbers(other)).all(|pair| match pair {
+        (Some(a), Some(b)) => (a - b).abs() <= SAME * f64::max(a.abs(), b.abs()),
+        _ => true,
+    })
+}
+
+fn row(state: &str, (kind, contact): &(&SphereKind, DimensionlessContact)) -> Markup {
+    let four = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), four_significant);
+    html! {
+        tr {
+            th scope="row" { (state) }
+            td.words { (of_spheres(kind)) }
+            td { (readable(kind.radius_m)) }
+            td { (four(Some(contact.relative_indentation()))) }
+            td { (four(Some(contact.dissipation()))) }
+            td { (four(contact.constant_indentation())) }
+            td { (four(contact.hertz_smoothing())) }
+            td { (four(contact.hunt_crossley_smoothing())) }
+        }
+    }
+}

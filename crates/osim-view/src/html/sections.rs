@@ -1,0 +1,81 @@
+//! Sections about one model, each by itself: for a page that shows some now and others later.
+
+use osim_inspect::ReferenceState;
+use osim_inspect::series::Body;
+use osim_model::messages::{Dialect, harmless};
+use osim_patch::Plan;
+use serde::Serialize;
+
+use super::change::{Changed, fill, what_changed};
+use super::fragment::Fragment;
+use super::inspected::{self, Inspected};
+use super::section::Section;
+use super::{explained, plots};
+
+/// What a link in a section leads to.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
+pub struct Explained {
+    /// The anchor.
+    pub id: String,
+    /// The equation, finding or error, explained; an element with that anchor.
+    pub html: String,
+}
+
+/// Sections about one model, and everything that their links lead to.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
+pub struct Sections {
+    /// In the order of a report.
+    pub sections: Vec<Section>,
+    /// Each once.
+    pub explained: Vec<Explained>,
+}
+
+impl Sections {
+    fn of(fragment: Fragment, dialect: &dyn Dialect) -> Self {
+        let explained = explained::each(&fragment.topics, dialect).into_iter();
+        let explained = explained.map(|(id, html)| Explained { id, html: harmless(&html.0).into_owned() });
+        let sections = fragment.sections.into_iter();
+        let sections =
+            sections.map(|section| Section { html: harmless(&section.html).into_owned(), ..section });
+        Self { sections: sections.collect(), explained: explained.collect() }
+    }
+
+    /// What changes, from the plan alone, and those plots that are `wanted` of `bodies`: both states of the model, and what the
+    /// contacts are taken from, if it is another body. Nothing else of the model is computed: for pictures that follow a slider.
+    #[must_use]
+    pub fn of_plan(
+        plan: &Plan,
+        bodies: &[Body],
+        reference: Option<&ReferenceState>,
+        wanted: Option<&[String]>,
+        dialect: &dyn Dialect,
+    ) -> Self {
+        let mut fragment = Fragment::of_some(wanted);
+        what_changed(&mut fragment, plan);
+        if !bodies.is_empty() {
+            let other = reference.and_then(|reference| reference.body.clone());
+            let bodies: Vec<Body> = bodies.iter().cloned().chain(other).collect();
+            plots::section(&mut fragment, &bodies, reference.is_some(), dialect);
+            plots::state_section(&mut fragment, &bodies);
+        }
+        Self::of(fragment, dialect)
+    }
+
+    /// Those sections of a change whose names are `wanted`; `None` for all.
+    #[must_use]
+    pub fn of_change(changed: Changed<'_>, wanted: Option<&[String]>, dialect: &dyn Dialect) -> Self {
+        let mut fragment = Fragment::of_some(wanted);
+        fill(&mut fragment, changed, dialect);
+        Self::of(fragment, dialect)
+    }
+
+    /// Those sections about a model that was inspected whose names are `wanted`; `None` for all.
+    #[must_use]
+    pub fn of_model(inspected: Inspected<'_>, wanted: Option<&[String]>, dialect: &dyn Dialect) -> Self {
+        let mut fragment = Fragment::of_some(wanted);
+        inspected::fill(&mut fragment, inspected, dialect);
+        Self::of(fragment, dialect)
+    }
+}

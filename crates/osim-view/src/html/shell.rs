@@ -1,0 +1,175 @@
+//! What is around the models: head, contents, the call, and where the page comes from.
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use osim_model::messages::Verb;
+
+const STYLE: &str = include_str!("style.css");
+
+pub(super) const ASKED: (&str, &str) = ("asked", "The command of this page");
+pub(super) const ORIGIN: (&str, &str) = ("origin", "Program and citation");
+
+/// The mark by which pages of this program are recognised; the version follows.
+pub const GENERATOR: &str = "<meta name=\"generator\" content=\"osim-contact-scale ";
+
+/// Van Bijlert (2026), as CITATION.cff has it.
+const PAPER: &str = "van Bijlert, P. A. (2026). Scaling contact force parameters across body size, limb \
+                                count, and number of contact spheres. Journal of Biomechanics.";
+const DOI: &str = "10.1016/j.jbiomech.2026.113420";
+
+/// Everything before the first section.
+pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> String {
+    let head = html! {
+        meta charset="utf-8";
+        meta name="viewport" content="width=device-width, initial-scale=1";
+        meta name="color-scheme" content="light dark";
+        (PreEscaped(GENERATOR)) (env!("CARGO_PKG_VERSION")) (PreEscaped("\">"))
+        title { (title) }
+        style { (PreEscaped(STYLE)) }
+    };
+    let top = html! {
+        a.skip href="#content" { "Skip to the content" }
+        header {
+            h1 { (title) }
+            p.quiet { "Made by osim-contact-scale " (env!("CARGO_PKG_VERSION"))
+                ". Contacts of OpenSim models by the equations of van Bijlert (2026)." }
+        }
+        nav aria-label="Contents" {
+            ul { @for (id, name) in sections { li { a href={ "#" (id) } { (name) } } } }
+        }
+    };
+    let (doctype, head, top) = (DOCTYPE.0, head.0, top.0);
+    format!(
+        "{doctype}\n<html lang=\"en\">\n<head>{head}</head>\n<body class=\"{class}\">\n{top}\n<main id=\"content\">\n"
+    )
+}
+
+/// What was done, and `command`, by which it is done again.
+pub(super) fn asked(verb: Verb, command: &str) -> String {
+    let (id, title) = ASKED;
+    html! {
+        section id=(id) aria-labelledby="asked-title" {
+            h2 id="asked-title" { (title) }
+            p { (purpose(verb)) }
+            (command_line(command))
+        }
+    }
+    .0
+}
+
+/// A command in a box. Where it is too long for a line, it breaks between words and never after the dashes of an option.
+pub(super) fn command_line(command: &str) -> Markup {
+    html! {
+        pre.command { code {
+            @for (index, word) in command.split(' ').enumerate() {
+                @if index > 0 { " " }
+                span { (word) }
+            }
+        } }
+    }
+}
+
+fn purpose(verb: Verb) -> &'static str {
+    match verb {
+        Verb::Rescale => {
+            "Contacts that are made for one body mass, rescaled to another: each parameter is multiplied by the factor \
+             that its equation gives, so that the contact without dimensions stays the same."
+        }
+        Verb::Transfer => {
+            "The contacts of another model, given to this one at its own mass, radii and number of spheres, so that \
+             the contact without dimensions is the reference's."
+        }
+        Verb::Add => {
+            "Contacts for a model that had none, at its own size, with numbers made for its mass: those of a reference without \
+             dimensions, or those that were asked for."
+        }
+        Verb::Convert => {
+            "Forces of another class, one for each sphere, with the same stiffness, dissipation and friction."
+        }
+        Verb::Remove => "Contacts taken out of the model. Nothing else was changed.",
+        Verb::Design => "Parameters found from what the contacts should do.",
+        Verb::Set => "Properties written, or multiplied, as given.",
+        Verb::Note => {
+            "The mass that the contacts were made for, written into the file. No number was changed."
+        }
+        Verb::Batch => "Many models changed, each as its row of a table says.",
+        Verb::Check => {
+            "Models compared with the limits of the paper and the traps of the format. Nothing was changed."
+        }
+        _ => "What contacts the model has, and what they do under its weight. Nothing was changed.",
+    }
+}
+
+/// Everything after the last model.
+pub(super) fn closing() -> String {
+    let (id, title) = ORIGIN;
+    let end = html! {
+        section id=(id) aria-labelledby="origin-title" {
+            h2 id="origin-title" { (title) }
+            dl {
+                dt { "Program" } dd { "osim-contact-scale " (env!("CARGO_PKG_VERSION")) }
+                dt { "Cite the paper" }
+                dd { (PAPER) " " a href={ "https://doi.org/" (DOI) } { "doi:" (DOI) } }
+                dt { "Cite the software" }
+                dd { (software()) }
+            }
+            p.quiet { "The page holds no date: the same call on the same files gives the same page." }
+        }
+    };
+    format!("{}\n</main>\n</body>\n</html>\n", end.0)
+}
+
+fn software() -> Markup {
+    html! { "The osim-contact-scale developers. osim-contact-scale, version " (env!("CARGO_PKG_VERSION")) "." }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use contact_plots::{Axis, Curve, Direction, Figure, Limit, Look, Panel, Paper, Width, figure};
+
+    /// CITATION.cff folds its texts over lines.
+    fn flat(text: &str) -> String {
+        text.split_ascii_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
+    /// A colour without a rule for the dark mode would be drawn as on white.
+    #[test]
+    fn every_colour_of_a_plot_has_a_dark_one() {
+        let looks = (0..Look::MOST_SERIES).map(Look::series);
+        let mut colours: Vec<String> = looks
+            .chain([Look::HERTZ, Look::WITH_CONSTANT, Look::OWN])
+            .map(|look| format!("{:02X}{:02X}{:02X}", look.colour.0, look.colour.1, look.colour.2))
+            .collect();
+        let curve = Curve { label: "a".to_owned(), points: vec![(0.0, 0.0), (1.0, 1.0)], look: Look::OWN };
+        let mut panel = Panel::new("", Axis::new("x"), Axis::new("y"));
+        panel.curves.push(curve);
+        let limit = Limit { label: "limit".to_owned(), at: 0.5, direction: Direction::Vertical };
+        panel.limits.push(limit);
+        let (title, description) = ("a".to_owned(), String::new());
+        let drawn = figure(
+            &Figure { title, description, width: Width::Column, columns: 1, panels: vec![panel] },
+            Paper::default(),
+        )
+        .unwrap();
+        colours.extend(drawn.split("=\"#").skip(1).filter_map(|rest| Some(rest.get(..6)?.to_owned())));
+        for colour in colours {
+            for attribute in ["fill", "stroke"] {
+                let rule = format!(".plot [{attribute}=\"#{colour}\"]{{{attribute}:");
+                assert!(STYLE.contains(&rule), "{rule}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_citation_is_that_of_the_citation_file() {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../CITATION.cff");
+        let Ok(file) = std::fs::read_to_string(path) else { return };
+        let file = flat(&file);
+        assert!(
+            file.contains(DOI) && file.contains("Journal of Biomechanics") && file.contains("year: 2026")
+        );
+        let title = PAPER.split("). ").nth(1).and_then(|rest| rest.split(". ").next()).unwrap();
+        assert!(file.contains(title), "{title}");
+        assert!(file.contains(&format!("version: {}", env!("CARGO_PKG_VERSION"))));
+    }
+}

@@ -1,0 +1,227 @@
+//! What the spheres do: one column per group of like spheres and per state of the model.
+
+use std::collections::{HashMap, HashSet};
+
+use crate::report::inspection::rows::{FigureText, Spheres, heading, key, limit, value};
+use crate::report::inspection::standing::{CAPTION, equally_deep};
+use crate::report::layout::OUTSIDE;
+use maud::{Markup, html};
+use osim_inspect::{Figure, Figures, SphereFigures};
+
+use super::fragment::{Fragment, boxed, table};
+use super::values::{listed, marked_outside};
+
+pub(super) const SECTION: (&str, &str) = ("figures", "Load, indentation and restitution of the spheres");
+/// Columns of numbers in one table.
+const ABREAST: usize = 6;
+
+/// The model's figures in one state, and what to call it.
+pub(super) struct State<'s> {
+    pub(super) name: String,
+    pub(super) figures: &'s Figures,
+    /// Whether it is another body, whose spheres may have other names.
+    pub(super) is_reference: bool,
+}
+
+/// The spheres of a state, to be looked up.
+struct Lookup<'s> {
+    by_path: HashMap<&'s str, &'s SphereFigures>,
+    /// Only in a reference.
+    by_name: HashMap<&'s str, &'s SphereFigures>,
+    /// Any sphere of a reference where all are alike.
+    any: Option<&'s SphereFigures>,
+}
+
+impl<'s> Lookup<'s> {
+    fn of(state: &State<'s>) -> Self {
+        let mut found = Self { by_path: HashMap::new(), by_name: HashMap::new(), any: None };
+        for sphere in state.figures.spheres() {
+            found.by_path.entry(&sphere.path).or_insert(sphere);
+            if state.is_reference {
+                found.by_name.entry(&sphere.sphere).or_insert(sphere);
+            }
+        }
+        let first = state.figures.spheres().next().filter(|_| state.is_reference);
+        found.any = first.filter(|first| {
+            let first = key(first);
+            state.figures.spheres().all(|other| key(other) == first)
+        });
+        found
+    }
+
+    /// Its sphere that `sphere` of the model is compared with: itself; in a reference that of its name, else any where all are
+    /// alike.
+    fn sphere_like(&self, sphere: &SphereFigures) -> Option<&'s SphereFigures> {
+        let own = self.by_path.get(sphere.path.as_str());
+        own.or_else(|| self.by_name.get(sphere.sphere.as_str())).copied().or(self.any)
+    }
+}
+
+/// Spheres that do the same in every state.
+struct Group<'s> {
+    names: Vec<&'s str>,
+    limbs: Vec<&'s str>,
+    /// In each state.
+    spheres: Vec<Option<&'s SphereFigures>>,
+    mixed: bool,
+}
+
+/// The section; with a sentence where nothing is known.
+pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
+    let groups = groups(states);
+    let abreast = (ABREAST / states.len().max(1)).max(1);
+    let why =
+        states.iter().find_map(|state| state.figures.why_no_body_weight.as_ref()).map(ToString::to_string);
+    let mut body = html! {
+        @if let Some(why) = why { p.note { "No figures under body weight: " (why) "." } }
+        @if groups.is_empty() { p { "No sphere of a chosen force touches a half-space." } }
+        @else { p { "BW: body weight, on one limb unless the call says otherwise. Restitution is that of a fall from a quarter of the radius, √(gR/2), unless the call says otherwise." } }
+    };
+    let mut outside = false;
+    for (index, chunk) in groups.chunks(abreast).enumerate() {
+        let first = index * abreast + 1;
+        let table = sheet(fragment, states, chunk, first, &mut outside);
+        body = html! {
+            (body)
+            ul.groups { @for (index, group) in chunk.iter().enumerate() { li { b { "S" (first + index) } " " (described(group)) } } }
+            (table)
+        };
+    }
+    for state in states {
+        body = html! { (body) (standing(state)) };
+    }
+    if outside {
+        body = html! { (body) p.quiet { (OUTSIDE) " outside the limit; Findings says more." } };
+    }
+    fragment.section(SECTION.0, SECTION.1, &body);
+}
+
+/// The spheres at their own heights, where these differ.
+fn standing(state: &State<'_>) -> Markup {
+    let rows: Vec<Markup> = equally_deep(state.figures)
+        .iter()
+        .map(|row| {
+            html! {
+                tr {
+                    th scope="row" { (row.limb) }
+                    @for value in &row.indentation { td { (value) } }
+                    td.words { (listed(&row.spheres)) }
+                }
+            }
+        })
+        .collect();
+    if rows.is_empty() {
+        return html! {};
+    }
+    let caption = format!("{}: {CAPTION}.", state.name);
+    table("Spheres at their own heights", &caption, &["limb", "Hertz", "the model's law", " spheres"], &rows)
+}
+
+fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {
+    let mut groups: Vec<Group<'s>> = Vec::new();
+    let Some(first) = states.first() else { return groups };
+    let lookups: Vec<Lookup<'s>> = states.iter().map(Lookup::of).collect();
+    let mut places: HashMap<Vec<String>, usize> = HashMap::new();
+    let mut limbs: HashSet<(usize, &str)> = HashSet::new();
+    for limb in &first.figures.limbs {
+        let mixed = limb.is_mixed();
+        for sphere in &limb.spheres {
+            let spheres: Vec<Option<&SphereFigures>> =
+                lookups.iter().map(|state| state.sphere_like(sphere)).collect();
+            let key = spheres.iter().flat_map(|sphere| sphere.map(key).unwrap_or_default()).collect();
+            let limb = limb.limb.as_deref().unwrap_or_default();
+            let place = *places.entry(key).or_insert(groups.len());
+            let is_new = limbs.insert((place, limb));
+            match groups.get_mut(place) {
+                Some(group) => {
+                    group.names.push(&sphere.sphere);
+                    group.limbs.extend(is_new.then_some(limb));
+                }
+                None => {
+                    groups.push(Group { names: vec![&sphere.sphere], limbs: vec![limb], spheres, mixed });
+                }
+            }
+        }
+    }
+    groups
+}
+
+fn described(group: &Group<'_>) -> String {
+    let limbs: Vec<&str> = group.limbs.iter().copied().filter(|limb| !limb.is_empty()).collect();
+    let limbs = if limbs.is_empty() { String::new() } else { format!(" ({})", limbs.join(", ")) };
+    format!("{}{limbs}", listed(&group.names))
+}
+
+fn sheet(
+    fragment: &mut Fragment,
+    states: &[State<'_>],
+    groups: &[Group<'_>],
+    first: usize,
+    outside: &mut bool,
+) -> Markup {
+    let several = states.len() > 1;
+    let mixed = groups.iter().any(|group| group.mixed);
+    let spheres = || groups.iter().flat_map(|group| group.spheres.iter().flatten());
+    let speed = states.first().and_then(|state| state.figures.impact_speed_m_s);
+    let rows: Vec<Markup> = Spheres::new(mixed, spheres().copied())
+        .figures()
+        .filter(|&figure| spheres().any(|sphere| value(figure, sphere).is_some()))
+        .map(|figure| line(fragment, figure, speed.filter(|_| !several), groups, outside))
+        .collect();
+    let caption = match states.last() {
+        Some(last) if last.is_reference => {
+            "Figures of the spheres, before and after, and those of the reference"
+        }
+        _ if several => "Figures of the spheres, before and after",
+        _ => "Figures of the spheres",
+    };
+    let table = html! {
+        table {
+            caption { span { (caption) } }
+            thead {
+                tr {
+                    th scope="col" rowspan=[several.then_some(2)] { "figure" }
+                    th scope="col" rowspan=[several.then_some(2)] { "limit" }
+                    @for index in 0..groups.len() {
+                        th scope=(if several { "colgroup" } else { "col" }) colspan=[several.then_some(states.len())] {
+                            "S" (first + index)
+                        }
+                    }
+                }
+                @if several { tr { @for _ in groups { @for state in states { th scope="col" { (state.name) } } } } }
+            }
+            tbody { @for row in rows { (row) } }
+        }
+    };
+    boxed("Figures of the spheres", &table)
+}
+
+fn line(
+    fragment: &mut Fragment,
+    figure: Figure,
+    speed: Option<f64>,
+    groups: &[Group<'_>],
+    outside: &mut bool,
+) -> Markup {
+    let name = heading(figure, speed);
+    let part = name.starts_with(' ');
+    let name = fragment.topics.linked(name.trim_start_matches(' '));
+    html! {
+        tr {
+            th class=[part.then_some("part")] scope="row" { (name) }
+            td { (limit(figure).replace(">=", "≥").replace("<=", "≤")) }
+            @for sphere in groups.iter().flat_map(|group| &group.spheres) { (cell(figure, *sphere, outside)) }
+        }
+    }
+}
+
+fn cell(figure: Figure, sphere: Option<&SphereFigures>, outside: &mut bool) -> Markup {
+    match sphere.and_then(|sphere| value(figure, sphere)) {
+        None => html! { td { "–" } },
+        Some(FigureText { text, outside: false }) => html! { td { (text) } },
+        Some(FigureText { text, outside: true }) => {
+            *outside = true;
+            html! { td.outside { (marked_outside(&text)) } }
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! Explanations for scripts: one object for each topic and line.
+
+use contact_scaling::Equation;
+use contact_scaling::equations::{Form, Symbol};
+use osim_inspect::SCHEMA_VERSION;
+use osim_model::messages::{Dialect, Phrase};
+use osim_model::{Repair, Rule, Seen};
+#[cfg(feature = "schemas")]
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::ascii::ascii;
+use super::errors::ErrorCode;
+use super::quantities::QuantityTopic;
+use super::topic::Topic;
+use super::uses::uses;
+
+/// One topic. `docs/reference/json.md` describes every field.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
+#[serde(tag = "kind", rename_all = "lowercase")]
+#[cfg_attr(feature = "schemas", schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub enum TopicRecord {
+    /// An equation, or a rule of this project.
+    #[non_exhaustive]
+    Equation {
+        /// Raised when a field changes its meaning or goes away.
+        schema_version: u32,
+        /// The paper's number without brackets, or a name.
+        label: &'static str,
+        /// What it says, in a few words.
+        title: &'static str,
+        /// The equation as printed first, then in other forms.
+        formulas: Vec<FormulaRecord>,
+        /// Every symbol of the formulas.
+        symbols: Vec<SymbolRecord>,
+        /// Where it stands.
+        source: String,
+        /// Which part of the project uses it.
+        used: String,
+    },
+    /// A property of a contact, or a figure.
+    #[non_exhaustive]
+    Quantity {
+        /// Raised when a field changes its meaning or goes away.
+        schema_version: u32,
+        /// OpenSim's name of a property, or the name of the field in JSON and CSV.
+        name: &'static str,
+        /// Symbols and words for the same.
+        symbols: &'static [&'static str],
+        /// Its unit; empty for a pure number.
+        unit: &'static str,
+        /// Number of the equation in the paper; empty where there is none.
+        equation: &'static str,
+        /// Its limit in words; null where it has none.
+        limit: Option<String>,
+        /// What it is, in a sentence.
+        what: String,
+        /// What is easily misunderstood about it.
+        trap: String,
+    },
+    /// A finding, of a model or of a change.
+    #[non_exhaustive]
+    Finding {
+        /// Raised when a field changes its meaning or goes away.
+        schema_version: u32,
+        /// Stable short name.
+        code: &'static str,
+        /// How bad it is.
+        severity: &'static str,
+        /// Whether a check looks for it; else changes alone report it.
+        checked: bool,
+        /// What it is, in a sentence.
+        what: String,
+        /// Why it matters.
+        why: String,
+        /// What to do about it.
+        advice: String,
+        /// What the command does that `check` proposes; null where it cannot propose one.
+        fix: Option<String>,
+        /// Why it cannot.
+        why_no_fix: Option<String>,
+    },
+    /// An error.
+    #[non_exhaustive]
+    Error {
+        /// Raised when a field changes its meaning or goes away.
+        schema_version: u32,
+        /// Stable short name.
+        code: &'static str,
+        /// What is wrong.
+        means: String,
+        /// What to do about it.
+        way_out: String,
+    },
+}
+
+/// One way to write an equation.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct FormulaRecord {
+    /// What sets it apart, such as `for x`; empty for the first form.
+    pub note: &'static str,
+    /// The formula in Unicode.
+    pub formula: &'static str,
+    /// The same in ASCII.
+    pub ascii: String,
+    /// Unit of the result; `1` for a pure number, empty where nothing is computed.
+    pub unit: &'static str,
+}
+
+/// One symbol of a formula.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct SymbolRecord {
+    /// The symbol in Unicode.
+    pub symbol: &'static str,
+    /// The same in ASCII.
+    pub ascii: String,
+    /// What it means.
+    pub meaning: String,
+    /// Its unit; `1` for a pure number.
+    pub unit: &'static str,
+}
+
+impl TopicRecord {
+    /// A topic in the words of `dialect`.
+    #[must_use]
+    pub fn new(topic: Topic, dialect: &dyn Dialect) -> Self {
+        match topic {
+            Topic::Equation(equation) => Self::of_equation(equation, dialect),
+            Topic::Quantity(quantity) => Self::of_quantity(quantity, dialect),
+            Topic::Finding(rule) => Self::of_finding(rule, dialect),
+            Topic::Error(error) => Self::of_error(error, dialect),
+        }
+    }
+
+    fn of_equation(equation: &Equation, dialect: &dyn Dialect) -> Self {
+        Self::Equation {
+            schema_version: SCHEMA_VERSION,
+            label: equation.label,
+            title: equation.title,
+            formulas: equation.forms.iter().map(FormulaRecord::new).collect(),
+            symbols: equation.symbols.iter().map(|symbol| SymbolRecord::new(symbol, dialect)).collect(),
+            source: Phrase::template(equation.source).spelled(dialect),
+            used: uses(equation.label).spelled(dialect),
+        }
+    }
+
+    fn of_quantity(quantity: &QuantityTopic, dialect: &dyn Dialect) -> Self {
+        Self::Quantity {
+            schema_version: SCHEMA_VERSION,
+            name: quantity.name,
+            symbols: quantity.symbols,
+            unit: quantity.unit,
+            equation: quantity.equation,
+            limit: quantity.limit.clone(),
+            what: quantity.what().spelled(dialect),
+            trap: quantity.trap().spelled(dialect),
+        }
+    }
+
+    fn of_finding(rule: &Rule, dialect: &dyn Dialect) -> Self {
+        let (fix, why_no_fix) = match rule.repair {
+            Repair::Command(what) => (Some(what.to_owned()), None),
+            Repair::NotPossible(why) => (None, Some(why.to_owned())),
+        };
+        Self::Finding {
+            schema_version: SCHEMA_VERSION,
+            code: rule.code.as_str(),
+            severity: rule.severity.as_str(),
+            checked: rule.seen == Seen::Model,
+            what: rule.what().spelled(dialect),
+            why: rule.why().spelled(dialect),
+            advice: rule.advice().spelled(dialect),
+            fix,
+            why_no_fix,
+        }
+    }
+
+    fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> Self {
+        Self::Error {
+            schema_version: SCHEMA_VERSION,
+            code: error.code,
+            means: error.means().spelled(dialect),
+            way_out: error.way_out().spelled(dialect),
+        }
+    }
+}
+
+impl FormulaRecord {
+    fn new(form: &Form) -> Self {
+        Self { note: form.note, formula: form.formula, ascii: ascii(form.formula), unit: form.unit }
+    }
+}
+
+impl SymbolRecord {
+    fn new(symbol: &Symbol, dialect: &dyn Dialect) -> Self {
+        Self {
+            symbol: symbol.symbol,
+            ascii: ascii(symbol.symbol),
+            meaning: Phrase::template(symbol.meaning).spelled(dialect),
+            unit: symbol.unit,
+        }
+    }
+}

@@ -1,0 +1,334 @@
+//! Many models as one table: a row each, as many columns as fit.
+
+use osim_inspect::{Counts, Figure, InspectedForce, Inspection, SphereFigures};
+use osim_model::Property;
+use osim_model::messages::{Dialect, Phrase, counted, four_significant, shown, three_significant};
+
+use crate::report::layout::{Colour, OUTSIDE, clipped, painted, table, wrapped, wrapped_with_path};
+use crate::report::messages::{NO_CONTACTS, in_a_cell};
+
+/// What is in a row beside the name, in the order of the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Column {
+    Mass,
+    Spheres,
+    Class,
+    Stiffness,
+    Radius,
+    Indentation,
+    Restitution,
+    Findings,
+}
+
+/// Those that a narrow terminal goes without, the first one first.
+const LEFT_OUT: [Column; 5] =
+    [Column::Restitution, Column::Radius, Column::Class, Column::Stiffness, Column::Spheres];
+
+/// Columns of a terminal that names have at least, where they need them.
+const NAME: usize = 18;
+
+/// Blanks between two columns.
+const GAP: usize = 2;
+
+/// The models of one call.
+#[derive(Debug, Default)]
+pub struct ModelsTable {
+    rows: Vec<(String, Cells)>,
+    with_findings: usize,
+    without_contacts: usize,
+    failed: usize,
+    has_no_full: bool,
+}
+
+/// The cells of a row, in the order of [`Column::ALL`].
+type Cells = [String; Column::ALL.len()];
+
+impl Column {
+    const ALL: [Self; 8] = [
+        Self::Mass,
+        Self::Spheres,
+        Self::Class,
+        Self::Stiffness,
+        Self::Radius,
+        Self::Indentation,
+        Self::Restitution,
+        Self::Findings,
+    ];
+
+    const fn heading(self) -> &'static str {
+        match self {
+            Self::Mass => "kg",
+            Self::Spheres => "n",
+            Self::Class => "class",
+            Self::Stiffness => "E1*",
+            Self::Radius => "R",
+            Self::Indentation => "x/R",
+            Self::Restitution => "c_r",
+            Self::Findings => "findings",
+        }
+    }
+
+    /// What the heading means, where it does not say so.
+    const fn meaning(self) -> &'static str {
+        match self {
+            Self::Mass => "kg: mass of the model",
+            Self::Findings => "",
+            Self::Spheres => "n: spheres that share the body weight, of how many",
+            Self::Class => "class: of the contact forces",
+            Self::Stiffness => "E1*: OpenSim's stiffness, N/m2",
+            Self::Radius => "R: radius of the spheres, m",
+            Self::Indentation => "x/R: deepest indentation at rest over the radius, by the law of the class",
+            Self::Restitution => "c_r: lowest coefficient of restitution",
+        }
+    }
+
+    /// Whether the column has numbers, which end at one place.
+    const fn is_number(self) -> bool {
+        !matches!(self, Self::Class | Self::Findings)
+    }
+
+    fn cell(self, inspected: &Inspection, counts: Counts) -> String {
+        match self {
+            Self::Mass => inspected.mass_kg.map_or_else(|| "?".to_owned(), four_significant),
+            Self::Spheres if inspected.spheres.is_empty() => NOTHING.to_owned(),
+            Self::Spheres => format!("{} of {}", shared_by(inspected), inspected.spheres.len()),
+            Self::Class => class(inspected).to_owned(),
+            Self::Stiffness => {
+                let values = chosen(inspected).filter_map(|force| force.parameters.get(Property::Stiffness));
+                range(values, powers_of_ten)
+            }
+            Self::Radius => {
+                range(spheres(inspected).filter_map(|sphere| sphere.value(Figure::Radius)), four_significant)
+            }
+            Self::Indentation => extreme(spheres(inspected).filter_map(at_rest), f64::max),
+            Self::Restitution => extreme(spheres(inspected).filter_map(restitution), f64::min),
+            Self::Findings => findings(inspected, counts),
+        }
+    }
+}
+
+/// What there is room for in a line.
+struct Fitting {
+    columns: Vec<Column>,
+    /// How long the names of models may be; `None` if lines have no end.
+    name_width: Option<usize>,
+}
+
+impl ModelsTable {
+    /// For a front end in which several models cannot be asked for in full: the text does not name the option.
+    #[must_use]
+    pub fn without_full(self) -> Self {
+        Self { has_no_full: true, ..self }
+    }
+
+    /// Adds a model that was inspected, and how much is wrong with it.
+    pub fn add(&mut self, inspected: &Inspection, counts: Counts) {
+        self.with_findings += usize::from(counts.error + counts.warn > 0);
+        self.without_contacts += usize::from(inspected.forces.is_empty());
+        let cells = Column::ALL.map(|column| column.cell(inspected, counts));
+        self.rows.push((inspected.model.clone(), cells));
+    }
+
+    /// Adds a model that could not be inspected, because of a failure with this code.
+    pub fn add_failed(&mut self, model: &str, code: &str) {
+        let why = in_a_cell(code);
+        *(if why == NO_CONTACTS { &mut self.without_contacts } else { &mut self.failed }) += 1;
+        let cell = |column| if column == Column::Findings { why } else { "" };
+        self.rows.push((model.to_owned(), Column::ALL.map(|column| cell(column).to_owned())));
+    }
+
+    /// One row for each model in lines of at most `width` columns, then what the headings mean, and how many there are.
+    ///
+    /// Names are whole and no column is left out where lines have no end, in a file or a pipe.
+    #[must_use]
+    pub fn text(&self, width: Option<usize>, dialect: &dyn Dialect, colour: Colour) -> String {
+        // A line with an end has no room for the folder that they are all in.
+        let folder = width.map(|_| self.common_folder()).unwrap_or_default();
+        let Fitting { columns, name_width } = self.fitting(width, folder);
+        let headings: Vec<&str> =
+            std::iter::once("model").chain(columns.iter().map(|column| column.heading())).collect();
+        let mut table = table(&headings);
+        for (name, cells) in &self.rows {
+            let name = name.strip_prefix(folder).unwrap_or(name);
+            let name = name_width.map_or_else(|| name.to_owned(), |width| clipped(name, width));
+            let kept = Column::ALL.iter().zip(cells).filter(|(column, _)| columns.contains(column));
+            table.add_row(std::iter::once(&name).chain(kept.map(|(_, cell)| cell)));
+        }
+        let numbers = columns.iter().enumerate().filter(|(_, column)| column.is_number());
+        table.right_aligned(&numbers.map(|(index, _)| index + 1).collect::<Vec<_>>());
+        let table = painted(&format!("{}\n", table.trim_fmt()), colour);
+        let folder = if folder.is_empty() { String::new() } else { wrapped_with_path(folder, "", "") };
+        format!("{folder}{table}\n{}{}", legend(&columns, dialect, self.has_no_full), self.counted())
+    }
+
+    /// The folder in which all models are, with the mark at its end; empty where there is none.
+    fn common_folder(&self) -> &str {
+        let mut names = self.rows.iter().map(|(name, _)| name.as_str());
+        let first = names.next().unwrap_or_default();
+        names.fold(folder_of(first), |common, name| {
+            let alike = common.char_indices().zip(name.chars()).take_while(|((_, a), b)| a == b);
+            let end = alike.last().map_or(0, |((at, letter), _)| at + letter.len_utf8());
+            folder_of(common.get(..end).unwrap_or_default())
+        })
+    }
+
+    /// What there is room for in lines of at most `width` columns.
+    fn fitting(&self, width: Option<usize>, folder: &str) -> Fitting {
+        let mut columns = Column::ALL.to_vec();
+        let Some(width) = width else { return Fitting { columns, name_width: None } };
+        let longest = self
+            .rows
+            .iter()
+            .map(|(name, _)| shown(name.strip_prefix(folder).unwrap_or(name)).to_string().chars().count())
+            .max();
+        let wanted = longest.unwrap_or_default().clamp("model".len(), NAME);
+        let room = |columns: &[Column]| {
+            let taken: usize = columns.iter().map(|&column| self.width(column) + GAP).sum();
+            width.saturating_sub(taken + GAP)
+        };
+        for left_out in LEFT_OUT {
+            if room(&columns) >= wanted {
+                break;
+            }
+            columns.retain(|&column| column != left_out);
+        }
+        let room = room(&columns).max("model".len());
+        Fitting { columns, name_width: Some(room) }
+    }
+
+    fn width(&self, column: Column) -> usize {
+        let cells = self.rows.iter().flat_map(|(_, cells)| Column::ALL.into_iter().zip(cells));
+        let own = cells.filter(|(of, _)| *of == column).map(|(_, cell)| cell.chars().count());
+        own.max().unwrap_or_default().max(column.heading().chars().count())
+    }
+
+    fn counted(&self) -> String {
+        let models = self.rows.len();
+        let mut text = counted(models, "model");
+        for (count, what) in [
+            (self.with_findings, "with errors or warnings"),
+            (self.without_contacts, "without contacts"),
+            (self.failed, "not read"),
+        ] {
+            if count > 0 {
+                text.push_str(&format!(", {count} {what}"));
+            }
+        }
+        format!("{text}\n")
+    }
+}
+
+/// The folders of a name, with the mark at its end.
+fn folder_of(name: &str) -> &str {
+    name.rfind(['/', '\\']).and_then(|end| name.get(..=end)).unwrap_or_default()
+}
+
+/// What the headings mean, which columns are left out, and where more is.
+fn legend(columns: &[Column], dialect: &dyn Dialect, has_no_full: bool) -> String {
+    let meanings = columns.iter().map(|column| column.meaning()).filter(|meaning| !meaning.is_empty());
+    let meanings: Vec<&str> = meanings.collect();
+    let mut text = wrapped(&format!("({}; {OUTSIDE}: outside the limit)", meanings.join("; ")), " ");
+    let left_out: Vec<&str> =
+        LEFT_OUT.iter().filter(|column| !columns.contains(column)).map(|column| column.heading()).collect();
+    if !left_out.is_empty() {
+        let left_out = format!(
+            "(left out for want of room: {}; a wider terminal or a file has all)",
+            left_out.join("; ")
+        );
+        text.push_str(&wrapped(&left_out, " "));
+    }
+    let more = Phrase::template(if has_no_full {
+        "One model in full: `inspect MODEL`. What was found: `check MODEL`."
+    } else {
+        "One model in full: `inspect MODEL`; all of them: `full`. What was found: `check MODEL`."
+    });
+    text.push_str(&wrapped(&more.spelled(dialect), ""));
+    text
+}
+
+/// The spheres that have figures.
+fn spheres(inspected: &Inspection) -> impl Iterator<Item = &SphereFigures> {
+    inspected.figures.limbs.iter().flat_map(|limb| &limb.spheres)
+}
+
+/// The forces that OpenSim computes and a change would take.
+fn chosen(inspected: &Inspection) -> impl Iterator<Item = &InspectedForce> {
+    inspected.forces.iter().filter(|force| force.applies && force.selected)
+}
+
+/// n, where it is known; of limbs that differ the fewest and the most.
+fn shared_by(inspected: &Inspection) -> String {
+    let text = range(inspected.figures.limbs.iter().filter_map(|limb| limb.sphere_count), four_significant);
+    if text == NOTHING { "?".to_owned() } else { text }
+}
+
+/// In place of a missing value.
+const NOTHING: &str = "-";
+
+fn class(inspected: &Inspection) -> &'static str {
+    let is_smooth = |force: &InspectedForce| force.parameters.get(Property::HertzSmoothing).is_some();
+    match (chosen(inspected).any(is_smooth), chosen(inspected).any(|force| !is_smooth(force))) {
+        (true, true) => "both",
+        (true, false) => "smooth",
+        (false, true) => "HuntCrossley",
+        (false, false) => NOTHING,
+    }
+}
+
+/// A value, and whether it is within its limit.
+struct Judged {
+    value: f64,
+    within: bool,
+}
+
+/// x̂ under one body weight by the law of the sphere's class.
+fn at_rest(sphere: &SphereFigures) -> Option<Judged> {
+    let known = [Figure::IndentationModelLaw, Figure::Indentation];
+    let figure = known.into_iter().find(|&figure| sphere.value(figure).is_some())?;
+    Some(Judged { value: sphere.value(figure)?, within: sphere.is_within(figure) != Some(false) })
+}
+
+/// Restitution by the law itself, under the limit that the paper gives with (13): a mark beside a number is about this number.
+fn restitution(sphere: &SphereFigures) -> Option<Judged> {
+    let value = sphere.value(Figure::RestitutionExact)?;
+    let limit = Figure::RestitutionApproximate.info().limit;
+    Some(Judged { value, within: limit.is_none_or(|limit| limit.admits(value)) })
+}
+
+/// Three digits and a power of ten: moduli have many zeros.
+fn powers_of_ten(value: f64) -> String {
+    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
+    format!("{rounded:e}")
+}
+
+/// One value, or the smallest and the largest of several.
+fn range(values: impl Iterator<Item = f64>, written: fn(f64) -> String) -> String {
+    let ends = values.fold(None, |ends: Option<(f64, f64)>, value| match ends {
+        Some((low, high)) => Some((low.min(value), high.max(value))),
+        None => Some((value, value)),
+    });
+    match ends.map(|(low, high)| (written(low), written(high))) {
+        Some((low, high)) if low == high => low,
+        Some((low, high)) => format!("{low}-{high}"),
+        None => NOTHING.to_owned(),
+    }
+}
+
+/// The one of all values that `worse` chooses, marked where any is outside its limit.
+fn extreme(values: impl Iterator<Item = Judged>, worse: fn(f64, f64) -> f64) -> String {
+    let one = values.reduce(|a, b| Judged { value: worse(a.value, b.value), within: a.within && b.within });
+    match one {
+        Some(Judged { value, within: true }) => three_significant(value),
+        Some(Judged { value, within: false }) => format!("{} {OUTSIDE}", three_significant(value)),
+        None => NOTHING.to_owned(),
+    }
+}
+
+/// How many findings of the worst severity, and whether there are contacts at all.
+fn findings(inspected: &Inspection, counts: Counts) -> String {
+    // What is found in a model without contacts is that it has none.
+    if inspected.forces.is_empty() && counts.error + counts.warn == 0 {
+        return NO_CONTACTS.to_owned();
+    }
+    counts.worst().describe(NOTHING)
+}

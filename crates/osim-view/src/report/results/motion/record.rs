@@ -1,0 +1,291 @@
+//! The JSON contract of a motion.
+
+use osim_inspect::SCHEMA_VERSION;
+use osim_model::messages::Dialect;
+use osim_motion::{Comparison, FootSummary, OnSole, SphereSummary, StanceSummary, TouchDown};
+use osim_planning::{MotionRemark, MotionResult};
+#[cfg(feature = "schemas")]
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// A motion, as the JSON has it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct MotionRecord {
+    /// Raised when a field changes its meaning or goes away.
+    pub schema_version: u32,
+    /// The model.
+    pub model: String,
+    /// Its name in bytes, if it is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_bytes: Option<Vec<u8>>,
+    /// The motion.
+    pub motion: String,
+    /// Its name in bytes, if it is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motion_bytes: Option<Vec<u8>>,
+    /// How many frames it has.
+    pub frames: usize,
+    /// The first time, s.
+    pub from_s: f64,
+    /// The last time, s.
+    pub to_s: f64,
+    /// What the model weighs, kg.
+    pub mass_kg: f64,
+    /// Gravity, m/s².
+    pub gravity_m_s2: f64,
+    /// Body weight, N: what forces in body weights are divided by.
+    pub weight_n: f64,
+    /// The mean force over whole strides, N, of the model.
+    pub stride_mean_n: Option<f64>,
+    /// The same of the plates: what the subject weighs.
+    pub measured_stride_mean_n: Option<f64>,
+    /// The part of whole strides in which more than one foot stands.
+    pub double_support: Option<f64>,
+    /// The largest force of all feet along the normal of the floor, N.
+    pub peak_n: f64,
+    /// All feet beside all plates.
+    pub comparison: Option<MotionComparisonRecord>,
+    /// Each foot.
+    pub feet: Vec<MotionFootRecord>,
+    /// In words.
+    pub remarks: Vec<MotionRemarkRecord>,
+}
+
+/// Something that a reader should know of a motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct MotionRemarkRecord {
+    /// Stable short name.
+    pub code: String,
+    /// In words.
+    pub message: String,
+}
+
+/// One foot of a motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct MotionFootRecord {
+    /// `right foot`, `left foot`, or the name of the limb's first body.
+    pub name: String,
+    /// `right` or `left`, where names say it.
+    pub side: Option<String>,
+    /// Its bodies with spheres.
+    pub bodies: Vec<String>,
+    /// Its largest force along the normal of the floor, N.
+    pub peak_n: f64,
+    /// When that is, s.
+    pub peak_at_s: f64,
+    /// Whether its stances are those of the plates; else they are those of the model.
+    pub stands_by_plates: bool,
+    /// The median depth of its deepest sphere in stance, m; below 0 it is above the floor.
+    pub stance_depth_m: Option<f64>,
+    /// From the 5th to the 95th percentile of the same, m.
+    pub stance_scatter_m: Option<f64>,
+    /// The depth of its deepest sphere in the whole recording, m.
+    pub deepest_m: f64,
+    /// The median velocity of its deepest sphere along the floor in stance, m/s.
+    pub stance_slip_m_s: Option<[f64; 3]>,
+    /// Each stance.
+    pub stances: Vec<MotionStanceRecord>,
+    /// Each of its spheres.
+    pub spheres: Vec<MotionSphereRecord>,
+    /// How far the model's centre of pressure is ahead of the plates' along the foot, m: the mean over frames.
+    pub cop_ahead_m: Option<f64>,
+    /// The same to the right.
+    pub cop_right_m: Option<f64>,
+    /// Beside the plates.
+    pub comparison: Option<MotionComparisonRecord>,
+}
+
+/// One stance of a foot.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct MotionStanceRecord {
+    /// When it touches down, s; absent where the recording begins in it.
+    pub on_s: Option<f64>,
+    /// When it lifts off, s; absent where the recording ends in it.
+    pub off_s: Option<f64>,
+    /// The model's largest force along the normal, N.
+    pub peak_n: f64,
+    /// The model's impulse along the normal, N s.
+    pub impulse_n_s: f64,
+    /// The steepest rise of the model's force between two frames, N/s.
+    pub loading_rate_n_s: f64,
+}
+
+/// One sphere of a foot.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct MotionSphereRecord {
+    /// Its name.
+    pub sphere: String,
+    /// The force that presses it.
+    pub force: String,
+    /// Its largest force along the normal, N.
+    pub peak_n: f64,
+    /// Its largest x/R; below 0 it never touches.
+    pub largest_relative_indentation: f64,
+    /// When that is, s.
+    pub largest_at_s: f64,
+    /// For how long x/R is beyond what the Hertz law holds for, s.
+    pub beyond_hertz_s: f64,
+    /// For how long its centre is below the plane, s.
+    pub beyond_radius_s: f64,
+    /// The median of its slip speed while it is in the plane, m/s.
+    pub slip_m_s: Option<f64>,
+    /// Each time that it comes down.
+    pub touch_downs: Vec<MotionTouchDownRecord>,
+}
+
+/// A sphere that meets its plane.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct MotionTouchDownRecord {
+    /// When, s.
+    pub time_s: f64,
+    /// How fast, m/s.
+    pub impact_speed_m_s: f64,
+    /// The coefficient of restitution at this speed, by (12) without gravity.
+    pub restitution: Option<f64>,
+}
+
+/// Forces of the model beside those that plates measured.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct MotionComparisonRecord {
+    /// How many frames were compared.
+    pub frames: usize,
+    /// Root mean square of the difference along the normal of the floor, N.
+    pub normal_rms_n: f64,
+    /// The same in body weights.
+    pub vertical_rms_bw: f64,
+    /// Root mean square of the difference across the normal, N.
+    pub horizontal_rms_n: f64,
+    /// The same in body weights.
+    pub horizontal_rms_bw: f64,
+    /// The model's largest force along the normal in these frames, N.
+    pub peak_n: f64,
+    /// The largest measured one, N.
+    pub measured_peak_n: f64,
+    /// Root mean square of the distance between both centres of pressure, m.
+    pub cop_rms_m: Option<f64>,
+    /// In how many frames both have one.
+    pub cop_frames: usize,
+}
+
+impl MotionRecord {
+    /// What `result` and its `remarks` are in JSON.
+    #[must_use]
+    pub fn new(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> Self {
+        let (model, model_bytes) = result.opened.name().clone().into_parts();
+        let (motion, motion_bytes) = result.motion.clone().into_parts();
+        let summary = &result.summary;
+        let times = &result.states.time_s;
+        Self {
+            schema_version: SCHEMA_VERSION,
+            model,
+            model_bytes,
+            motion,
+            motion_bytes,
+            frames: times.len(),
+            from_s: times.first().copied().unwrap_or_default(),
+            to_s: times.last().copied().unwrap_or_default(),
+            mass_kg: result.mass_kg,
+            gravity_m_s2: result.gravity_m_s2,
+            weight_n: summary.weight_n,
+            stride_mean_n: summary.stride_mean_n,
+            measured_stride_mean_n: summary.measured_stride_mean_n,
+            double_support: summary.double_support,
+            peak_n: summary.peak_n,
+            comparison: summary.comparison.as_ref().map(|one| compared(one, summary.weight_n)),
+            feet: summary
+                .feet
+                .iter()
+                .zip(&result.on_soles)
+                .map(|(foot, on_sole)| of_foot(result, foot, on_sole.as_ref()))
+                .collect(),
+            remarks: remarks
+                .iter()
+                .map(|remark| MotionRemarkRecord {
+                    code: remark.code.to_owned(),
+                    message: remark.message.spelled(dialect),
+                })
+                .collect(),
+        }
+    }
+}
+
+fn of_foot(result: &MotionResult, foot: &FootSummary, on_sole: Option<&OnSole>) -> MotionFootRecord {
+    let apart_m = on_sole.and_then(OnSole::mean_difference_m);
+    MotionFootRecord {
+        name: foot.foot.name.clone(),
+        side: foot.foot.side.map(|side| side.as_str().to_owned()),
+        bodies: foot.foot.bodies.clone(),
+        peak_n: foot.peak_n,
+        peak_at_s: foot.peak_at_s,
+        stands_by_plates: foot.stands_by_plates,
+        stance_depth_m: foot.stance_depth_m,
+        stance_scatter_m: foot.stance_scatter_m,
+        deepest_m: foot.deepest_m,
+        stance_slip_m_s: foot.stance_slip_m_s,
+        stances: foot.stances.iter().map(of_stance).collect(),
+        spheres: foot.spheres.iter().map(|sphere| of_sphere(result, sphere)).collect(),
+        cop_ahead_m: apart_m.map(|[ahead, _]| ahead),
+        cop_right_m: apart_m.map(|[_, right]| right),
+        comparison: foot.comparison.as_ref().map(|one| compared(one, result.summary.weight_n)),
+    }
+}
+
+fn of_stance(stance: &StanceSummary) -> MotionStanceRecord {
+    MotionStanceRecord {
+        on_s: stance.stance.on_s,
+        off_s: stance.stance.off_s,
+        peak_n: stance.peak_n,
+        impulse_n_s: stance.impulse_n_s,
+        loading_rate_n_s: stance.loading_rate_n_s,
+    }
+}
+
+fn of_sphere(result: &MotionResult, sphere: &SphereSummary) -> MotionSphereRecord {
+    let (model, pair) = (&result.opened.model, result.states.pairs.get(sphere.pair));
+    let name = pair.and_then(|pair| model.sphere(pair.sphere)).map(|sphere| sphere.name.clone());
+    let force = pair.and_then(|pair| model.force(pair.force)).map(|force| force.name.clone());
+    MotionSphereRecord {
+        sphere: name.unwrap_or_default(),
+        force: force.unwrap_or_default(),
+        peak_n: sphere.peak_n,
+        largest_relative_indentation: sphere.largest_relative_indentation,
+        largest_at_s: sphere.largest_at_s,
+        beyond_hertz_s: sphere.beyond_hertz_s,
+        beyond_radius_s: sphere.beyond_radius_s,
+        slip_m_s: sphere.slip_m_s,
+        touch_downs: sphere.touch_downs.iter().map(of_touch_down).collect(),
+    }
+}
+
+fn of_touch_down(touch: &TouchDown) -> MotionTouchDownRecord {
+    let TouchDown { time_s, impact_speed_m_s, restitution, .. } = *touch;
+    MotionTouchDownRecord { time_s, impact_speed_m_s, restitution }
+}
+
+fn compared(one: &Comparison, weight_n: f64) -> MotionComparisonRecord {
+    MotionComparisonRecord {
+        frames: one.frames,
+        normal_rms_n: one.normal_rms_n,
+        vertical_rms_bw: one.normal_rms_n / weight_n,
+        horizontal_rms_n: one.horizontal_rms_n,
+        horizontal_rms_bw: one.horizontal_rms_n / weight_n,
+        peak_n: one.peak_n,
+        measured_peak_n: one.measured_peak_n,
+        cop_rms_m: one.cop_rms_m,
+        cop_frames: one.cop_frames,
+    }
+}

@@ -1,0 +1,118 @@
+//! Figures: titles, units, limits, and the text where nothing can be drawn.
+
+use contact_plots::{Drawing, ForceAxis, IndentationAxis, Paper, figure, force_figure};
+use osim_inspect::InspectOptions;
+use osim_inspect::series::{Body, HeatRequest};
+use osim_requests::spell::{CommandLine, Python};
+use osim_requests::{DropHeight, HeatQuantity};
+use osim_view::figures::{self as figures, Axes};
+
+use crate::support::open;
+
+const HEIGHT: DropHeight = DropHeight::Radii(0.25);
+
+fn body(name: &str) -> Body {
+    let model = open(&format!("table1/{name}.osim"));
+    let options = InspectOptions::default();
+    Body::inspected(name.to_owned(), &model.model, &options, &|fault| model.failure(fault)).unwrap()
+}
+
+#[test]
+fn one_contact_is_drawn_in_newtons_and_several_in_shares_of_the_weight() {
+    let (mouse, horse) = (body("mouse_smooth_sphere"), body("horse_smooth_sphere"));
+    let one = [mouse];
+    let figure = figures::force(&one, figures::units(&one, None), None, None).unwrap();
+    assert_eq!((figure.indentation, figure.force), (IndentationAxis::Relative, ForceAxis::Newton));
+    assert_eq!(figure.title, "Contact force: mouse_smooth_sphere");
+    assert_eq!(figure.limits[0].label, "x̂ = 0.16");
+    let [mouse] = one;
+    let two = [mouse, horse];
+    let figure = figures::force(&two, figures::units(&two, None), None, None).unwrap();
+    assert_eq!((figure.title.as_str(), figure.force), ("Contact force", ForceAxis::WeightShare));
+    let figure = figures::force(&two, figures::units(&two, Some(Axes::Real)), None, Some("Both")).unwrap();
+    assert_eq!(figure.indentation, IndentationAxis::Millimetre);
+    assert_eq!((figure.title.as_str(), figure.limits.len()), ("Both", 0));
+}
+
+#[test]
+fn thresholds_are_drawn_for_one_contact_only() {
+    let one = [body("mouse_smooth_sphere")];
+    let units = figures::units(&one, None);
+    let labels: Vec<String> = figures::state(&one, units, None, None)
+        .unwrap()
+        .limits
+        .into_iter()
+        .map(|limit| limit.label)
+        .collect();
+    assert_eq!(labels, ["state 0.05", "state 0.95"]);
+    let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
+    assert!(figures::state(&two, figures::units(&two, None), None, None).unwrap().limits.is_empty());
+}
+
+#[test]
+fn a_law_without_smoothing_has_no_state() {
+    let bodies = [body("mouse_hunt_crossley")];
+    let failure = figures::state(&bodies, figures::units(&bodies, None), None, None).unwrap_err();
+    assert_eq!(
+        failure.message.spelled(&CommandLine),
+        "a HuntCrossleyForce has no contact state to draw: there, contact is a step; plot force shows its law"
+    );
+    assert!(failure.message.spelled(&Python).contains("ocs.plot(\"force\") shows its law"));
+}
+
+#[test]
+fn loops_of_one_contact_have_three_speeds_and_those_of_several_one_each() {
+    let one = [body("mouse_smooth_sphere")];
+    let figure = figures::loops(&one, figures::units(&one, None), HEIGHT, None).unwrap();
+    assert!(figure.loops.len() == 3 && !figure.elastic.is_empty());
+    assert!(figure.motion.contains("the largest of them that of a fall from 0.25 R."), "{}", figure.motion);
+    let short = figures::impact_loops(&one, figures::units(&one, None), HEIGHT, None).unwrap();
+    assert_eq!(short.loops[0], figure.loops[2]);
+    let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
+    let figure = figures::loops(&two, figures::units(&two, None), HEIGHT, None).unwrap();
+    assert!(figure.loops.len() == 2 && figure.elastic.is_empty());
+    assert!(figure.loops[1].name.starts_with("horse_smooth_sphere: "), "{}", figure.loops[1].name);
+}
+
+#[test]
+fn a_heat_map_is_about_one_body() {
+    let request = HeatRequest { quantity: HeatQuantity::Restitution, height: HEIGHT, duration_s: None };
+    let axis = |now: f64| vec![0.5 * now, now, 2.0 * now];
+    let one = [body("mouse_smooth_sphere")];
+    // Stiffness does not change the restitution of an impact without gravity: a curve over the dissipation.
+    let Ok(Drawing::Panels(curve)) = figures::heat(&one, &request, axis, axis, None) else { panic!() };
+    assert_eq!(curve.title, "Restitution: mouse_smooth_sphere");
+    assert_eq!(curve.panels[0].x.label, "dissipation α (s/m)");
+    assert_eq!(curve.panels[0].limits[0].label, "0.8 by (13), limit of the Hunt–Crossley law");
+    let peak = HeatRequest { quantity: HeatQuantity::PeakForce, ..request.clone() };
+    let Ok(Drawing::HeatMap(map)) = figures::heat(&one, &peak, axis, axis, None) else { panic!() };
+    assert_eq!((map.x.len(), map.values.len()), (3, 3));
+    let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
+    let failure = figures::heat(&two, &request, axis, axis, None).unwrap_err();
+    assert_eq!(&*failure.model, "mouse_smooth_sphere, horse_smooth_sphere");
+    assert_eq!(
+        failure.message.spelled(&CommandLine),
+        "a sweep is about one body: name one model, without --target-mass"
+    );
+}
+
+#[test]
+fn too_many_curves_are_refused_with_a_way_out() {
+    let bodies: Vec<Body> = (0..12).map(|_| body("mouse_smooth_sphere")).collect();
+    let figure = figures::force(&bodies, figures::units(&bodies, None), None, None).unwrap();
+    let failure = figures::not_drawn(force_figure(&figure).unwrap_err(), &bodies);
+    let message = failure.message.spelled(&CommandLine);
+    assert!(message.ends_with("expected at most 8: choose with --select GLOB"), "{message}");
+}
+
+#[test]
+fn figures_of_the_paper_are_drawn() {
+    for (figure_of_paper, title) in [
+        (figures::paper::fig4(None), "Effect of scaling the dissipation α (Fig. 4)"),
+        (figures::paper::fig_c5(Some("Smoothing")), "Smoothing"),
+    ] {
+        let figure_of_paper = figure_of_paper.unwrap();
+        assert_eq!((figure_of_paper.title.as_str(), figure_of_paper.panels.len()), (title, 4));
+        assert!(figure(&figure_of_paper, Paper::default()).unwrap().starts_with("<svg"));
+    }
+}

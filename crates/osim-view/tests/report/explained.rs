@@ -1,0 +1,71 @@
+//! Explanations of every topic.
+
+use osim_requests::spell::{CommandLine, FrontEnd, Page, Python};
+use osim_view::report::explain::{self, Letters, Topic, TopicRecord};
+use osim_view::report::json::line;
+
+/// Columns of a line: the hat of x̂ takes none.
+fn columns(line: &str) -> usize {
+    line.chars().filter(|letter| *letter != '\u{302}').count()
+}
+
+#[test]
+fn every_topic_is_explained_in_the_words_of_each_front_end() {
+    for topic in Topic::all() {
+        for front_end in [&CommandLine as &dyn FrontEnd, &Python, &Page] {
+            let text = explain::text(topic, front_end, Letters::Unicode);
+            assert!(!text.contains('`'), "{text}");
+            assert!(text.lines().all(|line| columns(line) <= 80), "{text}");
+        }
+        for text in
+            [explain::text(topic, &Python, Letters::Unicode), explain::text(topic, &Page, Letters::Unicode)]
+        {
+            assert!(!text.contains(" --") && !text.contains("(--"), "{text}");
+        }
+    }
+}
+
+#[test]
+fn topics_are_told_with_what_to_do() {
+    let text = |name: &str, letters| -> String {
+        let topics = Topic::find(name).unwrap();
+        topics.into_iter().map(|topic| explain::text(topic, &CommandLine, letters)).collect()
+    };
+    insta::assert_snapshot!("explain_equation", text("C.8", Letters::Unicode));
+    insta::assert_snapshot!("explain_equation_ascii", text("C.8", Letters::Ascii));
+    insta::assert_snapshot!("explain_rule", text("follow", Letters::Unicode));
+    insta::assert_snapshot!("explain_warning", text("already-at-target", Letters::Unicode));
+    insta::assert_snapshot!("explain_error", text("output", Letters::Unicode));
+}
+
+#[test]
+fn records_say_their_kind_first() {
+    let record = |name| line(&TopicRecord::new(Topic::find(name).unwrap()[0], &CommandLine));
+    let equation = record("level");
+    assert!(
+        equation.starts_with(r#"{"kind":"equation","schema_version":1,"label":"level","title":"#),
+        "{equation}"
+    );
+    assert!(
+        equation.contains(r#""source":"your request: --level","used":"--level: centre of spheres"}"#),
+        "{equation}"
+    );
+    assert_eq!(
+        record("several-trees"),
+        "{\"kind\":\"error\",\"schema_version\":1,\"code\":\"several-trees\",\"means\":\"contact spheres stand on bodies \
+         that are joined only through ground (player and ball): which are meant?\",\"way_out\":\"--select GLOB\"}\n"
+    );
+    assert!(record("sunk-in").starts_with(
+        r#"{"kind":"finding","schema_version":1,"code":"sunk-in","severity":"error","checked":true,"what":"#
+    ));
+}
+
+#[test]
+fn the_list_names_everything() {
+    let all = Topic::all();
+    let list = explain::list(&all, &CommandLine, Letters::Ascii);
+    assert!(list.is_ascii() && list.lines().all(|line| line.chars().count() <= 80), "{list}");
+    for topic in all {
+        assert!(list.contains(topic.name()), "{}", topic.name());
+    }
+}

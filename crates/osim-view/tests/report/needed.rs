@@ -1,0 +1,134 @@
+//! Every question, as each front end asks it.
+
+use osim_model::messages::Input;
+use osim_model::{CountOf, FactorQuestion, Fault, GravityFor, Needed, NoteDoubt, RadiusFrom, TreeOfForces};
+use osim_requests::spell::{CommandLine, JsonRequest, Page, Python};
+
+/// One example of every question.
+fn examples() -> Vec<Needed> {
+    let name = |name: &str| name.to_owned();
+    vec![
+        Needed::BodyMass { body: name("toes_r") },
+        Needed::ModelMass { bodies: 3, kg: 0.0 },
+        Needed::MassOfLoop,
+        Needed::Followed,
+        Needed::ContactsMass {
+            noted_kg: Some(62.0),
+            doubt: NoteDoubt::ValuesChanged,
+            input: Input::ContactsMass,
+        },
+        Needed::ContactsGravity { doubt: NoteDoubt::Partial },
+        Needed::Selection {
+            trees: vec![
+                TreeOfForces { top: name("pelvis"), forces: name("heel_r, heel_l") },
+                TreeOfForces { top: name("ball"), forces: name("ball_floor") },
+            ],
+            input: Input::Select,
+        },
+        Needed::SphereCount { of: CountOf::Reference, why: "left and right cannot be determined".into() },
+        Needed::SharedSphere {
+            sphere: name("/contactgeometryset/heel_r"),
+            changed: name("heel_floor_r"),
+            left: vec![name("heel_ball")],
+            can_choose: true,
+            radius: RadiusFrom::Rule,
+        },
+        Needed::ReferenceContact { reference: name("human.osim"), unmatched: vec![name("toe_r")] },
+        Needed::ReferenceContactOfForce { force: name("/forceset/foot_r") },
+        Needed::ReferenceRadius { reference: name("human.osim"), unmatched: vec![name("toe_r")] },
+        Needed::BodyFactors { body: name("calcn_r"), axes: vec!["x", "y", "z"] },
+        Needed::Factors(FactorQuestion::Nothing { body: name("toes_r") }),
+        Needed::MovedSpheres { model: name("scaled.osim"), spheres: vec![name("heel_r")] },
+        Needed::Repetition { operation: name("set stiffness=x2") },
+        Needed::Geometry,
+        Needed::ForceSet,
+        Needed::Load,
+        Needed::Gravity { purpose: GravityFor::Weight },
+        Needed::HeightRatio,
+        Needed::NotedSizes,
+        Needed::KnownContactsMass {
+            title: "Falisse et al. (2022)".to_owned(),
+            made_for_kg: 62.0,
+            bodies_kg: 20.0,
+            input: Input::ReferenceMass,
+        },
+    ]
+}
+
+/// Questions whose way out depends on what was to be done.
+fn by_purpose() -> Vec<Needed> {
+    let shared = |radius, can_choose| Needed::SharedSphere {
+        sphere: "/contactgeometryset/heel_r".to_owned(),
+        changed: "heel_floor_r".to_owned(),
+        left: vec!["heel_ball".to_owned()],
+        can_choose,
+        radius,
+    };
+    let gravity = GravityFor::ALL.into_iter().filter(|&purpose| purpose != GravityFor::Weight);
+    gravity
+        .map(|purpose| Needed::Gravity { purpose })
+        .chain([
+            shared(RadiusFrom::Rule, false),
+            Needed::Factors(FactorQuestion::Meshes {
+                body: "calcn_r".to_owned(),
+                meshes: [("foot.vtp".to_owned(), [1.1; 3]), ("talus.vtp".to_owned(), [1.2, 1.1, 1.1])],
+            }),
+            Needed::Factors(FactorQuestion::Sides {
+                bodies: ["calcn_r".to_owned(), "calcn_l".to_owned()],
+                factors: [[1.09; 3], [1.26, 1.22, 1.43]],
+            }),
+            Needed::Factors(FactorQuestion::OtherReference {
+                body: "calcn_r".to_owned(),
+                joint: "mtp_r".to_owned(),
+                apart_m: 0.0123,
+            }),
+            shared(RadiusFrom::Bodies, true),
+            shared(RadiusFrom::ContactStiffness, true),
+            shared(RadiusFrom::Assignment, true),
+        ])
+        .collect()
+}
+
+/// The variants that the source declares.
+fn declared() -> usize {
+    let source = include_str!("../../../osim-model/src/model/fault/needed.rs");
+    let (_, after) = source.split_once("pub enum Needed {").unwrap();
+    let (variants, _) = after.split_once("\n}").unwrap();
+    let is_variant = |line: &&str| {
+        line.strip_prefix("    ").is_some_and(|line| line.starts_with(|c: char| c.is_ascii_uppercase()))
+    };
+    variants.lines().filter(is_variant).count()
+}
+
+#[test]
+fn every_question_is_asked_in_the_words_of_each_front_end() {
+    let examples = examples();
+    assert_eq!(examples.len(), declared(), "a question is missing, or there twice");
+    let mut review = String::new();
+    for needed in examples.into_iter().chain(by_purpose()) {
+        let phrase = needed.phrase();
+        let (command, python, page) =
+            (phrase.spelled(&CommandLine), phrase.spelled(&Python), phrase.spelled(&Page));
+        let json = phrase.spelled(&JsonRequest);
+        for text in [&command, &python, &page] {
+            assert!(!text.trim().is_empty() && !text.contains('`'), "{text}");
+        }
+        for text in [&python, &page, &json] {
+            assert!(!text.contains("--"), "{text}");
+        }
+        assert!(!command.contains("the field") && !python.contains("the field"), "{command}\n{python}");
+        for input in needed.inputs() {
+            let option = format!("--{}", input.name().replace('_', "-"));
+            assert!(command.contains(&option), "{option}: {command}");
+            assert!(page.contains(&format!("“{}”", input.label())), "{}: {page}", input.label());
+            assert!(python.contains(&format!("{}=", input.name())), "{}: {python}", input.name());
+            let field = [format!("\"{}\": ", input.name()), format!("`{}`", input.name())];
+            assert!(field.iter().any(|field| json.contains(field)), "{}: {json}", input.name());
+        }
+        let code = Fault::new(needed).code();
+        review.push_str(&format!(
+            "[{code}]\ncommand: {command}\npython:  {python}\npage:    {page}\nrequest: {json}\n\n"
+        ));
+    }
+    insta::assert_snapshot!("needed", review);
+}

@@ -1,0 +1,147 @@
+//! The registers of figures: of `inspect`, of `drop-test` and its series, of `design` without a model.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use osim_inspect::{Figure, Quantity, SphereFigures};
+use osim_model::Property;
+use osim_model::files::InMemory;
+use osim_planning::{
+    DesignQuantity, DesignSheet, DropColumn, DropFigure, DropResult, design_sheet, run_drop_test,
+};
+use osim_requests::Request;
+use osim_view::report::results::DropRecord;
+use schemars::generate::SchemaSettings;
+use schemars::{JsonSchema, Schema};
+use serde_json::{Value, json};
+
+use crate::support::open;
+
+/// Each register.
+fn registers() -> [(&'static str, Vec<&'static Quantity>); 4] {
+    [
+        ("inspect", Figure::ALL.iter().map(|figure| figure.info()).collect()),
+        ("drop-test", DropFigure::ALL.iter().map(|figure| figure.info()).collect()),
+        ("series of a drop-test", DropColumn::ALL.iter().map(|column| column.info()).collect()),
+        ("design", DesignQuantity::ALL.iter().map(|quantity| quantity.info()).collect()),
+    ]
+}
+
+/// A body of 62 kg on six spheres of the paper, and what else is given.
+fn drop(others: &Value) -> DropResult {
+    let mut request = json!({
+        "verb": "drop-test", "mass": 62, "spheres": 6, "radius": 0.032, "stiffness": 1e6, "dissipation": 2, "samples": 3,
+    });
+    request.as_object_mut().unwrap().extend(others.as_object().unwrap().clone());
+    let Ok(Request::DropTest(request)) = Request::from_json(request.to_string().as_bytes()) else { panic!() };
+    run_drop_test(&request, &InMemory::default()).unwrap()
+}
+
+/// Everything that a design can be asked for.
+fn sheet() -> DesignSheet {
+    let request = json!({
+        "verb": "design", "mass": 62, "spheres": 6, "radius": 0.032, "indentation": 0.16, "restitution": 0.9,
+        "constant_indentation": 0.1, "state_width": 0.3, "speed_width": 0.3,
+    });
+    let Ok(Request::Design(request)) = Request::from_json(request.to_string().as_bytes()) else { panic!() };
+    design_sheet(&request).unwrap()
+}
+
+fn schema<T: JsonSchema>() -> Value {
+    let generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
+    Schema::to_value(generator.into_root_schema_for::<T>())
+}
+
+fn fields(object: &Value) -> Vec<&str> {
+    object.as_object().unwrap().keys().map(String::as_str).collect()
+}
+
+/// That a schema requires the fields of `object`, in their order, and allows `optional` beside them.
+#[track_caller]
+fn lists(schema: &Value, object: &Value, optional: &[&str]) {
+    assert_eq!(schema["required"], json!(fields(object)));
+    let mut listed = fields(&schema["properties"]);
+    listed.retain(|field| !optional.contains(field));
+    assert_eq!(listed, fields(object));
+    assert_eq!(schema["properties"].as_object().unwrap().len(), listed.len() + optional.len());
+}
+
+#[test]
+fn names_are_one_each_and_end_in_their_unit() {
+    for (register, quantities) in registers() {
+        let names: BTreeSet<&str> = quantities.iter().map(|info| info.name).collect();
+        assert_eq!(names.len(), quantities.len(), "{register}");
+        for info in quantities {
+            // OpenSim's names are its own.
+            if info.name.parse::<Property>().is_ok() {
+                continue;
+            }
+            let end = match info.unit {
+                "" => continue,
+                unit => format!("_{}", unit.to_lowercase().replace('/', "_")),
+            };
+            assert!(info.name.ends_with(&end), "{register}: {} in {}", info.name, info.unit);
+        }
+    }
+}
+
+#[test]
+fn what_has_one_name_has_one_unit_everywhere() {
+    let mut units = BTreeMap::new();
+    for (register, info) in
+        registers().iter().flat_map(|(name, all)| all.iter().map(move |info| (name, info)))
+    {
+        let first = *units.entry(info.name).or_insert(info.unit);
+        assert_eq!(first, info.unit, "{register}: {}", info.name);
+        assert!(!info.unit.contains('^'), "{register}: {} in {}", info.name, info.unit);
+    }
+}
+
+#[test]
+fn every_quantity_says_what_it_is() {
+    for (register, info) in
+        registers().iter().flat_map(|(name, all)| all.iter().map(move |info| (name, info)))
+    {
+        let meaning = info.meaning().to_string();
+        assert!(meaning.ends_with('.') && meaning.len() > 3, "{register}: {} is {meaning:?}", info.name);
+        assert!(!info.label.is_empty(), "{register}: {}", info.name);
+    }
+}
+
+#[test]
+fn schemas_list_what_is_printed() {
+    let (record, of_drop) =
+        (serde_json::to_value(DropRecord::from(&drop(&json!({})))).unwrap(), schema::<DropRecord<'_>>());
+    lists(&of_drop, &record, &["model_bytes"]);
+    lists(&of_drop["$defs"]["DropSeriesRecord"], &record["series"], &[]);
+
+    let model = open("table1/mouse_smooth_sphere.osim");
+    let inspected = osim_inspect::InspectOptions::default().inspect("mouse.osim", &model.model, None);
+    let sphere = serde_json::to_value(inspected.figures.spheres().next().unwrap()).unwrap();
+    lists(&schema::<SphereFigures>(), &sphere, &[]);
+
+    let of_design = schema::<DesignSheet>();
+    let names: Vec<&str> = DesignQuantity::ALL.iter().map(|quantity| quantity.info().name).collect();
+    assert_eq!(of_design["$defs"]["DesignFigure"]["properties"]["name"]["enum"], json!(names));
+}
+
+#[test]
+fn what_a_schema_calls_a_number_is_always_known() {
+    // It is still in the air when the time is up.
+    let in_the_air = drop(&json!({"height": 10, "duration": 0.1}));
+    for figure in DropFigure::ALL {
+        let known = figure.value(&in_the_air).is_some();
+        assert_eq!(known, figure.is_always_known(), "{}", figure.info().name);
+    }
+}
+
+#[test]
+fn a_design_finds_every_quantity_of_its_register_in_that_order() {
+    let sheet = sheet();
+    let found: Vec<DesignQuantity> = sheet.figures.iter().map(|figure| figure.quantity).collect();
+    assert_eq!(found, DesignQuantity::ALL);
+    for figure in &sheet.figures {
+        let info = figure.quantity.info();
+        assert_eq!((figure.name, figure.unit), (info.name, info.unit));
+        assert_eq!(figure.limit.is_some(), info.limit.is_some(), "{}", figure.name);
+    }
+}
