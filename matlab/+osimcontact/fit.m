@@ -13,16 +13,9 @@ function results = fit(varargin)
 %     loads: OpenSim's ExternalLoads (.xml); one for each motion, or one for all. Takes a text or a cell
 %         array of texts.
 %     fit: What to fit [default: stiffness, dissipation and height]. Takes 'stiffness' or 'dissipation'
-%         or 'height' or 'heights' or 'places' or a cell array of these.
+%         or 'height' or a cell array of these.
 %     unbounded: Let spheres go deeper than their radius. Takes true or false.
 %     height_in: What a fitted height moves [default: 'floor']. Takes 'floor' or 'spheres'.
-%     cop_scale: Fit the centre of pressure as well: one that is this far off under a full body weight
-%         counts as an error of one body weight, m [default with heights or places: 0.1]. Takes a
-%         number.
-%     slack: Let each foot of the recording be a little higher, lower or turned in each stance: this
-%         hides what the contacts cannot explain. Takes true or false.
-%     foot_error: With slack, by how much feet are usually too high or too low, m, with 5 rad/m in pitch
-%         [default: 0.004]. Takes a number.
 %     belt: Speed of a treadmill's belt against x, m/s: slip is taken against it. Takes a number.
 %     belt_column: The same, from this column of each motion. Takes a text.
 %     angles: The unit of the motions' angles, where their headers do not say it. Takes 'degrees' or

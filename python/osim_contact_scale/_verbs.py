@@ -711,9 +711,9 @@ def explain(
 
 
 @overload
-def fit(measured: StrPath | TableLike, /, *, motion: None = None, plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | Sequence[Literal["stiffness", "dissipation", "height", "heights", "places"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, cop_scale: float | None = None, slack: bool = False, foot_error: float | None = None, belt: float | None = None, belt_column: str | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Fit: ...
+def fit(measured: StrPath | TableLike, /, *, motion: None = None, plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height"] | Sequence[Literal["stiffness", "dissipation", "height"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, belt: float | None = None, belt_column: str | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Fit: ...
 @overload
-def fit(measured: Source, /, *, motion: StrPath | TableLike | Sequence[StrPath | TableLike], plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | Sequence[Literal["stiffness", "dissipation", "height", "heights", "places"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, cop_scale: float | None = None, slack: bool = False, foot_error: float | None = None, belt: float | None = None, belt_column: str | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
+def fit(measured: Source, /, *, motion: StrPath | TableLike | Sequence[StrPath | TableLike], plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height"] | Sequence[Literal["stiffness", "dissipation", "height"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, belt: float | None = None, belt_column: str | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
 def fit(
     measured: StrPath | TableLike | Source,
     /,
@@ -721,12 +721,9 @@ def fit(
     motion: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None,
     plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None,
     loads: StrPath | Sequence[StrPath] | None = None,
-    fit: Literal["stiffness", "dissipation", "height", "heights", "places"] | Sequence[Literal["stiffness", "dissipation", "height", "heights", "places"]] | None = None,
+    fit: Literal["stiffness", "dissipation", "height"] | Sequence[Literal["stiffness", "dissipation", "height"]] | None = None,
     unbounded: bool = False,
     height_in: Literal["floor", "spheres"] | None = None,
-    cop_scale: float | None = None,
-    slack: bool = False,
-    foot_error: float | None = None,
     belt: float | None = None,
     belt_column: str | None = None,
     angles: Literal["degrees", "radians"] | None = None,
@@ -768,20 +765,12 @@ def fit(
         Ground reactions that force plates measured (.mot, .sto); one for each motion.
     loads : path or list of path, optional
         OpenSim's ExternalLoads (.xml); one for each motion, or one for all.
-    fit : {"stiffness", "dissipation", "height", "heights", "places"} or list of {"stiffness", "dissipation", "height", "heights", "places"}, optional
+    fit : {"stiffness", "dissipation", "height"} or list of {"stiffness", "dissipation", "height"}, optional
         What to fit; one or several in a list [default: stiffness, dissipation and height]
     unbounded : bool, optional
         Let spheres go deeper than their radius.
     height_in : {"floor", "spheres"}, optional
         What a fitted height moves.
-    cop_scale : float, optional
-        Fit the centre of pressure as well: one that is this far off under a full body weight counts as an error
-        of one body weight, m [default with heights or places: 0.1]
-    slack : bool, optional
-        Let each foot of the recording be a little higher, lower or turned in each stance: this hides what the
-        contacts cannot explain.
-    foot_error : float, optional
-        With slack, by how much feet are usually too high or too low, m, with 5 rad/m in pitch [default: 0.004]
     belt : float, optional
         Speed of a treadmill's belt against x, m/s: slip is taken against it.
     belt_column : str, optional
@@ -851,7 +840,7 @@ def fit(
     >>> ocs.fit("fixtures/measured/heel_pad.csv", radius=0.03).frame()["name"].tolist()
     ['composite_modulus_n_m2', 'stiffness']
     """
-    keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "height_in": height_in, "cop_scale": cop_scale, "slack": slack or None, "foot_error": foot_error, "belt": belt, "belt_column": belt_column, "angles": angles, "low_pass": low_pass, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
+    keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "height_in": height_in, "belt": belt, "belt_column": belt_column, "angles": angles, "low_pass": low_pass, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.fit(measured, keywords)
 
 

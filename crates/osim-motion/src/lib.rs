@@ -45,7 +45,6 @@ pub use pair::{ContactPair, Touched};
 pub use plates::{ExternalLoads, Load, Plate};
 pub use poses::Poses;
 pub use recording::{Recording, RecordingFacts, RecordingOptions};
-pub use sole::SoleAxes;
 pub use stance::{OFF_BW, ON_BW, Stance, strides};
 pub use states::{ContactState, ContactStates, StatesError};
 pub use summary::{FootSummary, SphereSummary, StanceSummary, Summary, TouchDown};

@@ -1,7 +1,7 @@
-//! Which way is down and ahead for the spheres of a foot, in their own bodies.
+//! Which way is down for a sphere in its body, and which way is forward along the floor.
 
 use osim_model::feet::{DefaultPose, PoseFault, ViewAxes, dot};
-use osim_model::{Model, Rotation, Side, cross};
+use osim_model::{Model, Side, cross};
 
 use crate::pair::Touched;
 use crate::states::ContactStates;
@@ -9,37 +9,24 @@ use crate::states::ContactStates;
 /// Limbs closer than this do not say what is right and left, m.
 const APART_M: f64 = 1e-3;
 
-/// Directions of length 1 in the body of a sphere.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SoleAxes {
-    /// Into the floor.
-    pub down: [f64; 3],
-    /// Along the floor, forward.
-    pub ahead: [f64; 3],
-}
-
-impl SoleAxes {
-    /// Those of each pair of `states`, as bodies stand at the default pose.
-    ///
-    /// # Errors
-    /// It is not known where a body is at the default pose.
-    pub(crate) fn at_default_pose(model: &Model, states: &ContactStates) -> Result<Vec<Self>, PoseFault> {
-        let pose = DefaultPose::of(model);
-        let up = model.up();
-        let ahead = forward(across(states, &pose)?, up);
-        let each = states.pairs.iter().map(|pair| {
-            let up = match pair.touched {
-                Touched::Plane(plane) => {
-                    states.planes.get(plane).and_then(|plane| plane.normal).unwrap_or(up)
-                }
-                Touched::Sphere(_) => up,
-            };
-            let to_body: Rotation = pose.placement(&pair.body)?.rotation.inverse();
-            let down = to_body.to_body(up.map(|part| -part));
-            Ok(Self { down, ahead: to_body.to_body(level(ahead, up)) })
-        });
-        each.collect()
-    }
+/// Down for the sphere of each pair of `states`, as bodies stand at the default pose: a direction of length 1 in its body, into the floor.
+///
+/// # Errors
+/// It is not known where a body is at the default pose.
+pub(crate) fn down_at_default_pose(
+    model: &Model,
+    states: &ContactStates,
+) -> Result<Vec<[f64; 3]>, PoseFault> {
+    let pose = DefaultPose::of(model);
+    let each = states.pairs.iter().map(|pair| {
+        let normal = match pair.touched {
+            Touched::Plane(plane) => states.planes.get(plane).and_then(|plane| plane.normal),
+            Touched::Sphere(_) => None,
+        };
+        let up = normal.unwrap_or(model.up());
+        Ok(pose.placement(&pair.body)?.rotation.inverse().to_body(up.map(|part| -part)))
+    });
+    each.collect()
 }
 
 /// From the middle of the left spheres to that of the right ones at the default pose, m; not finite where a side has none.

@@ -98,15 +98,15 @@ impl ContactStates {
         Self::of_pairs(model, recording, pairs_of(model, forces)?, &belt.into())
     }
 
-    /// The same contacts with the centre of each sphere moved in its body, m, by its pair.
+    /// The same contacts with the centre of each sphere moved in its body, m.
     pub(crate) fn displaced(
         &self,
         model: &Model,
         recording: &Recording,
-        by_m: &[[f64; 3]],
+        by_m: [f64; 3],
     ) -> Result<Self, StatesError> {
         let mut pairs = self.pairs.clone();
-        for (pair, by_m) in pairs.iter_mut().zip(by_m) {
+        for pair in &mut pairs {
             pair.centre_m = std::array::from_fn(|i| pair.centre_m[i] + by_m[i]);
         }
         Self::of_pairs(model, recording, (pairs, self.planes.clone()), &Belt::default())

@@ -69,7 +69,7 @@ pub use objects::{
     Convert, Converted, Deed, Layout, Leftover, NewContact, NewSphere, ObjectChange, Rebuilt, add_contacts,
     added_forces, convert, leftovers, preset_model, presets_with_places, remove,
 };
-pub use plan::{Masses, Plan, RecordingErrors, SlackErrors};
+pub use plan::{Masses, Plan, RecordingErrors};
 pub use remarks::PLACES_STAY;
 pub use rescale::{FOLLOWING, FOLLOWING_NOTE, Rescale, TRANSFER_FOLLOWING, rescale};
 pub use rules::RULES;

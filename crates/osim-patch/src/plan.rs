@@ -83,23 +83,6 @@ pub struct RecordingErrors {
     pub cop_rms_m: Option<f64>,
     /// The largest x/R.
     pub largest_relative_indentation: f64,
-    /// What slack does; `None` without slack.
-    pub slack: Option<SlackErrors>,
-}
-
-/// What slack in the kinematics does to a fit; the model that is written has none.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SlackErrors {
-    /// Root mean square along the normal of the floor with slack, body weights.
-    pub vertical_rms_bw: f64,
-    /// Root mean square of what feet are higher or lower than recorded, m.
-    pub height_rms_m: f64,
-    /// The most of it, m.
-    pub largest_height_m: f64,
-    /// Root mean square of what feet are turned in pitch, rad.
-    pub pitch_rms_rad: f64,
-    /// The most of it, rad.
-    pub largest_pitch_rad: f64,
 }
 
 /// The mass that contacts were made for, before and after a change.

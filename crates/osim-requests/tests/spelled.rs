@@ -113,7 +113,7 @@ const EXAMPLES: &str = r##"{
     "dissipation": 1.5, "name": "falisse2022", "topics": ["C.2", "x/R"], "ascii": true,
     "motion": "walk 1.mot", "plates": "grf.mot", "loads": "grf.xml", "angles": "degrees", "low_pass": 6, "belt": -1.25, "belt_column": "belt speed",
     "moco_setup": "my walk.omoco", "from_moco_setup": "walk.omoco",
-    "fit": ["height"], "unbounded": true, "height_in": "spheres", "cop_scale": 0.05, "slack": true, "foot_error": 0.005
+    "fit": ["height"], "unbounded": true, "height_in": "spheres"
 }"##;
 
 /// Another value where the example is none for this verb.

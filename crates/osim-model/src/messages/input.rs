@@ -50,7 +50,6 @@ inputs! {
     Contacts = "contacts", "table of contacts";
     ContactsGravity = "contacts_gravity", "gravity the contacts were made for";
     ContactsMass = "contacts_mass", "mass the contacts were made for";
-    CopScale = "cop_scale", "scale of errors of the centre of pressure";
     Count = "count", "spheres under each foot";
     Data = "data", "table of the numbers drawn";
     DefaultPose = "default_pose", "global places are those of the default pose";
@@ -68,7 +67,6 @@ inputs! {
     Fit = "fit", "what is fitted";
     FollowBodies = "follow_bodies", "spheres follow their bodies";
     FontSize = "font_size", "size of the letters";
-    FootError = "foot_error", "usual error of a foot's height";
     Force = "force", "replace existing files";
     ForceColumn = "force_column", "column of the force";
     ForceUnit = "force_unit", "unit of the force";
@@ -137,7 +135,6 @@ inputs! {
     Select = "select", "forces to choose";
     Shard = "shard", "share of the models";
     SkipDisabled = "skip_disabled", "leave out disabled forces";
-    Slack = "slack", "slack in the kinematics";
     Soft = "soft", "dimensionless stiffness of the first step";
     SpeedColumn = "speed_column", "column of the speed";
     SpeedUnit = "speed_unit", "unit of the speed";
@@ -196,7 +193,6 @@ impl Input {
                 | Self::Replace
                 | Self::Resume
                 | Self::SkipDisabled
-                | Self::Slack
                 | Self::Strict
                 | Self::Unbounded
         )

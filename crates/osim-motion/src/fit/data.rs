@@ -1,14 +1,13 @@
 //! What a fit sees of a trial.
 
 use contact_scaling::Law;
-use osim_model::Model;
 use osim_model::feet::dot;
+use osim_model::{Model, SphereId};
 
-use super::answers::{Answers, Displaced};
+use super::lowered::{Lowered, PerMetre};
 use crate::assigned::Measured;
 use crate::feet::Foot;
 use crate::recording::Recording;
-use crate::sole::SoleAxes;
 use crate::stance::ON_BW;
 use crate::states::{ContactState, ContactStates, StatesError};
 use crate::wrench::Wrench;
@@ -24,8 +23,8 @@ pub struct FitTrial {
     pub beside: usize,
     /// Feet that are left out, because the plates measured no force under them.
     pub without_force: Vec<String>,
-    /// Which way is down and ahead for each pair of the recording; empty where nobody asked.
-    pub axes: Vec<SoleAxes>,
+    /// Which way is down for each pair of the recording, in the body of its sphere; empty where spheres stay in their bodies.
+    pub down: Vec<[f64; 3]>,
 }
 
 /// One foot of a trial.
@@ -33,14 +32,25 @@ pub struct FitTrial {
 pub struct FootForces {
     /// Its name.
     pub name: String,
+    /// Each of its spheres.
+    pub spheres: Vec<SphereId>,
     /// The law and the radius (m) of each of its spheres.
     pub laws: Vec<(Law, f64)>,
     /// The measured force along the normal in each frame, N.
     pub measured_n: Vec<f64>,
     /// Indentation (m) and its rate (m/s) of each sphere, frame by frame.
     pub contacts: Vec<(f64, f64)>,
-    /// How the contacts answer to spheres that move in their bodies; `None` where nobody asked.
-    pub(super) answers: Option<Answers>,
+    /// What one metre of its spheres down in their bodies adds to each of them; empty where spheres stay in their bodies.
+    down: Vec<PerMetre>,
+}
+
+/// What makes contacts deeper.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Deeper {
+    /// A floor that goes up, m.
+    pub(super) floor_up_m: f64,
+    /// Spheres that go down in their bodies, m.
+    pub(super) spheres_down_m: f64,
 }
 
 impl FitTrial {
@@ -50,21 +60,20 @@ impl FitTrial {
         Self::with(states, feet, measured, weight_n, None)
     }
 
-    /// The same, with how the contacts answer where spheres move in their bodies, or the feet of the recording are shifted. `axes` are those
-    /// of the first trial, where this is another one.
+    /// What they say where spheres go down in their bodies. The first trial finds which way is `down`, and the others take it from there.
     ///
     /// # Errors
     /// It is not known where a body is.
-    pub fn with_answers(
+    pub fn of_lowered(
         model: &Model,
         recording: &Recording,
         states: &ContactStates,
         (feet, measured): (&[Foot], &Measured),
         weight_n: f64,
-        axes: Option<&[SoleAxes]>,
+        down: Option<&[[f64; 3]]>,
     ) -> Result<Self, StatesError> {
-        let displaced = Displaced::of(model, recording, states, axes, (feet, measured))?;
-        Ok(Self::with(states, feet, measured, weight_n, Some(&displaced)))
+        let lowered = Lowered::of(model, recording, states, down, (feet, measured))?;
+        Ok(Self::with(states, feet, measured, weight_n, Some(&lowered)))
     }
 
     fn with(
@@ -72,15 +81,14 @@ impl FitTrial {
         feet: &[Foot],
         measured: &Measured,
         weight_n: f64,
-        displaced: Option<&Displaced<'_>>,
+        lowered: Option<&Lowered<'_>>,
     ) -> Self {
-        let one = |(number, (foot, plates)): (usize, (&Foot, &Vec<Option<Wrench>>))| {
-            let (mut forces, kept) = FootForces::of(states, foot, plates);
-            forces.answers =
-                displaced.map(|displaced| displaced.answers(number, foot, measured, &kept, weight_n));
-            forces
+        let one = |(foot, plates): (&Foot, &Vec<Option<Wrench>>)| {
+            let (forces, kept) = FootForces::of(states, foot, plates);
+            let down = lowered.map(|lowered| lowered.contacts(foot, &kept)).unwrap_or_default();
+            FootForces { down, ..forces }
         };
-        let feet: Vec<FootForces> = feet.iter().zip(&measured.feet).enumerate().map(one).collect();
+        let feet: Vec<FootForces> = feet.iter().zip(&measured.feet).map(one).collect();
         // A foot in the air fits everything, and one beside the plates nothing.
         let (feet, others): (Vec<_>, Vec<_>) = feet.into_iter().partition(|foot| foot.has_force(weight_n));
         Self {
@@ -88,22 +96,23 @@ impl FitTrial {
             weight_n,
             beside: measured.beside.iter().sum(),
             without_force: others.into_iter().map(|foot| foot.name).collect(),
-            axes: displaced.map(|displaced| displaced.axes.clone()).unwrap_or_default(),
+            down: lowered.map(|lowered| lowered.down.clone()).unwrap_or_default(),
         }
     }
 }
 
 impl FitTrial {
-    /// The same with some of its frames, evenly chosen: at most about `most` of each foot, and no answers.
+    /// The same with some of its frames, evenly chosen: at most about `most` of each foot.
     pub(super) fn thinned(&self, most: usize) -> Self {
         let of = |foot: &FootForces| {
             let kept = || (0..foot.frames()).step_by(foot.frames().div_ceil(most).max(1));
             FootForces {
                 name: foot.name.clone(),
+                spheres: foot.spheres.clone(),
                 laws: foot.laws.clone(),
                 measured_n: kept().filter_map(|frame| foot.measured_n.get(frame)).copied().collect(),
                 contacts: kept().flat_map(|frame| foot.frame(frame)).copied().collect(),
-                answers: None,
+                down: kept().flat_map(|frame| foot.down(frame)).copied().collect(),
             }
         };
         Self { feet: self.feet.iter().map(of).collect(), ..self.clone() }
@@ -113,13 +122,14 @@ impl FitTrial {
 impl FootForces {
     /// Those of `foot`, and the frames they are of.
     fn of(states: &ContactStates, foot: &Foot, plates: &[Option<Wrench>]) -> (Self, Vec<usize>) {
-        let pairs = foot.pairs.iter().filter_map(|&pair| states.pairs.get(pair));
+        let pairs = || foot.pairs.iter().filter_map(|&pair| states.pairs.get(pair));
         let mut forces = Self {
             name: foot.name.clone(),
-            laws: pairs.map(|pair| (pair.law, pair.radius_m)).collect(),
+            spheres: pairs().map(|pair| pair.sphere).collect(),
+            laws: pairs().map(|pair| (pair.law, pair.radius_m)).collect(),
             measured_n: Vec::new(),
             contacts: Vec::new(),
-            answers: None,
+            down: Vec::new(),
         };
         let own = |frame: usize| -> Vec<&ContactState> {
             foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair)).collect()
@@ -156,10 +166,11 @@ impl FootForces {
         let count = self.laws.len();
         Self {
             name: self.name.clone(),
+            spheres: self.spheres.clone(),
             laws: self.laws.clone(),
             measured_n: self.measured_n.get(first..end).unwrap_or_default().to_vec(),
             contacts: self.contacts.get(first * count..end * count).unwrap_or_default().to_vec(),
-            answers: self.answers.as_ref().map(|answers| answers.part(first, end)),
+            down: self.down.get(first * count..end * count).unwrap_or_default().to_vec(),
         }
     }
 
@@ -167,5 +178,26 @@ impl FootForces {
     pub(crate) fn frame(&self, frame: usize) -> &[(f64, f64)] {
         let count = self.laws.len();
         self.contacts.get(frame * count..(frame + 1) * count).unwrap_or_default()
+    }
+
+    fn down(&self, frame: usize) -> &[PerMetre] {
+        let count = self.laws.len();
+        self.down.get(frame * count..(frame + 1) * count).unwrap_or_default()
+    }
+
+    /// The contacts of a frame, deeper.
+    pub(super) fn deeper(&self, frame: usize, by: Deeper) -> impl Iterator<Item = (f64, f64)> {
+        let down = self.down(frame);
+        self.frame(frame).iter().enumerate().map(move |(number, &(x, rate))| {
+            let down = down.get(number).copied().unwrap_or_default();
+            (x + by.floor_up_m + by.spheres_down_m * down.indentation, rate + by.spheres_down_m * down.rate_s)
+        })
+    }
+
+    /// x/R of each contact of a frame, deeper; of none in a frame without a measured force.
+    pub(super) fn loaded_depths(&self, frame: usize, by: Deeper, weight_n: f64) -> impl Iterator<Item = f64> {
+        let is_loaded = self.measured_n.get(frame).is_some_and(|&force_n| force_n > ON_BW * weight_n);
+        let contacts = self.deeper(frame, by).zip(&self.laws).filter(move |_| is_loaded);
+        contacts.map(|((x, _), &(_, radius_m))| x / radius_m)
     }
 }

@@ -3,9 +3,11 @@
 use contact_scaling::Law;
 use rmpfit::{MPConfig, MPFitter, MPPar, MPResult};
 
-use super::data::{FitTrial, FootForces};
+use super::data::{Deeper, FitTrial, FootForces};
 use super::result::FitErrors;
-use crate::stance::ON_BW;
+
+/// What a sphere costs that is deeper than allowed by its radius, body weights.
+const TOO_DEEP_BW: f64 = 200.0;
 
 /// The unknowns of a fit.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,14 +18,51 @@ pub(super) struct Unknowns {
     pub(super) dissipation: Option<f64>,
     /// How far the floor moves up in each trial, m.
     pub(super) floor_up_m: Vec<f64>,
+    /// How far all spheres go down in their bodies, m.
+    pub(super) spheres_down_m: f64,
 }
 
 impl Unknowns {
+    /// What makes the contacts of a trial deeper.
+    pub(super) fn deeper(&self, trial: usize) -> Deeper {
+        let floor_up_m = self.floor_up_m.get(trial).copied().unwrap_or_default();
+        Deeper { floor_up_m, spheres_down_m: self.spheres_down_m }
+    }
+
+    /// The heights that are fitted, one for each trial. That of the first trial may be in the spheres; its floor stays then.
+    pub(super) fn heights_m(&self, height: FittedHeight) -> Vec<f64> {
+        let mut heights_m = self.floor_up_m.clone();
+        if let Some(first) = heights_m.first_mut().filter(|_| height == FittedHeight::Spheres) {
+            *first = self.spheres_down_m;
+        }
+        heights_m
+    }
+
+    /// With these heights.
+    pub(super) fn with_heights(self, height: FittedHeight, mut heights_m: Vec<f64>) -> Self {
+        match (height, heights_m.first_mut()) {
+            (FittedHeight::Spheres, Some(first)) => {
+                let spheres_down_m = std::mem::take(first);
+                Self { spheres_down_m, floor_up_m: heights_m, ..self }
+            }
+            _ => Self { floor_up_m: heights_m, ..self },
+        }
+    }
+
     /// Those of one trial alone.
     pub(super) fn of_trial(&self, trial: usize) -> Self {
         let floor_up_m = self.floor_up_m.get(trial).copied().into_iter().collect();
         Self { floor_up_m, ..self.clone() }
     }
+}
+
+/// What a fitted height moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FittedHeight {
+    /// The floor of each trial.
+    Floor,
+    /// All spheres, in their bodies. The floor of the first trial stays; each other trial has one of its own.
+    Spheres,
 }
 
 /// Which of them are fitted.
@@ -33,19 +72,8 @@ pub struct FitWanted {
     pub stiffness: bool,
     /// The dissipation.
     pub dissipation: bool,
-    /// The height of the floor.
-    pub height: bool,
-    /// The height of each sphere on its body, against the others.
-    pub heights: bool,
-    /// The place of each sphere along the foot.
-    pub places: bool,
-}
-
-impl FitWanted {
-    /// Whether any of the first three is fitted.
-    pub(super) fn any_of_three(self) -> bool {
-        self.stiffness || self.dissipation || self.height
-    }
+    /// The height, and what it moves; `None` where neither floor nor spheres move.
+    pub height: Option<FittedHeight>,
 }
 
 /// Force of one foot in each frame along the normal, over body weight, with these unknowns.
@@ -53,14 +81,14 @@ pub(super) fn forces_bw(
     foot: &FootForces,
     laws: &[Law],
     factor: f64,
-    floor_up_m: f64,
+    deeper: Deeper,
     weight_n: f64,
     mut take: impl FnMut(usize, f64),
 ) {
     let scale = factor / weight_n;
     for frame in 0..foot.frames() {
-        let contacts = foot.frame(frame).iter().zip(laws);
-        let sum: f64 = contacts.map(|(&(x, rate), law)| law.force(x + floor_up_m, rate)).sum();
+        let contacts = foot.deeper(frame, deeper).zip(laws);
+        let sum: f64 = contacts.map(|((x, rate), law)| law.force(x, rate)).sum();
         take(frame, scale * sum);
     }
 }
@@ -74,26 +102,17 @@ pub(super) fn with_dissipation(foot: &FootForces, dissipation: Option<f64>) -> V
 /// How far the forces with these unknowns are from the plates.
 pub(super) fn errors(trials: &[FitTrial], unknowns: &Unknowns) -> FitErrors {
     let (mut square, mut count, mut deepest) = (0.0, 0_usize, f64::NEG_INFINITY);
-    for (trial, &floor_up_m) in trials.iter().zip(&unknowns.floor_up_m) {
+    for (number, trial) in trials.iter().enumerate() {
+        let deeper = unknowns.deeper(number);
         for foot in &trial.feet {
             let laws = with_dissipation(foot, unknowns.dissipation);
-            forces_bw(
-                foot,
-                &laws,
-                unknowns.stiffness_log.exp(),
-                floor_up_m,
-                trial.weight_n,
-                |frame, force_bw| {
-                    let measured_n = foot.measured_n.get(frame).copied().unwrap_or_default();
-                    square += (force_bw - measured_n / trial.weight_n).powi(2);
-                    count += 1;
-                    if measured_n > ON_BW * trial.weight_n {
-                        for (&(x, _), &(_, radius_m)) in foot.frame(frame).iter().zip(&foot.laws) {
-                            deepest = f64::max(deepest, (x + floor_up_m) / radius_m);
-                        }
-                    }
-                },
-            );
+            let factor = unknowns.stiffness_log.exp();
+            forces_bw(foot, &laws, factor, deeper, trial.weight_n, |frame, force_bw| {
+                let measured_n = foot.measured_n.get(frame).copied().unwrap_or_default();
+                square += (force_bw - measured_n / trial.weight_n).powi(2);
+                count += 1;
+                deepest = foot.loaded_depths(frame, deeper, trial.weight_n).fold(deepest, f64::max);
+            });
         }
     }
     FitErrors {
@@ -108,7 +127,10 @@ pub(super) struct Problem<'t> {
     pub(super) wanted: FitWanted,
     /// What is not fitted stays at this.
     pub(super) start: Unknowns,
-    points: usize,
+    /// Frames of all feet.
+    frames: usize,
+    /// See [`Limits::sphere_depth`].
+    sphere_depth: Option<f64>,
     config: MPConfig,
     settings: Vec<MPPar>,
 }
@@ -120,7 +142,8 @@ impl<'t> Problem<'t> {
             trials,
             wanted,
             start: start.clone(),
-            points: feet.map(FootForces::frames).sum(),
+            frames: feet.map(FootForces::frames).sum(),
+            sphere_depth: limits.sphere_depth,
             config: MPConfig { ftol: 1e-12, xtol: 1e-10, gtol: 1e-12, max_iter: 100, ..MPConfig::new() },
             settings: Vec::new(),
         };
@@ -138,8 +161,8 @@ impl<'t> Problem<'t> {
         if wanted.dissipation {
             problem.settings.push(limited(limits.dissipation.0, limits.dissipation.1, 1e-6));
         }
-        if wanted.height {
-            problem.settings.extend(limits.floor_up_m.iter().map(|&(low, high)| limited(low, high, 1e-8)));
+        if wanted.height.is_some() {
+            problem.settings.extend(limits.heights_m.iter().map(|&(low, high)| limited(low, high, 1e-8)));
         }
         problem
     }
@@ -148,9 +171,7 @@ impl<'t> Problem<'t> {
         let mut vector = Vec::new();
         vector.extend(self.wanted.stiffness.then_some(unknowns.stiffness_log));
         vector.extend(unknowns.dissipation.filter(|_| self.wanted.dissipation));
-        if self.wanted.height {
-            vector.extend(&unknowns.floor_up_m);
-        }
+        vector.extend(self.wanted.height.into_iter().flat_map(|height| unknowns.heights_m(height)));
         vector
     }
 
@@ -158,34 +179,57 @@ impl<'t> Problem<'t> {
         let mut values = vector.iter().copied();
         let mut next =
             |is_fitted: bool, kept: f64| if is_fitted { values.next().unwrap_or(kept) } else { kept };
-        Unknowns {
+        let fitted = Unknowns {
             stiffness_log: next(self.wanted.stiffness, self.start.stiffness_log),
             dissipation: self.start.dissipation.map(|kept| next(self.wanted.dissipation, kept)),
-            floor_up_m: self.start.floor_up_m.iter().map(|&kept| next(self.wanted.height, kept)).collect(),
+            ..self.start.clone()
+        };
+        match self.wanted.height {
+            Some(height) => fitted.with_heights(height, values.collect()),
+            None => fitted,
         }
     }
 
-    /// Differences between model and plates over body weight, foot by foot and frame by frame.
+    /// Differences between model and plates over body weight, foot by foot and frame by frame; then, in the same order, what spheres cost
+    /// that are too deep, if they have such a bound.
     pub(super) fn deviates(&self, unknowns: &Unknowns, deviates: &mut [f64]) {
         let mut places = deviates.iter_mut();
-        for (trial, &floor_up_m) in self.trials.iter().zip(&unknowns.floor_up_m) {
+        let mut put = |value: f64| places.by_ref().take(1).for_each(|place| *place = value);
+        for (number, trial) in self.trials.iter().enumerate() {
             for foot in &trial.feet {
                 let laws = with_dissipation(foot, unknowns.dissipation);
-                let factor = unknowns.stiffness_log.exp();
-                forces_bw(foot, &laws, factor, floor_up_m, trial.weight_n, |frame, force_bw| {
+                let (factor, deeper) = (unknowns.stiffness_log.exp(), unknowns.deeper(number));
+                forces_bw(foot, &laws, factor, deeper, trial.weight_n, |frame, force_bw| {
                     let measured = foot.measured_n.get(frame).copied().unwrap_or_default() / trial.weight_n;
-                    if let Some(place) = places.next() {
-                        *place = force_bw - measured;
-                    }
+                    put(force_bw - measured);
                 });
             }
         }
+        let Some(most) = self.sphere_depth else { return };
+        for (number, trial) in self.trials.iter().enumerate() {
+            for (foot, frame) in
+                trial.feet.iter().flat_map(|foot| (0..foot.frames()).map(move |frame| (foot, frame)))
+            {
+                let depths = foot.loaded_depths(frame, unknowns.deeper(number), trial.weight_n);
+                let square: f64 = depths.map(|depth| (depth - most).max(0.0).powi(2)).sum();
+                put(TOO_DEEP_BW * square.sqrt());
+            }
+        }
+    }
+
+    /// The root mean square of all of them, over the frames.
+    pub(super) fn rms_bw(&self, unknowns: &Unknowns) -> f64 {
+        let mut deviates = vec![0.0; self.number_of_points()];
+        self.deviates(unknowns, &mut deviates);
+        let square: f64 = deviates.iter().map(|one| one * one).sum();
+        (square / self.frames.max(1) as f64).sqrt()
     }
 
     /// The height of one trial stays.
     pub(super) fn keep_height(&mut self, trial: usize) {
         let before = self.settings.len().saturating_sub(self.trials.len());
-        if let Some(setting) = self.settings.get_mut(before + trial).filter(|_| self.wanted.height) {
+        if let Some(setting) = self.settings.get_mut(before + trial).filter(|_| self.wanted.height.is_some())
+        {
             setting.fixed = true;
         }
     }
@@ -195,8 +239,8 @@ impl<'t> Problem<'t> {
         self.settings.iter().any(|one| !one.fixed)
     }
 
-    pub(super) fn points(&self) -> usize {
-        self.points
+    pub(super) fn frames(&self) -> usize {
+        self.frames
     }
 
     /// Between which values each unknown of a vector is.
@@ -210,7 +254,10 @@ impl<'t> Problem<'t> {
 pub(super) struct Limits {
     pub(super) stiffness_log: (f64, f64),
     pub(super) dissipation: (f64, f64),
-    pub(super) floor_up_m: Vec<(f64, f64)>,
+    /// Of each trial, m: see [`Unknowns::heights_m`].
+    pub(super) heights_m: Vec<(f64, f64)>,
+    /// Spheres that go down in their bodies keep to this x/R at a price. `None` where limits of the heights say it, or nothing does.
+    pub(super) sphere_depth: Option<f64>,
 }
 
 impl MPFitter for Problem<'_> {
@@ -220,7 +267,7 @@ impl MPFitter for Problem<'_> {
     }
 
     fn number_of_points(&self) -> usize {
-        self.points
+        if self.sphere_depth.is_some() { 2 * self.frames } else { self.frames }
     }
 
     fn config(&self) -> &MPConfig {

@@ -3,7 +3,7 @@
 use rmpfit::MPFitter;
 
 use super::data::FitTrial;
-use super::problem::{FitWanted, Limits, Problem, Unknowns, errors};
+use super::problem::{FitWanted, FittedHeight, Limits, Problem, Unknowns};
 
 /// Steps that double until an edge is passed, and halves of the last one to find it.
 const DOUBLES: usize = 4;
@@ -11,9 +11,9 @@ const HALVES: usize = 6;
 /// The first step of a height, m.
 const HEIGHT_STEP_M: f64 = 0.002;
 /// A fit is nearly as good where its error is at most so many times larger,
-pub(super) const NEARLY: f64 = 1.05;
+const NEARLY: f64 = 1.05;
 /// or larger by this, body weights.
-pub(super) const NEARLY_BW: f64 = 0.005;
+const NEARLY_BW: f64 = 0.005;
 
 /// So many frames of a foot are enough to say how far values can go.
 const FRAMES: usize = 400;
@@ -31,7 +31,7 @@ impl<'b> Ranges<'b> {
     /// Of the `best` unknowns of `trials`, between `limits`.
     pub(super) fn new(trials: &[FitTrial], wanted: FitWanted, limits: Limits, best: &'b Unknowns) -> Self {
         let trials: Vec<FitTrial> = trials.iter().map(|trial| trial.thinned(FRAMES)).collect();
-        let rms_bw = errors(&trials, best).vertical_rms_bw;
+        let rms_bw = Problem::new(&trials, wanted, best, &limits).rms_bw(best);
         Self { trials, wanted, limits, best, rms_bw }
     }
 
@@ -57,13 +57,15 @@ impl<'b> Ranges<'b> {
         (low, edge(value, 0.5, self.rms_bw, &tried).min(most))
     }
 
-    /// Heights of the floor of one trial, m.
-    pub(super) fn height(&self, trial: usize) -> (f64, f64) {
-        let value = self.best.floor_up_m.get(trial).copied().unwrap_or_default();
-        let Some(&(least_m, most_m)) = self.limits.floor_up_m.get(trial) else { return (value, value) };
+    /// Heights of one trial, m.
+    pub(super) fn height(&self, height: FittedHeight, trial: usize) -> (f64, f64) {
+        let heights_m = self.best.heights_m(height);
+        let value = heights_m.get(trial).copied().unwrap_or_default();
+        let Some(&(least_m, most_m)) = self.limits.heights_m.get(trial) else { return (value, value) };
         let tried = |up_m: f64| {
-            let mut start = self.best.clone();
-            *start.floor_up_m.get_mut(trial)? = up_m.clamp(least_m, most_m);
+            let mut heights_m = heights_m.clone();
+            *heights_m.get_mut(trial)? = up_m.clamp(least_m, most_m);
+            let start = self.best.clone().with_heights(height, heights_m);
             self.refitted(self.wanted, Some(trial), &start)
         };
         let low_m = edge(value, -HEIGHT_STEP_M, self.rms_bw, &tried).max(least_m);
@@ -77,14 +79,14 @@ impl<'b> Ranges<'b> {
             problem.keep_height(trial);
         }
         if !problem.is_free() {
-            return Some(errors(&self.trials, start).vertical_rms_bw);
+            return Some(problem.rms_bw(start));
         }
         let mut vector: Vec<f64> = problem.to_vector(start);
         for (value, (low, high)) in vector.iter_mut().zip(problem.limits()) {
             *value = value.clamp(low, high);
         }
         problem.mpfit(&mut vector).ok()?;
-        Some(errors(&self.trials, &problem.of_vector(&vector)).vertical_rms_bw)
+        Some(problem.rms_bw(&problem.of_vector(&vector)))
     }
 }
 

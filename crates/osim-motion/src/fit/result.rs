@@ -1,7 +1,5 @@
 //! What a fit gives.
 
-use osim_model::SphereId;
-
 /// One fitted number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
@@ -38,34 +36,6 @@ pub struct HeldOut {
     pub vertical_rms_bw: f64,
 }
 
-/// A sphere that a fit moves in its body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct MovedSphere {
-    /// The sphere.
-    pub sphere: SphereId,
-    /// How far it goes down, m.
-    pub down_m: f64,
-    /// How far it goes ahead, m.
-    pub ahead_m: f64,
-}
-
-/// By how much a fit took feet to be elsewhere than the recording says, in frames with a force.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub struct SlackUsed {
-    /// Errors with it.
-    pub errors: FitErrors,
-    /// Root mean square in height, m.
-    pub height_rms_m: f64,
-    /// Root mean square in pitch, rad.
-    pub pitch_rms_rad: f64,
-    /// The most in height, m.
-    pub largest_height_m: f64,
-    /// The most in pitch, rad.
-    pub largest_pitch_rad: f64,
-}
-
 /// Contact parameters that make the forces of a model those of the plates.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[non_exhaustive]
@@ -78,10 +48,6 @@ pub struct MotionFit {
     pub floor_up_m: Vec<FittedParameter>,
     /// How far all spheres go down in their bodies, where the height is in them and not in the floor, m.
     pub spheres_down_m: Option<FittedParameter>,
-    /// Where each sphere goes in its body; empty where all stay.
-    pub moved: Vec<MovedSphere>,
-    /// Slack, where it was asked for. All other errors are without it.
-    pub slack: Option<SlackUsed>,
     /// Correlation of stiffness and height of the first trial, where both were fitted.
     pub stiffness_height_correlation: Option<f64>,
     /// Errors before.

@@ -3,7 +3,7 @@
 use rmpfit::{MPFitter, MPStatus, MPSuccess};
 
 use super::data::FitTrial;
-use super::problem::{FitWanted, Limits, Problem, Unknowns, forces_bw, with_dissipation};
+use super::problem::{FitWanted, FittedHeight, Limits, Problem, Unknowns, forces_bw, with_dissipation};
 use crate::stance::ON_BW;
 
 /// Heights that are tried before the search.
@@ -11,11 +11,13 @@ const HEIGHTS: usize = 48;
 /// Dissipations that are tried with each, s/m.
 const DISSIPATIONS: [f64; 3] = [0.2, 1.0, 3.0];
 /// Stiffnesses beyond these factors of the model's own are not looked for.
-pub(super) const STIFFNESS_FACTOR: f64 = 1e4;
+const STIFFNESS_FACTOR: f64 = 1e4;
 /// Dissipations above this are not looked for, s/m.
-pub(super) const MOST_DISSIPATION: f64 = 10.0;
+const MOST_DISSIPATION: f64 = 10.0;
 /// Without a bound on x/R, the floor goes up by this over where the first sphere touches, m.
 const UNBOUNDED_M: f64 = 0.25;
+/// Spheres go at most this far up or down in their bodies, and the floors of other trials from the first, m.
+const MOST_IN_SPHERES_M: f64 = 0.25;
 
 /// What is fitted, and between which bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,26 +26,6 @@ pub struct FitBounds {
     pub wanted: FitWanted,
     /// x/R goes up to this in frames with a force; `None` for no bound.
     pub most_relative_indentation: Option<f64>,
-    /// Whether the height moves all spheres in their bodies instead of the floor.
-    pub height_in_spheres: bool,
-    /// By how much feet in the recording are usually too high or too low, m, with 5 rad/m in pitch; `None` takes the recording as it is.
-    pub slack_m: Option<f64>,
-    /// A centre of pressure that is this far off under a full body weight counts as an error of one body weight, m; `None` where only
-    /// forces count.
-    pub cop_m: Option<f64>,
-}
-
-impl FitBounds {
-    /// Whether more is asked for than stiffness, dissipation and the height of the floor can give.
-    #[must_use]
-    pub fn needs_answers(&self) -> bool {
-        let FitWanted { height, heights, places, .. } = self.wanted;
-        heights
-            || places
-            || self.slack_m.is_some()
-            || self.cop_m.is_some()
-            || (height && self.height_in_spheres)
-    }
 }
 
 /// Why there is no fit.
@@ -56,11 +38,6 @@ pub enum FitError {
     /// Nothing is wanted.
     #[error("nothing is fitted: name at least one of stiffness, dissipation and height")]
     Nothing,
-    /// The centre of pressure is to count, and nobody knows it.
-    #[error(
-        "the centre of pressure is to count, and the plates say nowhere where their force acts: they have no points"
-    )]
-    NoCentre,
     /// No height gives a force.
     #[error("no height of the floor within the bounds gives the feet a force like the plates'")]
     NoContact,
@@ -71,7 +48,8 @@ pub enum FitError {
 
 /// The model as it is.
 pub(super) fn own(trials: &[FitTrial]) -> Unknowns {
-    Unknowns { stiffness_log: 0.0, dissipation: None, floor_up_m: vec![0.0; trials.len()] }
+    let floor_up_m = vec![0.0; trials.len()];
+    Unknowns { stiffness_log: 0.0, dissipation: None, floor_up_m, spheres_down_m: 0.0 }
 }
 
 /// The best unknowns, and how sure they are.
@@ -93,7 +71,8 @@ impl Best {
 /// The best unknowns for all trials together.
 pub(super) fn search(trials: &[FitTrial], bounds: &FitBounds, own: &Unknowns) -> Result<Best, FitError> {
     let limits = limits(trials, bounds)?;
-    let start = scan(trials, bounds, own, &limits)?;
+    let start = scan(trials, bounds, own, &floor_limits(trials, bounds)?)?;
+    let start = if bounds.wanted.height == Some(FittedHeight::Spheres) { in_spheres(start) } else { start };
     let mut problem = Problem::new(trials, bounds.wanted, &start, &limits);
     let mut vector = problem.to_vector(&start);
     let status = problem.mpfit(&mut vector).map_err(|_| FitError::NotConverged)?;
@@ -104,8 +83,15 @@ pub(super) fn search(trials: &[FitTrial], bounds: &FitBounds, own: &Unknowns) ->
     Ok(sure(&problem, unknowns, &vector, &status))
 }
 
+/// The heights of floors as one in the spheres: floors that go up are spheres that go down, and the first floor stays.
+fn in_spheres(floors: Unknowns) -> Unknowns {
+    let spheres_down_m = floors.floor_up_m.first().copied().unwrap_or_default();
+    let floor_up_m = floors.floor_up_m.iter().map(|up_m| up_m - spheres_down_m).collect();
+    Unknowns { spheres_down_m, floor_up_m, ..floors }
+}
+
 /// How many of the deviates count: neighbouring frames have their errors in common.
-pub(super) fn independent(deviates: &[f64]) -> f64 {
+fn independent(deviates: &[f64]) -> f64 {
     let square: f64 = deviates.iter().map(|one| one * one).sum();
     let shifted: f64 = deviates.windows(2).filter_map(|pair| Some(pair.first()? * pair.get(1)?)).sum();
     let alike = if square > 0.0 { (shifted / square).clamp(0.0, 0.999) } else { 0.0 };
@@ -114,7 +100,7 @@ pub(super) fn independent(deviates: &[f64]) -> f64 {
 
 /// Standard errors.
 fn sure(problem: &Problem<'_>, unknowns: Unknowns, vector: &[f64], status: &MPStatus) -> Best {
-    let mut deviates = vec![0.0; problem.points()];
+    let mut deviates = vec![0.0; problem.frames()];
     problem.deviates(&unknowns, &mut deviates);
     let square: f64 = deviates.iter().map(|one| one * one).sum();
     let free = (independent(&deviates) - vector.len() as f64).max(1.0);
@@ -135,10 +121,20 @@ fn sure(problem: &Problem<'_>, unknowns: Unknowns, vector: &[f64], status: &MPSt
     }
 }
 
-/// Bounds: heights at which something touches and nothing is deeper than allowed.
+/// Bounds of the search. Where a height is in the spheres, how deep one gets depends on how its body is turned.
 pub(super) fn limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitError> {
+    let limits = floor_limits(trials, bounds)?;
+    if bounds.wanted.height != Some(FittedHeight::Spheres) {
+        return Ok(limits);
+    }
+    let heights_m = vec![(-MOST_IN_SPHERES_M, MOST_IN_SPHERES_M); trials.len()];
+    Ok(Limits { heights_m, sphere_depth: bounds.most_relative_indentation, ..limits })
+}
+
+/// The same of floors: heights at which something touches and nothing is deeper than allowed.
+fn floor_limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitError> {
     let largest = STIFFNESS_FACTOR.ln();
-    let mut floor_up_m = Vec::new();
+    let mut heights_m = Vec::new();
     for trial in trials {
         let (mut least_m, mut most_m) = (f64::INFINITY, f64::INFINITY);
         let mut has_force = false;
@@ -161,9 +157,14 @@ pub(super) fn limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, 
             return Err(FitError::NoForce);
         }
         let most_m = if most_m.is_finite() { most_m } else { least_m + UNBOUNDED_M };
-        floor_up_m.push((least_m.min(most_m - 1e-6), most_m));
+        heights_m.push((least_m.min(most_m - 1e-6), most_m));
     }
-    Ok(Limits { stiffness_log: (-largest, largest), dissipation: (0.0, MOST_DISSIPATION), floor_up_m })
+    Ok(Limits {
+        stiffness_log: (-largest, largest),
+        dissipation: (0.0, MOST_DISSIPATION),
+        heights_m,
+        sphere_depth: None,
+    })
 }
 
 /// The best of some heights and dissipations, each with its own stiffness where that is fitted.
@@ -177,13 +178,13 @@ fn scan(
         if bounds.wanted.dissipation { DISSIPATIONS.map(Some).to_vec() } else { vec![own.dissipation] };
     let mut best: Option<(f64, Unknowns)> = None;
     for dissipation in dissipations {
-        for step in 0..if bounds.wanted.height { HEIGHTS } else { 1 } {
+        for step in 0..if bounds.wanted.height.is_some() { HEIGHTS } else { 1 } {
             let part = (step as f64 + 0.5) / HEIGHTS as f64;
-            let floor_up_m = match bounds.wanted.height {
-                true => limits.floor_up_m.iter().map(|(low, high)| low + part * (high - low)).collect(),
+            let floor_up_m = match bounds.wanted.height.is_some() {
+                true => limits.heights_m.iter().map(|(low, high)| low + part * (high - low)).collect(),
                 false => own.floor_up_m.clone(),
             };
-            let mut tried = Unknowns { stiffness_log: own.stiffness_log, dissipation, floor_up_m };
+            let mut tried = Unknowns { dissipation, floor_up_m, ..own.clone() };
             let Some(square) = with_best_stiffness(trials, &mut tried, bounds.wanted.stiffness, limits)
             else {
                 continue;
@@ -204,10 +205,11 @@ fn with_best_stiffness(
     limits: &Limits,
 ) -> Option<f64> {
     let (mut own, mut both, mut plates) = (0.0, 0.0, 0.0);
-    for (trial, &floor_up_m) in trials.iter().zip(&tried.floor_up_m) {
+    for (number, trial) in trials.iter().enumerate() {
+        let deeper = tried.deeper(number);
         for foot in &trial.feet {
             let laws = with_dissipation(foot, tried.dissipation);
-            forces_bw(foot, &laws, 1.0, floor_up_m, trial.weight_n, |frame, force_bw| {
+            forces_bw(foot, &laws, 1.0, deeper, trial.weight_n, |frame, force_bw| {
                 let measured = foot.measured_n.get(frame).copied().unwrap_or_default() / trial.weight_n;
                 own += force_bw * force_bw;
                 both += force_bw * measured;

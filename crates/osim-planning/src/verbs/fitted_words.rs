@@ -2,7 +2,7 @@
 
 use osim_model::messages::{Input, Phrase, phrase, shown};
 use osim_motion::Summary;
-use osim_motion::fit::{FitBounds, FitTrial, FittedParameter, MotionFit, MovedSphere, SlackUsed};
+use osim_motion::fit::{FitBounds, FitTrial, FittedParameter, MotionFit};
 
 /// A range of a stiffness wider than this ratio says that it is not determined.
 const WIDE: f64 = 3.0;
@@ -46,7 +46,6 @@ pub(super) fn remarks(
     if let Some(down) = &fit.spheres_down_m {
         said.push(spheres_down(down));
     }
-    said.extend(moved(&fit.moved));
     if let Some(factor) = &fit.stiffness_factor {
         said.push(stiffness(factor));
     }
@@ -65,9 +64,6 @@ pub(super) fn remarks(
             Input::Unbounded,
             " would let it go deeper, and fit closer, but the law holds up to x/R 0.16"
         ]);
-    }
-    if let Some(slack) = &fit.slack {
-        said.push(slack_used(slack));
     }
     if fit.beside > 0 {
         said.push(
@@ -120,10 +116,6 @@ fn worse(fit: &MotionFit, bounds: &FitBounds) -> Option<Phrase> {
             ": its spheres are up to x/R {:.2} deep, which the bound forbids",
             fit.before.largest_relative_indentation
         ));
-    } else if bounds.cop_m.is_some() {
-        text.push_str(", because the centre of pressure counts, too");
-    } else if bounds.slack_m.is_some() {
-        text.push_str(", because it is the force with slack that was fitted");
     }
     Some(text.into())
 }
@@ -139,35 +131,26 @@ fn on_the_same_floor(others: &[String]) -> Option<Phrase> {
     .into())
 }
 
-/// From the lowest to the highest of some lengths, mm.
-fn span_mm(lengths_m: impl Iterator<Item = f64> + Clone) -> String {
-    let low_m = lengths_m.clone().fold(f64::INFINITY, f64::min);
-    // Without the sign of a zero.
-    let tenths = |metres: f64| (1e4 * metres).round() / 10.0 + 0.0;
-    format!("{:.1} to {:.1} mm", tenths(low_m), tenths(lengths_m.fold(f64::NEG_INFINITY, f64::max)))
+/// The range of a height, m, along the way that the height itself goes.
+fn along_the_way(height: &FittedParameter) -> (f64, f64) {
+    match height.nearly_as_good {
+        (low_m, high_m) if height.value < 0.0 => (-high_m, -low_m),
+        range => range,
+    }
 }
 
 fn spheres_down(down: &FittedParameter) -> Phrase {
     let way = if down.value < 0.0 { "up" } else { "down" };
-    let range = [down.nearly_as_good.0, down.nearly_as_good.1]
-        .map(|value| if down.value < 0.0 { -value } else { value });
+    let (low_m, high_m) = along_the_way(down);
+    // Without the sign of a zero.
+    let tenths = |metres: f64| (1e4 * metres).round() / 10.0 + 0.0;
     format!(
-        "all spheres go {way} by {:.1} mm in their bodies, and the floor stays; {} do nearly the same",
+        "all spheres go {way} by {:.1} mm in their bodies, and the floor stays; {:.1} to {:.1} mm do nearly the same",
         1e3 * down.value.abs(),
-        span_mm(range.into_iter())
+        tenths(low_m),
+        tenths(high_m)
     )
     .into()
-}
-
-fn moved(moved: &[MovedSphere]) -> Option<Phrase> {
-    (!moved.is_empty()).then(|| {
-        format!(
-            "each sphere moves in its body: down by {}, ahead by {}; counterparts on the other side alike",
-            span_mm(moved.iter().map(|one| one.down_m)),
-            span_mm(moved.iter().map(|one| one.ahead_m))
-        )
-        .into()
-    })
 }
 
 fn correlated(correlation: f64) -> Option<Phrase> {
@@ -176,26 +159,10 @@ fn correlated(correlation: f64) -> Option<Phrase> {
     })
 }
 
-fn slack_used(slack: &SlackUsed) -> Phrase {
-    format!(
-        "with slack the error is {:.3} body weights (rms): feet are then up to {:.0} mm (rms {:.1} mm) higher or lower than recorded, and \
-         turned by up to {:.1} degrees; slack can fit any contact, so this says nothing about the contacts, and all other errors are \
-         without it",
-        slack.errors.vertical_rms_bw,
-        1e3 * slack.largest_height_m,
-        1e3 * slack.height_rms_m,
-        slack.largest_pitch_rad.to_degrees()
-    )
-    .into()
-}
-
 fn height(trial: usize, trials: usize, up: &FittedParameter) -> Phrase {
     let way = if up.value < 0.0 { "down" } else { "up" };
     let of = if trials > 1 { format!(" of trial {}", trial + 1) } else { String::new() };
-    let (low_m, high_m) = match up.nearly_as_good {
-        (low_m, high_m) if up.value < 0.0 => (-high_m, -low_m),
-        range => range,
-    };
+    let (low_m, high_m) = along_the_way(up);
     let bound = if up.at_bound { ", the bound of the search" } else { "" };
     format!(
         "the floor{of} goes {way} by {:.1} mm{bound}; {:.1} to {:.1} mm do nearly the same",

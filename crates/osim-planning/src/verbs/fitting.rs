@@ -1,6 +1,6 @@
 //! Contacts fitted to recordings of a gait.
 
-use std::collections::HashMap;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{Figure, InspectOptions};
@@ -10,15 +10,13 @@ use osim_model::{
     Assignment, Fault, HalfSpace, Mass, MassRequest, MassSource, Model, Property, Selected, Selection,
     SphereId,
 };
-use osim_motion::fit::{FitBounds, FitError, FitTrial, FitWanted, MotionFit, MovedSphere, fit_motion};
+use osim_motion::fit::{FitBounds, FitError, FitTrial, FitWanted, FittedHeight, MotionFit, fit_motion};
 use osim_motion::{
-    Belt, ContactStates, Foot, Measured, Recording, RecordingOptions, SoleAxes, StatesError, Summary, Table,
+    Belt, ContactStates, Foot, Measured, Recording, RecordingOptions, StatesError, Summary, Table,
 };
-use osim_patch::{Plan, RecordingErrors, Set, SlackErrors, set};
+use osim_patch::{Plan, RecordingErrors, Set, set};
 use osim_requests::options::{InspectionOptions, StanceOptions};
-use osim_requests::{
-    FitRequest, FittedChoice, HeightChoice, MotionRequest, Positive, RequestError, RequestFault,
-};
+use osim_requests::{FitRequest, FittedChoice, HeightChoice, MotionRequest, RequestError, RequestFault};
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
@@ -34,10 +32,6 @@ use crate::planner::{Change, Planner, file_name};
 
 /// Digits that are kept of a fitted number: more are not determined.
 const DIGITS: usize = 5;
-/// By how much feet in a recording are usually too high or too low, m.
-const FOOT_ERROR_M: f64 = 0.004;
-/// A centre of pressure that is this far off under a full body weight counts as an error of one body weight, m.
-const COP_SCALE_M: f64 = 0.1;
 
 /// One recording.
 struct TrialFiles {
@@ -97,7 +91,7 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
         digests.push(digest.iter().map(|byte| format!("{byte:02x}")).collect::<String>());
     }
     let bounds = bounds(&request);
-    if bounds.height_in_spheres && !bounds.wanted.height {
+    if request.height_in == HeightChoice::Spheres && bounds.wanted.height.is_none() {
         let why = phrase![
             "no height is fitted: leave out ",
             Input::HeightIn,
@@ -106,9 +100,8 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
         ];
         return Err(RequestFault::refused(Input::HeightIn, why).into());
     }
-    let FitRequest { fit, unbounded, height_in, cop_scale, slack, foot_error, belt, belt_column, .. } =
-        &request;
-    let goals = json!([fit, unbounded, height_in, cop_scale, slack, foot_error, belt, belt_column]);
+    let FitRequest { fit, unbounded, height_in, belt, belt_column, .. } = &request;
+    let goals = json!([fit, unbounded, height_in, belt, belt_column]);
     let FitRequest { angles, low_pass, masses, choice, output, answers, set_files, .. } = request;
     let planner = Fitting {
         trials,
@@ -123,25 +116,18 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
     Ok(Change::new(vec![model], output, set_files, asking))
 }
 
-/// What is fitted, between which bounds, and what counts.
+/// What is fitted, and between which bounds.
 fn bounds(request: &FitRequest) -> FitBounds {
-    let is_named = |choice| request.fit.contains(&choice);
-    let is_wanted = |choice| request.fit.is_empty() || is_named(choice);
-    let (heights, places) = (is_named(FittedChoice::Heights), is_named(FittedChoice::Places));
-    let metres = |given: Option<Positive>, usual: f64| given.map_or(usual, Positive::get);
+    let is_wanted = |choice| request.fit.is_empty() || request.fit.contains(&choice);
+    let is_in_spheres = request.height_in == HeightChoice::Spheres;
+    let height = if is_in_spheres { FittedHeight::Spheres } else { FittedHeight::Floor };
     FitBounds {
         wanted: FitWanted {
             stiffness: is_wanted(FittedChoice::Stiffness),
             dissipation: is_wanted(FittedChoice::Dissipation),
-            height: is_wanted(FittedChoice::Height),
-            heights,
-            places,
+            height: is_wanted(FittedChoice::Height).then_some(height),
         },
         most_relative_indentation: (!request.unbounded).then_some(1.0),
-        height_in_spheres: request.height_in == HeightChoice::Spheres,
-        slack_m: request.slack.then(|| metres(request.foot_error, FOOT_ERROR_M)),
-        cop_m: (heights || places || request.cop_scale.is_some())
-            .then(|| metres(request.cop_scale, COP_SCALE_M)),
     }
 }
 
@@ -150,8 +136,8 @@ struct Seen {
     summary: Summary,
     trial: FitTrial,
     planes: Vec<HalfSpace>,
-    /// Which way is down and ahead for each sphere in its body, where that counts.
-    spheres: HashMap<SphereId, SoleAxes>,
+    /// Which way is down for each sphere in its body, where the height is in the spheres.
+    down: BTreeMap<SphereId, [f64; 3]>,
     measured: Measured,
 }
 
@@ -183,17 +169,16 @@ impl Fitting {
         let (recording, states, feet) = self.follow(trial, model, selected)?;
         let measured = Measured::of(&trial.plates.plates, &feet, &states, weight_n);
         let summary = Summary::of(&states, &feet, Some(&measured), weight_n);
-        let fitted = match self.bounds.needs_answers() {
-            true => {
-                let axes = first.map(|first| first.trial.axes.as_slice());
-                FitTrial::with_answers(model, &recording, &states, (&feet, &measured), weight_n, axes)
+        let fitted = match self.bounds.wanted.height {
+            Some(FittedHeight::Spheres) => {
+                let down = first.map(|first| first.trial.down.as_slice());
+                FitTrial::of_lowered(model, &recording, &states, (&feet, &measured), weight_n, down)
                     .map_err(|error| unseen(&trial.name, error))?
             }
-            false => FitTrial::of(&states, &feet, &measured, weight_n),
+            _ => FitTrial::of(&states, &feet, &measured, weight_n),
         };
-        let axes = fitted.axes.iter().copied();
-        let spheres = states.pairs.iter().map(|pair| pair.sphere).zip(axes).collect();
-        Ok(Seen { summary, trial: fitted, planes: states.planes, spheres, measured })
+        let down = states.pairs.iter().map(|pair| pair.sphere).zip(fitted.down.iter().copied()).collect();
+        Ok(Seen { summary, trial: fitted, planes: states.planes, down, measured })
     }
 
     /// The values and places that a fit comes to.
@@ -202,7 +187,7 @@ impl Fitting {
         model: &Model,
         selected: &Selected,
         fit: &MotionFit,
-        first: &Seen,
+        seen: &[Seen],
         mass_kg: f64,
     ) -> Result<Set, Fault> {
         let mut assignments = Vec::new();
@@ -222,7 +207,7 @@ impl Fitting {
         if let Some(up) = fit.floor_up_m.first().filter(|_| fit.spheres_down_m.is_none()) {
             let up_m = (up.value * 1e6).round() / 1e6;
             said.push(format!("floor_up={}", shortest(up_m)));
-            for plane in &first.planes {
+            for plane in seen.first().into_iter().flat_map(|first| &first.planes) {
                 if !plane.on_ground {
                     return Err(Fault::refused(format!(
                         "the floor {} is on the body {}: only a floor on ground has a height that can be fitted",
@@ -235,8 +220,8 @@ impl Fitting {
                 wanted.planes.push((plane.clone(), plane.location_moved_up(up_m).ok_or_else(none)?));
             }
         }
-        if !fit.moved.is_empty() {
-            wanted.centres = centres(model, &fit.moved, &first.spheres)?;
+        if let Some(down) = fit.spheres_down_m {
+            wanted.centres = centres(model, seen, down.value)?;
             said.push("spheres".to_owned());
         }
         wanted.fitted = Some(said.join(" "));
@@ -305,12 +290,9 @@ impl Planner for Fitting {
         let trials: Vec<FitTrial> = seen.iter().map(|one| one.trial.clone()).collect();
         let uses = || seen.iter().flat_map(|one| &one.measured.uses);
         let of_no_foot = uses().find(|one| one.by.is_none()).map(|one| &one.plate);
-        let counterparts =
-            if self.bounds.needs_answers() { model.both_sides().counterparts() } else { Vec::new() };
-        let fit =
-            fit_motion(&trials, &self.bounds, &counterparts).map_err(|error| no_fit(&error, of_no_foot))?;
+        let fit = fit_motion(&trials, &self.bounds).map_err(|error| no_fit(&error, of_no_foot))?;
         let first = seen.first().ok_or_else(|| Fault::refused(FitError::NoForce.to_string()))?;
-        let wanted = self.wanted(model, &selected, &fit, first, mass_kg)?;
+        let wanted = self.wanted(model, &selected, &fit, &seen, mass_kg)?;
         let mut plan = set(model, &selected, &wanted)?;
         let changed = plan.changed(model)?;
         // The floor of the model is that of the first trial, and what its plates say does not change with the model.
@@ -384,27 +366,18 @@ fn errors(fit: &MotionFit, after: &Summary) -> Result<RecordingErrors, Fault> {
         horizontal_rms_bw,
         cop_rms_m: feet().filter_map(|one| one.cop_rms_m).reduce(f64::max),
         largest_relative_indentation: fit.after.largest_relative_indentation,
-        slack: fit.slack.map(|used| SlackErrors {
-            vertical_rms_bw: used.errors.vertical_rms_bw,
-            height_rms_m: used.height_rms_m,
-            largest_height_m: used.largest_height_m,
-            pitch_rms_rad: used.pitch_rms_rad,
-            largest_pitch_rad: used.largest_pitch_rad,
-        }),
     })
 }
 
-/// Where the centres of spheres are to be in their own frames, m, to the micrometre.
-fn centres(
-    model: &Model,
-    moved: &[MovedSphere],
-    axes: &HashMap<SphereId, SoleAxes>,
-) -> Result<Vec<(SphereId, [f64; 3])>, Fault> {
+/// Where the centres of all spheres that were fitted are to be in their own frames, m, to the micrometre.
+fn centres(model: &Model, seen: &[Seen], down_m: f64) -> Result<Vec<(SphereId, [f64; 3])>, Fault> {
+    let feet = || seen.iter().flat_map(|one| &one.trial.feet);
+    let directions = seen.first().into_iter().flat_map(|first| &first.down);
+    let fitted = directions.filter(|(id, _)| feet().any(|foot| foot.spheres.contains(id)));
     let mut centres = Vec::new();
-    for one in moved {
-        let Some((sphere, axes)) = model.sphere(one.sphere).zip(axes.get(&one.sphere)) else { continue };
-        let in_body = std::array::from_fn(|i| one.down_m * axes.down[i] + one.ahead_m * axes.ahead[i]);
-        let by_m = model.rotation_of(sphere)?.inverse().to_body(in_body);
+    for (&id, down) in fitted {
+        let Some(sphere) = model.sphere(id) else { continue };
+        let by_m = model.rotation_of(sphere)?.inverse().to_body(down.map(|part| down_m * part));
         let rounded = |metres: f64| (metres * 1e6).round() / 1e6;
         let location_m = std::array::from_fn(|i| {
             // What does not move keeps all its digits.
@@ -414,7 +387,7 @@ fn centres(
                 rounded(sphere.location_m[i] + by_m[i])
             }
         });
-        centres.push((one.sphere, location_m));
+        centres.push((id, location_m));
     }
     Ok(centres)
 }

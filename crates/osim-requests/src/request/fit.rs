@@ -36,10 +36,6 @@ choices! {
         Dissipation = "dissipation", "The dissipation of all forces";
         /// How high the floor is.
         Height = "height", "How high the floor is";
-        /// How high each sphere is against the others; left and right alike.
-        Heights = "heights", "How high each sphere is on its body, against the others";
-        /// Where each sphere is along the foot; left and right alike.
-        Places = "places", "Where each sphere is along the foot";
     }
 }
 
@@ -106,22 +102,6 @@ pub struct FitRequest {
         arg(long, value_name = "WHAT", value_enum, default_value_t, help_heading = "To a recording")
     )]
     pub height_in: HeightChoice,
-    /// Fit the centre of pressure as well: one that is this far off under a full body weight counts as an error of one body weight, m
-    /// [default with heights or places: 0.1]
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, hide_short_help = true, value_name = "M", help_heading = "To a recording")
-    )]
-    pub cop_scale: Option<Positive>,
-    /// Let each foot of the recording be a little higher, lower or turned in each stance: this hides what the contacts cannot explain
-    #[cfg_attr(feature = "clap", arg(long, help_heading = "To a recording"))]
-    pub slack: bool,
-    /// With slack, by how much feet are usually too high or too low, m, with 5 rad/m in pitch [default: 0.004]
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, hide_short_help = true, value_name = "M", help_heading = "To a recording")
-    )]
-    pub foot_error: Option<Positive>,
     /// Speed of a treadmill's belt against x, m/s: slip is taken against it
     #[cfg_attr(
         feature = "clap",
@@ -195,9 +175,6 @@ impl Default for FitRequest {
             fit: Vec::new(),
             unbounded: false,
             height_in: HeightChoice::Floor,
-            cop_scale: None,
-            slack: false,
-            foot_error: None,
             belt: None,
             belt_column: None,
             angles: None,
@@ -228,9 +205,6 @@ impl FitRequest {
             Relation::Needs("fit", "motion"),
             Relation::Needs("unbounded", "motion"),
             Relation::Needs("height_in", "motion"),
-            Relation::Needs("cop_scale", "motion"),
-            Relation::Needs("slack", "motion"),
-            Relation::Needs("foot_error", "slack"),
             Relation::Needs("belt", "motion"),
             Relation::Needs("belt_column", "motion"),
             Relation::Excludes("belt", "belt_column"),

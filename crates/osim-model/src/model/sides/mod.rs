@@ -20,7 +20,7 @@ use self::mirror::BodyPairs;
 pub(crate) use self::mirror::distance;
 use self::pairs::Pairs;
 pub(crate) use self::pairs::{Alone, SAME_PLACE, SpherePair};
-use crate::model::contacts::{Force, ForceId, SetId, Sphere, SphereId};
+use crate::model::contacts::{Force, ForceId, SetId, Sphere};
 use crate::model::side::Side;
 use crate::model::typed_model::Model;
 
@@ -98,12 +98,6 @@ impl<'m> BothSides<'m> {
     pub fn forces_on(&self, side: Side) -> Vec<ForceId> {
         let of = |pair: &SetPair<'_>| if side == Side::Right { pair.right.0.id } else { pair.left.0.id };
         self.sets.iter().map(of).collect::<BTreeSet<ForceId>>().into_iter().collect()
-    }
-
-    /// The moving spheres that are counterparts: right, left.
-    #[must_use]
-    pub fn counterparts(&self) -> Vec<(SphereId, SphereId)> {
-        self.pairs.iter().map(|pair| (pair.right.sphere.id, pair.left.sphere.id)).collect()
     }
 
     /// Whether the bones under the spheres of `left` are of another size than those under `right`.

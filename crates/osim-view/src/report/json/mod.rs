@@ -6,6 +6,4 @@ mod plan_record;
 
 pub use failure_record::{ErrorRecord, FailureRecord};
 pub use line::line;
-pub use plan_record::{
-    Amount, ChangeRecord, ObjectRecord, PlanRecord, RecordingErrorsRecord, SlackErrorsRecord,
-};
+pub use plan_record::{Amount, ChangeRecord, ObjectRecord, PlanRecord, RecordingErrorsRecord};

@@ -7,7 +7,7 @@ use osim_inspect::{ContactsMass, FindingRecord, SCHEMA_VERSION};
 use osim_model::Model;
 use osim_model::files::FileName;
 use osim_model::messages::Phrase;
-use osim_patch::{Change, Deed, Move, NewSphere, ObjectChange, Plan, RecordingErrors, SlackErrors};
+use osim_patch::{Change, Deed, Move, NewSphere, ObjectChange, Plan, RecordingErrors};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -98,33 +98,6 @@ pub struct RecordingErrorsRecord {
     pub cop_rms_m: Option<f64>,
     /// The largest x/R.
     pub largest_relative_indentation: f64,
-    /// What slack does, where it was asked for; all other errors are without it.
-    pub slack: Option<SlackErrorsRecord>,
-}
-
-/// What slack in the kinematics does to a fit; the model that is written has none.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
-pub struct SlackErrorsRecord {
-    /// Root mean square along the normal of the floor with slack, body weights.
-    pub vertical_rms_bw: f64,
-    /// Root mean square of what feet are higher or lower than recorded, m.
-    pub height_rms_m: f64,
-    /// The most of it, m.
-    pub largest_height_m: f64,
-    /// Root mean square of what feet are turned in pitch, rad.
-    pub pitch_rms_rad: f64,
-    /// The most of it, rad.
-    pub largest_pitch_rad: f64,
-}
-
-impl From<SlackErrors> for SlackErrorsRecord {
-    fn from(errors: SlackErrors) -> Self {
-        let SlackErrors { vertical_rms_bw, height_rms_m, largest_height_m, pitch_rms_rad, largest_pitch_rad } =
-            errors;
-        Self { vertical_rms_bw, height_rms_m, largest_height_m, pitch_rms_rad, largest_pitch_rad }
-    }
 }
 
 impl From<RecordingErrors> for RecordingErrorsRecord {
@@ -135,7 +108,6 @@ impl From<RecordingErrors> for RecordingErrorsRecord {
             horizontal_rms_bw,
             cop_rms_m,
             largest_relative_indentation,
-            slack,
         } = errors;
         Self {
             vertical_rms_bw,
@@ -143,7 +115,6 @@ impl From<RecordingErrors> for RecordingErrorsRecord {
             horizontal_rms_bw,
             cop_rms_m,
             largest_relative_indentation,
-            slack: slack.map(SlackErrorsRecord::from),
         }
     }
 }
