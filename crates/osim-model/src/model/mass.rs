@@ -3,12 +3,11 @@
 use std::collections::BTreeMap;
 
 use crate::messages::{Input, Phrase, phrase, readable};
-
 use crate::model::fault::{Fault, FaultKind, Needed};
 use crate::model::finding::Finding;
 use crate::model::masses_beside::MassesBeside;
 use crate::model::pattern::{Pattern, any_matches};
-use crate::model::rules::mass_sources_disagree::{self, Said};
+use crate::model::rules::reading::{self, SaidMass};
 use crate::model::skeleton::Body;
 use crate::model::typed_model::Model;
 
@@ -192,10 +191,10 @@ impl MassRequest {
     pub fn noted_otherwise(&self, model: &Model) -> Option<Finding> {
         let kg = self.contacts_mass_kg?;
         let noted = self.otherwise_noted_kg(model)?;
-        let taken = Said { kg, source: MassSource::ContactsMass.describe() };
-        Some(mass_sources_disagree::of_masses(
+        let taken = SaidMass { kg, source: MassSource::ContactsMass.describe() };
+        Some(reading::mass_sources_disagree(
             &taken,
-            &Said { kg: noted, source: "the note in the file".into() },
+            &SaidMass { kg: noted, source: "the note in the file".into() },
         ))
     }
 
@@ -228,9 +227,9 @@ impl MassRequest {
                 && self.target_mass_kg.is_some_and(|target_mass_kg| same_mass(kg, target_mass_kg))
         };
         let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
-        let taken_as = Said { kg: taken.kg, source: taken.source.describe() };
+        let taken_as = SaidMass { kg: taken.kg, source: taken.source.describe() };
         let warning =
-            |(kg, source): (f64, Phrase)| mass_sources_disagree::of_masses(&taken_as, &Said { kg, source });
+            |(kg, source): (f64, Phrase)| reading::mass_sources_disagree(&taken_as, &SaidMass { kg, source });
         others.into_iter().filter(|(kg, _)| differs(*kg)).map(warning).collect()
     }
 }

@@ -3,17 +3,16 @@
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
-use crate::xml::{ElementId, KeptElements};
-
 use crate::model::body_facts::BodyFacts;
 use crate::model::components::{Companion, ComponentId, Components};
 use crate::model::contacts::ContactReader;
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FaultKind, FileId, Needed, NoteDoubt};
 use crate::model::note::{Note, NotesFound};
-use crate::model::rules;
+use crate::model::rules::{self, reading};
 use crate::model::skeleton::Skeleton;
 use crate::model::typed_model::Model;
+use crate::xml::{ElementId, KeptElements};
 
 /// Elements of a model that say nothing of bodies, joints and frames.
 const APART_FROM_BODIES: [&str; 3] = ["ContactGeometrySet", "ForceSet", "credits"];
@@ -174,7 +173,7 @@ impl Model {
             .count();
         for _ in 0..beside {
             self.note_fault = Some(NoteDoubt::MixedPair);
-            self.warnings.push(rules::mixed_pair::found());
+            self.warnings.push(reading::mixed_pair());
         }
     }
 }

@@ -1,15 +1,15 @@
 //! Reading contacts: every spelling of spheres, forces and their connections becomes the same typed values.
 
-use super::force::{Force, ForceKind, ParameterSet};
-use super::ids::{ForceId, SetId, SphereId};
-use super::sphere::{Sphere, SphereSpelling};
 use crate::model::class::Class;
 use crate::model::components::{Base, ComponentId, Components};
+use crate::model::contacts::force::{Force, ForceKind, ParameterSet};
+use crate::model::contacts::ids::{ForceId, SetId, SphereId};
+use crate::model::contacts::sphere::{Sphere, SphereSpelling};
 use crate::model::document::Document;
 use crate::model::fault::Fault;
 use crate::model::finding::Finding;
 use crate::model::property::Property;
-use crate::model::rules::{connectee_by_name, misnamed_parameter_set};
+use crate::model::rules::reading;
 use crate::model::skeleton::Skeleton;
 use crate::model::value::Value;
 use crate::xml::ElementId;
@@ -155,7 +155,7 @@ impl<'r> ContactReader<'r> {
         let path = found.map_or_else(|| "/ground".to_owned(), |id| self.components.tree.path(id));
         let line = self.components.doc(owner).line(self.components.doc(owner).tree().span(element).start);
         let whose = self.components.tree.path(owner);
-        self.warnings.push(connectee_by_name::of_connectee(text, &whose, &path, line));
+        self.warnings.push(reading::connectee_by_name(text, &whose, &path, line));
     }
 
     /// The surface that `text` of `force` means; `socket` is the class that it has to be of, `None` in a `<geometry>` list.
@@ -307,7 +307,7 @@ impl<'r> ContactReader<'r> {
             let name = tree.attribute(set, "name").unwrap_or_default();
             let whose = self.components.tree.path(id);
             let line = document.line(tree.span(set).start);
-            self.warnings.push(misnamed_parameter_set::of_set(&name, &whose, line));
+            self.warnings.push(reading::misnamed_parameter_set(&name, &whose, line));
         }
     }
 

@@ -1,0 +1,220 @@
+//! Rules about the components of a model: their files, classes, names and joints.
+
+use foldhash::{HashSet, HashSetExt};
+
+use crate::messages::listed;
+use crate::model::class::Class;
+use crate::model::components::{Component, ComponentId};
+use crate::model::fault::FileId;
+use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
+use crate::model::object_name::refuse_name_in_paths;
+use crate::model::typed_model::Model;
+
+pub(super) static CONTACT_DEFAULTS: Rule = Rule {
+    code: FindingCode::ContactDefaults,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: None,
+    what: "The defaults of the document hold contact objects.",
+    why: "OpenSim keeps the defaults of one model for every model loaded later in the same session, so another model can silently take these values.",
+    advice: "Write the values into the forces themselves, or load the model in a fresh OpenSim",
+    repair: Repair::NotPossible("<defaults> are left alone, because other models may depend on them"),
+    example: Example::Models { good: "format/v40000.osim", bad: "format/defaults_smooth.osim" },
+};
+
+pub(super) fn find_contact_defaults(model: &Model) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let document = model.document();
+    let tree = document.tree();
+    let Some(defaults) = document.defaults() else { return found };
+    let classes = [
+        Class::SmoothSphereHalfSpaceForce,
+        Class::HuntCrossleyForce,
+        Class::ContactParameters,
+        Class::ContactSphere,
+    ];
+    for class in classes {
+        if let Some(default) = tree.child(defaults, class.tag()) {
+            // OpenSim itself writes defaults without content; those carry nothing.
+            if tree.children(default).next().is_none() {
+                continue;
+            }
+            let line = document.line(tree.span(default).start);
+            let text =
+                format!("<defaults> holds a {}: OpenSim keeps it for models loaded later", class.tag());
+            found.push(Finding::at(&CONTACT_DEFAULTS, line, text));
+        }
+    }
+    found
+}
+
+pub(super) static INCLUDED_FILE: Rule = Rule {
+    code: FindingCode::IncludedFile,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    verdict: None,
+    what: "Contacts are in a file that the model includes.",
+    why: "The contacts were read from the file that the model names; a change would have to go into that file too.",
+    advice: "Save the model in OpenSim as one file before rescaling it",
+    repair: Repair::NotPossible("the file may serve other models, too"),
+    example: Example::Models { good: "format/v40000.osim", bad: "format/file_forceset.osim" },
+};
+
+/// Contacts that are in included files can be read but not changed.
+pub(super) fn find_included_file(model: &Model) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let forces = model.forces().iter().map(|force| (force.file, &force.path));
+    let spheres = model.spheres().iter().map(|sphere| (sphere.file, &sphere.path));
+    let mut said: HashSet<FileId> = HashSet::new();
+    for (file, path) in forces.chain(spheres) {
+        if let (Some(name), false) = (model.included_file(file), said.contains(&file)) {
+            let text = format!("{path} and others are in the file '{name}' that the model includes");
+            found.push(Finding::new(&INCLUDED_FILE, text));
+            said.insert(file);
+        }
+    }
+    found
+}
+
+pub(super) static UNKNOWN_CLASS: Rule = Rule {
+    code: FindingCode::UnknownClass,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: None,
+    what: "Contacts are in a component of a class that OpenSim does not know.",
+    why: "OpenSim skips a component of a class it does not know, with everything in it, so these contacts do not exist for it; they were left alone. A plugin may know the class.",
+    advice: "Move the contacts into the ForceSet, or out of the component of that class",
+    repair: Repair::NotPossible("only numbers are changed, and the contacts have to move"),
+    example: Example::Models { good: "format/v40000.osim", bad: "format/components_unknown_class.osim" },
+};
+
+pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let components = model.components();
+    for &(file, element) in &components.tree.skipped {
+        let document = components.document(file);
+        let tree = document.tree();
+        let inside = tree.slice(tree.span(element));
+        if inside.contains("<HuntCrossleyForce ") || inside.contains("<SmoothSphereHalfSpaceForce ") {
+            let line = document.line(tree.span(element).start);
+            let text = format!(
+                "contacts inside a <{}> are left alone: OpenSim does not know that class",
+                tree.name(element)
+            );
+            found.push(Finding::at(&UNKNOWN_CLASS, line, text));
+        }
+    }
+    found
+}
+
+pub(super) static NOT_HERTZ: Rule = Rule {
+    code: FindingCode::NotHertz,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    verdict: None,
+    what: "Contacts of a class that is not Hertz's.",
+    why: "ElasticFoundationForce, ExponentialContactForce and MeyerFregly2016Force do not follow the equations used here; they are left as they are.",
+    advice: "Scale them by their own theory, or replace them",
+    repair: Repair::NotPossible("the equations are not those of such a force"),
+    example: Example::Models { good: "format/v40000.osim", bad: "format/elastic_foundation.osim" },
+};
+
+const NOT_HERTZ_CLASSES: [&str; 3] =
+    ["ElasticFoundationForce", "ExponentialContactForce", "MeyerFregly2016Force"];
+
+pub(super) fn find_not_hertz(model: &Model, id: ComponentId) -> Option<Finding> {
+    let components = model.components();
+    let tag = components.tag(id);
+    NOT_HERTZ_CLASSES.contains(&tag).then(|| {
+        let path = components.tree.path(id);
+        let text = format!("{path} is of the class {tag}: left as it is");
+        Finding::at(&NOT_HERTZ, components.line(id), text).about(&path)
+    })
+}
+
+pub(super) static DUPLICATE_NAMES: Rule = Rule {
+    code: FindingCode::DuplicateNames,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: None,
+    what: "Two components have the same name.",
+    why: "OpenSim renames the second one when it loads the model, so a path or a name means the first one only.",
+    advice: "Give each a name of its own",
+    repair: Repair::NotPossible("names are left alone: only numbers are changed"),
+    example: Example::Models { good: "format/v40000.osim", bad: "format/same_sphere_name_twice.osim" },
+};
+
+pub(super) fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
+    let components = model.components();
+    let tag = components.tag(id);
+    let ours =
+        ["Contact", "HuntCrossleyForce", "SmoothSphere", "Body"].iter().any(|class| tag.starts_with(class));
+    let shared = object.shared.as_ref().filter(|_| ours && tag != Class::ContactParameters.tag())?;
+    // What has no name is called after its class.
+    let is_named = tag.ends_with("Set") || !components.name(id).is_empty();
+    is_named.then(|| {
+        let path = components.tree.path(id);
+        let text = format!("'{shared}' appears twice: OpenSim calls this one {path}");
+        Finding::at(&DUPLICATE_NAMES, components.line(id), text).about(&path)
+    })
+}
+
+pub(super) static REFUSED_NAME: Rule = Rule {
+    code: FindingCode::RefusedName,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: None,
+    what: "An object has a name with which OpenSim refuses the model.",
+    why: "OpenSim finds objects by paths, in which a name must be one step: it has no blank and none of / * + and the backslash in it, and is neither . nor ..",
+    advice: "Give the object another name, and write it wherever the old one is",
+    repair: Repair::NotPossible("names are left alone: only numbers are changed"),
+    example: Example::Models { good: "format/v40000.osim", bad: "bad/name_with_blank.osim" },
+};
+
+pub(super) fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
+    object.parent?;
+    let components = model.components();
+    let in_paths = object.shared.as_ref().unwrap_or(&object.segment);
+    // Joints of old documents call bodies by their names as they are written.
+    let written = (components.tag(id) == "Body").then(|| components.name(id)).filter(|name| !name.is_empty());
+    let why = refuse_name_in_paths(written.as_deref().unwrap_or(in_paths)).err()?;
+    let path = components.tree.path(id);
+    Some(Finding::at(&REFUSED_NAME, components.line(id), why.to_string()).about(&path))
+}
+
+pub(super) static LOOP_OF_JOINTS: Rule = Rule {
+    code: FindingCode::LoopOfJoints,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: None,
+    what: "A body has more than one joint: joints form a loop, or OpenSim ignores some.",
+    why: "Of joints inside a body, as documents up to version 3 have them, OpenSim takes the first and ignores the others. Elsewhere it cuts a loop of joints: it divides a body into equal parts that a constraint holds together, and their masses still make the body's. Where a WeldJoint or a FreeJoint between two bodies is in the loop it divides nothing, and counts the mass of a body twice. Left, right and limbs follow the first joint of each body.",
+    advice: "Say what the model weighs with `mass=KG` where it is asked for; in OpenSim, close a loop with a constraint instead of a joint",
+    repair: Repair::NotPossible("only numbers of contacts are changed"),
+    example: Example::Models { good: "format/v40000.osim", bad: "format/loop_of_joints.osim" },
+};
+
+/// Joints of a loop that a text names.
+const NAMED: usize = 6;
+
+pub(super) fn find_loop_of_joints(model: &Model) -> Vec<Finding> {
+    let (components, skeleton) = (model.components(), model.skeleton());
+    let finding = |joint, text| Finding::at(&LOOP_OF_JOINTS, components.line(joint), text);
+    let ignored = skeleton.ignored_joints().iter().map(|&joint| {
+        let text =
+            format!("{} is not the first joint of its body: OpenSim ignores it", components.tree.path(joint));
+        finding(joint, text)
+    });
+    let loops = skeleton.loops();
+    let cut = loops.joints.first().map(|&first| {
+        let joints: Vec<_> = loops.joints.iter().map(|&joint| components.name(joint).into_owned()).collect();
+        let named = listed(&joints, NAMED);
+        let what = if loops.mass_is_in_doubt {
+            "counts the mass of a body in it twice"
+        } else {
+            "divides a body in it, whose parts weigh together what the body weighs"
+        };
+        finding(first, format!("joints form a loop ({named}): OpenSim {what}"))
+    });
+    ignored.chain(cut).collect()
+}

@@ -1,0 +1,302 @@
+//! Rules about single numbers of a model: how they are written, their domains, and values that are seldom meant.
+
+use crate::messages::{readable, shown};
+use crate::model::contacts::{Force, ForceKind, Orientation, SetId};
+use crate::model::fault::FileId;
+use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
+use crate::model::property::Property;
+use crate::model::typed_model::Model;
+use crate::model::value::{Origin, Value};
+use crate::xml::ElementId;
+use crate::xml::opensim_text::is_plain_triple;
+
+/// A rule about one value: what is wrong, in words that follow the name of the value.
+type OfValue = fn(&Value) -> Option<String>;
+
+/// The first that applies makes the finding.
+const OF_VALUES: [(&Rule, OfValue); 3] = [
+    (&ODD_NUMBER, describe_odd_number),
+    (&NOT_FINITE, describe_not_finite),
+    (&OUT_OF_DOMAIN, describe_out_of_domain),
+];
+
+pub(super) fn find_in_values(model: &Model) -> Vec<Finding> {
+    let parameters = model.forces().iter().flat_map(|force| {
+        // For the older class, what is not in its sets.
+        let beside = (force.kind == ForceKind::HuntCrossley).then_some(&force.transition_velocity);
+        let own = force.sets.iter().flat_map(|set| &set.values);
+        own.chain(beside).map(move |value| (force.path.as_str(), force.file, value))
+    });
+    let radii = model.spheres().iter().map(|sphere| (sphere.path.as_str(), sphere.file, &sphere.radius));
+    let masses = model.bodies().iter().map(|body| (body.path.as_str(), body.file, &body.mass));
+    let finding = |(path, file, value): (&str, FileId, &Value)| {
+        let (rule, text) = OF_VALUES.iter().find_map(|(rule, of)| Some((*rule, of(value)?)))?;
+        let line = model.file(file).line(value.offset);
+        Some(Finding::at(rule, line, format!("{} of {path} {text}", value.property)).about(path))
+    };
+    parameters.chain(radii).chain(masses).filter_map(finding).collect()
+}
+
+/// Places of spheres, and gravity: a text that OpenSim cannot read is its default without a word.
+pub(super) fn find_in_triples(model: &Model) -> Vec<Finding> {
+    let locations = model.spheres().iter().filter_map(|sphere| {
+        let read = Triple {
+            file: sphere.file,
+            object: sphere.element,
+            tag: sphere.location_slot().tag,
+            read: sphere.location_m,
+        };
+        Some(read.finding(model, &sphere.path)?.about(&sphere.path))
+    });
+    let gravity = model.gravity_object().and_then(|(file, object)| {
+        let read = model.file(file).triple(object, "gravity").unwrap_or(Model::DEFAULT_GRAVITY);
+        Triple { file, object, tag: "gravity", read }.finding(model, "the model")
+    });
+    locations.chain(gravity).collect()
+}
+
+/// Three numbers of an object, and how OpenSim reads them.
+struct Triple {
+    file: FileId,
+    object: ElementId,
+    tag: &'static str,
+    read: [f64; 3],
+}
+
+impl Triple {
+    fn finding(&self, model: &Model, whose: &str) -> Option<Finding> {
+        let document = model.file(self.file);
+        let element = document.property_element(self.object, self.tag)?;
+        let text = document.tree().raw_text(element).text;
+        let odd = describe_odd_triple(&text, self.read).map(|text| (&ODD_NUMBER, text));
+        let not_finite = || Some((&NOT_FINITE, describe_not_finite_triple(self.read)?));
+        let (rule, text) = odd.or_else(not_finite)?;
+        let line = document.line(document.tree().span(element).start);
+        Some(Finding::at(rule, line, format!("{} of {whose} {text}", self.tag)))
+    }
+}
+
+pub(super) static NOT_FINITE: Rule = Rule {
+    code: FindingCode::NotFinite,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
+    what: "A number in the file is not finite.",
+    why: "JSON has no NaN and no infinity: such a number is null there. OpenSim computes nonsense from it.",
+    advice: "Correct the number in the model",
+    repair: Repair::NotPossible("only you know which number was meant"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<radius>0.0325</radius>",
+        bad: "<radius>nan</radius>",
+    },
+};
+
+/// Why a value is not finite, in words that follow its name.
+fn describe_not_finite(value: &Value) -> Option<String> {
+    (!value.number.is_finite()).then(|| format!("is {}", value.number))
+}
+
+/// The same of three numbers.
+fn describe_not_finite_triple(read @ [x, y, z]: [f64; 3]) -> Option<String> {
+    (!read.iter().all(|value| value.is_finite())).then(|| format!("is {x} {y} {z}"))
+}
+
+pub(super) static ODD_NUMBER: Rule = Rule {
+    code: FindingCode::OddNumber,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
+    what: "A number is written in a way that OpenSim reads differently from what it looks like.",
+    why: "OpenSim reads the start of a text as far as it looks like a number and ignores the rest, or silently takes its default.",
+    advice: "Write the number plainly, like 1.5e6",
+    repair: Repair::NotPossible("only you know which number was meant"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<radius>0.0325</radius>",
+        bad: "<radius>0,0325</radius>",
+    },
+};
+
+/// What is odd about a value, in words that follow its name.
+fn describe_odd_number(value: &Value) -> Option<String> {
+    value.fault.is_some().then(|| format!("is '{}', which OpenSim reads as {}", value.text, value.number))
+}
+
+/// The same of three numbers, written as `text` and read as `read`.
+fn describe_odd_triple(text: &str, [x, y, z]: [f64; 3]) -> Option<String> {
+    (!is_plain_triple(text)).then(|| {
+        // A blank that is not ASCII looks like one and does not count as one: show it.
+        let text = if text.is_ascii() { text.to_owned() } else { text.escape_default().to_string() };
+        format!("is '{text}', which OpenSim reads as {x} {y} {z}")
+    })
+}
+
+pub(super) static OUT_OF_DOMAIN: Rule = Rule {
+    code: FindingCode::OutOfDomain,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
+    what: "A number lies outside the domain of the contact laws.",
+    why: "OpenSim accepts it and computes NaN or nonsense; such a model is not changed.",
+    advice: "Correct the number in the model",
+    repair: Repair::NotPossible("only you know which number was meant"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<radius>0.0325</radius>",
+        bad: "<radius>-0.0325</radius>",
+    },
+};
+
+/// Why OpenSim computes nonsense from a value, in words that follow its name. A default stiffness has a rule of its own.
+fn describe_out_of_domain(value: &Value) -> Option<String> {
+    (!value.property.allows(value.number) && !is_default_stiffness(value))
+        .then(|| format!("is {}, expected {}", value.number, value.property.domain()))
+}
+
+pub(super) static DEFAULT_STIFFNESS: Rule = Rule {
+    code: FindingCode::DefaultStiffness,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
+    what: "A stiffness is left at its class default.",
+    why: "OpenSim's default stiffness (1 N/m2 in SmoothSphereHalfSpaceForce) carries nothing; it is nearly always a forgotten value.",
+    advice: "Set a stiffness, for example that of a published model",
+    repair: Repair::Command("takes the contacts of a published model"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<stiffness>4.4876e7</stiffness>",
+        bad: "<!-- no stiffness -->",
+    },
+};
+
+pub(super) fn find_default_stiffness(model: &Model) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for force in model.forces() {
+        for set in &force.sets {
+            if let Some(value) = set.value(Property::Stiffness).filter(|value| is_default_stiffness(value)) {
+                let text = format!("{}: stiffness is OpenSim's default, {} N/m2", force.path, value.number);
+                found.push(Finding::at(&DEFAULT_STIFFNESS, set.line, text).about(&force.path));
+            }
+        }
+    }
+    found
+}
+
+/// Whether a value is a stiffness that nobody wrote.
+fn is_default_stiffness(value: &Value) -> bool {
+    value.property == Property::Stiffness && value.origin == Origin::ClassDefault
+}
+
+pub(super) static ZERO_CONSTANT_CONTACT_FORCE: Rule = Rule {
+    code: FindingCode::ZeroConstantContactForce,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Solver),
+    what: "A SmoothSphereHalfSpaceForce has a constant_contact_force of 0.",
+    why: "Simbody divides by the root of the squared slip speed plus constant_contact_force: with 0, the force is NaN whenever the sphere does not slip, even without friction. Scaling leaves a value of 0 as it is.",
+    advice: "Give it a small value, for example for a constant indentation of {suggested_indentation} of the radius",
+    repair: Repair::Command("designs constant_contact_force for a small constant indentation"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<constant_contact_force>9e-07</constant_contact_force>",
+        bad: "<constant_contact_force>0</constant_contact_force>",
+    },
+};
+
+pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for force in model.forces() {
+        let zero =
+            force.value(SetId::FIRST, Property::ConstantContactForce).filter(|value| value.number == 0.0);
+        if let Some(value) = zero {
+            let line = model.file(force.file).line(value.offset);
+            let text =
+                format!("{}: constant_contact_force is 0: OpenSim computes NaN without slip", force.path);
+            found.push(Finding::at(&ZERO_CONSTANT_CONTACT_FORCE, line, text).about(&force.path));
+        }
+    }
+    found
+}
+
+/// Between a foot and a floor it is about 0.3 to 1; of the stickiest rubber some 2.
+const LARGEST_FRICTION: f64 = 10.0;
+
+pub(super) static LARGE_FRICTION: Rule = Rule {
+    code: FindingCode::LargeFriction,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
+    what: "A coefficient of friction is larger than that of any surface.",
+    why: "Between a foot and a floor it is about 0.3 to 1. More than 10 mostly is a percentage, or lacks its decimal point; a foot that slides is then stopped by a force of many times its weight.",
+    advice: "Write the coefficient that is meant, such as 0.8",
+    repair: Repair::NotPossible("only you know the number that is meant"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<static_friction>0.81</static_friction>",
+        bad: "<static_friction>81</static_friction>",
+    },
+};
+
+pub(super) fn find_large_friction(model: &Model) -> Vec<Finding> {
+    model.forces().iter().filter_map(large_friction_in).collect()
+}
+
+/// The first coefficient of a force that is too large.
+fn large_friction_in(force: &Force) -> Option<Finding> {
+    let is_friction = |property| {
+        matches!(property, Property::StaticFriction | Property::DynamicFriction | Property::ViscousFriction)
+    };
+    let values = force.sets.iter().flat_map(|set| set.values.iter().map(move |value| (set, value)));
+    let (set, large) =
+        { values }.find(|(_, value)| is_friction(value.property) && value.number > LARGEST_FRICTION)?;
+    let text = format!(
+        "{} of {} is {}, expected at most {LARGEST_FRICTION}",
+        large.property,
+        force.path,
+        readable(large.number)
+    );
+    Some(Finding::at(&LARGE_FRICTION, set.line, text).about(&force.path))
+}
+
+pub(super) static ANGLE_IN_DEGREES: Rule = Rule {
+    code: FindingCode::AngleInDegrees,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Floor),
+    what: "An angle of a half-space, or of a frame that carries it, is in degrees.",
+    why: "OpenSim reads orientations in radians: -90 is 14 whole turns and a little more, which looks like a slope of 26.6 degrees.",
+    advice: "Write the angles in radians: degrees × π/180",
+    repair: Repair::NotPossible(
+        "a floor is turned by hand; the finding names the line and what to write there",
+    ),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<orientation>0 0 -1.5707963267948966</orientation>",
+        bad: "<orientation>0 0 -90</orientation>",
+    },
+};
+
+/// Half-spaces that are turned by an angle of more than a whole turn, each orientation once.
+pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {
+    let mut found: Vec<Finding> = Vec::new();
+    let planes = model.half_spaces().into_iter().chain(model.half_spaces_inside());
+    for orientation in planes.flat_map(|plane| plane.orientations) {
+        let is_known = found.iter().any(|known| known.place.as_deref() == Some(orientation.path.as_str()));
+        found.extend(angles_in_degrees(&orientation).filter(|_| !is_known));
+    }
+    found
+}
+
+fn angles_in_degrees(orientation: &Orientation) -> Option<Finding> {
+    let angles = orientation.angles_rad.filter(|_| orientation.is_in_degrees())?;
+    let listed = |angles: [f64; 3]| angles.map(readable).join(" ");
+    let Orientation { path, tag, line, .. } = orientation;
+    let text = format!(
+        "{tag} of {} is {} rad, more than a whole turn: expected radians; for these degrees write <{tag}>{}</{tag}>",
+        shown(path),
+        listed(angles),
+        listed(angles.map(f64::to_radians)),
+    );
+    Some(Finding::at(&ANGLE_IN_DEGREES, *line, text).about(path))
+}

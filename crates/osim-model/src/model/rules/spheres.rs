@@ -1,0 +1,344 @@
+//! Rules about places and radii of spheres on their bodies.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use foldhash::{HashMap, HashMapExt};
+
+use crate::messages::{readable, shown, three_significant};
+use crate::model::body_shapes::BodyShape;
+use crate::model::contacts::Sphere;
+use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
+use crate::model::mass::MassRequest;
+use crate::model::side::Side;
+use crate::model::sides::{BothSides, distance, place_key};
+use crate::model::typed_model::Model;
+
+/// Published spheres are at most 0.353 of the limb's longest bone from the nearest joint of their body.
+const PLACE_OF_BONE: f64 = 0.6;
+/// On a body without a side, such as the last link of a pendulum, which may be a long one: only another unit is seen.
+const PLACE_OF_BONE_WITHOUT_SIDE: f64 = 10.0;
+/// And at most 2.7 radii of gyration from its centre of mass.
+const PLACE_OF_GYRATION: f64 = 4.0;
+/// Sideways, the spheres of the 13 models of the corpus that have a left and a right side are at most 0.149 of that bone from the nearest
+/// joint (the outer toes of Falisse et al.): a foot is longer than wide.
+const PLACE_OF_BONE_SIDEWAYS: f64 = 0.25;
+/// And at most 2.8 radii of gyration from its centre of mass, where they are at 0.149; a foot without a limb, whose longest bone is its
+/// own, has them at 0.38 and less than 2.
+const PLACE_OF_GYRATION_SIDEWAYS: f64 = 2.0;
+
+pub(super) static ODD_PLACE: Rule = Rule {
+    code: FindingCode::OddPlace,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
+    what: "A sphere is far from the body that carries it.",
+    why: "Spheres of published feet are at most 0.353 of the limb's longest bone from the nearest joint of their body, and at most 2.7 of its radii of gyration from its centre of mass; sideways at most 0.149 of that bone. Much more is a place in millimetres, or one in another frame.",
+    advice: "Look at `plot MODEL output=FILE.svg kind=feet`; write places in metres, in the frame of the body",
+    repair: Repair::NotPossible("only you know the place that is meant"),
+    example: Example::Piece {
+        model: "table1/human_62kg_smooth_sphere.osim",
+        good: "<location>-0.029760000000000002 -0.037199999999999997 -0.048000000000000001</location>",
+        bad: "<location>-29.76 -37.2 -48</location>",
+    },
+};
+
+/// One finding, about the sphere that is farthest away.
+pub(super) fn find_odd_place(model: &Model, sides: &BothSides<'_>) -> Option<Finding> {
+    let shapes = model.body_shapes();
+    let mut bodies: HashMap<&str, Option<OnBody<'_>>> = HashMap::new();
+    let mut all: Vec<Far<'_>> = Vec::new();
+    for (sphere, body, place_m) in sides.spheres() {
+        let on_body = bodies.entry(body).or_insert_with(|| OnBody::of(body, shapes.get(body)?, sides));
+        all.extend(on_body.as_ref().and_then(|on_body| on_body.far(sphere, place_m)));
+    }
+    all.sort_by(|a, b| b.times().total_cmp(&a.times()));
+    let worst = all.first()?;
+    let sphere = worst.sphere;
+    let finding = Finding::at(&ODD_PLACE, sphere.line, describe_far(worst, all.len())).about(&sphere.path);
+    Some(finding.of_spheres(all.iter().map(|far| far.sphere.name.clone()).collect()))
+}
+
+/// A body by whose size places are judged.
+struct OnBody<'m> {
+    shape: &'m BodyShape,
+    /// The limb's longest bone, m.
+    bone_m: f64,
+    /// How far a sphere may be, as a part of that bone.
+    most: f64,
+    /// The axis that leads sideways.
+    sideways: Option<usize>,
+}
+
+struct Far<'m> {
+    sphere: &'m Sphere,
+    from_joint_m: f64,
+    bone_m: f64,
+    most: f64,
+    sideways: bool,
+}
+
+impl<'m> OnBody<'m> {
+    fn of(body: &str, shape: &'m BodyShape, sides: &BothSides<'_>) -> Option<Self> {
+        let has_side = Side::of_name(body).is_some();
+        let most = if has_side { PLACE_OF_BONE } else { PLACE_OF_BONE_WITHOUT_SIDE };
+        let sideways = sides.sideways_axis(body).filter(|_| has_side);
+        Some(Self { shape, bone_m: sides.longest_of_limb_m(body)?, most, sideways })
+    }
+
+    fn far<'s>(&self, sphere: &'s Sphere, place_m: [f64; 3]) -> Option<Far<'s>> {
+        let far =
+            |from_joint_m, most, sideways| Far { sphere, from_joint_m, bone_m: self.bone_m, most, sideways };
+        let altogether = far(self.nearest_joint_m(|joint_m| distance(joint_m, place_m)), self.most, false);
+        if altogether.is_too_far() && !self.is_near(distance(self.shape.centre_m, place_m), PLACE_OF_GYRATION)
+        {
+            return Some(altogether);
+        }
+        let axis = self.sideways?;
+        let apart = |other: [f64; 3]| (other[axis] - place_m[axis]).abs();
+        let aside = far(self.nearest_joint_m(apart), PLACE_OF_BONE_SIDEWAYS, true);
+        let is_near = self.is_near(apart(self.shape.centre_m), PLACE_OF_GYRATION_SIDEWAYS);
+        (aside.is_too_far() && !is_near).then_some(aside)
+    }
+
+    /// How far it is to the nearest joint, m; infinite without joints.
+    fn nearest_joint_m(&self, apart: impl Fn([f64; 3]) -> f64) -> f64 {
+        self.shape.joints_m.iter().map(|&joint_m| apart(joint_m)).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Whether the centre of mass is within so many radii of gyration.
+    fn is_near(&self, from_centre_m: f64, radii: f64) -> bool {
+        self.shape.gyration_m.is_some_and(|gyration_m| from_centre_m <= radii * gyration_m)
+    }
+}
+
+impl Far<'_> {
+    fn of_bone(&self) -> f64 {
+        self.from_joint_m / self.bone_m
+    }
+
+    /// How many times as far as it may be.
+    fn times(&self) -> f64 {
+        self.of_bone() / self.most
+    }
+
+    fn is_too_far(&self) -> bool {
+        self.times().is_finite() && self.times() > 1.0
+    }
+}
+
+fn describe_far(worst: &Far<'_>, count: usize) -> String {
+    let more = match count {
+        1 => String::new(),
+        2 => "; another sphere, too".to_owned(),
+        count => format!("; {} other spheres, too", count - 1),
+    };
+    format!(
+        "{} is {} m{} from the nearest joint of {}, {} of the limb's longest bone ({} m), expected at most {}{more}",
+        shown(&worst.sphere.name),
+        three_significant(worst.from_joint_m),
+        if worst.sideways { " sideways" } else { "" },
+        shown(worst.sphere.body.as_deref().unwrap_or_default()),
+        three_significant(worst.of_bone()),
+        three_significant(worst.bone_m),
+        worst.most
+    )
+}
+
+/// Published radii are 0.011 to 0.2 of the longest bone of their limb.
+const RADIUS_OF_BONE: std::ops::RangeInclusive<f64> = 0.005..=0.3;
+
+pub(super) static ODD_RADIUS: Rule = Rule {
+    code: FindingCode::OddRadius,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
+    what: "The radius of a sphere does not fit the length of its limb.",
+    why: "Radii of published feet are 0.011 to 0.2 of the limb's longest bone, and in 95 % of them R / M^(1/3) is between 0.0002 and 0.029 m/kg^(1/3). Much more or less is another unit, mostly millimetres, or another animal's sphere.",
+    advice: "Write radii in metres; contacts of a model of another size need radii that follow it",
+    repair: Repair::NotPossible("only you know the size that is meant"),
+    example: Example::Piece {
+        model: "table1/human_62kg_smooth_sphere.osim",
+        good: "<radius>0.032000000000000001</radius>",
+        bad: "<radius>32</radius>",
+    },
+};
+
+/// One finding, about the sphere that is farthest outside.
+pub(super) fn find_odd_radius(model: &Model, sides: &BothSides<'_>) -> Option<Finding> {
+    let odd = |(sphere, body, _): (_, &str, _)| odd(sphere, sides.longest_of_limb_m(body)?);
+    let mut all: Vec<Odd<'_>> = sides.spheres().filter_map(odd).collect();
+    all.sort_by(|a, b| b.beyond().total_cmp(&a.beyond()));
+    let worst = all.first()?;
+    let sphere = worst.sphere;
+    let finding = Finding::at(&ODD_RADIUS, sphere.line, describe_odd_radius(worst, all.len(), model))
+        .about(&sphere.path);
+    Some(finding.of_spheres(all.iter().map(|odd| odd.sphere.name.clone()).collect()))
+}
+
+struct Odd<'m> {
+    sphere: &'m Sphere,
+    bone_m: f64,
+    of_bone: f64,
+}
+
+impl Odd<'_> {
+    /// By how many times it is outside.
+    fn beyond(&self) -> f64 {
+        (self.of_bone / RADIUS_OF_BONE.end()).max(RADIUS_OF_BONE.start() / self.of_bone)
+    }
+}
+
+fn odd(sphere: &Sphere, bone_m: f64) -> Option<Odd<'_>> {
+    let of_bone = sphere.radius_m().ok()? / bone_m;
+    (!RADIUS_OF_BONE.contains(&of_bone)).then_some(Odd { sphere, bone_m, of_bone })
+}
+
+fn describe_odd_radius(worst: &Odd<'_>, count: usize, model: &Model) -> String {
+    let radius_m = worst.sphere.radius.number;
+    let more = match count {
+        1 => String::new(),
+        2 => "; another radius, too".to_owned(),
+        count => format!("; {} other radii, too", count - 1),
+    };
+    let of_mass = MassRequest::default().bodies_kg(model).filter(|kg| *kg > 0.0);
+    let of_mass = of_mass
+        .map(|kg| format!(" (R / M^(1/3) is {} m/kg^(1/3))", three_significant(radius_m / libm::cbrt(kg))));
+    format!(
+        "radius of {} is {} m, {} of the limb's longest bone ({} m), expected {} to {}{}{more}",
+        shown(&worst.sphere.name),
+        readable(radius_m),
+        three_significant(worst.of_bone),
+        three_significant(worst.bone_m),
+        RADIUS_OF_BONE.start(),
+        RADIUS_OF_BONE.end(),
+        of_mass.unwrap_or_default()
+    )
+}
+
+/// In the corpus the spheres of a body extend over 0.077 (the forefoot of D'Hondt et al.) to 0.9 of the limb's longest bone.
+const CROWD_OF_BONE: f64 = 0.02;
+/// And the nearest two are 1.36 radii apart.
+const CROWD_OF_RADIUS: f64 = 0.5;
+
+pub(super) static CROWDED_SPHERES: Rule = Rule {
+    code: FindingCode::CrowdedSpheres,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
+    what: "The spheres of a body are all in nearly one place.",
+    why: "The spheres of a published foot extend over at least 0.077 of the limb's longest bone, and no two are closer than 1.36 radii. Spheres that nearly coincide carry like one that is several times as stiff. Mostly places in metres were taken for millimetres.",
+    advice: "Look at `plot MODEL output=FILE.svg kind=feet`; write places in metres, in the frame of the body",
+    repair: Repair::NotPossible("only you know the places that are meant"),
+    example: Example::Models { good: "check/known_contacts.osim", bad: "check/crowded_spheres.osim" },
+};
+
+/// One finding, about the body whose spheres are the most crowded.
+pub(super) fn find_crowded_spheres(sides: &BothSides<'_>) -> Option<Finding> {
+    let mut by_body: BTreeMap<&str, Vec<(&Sphere, [f64; 3])>> = BTreeMap::new();
+    for (sphere, body, place_m) in sides.spheres().filter(|(_, body, _)| Side::of_name(body).is_some()) {
+        by_body.entry(body).or_default().push((sphere, place_m));
+    }
+    let crowds = by_body.iter().filter_map(|(body, spheres)| crowd(spheres, sides.longest_of_limb_m(body)?));
+    let mut all: Vec<Crowd<'_>> = crowds.collect();
+    all.sort_by(|a, b| a.of_bone().total_cmp(&b.of_bone()));
+    let worst = all.first()?;
+    let sphere = worst.spheres.first()?;
+    let finding =
+        Finding::at(&CROWDED_SPHERES, sphere.line, describe_crowd(worst, all.len())?).about(&sphere.path);
+    let names = all.iter().flat_map(|crowd| &crowd.spheres).map(|sphere| sphere.name.clone());
+    Some(finding.of_spheres(names.collect()))
+}
+
+/// Spheres of one body that are nearly in one place.
+struct Crowd<'m> {
+    spheres: Vec<&'m Sphere>,
+    extent_m: f64,
+    bone_m: f64,
+}
+
+impl Crowd<'_> {
+    fn of_bone(&self) -> f64 {
+        self.extent_m / self.bone_m
+    }
+}
+
+/// Spheres at one place are doubled, which is another finding.
+fn crowd<'m>(spheres: &[(&'m Sphere, [f64; 3])], bone_m: f64) -> Option<Crowd<'m>> {
+    let places: BTreeSet<[i64; 3]> = spheres.iter().map(|(_, place_m)| place_key(*place_m)).collect();
+    let least_m = spheres.iter().map(|(sphere, _)| sphere.radius.number).fold(f64::INFINITY, f64::min);
+    let crowd = Crowd {
+        spheres: spheres.iter().map(|(sphere, _)| *sphere).collect(),
+        extent_m: extent_m(spheres),
+        bone_m,
+    };
+    let is_crowd = crowd.of_bone() < CROWD_OF_BONE && crowd.extent_m < CROWD_OF_RADIUS * least_m;
+    (places.len() > 1 && is_crowd).then_some(crowd)
+}
+
+/// The diagonal of the box around the centres, m.
+fn extent_m(spheres: &[(&Sphere, [f64; 3])]) -> f64 {
+    let corner = |start: f64, of: fn(f64, f64) -> f64| -> [f64; 3] {
+        std::array::from_fn(|axis| spheres.iter().map(|(_, place_m)| place_m[axis]).fold(start, of))
+    };
+    distance(corner(f64::INFINITY, f64::min), corner(f64::NEG_INFINITY, f64::max))
+}
+
+fn describe_crowd(worst: &Crowd<'_>, count: usize) -> Option<String> {
+    let more = match count {
+        1 => String::new(),
+        2 => "; those of another body, too".to_owned(),
+        count => format!("; those of {} other bodies, too", count - 1),
+    };
+    let first = worst.spheres.first()?;
+    Some(format!(
+        "the {} spheres of {} are within {} m, {} of the limb's longest bone ({} m), expected at least {CROWD_OF_BONE}{more}",
+        worst.spheres.len(),
+        shown(first.body.as_deref().unwrap_or_default()),
+        three_significant(worst.extent_m),
+        three_significant(worst.of_bone()),
+        three_significant(worst.bone_m),
+    ))
+}
+
+pub(super) static DOUBLED_SPHERES: Rule = Rule {
+    code: FindingCode::DoubledSpheres,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Sides),
+    what: "Two spheres are at the same place of the same body.",
+    why: "Both carry: the contact is twice as stiff as it looks, and figures share the weight among too many spheres. None of 200 published models has such spheres; a copy with another name makes them.",
+    advice: "Take one of the two and its force out of the file",
+    repair: Repair::NotPossible("only you know which of the two is meant"),
+    example: Example::Piece {
+        model: "format/v40000.osim",
+        good: "<location>0.01 -0.02 0</location>",
+        bad: "<location>0.18 -0.02 0</location>",
+    },
+};
+
+/// One finding for all spheres that share their place with an earlier one.
+pub(super) fn find_doubled_spheres(sides: &BothSides<'_>) -> Option<Finding> {
+    let mut first_at: HashMap<(&str, [i64; 3]), &Sphere> = HashMap::new();
+    let mut doubled: Vec<[&Sphere; 2]> = Vec::new();
+    for (sphere, body, place_m) in sides.spheres().filter(|(sphere, _, _)| sides.applies(sphere)) {
+        let first = *first_at.entry((body, place_key(place_m))).or_insert(sphere);
+        if first.id != sphere.id {
+            doubled.push([first, sphere]);
+        }
+    }
+    let [first, second] = *doubled.first()?;
+    let more = match doubled.len() {
+        1 => String::new(),
+        2 => "; another pair, too".to_owned(),
+        count => format!("; {} other pairs, too", count - 1),
+    };
+    let body = second.body.as_deref().unwrap_or_default();
+    let text = format!(
+        "{} and {} are at the same place of {}{more}",
+        shown(&first.name),
+        shown(&second.name),
+        shown(body)
+    );
+    let finding = Finding::at(&DOUBLED_SPHERES, second.line, text).about(&second.path);
+    Some(finding.of_spheres(doubled.iter().map(|[_, second]| second.name.clone()).collect()))
+}
