@@ -1,29 +1,22 @@
 //! What a model's bones say about its size: mesh scale factors, joint offsets, and where its contact spheres are.
 
-use std::collections::BTreeMap;
+pub(crate) mod bone_sizes;
+mod functions;
+pub(crate) mod joints;
+mod pose;
+
+use std::collections::{self, BTreeMap};
 
 use foldhash::{HashMap, HashSet};
 
 use crate::model::components::MAX_FRAME_CHAIN;
 use crate::model::fault::Fault;
-use crate::model::reference_frame::Rotation;
+use crate::model::placement::{MovingPlacement, Placement};
+use crate::model::rotation::Rotation;
 use crate::model::typed_model::Model;
-
-mod attached;
-pub(crate) mod bone_sizes;
-mod functions;
-pub(crate) mod joints;
-mod mesh_elements;
-mod model_joints;
-mod pose;
-mod simm_spline;
-mod speeds;
-mod straight_lines;
-
-pub use attached::AttachedMesh;
 pub use functions::CoordinateFunction;
 pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
-pub use speeds::Speeds;
+pub use pose::Speeds;
 
 /// The part of a model that scaling changes (or should have changed), by body name.
 #[derive(Debug, Clone, PartialEq)]
@@ -245,5 +238,51 @@ impl Anatomy {
     #[must_use]
     pub fn has_twins(&self, name: &str) -> bool {
         self.index.twins.contains(name)
+    }
+}
+
+impl Model {
+    /// All joints whose frames lead to bodies or to ground, in file order, without those that OpenSim ignores. Frames of joints in
+    /// bodies are as OpenSim converts them, with six digits.
+    #[must_use]
+    pub fn joints(&self) -> &[ModelJoint] {
+        self.body_facts.joints.converted(self.components(), self.skeleton().ignored_joints())
+    }
+
+    /// For the name of each coordinate, whether it is an angle (else it is a length); `None` where it is neither. Of several of one
+    /// name the first counts.
+    #[must_use]
+    pub fn turning_coordinates(&self) -> collections::HashMap<&str, Option<bool>> {
+        let mut found = collections::HashMap::new();
+        for joint in self.joints() {
+            let motion = joint.motion(self.components());
+            for (index, coordinate) in joint.coordinates.iter().enumerate() {
+                let turns = || motion.and_then(|motion| motion.turns(index));
+                found.entry(coordinate.name.as_str()).or_insert_with(turns);
+            }
+        }
+        found
+    }
+}
+
+impl ModelJoint {
+    /// The child's frame in the parent's where the coordinates have these `values` (rad, m; 0 where there are fewer); `None`
+    /// where a function of the joint, or the joint itself, is not understood.
+    #[must_use]
+    pub fn placement(&self, model: &Model, values: &[f64]) -> Option<Placement> {
+        self.placed(model.components(), values)
+    }
+
+    /// The same while its coordinates change with these `speeds`.
+    #[must_use]
+    pub fn moving(&self, model: &Model, values: &[f64], speeds: Speeds<'_>) -> Option<MovingPlacement> {
+        self.moved(model.components(), values, speeds)
+    }
+
+    /// Whether the coordinate number `index` of a CustomJoint turns about an axis by its own value (else it shifts along one); `None`
+    /// where it is neither an angle nor a length.
+    #[must_use]
+    pub fn pure_axis(&self, model: &Model, index: usize) -> Option<bool> {
+        self.motion(model.components())?.pure_axis(index)
     }
 }

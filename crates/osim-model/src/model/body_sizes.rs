@@ -1,10 +1,194 @@
-//! How large the bones are: mesh scale factors of the bodies that carry contact spheres.
+//! Bodies: their meshes, their shapes, and whether their sizes changed since the note was written.
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use foldhash::{HashMap, HashMapExt};
+
+use crate::model::anatomy::bone_sizes::{GEOMETRY_SETS, file_of, scale};
+use crate::model::anatomy::joints::on_base;
+use crate::model::components::{ComponentId, Components};
 use crate::model::contacts::{Sphere, moving_spheres};
+use crate::model::document::Document;
 use crate::model::note::{BodySize, Note};
+use crate::model::placement::{Placement, six_digits};
+use crate::model::rotation::times;
 use crate::model::typed_model::Model;
+use crate::xml::{ElementId, opensim_text};
+
+/// Documents before this version have a `<VisibleObject>`; OpenSim rounds its numbers as it converts them.
+const GEOMETRY: u32 = 30502;
+/// From then on, OpenSim reads no list of this name.
+const LAST_GEOMETRY: u32 = 30505;
+
+/// A mesh file that is attached to a body.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct AttachedMesh {
+    /// Name of the body.
+    pub body: String,
+    /// The file, as the model spells it.
+    pub file: String,
+    /// Scale factors of its points along their own x, y and z; NaN where they are not numbers.
+    pub factors: [f64; 3],
+    /// The frame of its scaled points, on the body.
+    pub placement: Placement,
+}
+
+impl AttachedMesh {
+    /// A point of the file on the body, m.
+    #[must_use]
+    pub fn on_body(&self, point: [f64; 3]) -> [f64; 3] {
+        self.placement.point(times(self.factors, point))
+    }
+}
+
+impl Model {
+    /// Mesh files that are attached to bodies or to frames on them, in file order; those on ground are left out, and geometry
+    /// that has no file.
+    #[must_use]
+    pub fn attached_meshes(&self) -> Vec<AttachedMesh> {
+        let components = self.components();
+        let frames = components.tree.iter().filter(|(id, _)| {
+            let tag = components.tag(*id);
+            tag == "Body" || tag == "PhysicalOffsetFrame"
+        });
+        let of_frame = |(id, _)| {
+            let (body, placement) = on_base(components, Some(id))?;
+            let body = components.name(body?).into_owned();
+            let attached = read(components, id).into_iter().filter(|(file, ..)| !file.is_empty());
+            Some(attached.map(move |(file, factors, inner)| AttachedMesh {
+                body: body.clone(),
+                file,
+                factors,
+                placement: placement.then(&inner),
+            }))
+        };
+        frames.filter_map(of_frame).flatten().collect()
+    }
+}
+
+type Attached = (String, [f64; 3], Placement);
+
+/// Files that are attached to one frame, with factors and where they are in it.
+fn read(components: &Components, frame: ComponentId) -> Vec<Attached> {
+    let document = components.doc(frame);
+    let element = components.element(frame);
+    match document.version() {
+        version if version < GEOMETRY_SETS => of_list(document, element),
+        version if version < GEOMETRY => of_set(document, element),
+        _ => of_meshes(document, element),
+    }
+}
+
+fn of_meshes(document: &Document, frame: ElementId) -> Vec<Attached> {
+    let tree = document.tree();
+    let early = || (document.version() <= LAST_GEOMETRY).then(|| tree.child(frame, "geometry")).flatten();
+    let list = tree.child(frame, "attached_geometry").or_else(early);
+    let meshes = list.into_iter().flat_map(|list| tree.children(list));
+    let meshes = meshes.filter(|&mesh| tree.name(mesh) == "Mesh");
+    meshes
+        .map(|mesh| (file_of(document, mesh, "mesh_file"), scale(document, mesh), Placement::IDENTITY))
+        .collect()
+}
+
+fn of_set(document: &Document, body: ElementId) -> Vec<Attached> {
+    let tree = document.tree();
+    let Some(visible) = tree.child(body, "VisibleObject") else { return Vec::new() };
+    let set = tree.child(visible, "GeometrySet").and_then(|set| tree.child(set, "objects"));
+    let geometries = set.into_iter().flat_map(|set| tree.children(set));
+    let whole = (scale(document, visible), transform(document, visible));
+    geometries
+        .filter(|&geometry| tree.name(geometry) == "DisplayGeometry")
+        .map(|geometry| {
+            let factors = times(whole.0, scale(document, geometry)).map(six_digits);
+            let placement = whole.1.then(&transform(document, geometry)).in_six_digits();
+            (file_of(document, geometry, "geometry_file"), factors, placement)
+        })
+        .collect()
+}
+
+/// A list of names; the transform does not count there.
+fn of_list(document: &Document, body: ElementId) -> Vec<Attached> {
+    let tree = document.tree();
+    let Some(visible) = tree.child(body, "VisibleObject") else { return Vec::new() };
+    let names = file_of(document, visible, "geometry_files");
+    let factors = scale(document, visible).map(six_digits);
+    opensim_text::list(&names).map(|name| (name.to_owned(), factors, Placement::IDENTITY)).collect()
+}
+
+/// Six numbers: body-fixed angles about x, y and z (rad), and a translation (m).
+fn transform(document: &Document, element: ElementId) -> Placement {
+    let tree = document.tree();
+    let text = tree.child(element, "transform").map(|child| tree.text_of(child)).unwrap_or_default();
+    match opensim_text::numbers(&text).as_deref() {
+        Some([a, b, c, x, y, z]) => Placement::of_triples([*a, *b, *c], [*x, *y, *z]),
+        _ => Placement::IDENTITY,
+    }
+}
+
+/// Where the mass of a body is, and its joints.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct BodyShape {
+    /// Its centre of mass, m.
+    pub centre_m: [f64; 3],
+    /// The root mean square of the distance of its mass from that centre, m: √(½ trace(I)/m). `None` where mass or inertia is not
+    /// above 0.
+    pub gyration_m: Option<f64>,
+    /// Its joints, also those to ground, m.
+    pub joints_m: Vec<[f64; 3]>,
+}
+
+impl Model {
+    /// The shapes of all bodies, by name.
+    pub(crate) fn body_shapes(&self) -> &HashMap<String, BodyShape> {
+        self.of_bodies(BodyShape::all)
+    }
+}
+
+impl BodyShape {
+    fn all(model: &Model) -> HashMap<String, Self> {
+        let components = model.components();
+        let mut shapes: HashMap<String, Self> = HashMap::new();
+        for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
+            shapes.entry(components.name(id).into_owned()).or_insert_with(|| of_body(components, id));
+        }
+        for (body, place_m) in model.body_facts.joints.ends(components) {
+            if let Some(shape) = shapes.get_mut(body) {
+                shape.joints_m.push(place_m);
+            }
+        }
+        shapes
+    }
+}
+
+fn of_body(components: &Components, body: ComponentId) -> BodyShape {
+    let centre_m = components.doc(body).triple(components.element(body), "mass_center").unwrap_or_default();
+    let gyration_m = number(components, body, "mass")
+        .zip(trace(components, body))
+        .map(|(mass, trace)| (trace / 2.0 / mass).sqrt());
+    let gyration_m = gyration_m.filter(|radius| radius.is_finite() && *radius > 0.0);
+    BodyShape { centre_m, gyration_m, joints_m: Vec::new() }
+}
+
+/// Ixx + Iyy + Izz, which documents before version 4 have in elements of their own.
+pub(crate) fn trace(components: &Components, body: ComponentId) -> Option<f64> {
+    let moments = match numbers(components, body, "inertia").as_deref() {
+        Some([xx, yy, zz, ..]) => [Some(*xx), Some(*yy), Some(*zz)],
+        _ => ["inertia_xx", "inertia_yy", "inertia_zz"].map(|tag| number(components, body, tag)),
+    };
+    moments.into_iter().sum()
+}
+
+fn number(components: &Components, body: ComponentId, tag: &str) -> Option<f64> {
+    numbers(components, body, tag)?.first().copied()
+}
+
+fn numbers(components: &Components, body: ComponentId, tag: &str) -> Option<Vec<f64>> {
+    let tree = components.doc(body).tree();
+    opensim_text::numbers(&tree.text_of(tree.child(components.element(body), tag)?))
+}
+
+// How large the bones are: mesh scale factors of the bodies that carry contact spheres.
 
 /// Places closer than this are one, m.
 const SAME_PLACE_M: f64 = 1e-9;

@@ -4,14 +4,12 @@ use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::OnceLock;
 
-use crate::xml::opensim_text::{NumberFault, flag, number, trimmed, triple};
-use crate::xml::{ElementId, LineIndex, Position, SyntaxError, Tree};
 use foldhash::{HashMap, HashMapExt};
 
-use crate::model::class::Class;
 use crate::model::fault::{Fault, FaultKind};
-use crate::model::property::Property;
-use crate::model::value::{Origin, Value};
+use crate::model::property::{Class, Origin, Property, Value};
+use crate::xml::opensim_text::{NumberFault, flag, number, trimmed, triple};
+use crate::xml::{ElementId, LineIndex, Position, SyntaxError, Tree};
 
 /// Sets of a model that OpenSim also reads from files of their own.
 const FILE_SETS: [&str; 9] = [
@@ -382,8 +380,8 @@ mod tests {
     use super::*;
 
     const TEXT: &str = "<OpenSimDocument Version='40000'><Model name='m'><defaults><ContactSphere name='default'>\
-        <radius>0.5</radius></ContactSphere></defaults><ContactSphere name='own'><radius> 0.1 </radius>\
-        <radius>0.2</radius></ContactSphere><ContactSphere name='none'/></Model></OpenSimDocument>";
+    <radius>0.5</radius></ContactSphere></defaults><ContactSphere name='own'><radius> 0.1 </radius>\
+    <radius>0.2</radius></ContactSphere><ContactSphere name='none'/></Model></OpenSimDocument>";
 
     #[test]
     fn the_first_element_counts_then_defaults_then_the_class() {

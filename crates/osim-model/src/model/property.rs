@@ -1,7 +1,11 @@
-//! The properties that are read and written: their names, units and domains, as OpenSim has them.
+//! The properties that are read and written, the OpenSim classes that have them, and their effective values.
 
 use std::fmt;
+use std::ops::Range;
 use std::str::FromStr;
+
+use crate::model::fault::{Fault, FaultKind};
+use crate::xml::opensim_text::NumberFault;
 
 /// A numeric property of a contact force or contact sphere.
 ///
@@ -151,6 +155,239 @@ fn near(text: &str) -> Vec<&'static str> {
         (typed.len() >= LONG && flat(name).contains(&typed)) || (ending.len() >= LONG && end(name) == ending)
     };
     names().filter(is_part).collect()
+}
+
+// The OpenSim classes whose numbers are read and written: their defaults, and the order of their elements.
+
+/// An OpenSim class whose numbers are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Class {
+    /// `HuntCrossleyForce`
+    HuntCrossleyForce,
+    /// `HuntCrossleyForce::ContactParameters`
+    ContactParameters,
+    /// `SmoothSphereHalfSpaceForce`
+    SmoothSphereHalfSpaceForce,
+    /// `ContactSphere`
+    ContactSphere,
+    /// `ContactHalfSpace`
+    ContactHalfSpace,
+    /// `Body`
+    Body,
+}
+
+impl Class {
+    /// The tag of its elements.
+    #[must_use]
+    pub const fn tag(self) -> &'static str {
+        match self {
+            Self::HuntCrossleyForce => "HuntCrossleyForce",
+            Self::ContactParameters => "HuntCrossleyForce::ContactParameters",
+            Self::SmoothSphereHalfSpaceForce => "SmoothSphereHalfSpaceForce",
+            Self::ContactSphere => "ContactSphere",
+            Self::ContactHalfSpace => "ContactHalfSpace",
+            Self::Body => "Body",
+        }
+    }
+
+    /// What OpenSim uses where neither the element nor `<defaults>` says anything (seen in OpenSim 4.6).
+    #[must_use]
+    pub const fn default(self, property: Property) -> f64 {
+        match (self, property) {
+            (Self::SmoothSphereHalfSpaceForce, Property::Stiffness) => 1.0,
+            (_, Property::Mass) => f64::NAN,
+            (_, Property::TransitionVelocity) => 0.01,
+            (_, Property::ConstantContactForce) => 1e-5,
+            (_, Property::HertzSmoothing) => 300.0,
+            (_, Property::HuntCrossleySmoothing) => 50.0,
+            _ => 0.0,
+        }
+    }
+
+    /// All child elements in the order in which OpenSim writes them; an absent one is inserted at its place.
+    #[must_use]
+    pub const fn order(self) -> &'static [&'static str] {
+        match self {
+            Self::HuntCrossleyForce => &[
+                "isDisabled",
+                "appliesForce",
+                "HuntCrossleyForce::ContactParametersSet",
+                "transition_velocity",
+            ],
+            Self::ContactParameters => &[
+                "geometry",
+                "stiffness",
+                "dissipation",
+                "static_friction",
+                "dynamic_friction",
+                "viscous_friction",
+            ],
+            Self::SmoothSphereHalfSpaceForce => &[
+                "socket_sphere",
+                "socket_half_space",
+                "socket_sphere_frame",
+                "socket_half_space_frame",
+                "appliesForce",
+                "contact_sphere_radius",
+                "contact_sphere_location",
+                "contact_half_space_location",
+                "contact_half_space_orientation",
+                "stiffness",
+                "dissipation",
+                "static_friction",
+                "dynamic_friction",
+                "viscous_friction",
+                "transition_velocity",
+                "constant_contact_force",
+                "derivative_smoothing",
+                "hertz_smoothing",
+                "hunt_crossley_smoothing",
+                "force_visualization_radius",
+                "force_visualization_scale_factor",
+            ],
+            Self::ContactSphere => &[
+                "socket_frame",
+                "socket_frame_connectee_name",
+                "connector_frame_connectee_name",
+                "connectors",
+                "body_name",
+                "location",
+                "orientation",
+                "display_preference",
+                "color",
+                "Appearance",
+                "radius",
+            ],
+            Self::ContactHalfSpace => &[
+                "socket_frame",
+                "socket_frame_connectee_name",
+                "connector_frame_connectee_name",
+                "connectors",
+                "body_name",
+                "location",
+                "orientation",
+                "display_preference",
+                "color",
+                "Appearance",
+            ],
+            Self::Body => &[],
+        }
+    }
+
+    /// Numeric properties of a contact force of this class, in OpenSim's order.
+    #[must_use]
+    pub const fn parameters(self) -> &'static [Property] {
+        match self {
+            Self::HuntCrossleyForce => &[Property::TransitionVelocity],
+            Self::ContactParameters => &[
+                Property::Stiffness,
+                Property::Dissipation,
+                Property::StaticFriction,
+                Property::DynamicFriction,
+                Property::ViscousFriction,
+            ],
+            Self::SmoothSphereHalfSpaceForce => &[
+                Property::Stiffness,
+                Property::Dissipation,
+                Property::StaticFriction,
+                Property::DynamicFriction,
+                Property::ViscousFriction,
+                Property::TransitionVelocity,
+                Property::ConstantContactForce,
+                Property::HertzSmoothing,
+                Property::HuntCrossleySmoothing,
+            ],
+            Self::ContactSphere => &[Property::Radius],
+            Self::ContactHalfSpace => &[],
+            Self::Body => &[Property::Mass],
+        }
+    }
+}
+
+/// Where an effective value comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Origin {
+    /// The object's own element.
+    Element,
+    /// The class's object in the document's `<defaults>`.
+    Defaults,
+    /// OpenSim's class default.
+    ClassDefault,
+}
+
+impl Origin {
+    /// As in the JSON.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Element => "element",
+            Self::Defaults => "defaults",
+            Self::ClassDefault => "class default",
+        }
+    }
+}
+
+/// An effective number: what OpenSim uses, where it is and whether its text is one plain number.
+///
+/// ```
+/// use osim_model::{Model, Origin, Property, SetId};
+///
+/// # let text = include_str!("../../tests/data/one_foot.osim");
+/// let model = Model::parse(text)?;
+/// let force = &model.forces()[0];
+/// // <stiffness>1000000</stiffness>
+/// let stiffness = force.value(SetId::FIRST, Property::Stiffness).expect("every force has it");
+/// assert_eq!((stiffness.checked()?, stiffness.origin), (1e6, Origin::Element));
+/// assert_eq!(stiffness.span.clone().map(|span| &text[span]), Some("1000000"));
+/// // There is no <static_friction>: OpenSim uses 0.
+/// let friction = force.value(SetId::FIRST, Property::StaticFriction).expect("every force has it");
+/// assert_eq!((friction.number, friction.origin), (0.0, Origin::ClassDefault));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Value {
+    /// Which property.
+    pub property: Property,
+    /// What OpenSim reads, in the unit of `property`.
+    pub number: f64,
+    /// Where it comes from.
+    pub origin: Origin,
+    /// The number's bytes in its file, where the object's own element has it.
+    pub span: Option<Range<usize>>,
+    /// Why the text is not a plain number, if it is not; then `number` is still what OpenSim reads.
+    pub fault: Option<NumberFault>,
+    /// As written (empty for a class default).
+    pub text: String,
+    /// First byte to point at, from 0: the number, or the object that lacks it.
+    pub offset: usize,
+}
+
+impl Value {
+    /// The number, if it can be scaled: one plain number within its domain.
+    ///
+    /// # Errors
+    /// The fault, over the bytes of the number.
+    pub fn checked(&self) -> Result<f64, Fault> {
+        let over = |kind: FaultKind| match &self.span {
+            Some(span) => Fault::over(kind, span.clone()),
+            None => Fault::at(kind, self.offset),
+        };
+        if let Some(fault) = &self.fault {
+            let (property, text) = (self.property.name().to_owned(), self.text.clone());
+            return Err(over(FaultKind::Number { property, text, fault: fault.clone() }));
+        }
+        if !self.property.allows(self.number) {
+            return Err(over(FaultKind::Domain {
+                property: self.property.name().to_owned(),
+                value: self.number,
+                expected: self.property.domain(),
+            }));
+        }
+        Ok(self.number)
+    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,15 @@
-//! The user's choice of forces.
+//! The user's choice of forces, and which forces a change is about.
 
-use crate::model::pattern::Pattern;
+use std::borrow::Cow;
+
+use foldhash::{HashMap, HashMapExt};
+
+use crate::messages::{Input, listed};
+use crate::model::components::Base;
+use crate::model::contacts::{Force, ForceId};
+use crate::model::fault::{Fault, FaultKind, Needed, TreeOfForces};
+use crate::model::names::{Pattern, any_matches};
+use crate::model::typed_model::Model;
 
 /// The user's choice of forces, by name.
 ///
@@ -28,4 +37,155 @@ pub struct Selection {
     pub exclude: Vec<Pattern>,
     /// Whether forces that are switched off are left out.
     pub skip_disabled: bool,
+}
+
+/// The forces chosen by [`Selection::apply`]; none by default.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Selected {
+    /// Their handles, in file order.
+    pub forces: Vec<ForceId>,
+    /// Whether every force of the default choice is among them.
+    pub complete: bool,
+}
+
+impl Selected {
+    /// The forces of `model` for which `wanted` holds.
+    #[must_use]
+    pub fn those(model: &Model, wanted: impl Fn(&Force) -> bool) -> Self {
+        let forces = ids(model, wanted);
+        Self { complete: is_complete(model, &forces), forces }
+    }
+}
+
+impl Selection {
+    /// Applies the choice to `model`: by default every force in which a moving sphere meets a half-space.
+    ///
+    /// # Errors
+    /// No force at all, no force that matches, or forces of several animals and no choice among them.
+    pub fn apply(&self, model: &Model) -> Result<Selected, Fault> {
+        let explicit = !self.select.is_empty();
+        let candidates = match explicit {
+            true => ids(model, |force| has_moving_sphere(model, force)),
+            false => ids(model, |force| model.meets_half_space(force)),
+        };
+        let selected = self.chosen_of(model, &candidates)?;
+        if !explicit {
+            refuse_several_trees(model, &selected.forces)?;
+        }
+        Ok(selected)
+    }
+
+    /// Applies the choice to all contact forces of `model`, whatever meets in them: for changes that are the same for every
+    /// animal.
+    ///
+    /// # Errors
+    /// No force at all, or no force that matches.
+    pub fn apply_to_all(&self, model: &Model) -> Result<Selected, Fault> {
+        self.chosen_of(model, &ids(model, |_| true))
+    }
+
+    /// Patterns by which no contact force of `model` is called, each with the input that it was given as: probably a slip.
+    #[must_use]
+    pub fn unmatched(&self, model: &Model) -> Vec<(Input, &Pattern)> {
+        let selected = self.select.iter().map(|pattern| (Input::Select, pattern));
+        let given = selected.chain(self.exclude.iter().map(|pattern| (Input::Exclude, pattern)));
+        let is_idle = |pattern: &Pattern| !model.forces().iter().any(|force| pattern.matches(&force.name));
+        given.filter(|(_, pattern)| is_idle(pattern)).collect()
+    }
+
+    /// Applies the choice to those of `candidates`: they are known, so nothing is asked about several animals.
+    ///
+    /// # Errors
+    /// No force that matches.
+    pub fn apply_among(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
+        self.chosen_of(model, candidates)
+    }
+
+    fn chosen_of(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
+        let explicit = !self.select.is_empty();
+        if candidates.is_empty() {
+            return Err(no_contacts(model));
+        }
+        let wanted = |id: &ForceId| {
+            model.force(*id).is_some_and(|force| {
+                (!explicit || any_matches(&self.select, &force.name))
+                    && !any_matches(&self.exclude, &force.name)
+                    && (force.applies || !self.skip_disabled)
+            })
+        };
+        let forces: Vec<ForceId> = candidates.iter().copied().filter(wanted).collect();
+        if forces.is_empty() {
+            return Err(Fault::new(FaultKind::NothingSelected { forces: model.names_of(candidates) }));
+        }
+        Ok(Selected { complete: is_complete(model, &forces), forces })
+    }
+}
+
+fn ids(model: &Model, wanted: impl Fn(&Force) -> bool) -> Vec<ForceId> {
+    model.forces().iter().filter(|force| wanted(force)).map(|force| force.id).collect()
+}
+
+/// Whether every force of the default choice is among `forces`.
+fn is_complete(model: &Model, forces: &[ForceId]) -> bool {
+    let mut default = model.forces().iter().filter(|force| model.meets_half_space(force));
+    default.all(|force| forces.binary_search(&force.id).is_ok())
+}
+
+impl Model {
+    /// Up to six names of forces, so that a message stays readable.
+    #[must_use]
+    pub fn names_of(&self, forces: &[ForceId]) -> String {
+        const SHOWN: usize = 6;
+        let named: Vec<&str> =
+            forces.iter().filter_map(|&id| self.force(id)).map(|force| force.name.as_str()).collect();
+        listed(&named, SHOWN)
+    }
+}
+
+fn has_moving_sphere(model: &Model, force: &Force) -> bool {
+    force.spheres().into_iter().any(|id| model.sphere(id).is_some_and(|sphere| !sphere.fixed))
+}
+
+fn no_contacts(model: &Model) -> Fault {
+    let detail = if model.forces().is_empty() {
+        let tree = model.document().tree();
+        let is_other = tree.elements().any(|id| tree.name(id) == "ElasticFoundationForce");
+        let other = if is_other { "; an ElasticFoundationForce cannot be changed" } else { "" };
+        format!("the model has no contacts (no HuntCrossleyForce, no SmoothSphereHalfSpaceForce{other})")
+    } else {
+        let count = match model.forces().len() {
+            1 => "its contact force has no moving sphere".to_owned(),
+            count => format!("none of its {count} contact forces has a moving sphere"),
+        };
+        format!("the model has no contacts ({count} that meets a half-space)")
+    };
+    Fault::new(FaultKind::NoContacts { detail })
+}
+
+/// Player and ball: bodies joined only through ground are not one animal, and only the user knows which is meant.
+fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> {
+    let mut trees: Vec<(String, Vec<ForceId>)> = Vec::new();
+    let mut by_name: HashMap<Cow<'_, str>, usize> = HashMap::new();
+    for force in forces.iter().filter_map(|&id| model.force(id)) {
+        for sphere in force.spheres().into_iter().filter_map(|sphere| model.sphere(sphere)) {
+            let Base::Body(body) = sphere.base else { continue };
+            if sphere.fixed {
+                continue;
+            }
+            let top = model.components().name(model.skeleton().top(body));
+            let known = *by_name.entry(top.clone()).or_insert(trees.len());
+            match trees.get_mut(known) {
+                Some((_, forces)) if forces.last() == Some(&force.id) => {}
+                Some((_, forces)) => forces.push(force.id),
+                None => trees.push((top.into_owned(), vec![force.id])),
+            }
+        }
+    }
+    if trees.len() < 2 {
+        return Ok(());
+    }
+    let tree = |(top, forces): (String, Vec<ForceId>)| TreeOfForces { top, forces: model.names_of(&forces) };
+    let trees = trees.into_iter().map(tree).collect();
+    Err(Fault::new(Needed::Selection { trees, input: Input::Select }))
 }

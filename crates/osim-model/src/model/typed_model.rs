@@ -4,13 +4,13 @@ use std::any::Any;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
-use crate::model::body_facts::BodyFacts;
+use crate::model::anatomy::bone_sizes::{ByBody, JointDistances, frame_offsets, mesh_factors};
+use crate::model::anatomy::joints::Joints;
 use crate::model::components::{Companion, ComponentId, Components};
 use crate::model::contacts::{Force, ForceId, HalfSpace, SetId, Sphere, SphereId};
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FileId, NoteDoubt};
 use crate::model::finding::Finding;
-use crate::model::joint_distances::JointDistances;
 use crate::model::note::Note;
 use crate::model::property::Property;
 use crate::model::skeleton::{Body, Skeleton};
@@ -177,5 +177,87 @@ impl Model {
 
     pub(crate) fn components(&self) -> &Components {
         &self.components
+    }
+}
+
+// What a model says of its bodies and joints: read when somebody first asks for it, and the same after a change of its contacts alone.
+
+/// What several who check or plan a change ask for.
+#[derive(Debug, Default)]
+pub(crate) struct BodyFacts {
+    pub(crate) joints: Joints,
+    mesh_factors: OnceLock<ByBody>,
+    frame_offsets: OnceLock<ByBody>,
+    distances: OnceLock<JointDistances>,
+    /// What others made of them.
+    pub(crate) made: Made,
+}
+
+impl BodyFacts {
+    /// Factors of meshes.
+    pub(crate) fn mesh_factors(&self, components: &Components) -> &ByBody {
+        self.mesh_factors.get_or_init(|| mesh_factors(components))
+    }
+
+    /// Translations of frames.
+    pub(crate) fn frame_offsets(&self, components: &Components) -> &ByBody {
+        self.frame_offsets.get_or_init(|| frame_offsets(components))
+    }
+
+    /// How far apart the joints of each body are.
+    pub(crate) fn joint_distances(&self, components: &Components) -> &JointDistances {
+        self.distances.get_or_init(|| JointDistances::of_joints(self.joints.between_bodies(components)))
+    }
+}
+
+/// The first of a chain of such things. None is ever taken out, so that they are lent as long as the chain lives.
+#[derive(Debug, Default)]
+pub(crate) struct Made(OnceLock<Box<Link>>);
+
+#[derive(Debug)]
+struct Link {
+    thing: Box<dyn Any + Send + Sync>,
+    next: Made,
+}
+
+impl Made {
+    /// The thing of type `T`, made if there is none yet. Two threads may both make one; the first counts.
+    pub(crate) fn get_or_make<T: Any + Send + Sync>(&self, make: impl FnOnce() -> T) -> &T {
+        if let Some(known) = self.get() {
+            return known;
+        }
+        // What is made may ask for other things meanwhile.
+        let mut new = Some(Box::new(Link { thing: Box::new(make()), next: Self::default() }));
+        let mut at = self;
+        loop {
+            new = new.and_then(|link| at.0.set(link).err());
+            if let Some(known) = self.get() {
+                return known;
+            }
+            if let Some(link) = at.0.get() {
+                at = &link.next;
+            }
+        }
+    }
+
+    fn get<T: Any>(&self) -> Option<&T> {
+        let links = std::iter::successors(self.0.get(), |link| link.next.0.get());
+        links.into_iter().find_map(|link| link.thing.downcast_ref())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_thing_is_made_once() {
+        let made = Made::default();
+        let number = made.get_or_make(|| {
+            assert_eq!(made.get_or_make(|| "made meanwhile"), &"made meanwhile");
+            1_i32
+        });
+        assert_eq!((number, made.get_or_make(|| 2_i32)), (&1, &1));
+        assert_eq!((made.get_or_make(|| "another"), made.get_or_make(|| 3_u8)), (&"made meanwhile", &3));
     }
 }

@@ -1,7 +1,5 @@
-//! The functions by which joints move.
+//! The functions by which joints move, SIMM's cubic spline among them.
 
-use super::simm_spline::SimmSpline;
-use super::straight_lines::straight;
 use crate::model::document::Document;
 use crate::xml::{ElementId, opensim_text};
 
@@ -23,7 +21,7 @@ enum Kind {
 
 impl CoordinateFunction {
     /// 0 everywhere.
-    pub(super) const ZERO: Self = Self(Kind::Polynomial(Vec::new()));
+    pub(crate) const ZERO: Self = Self(Kind::Polynomial(Vec::new()));
 
     /// The function at `element`; `None` for one that is not known.
     #[must_use]
@@ -107,7 +105,7 @@ impl Kind {
     }
 }
 
-pub(super) fn numbers(document: &Document, owner: ElementId, tag: &str) -> Option<Vec<f64>> {
+pub(crate) fn numbers(document: &Document, owner: ElementId, tag: &str) -> Option<Vec<f64>> {
     let tree = document.tree();
     let text = tree.text_of(tree.child(owner, tag)?);
     opensim_text::numbers(&text).filter(|values| values.iter().all(|value| value.is_finite()))
@@ -117,6 +115,106 @@ pub(super) fn numbers(document: &Document, owner: ElementId, tag: &str) -> Optio
 fn knots(document: &Document, function: ElementId) -> Option<(Vec<f64>, Vec<f64>)> {
     let (xs, ys) = (numbers(document, function, "x")?, numbers(document, function, "y")?);
     (xs.len() == ys.len() && xs.is_sorted_by(|a, b| a < b)).then_some((xs, ys))
+}
+
+// SIMM's cubic spline, as OpenSim evaluates it.
+
+/// A cubic spline through points; beyond its ends it is straight.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct SimmSpline {
+    xs: Vec<f64>,
+    ys: Vec<f64>,
+    /// Width of each piece, slope of its chord.
+    width: Vec<f64>,
+    rise: Vec<f64>,
+    /// A sixth of the second derivative at each knot; empty where there are fewer than three.
+    third: Vec<f64>,
+}
+
+impl SimmSpline {
+    /// The spline through points with rising `xs`.
+    pub(crate) fn new(xs: Vec<f64>, ys: Vec<f64>) -> Self {
+        let width: Vec<f64> = xs.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let rise: Vec<f64> =
+            ys.windows(2).zip(&width).map(|(pair, width)| (pair[1] - pair[0]) / width).collect();
+        let third = if xs.len() < 3 { Vec::new() } else { third_parts(&xs, &width, &rise) };
+        Self { xs, ys, width, rise, third }
+    }
+
+    /// Value and slope at `x`.
+    #[allow(clippy::indexing_slicing, reason = "all indices are below the number of knots")]
+    pub(crate) fn at(&self, x: f64) -> (f64, f64) {
+        let Self { xs, ys, width, rise, third } = self;
+        let n = xs.len();
+        if n < 3 {
+            return straight(xs, ys, x);
+        }
+        // y = y0 + b dx + c dx^2 + d dx^3 in each piece.
+        let b = |k: usize| rise[k] - width[k] * (third[k + 1] + 2.0 * third[k]);
+        if x < xs[0] {
+            return (ys[0] + (x - xs[0]) * b(0), b(0));
+        }
+        let last_slope = || rise[n - 2] + width[n - 2] * (third[n - 2] + 2.0 * third[n - 1]);
+        if x > xs[n - 1] {
+            return (ys[n - 1] + (x - xs[n - 1]) * last_slope(), last_slope());
+        }
+        let k = piece(xs, x);
+        if x == xs[k + 1] {
+            return (ys[k + 1], last_slope());
+        }
+        let dx = x - xs[k];
+        let (c, d) = (3.0 * third[k], (third[k + 1] - third[k]) / width[k]);
+        (ys[k] + dx * (b(k) + dx * (c + dx * d)), b(k) + dx * (2.0 * c + dx * 3.0 * d))
+    }
+}
+
+/// A sixth of the second derivative at each knot of the spline of Forsythe, Malcolm and Moler, Computer Methods for Mathematical
+/// Computations (1977), chapter 4: at both ends, the third derivative is that of the cubic through the four nearest knots.
+#[allow(
+    clippy::indexing_slicing,
+    reason = "all indices are below the number of knots, which are three or more"
+)]
+fn third_parts(xs: &[f64], width: &[f64], rise: &[f64]) -> Vec<f64> {
+    let n = xs.len();
+    let mut diagonal: Vec<f64> = vec![0.0; n];
+    let mut right: Vec<f64> = vec![0.0; n];
+    for k in 1..n - 1 {
+        diagonal[k] = 2.0 * (width[k - 1] + width[k]);
+        right[k] = rise[k] - rise[k - 1];
+    }
+    diagonal[0] = -width[0];
+    diagonal[n - 1] = -width[n - 2];
+    if n > 3 {
+        let divided = |k: usize| right[k] / (xs[k + 1] - xs[k - 1]);
+        let (first, last) = (divided(2) - divided(1), divided(n - 2) - divided(n - 3));
+        right[0] = first * width[0] * width[0] / (xs[3] - xs[0]);
+        right[n - 1] = -last * width[n - 2] * width[n - 2] / (xs[n - 1] - xs[n - 4]);
+    }
+    for k in 1..n {
+        let part = width[k - 1] / diagonal[k - 1];
+        diagonal[k] -= part * width[k - 1];
+        right[k] -= part * right[k - 1];
+    }
+    right[n - 1] /= diagonal[n - 1];
+    for k in (0..n - 1).rev() {
+        right[k] = (right[k] - width[k] * right[k + 1]) / diagonal[k];
+    }
+    right
+}
+
+/// The piece of a curve in which `x` is; the first or the last one outside.
+pub(crate) fn piece(xs: &[f64], x: f64) -> usize {
+    let after = xs.partition_point(|&knot| knot <= x);
+    after.saturating_sub(1).min(xs.len().saturating_sub(2))
+}
+
+/// Straight lines between points, the outer ones without an end: value and slope.
+pub(crate) fn straight(xs: &[f64], ys: &[f64], x: f64) -> (f64, f64) {
+    let k = piece(xs, x);
+    let (Some([x0, x1]), Some([y0, y1])) = (xs.get(k..k + 2), ys.get(k..k + 2)) else {
+        return (ys.first().copied().unwrap_or_default(), 0.0);
+    };
+    (y0 + (x - x0) * (y1 - y0) / (x1 - x0), (y1 - y0) / (x1 - x0))
 }
 
 #[cfg(test)]
@@ -131,5 +229,68 @@ mod tests {
         let scaled = Kind::Scaled(-0.5, Box::new(cubic));
         assert_eq!((scaled.value(3.0), scaled.slope(3.0)), (-28.0, -26.5));
         assert_eq!((CoordinateFunction::ZERO.value(3.0), CoordinateFunction::ZERO.slope(3.0)), (0.0, 0.0));
+    }
+
+    const XS: [f64; 5] = [-1.0, 0.0, 0.5, 2.0, 3.5];
+    const YS: [f64; 5] = [0.2, 1.0, -0.3, 0.4, 2.0];
+
+    fn through(points: usize) -> SimmSpline {
+        SimmSpline::new(XS[..points].to_vec(), YS[..points].to_vec())
+    }
+
+    /// What OpenSim 4.6 gives (`SimmSpline.calcValue`).
+    #[test]
+    fn values_are_those_of_opensim() {
+        let at = [-2.0, -1.0, -0.5, 0.0, 0.3, 0.5, 1.0, 2.0, 3.0, 3.5, 4.0];
+        let expected = [
+            -5.046931762395681,
+            0.2,
+            1.553399607265587,
+            1.0,
+            0.19329955817378497,
+            -0.3,
+            -0.7815742104401899,
+            0.4,
+            1.9023073146784486,
+            2.0,
+            1.7370152184585175,
+        ];
+        for (x, expected) in at.into_iter().zip(expected) {
+            assert!((through(5).at(x).0 - expected).abs() < 1e-14, "at {x}");
+        }
+        // Three knots and two.
+        let three = [(-2.0, -2.866666666666667), (-0.5, 1.166666666666667), (0.3, 0.356), (2.0, -5.9)];
+        for (x, expected) in three {
+            assert!((through(3).at(x).0 - expected).abs() < 1e-14, "at {x}");
+        }
+        assert!((through(2).at(0.3).0 - 1.24).abs() < 1e-14);
+        assert_eq!(through(1).at(7.0).0, 0.2);
+    }
+
+    /// A slope is what the values on both sides say, at knots and beyond the ends, too.
+    #[test]
+    fn slopes_are_those_of_the_values() {
+        let (spline, step) = (through(5), 1e-6);
+        for x in [-2.0, -1.0, -0.5, 0.0, 0.3, 0.5, 1.0, 2.0, 3.0, 3.5, 4.0] {
+            let by_values = (spline.at(x + step).0 - spline.at(x - step).0) / (2.0 * step);
+            assert!((spline.at(x).1 - by_values).abs() < 1e-5, "at {x}: {} {by_values}", spline.at(x).1);
+        }
+    }
+
+    const LINE_XS: [f64; 5] = [-1.0, 0.0, 0.5, 2.0, 3.5];
+    const LINE_YS: [f64; 5] = [0.2, 1.0, -0.3, 0.4, 2.0];
+
+    #[test]
+    fn straight_lines_go_on_outside() {
+        for (x, expected, slope) in [
+            (-2.0, -0.6, 0.8),
+            (-0.5, 0.6, 0.8),
+            (0.3, 0.22, -2.6),
+            (2.0, 0.4, 1.6 / 1.5),
+            (4.0, 2.0 + 1.6 / 3.0, 1.6 / 1.5),
+        ] {
+            let (value, its_slope) = straight(&LINE_XS, &LINE_YS, x);
+            assert!((value - expected).abs() < 1e-15 && (its_slope - slope).abs() < 1e-15, "at {x}");
+        }
     }
 }

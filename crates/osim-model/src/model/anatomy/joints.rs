@@ -2,16 +2,15 @@
 
 use std::sync::OnceLock;
 
-use crate::xml::ElementId;
 use foldhash::HashSet;
 
-use super::functions::numbers;
-use super::pose::Motion;
-use super::speeds::Speeds;
+use crate::model::anatomy::functions::numbers;
+use crate::model::anatomy::pose::{Motion, Speeds};
 use crate::model::components::{ComponentId, Components, MAX_FRAME_CHAIN};
 use crate::model::document::Document;
 use crate::model::fault::FileId;
-use crate::model::reference_frame::{MovingPlacement, Placement};
+use crate::model::placement::{MovingPlacement, Placement};
+use crate::xml::ElementId;
 
 /// A joint between two bodies.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,13 +84,13 @@ impl ModelJoint {
         self.in_parent.translation_m
     }
 
-    pub(super) fn placed(&self, components: &Components, values: &[f64]) -> Option<Placement> {
+    pub(crate) fn placed(&self, components: &Components, values: &[f64]) -> Option<Placement> {
         let motion = self.motion(components)?.placement(values);
         let motion = if self.reversed { motion.inverse() } else { motion };
         Some(self.in_parent.then(&motion).then(&self.in_child.inverse()))
     }
 
-    pub(super) fn moved(
+    pub(crate) fn moved(
         &self,
         components: &Components,
         values: &[f64],
@@ -103,7 +102,7 @@ impl ModelJoint {
         Some(still(self.in_parent).then(&motion).then(&still(self.in_child.inverse())))
     }
 
-    pub(super) fn motion(&self, components: &Components) -> Option<&Motion> {
+    pub(crate) fn motion(&self, components: &Components) -> Option<&Motion> {
         let read = || {
             let names: Vec<&str> = self.coordinates.iter().map(|one| one.name.as_str()).collect();
             Motion::read(components.document(self.file), self.element, &names)
@@ -112,7 +111,7 @@ impl ModelJoint {
     }
 
     /// The same with its frames as OpenSim converts those of a joint in a body: with six digits.
-    pub(super) fn converted(mut self) -> Self {
+    pub(crate) fn converted(mut self) -> Self {
         if self.in_body {
             self.in_parent = self.in_parent.in_six_digits();
             self.in_child = self.in_child.in_six_digits();
@@ -131,13 +130,13 @@ pub(crate) struct Joints {
 
 impl Joints {
     /// All joints of the files. One whose frames lead nowhere is left out: nothing is known of its limb then.
-    pub(super) fn read(&self, components: &Components) -> &[(ComponentId, ModelJoint)] {
+    pub(crate) fn read(&self, components: &Components) -> &[(ComponentId, ModelJoint)] {
         let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
         self.all.get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_one(components, id)?))).collect())
     }
 
     /// All but those that are `ignored`, with their frames as OpenSim converts them.
-    pub(super) fn converted(&self, components: &Components, ignored: &[ComponentId]) -> &[ModelJoint] {
+    pub(crate) fn converted(&self, components: &Components, ignored: &[ComponentId]) -> &[ModelJoint] {
         self.converted.get_or_init(|| {
             let ignored: HashSet<&ComponentId> = ignored.iter().collect();
             let read = self.read(components).iter().filter(|(id, _)| !ignored.contains(id));
@@ -256,7 +255,7 @@ fn end(
 }
 
 /// The body that carries a frame (`None` is ground), and the frame on it; outer `None` if the frame leads nowhere.
-pub(super) fn on_base(
+pub(crate) fn on_base(
     components: &Components,
     frame: Option<ComponentId>,
 ) -> Option<(Option<ComponentId>, Placement)> {

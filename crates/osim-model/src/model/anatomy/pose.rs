@@ -1,11 +1,42 @@
-//! How the two frames of a joint are placed to each other at given values of its coordinates.
+//! How the two frames of a joint are placed to each other at given values of its coordinates, and how they move.
 
+use crate::model::anatomy::functions::CoordinateFunction;
+use crate::model::document::Document;
+use crate::model::placement::{MovingPlacement, Placement};
+use crate::model::rotation::{Rotation, cross, times};
 use crate::xml::{ElementId, opensim_text};
 
-use super::functions::CoordinateFunction;
-use super::speeds::Speeds;
-use crate::model::document::Document;
-use crate::model::reference_frame::{MovingPlacement, Placement, Rotation, cross, times};
+/// How the coordinates of a joint change, one number for each; 0 where there are fewer.
+///
+/// The two differ for the three angles of a BallJoint, FreeJoint and EllipsoidJoint alone: there, OpenSim's speeds (the `speed` columns
+/// of its states) are the child's angular velocity in the parent's frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Speeds<'s> {
+    /// Derivatives of the values, rad/s or m/s.
+    Rates(&'s [f64]),
+    /// OpenSim's generalized speeds.
+    OfOpenSim(&'s [f64]),
+}
+
+impl Speeds<'_> {
+    /// One of them.
+    pub(crate) fn get(&self, index: usize) -> f64 {
+        let (Self::Rates(all) | Self::OfOpenSim(all)) = self;
+        all.get(index).copied().unwrap_or(0.0)
+    }
+
+    /// The angular velocity of a frame that is turned by the first three of `values`, rad/s.
+    pub(crate) fn turning(&self, values: &[f64]) -> [f64; 3] {
+        let first = [self.get(0), self.get(1), self.get(2)];
+        match self {
+            Self::Rates(_) => {
+                let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
+                Rotation::body_fixed_velocity([value(0), value(1), value(2)], first)
+            }
+            Self::OfOpenSim(_) => first,
+        }
+    }
+}
 
 /// Three axes of rotation and three of translation, in the order in which OpenSim applies them.
 const ROTATIONS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];
@@ -13,7 +44,7 @@ const TRANSLATIONS: [&str; 3] = ["translation1", "translation2", "translation3"]
 
 /// What the coordinates of a joint do to the frame of its child, read from the file once.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Motion {
+pub(crate) enum Motion {
     Weld,
     Pin,
     Slider,
@@ -32,7 +63,7 @@ pub(super) enum Motion {
 
 /// One axis of a `<SpatialTransform>`.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Axis {
+pub(crate) struct Axis {
     /// Whether it turns about the axis; else it shifts along it.
     turns: bool,
     direction: [f64; 3],
@@ -45,7 +76,7 @@ pub(super) struct Axis {
 
 impl Motion {
     /// That of the joint at `element` with these `coordinates`, by name; `None` if it is not known.
-    pub(super) fn read(document: &Document, element: ElementId, coordinates: &[&str]) -> Option<Self> {
+    pub(crate) fn read(document: &Document, element: ElementId, coordinates: &[&str]) -> Option<Self> {
         Some(match document.tree().name(element) {
             "WeldJoint" => Self::Weld,
             "PinJoint" => Self::Pin,
@@ -62,7 +93,7 @@ impl Motion {
     }
 
     /// The child's frame of the joint in its parent's where its coordinates have `values`; 0 where there are fewer.
-    pub(super) fn placement(&self, values: &[f64]) -> Placement {
+    pub(crate) fn placement(&self, values: &[f64]) -> Placement {
         let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
         let [first, second, third] = [value(0), value(1), value(2)];
         let turned = || Rotation::body_fixed_xyz([first, second, third]);
@@ -92,13 +123,13 @@ impl Motion {
 impl Motion {
     /// Whether its coordinate number `index` turns (else shifts) about (or along) an axis by its own value; `None` where it is
     /// neither an angle nor a length. The last axis counts, as in OpenSim.
-    pub(super) fn pure_axis(&self, index: usize) -> Option<bool> {
+    pub(crate) fn pure_axis(&self, index: usize) -> Option<bool> {
         let Self::Spatial(axes) = self else { return None };
         axes.iter().rfind(|axis| axis.coordinate == Some(index) && axis.is_pure).map(|axis| axis.turns)
     }
 
     /// The same of the coordinates of any joint.
-    pub(super) fn turns(&self, index: usize) -> Option<bool> {
+    pub(crate) fn turns(&self, index: usize) -> Option<bool> {
         match self {
             Self::Weld => None,
             Self::Pin | Self::Universal | Self::Gimbal | Self::Ball | Self::Ellipsoid(_) => Some(true),
@@ -110,7 +141,7 @@ impl Motion {
     }
 
     /// The child's frame of the joint in its parent's where its coordinates have `values` and change with `speeds`.
-    pub(super) fn moving(&self, values: &[f64], speeds: Speeds<'_>) -> MovingPlacement {
+    pub(crate) fn moving(&self, values: &[f64], speeds: Speeds<'_>) -> MovingPlacement {
         let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
         let speed = |index: usize| speeds.get(index);
         let [first, second, third] = [speed(0), speed(1), speed(2)];
@@ -253,13 +284,13 @@ mod tests {
         let frame = |name: &str, at: &str, turned: &str, body: &str| {
             format!(
                 "<PhysicalOffsetFrame name=\"{name}\"><socket_parent>/bodyset/{body}</socket_parent><translation>{at}</translation>\
-                 <orientation>{turned}</orientation></PhysicalOffsetFrame>"
+             <orientation>{turned}</orientation></PhysicalOffsetFrame>"
             )
         };
         let joint = |class: &str, name: &str, frames: &str, inner: &str| {
             format!(
                 "<{class} name=\"{name}\"><socket_parent_frame>p</socket_parent_frame><socket_child_frame>c</socket_child_frame>\
-                 {inner}<frames>{frames}</frames></{class}>"
+             {inner}<frames>{frames}</frames></{class}>"
             )
         };
         let (class, inner) = middle.split_once(':').unwrap();
@@ -281,7 +312,7 @@ mod tests {
         );
         let text = format!(
             "<OpenSimDocument Version=\"40000\"><Model name=\"m\"><BodySet><objects>{}{}{}</objects></BodySet><JointSet><objects>\
-             {middle}{last}</objects></JointSet></Model></OpenSimDocument>",
+         {middle}{last}</objects></JointSet></Model></OpenSimDocument>",
             body("calcn_r"),
             body("mid_r"),
             body("toes_r")
@@ -323,7 +354,7 @@ mod tests {
         };
         let linear = "<LinearFunction name=\"function\"><coefficients> 0.5 0</coefficients></LinearFunction>";
         let scaled = "<function><MultiplierFunction><function><PolynomialFunction><coefficients>1 0</coefficients>\
-                      </PolynomialFunction></function><scale>0.5</scale></MultiplierFunction></function>";
+                  </PolynomialFunction></function><scale>0.5</scale></MultiplierFunction></function>";
         let spline = "<SimmSpline><x> -1 0 1</x><y> 0.01 0.03 0.02</y></SimmSpline>";
         let custom = format!(
             "CustomJoint:<coordinates>{}{}</coordinates><SpatialTransform>{}{}{}{}{}{}</SpatialTransform>",
@@ -350,8 +381,8 @@ mod tests {
         let joint = |n: usize| {
             format!(
                 "<WeldJoint name=\"j{n}\"><socket_parent_frame>/bodyset/b{}</socket_parent_frame>\
-                 <socket_child_frame>f</socket_child_frame><frames><PhysicalOffsetFrame name=\"f\"><socket_parent>/bodyset/b{n}\
-                 </socket_parent><translation>-0.1 0 0</translation></PhysicalOffsetFrame></frames></WeldJoint>",
+             <socket_child_frame>f</socket_child_frame><frames><PhysicalOffsetFrame name=\"f\"><socket_parent>/bodyset/b{n}\
+             </socket_parent><translation>-0.1 0 0</translation></PhysicalOffsetFrame></frames></WeldJoint>",
                 n - 1
             )
         };
@@ -359,7 +390,7 @@ mod tests {
         let joints: String = (1..100).map(joint).collect();
         let text = format!(
             "<OpenSimDocument Version=\"40000\"><Model name=\"m\"><BodySet><objects>{bodies}</objects></BodySet>\
-             <JointSet><objects>{joints}</objects></JointSet></Model></OpenSimDocument>"
+         <JointSet><objects>{joints}</objects></JointSet></Model></OpenSimDocument>"
         );
         let anatomy = Anatomy::of(&Model::parse(text).unwrap()).unwrap();
         let place = |n: usize| anatomy.place_below("b0", anatomy.joint(&format!("j{n}")).unwrap());

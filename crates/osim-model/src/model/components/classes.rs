@@ -1,7 +1,4 @@
-//! The component classes OpenSim knows.
-//!
-//! OpenSim skips a member of `<components>` whose class it does not know, with everything in it, so contacts in there
-//! do not exist for it. A plugin may know more; then the warning says what was left alone.
+//! The component classes OpenSim knows, and which sets of a model count beside one that stands alone.
 
 /// Subclasses of `Component` in the Python package `opensim` 4.6, sorted.
 const KNOWN: &[&str] = &[
@@ -192,6 +189,39 @@ const KNOWN: &[&str] = &[
 /// Whether OpenSim 4.6 reads components of this class.
 pub(super) fn is_known(tag: &str) -> bool {
     KNOWN.binary_search(&tag).is_ok()
+}
+
+/// Which sets of a model count: beside a set that stands alone, others are in its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Counted {
+    All,
+    /// Only where spheres are: of a model given as geometry, with another that has masses and joints.
+    Geometry,
+    /// All but forces, which the set has.
+    AllButForces,
+    /// All but forces and contact geometry, which other files have.
+    Bodies,
+}
+
+impl Counted {
+    /// Of the file `index` of `count` that are given beside a set: first geometry, then the model.
+    pub(super) fn beside_set(index: usize, count: usize) -> Self {
+        match (index, count) {
+            (0, 1) => Self::AllButForces,
+            (0, _) => Self::Geometry,
+            _ => Self::Bodies,
+        }
+    }
+
+    /// Whether this set of a model counts.
+    pub(super) fn has(self, set: &str) -> bool {
+        match self {
+            Self::All => true,
+            Self::Geometry => set == "ContactGeometrySet",
+            Self::AllButForces => set != "ForceSet",
+            Self::Bodies => !["ForceSet", "ContactGeometrySet"].contains(&set),
+        }
+    }
 }
 
 #[cfg(test)]

@@ -9,8 +9,7 @@ use std::sync::{Arc, OnceLock};
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
-use super::classes;
-use super::counted::Counted;
+use crate::model::components::classes::{self, Counted};
 use crate::model::document::Document;
 use crate::model::fault::FileId;
 use crate::xml::{ElementId, KeptElements};

@@ -1,15 +1,176 @@
-//! Contact forces as typed values over the tree.
+//! Contact spheres and contact forces as typed values over the tree, the handles of both, and the places of their properties.
+
+use std::ops::Range;
 
 use foldhash::{HashSet, HashSetExt};
 
-use super::ids::{ForceId, SetId, SphereId};
-use super::slot::Slot;
-use crate::model::class::Class;
 use crate::model::components::{Base, ComponentId};
 use crate::model::fault::{Fault, FileId};
-use crate::model::property::Property;
-use crate::model::value::Value;
+use crate::model::property::{Class, Property, Value};
 use crate::xml::ElementId;
+
+/// Handle of a contact sphere in its [`Model`](crate::model::Model), in file order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SphereId(pub(crate) usize);
+
+/// Handle of a contact force in its [`Model`](crate::model::Model), in file order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ForceId(pub(crate) usize);
+
+/// Handle of a parameter set in its [`Force`](Force), in file order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SetId(pub(crate) usize);
+
+impl SphereId {
+    /// Its place among the spheres of the model, from 0.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0
+    }
+}
+
+impl ForceId {
+    /// Its place among the forces of the model, from 0.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0
+    }
+}
+
+impl SetId {
+    /// The first set of a force: the only one of a `SmoothSphereHalfSpaceForce`.
+    pub const FIRST: Self = Self(0);
+
+    /// Its place among the sets of the force, from 0.
+    #[must_use]
+    pub const fn index(self) -> usize {
+        self.0
+    }
+}
+
+/// Where the text of a property is, or the object that would get it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Slot {
+    /// Which of the files.
+    pub file: FileId,
+    /// The object that has the property.
+    pub object: ElementId,
+    /// Its class, which says the order of its elements.
+    pub class: Class,
+    /// Tag of the property's element.
+    pub tag: &'static str,
+    /// The bytes of its text; `None` where the object has no such element.
+    pub span: Option<Range<usize>>,
+    /// First byte to point at, from 0: the text, or the object that lacks it.
+    pub offset: usize,
+}
+
+/// A `ContactSphere` (or, in Moco 0.1 to 0.3 models, the sphere a force keeps inside itself).
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Sphere {
+    /// Its handle in the model.
+    pub id: SphereId,
+    /// Name as in the file.
+    pub name: String,
+    /// Component path.
+    pub path: String,
+    /// Effective radius, m, as OpenSim reads it; [`Sphere::radius_m`] checks it.
+    pub radius: Value,
+    /// Location of the centre in `frame`, m.
+    pub location_m: [f64; 3],
+    /// Path of the frame it is attached to.
+    pub frame: String,
+    /// Name of the body that carries the frame; `None` is ground or a body in a file that was not given.
+    pub body: Option<String>,
+    /// Whether it is on ground or on a body welded to ground: scenery, which counts nowhere and is never changed.
+    pub fixed: bool,
+    /// Line of its element, from 1.
+    pub line: usize,
+    /// The file it is in.
+    pub file: FileId,
+    pub(crate) element: ElementId,
+    /// First byte of its element.
+    pub(super) start: usize,
+    pub(crate) base: Base,
+    pub(super) spelling: SphereSpelling,
+    /// The frame itself; `None` is ground or a frame in a file that was not given.
+    pub(crate) frame_component: Option<ComponentId>,
+    /// The bytes of the location, where the sphere has one of its own.
+    pub(super) location_span: Option<Range<usize>>,
+}
+
+impl Sphere {
+    /// The radius in m, if it is one plain number above 0.
+    ///
+    /// # Errors
+    /// A text that is not a plain number, or a number outside its domain, with its place.
+    pub fn radius_m(&self) -> Result<f64, Fault> {
+        self.radius.checked().map_err(|fault| fault.of(self.path.clone()).in_file(self.file))
+    }
+
+    /// Its element in its [`file`](Self::file).
+    #[must_use]
+    pub const fn element(&self) -> ElementId {
+        self.element
+    }
+
+    /// Whether the sphere is inside its force, as in Moco 0.1 to 0.3.
+    #[must_use]
+    pub fn is_inside_force(&self) -> bool {
+        self.spelling == SphereSpelling::InsideForce
+    }
+
+    /// Where its radius is in the file.
+    #[must_use]
+    pub fn radius_slot(&self) -> Slot {
+        self.slot(self.spelling.radius_tag(), self.radius.span.clone(), self.radius.offset)
+    }
+
+    /// Where its location is in the file.
+    #[must_use]
+    pub fn location_slot(&self) -> Slot {
+        let offset = self.location_span.as_ref().map_or(self.start, |span| span.start);
+        self.slot(self.spelling.location_tag(), self.location_span.clone(), offset)
+    }
+
+    fn slot(&self, tag: &'static str, span: Option<Range<usize>>, offset: usize) -> Slot {
+        Slot { file: self.file, object: self.element, class: self.spelling.class(), tag, span, offset }
+    }
+}
+
+/// How a sphere is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum SphereSpelling {
+    /// A `ContactSphere` with a `radius`.
+    ContactSphere,
+    /// Moco 0.1 to 0.3: `contact_sphere_radius` inside the force.
+    InsideForce,
+}
+
+impl SphereSpelling {
+    pub(super) const fn class(self) -> Class {
+        match self {
+            Self::ContactSphere => Class::ContactSphere,
+            Self::InsideForce => Class::SmoothSphereHalfSpaceForce,
+        }
+    }
+
+    pub(super) const fn location_tag(self) -> &'static str {
+        match self {
+            Self::ContactSphere => "location",
+            Self::InsideForce => "contact_sphere_location",
+        }
+    }
+
+    pub(super) const fn radius_tag(self) -> &'static str {
+        match self {
+            Self::ContactSphere => "radius",
+            Self::InsideForce => "contact_sphere_radius",
+        }
+    }
+}
 
 /// Which contact force class.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -2,23 +2,231 @@
 
 mod force;
 mod half_space;
-mod ids;
-mod loaded_sphere;
-mod moving;
-mod orientation;
-mod planes;
+mod places;
 mod read;
-mod slot;
-mod sphere;
-mod surfaces;
 
-pub use force::{Force, ForceKind, ParameterSet};
-pub use half_space::{FrameProperty, HalfSpace};
-pub use ids::{ForceId, SetId, SphereId};
-pub use loaded_sphere::{LoadedSphere, contact_of_pair, contact_of_set, loaded_spheres};
-pub use moving::{moving_spheres, root_mean_square};
-pub use orientation::Orientation;
+use contact_scaling::modulus::{self, SurfaceValues};
+use contact_scaling::{Contact, ContactValues, SmoothingValues};
+use foldhash::{HashMap, HashMapExt};
+
+use crate::model::{Fault, Model, Property};
+use crate::xml::opensim_text;
+pub use force::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
+pub use half_space::{FrameProperty, HalfSpace, Orientation};
+pub use places::GroundPlane;
 pub(crate) use read::ContactReader;
-pub use slot::Slot;
-pub use sphere::Sphere;
-pub use surfaces::{Surfaces, sphere_sets};
+
+/// One sphere under load, with what the contact laws need to know of it: from [`loaded_spheres`].
+///
+/// ```
+/// use osim_model::{Model, Selection};
+/// use osim_model::loaded_spheres;
+///
+/// # let bytes: &[u8] = include_bytes!("../../../tests/data/one_foot.osim");
+/// let model = Model::parse(bytes)?;
+/// let selected = Selection::default().apply(&model)?;
+/// let spheres = loaded_spheres(&model, &selected.forces)?;
+/// // The file says <radius>0.03</radius>, <stiffness>1000000</stiffness> and <dissipation>2</dissipation>.
+/// let sphere = &spheres[0];
+/// assert_eq!(model.sphere(sphere.sphere).map(|sphere| sphere.name.as_str()), Some("heel_r"));
+/// assert_eq!((sphere.radius_m, sphere.contact.dissipation()), (0.03, 2.0));
+/// assert!((sphere.contact.plane_strain_modulus() - 1e6).abs() < 1e-6);
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct LoadedSphere {
+    /// The sphere.
+    pub sphere: SphereId,
+    /// The force that presses it.
+    pub force: ForceId,
+    /// Its parameter set in the force.
+    pub set: SetId,
+    /// Its radius, m.
+    pub radius_m: f64,
+    /// E₁* (N/m²) of two equal surfaces that are as stiff together as sphere and plane are (A.3, A.4), α (s/m), and the
+    /// smoothing where the class has it.
+    pub contact: Contact,
+}
+
+/// Every moving sphere that an applied force among `forces` presses on a half-space; one that two forces press appears
+/// twice.
+///
+/// # Errors
+/// A value that is not a plain number or outside its domain, with its place.
+pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>, Fault> {
+    let mut loaded = Vec::new();
+    for &id in forces {
+        let Some(force) = model.force(id).filter(|force| force.applies) else { continue };
+        if !model.meets_half_space(force) {
+            continue;
+        }
+        let surfaces = Surfaces::of(force)?;
+        for (set, spheres) in sphere_sets(model, force) {
+            let contact = contact_of_set(force, &surfaces, set)?;
+            for sphere in spheres {
+                let radius_m = model.radius_m(sphere)?;
+                loaded.push(LoadedSphere { sphere, force: id, set, radius_m, contact });
+            }
+        }
+    }
+    Ok(loaded)
+}
+
+/// The contact of the spheres of parameter set `set` with the force's plane.
+///
+/// # Errors
+/// A value that is not a plain number or outside its domain, with its place.
+pub fn contact_of_set(force: &Force, surfaces: &Surfaces, set: SetId) -> Result<Contact, Fault> {
+    contact_of_values(force, surfaces.with_plane(set)?, set)
+}
+
+/// The same with a plane that has its own parameters in the set `plane`.
+///
+/// # Errors
+/// A value that is not a plain number or outside its domain, with its place.
+pub fn contact_of_pair(
+    force: &Force,
+    surfaces: &Surfaces,
+    set: SetId,
+    plane: SetId,
+) -> Result<Contact, Fault> {
+    contact_of_values(force, surfaces.together(set, plane)?, set)
+}
+
+fn contact_of_values(force: &Force, values: SurfaceValues, set: SetId) -> Result<Contact, Fault> {
+    let SurfaceValues { plane_strain_modulus, dissipation } = values;
+    let get = |property| force.checked(set, property);
+    let smoothing = match (
+        get(Property::ConstantContactForce)?,
+        get(Property::HertzSmoothing)?,
+        get(Property::HuntCrossleySmoothing)?,
+    ) {
+        (Some(constant_contact_force), Some(hertz_smoothing), Some(hunt_crossley_smoothing)) => {
+            Some(SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })
+        }
+        _ => None,
+    };
+    Contact::new(ContactValues { plane_strain_modulus, dissipation, smoothing })
+        .map_err(|error| Fault::new(error).of(force.path.clone()))
+}
+
+// Surfaces with parameters of their own, and what they make together (A.3).
+
+/// Parameter sets that hold moving spheres, with those spheres.
+#[must_use]
+pub fn sphere_sets(model: &Model, force: &Force) -> Vec<(SetId, Vec<SphereId>)> {
+    let moving = |sphere: &SphereId| model.sphere(*sphere).is_some_and(|sphere| !sphere.fixed);
+    let sets = force.sets.iter();
+    sets.map(|set| (set.id, set.spheres.iter().copied().filter(moving).collect::<Vec<_>>()))
+        .filter(|(_, spheres)| !spheres.is_empty())
+        .collect()
+}
+
+/// Modulus and dissipation of every parameter set of a force, and which of them the plane belongs to.
+pub struct Surfaces {
+    sets: Vec<SurfaceValues>,
+    /// The set that the first plane belongs to.
+    plane: Option<SetId>,
+}
+
+impl Surfaces {
+    /// Reads them.
+    ///
+    /// # Errors
+    /// A value that is not a plain number or outside its domain.
+    pub fn of(force: &Force) -> Result<Self, Fault> {
+        let mut sets = Vec::new();
+        for set in force.sets.iter().map(|set| set.id) {
+            let plane_strain_modulus = force.checked(set, Property::Stiffness)?.unwrap_or(f64::NAN);
+            let dissipation = force.checked(set, Property::Dissipation)?.unwrap_or(0.0);
+            sets.push(SurfaceValues { plane_strain_modulus, dissipation });
+        }
+        Ok(Self { sets, plane: force.sets.iter().find(|set| set.half_spaces > 0).map(|set| set.id) })
+    }
+
+    /// E₁* of two equal surfaces that would touch as set `set` and the plane do, and the mixed α; (A.3), (A.4).
+    ///
+    /// # Errors
+    /// A modulus that no material has.
+    pub fn with_plane(&self, set: SetId) -> Result<SurfaceValues, Fault> {
+        self.together(set, self.plane.unwrap_or(set))
+    }
+
+    /// The same for the sets `set` and `plane`.
+    ///
+    /// # Errors
+    /// A modulus that no material has.
+    pub fn together(&self, set: SetId, plane: SetId) -> Result<SurfaceValues, Fault> {
+        const NONE: SurfaceValues = SurfaceValues { plane_strain_modulus: f64::NAN, dissipation: 0.0 };
+        let own = self.sets.get(set.index()).copied().unwrap_or(NONE);
+        let plane = self.sets.get(plane.index()).copied().unwrap_or(own);
+        if own == plane {
+            return Ok(own);
+        }
+        let composite = modulus::composite_sherman(own.plane_strain_modulus, plane.plane_strain_modulus)
+            .map_err(Fault::new)?;
+        let plane_strain_modulus =
+            modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(Fault::new)?;
+        let dissipation = modulus::mixed_dissipation(own, plane).map_err(Fault::new)?;
+        Ok(SurfaceValues { plane_strain_modulus, dissipation })
+    }
+}
+
+// Spheres that move, and their radii.
+
+/// Root of the mean of squared radii; exactly the common value where all are equal.
+#[must_use]
+pub fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
+    let mut others = radii.clone();
+    match others.next() {
+        None => f64::NAN,
+        Some(first) if others.all(|other| other == first) => first,
+        Some(_) => {
+            let (sum, count) =
+                radii.fold((0.0, 0.0), |(sum, count), radius| (sum + radius * radius, count + 1.0));
+            (sum / count).sqrt()
+        }
+    }
+}
+
+/// The spheres of `forces` that are neither on ground nor on a body welded to it, each once, in file order: those whose radii
+/// may change.
+#[must_use]
+pub fn moving_spheres(model: &Model, forces: &[ForceId]) -> Vec<SphereId> {
+    let mut spheres: Vec<SphereId> =
+        forces.iter().filter_map(|&id| model.force(id)).flat_map(Force::spheres).collect();
+    spheres.sort_unstable();
+    spheres.dedup();
+    spheres.retain(|&index| model.sphere(index).is_some_and(|sphere| !sphere.fixed));
+    spheres
+}
+
+// Contacts of classes that are not Hertz's, if they share spheres with those that are.
+
+const ELASTIC_FOUNDATION_PARAMETERS: &str = "ElasticFoundationForce::ContactParameters";
+
+impl Model {
+    /// For each sphere name, the forces of other contact classes whose geometry lists it.
+    #[must_use]
+    pub fn users_of_other_classes(&self) -> HashMap<String, Vec<String>> {
+        let components = self.components();
+        let mut users: HashMap<String, Vec<String>> = HashMap::new();
+        let foundations =
+            components.tree.iter().filter(|(id, _)| components.tag(*id) == ELASTIC_FOUNDATION_PARAMETERS);
+        for (id, _) in foundations {
+            let tree = components.doc(id).tree();
+            let Some(geometry) = tree.child(components.element(id), "geometry") else { continue };
+            let mut at = components.tree.get(id).and_then(|object| object.parent);
+            while let Some(force) = at.filter(|&force| components.tag(force) != "ElasticFoundationForce") {
+                at = components.tree.get(force).and_then(|object| object.parent);
+            }
+            let Some(force) = at else { continue };
+            for name in opensim_text::list(&tree.text_of(geometry)) {
+                let last = name.rsplit('/').next().unwrap_or(name);
+                users.entry(last.to_owned()).or_default().push(components.name(force).into_owned());
+            }
+        }
+        users
+    }
+}

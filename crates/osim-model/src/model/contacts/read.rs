@@ -1,17 +1,15 @@
 //! Reading contacts: every spelling of spheres, forces and their connections becomes the same typed values.
 
-use crate::model::class::Class;
 use crate::model::components::{Base, ComponentId, Components};
-use crate::model::contacts::force::{Force, ForceKind, ParameterSet};
-use crate::model::contacts::ids::{ForceId, SetId, SphereId};
-use crate::model::contacts::sphere::{Sphere, SphereSpelling};
+use crate::model::contacts::force::{
+    Force, ForceId, ForceKind, ParameterSet, SetId, Sphere, SphereId, SphereSpelling,
+};
 use crate::model::document::Document;
 use crate::model::fault::Fault;
 use crate::model::finding::Finding;
-use crate::model::property::Property;
+use crate::model::property::{Class, Property, Value};
 use crate::model::rules::reading;
 use crate::model::skeleton::Skeleton;
-use crate::model::value::Value;
 use crate::xml::ElementId;
 use crate::xml::opensim_text::{self, is_disabled};
 

@@ -1,10 +1,9 @@
 //! What only the caller can know.
 
 use crate::messages::{Input, Phrase, phrase, readable};
-
-use super::factor_question::FactorQuestion;
-use super::note_doubt::NoteDoubt;
-use super::way_out::{GravityFor, RadiusFrom, contacts_mass, known_contacts_mass, shared_sphere};
+use crate::model::fault::question::{
+    FactorQuestion, GravityFor, NoteDoubt, RadiusFrom, contacts_mass, known_contacts_mass, shared_sphere,
+};
 
 /// The way out of a verb that takes no standalone set.
 const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on whole models";

@@ -1,11 +1,293 @@
 //! Files that a model or a request names, wherever they are: on a disk, in memory, in a browser.
 
-mod failure;
-mod file_name;
-mod model_files;
 mod source;
 
-pub use failure::Failure;
-pub use file_name::FileName;
-pub use model_files::{Beside, ModelFiles, OpenModel};
-pub use source::{FileError, Files, InMemory};
+use std::path::{Path, PathBuf};
+
+use crate::messages::Phrase;
+use crate::model::components::Companion;
+use crate::model::document::{Document, may_include};
+use crate::model::fault::{Excerpt, Fault, FaultKind, FileId};
+use crate::model::typed_model::Model;
+use crate::xml::ElementId;
+pub use source::{FileError, FileName, Files, InMemory};
+
+/// One model that could not be read or changed, or a file that it needs.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Failure {
+    /// The file, as it was named.
+    pub model: FileName,
+    /// Stable short name, as in the JSON `code`.
+    pub code: &'static str,
+    /// What is wrong, what was expected, and a way out.
+    pub message: Phrase,
+    /// Line of the place, from 1.
+    pub line: Option<usize>,
+    /// Column of the place in characters, from 1.
+    pub column: Option<usize>,
+    /// The line itself.
+    pub excerpt: Option<Excerpt>,
+    /// Whether it could be done if the caller answered something that must not be guessed.
+    pub needs_answer: bool,
+}
+
+impl Failure {
+    /// `fault` in the file `model`, with the place that it has once it is [`located`](Fault::located).
+    #[must_use]
+    pub fn of_fault(model: impl Into<FileName>, fault: Fault) -> Self {
+        Self {
+            model: model.into(),
+            code: fault.code(),
+            message: fault.phrase(),
+            line: fault.position.map(|position| position.line),
+            column: fault.position.map(|position| position.column),
+            needs_answer: matches!(fault.kind, FaultKind::Needed(_) | FaultKind::NeedsAnswer(_)),
+            excerpt: fault.excerpt,
+        }
+    }
+
+    /// Something outside the contents of the file: folders, permissions, other files.
+    pub fn outside(model: impl Into<FileName>, code: &'static str, message: impl Into<Phrase>) -> Self {
+        Self {
+            model: model.into(),
+            code,
+            message: message.into(),
+            line: None,
+            column: None,
+            excerpt: None,
+            needs_answer: false,
+        }
+    }
+}
+
+/// Files that belong to a standalone set and are given beside it.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Beside<'p> {
+    /// The geometry set (or model) that holds the spheres.
+    pub geometry: Option<&'p Path>,
+    /// The model that has masses and joints.
+    pub model: Option<&'p Path>,
+}
+
+/// Bytes of a model and of the files that belong to it.
+///
+/// ```
+/// use std::path::Path;
+/// use osim_model::files::{Beside, InMemory, ModelFiles};
+///
+/// let model = r#"<OpenSimDocument Version="40000"><Model name="walker">
+/// <ForceSet file="forces.xml"/></Model></OpenSimDocument>"#;
+/// let forces = r#"<OpenSimDocument Version="40000"><ForceSet><objects/></ForceSet></OpenSimDocument>"#;
+///
+/// let path = Path::new("models/walker.osim");
+/// let files = InMemory::from_iter([("models/forces.xml", forces)]);
+/// let open = ModelFiles::read(path, model.into(), Beside::default(), &files)?.open()?;
+/// assert_eq!(open.model.name, "walker");
+/// let names: Vec<&str> = open.files().map(|(name, _)| name).collect();
+/// assert_eq!(names, ["models/walker.osim", "models/forces.xml"]);
+///
+/// // Without the other file: the line that names it.
+/// let failure = ModelFiles::read(path, model.into(), Beside::default(), &InMemory::default()).unwrap_err();
+/// assert_eq!((failure.code, failure.line), ("unreadable", Some(2)));
+/// # Ok::<(), osim_model::files::Failure>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct ModelFiles {
+    /// As it was named.
+    name: FileName,
+    main: Main,
+    companions: Vec<CompanionFile>,
+}
+
+/// The model itself: parsed only where that was needed to know what it includes.
+#[derive(Debug, Clone)]
+enum Main {
+    Bytes(Vec<u8>),
+    /// The same, which include no file.
+    Alone(Vec<u8>),
+    Parsed(Box<Document>),
+}
+
+#[derive(Debug, Clone)]
+struct CompanionFile {
+    path: PathBuf,
+    bytes: Vec<u8>,
+    included_by: Option<ElementId>,
+    /// As the model names it in `file="..."`.
+    named: Option<String>,
+}
+
+impl ModelFiles {
+    /// The model at `path`, whose bytes are known, with the files that it includes (beside `path`) and those given.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or a model that includes files and is not a document.
+    pub fn read(path: &Path, bytes: Vec<u8>, beside: Beside<'_>, files: &dyn Files) -> Result<Self, Failure> {
+        let name = FileName::from(path);
+        let mut companions = Vec::new();
+        for path in [beside.geometry, beside.model].into_iter().flatten() {
+            companions.push(companion(path.to_owned(), None, files, "a file that belongs to the model: ")?);
+        }
+        if !may_include(&bytes) {
+            return Ok(Self { name, main: Main::Alone(bytes), companions });
+        }
+        let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(&name, fault))?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        for (element, file) in document.included_files() {
+            let included = companion(folder.join(&file), Some(element), files, "").map_err(|failure| {
+                let place = document.position(document.tree().span(element).start);
+                Failure {
+                    // What the user can change is the place in the model.
+                    model: name.clone(),
+                    line: Some(place.line),
+                    column: Some(place.column),
+                    message: format!("it includes file=\"{file}\": {}", failure.message).into(),
+                    ..failure
+                }
+            })?;
+            companions.push(CompanionFile { named: Some(file), ..included });
+        }
+        Ok(Self { name, main: Main::Parsed(Box::new(document)), companions })
+    }
+
+    /// The model as it was named.
+    #[must_use]
+    pub fn name(&self) -> &FileName {
+        &self.name
+    }
+
+    /// The same under another name.
+    #[must_use]
+    pub fn named(self, name: impl Into<FileName>) -> Self {
+        Self { name: name.into(), ..self }
+    }
+
+    /// Bytes of the model itself.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        match &self.main {
+            Main::Bytes(bytes) | Main::Alone(bytes) => bytes,
+            Main::Parsed(document) => document.bytes(),
+        }
+    }
+
+    /// Handles, names and bytes of the other files: first those given beside a set, then those that the model includes, in
+    /// file order.
+    pub fn companions(&self) -> impl Iterator<Item = (FileId, &Path, &[u8])> {
+        let companions = self.companions.iter().enumerate();
+        companions.map(|(index, file)| (FileId::companion(index), file.path.as_path(), file.bytes.as_slice()))
+    }
+
+    /// The files that the model includes, as it names them.
+    pub fn included(&self) -> impl Iterator<Item = &str> {
+        self.companions.iter().filter_map(|companion| companion.named.as_deref())
+    }
+
+    /// The same model with other bytes of its own; included files stay.
+    #[must_use]
+    pub fn with_bytes(&self, bytes: Vec<u8>) -> Self {
+        Self { name: self.name.clone(), main: Main::Bytes(bytes), companions: self.companions.clone() }
+    }
+
+    /// Gives one of the other files other bytes; nothing changes for [`FileId::MAIN`].
+    pub fn replace_companion(&mut self, file: FileId, bytes: Vec<u8>) {
+        if let Some(companion) = file.companion_index().and_then(|index| self.companions.get_mut(index)) {
+            companion.bytes = bytes;
+        }
+    }
+
+    /// Parses all files and reads the model.
+    ///
+    /// # Errors
+    /// Those of [`Document::parse`] and of [`Model::read_with`], with the name of the file.
+    pub fn open(self) -> Result<OpenModel, Failure> {
+        let names = self.companions.iter().map(|companion| companion.path.as_path().into()).collect();
+        let document = match self.main {
+            Main::Bytes(bytes) => {
+                Document::parse(bytes).map_err(|fault| Failure::of_fault(&self.name, fault))?
+            }
+            Main::Alone(bytes) => Document::parse(bytes)
+                .map_err(|fault| Failure::of_fault(&self.name, fault))?
+                .including_nothing(),
+            Main::Parsed(document) => *document,
+        };
+        let mut companions = Vec::new();
+        for companion in self.companions {
+            let included_by = companion.included_by;
+            let document = Document::parse(companion.bytes)
+                .map_err(|fault| Failure::of_fault(companion.path.as_path(), fault))?;
+            companions.push(Companion { document, included_by });
+        }
+        let names = Names { main: self.name, companions: names };
+        match Model::read_with(document, companions) {
+            Ok(model) => Ok(OpenModel { model, names }),
+            Err(fault) => Err(Failure::of_fault(names.of(fault.file), fault)),
+        }
+    }
+}
+
+fn companion(
+    path: PathBuf,
+    included_by: Option<ElementId>,
+    files: &dyn Files,
+    what: &str,
+) -> Result<CompanionFile, Failure> {
+    let failed = |error: FileError| {
+        let message = format!("{what}{error}");
+        Failure::outside(path.as_path(), "unreadable", message)
+    };
+    let read = if included_by.is_some() { files.read_included(&path) } else { files.read(&path) };
+    let bytes = read.map_err(failed)?;
+    Ok(CompanionFile { path, bytes, included_by, named: None })
+}
+
+/// A model that was read, with the names of its files: from [`ModelFiles::open`].
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct OpenModel {
+    /// The model.
+    pub model: Model,
+    names: Names,
+}
+
+#[derive(Debug)]
+struct Names {
+    main: FileName,
+    companions: Vec<FileName>,
+}
+
+impl Names {
+    fn of(&self, file: FileId) -> &FileName {
+        let companion = file.companion_index().and_then(|index| self.companions.get(index));
+        companion.unwrap_or(&self.main)
+    }
+}
+
+impl OpenModel {
+    /// The model as it was named.
+    #[must_use]
+    pub fn name(&self) -> &FileName {
+        &self.names.main
+    }
+
+    /// All files by name, the model first.
+    pub fn files(&self) -> impl Iterator<Item = (&str, &[u8])> {
+        let companions = self.model.companions().map(|(file, _)| file);
+        let all = std::iter::once(FileId::MAIN).chain(companions);
+        all.map(|file| (&**self.names.of(file), self.model.file(file).bytes()))
+    }
+
+    /// The name of one of the files.
+    #[must_use]
+    pub fn name_of(&self, file: FileId) -> &str {
+        self.names.of(file)
+    }
+
+    /// `fault`, which is about this model, with the name of its file and its place.
+    #[must_use]
+    pub fn failure(&self, fault: Fault) -> Failure {
+        let located = fault.located_in(|file| self.model.file(file).bytes());
+        Failure::of_fault(self.names.of(located.file), located)
+    }
+}

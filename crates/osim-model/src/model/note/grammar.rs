@@ -7,11 +7,10 @@
 //! Each step has its own `by`, the oldest first. What nobody said, and what earlier versions did not write, is left out.
 
 use crate::messages::shortest;
-
-use super::data::{BodySize, Note, Scope};
-use super::parts::NotedParts;
-use super::spelling::{UNKNOWN, gravity_m_s2, is_digest, is_plain, mass_kg, plain, positive};
-use super::step::Step;
+use crate::model::note::content::{
+    BodySize, Note, NotedParts, Scope, Step, UNKNOWN, gravity_m_s2, is_digest, is_plain, mass_kg, plain,
+    positive,
+};
 
 /// How every note begins.
 pub(super) const BEGINS: &str = "[contacts made for ";
@@ -183,8 +182,8 @@ fn names(text: &str) -> Option<Vec<String>> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::parts::NotedNames;
     use super::*;
+    use crate::model::note::content::NotedNames;
     use crate::model::property::Property;
 
     fn note() -> Note {
@@ -222,9 +221,9 @@ mod tests {
         assert_eq!(
             note().text(),
             "[contacts made for 0.0209 kg at 9.80665 m/s2 (osim-contact-scale 0.1.0; partial; by transfer on 2026-11-25; \
-             by set stiffness=x2; stance limbs 2; weighed 0.021 kg; sizes calcn_r=0.913924,1,0.001; digest 0123456789abcdef; \
-             radii 0011223344556677; spheres 12 1122334455667788; forces 6 2233445566778899; \
-             numbers stiffness=33445566 dissipation=44556677; places fedcba9876543210; made c)]"
+         by set stiffness=x2; stance limbs 2; weighed 0.021 kg; sizes calcn_r=0.913924,1,0.001; digest 0123456789abcdef; \
+         radii 0011223344556677; spheres 12 1122334455667788; forces 6 2233445566778899; \
+         numbers stiffness=33445566 dissipation=44556677; places fedcba9876543210; made c)]"
         );
     }
 

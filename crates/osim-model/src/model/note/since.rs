@@ -1,8 +1,7 @@
 //! What somebody changed in a model since its note was written.
 
-use super::data::Note;
-use super::parts::{NotedNames, NotedParts};
 use crate::model::mass::{MassRequest, same_mass};
+use crate::model::note::content::{Note, NotedNames, NotedParts};
 use crate::model::property::Property;
 use crate::model::typed_model::Model;
 

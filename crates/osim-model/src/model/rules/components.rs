@@ -3,11 +3,11 @@
 use foldhash::{HashSet, HashSetExt};
 
 use crate::messages::listed;
-use crate::model::class::Class;
 use crate::model::components::{Component, ComponentId};
 use crate::model::fault::FileId;
 use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
-use crate::model::object_name::refuse_name_in_paths;
+use crate::model::names::refuse_name_in_paths;
+use crate::model::property::Class;
 use crate::model::typed_model::Model;
 
 pub(super) static CONTACT_DEFAULTS: Rule = Rule {

@@ -4,9 +4,8 @@ use crate::messages::{readable, shown};
 use crate::model::contacts::{Force, ForceKind, Orientation, SetId};
 use crate::model::fault::FileId;
 use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
-use crate::model::property::Property;
+use crate::model::property::{Origin, Property, Value};
 use crate::model::typed_model::Model;
-use crate::model::value::{Origin, Value};
 use crate::xml::ElementId;
 use crate::xml::opensim_text::is_plain_triple;
 

@@ -3,7 +3,7 @@
 use crate::messages::{shown, three_significant};
 use crate::model::contacts::Force;
 use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
-use crate::model::side::Side;
+use crate::model::names::Side;
 use crate::model::sides::{Alone, BothSides, Difference, Placed, SAME_PLACE, SpherePair};
 
 pub(super) static LEFT_RIGHT_DIFFER: Rule = Rule {

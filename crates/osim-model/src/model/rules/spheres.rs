@@ -5,11 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use foldhash::{HashMap, HashMapExt};
 
 use crate::messages::{readable, shown, three_significant};
-use crate::model::body_shapes::BodyShape;
+use crate::model::body_sizes::BodyShape;
 use crate::model::contacts::Sphere;
 use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
 use crate::model::mass::MassRequest;
-use crate::model::side::Side;
+use crate::model::names::Side;
 use crate::model::sides::{BothSides, distance, place_key};
 use crate::model::typed_model::Model;
 

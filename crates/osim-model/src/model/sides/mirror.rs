@@ -1,12 +1,81 @@
-//! The mirror between two bodies: which axis of their frames changes its sign from one side to the other.
+//! How large the bones of one side are, compared with those of the other.
 
 use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt, HashSet};
 
-use super::bones::Bones;
-use crate::model::side::{Side, without_side};
+use crate::model::names::{Side, without_side};
 use crate::model::typed_model::Model;
+
+/// Sizes of the bones that carry spheres: factors of their meshes, and distances between their joints.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bones<'m> {
+    model: &'m Model,
+}
+
+impl<'m> Bones<'m> {
+    pub(crate) fn of(model: &'m Model) -> Self {
+        Self { model }
+    }
+
+    /// The longest bone of the limb to which `body` belongs, m; `None` where no body of it has two joints.
+    pub(crate) fn longest_of_limb_m(&self, body: &str) -> Option<f64> {
+        self.model.joint_distances().of_limb(body)
+    }
+
+    /// By how much the body `left` is larger than `right`, along x, y and z: by their meshes, else by the distances between
+    /// their joints; `None` where neither says it.
+    pub(crate) fn ratios(&self, left: &str, right: &str) -> Option<[f64; 3]> {
+        self.of_meshes(left, right).or_else(|| {
+            let distances = self.model.joint_distances();
+            let ratio = distances.of_body(left)? / distances.of_body(right)?;
+            (ratio.is_finite() && ratio > 0.0).then_some([ratio; 3])
+        })
+    }
+
+    /// The same by meshes; `None` where no mesh shows the same bone, or these do not agree.
+    fn of_meshes(&self, left: &str, right: &str) -> Option<[f64; 3]> {
+        let meshes = self.model.body_facts.mesh_factors(self.model.components());
+        let (left, right) = (meshes.get(left)?, meshes.get(right)?);
+        let mut ratios = same_bones(left, right).into_iter().filter_map(|(l, r)| ratio(l, r));
+        let first = ratios.next()?;
+        ratios.all(|other| other.into_iter().zip(first).all(|(a, b)| close(a, b))).then_some(first)
+    }
+}
+
+type Factors<'b> = (&'b [f64; 3], &'b [f64; 3]);
+
+/// The factors of meshes of the same bone: by their names, else in their order.
+fn same_bones<'b>(
+    left: &'b BTreeMap<String, [f64; 3]>,
+    right: &'b BTreeMap<String, [f64; 3]>,
+) -> Vec<Factors<'b>> {
+    let by_name: HashMap<String, &[f64; 3]> =
+        right.iter().map(|(file, factors)| (without_side(file), factors)).collect();
+    let named: Vec<Factors<'b>> =
+        left.iter().filter_map(|(file, l)| Some((l, *by_name.get(&without_side(file))?))).collect();
+    let in_order = || left.values().zip(right.values()).collect();
+    if named.is_empty() && left.len() == right.len() { in_order() } else { named }
+}
+
+/// Left over right. An axis without a number takes the mean of the others, so that it does not end the comparison; `None` where
+/// no axis has one.
+fn ratio(left: &[f64; 3], right: &[f64; 3]) -> Option<[f64; 3]> {
+    // A mirrored mesh has a negative factor.
+    let of_axes: [f64; 3] = std::array::from_fn(|axis| (left[axis] / right[axis]).abs());
+    let is_known = |ratio: &f64| ratio.is_finite() && *ratio > 0.0;
+    let known: Vec<f64> = of_axes.into_iter().filter(is_known).collect();
+    #[expect(clippy::cast_precision_loss, reason = "at most three axes")]
+    let mean = known.iter().sum::<f64>() / known.len() as f64;
+    (!known.is_empty()).then(|| of_axes.map(|ratio| if is_known(&ratio) { ratio } else { mean }))
+}
+
+/// Whether two values are the same, apart from rounding.
+pub(crate) fn close(value: f64, expected: f64) -> bool {
+    (value - expected).abs() <= 1e-6 * expected.abs()
+}
+
+// The mirror between two bodies: which axis of their frames changes its sign from one side to the other.
 
 /// Frames of two bodies are mirror images where their joints and centres of mass are that close, as a part of the limb's longest bone.
 const SURE: f64 = 0.05;
@@ -202,4 +271,94 @@ fn marks<'m>(model: &Model, paired: &HashSet<&'m str>) -> HashMap<&'m str, BTree
         }
     }
     marks
+}
+
+// Places of two sets that belong together because they are near.
+
+/// How many places around one are looked at: where more are in so small a space, they are not those of a foot.
+const MOST_AROUND: usize = 64;
+
+/// Pairs of places, as indices of `images` and `others`, that are at most `within_m` apart: the nearest ones first, each place once.
+pub(super) fn near(images: &[[[f64; 3]; 2]], others: &[[f64; 3]], within_m: f64) -> Vec<(usize, usize)> {
+    if !(within_m.is_finite() && within_m > 0.0) {
+        return Vec::new();
+    }
+    let cells = Cells::of(images, within_m);
+    let mut found: Vec<(f64, usize, usize)> = Vec::new();
+    for (other, &place) in others.iter().enumerate() {
+        let around = cells.around(place).take(MOST_AROUND);
+        let apart = around.map(|(image, there)| (distance(there, place), image, other));
+        found.extend(apart.filter(|(apart, _, _)| *apart <= within_m));
+    }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    each_once(found.into_iter().map(|(_, image, other)| (image, other)), images.len(), others.len())
+}
+
+/// The first pairs whose places are in no earlier one.
+fn each_once(
+    pairs: impl Iterator<Item = (usize, usize)>,
+    images: usize,
+    others: usize,
+) -> Vec<(usize, usize)> {
+    let (mut image_used, mut other_used) = (vec![false; images], vec![false; others]);
+    let mut chosen = Vec::new();
+    for (image, other) in pairs {
+        let (Some(one), Some(two)) = (image_used.get_mut(image), other_used.get_mut(other)) else { continue };
+        if !*one && !*two {
+            (*one, *two) = (true, true);
+            chosen.push((image, other));
+        }
+    }
+    chosen
+}
+
+/// Places by the cube of space that they are in, so that what is near is found without looking at all.
+struct Cells {
+    side_m: f64,
+    places: HashMap<[i64; 3], Vec<(usize, [f64; 3])>>,
+}
+
+impl Cells {
+    fn of(images: &[[[f64; 3]; 2]], side_m: f64) -> Self {
+        let mut cells = Self { side_m, places: HashMap::new() };
+        for (index, both) in images.iter().enumerate() {
+            let twice = both[0] == both[1];
+            for &place in both.iter().take(if twice { 1 } else { 2 }) {
+                cells.places.entry(cells.cell(place)).or_default().push((index, place));
+            }
+        }
+        cells
+    }
+
+    #[expect(clippy::cast_possible_truncation, reason = "a cast of a float ends at the largest number")]
+    fn cell(&self, place: [f64; 3]) -> [i64; 3] {
+        place.map(|value| (value / self.side_m).floor() as i64)
+    }
+
+    /// The places in the cell of `place` and those beside it.
+    fn around(&self, place: [f64; 3]) -> impl Iterator<Item = (usize, [f64; 3])> {
+        let [x, y, z] = self.cell(place);
+        let beside = |value: i64| [value, value.saturating_sub(1), value.saturating_add(1)];
+        let cells = beside(x)
+            .into_iter()
+            .flat_map(move |x| beside(y).into_iter().flat_map(move |y| beside(z).map(move |z| [x, y, z])));
+        cells.filter_map(|cell| self.places.get(&cell)).flatten().copied()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_place_has_the_nearest_one_that_is_free() {
+        let twice = |x: f64| [[x, 0.0, 0.0]; 2];
+        let others = [[0.011, 0.0, 0.0], [0.002, 0.0, 0.0], [0.5, 0.0, 0.0]];
+        // 1 mm and 2 mm apart; nothing is near 0.5.
+        assert_eq!(near(&[twice(0.0), twice(0.01)], &others, 0.012), [(1, 0), (0, 1)]);
+        assert_eq!(near(&[twice(0.0)], &others, f64::NAN), []);
+        // Across the border of a cell.
+        assert_eq!(near(&[twice(-1e-9)], &[[1e-9, 0.0, 0.0]], 0.01), [(0, 0)]);
+        assert_eq!(near(&[twice(1e300)], &[[1e300, 0.0, 0.0]], 0.01), [(0, 0)]);
+    }
 }

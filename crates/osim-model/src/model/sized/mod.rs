@@ -1,9 +1,185 @@
 //! Numbers of a model that have mass, length or time in their unit, beside those of its contacts: of muscles, ligaments, springs,
 //! bushings, actuators and bodies.
 
-mod classes;
 mod kind;
-mod read;
 
+use std::collections::{BTreeMap, HashMap};
+
+use crate::model::components::ComponentId;
+use crate::model::document::Document;
+use crate::model::sized::kind::{Is, Listed, listed, why_not_read};
+use crate::model::typed_model::Model;
+use crate::xml::{ElementId, opensim_text};
 pub use kind::{Dimension, SizedKind};
-pub use read::{NotRead, SizedValue, SizedValues};
+
+/// One number.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct SizedValue {
+    /// What it is.
+    pub kind: SizedKind,
+    /// The name of the object that has it.
+    pub owner: String,
+    /// Which number of the object it is, where it has several of this kind: the property, and the place in it.
+    pub part: (&'static str, usize),
+    /// The number, in the unit of its kind; finite.
+    pub value: f64,
+}
+
+impl SizedValue {
+    /// A number of a file beside the model.
+    #[must_use]
+    pub const fn new(kind: SizedKind, owner: String, part: (&'static str, usize), value: f64) -> Self {
+        Self { kind, owner, part, value }
+    }
+}
+
+/// Objects of one class with numbers that are not read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct NotRead {
+    /// OpenSim's class, or the part of a file.
+    pub class: String,
+    /// How many objects.
+    pub count: usize,
+    /// What is not read of them.
+    pub why: &'static str,
+}
+
+impl NotRead {
+    /// `count` parts of a file.
+    #[must_use]
+    pub fn new(class: &str, count: usize, why: &'static str) -> Self {
+        Self { class: class.to_owned(), count, why }
+    }
+}
+
+/// All numbers of a model that have mass, length or time in their unit, except those of contacts.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct SizedValues {
+    /// In file order.
+    pub values: Vec<SizedValue>,
+    /// By class.
+    pub not_read: Vec<NotRead>,
+}
+
+impl SizedValues {
+    /// Those of `model`, as OpenSim takes them: from the object, else `<defaults>`, else the class. A number that is not finite is
+    /// left out.
+    ///
+    /// ```
+    /// use osim_model::{Model, SizedKind, SizedValues};
+    ///
+    /// let text = r#"<OpenSimDocument Version="40000"><Model><ForceSet><objects>
+    ///     <Thelen2003Muscle name="soleus_r"><max_isometric_force>3549</max_isometric_force></Thelen2003Muscle>
+    /// </objects></ForceSet></Model></OpenSimDocument>"#;
+    /// let found = SizedValues::of(&Model::parse(text)?);
+    /// let first = &found.values[0];
+    /// assert_eq!((first.kind, first.owner.as_str(), first.value), (SizedKind::MaxIsometricForce, "soleus_r", 3549.0));
+    /// # Ok::<(), osim_model::Fault>(())
+    /// ```
+    #[must_use]
+    pub fn of(model: &Model) -> Self {
+        let mut reader = Reader { model, turns: None, not_read: BTreeMap::new() };
+        let components = model.components();
+        let mut values = Vec::new();
+        for (id, _) in components.tree.iter() {
+            reader.add(id, &mut values);
+        }
+        let not_read =
+            reader.not_read.into_iter().map(|((class, why), count)| NotRead { class, count, why }).collect();
+        Self { values, not_read }
+    }
+}
+
+/// Why the numbers of a force on a coordinate are not read.
+const COUPLED: &str = "coordinates that are missing, or neither an angle nor a length";
+
+struct Reader<'m> {
+    model: &'m Model,
+    /// Whether coordinates turn; asked for when the first force acts on one.
+    turns: Option<HashMap<&'m str, Option<bool>>>,
+    not_read: BTreeMap<(String, &'static str), usize>,
+}
+
+impl Reader<'_> {
+    fn add(&mut self, id: ComponentId, values: &mut Vec<SizedValue>) {
+        let components = self.model.components();
+        let class = components.tag(id);
+        if class == "Body" {
+            values.extend(inertia(self.model, id));
+            return;
+        }
+        if let Some(why) = why_not_read(class) {
+            *self.not_read.entry((class.to_owned(), why)).or_default() += 1;
+        }
+        let properties = listed(class);
+        if properties.is_empty() {
+            return;
+        }
+        let (document, element) = (components.doc(id), components.element(id));
+        let on = properties.iter().any(|one| matches!(one.is, Is::ByCoordinate(..)));
+        let turns = on.then(|| self.turns(document, element)).flatten();
+        if on && turns.is_none() {
+            *self.not_read.entry((class.to_owned(), COUPLED)).or_default() += 1;
+        }
+        let owner = components.name(id).into_owned();
+        for property in properties {
+            let Some(kind) = kind(property.is, turns) else { continue };
+            let found = numbers(document, element, property).into_iter().enumerate();
+            for (place, value) in found.filter(|(_, value)| value.is_finite()) {
+                values.push(SizedValue::new(kind, owner.clone(), (property.tag, place), value));
+            }
+        }
+    }
+
+    /// Whether the coordinate on which a force acts turns; `None` where it is not known, or does neither.
+    fn turns(&mut self, document: &Document, force: ElementId) -> Option<bool> {
+        let named = document.tree().text_of(document.property_element(force, "coordinate")?);
+        let name = opensim_text::trimmed(&named).rsplit('/').next()?;
+        let model = self.model;
+        let turns = self.turns.get_or_insert_with(|| model.turning_coordinates());
+        turns.get(name).copied().flatten()
+    }
+}
+
+fn kind(is: Is, turns: Option<bool>) -> Option<SizedKind> {
+    match is {
+        Is::Always(kind) => Some(kind),
+        Is::ByCoordinate(turning, shifting) => {
+            if turns? {
+                turning
+            } else {
+                Some(shifting)
+            }
+        }
+    }
+}
+
+fn inertia(model: &Model, body: ComponentId) -> Option<SizedValue> {
+    let components = model.components();
+    let value = crate::model::body_sizes::trace(components, body)?;
+    let owned = !components.is_ground(body) && value.is_finite();
+    owned.then(|| {
+        SizedValue::new(SizedKind::Inertia, components.name(body).into_owned(), ("inertia", 0), value)
+    })
+}
+
+/// The numbers of a property, as many as it has.
+fn numbers(document: &Document, object: ElementId, property: &Listed) -> Vec<f64> {
+    let tree = document.tree();
+    let read = |element| {
+        if property.count == 1 {
+            return match opensim_text::number(&tree.raw_text(element)) {
+                Ok(number) | Err(opensim_text::NumberFault::Prefix { opensim_reads: number }) => {
+                    Some(vec![number])
+                }
+                Err(_) => None,
+            };
+        }
+        opensim_text::triple(&tree.text_of(element)).map(|found| found.to_vec())
+    };
+    let own = tree.child(object, property.tag).and_then(read);
+    let inherited = || document.inherited_element(object, property.tag).and_then(read);
+    own.or_else(inherited).unwrap_or_else(|| vec![property.default; property.count])
+}

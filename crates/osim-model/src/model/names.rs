@@ -1,6 +1,142 @@
-//! Left and right, as names say it.
+//! Names of objects: those that OpenSim takes, patterns of them, and the side of the body that they say.
 
 use std::borrow::Cow;
+use std::fmt;
+use std::str::FromStr;
+
+use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
+
+use crate::messages::is_seen;
+use crate::model::fault::Fault;
+
+/// Letters with which OpenSim refuses a whole model.
+const REFUSED: &str = "\\*+/ \t\r\n\u{b}\u{c}";
+/// What a name may be.
+const CHOOSE: &str = "choose letters, digits, '_' or '-'";
+
+/// Refuses a name that OpenSim would, and one with letters that nobody sees.
+///
+/// ```
+/// assert!(osim_model::refuse_name("heel_r").is_ok());
+/// let fault = osim_model::refuse_name("right heel").unwrap_err();
+/// assert!(fault.to_string().contains("has a blank in it"), "{fault}");
+/// ```
+///
+/// # Errors
+/// An empty name, one that is a step in OpenSim's paths, or one with a letter that OpenSim or XML refuses or that is not seen.
+pub fn refuse_name(name: &str) -> Result<(), Fault> {
+    refuse_name_in_paths(name)?;
+    match name.chars().find(|&letter| !is_seen(letter)) {
+        Some(letter) => Err(Fault::refused(format!(
+            "the name '{name}' has a letter in it that is not seen (U+{:04X}), perhaps from copying: {CHOOSE}",
+            u32::from(letter)
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// Refuses a name that cannot be in a path of OpenSim.
+///
+/// # Errors
+/// An empty name, one that is a step in OpenSim's paths, or one with a letter that OpenSim refuses.
+pub fn refuse_name_in_paths(name: &str) -> Result<(), Fault> {
+    if name.is_empty() {
+        return Err(Fault::refused(
+            "a contact has no name: OpenSim finds contacts by their names, so give it one",
+        ));
+    }
+    if [".", ".."].contains(&name) {
+        return Err(Fault::refused(format!(
+            "the name '{name}' is a step in OpenSim's paths, so that nothing would find what has it: {CHOOSE}"
+        )));
+    }
+    match name.chars().find(|&letter| REFUSED.contains(letter)) {
+        Some(letter) => Err(Fault::refused(format!(
+            "the name '{name}' has {} in it, with which OpenSim refuses the model: {CHOOSE}",
+            match letter {
+                ' ' => "a blank".to_owned(),
+                '\t' => "a tab".to_owned(),
+                letter if letter.is_control() => "a line break".to_owned(),
+                letter => format!("'{letter}'"),
+            }
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// A pattern of names: `*` is anything, `?` one letter, `[rl]` one of some, `{heel,toe}*` one of several. Upper and lower case
+/// differ.
+///
+/// ```
+/// use osim_model::Pattern;
+///
+/// let right: Pattern = "*_r".parse()?;
+/// assert!(right.matches("heel_r") && !right.matches("heel_l"));
+/// # Ok::<(), osim_model::PatternError>(())
+/// ```
+#[derive(Clone)]
+pub struct Pattern {
+    text: String,
+    matcher: GlobSet,
+}
+
+/// Why a text is not a pattern, in words.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct PatternError(String);
+
+impl Pattern {
+    /// Whether `name` is as the pattern says.
+    #[must_use]
+    pub fn matches(&self, name: &str) -> bool {
+        self.matcher.is_match(name)
+    }
+
+    /// The pattern as it was written.
+    #[must_use]
+    pub fn as_str(&self) -> &str {
+        &self.text
+    }
+}
+
+/// Whether `name` is as one of `patterns` says.
+pub(crate) fn any_matches(patterns: &[Pattern], name: &str) -> bool {
+    patterns.iter().any(|pattern| pattern.matches(name))
+}
+
+impl FromStr for Pattern {
+    type Err = PatternError;
+
+    fn from_str(text: &str) -> Result<Self, PatternError> {
+        let failed = |error: &globset::Error| PatternError(error.kind().to_string());
+        let glob = GlobBuilder::new(text).literal_separator(false).build().map_err(|error| failed(&error))?;
+        let mut matcher = GlobSetBuilder::new();
+        matcher.add(glob);
+        Ok(Self { text: text.to_owned(), matcher: matcher.build().map_err(|error| failed(&error))? })
+    }
+}
+
+impl fmt::Display for Pattern {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl fmt::Debug for Pattern {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{:?}", self.text)
+    }
+}
+
+impl PartialEq for Pattern {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text
+    }
+}
+
+impl Eq for Pattern {}
+
+// Left and right, as names say it.
 
 /// Side of the body, read from names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

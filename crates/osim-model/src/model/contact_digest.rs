@@ -1,14 +1,13 @@
 //! Digests of all contact values and of the spheres' places, by which a note recognises its contacts.
 
-mod again;
-mod by_name;
-mod parts;
+use std::collections::BTreeMap;
 
+use foldhash::HashSet;
 use sha2::{Digest, Sha256};
 
-use crate::model::contacts::{Force, Slot, Sphere};
+use crate::model::contacts::{Force, Slot, Sphere, SphereId};
 use crate::model::fault::{FileId, NoteDoubt};
-use crate::model::note::{Note, Scope};
+use crate::model::note::{Note, NotedNames, NotedParts, Scope};
 use crate::model::property::Property;
 use crate::model::typed_model::Model;
 use crate::xml::ElementId;
@@ -166,4 +165,157 @@ fn first_digits(hash: Sha256) -> String {
 fn digits(hash: Sha256, bytes: usize) -> String {
     let digits = hash.finalize().into_iter().take(bytes).flat_map(|byte| [byte >> 4, byte & 0xf]);
     digits.filter_map(|digit| char::from_digit(digit.into(), 16)).collect()
+}
+
+// What contacts are called, and a digest of each of their properties: the record by which a note shows what changed.
+
+/// Bytes of the digest of one property: it only names what the digest of all numbers found to be different.
+const BYTES_OF_PROPERTY: usize = 4;
+
+impl Model {
+    /// What a note records of the contacts beside the digests of all numbers. `changed` gives the new value of those that a plan
+    /// changes.
+    #[must_use]
+    pub fn noted_parts(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> NotedParts {
+        let mut seen: HashSet<SphereId> = HashSet::default();
+        let spheres = self.forces().iter().flat_map(Force::spheres).filter(|&sphere| seen.insert(sphere));
+        let spheres = spheres.filter_map(|sphere| self.sphere(sphere)).map(|sphere| sphere.name.as_str());
+        let forces = self.forces().iter().map(|force| force.name.as_str());
+        NotedParts {
+            spheres: names(spheres.collect()),
+            forces: names(forces.collect()),
+            properties: self.property_digests(changed),
+        }
+    }
+
+    /// A digest of the values of each property, in whatever order they are in the file.
+    fn property_digests(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> BTreeMap<Property, String> {
+        let mut values: BTreeMap<Property, Vec<u64>> = BTreeMap::new();
+        for force in self.forces() {
+            let own = (force.element, &force.transition_velocity);
+            let of_sets =
+                force.sets.iter().flat_map(|set| set.values.iter().map(|value| (set.element, value)));
+            for (element, value) in of_sets.chain([own]) {
+                let key = ValueKey::new(force.file, element, value.property);
+                let number = changed(key).unwrap_or(value.number);
+                values.entry(value.property).or_default().push(number.to_bits());
+            }
+        }
+        let digest = |mut bits: Vec<u64>| {
+            bits.sort_unstable();
+            let mut hash = Sha256::new();
+            bits.into_iter().for_each(|bits| hash.update(bits.to_le_bytes()));
+            digits(hash, BYTES_OF_PROPERTY)
+        };
+        values.into_iter().map(|(property, bits)| (property, digest(bits))).collect()
+    }
+}
+
+fn names(mut names: Vec<&str>) -> NotedNames {
+    names.sort_unstable();
+    let mut hash = Sha256::new();
+    for name in &names {
+        hash.update(name.as_bytes());
+        hash.update([0]);
+    }
+    NotedNames { count: names.len(), digest: first_digits(hash) }
+}
+
+// Digests in notes of earlier versions: of numbers together with the names of what has them.
+
+impl Model {
+    /// Parameters of every contact force and radii of their spheres, with their paths.
+    fn contact_digest_by_name(&self) -> String {
+        let mut hash = Sha256::new();
+        let mut feed = |path: &str, set: usize, property: Property, number: f64| {
+            hash.update(path.as_bytes());
+            hash.update([0]);
+            hash.update((set as u64).to_le_bytes());
+            hash.update(property.name().as_bytes());
+            hash.update(number.to_bits().to_le_bytes());
+        };
+        for force in self.forces() {
+            for (index, set) in force.sets.iter().enumerate() {
+                set.values.iter().for_each(|value| feed(&force.path, index, value.property, value.number));
+            }
+            let value = &force.transition_velocity;
+            feed(&force.path, 0, value.property, value.number);
+            for sphere in force.spheres().into_iter().filter_map(|sphere| self.sphere(sphere)) {
+                feed(&sphere.path, 0, Property::Radius, sphere.radius.number);
+            }
+        }
+        first_digits(hash)
+    }
+
+    /// Radii of all spheres of contact forces, with their paths.
+    fn radii_digest_by_name(&self) -> String {
+        let mut hash = Sha256::new();
+        for sphere in self.forces().iter().flat_map(Force::spheres).filter_map(|sphere| self.sphere(sphere)) {
+            hash.update(sphere.path.as_bytes());
+            hash.update([0]);
+            hash.update(sphere.radius.number.to_bits().to_le_bytes());
+        }
+        first_digits(hash)
+    }
+
+    /// Locations of all spheres of contact forces, with their paths.
+    fn places_digest_by_name(&self) -> String {
+        let mut hash = Sha256::new();
+        for sphere in self.forces().iter().flat_map(Force::spheres).filter_map(|sphere| self.sphere(sphere)) {
+            hash.update(sphere.path.as_bytes());
+            hash.update([0]);
+            for coordinate in sphere.location_m {
+                // -0 and 0 are one place.
+                hash.update((coordinate + 0.0).to_bits().to_le_bytes());
+            }
+        }
+        first_digits(hash)
+    }
+}
+
+// The record of a note after a change that takes contacts out or makes them of another class, and leaves what they are made for.
+
+impl Note {
+    /// This note of `before`, with the record of `after`. What others changed before stays recorded as it was, so that it is found.
+    #[must_use]
+    pub fn recorded_again(&self, before: &Model, after: &Model) -> Self {
+        let had_places = before.has_places_of(self);
+        let had_radii = before.has_radii_of(self);
+        let mut note = self.clone();
+        if before.has_values_of(self) {
+            note.digest = after.contact_digest(|_| None);
+            note.parts = Some(after.noted_parts(|_| None));
+        } else if let Some(then) = &self.parts {
+            note.parts = Some(then.again(&before.noted_parts(|_| None), after.noted_parts(|_| None)));
+        }
+        let by_name = note.parts.is_none();
+        if had_radii != Some(false) {
+            note.radii =
+                Some(if by_name { after.radii_digest_by_name() } else { after.radii_digest(|_| None) });
+        }
+        if had_places == Some(true) {
+            note.places =
+                Some(if by_name { after.places_digest_by_name() } else { after.places_digest(|_| None) });
+        }
+        note
+    }
+}
+
+impl NotedParts {
+    /// `after`, with what `before` does not have as it was noted.
+    fn again(&self, before: &Self, mut after: Self) -> Self {
+        for (property, noted) in &self.properties {
+            if before.properties.get(property) != Some(noted) {
+                after.properties.insert(*property, noted.clone());
+            }
+        }
+        let names = |noted: &NotedNames, before: &NotedNames, after: NotedNames| {
+            if noted == before { after } else { noted.clone() }
+        };
+        Self {
+            spheres: names(&self.spheres, &before.spheres, after.spheres),
+            forces: names(&self.forces, &before.forces, after.forces),
+            properties: after.properties,
+        }
+    }
 }

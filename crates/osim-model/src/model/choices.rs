@@ -1,0 +1,181 @@
+//! What a request can choose: properties that may change, plain values, and how radii and spheres follow.
+
+use crate::messages::shortest;
+use crate::model::Property;
+
+/// The properties that may change.
+///
+/// ```
+/// use osim_model::Property;
+/// use osim_model::PropertySet;
+///
+/// // Everything the paper scales; friction is not among it.
+/// let all = PropertySet::default();
+/// assert!(all.contains(Property::Stiffness) && !all.contains(Property::TransitionVelocity));
+/// assert!(all.clone().with_friction().contains(Property::TransitionVelocity));
+///
+/// // The stiffness alone: the contacts are not similar afterwards, because the others stay behind.
+/// let stiffness = all.restricted(&[Property::Stiffness], &[]);
+/// assert!(!stiffness.contains(Property::Dissipation) && !stiffness.is_complete());
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PropertySet(Vec<Property>);
+
+impl Default for PropertySet {
+    /// Everything the paper scales: radius, E₁*, α and the three smoothing parameters.
+    fn default() -> Self {
+        Self(vec![
+            Property::Radius,
+            Property::Stiffness,
+            Property::Dissipation,
+            Property::ConstantContactForce,
+            Property::HertzSmoothing,
+            Property::HuntCrossleySmoothing,
+        ])
+    }
+}
+
+impl PropertySet {
+    /// The friction speeds too: `transition_velocity` ∝ √(g R) and `viscous_friction` ∝ 1/√(g R), beyond the paper.
+    #[must_use]
+    pub fn with_friction(mut self) -> Self {
+        self.0.extend([Property::TransitionVelocity, Property::ViscousFriction]);
+        self
+    }
+
+    /// Restricts the set to those of `only` (all, if it is empty) without those of `keep`.
+    #[must_use]
+    pub fn restricted(mut self, only: &[Property], keep: &[Property]) -> Self {
+        self.0.retain(|property| (only.is_empty() || only.contains(property)) && !keep.contains(property));
+        self
+    }
+
+    /// Whether `property` may change.
+    #[must_use]
+    pub fn contains(&self, property: Property) -> bool {
+        self.0.contains(&property)
+    }
+
+    /// Whether everything that the paper scales is in it (a radius may stay: the others then follow from that).
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        Self::default().0.iter().all(|&property| property == Property::Radius || self.contains(property))
+    }
+}
+
+/// What happens to a property.
+///
+/// Exhaustive: there is nothing between a value and a factor.
+///
+/// ```
+/// use osim_model::Assignment;
+/// assert_eq!(Assignment::Value(1e6).to_string(), "1000000");
+/// assert_eq!(Assignment::Factor(0.5).to_string(), "x0.5");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Assignment {
+    /// This value, in the unit of the property.
+    Value(f64),
+    /// Its value times this.
+    Factor(f64),
+}
+
+impl std::fmt::Display for Assignment {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Value(value) => f.write_str(&shortest(*value)),
+            Self::Factor(factor) => write!(f, "x{}", shortest(*factor)),
+        }
+    }
+}
+
+/// What happens to the radii of the moving spheres.
+///
+/// Exhaustive: plans have a formula for each.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RadiusRule {
+    /// R ∝ M^{1/3}, with the linear dimensions of the body (8). In a transfer, as large against the body as the reference's.
+    Isometric,
+    /// They stay.
+    Keep,
+    /// All become this, in m.
+    Metres(f64),
+    /// All are multiplied by this.
+    Factor(f64),
+}
+
+/// Which size α follows, (14).
+///
+/// Exhaustive: plans have a factor for each.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum DissipationBy {
+    /// α ∝ R^{−1/2}, as in the paper's Table 1.
+    #[default]
+    Radius,
+    /// α ∝ M^{−1/6}.
+    Mass,
+}
+
+/// How a radius follows from three factors.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum RadiusAxis {
+    /// The factor along x.
+    X,
+    /// The factor along y.
+    Y,
+    /// The factor along z.
+    Z,
+    /// The cube root of the product of all three.
+    #[default]
+    GeometricMean,
+    /// The smallest.
+    Min,
+    /// The largest.
+    Max,
+}
+
+impl RadiusAxis {
+    /// The ratio of radii, of the factors along x, y and z.
+    #[must_use]
+    pub fn of(self, [x, y, z]: [f64; 3]) -> f64 {
+        match self {
+            Self::X => x,
+            Self::Y => y,
+            Self::Z => z,
+            // Three equal factors are their own mean, to the last bit.
+            Self::GeometricMean if x == y && y == z => x,
+            Self::GeometricMean => libm::cbrt(x * y * z),
+            Self::Min => x.min(y).min(z),
+            Self::Max => x.max(y).max(z),
+        }
+    }
+}
+
+/// What to do with spheres of the scaled model that were moved or resized already.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum MovedSpheres {
+    /// Refuse, so that the caller decides ([`Needed::MovedSpheres`](crate::model::Needed::MovedSpheres)).
+    #[default]
+    Refuse,
+    /// They are right: keep their location and radius.
+    Keep,
+    /// They are not: place them again from the reference.
+    Replace,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn radii_follow_the_axis_asked_for() {
+        let factors = [1.0, 2.0, 4.0];
+        let of = |axis: RadiusAxis| axis.of(factors);
+        assert_eq!((of(RadiusAxis::X), of(RadiusAxis::Y), of(RadiusAxis::Z)), (1.0, 2.0, 4.0));
+        assert_eq!((of(RadiusAxis::Min), of(RadiusAxis::Max)), (1.0, 4.0));
+        assert!((of(RadiusAxis::GeometricMean) - 2.0).abs() < 1e-15);
+        assert_eq!(RadiusAxis::GeometricMean.of([1.3, 1.3, 1.3]), 1.3);
+    }
+}

@@ -1,0 +1,227 @@
+//! Where contacts are: half-spaces, those that are floors, and the frames of spheres on their bodies.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::model::components::{Base, ComponentId, Components, MAX_FRAME_CHAIN};
+use crate::model::contacts::force::{Force, ParameterSet};
+use crate::model::contacts::half_space::HalfSpace;
+use crate::model::contacts::read::FIRST_CONSTANT;
+use crate::model::contacts::{Sphere, SphereId};
+use crate::model::fault::Fault;
+use crate::model::rotation::{LevelAxis, Rotation};
+use crate::model::typed_model::Model;
+
+/// How a half-space inside a force is turned that says nothing of it: a floor, rad. The first version of the class, which had another
+/// name for `constant_contact_force`, did not turn it.
+const FLOOR: [f64; 3] = [0.0, 0.0, -std::f64::consts::FRAC_PI_2];
+
+impl Model {
+    /// All half-spaces whose frame can be found, in file order.
+    #[must_use]
+    pub fn half_spaces(&self) -> Vec<HalfSpace> {
+        self.planes().values().map(|plane| HalfSpace::clone(plane)).collect()
+    }
+
+    /// The same by component, read when somebody first asks: many forces press on one floor.
+    fn planes(&self) -> &BTreeMap<ComponentId, Arc<HalfSpace>> {
+        self.half_spaces.get_or_init(|| {
+            let components = self.components();
+            let planes = components.tree.iter().filter(|(id, _)| components.tag(*id) == "ContactHalfSpace");
+            planes.filter_map(|(id, _)| Some((id, Arc::new(read(components, id)?)))).collect()
+        })
+    }
+
+    /// The half-spaces on which `force` presses its spheres, each once: those among its surfaces, and the one that a force of Moco
+    /// 0.1 to 0.3 keeps inside itself.
+    #[must_use]
+    pub fn planes_of(&self, force: &Force) -> Vec<Arc<HalfSpace>> {
+        let mut planes: Vec<Arc<HalfSpace>> = Vec::new();
+        for set in &force.sets {
+            for plane in self.shared_planes_of_set(set) {
+                if !planes.contains(&plane) {
+                    planes.push(plane);
+                }
+            }
+        }
+        planes
+    }
+
+    /// The half-spaces among the surfaces of a parameter set, in its order, and the one that its force keeps inside itself.
+    #[must_use]
+    pub fn planes_of_set(&self, set: &ParameterSet) -> Vec<HalfSpace> {
+        self.shared_planes_of_set(set).map(|plane| HalfSpace::clone(&plane)).collect()
+    }
+
+    fn shared_planes_of_set(&self, set: &ParameterSet) -> impl Iterator<Item = Arc<HalfSpace>> {
+        let own = set.half_space_components.iter().filter_map(|id| self.planes().get(id).cloned());
+        let inside = set.half_space_inside.and_then(|id| inside(self.components(), id));
+        own.chain(inside.map(Arc::new))
+    }
+
+    /// The half-spaces that forces of Moco 0.1 to 0.3 keep inside themselves, in file order.
+    pub(crate) fn half_spaces_inside(&self) -> impl Iterator<Item = HalfSpace> + '_ {
+        let sets = self.forces().iter().flat_map(|force| &force.sets);
+        sets.filter_map(|set| inside(self.components(), set.half_space_inside?))
+    }
+
+    /// The half-spaces among the surfaces of a parameter set, in its order; not one that its force keeps inside itself.
+    #[must_use]
+    pub fn half_spaces_of(&self, set: &ParameterSet) -> Vec<HalfSpace> {
+        let planes = set.half_space_components.iter().filter_map(|id| self.planes().get(id));
+        planes.map(|plane| HalfSpace::clone(plane)).collect()
+    }
+}
+
+fn read(components: &Components, id: ComponentId) -> Option<HalfSpace> {
+    HalfSpace::read(components, id, ("frame", &["body_name"]), ("location", "orientation", [0.0; 3]))
+}
+
+/// The half-space that a force of Moco 0.1 to 0.3 keeps inside itself.
+fn inside(components: &Components, force: ComponentId) -> Option<HalfSpace> {
+    let tree = components.doc(force).tree();
+    let is_first = tree.child(components.element(force), FIRST_CONSTANT).is_some();
+    let turned = if is_first { [0.0; 3] } else { FLOOR };
+    let place = ("contact_half_space_location", "contact_half_space_orientation", turned);
+    HalfSpace::read(components, force, ("half_space_frame", &[]), place)
+}
+
+// Half-spaces on ground: which of them is the floor.
+
+/// How far the normal of a floor may be from up (length of the difference of unit vectors).
+const LEVEL: f64 = 1e-6;
+
+/// A half-space that is fixed to ground.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct GroundPlane {
+    /// Its name; in Moco 0.1 to 0.3 the name of the force that it is in.
+    pub name: String,
+    /// A point of its surface in ground, m.
+    pub point_m: [f64; 3],
+    /// Its normal in ground, out of what is solid: −x of its own frame.
+    pub normal: [f64; 3],
+}
+
+impl Model {
+    /// The half-spaces on ground, in file order.
+    #[must_use]
+    pub fn ground_planes(&self) -> Vec<GroundPlane> {
+        let all = self.half_spaces().into_iter().chain(self.half_spaces_inside());
+        let planes = all.filter(|plane| plane.on_ground);
+        planes
+            .filter_map(|plane| {
+                Some(GroundPlane { name: plane.name, point_m: plane.point_m?, normal: plane.normal? })
+            })
+            .collect()
+    }
+
+    /// The planes whose normal is up, against gravity: floors.
+    #[must_use]
+    pub fn floors(&self) -> Vec<GroundPlane> {
+        let up = self.up();
+        let off = |plane: &GroundPlane| (0..3).map(|i| (plane.normal[i] - up[i]).powi(2)).sum::<f64>();
+        self.ground_planes().into_iter().filter(|plane| off(plane) <= LEVEL * LEVEL).collect()
+    }
+
+    /// The direction against gravity in ground, of length 1; y without gravity.
+    #[must_use]
+    pub fn up(&self) -> [f64; 3] {
+        let gravity = self.gravity_m_s2.unwrap_or_default();
+        match self.gravity().filter(|&gravity| gravity > 0.0) {
+            Some(length) => gravity.map(|value| -value / length),
+            None => [0.0, 1.0, 0.0],
+        }
+    }
+}
+
+// Frames of contact spheres, seen from the body that carries them.
+
+impl Model {
+    /// Rotation of a sphere's frame in the body that carries it: the product of those of its chain of offset frames.
+    ///
+    /// # Errors
+    /// A frame that leads nowhere.
+    pub fn rotation_of(&self, sphere: &Sphere) -> Result<Rotation, Fault> {
+        let components = self.components();
+        if !matches!(components.base(sphere.frame_component)?, Base::Body(_)) {
+            return Ok(Rotation::IDENTITY);
+        }
+        Ok(components.rotation_to_base(sphere.frame_component).unwrap_or(Rotation::IDENTITY))
+    }
+
+    /// The lowest point of a sphere in the frame of the body that carries it (or of ground), m: its centre, less the radius
+    /// along the body's axis that is nearest to −gravity, as when the body is not turned.
+    ///
+    /// `None` where the frame is in a file that was not given, a number is not finite or the radius not above 0.
+    #[must_use]
+    pub fn lowest_point_m(&self, sphere: SphereId) -> Option<[f64; 3]> {
+        let radius = &self.sphere(sphere)?.radius;
+        let mut point = self.centre_m(sphere).filter(|_| radius.property.allows(radius.number))?;
+        let up = LevelAxis::of_gravity(self.gravity_m_s2);
+        point[up.axis.index()] += if up.down { radius.number } else { -radius.number };
+        Some(point)
+    }
+
+    /// The centre of a sphere in the frame of the body that carries it (or of ground), m.
+    ///
+    /// `None` where the frame is in a file that was not given, or a number is not finite.
+    #[must_use]
+    pub fn centre_m(&self, sphere: SphereId) -> Option<[f64; 3]> {
+        let sphere = self.sphere(sphere).filter(|sphere| !matches!(sphere.base, Base::Unknown))?;
+        let point = self.components().in_body(sphere.frame_component, sphere.location_m)?;
+        point.iter().all(|value| value.is_finite()).then_some(point)
+    }
+}
+
+impl Components {
+    /// The offset frames from `frame` to the body (or ground) that carries it, in this order.
+    pub(crate) fn offset_frames(&self, frame: Option<ComponentId>) -> Vec<ComponentId> {
+        let mut found = Vec::new();
+        let mut at = frame;
+        while let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground")
+            && found.len() <= MAX_FRAME_CHAIN
+        {
+            found.push(id);
+            at = self.parent_frame(id);
+        }
+        found
+    }
+
+    /// The frame that an offset frame hangs on.
+    fn parent_frame(&self, frame: ComponentId) -> Option<ComponentId> {
+        let parent = self.connectee(frame, "parent", &["parent_frame"])?;
+        self.frame(frame, &parent)?.component
+    }
+
+    /// Rotation of a frame in the body (or ground) at the end of its chain of offset frames.
+    pub(crate) fn rotation_to_base(&self, frame: Option<ComponentId>) -> Option<Rotation> {
+        let (mut rotation, mut at) = (Rotation::IDENTITY, frame);
+        for _ in 0..=MAX_FRAME_CHAIN {
+            let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground") else {
+                return Some(rotation);
+            };
+            let angles = self.doc(id).triple(self.element(id), "orientation").unwrap_or([0.0; 3]);
+            rotation = Rotation::body_fixed_xyz(angles).after(&rotation);
+            at = self.parent_frame(id);
+        }
+        None
+    }
+
+    /// A point of a frame, seen from the body at the end of its chain of offset frames.
+    pub(crate) fn in_body(&self, frame: Option<ComponentId>, point: [f64; 3]) -> Option<[f64; 3]> {
+        let (mut point, mut at) = (point, frame);
+        // Chains that close on themselves were refused when the model was read.
+        for _ in 0..=MAX_FRAME_CHAIN {
+            let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground") else {
+                return Some(point);
+            };
+            let of = |tag| self.doc(id).triple(self.element(id), tag).unwrap_or([0.0; 3]);
+            let turned = Rotation::body_fixed_xyz(of("orientation")).to_body(point);
+            let translation = of("translation");
+            point = std::array::from_fn(|i| translation[i] + turned[i]);
+            at = self.parent_frame(id);
+        }
+        None
+    }
+}

@@ -1,0 +1,284 @@
+//! What a question is about: what it asks for, why a note is not believed, and the size of a body.
+
+use crate::messages::{Input, Part, Phrase, phrase, readable};
+
+/// What a gravity is needed for that the file does not have.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum GravityFor {
+    /// The weight of the body.
+    Weight,
+    /// The load that an indentation is about.
+    Load,
+    /// The speed with which contacts begin.
+    ImpactSpeed,
+    /// Contacts that were made for it, and are scaled to another.
+    Contacts,
+    /// The same contacts in a reference.
+    Reference,
+    /// The model that gets the contacts of another gravity.
+    Target,
+    /// The weight of a body that a drop is compared with.
+    Compared,
+    /// Figures under body weight, beside something else that was asked for.
+    Figures,
+}
+
+impl GravityFor {
+    /// Every purpose.
+    pub const ALL: [Self; 8] = [
+        Self::Weight,
+        Self::Load,
+        Self::ImpactSpeed,
+        Self::Contacts,
+        Self::Reference,
+        Self::Target,
+        Self::Compared,
+        Self::Figures,
+    ];
+
+    /// What answers it, and its unit; `None` if only the file can.
+    const fn answers(self) -> &'static [(Input, &'static str)] {
+        match self {
+            Self::Weight => &[(Input::Gravity, "G")],
+            Self::Load => &[(Input::Gravity, "G"), (Input::Load, "N")],
+            Self::ImpactSpeed => &[(Input::ImpactSpeed, "M/S")],
+            Self::Contacts => &[(Input::ContactsGravity, "G")],
+            Self::Reference => &[(Input::ReferenceGravity, "G")],
+            Self::Target => &[(Input::TargetGravity, "G")],
+            Self::Compared | Self::Figures => &[],
+        }
+    }
+
+    pub(super) fn phrase(self) -> Phrase {
+        let whose = if self == Self::Reference { "the reference" } else { "the model" };
+        let mut text = phrase![whose, NO_GRAVITY];
+        for (index, &(input, unit)) in self.answers().iter().enumerate() {
+            text.push(if index == 0 { ": say " } else { " or " });
+            text.push(input.like(unit));
+        }
+        if self.answers().is_empty() {
+            text.push(": set <gravity> in its file");
+        }
+        text
+    }
+}
+
+/// What is missing, after whose it is.
+const NO_GRAVITY: &str = " has no gravity";
+
+/// Why a radius is about to change, which decides how it can stay.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum RadiusFrom {
+    /// The rule of radii.
+    Rule,
+    /// The bodies that spheres follow.
+    Bodies,
+    /// A wanted stiffness of the contact.
+    ContactStiffness,
+    /// A value that is set.
+    Assignment,
+    /// The foot, whose bottoms are made level: the centre changes then, and not the radius.
+    Level,
+    /// A fit that moves spheres: the centre changes, and not the radius.
+    Fit,
+}
+
+impl RadiusFrom {
+    /// How the radius stays.
+    pub(super) fn phrase(self) -> Phrase {
+        match self {
+            Self::Rule => phrase!["leave radii as they are with ", Input::Radius.being("keep")],
+            Self::Bodies => phrase!["leave radii as they are with ", Input::Keep.being("radius")],
+            Self::ContactStiffness => phrase!["leave out ", Input::ContactStiffness],
+            Self::Assignment => "set no radius".into(),
+            Self::Level => phrase!["leave out ", Input::Level],
+            Self::Fit => phrase!["fit what moves no sphere, such as ", Input::Fit.being("height")],
+        }
+    }
+}
+
+/// What is asked about a sphere that `changed` forces use and `left` ones too, up to how its radius stays.
+pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_choose: bool) -> Phrase {
+    let stays = if left.len() == 1 { "which stays as it is" } else { "which stay as they are" };
+    let left = left.join(", ");
+    let mut text: Phrase =
+        format!("sphere {sphere} is used by {changed}, which would change, and by {left}, {stays}: ").into();
+    if can_choose {
+        text.push(&phrase![
+            "choose all of them with ",
+            Input::Select.like("GLOB"),
+            ", excluding none of these, or "
+        ]);
+    }
+    text
+}
+
+/// Asks what contacts with a doubtful note were made for: the model's own, or those of a reference.
+pub(super) fn contacts_mass(noted_kg: Option<f64>, doubt: NoteDoubt, input: Input) -> Phrase {
+    let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", readable(kg)));
+    phrase![
+        format!("it is not certain which mass {} made for, because ", contacts_are(input)),
+        doubt.as_str(),
+        noted.unwrap_or_default(),
+        ": give that mass with ",
+        input.like("KG")
+    ]
+}
+
+/// Asks what known contacts were made for, under bodies of another mass.
+pub(super) fn known_contacts_mass(title: &str, made_for_kg: f64, bodies_kg: f64, input: Input) -> Phrase {
+    let (made_for, bodies) = (readable(made_for_kg), readable(bodies_kg));
+    let contacts = contacts_are(input);
+    phrase![
+        format!(
+            "{contacts} those of {title} for a body of {made_for} kg, but the bodies weigh {bodies} kg: if nobody changed the \
+             contacts, confirm their mass with "
+        ),
+        input.being(made_for.clone()),
+    ]
+}
+
+fn contacts_are(input: Input) -> &'static str {
+    match input {
+        Input::ReferenceMass => "the contacts of the reference are",
+        _ => "the contacts are",
+    }
+}
+
+/// Why the note in a file no longer describes its contacts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum NoteDoubt {
+    /// There is none, and the sum of the bodies is not the mass: they were scaled.
+    Absent,
+    /// It cannot be read.
+    Unreadable,
+    /// Force set and geometry set carry notes of different runs.
+    MixedPair,
+    /// Values were changed since.
+    ValuesChanged,
+    /// The run that left it changed only some values.
+    Partial,
+    /// It says itself that the mass is not known.
+    MassUnknown,
+    /// It gives no mass because nobody said one, and the bodies, whose mass was taken, were scaled since.
+    BodiesScaled,
+}
+
+impl NoteDoubt {
+    /// In words.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Absent => "the bodies were scaled, and the file has no note of this program",
+            Self::Unreadable => "the note that this program left in the file is damaged",
+            Self::MixedPair => "the force set and its geometry set come from different runs",
+            Self::ValuesChanged => "contacts were changed after this program left its note in the file",
+            Self::Partial => "the run that left the note in the file changed only some values",
+            Self::MassUnknown => "the mass was not known when this program left its note in the file",
+            Self::BodiesScaled => {
+                "the note in the file gives no mass, and the bodies were scaled after it was written"
+            }
+        }
+    }
+}
+
+/// What has to be answered about the factors of a body.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum FactorQuestion {
+    /// Two meshes of one body have different factors.
+    Meshes {
+        /// Name of the body.
+        body: String,
+        /// The meshes, and what each says along x, y and z.
+        meshes: [(String, [f64; 3]); 2],
+    },
+    /// Left and right have different factors in models that are not scaled copies of each other.
+    Sides {
+        /// Names of both bodies.
+        bodies: [String; 2],
+        /// What each would get along x, y and z; NaN where it is not known.
+        factors: [[f64; 3]; 2],
+    },
+    /// A mesh of one name shows another animal's bone: what its factors say of a distance, and the distance itself, are far apart.
+    OtherBone {
+        /// Name of the body.
+        body: String,
+        /// The joint that the distance goes to.
+        joint: String,
+        /// The distance against the reference's, by the mesh and by the joint.
+        ratios: [f64; 2],
+    },
+    /// Two different models have nothing in common that says how large a body is.
+    Nothing {
+        /// Name of the body.
+        body: String,
+    },
+    /// The factors of the Scale Tool's file do not lead from the reference to the model.
+    OtherReference {
+        /// Name of the body.
+        body: String,
+        /// A joint on it that is somewhere else.
+        joint: String,
+        /// How far it is from where the file puts it, m.
+        apart_m: f64,
+    },
+}
+
+impl FactorQuestion {
+    /// What is not known, and how to say it.
+    pub(super) fn phrase(&self) -> Phrase {
+        let one = |factor: f64| if factor.is_nan() { "unknown".to_owned() } else { format!("{factor:.4}") };
+        let three = |factors: &[f64; 3]| factors.map(one).join(", ");
+        match self {
+            Self::Meshes { body, meshes: [(one, by_one), (other, by_other)] } => phrase![
+                format!(
+                    "the meshes of body {body} say different factors: {one} says {}, {other} says {}",
+                    three(by_one),
+                    three(by_other)
+                ),
+                say(": say which with ", &[body]),
+            ],
+            Self::Sides { bodies: [one, other], factors: [by_one, by_other] } => phrase![
+                format!(
+                    "left and right would get different factors, and this model is not a scaled copy of the reference: {one} {}, \
+                     {other} {}",
+                    three(by_one),
+                    three(by_other)
+                ),
+                say(": say them with ", &[one, other]),
+            ],
+            Self::OtherBone { body, joint, ratios: [by_mesh, by_joint] } => phrase![
+                format!(
+                    "the mesh of body {body} has a bone of the reference's size times {by_mesh:.4}, but its distance to joint {joint} is \
+                     the reference's times {by_joint:.4}: the file is probably another animal's bone of the same name"
+                ),
+                say("; say the factors with ", &[body]),
+            ],
+            Self::Nothing { body } => phrase![
+                format!(
+                    "how large body {body} is against the reference's is not in the files (no mesh of the same bone, and no joint \
+                     of the same name 20 mm or more from its origin)"
+                ),
+                say(": say it with ", &[body]),
+            ],
+            Self::OtherReference { body, joint, apart_m } => phrase![
+                format!("joint {joint} on {body} is {:.1} mm from where ", apart_m * 1000.0),
+                Input::BodyScaleFile,
+                " puts it: that file was applied to another model than the reference; take the contacts from that model, or leave ",
+                Input::BodyScaleFile,
+                " out",
+            ],
+        }
+    }
+}
+
+/// The way out of a verb that takes the factors of `bodies`.
+fn say(how: &'static str, bodies: &[&String]) -> Part {
+    let named = bodies.iter().map(|body| Input::BodyScale.being(format!("{body}=x,y,z")).into());
+    let named = Phrase::joined(named, " and ").unwrap_or_default();
+    Input::BodyScale.either(phrase![how, &named], "")
+}

@@ -1,0 +1,353 @@
+//! What a note says: masses, sizes, steps, and a record of the contacts.
+
+use std::collections::BTreeMap;
+
+use crate::messages::shortest;
+use crate::model::property::Property;
+
+/// Whether all contacts are made for one mass.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// They are: for the mass that the note gives, or, where it gives none, for what the bodies weighed.
+    All,
+    /// Something was left behind, or nobody can know.
+    Partial,
+}
+
+/// The contents of a note: what its contacts were made for, written into the file when they were changed.
+///
+/// ```
+/// use osim_model::{Document, Note, Scope};
+///
+/// let text = r#"<OpenSimDocument Version="40000"><Model name="walker">
+/// <credits>A. Author; [contacts made for 500 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes calcn_r=0.9,1,1; digest 0123456789abcdef; places fedcba9876543210; made -)]</credits>
+/// </Model></OpenSimDocument>"#;
+/// let note = Note::find(&Document::parse(text)?).expect("there is a note");
+/// assert_eq!((note.contacts_mass_kg, note.gravity_m_s2, note.scope), (Some(500.0), Some(9.81), Scope::All));
+/// assert_eq!((note.sizes[0].body.as_str(), note.sizes[0].factors), ("calcn_r", [0.9, 1.0, 1.0]));
+/// // It is written as it was read.
+/// assert!(text.contains(&note.text()));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Note {
+    /// Version of the tool that wrote it.
+    pub version: String,
+    /// Mass the contacts were made for, kg; `None` where nobody knew.
+    pub contacts_mass_kg: Option<f64>,
+    /// Gravity the contacts were made for, m/s²; `None` where the model has none.
+    pub gravity_m_s2: Option<f64>,
+    /// All contacts or only some.
+    pub scope: Scope,
+    /// What was done to the contacts, the oldest step first: at least one.
+    pub steps: Vec<Step>,
+    /// Limbs that share the body weight, where somebody said how many.
+    pub stance_limbs: Option<f64>,
+    /// What the bodies weighed together when it was written, kg; `None` in notes of sets and of earlier versions.
+    pub weighed_kg: Option<f64>,
+    /// Mesh scale factors of the bodies that carried spheres when it was written.
+    pub sizes: Vec<BodySize>,
+    /// Digest of all contact values as written: the first 16 digits of their SHA-256.
+    pub digest: String,
+    /// The same of the radii alone; `None` in notes of earlier versions.
+    pub radii: Option<String>,
+    /// Names of the contacts and digests of their properties; `None` in notes of earlier versions.
+    pub parts: Option<NotedParts>,
+    /// The same of the spheres' locations; `None` in notes of earlier versions.
+    pub places: Option<String>,
+    /// What was added to the file for the note, one letter each; `-` for nothing.
+    pub made: String,
+    /// Names of the forces that were added beside others, as [`Note::operation_text`] has them; none where all were added.
+    pub added: Vec<String>,
+}
+
+impl Note {
+    /// What was done last.
+    #[must_use]
+    pub fn operation(&self) -> &str {
+        self.steps.last().map_or("", |step| step.operation.as_str())
+    }
+}
+
+/// The mesh scale factors of one body along x, y and z.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodySize {
+    /// Name of the body.
+    pub body: String,
+    /// Factors along x, y and z of the body, above 0.
+    pub factors: [f64; 3],
+}
+
+/// Something begins like a note and is none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Unreadable;
+
+// One step of what a note says: what was done, from what, and when.
+//
+// `by transfer radius=x2 with level=true from 62 kg of reference falisse2022.osim 0123456789abcdef on 2026-11-25`
+
+/// Before the options that mattered.
+const WITH: &str = " with ";
+/// Before the mass that the contacts were made for until then.
+const FROM: &str = " from ";
+/// Before the name and the digest of the reference.
+const OF: &str = " of reference ";
+/// Before the date.
+const ON: &str = " on ";
+
+/// One change of the contacts, as the note records it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Step {
+    /// What was done, for example `rescale` or `set stiffness=x2`: from [`Note::operation_text`](Note::operation_text).
+    pub operation: String,
+    /// Options that mattered, for example `level=true only=radius`; empty where there were none.
+    pub options: String,
+    /// Mass the contacts were made for before, kg, where another was known.
+    pub from_mass_kg: Option<f64>,
+    /// What the contacts were taken from.
+    pub reference: Option<Source>,
+    /// When, as `2026-11-25`.
+    pub date: Option<String>,
+}
+
+/// The model or the preset that contacts were taken from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Source {
+    /// Its name, without folders and blanks.
+    pub name: String,
+    /// The first 16 digits of the SHA-256 of its file; `None` of a preset.
+    pub digest: Option<String>,
+}
+
+impl Step {
+    /// A step of which nothing else is known.
+    #[must_use]
+    pub fn new(operation: &str) -> Self {
+        Self { operation: plain(operation), ..Self::default() }
+    }
+
+    /// As a note has it, without `by`.
+    pub(super) fn text(&self) -> String {
+        let mut text = plain(&self.operation);
+        if !self.options.is_empty() {
+            text.push_str(&format!("{WITH}{}", plain(&self.options)));
+        }
+        if let Some(kg) = self.from_mass_kg {
+            text.push_str(&format!("{FROM}{} kg", shortest(kg)));
+        }
+        if let Some(source) = &self.reference {
+            text.push_str(&format!("{OF}{}", source.text()));
+        }
+        if let Some(date) = &self.date {
+            text.push_str(&format!("{ON}{date}"));
+        }
+        text
+    }
+
+    /// Reads a step. Its parts are taken from the end; what is none of them belongs to the operation.
+    pub(super) fn parse(text: &str) -> Self {
+        let (rest, date) = split(text, ON, |date| is_date(date).then(|| date.to_owned()));
+        let (rest, reference) = split(rest, OF, Source::parse);
+        let (rest, from_mass_kg) = split(rest, FROM, |kg| mass_kg(kg).flatten());
+        let (operation, options) = split(rest, WITH, |options| Some(options.to_owned()));
+        let operation = operation.to_owned();
+        Self { operation, options: options.unwrap_or_default(), from_mass_kg, reference, date }
+    }
+}
+
+impl Source {
+    fn text(&self) -> String {
+        let name: String = plain(&self.name).replace(' ', "_");
+        match &self.digest {
+            Some(digest) => format!("{name} {digest}"),
+            None => name,
+        }
+    }
+
+    fn parse(text: &str) -> Option<Self> {
+        let (name, digest) = match text.split_once(' ') {
+            Some((name, digest)) => (name, is_digest(digest).then(|| Some(digest.to_owned()))?),
+            None => (text, None),
+        };
+        Some(Self { name: name.to_owned(), digest })
+    }
+}
+
+/// `text` before the last `mark` and what `read` makes of the rest; all of `text` where that is none.
+fn split<'t, T>(text: &'t str, mark: &str, read: impl Fn(&str) -> Option<T>) -> (&'t str, Option<T>) {
+    let parts = text.rsplit_once(mark).and_then(|(before, part)| Some((before, read(part)?)));
+    parts.map_or((text, None), |(before, part)| (before, Some(part)))
+}
+
+/// Whether `text` is a date like `2026-11-25`.
+pub(super) fn is_date(text: &str) -> bool {
+    let is_as = |(index, byte): (usize, u8)| match index {
+        4 | 7 => byte == b'-',
+        _ => byte.is_ascii_digit(),
+    };
+    text.len() == "2026-11-25".len() && text.bytes().enumerate().all(is_as)
+}
+
+// What a note records of its contacts so that it can show later which of their properties, or only their names, changed.
+//
+// `spheres 12 0123456789abcdef; forces 12 0123456789abcdef; numbers stiffness=01234567 dissipation=89abcdef`
+
+const SPHERES: &str = "spheres ";
+const FORCES: &str = "forces ";
+const NUMBERS: &str = "numbers ";
+/// Where no force has a number.
+const NOTHING: &str = "-";
+const PROPERTY_DIGITS: usize = 8;
+
+/// Names of the contacts and digests of their properties. A note that has them has digests of numbers alone; in notes of earlier
+/// versions the digests hold the names, too.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NotedParts {
+    /// The spheres of contact forces.
+    pub spheres: NotedNames,
+    /// The contact forces.
+    pub forces: NotedNames,
+    /// The first 8 digits of the SHA-256 of the values of each property of the forces.
+    pub properties: BTreeMap<Property, String>,
+}
+
+/// How many there were, and what they were called.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NotedNames {
+    /// How many.
+    pub count: usize,
+    /// The first 16 digits of the SHA-256 of their names.
+    pub digest: String,
+}
+
+impl NotedParts {
+    /// As a note has it.
+    pub(super) fn text(&self) -> String {
+        let properties =
+            self.properties.iter().map(|(property, digest)| format!("{}={digest}", property.name()));
+        let properties: Vec<String> = properties.collect();
+        let properties = if properties.is_empty() { NOTHING.to_owned() } else { properties.join(" ") };
+        let (spheres, forces) = (self.spheres.text(), self.forces.text());
+        format!("{SPHERES}{spheres}; {FORCES}{forces}; {NUMBERS}{properties}")
+    }
+
+    /// Reads it from the fields that `next_if` gives where they begin with a word; the outer `None` where it is broken.
+    #[expect(clippy::option_option, reason = "what is not there is not what cannot be read")]
+    pub(super) fn parse<'t>(mut next_if: impl FnMut(&str) -> Option<&'t str>) -> Option<Option<Self>> {
+        let Some(spheres) = next_if(SPHERES) else { return Some(None) };
+        let (forces, numbers) = (next_if(FORCES)?, next_if(NUMBERS)?);
+        let property = |text: &str| {
+            let (name, digest) = text.split_once('=')?;
+            let is_whole =
+                digest.len() == PROPERTY_DIGITS && digest.bytes().all(|byte| byte.is_ascii_hexdigit());
+            is_whole.then(|| Some((name.parse().ok()?, digest.to_owned())))?
+        };
+        let properties =
+            numbers.split(' ').filter(|text| *text != NOTHING).map(property).collect::<Option<_>>()?;
+        Some(Some(Self {
+            spheres: NotedNames::parse(spheres)?,
+            forces: NotedNames::parse(forces)?,
+            properties,
+        }))
+    }
+}
+
+impl NotedNames {
+    fn text(&self) -> String {
+        format!("{} {}", self.count, self.digest)
+    }
+
+    fn parse(text: &str) -> Option<Self> {
+        let (count, digest) = text.split_once(' ')?;
+        is_digest(digest).then(|| Some(Self { count: count.parse().ok()?, digest: digest.to_owned() }))?
+    }
+}
+
+// How words and numbers are spelled in a note.
+
+/// What nobody knew.
+pub(super) const UNKNOWN: &str = "unknown";
+const DIGEST_DIGITS: usize = 16;
+
+/// `unknown`, or a mass above 0 with its unit; the outer `None` for anything else.
+#[expect(clippy::option_option, reason = "what is unknown is not what cannot be read")]
+pub(super) fn mass_kg(text: &str) -> Option<Option<f64>> {
+    if text == UNKNOWN {
+        return Some(None);
+    }
+    positive(text.strip_suffix(" kg")?).map(Some)
+}
+
+/// A number above 0.
+pub(super) fn positive(text: &str) -> Option<f64> {
+    text.parse().ok().filter(|number: &f64| number.is_finite() && *number > 0.0)
+}
+
+/// `unknown`, or a gravity of at least 0 with its unit; the outer `None` for anything else.
+#[expect(clippy::option_option, reason = "what is unknown is not what cannot be read")]
+pub(super) fn gravity_m_s2(text: &str) -> Option<Option<f64>> {
+    if text == UNKNOWN {
+        return Some(None);
+    }
+    let gravity: f64 = text.strip_suffix(" m/s2")?.parse().ok()?;
+    (gravity.is_finite() && gravity >= 0.0).then_some(Some(gravity))
+}
+
+pub(super) fn is_digest(text: &str) -> bool {
+    text.len() == DIGEST_DIGITS && text.bytes().all(|byte| byte.is_ascii_hexdigit())
+}
+
+/// Whether a note, inside a field, can hold `letter`. `-` is among the letters, but two of them would end a comment: see
+/// [`plain`].
+pub(super) fn is_plain(letter: char) -> bool {
+    letter.is_ascii_graphic() && !";[]()<>&'\"".contains(letter)
+}
+
+/// `text` with `_` for every letter that a note cannot hold, and single blanks.
+pub(super) fn plain(text: &str) -> String {
+    let words = text.split_ascii_whitespace().map(|word| {
+        let letters = word.chars().map(|letter| if is_plain(letter) { letter } else { '_' });
+        letters.collect::<String>()
+    });
+    words.collect::<Vec<_>>().join(" ").replace("--", "__")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn full() -> Step {
+        Step {
+            operation: "transfer radius=x2".into(),
+            options: "level=true only=radius".into(),
+            from_mass_kg: Some(62.5),
+            reference: Some(Source { name: "falisse.osim".into(), digest: Some("0123456789abcdef".into()) }),
+            date: Some("2026-11-25".into()),
+        }
+    }
+
+    #[test]
+    fn a_step_reads_back_as_written() {
+        let spelled = "transfer radius=x2 with level=true only=radius from 62.5 kg of reference falisse.osim 0123456789abcdef on 2026-11-25";
+        assert_eq!(full().text(), spelled);
+        let preset = Some(Source { name: "falisse2022".into(), digest: None });
+        for step in [
+            full(),
+            Step { reference: preset, ..full() },
+            Step { options: String::new(), from_mass_kg: None, ..full() },
+            Step { date: None, reference: None, ..full() },
+            Step::new("rescale"),
+        ] {
+            assert_eq!(Step::parse(&step.text()), step);
+        }
+    }
+
+    #[test]
+    fn other_words_belong_to_the_operation() {
+        for operation in ["ladder step 1 of 2", "transfer from a file on Monday", "set a=1 + set b=2"] {
+            assert_eq!(Step::parse(operation).date, None);
+            assert_eq!(Step::parse(operation).from_mass_kg, None);
+            assert_eq!(Step::parse(operation).text(), operation);
+        }
+    }
+}
