@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashMapExt};
 
-use crate::model::anatomy::bone_sizes::{GEOMETRY_SETS, file_of, scale};
+use crate::model::anatomy::bone_sizes::{GEOMETRY_SETS, mesh_file, mesh_scale};
 use crate::model::anatomy::joints::on_base;
 use crate::model::components::{ComponentId, Components};
 use crate::model::contacts::{Sphere, moving_spheres};
@@ -55,7 +55,7 @@ impl Model {
         let of_frame = |(id, _)| {
             let (body, placement) = on_base(components, Some(id))?;
             let body = components.name(body?).into_owned();
-            let attached = read(components, id).into_iter().filter(|(file, ..)| !file.is_empty());
+            let attached = attached_meshes(components, id).into_iter().filter(|(file, ..)| !file.is_empty());
             Some(attached.map(move |(file, factors, inner)| AttachedMesh {
                 body: body.clone(),
                 file,
@@ -70,7 +70,7 @@ impl Model {
 type Attached = (String, [f64; 3], Placement);
 
 /// Files that are attached to one frame, with factors and where they are in it.
-fn read(components: &Components, frame: ComponentId) -> Vec<Attached> {
+fn attached_meshes(components: &Components, frame: ComponentId) -> Vec<Attached> {
     let document = components.doc(frame);
     let element = components.element(frame);
     match document.version() {
@@ -87,7 +87,7 @@ fn of_meshes(document: &Document, frame: ElementId) -> Vec<Attached> {
     let meshes = list.into_iter().flat_map(|list| tree.children(list));
     let meshes = meshes.filter(|&mesh| tree.name(mesh) == "Mesh");
     meshes
-        .map(|mesh| (file_of(document, mesh, "mesh_file"), scale(document, mesh), Placement::IDENTITY))
+        .map(|mesh| (mesh_file(document, mesh, "mesh_file"), mesh_scale(document, mesh), Placement::IDENTITY))
         .collect()
 }
 
@@ -96,13 +96,13 @@ fn of_set(document: &Document, body: ElementId) -> Vec<Attached> {
     let Some(visible) = tree.child(body, "VisibleObject") else { return Vec::new() };
     let set = tree.child(visible, "GeometrySet").and_then(|set| tree.child(set, "objects"));
     let geometries = set.into_iter().flat_map(|set| tree.children(set));
-    let whole = (scale(document, visible), transform(document, visible));
+    let whole = (mesh_scale(document, visible), mesh_placement(document, visible));
     geometries
         .filter(|&geometry| tree.name(geometry) == "DisplayGeometry")
         .map(|geometry| {
-            let factors = times(whole.0, scale(document, geometry)).map(six_digits);
-            let placement = whole.1.then(&transform(document, geometry)).in_six_digits();
-            (file_of(document, geometry, "geometry_file"), factors, placement)
+            let factors = times(whole.0, mesh_scale(document, geometry)).map(six_digits);
+            let placement = whole.1.then(&mesh_placement(document, geometry)).in_six_digits();
+            (mesh_file(document, geometry, "geometry_file"), factors, placement)
         })
         .collect()
 }
@@ -111,13 +111,13 @@ fn of_set(document: &Document, body: ElementId) -> Vec<Attached> {
 fn of_list(document: &Document, body: ElementId) -> Vec<Attached> {
     let tree = document.tree();
     let Some(visible) = tree.child(body, "VisibleObject") else { return Vec::new() };
-    let names = file_of(document, visible, "geometry_files");
-    let factors = scale(document, visible).map(six_digits);
+    let names = mesh_file(document, visible, "geometry_files");
+    let factors = mesh_scale(document, visible).map(six_digits);
     opensim_text::list(&names).map(|name| (name.to_owned(), factors, Placement::IDENTITY)).collect()
 }
 
 /// Six numbers: body-fixed angles about x, y and z (rad), and a translation (m).
-fn transform(document: &Document, element: ElementId) -> Placement {
+fn mesh_placement(document: &Document, element: ElementId) -> Placement {
     let tree = document.tree();
     let text = tree.child(element, "transform").map(|child| tree.text_of(child)).unwrap_or_default();
     match opensim_text::numbers(&text).as_deref() {
@@ -150,7 +150,7 @@ impl BodyShape {
         let components = model.components();
         let mut shapes: HashMap<String, Self> = HashMap::new();
         for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
-            shapes.entry(components.name(id).into_owned()).or_insert_with(|| of_body(components, id));
+            shapes.entry(components.name(id).into_owned()).or_insert_with(|| shape_of(components, id));
         }
         for (body, place_m) in model.body_facts.joints.ends(components) {
             if let Some(shape) = shapes.get_mut(body) {
@@ -161,7 +161,7 @@ impl BodyShape {
     }
 }
 
-fn of_body(components: &Components, body: ComponentId) -> BodyShape {
+fn shape_of(components: &Components, body: ComponentId) -> BodyShape {
     let centre_m = components.doc(body).triple(components.element(body), "mass_center").unwrap_or_default();
     let gyration_m = number(components, body, "mass")
         .zip(trace(components, body))

@@ -226,7 +226,7 @@ impl Model {
 // The joint tree above the bodies on which a model stands, each body of it looked at once.
 
 /// Spheres on one body.
-pub(crate) struct Footing {
+struct Footing {
     pub body: ComponentId,
     pub side: Option<Side>,
     pub spheres: Vec<SphereId>,
@@ -234,13 +234,13 @@ pub(crate) struct Footing {
 
 /// Whether there is a right and a left one.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Sides {
+struct Sides {
     right: bool,
     left: bool,
 }
 
 impl Sides {
-    pub(crate) fn are_both(self) -> bool {
+    fn are_both(self) -> bool {
         self.right && self.left
     }
 
@@ -266,7 +266,7 @@ struct Node {
 }
 
 /// The bodies from those with footings up to the tops.
-pub(crate) struct FootingTree<'f> {
+struct FootingTree<'f> {
     footings: &'f [Footing],
     nodes: HashMap<ComponentId, Node>,
     tops: Vec<ComponentId>,
@@ -274,7 +274,7 @@ pub(crate) struct FootingTree<'f> {
 
 impl<'f> FootingTree<'f> {
     /// `footings` in the order of their bodies.
-    pub(crate) fn new(footings: &'f [Footing], skeleton: &Skeleton) -> Self {
+    fn new(footings: &'f [Footing], skeleton: &Skeleton) -> Self {
         let mut tree = Self { footings, nodes: HashMap::new(), tops: Vec::new() };
         // Each body after the one above it.
         let mut order = Vec::new();
@@ -309,34 +309,34 @@ impl<'f> FootingTree<'f> {
     }
 
     /// Bodies that hang on no other one.
-    pub(crate) fn tops(&self) -> &[ComponentId] {
+    fn tops(&self) -> &[ComponentId] {
         &self.tops
     }
 
     /// The sides of what `body` and those below it carry.
-    pub(crate) fn sides(&self, body: ComponentId) -> Sides {
+    fn sides(&self, body: ComponentId) -> Sides {
         self.nodes.get(&body).map(|node| node.sides).unwrap_or_default()
     }
 
     /// The sides of all footings.
-    pub(crate) fn all_sides(&self) -> Sides {
+    fn all_sides(&self) -> Sides {
         let mut all = Sides::default();
         self.tops.iter().for_each(|&top| all.add(self.sides(top)));
         all
     }
 
     /// Whether spheres are on `body` itself.
-    pub(crate) fn carries(&self, body: ComponentId) -> bool {
+    fn carries(&self, body: ComponentId) -> bool {
         self.nodes.get(&body).is_some_and(|node| node.footing.is_some())
     }
 
     /// The bodies that hang on `body`, in file order.
-    pub(crate) fn children(&self, body: ComponentId) -> &[ComponentId] {
+    fn children(&self, body: ComponentId) -> &[ComponentId] {
         self.nodes.get(&body).map(|node| node.children.as_slice()).unwrap_or_default()
     }
 
     /// The footings on `body` and below it, in file order.
-    pub(crate) fn below(&self, body: ComponentId) -> Vec<&'f Footing> {
+    fn below(&self, body: ComponentId) -> Vec<&'f Footing> {
         let mut found = BTreeMap::new();
         let mut waiting = vec![body];
         while let Some(node) = waiting.pop().and_then(|body| self.nodes.get(&body)) {

@@ -1,4 +1,4 @@
-//! Documents → [`Model`].
+//! Documents → [`Model`], and models with other numbers of their contacts.
 
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};

@@ -255,7 +255,7 @@ fn scenery(welded: &HashSet<ComponentId>, links: &[JointLink]) -> HashSet<Compon
 
 /// A joint between two bodies, or a body and ground.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct JointLink {
+struct JointLink {
     pub joint: ComponentId,
     pub ends: [Base; 2],
     /// Whether it is a WeldJoint.
@@ -283,7 +283,7 @@ pub(crate) struct Loops {
 
 impl Loops {
     /// Bodies at which only one joint is left are taken away, one after the other: what stays hangs together in loops.
-    pub(crate) fn of(links: &[JointLink]) -> Self {
+    fn of(links: &[JointLink]) -> Self {
         let mut at: HashMap<Base, Vec<usize>> = HashMap::new();
         for (index, link) in links.iter().enumerate() {
             for end in link.ends {

@@ -190,7 +190,7 @@ pub(crate) struct BodyFacts {
     frame_offsets: OnceLock<ByBody>,
     distances: OnceLock<JointDistances>,
     /// What others made of them.
-    pub(crate) made: Made,
+    made: Made,
 }
 
 impl BodyFacts {
@@ -212,7 +212,7 @@ impl BodyFacts {
 
 /// The first of a chain of such things. None is ever taken out, so that they are lent as long as the chain lives.
 #[derive(Debug, Default)]
-pub(crate) struct Made(OnceLock<Box<Link>>);
+struct Made(OnceLock<Box<Link>>);
 
 #[derive(Debug)]
 struct Link {
@@ -222,7 +222,7 @@ struct Link {
 
 impl Made {
     /// The thing of type `T`, made if there is none yet. Two threads may both make one; the first counts.
-    pub(crate) fn get_or_make<T: Any + Send + Sync>(&self, make: impl FnOnce() -> T) -> &T {
+    fn get_or_make<T: Any + Send + Sync>(&self, make: impl FnOnce() -> T) -> &T {
         if let Some(known) = self.get() {
             return known;
         }

@@ -17,13 +17,13 @@ use crate::xml::{ElementId, opensim_text};
 /// Documents before this version list file names alone.
 pub(crate) const GEOMETRY_SETS: u32 = 20101;
 
-pub(crate) fn file_of(document: &Document, element: ElementId, tag: &str) -> String {
+pub(crate) fn mesh_file(document: &Document, element: ElementId, tag: &str) -> String {
     let tree = document.tree();
     tree.child(element, tag).map(|file| tree.text_of(file).into_owned()).unwrap_or_default()
 }
 
 /// Factors that are written but are not numbers stay visible as NaN: they must not pass for 1.
-pub(crate) fn scale(document: &Document, element: ElementId) -> [f64; 3] {
+pub(crate) fn mesh_scale(document: &Document, element: ElementId) -> [f64; 3] {
     let missing = document.tree().child(element, "scale_factors").is_none();
     document.triple(element, "scale_factors").unwrap_or([if missing { 1.0 } else { f64::NAN }; 3])
 }
@@ -117,20 +117,20 @@ fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 
     let mut found = Vec::new();
     if let Some(attached) = tree.child(element, "attached_geometry") {
         for mesh in tree.children(attached).filter(|&mesh| tree.name(mesh) == "Mesh") {
-            found.push((file_of(document, mesh, "mesh_file"), scale(document, mesh)));
+            found.push((mesh_file(document, mesh, "mesh_file"), mesh_scale(document, mesh)));
         }
     }
     // Documents of version 1 list names; those of version 2 and 3: every display geometry has its own factors, and the whole has some too.
     if let Some(visible) = tree.child(element, "VisibleObject") {
-        let whole = scale(document, visible);
+        let whole = mesh_scale(document, visible);
         if document.version() < GEOMETRY_SETS {
-            let names = file_of(document, visible, "geometry_files");
+            let names = mesh_file(document, visible, "geometry_files");
             found.extend(opensim_text::list(&names).map(|name| (name.to_owned(), whole)));
         }
         let set = tree.child(visible, "GeometrySet").and_then(|set| tree.child(set, "objects"));
         for geometry in set.into_iter().flat_map(|set| tree.children(set)) {
-            let own = scale(document, geometry);
-            found.push((file_of(document, geometry, "geometry_file"), times(whole, own)));
+            let own = mesh_scale(document, geometry);
+            found.push((mesh_file(document, geometry, "geometry_file"), times(whole, own)));
         }
     }
     let mut meshes = BTreeMap::new();

@@ -121,7 +121,7 @@ fn knots(document: &Document, function: ElementId) -> Option<(Vec<f64>, Vec<f64>
 
 /// A cubic spline through points; beyond its ends it is straight.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct SimmSpline {
+struct SimmSpline {
     xs: Vec<f64>,
     ys: Vec<f64>,
     /// Width of each piece, slope of its chord.
@@ -133,7 +133,7 @@ pub(crate) struct SimmSpline {
 
 impl SimmSpline {
     /// The spline through points with rising `xs`.
-    pub(crate) fn new(xs: Vec<f64>, ys: Vec<f64>) -> Self {
+    fn new(xs: Vec<f64>, ys: Vec<f64>) -> Self {
         let width: Vec<f64> = xs.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let rise: Vec<f64> =
             ys.windows(2).zip(&width).map(|(pair, width)| (pair[1] - pair[0]) / width).collect();
@@ -143,7 +143,7 @@ impl SimmSpline {
 
     /// Value and slope at `x`.
     #[allow(clippy::indexing_slicing, reason = "all indices are below the number of knots")]
-    pub(crate) fn at(&self, x: f64) -> (f64, f64) {
+    fn at(&self, x: f64) -> (f64, f64) {
         let Self { xs, ys, width, rise, third } = self;
         let n = xs.len();
         if n < 3 {
@@ -203,13 +203,13 @@ fn third_parts(xs: &[f64], width: &[f64], rise: &[f64]) -> Vec<f64> {
 }
 
 /// The piece of a curve in which `x` is; the first or the last one outside.
-pub(crate) fn piece(xs: &[f64], x: f64) -> usize {
+fn piece(xs: &[f64], x: f64) -> usize {
     let after = xs.partition_point(|&knot| knot <= x);
     after.saturating_sub(1).min(xs.len().saturating_sub(2))
 }
 
 /// Straight lines between points, the outer ones without an end: value and slope.
-pub(crate) fn straight(xs: &[f64], ys: &[f64], x: f64) -> (f64, f64) {
+fn straight(xs: &[f64], ys: &[f64], x: f64) -> (f64, f64) {
     let k = piece(xs, x);
     let (Some([x0, x1]), Some([y0, y1])) = (xs.get(k..k + 2), ys.get(k..k + 2)) else {
         return (ys.first().copied().unwrap_or_default(), 0.0);

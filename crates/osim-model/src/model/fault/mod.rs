@@ -7,7 +7,7 @@
 mod kind;
 mod needed;
 mod needs_answer;
-mod question;
+mod reasons;
 
 use std::fmt;
 use std::ops::Range;
@@ -18,7 +18,7 @@ pub use kind::FaultKind;
 pub use needed::{CountOf, Needed, TreeOfForces};
 pub(crate) use needs_answer::POUND_KG;
 pub use needs_answer::{MassSlip, MassesBeside, NeedsAnswer, Question, probable_units};
-pub use question::{FactorQuestion, GravityFor, NoteDoubt, RadiusFrom};
+pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusFrom};
 
 /// One thing that is wrong, and where.
 ///

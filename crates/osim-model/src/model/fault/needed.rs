@@ -1,7 +1,7 @@
 //! What only the caller can know.
 
 use crate::messages::{Input, Phrase, phrase, readable};
-use crate::model::fault::question::{
+use crate::model::fault::reasons::{
     FactorQuestion, GravityFor, NoteDoubt, RadiusFrom, contacts_mass, known_contacts_mass, shared_sphere,
 };
 

@@ -180,7 +180,7 @@ fn split<'t, T>(text: &'t str, mark: &str, read: impl Fn(&str) -> Option<T>) -> 
 }
 
 /// Whether `text` is a date like `2026-11-25`.
-pub(super) fn is_date(text: &str) -> bool {
+fn is_date(text: &str) -> bool {
     let is_as = |(index, byte): (usize, u8)| match index {
         4 | 7 => byte == b'-',
         _ => byte.is_ascii_digit(),

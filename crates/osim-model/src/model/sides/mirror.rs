@@ -1,4 +1,4 @@
-//! How large the bones of one side are, compared with those of the other.
+//! The mirror between two bodies: how large the bones of both sides are, which axis changes its sign, and which places belong together.
 
 use std::collections::BTreeMap;
 

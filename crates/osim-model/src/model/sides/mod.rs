@@ -326,7 +326,7 @@ fn factor(property: Property, ratios: &Ratios) -> Option<f64> {
 }
 
 /// How the radii of a pair differ, unless they are equal or differ as their bones do.
-pub(crate) fn of_radii(pair: &SpherePair<'_>, bones: &Bones<'_>, usual: &Usual<'_>) -> Option<Difference> {
+fn of_radii(pair: &SpherePair<'_>, bones: &Bones<'_>, usual: &Usual<'_>) -> Option<Difference> {
     let (left, right) = (pair.left.sphere, pair.right.sphere);
     let ratio = left.radius.number / right.radius.number;
     if !ratio.is_finite() || close(ratio, 1.0) {

@@ -1,4 +1,4 @@
-//! What a question is about: what it asks for, why a note is not believed, and the size of a body.
+//! What only the caller can know, in detail: what it is needed for, why a note is not believed, and the size of a body.
 
 use crate::messages::{Input, Part, Phrase, phrase, readable};
 
