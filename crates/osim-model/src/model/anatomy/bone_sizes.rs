@@ -14,22 +14,6 @@ use crate::model::names::Side;
 use crate::model::rotation::times;
 use crate::xml::{ElementId, opensim_text};
 
-/// Documents before this version list file names alone.
-pub(crate) const GEOMETRY_SETS: u32 = 20101;
-
-pub(crate) fn mesh_file(document: &Document, element: ElementId, tag: &str) -> String {
-    let tree = document.tree();
-    tree.child(element, tag).map(|file| tree.text_of(file).into_owned()).unwrap_or_default()
-}
-
-/// Factors that are written but are not numbers stay visible as NaN: they must not pass for 1.
-pub(crate) fn mesh_scale(document: &Document, element: ElementId) -> [f64; 3] {
-    let missing = document.tree().child(element, "scale_factors").is_none();
-    document.triple(element, "scale_factors").unwrap_or([if missing { 1.0 } else { f64::NAN }; 3])
-}
-
-// Factors of meshes and translations of frames: what scaling changes of a body.
-
 /// By body: three numbers for each of its meshes or frames, as in [`Anatomy`](crate::model::anatomy::Anatomy).
 pub(crate) type ByBody = BTreeMap<String, BTreeMap<String, [f64; 3]>>;
 
@@ -107,6 +91,20 @@ impl Offsets {
                 .insert(format!("{name} parent"), there);
         }
     }
+}
+
+/// Documents before this version list file names alone.
+pub(crate) const GEOMETRY_SETS: u32 = 20101;
+
+pub(crate) fn mesh_file(document: &Document, element: ElementId, tag: &str) -> String {
+    let tree = document.tree();
+    tree.child(element, tag).map(|file| tree.text_of(file).into_owned()).unwrap_or_default()
+}
+
+/// Factors that are written but are not numbers stay visible as NaN: they must not pass for 1.
+pub(crate) fn mesh_scale(document: &Document, element: ElementId) -> [f64; 3] {
+    let missing = document.tree().child(element, "scale_factors").is_none();
+    document.triple(element, "scale_factors").unwrap_or([if missing { 1.0 } else { f64::NAN }; 3])
 }
 
 /// The meshes of `body`: file (numbered where it repeats) and scale factors along x, y and z.

@@ -1,4 +1,7 @@
 //! The components of a model: which elements OpenSim turns into objects, what they are called, and what their sockets mean.
+//!
+//! Usually one file makes up a model. A model whose sets are in other files (`file="…"`), or a `ForceSet` with the
+//! `ContactGeometrySet` and the model it belongs to, are several, read as one tree.
 
 mod classes;
 mod tree;
@@ -11,11 +14,6 @@ use crate::model::document::Document;
 use crate::model::fault::{Fault, FaultKind, FileId};
 use crate::xml::{ElementId, KeptElements};
 pub(crate) use tree::{Component, ComponentId};
-
-// The files that make up one model, read as one tree of components.
-//
-// Usually there is one. A model whose sets are in other files (`file="…"`), or a `ForceSet` with the
-// `ContactGeometrySet` and the model it belongs to, are several.
 
 /// A file that belongs to the model beside its main one, for [`Model::read_with`](crate::model::Model::read_with).
 ///

@@ -17,7 +17,7 @@ pub struct SphereId(pub(crate) usize);
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ForceId(pub(crate) usize);
 
-/// Handle of a parameter set in its [`Force`](Force), in file order.
+/// Handle of a parameter set in its [`Force`], in file order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SetId(pub(crate) usize);
 

@@ -1,4 +1,5 @@
-//! Contact spheres and contact forces: every spelling of them becomes the same typed values.
+//! Contact spheres and contact forces: every spelling of them becomes the same typed values, with the contact of each sphere as the
+//! contact laws need it.
 
 mod force;
 mod half_space;

@@ -18,15 +18,14 @@ use crate::xml::{ElementId, PieceKind};
 pub use content::{BodySize, Note, NotedNames, NotedParts, Scope, Source, Step};
 pub use since::{ChangedContacts, ChangedSinceNote};
 
-// The `<credits>` of a model, where its note is.
-//
-// OpenSim takes one text or one CDATA section there, with comments before or after it, and refuses the model otherwise.
-
 /// Between what was there and the note, and between authors.
 const AND: &str = "; ";
 const CDATA: (&str, &str) = ("<![CDATA[", "]]>");
 
-/// The element and its text: what comes in front of comments after it, without the white space around it.
+/// The `<credits>` of a model, where its note is, and its text: what comes in front of comments after it, without the white space
+/// around it.
+///
+/// OpenSim takes one text or one CDATA section there, with comments before or after it, and refuses the model otherwise.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Credits<'d> {
     /// The element.
