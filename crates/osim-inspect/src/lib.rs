@@ -20,19 +20,15 @@
 //!
 //! It knows no files, no terminal and no HTML, nor how a remedy is spelled: a remedy is a [`Request`](osim_requests::Request), which a front
 //! end prints or runs.
-
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod figures;
 mod findings;
 mod floors;
 mod inspection;
-mod known;
-mod load_sharing;
-mod mass_mismatch;
-mod options;
+mod known_contacts;
+mod load;
 mod quantity;
-mod reference_state;
 mod rules;
 mod serialized;
 pub mod series;
@@ -40,24 +36,20 @@ mod similarity;
 mod verdicts;
 
 pub use figures::{Figure, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
-pub use findings::{
-    Changeable, CheckResult, Counts, Found, Kin, check_model, check_numbers, misplaced_spheres,
-};
+pub use findings::{Changeable, CheckResult, Counts, Found, Kin, check_model, check_numbers};
 pub use floors::weight_share;
 pub use inspection::{
     Bottom, ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, NoteStep, NoteStory, OnFeet, Origins, Parameters,
     StandingBody, StandingSphere,
 };
-pub use known::{KnownContacts, ReferenceContacts, perhaps_in_pounds, unexplained_slip};
-pub use load_sharing::LoadSharing;
-pub use mass_mismatch::MassMismatch;
-pub use options::{InspectOptions, Stance};
+pub use known_contacts::{KnownContacts, ReferenceContacts};
+pub use load::{InspectOptions, LoadSharing, MassMismatch, Stance, perhaps_in_pounds, unexplained_slip};
 pub use quantity::Quantity;
-pub use reference_state::ReferenceState;
-pub use rules::{RULES, unmatched_patterns};
+pub use rules::{RULES, misplaced_spheres, unmatched_patterns};
 #[cfg(feature = "schemas")]
 pub use serialized::ObjectSchema;
 pub use serialized::{FindingRecord, SCHEMA_VERSION};
+pub use series::ReferenceState;
 pub use similarity::{SizeList, SizeRow, SizeSpread, UnreadObjects};
 pub use verdicts::{Sign, Verdict};

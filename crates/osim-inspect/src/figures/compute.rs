@@ -4,23 +4,19 @@
 //! limb, chosen or not, level on the floor, where they have one indentation x (theory of mixed radii). Both are the same where the spheres of a
 //! limb are alike.
 
-use contact_scaling::{mixed_radii, restitution};
+use contact_scaling::{SharedLoad, Spheres, equilibrium, mixed_radii, restitution};
 use foldhash::{HashMap, HashMapExt};
-use osim_model::feet::DefaultPose;
-use osim_model::feet::Standing;
+use osim_model::feet::{ByLaw, DefaultPose, Standing};
 use osim_model::messages::Phrase;
 use osim_model::{
-    CountOf, Fault, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId, loaded_spheres,
+    CountOf, Fault, ForceId, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId, loaded_spheres,
 };
 
-use super::bottoms::by_sphere;
-use super::data::{Figures, LimbFigures};
-use super::limb::LoadedLimb;
-use super::on_floor::Weight;
-use super::sphere_loads::{SphereLoads, sphere_loads};
+use super::register::Figure;
+use crate::figures::on_floor::{OnFloor, Rest, SphereLoads, Weight, sphere_loads};
+use crate::figures::register::{Figures, LimbFigures, SphereFigures};
 use crate::floors::weight_share_at;
-use crate::load_sharing::LoadSharing;
-use crate::options::Stance;
+use crate::load::{LoadSharing, Stance};
 
 impl Figures {
     /// Figures of the `selected` forces of `model`, whose weight is shared as `sharing` says; those at the default pose follow from how
@@ -151,5 +147,158 @@ fn limbs_unknown(limbs: &Limbs) -> Option<Phrase> {
     match limbs {
         Limbs::Unknown(why) => Some(Needed::SphereCount { of: CountOf::Model, why: why.clone() }.phrase()),
         Limbs::Known(_) => None,
+    }
+}
+
+/// The loads that are looked at, in body weights.
+const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
+
+/// A limb on the floor.
+pub(super) struct LoadedLimb<'s> {
+    pub(super) model: &'s Model,
+    /// The chosen spheres, which have figures.
+    pub(super) members: &'s [&'s SphereLoads],
+    /// All its spheres; `None` where not all can be read.
+    pub(super) all: Option<Vec<&'s SphereLoads>>,
+    /// Spheres that share the weight.
+    pub(super) count: Option<f64>,
+    /// Bodies on their floors at the default pose, as far as they are known.
+    pub(super) trees: &'s Trees<'s>,
+    pub(super) weight: Option<Weight>,
+    /// Speed before an impact, m/s.
+    pub(super) speed: Option<f64>,
+}
+
+impl LoadedLimb<'_> {
+    fn load(&self, body_weights: f64) -> Option<SharedLoad> {
+        let weight = self.weight?;
+        SharedLoad::new(body_weights * weight.mass_kg * weight.gravity_m_s2, self.count?).ok()
+    }
+
+    /// Figures of every sphere. Where a law rests is looked for once: the spheres of a limb are mostly alike.
+    pub(super) fn spheres(&self) -> Vec<SphereFigures> {
+        let level: Vec<Level> = BODY_WEIGHTS.iter().filter_map(|&weights| self.level(weights)).collect();
+        let stand =
+            self.all.as_deref().zip(self.load(1.0)).map(|(all, load)| Stand::of(all, load, self.trees));
+        let mut known: HashMap<Vec<u64>, Vec<Rest>> = HashMap::new();
+        let mut figures = Vec::new();
+        for &one in self.members {
+            let rests = known
+                .entry(one.key())
+                .or_insert_with(|| level.iter().map(|level| under(one, level)).collect());
+            let mut rests = rests.clone();
+            if let (Some(stand), Some(rest)) =
+                (&stand, rests.iter_mut().find(|rest| rest.body_weights == 1.0))
+            {
+                (rest.standing_hertz, rest.standing_model_law) = stand.relative(one);
+            }
+            figures.push(self.sphere(one, &rests));
+        }
+        figures
+    }
+
+    /// The limb under `body_weights`, all its spheres level.
+    fn level(&self, body_weights: f64) -> Option<Level> {
+        let load_n = self.load(body_weights)?.per_sphere_n();
+        let Some(all) = &self.all else {
+            return Some(Level { body_weights, load_n, rest: Some((None, None)) });
+        };
+        let first = all.first()?;
+        if all.iter().all(|member| member.laws == first.laws) {
+            return Some(Level { body_weights, load_n, rest: None });
+        }
+        let laws: Vec<Spheres> = all.iter().flat_map(|member| member.laws.iter().copied()).collect();
+        #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
+        let on_limb = load_n * all.len() as f64;
+        let hertz = equilibrium::hertz_indentation(&laws, on_limb).ok();
+        let model_law = equilibrium::indentation(&laws, on_limb).ok();
+        Some(Level { body_weights, load_n, rest: Some((hertz, model_law)) })
+    }
+
+    fn sphere(&self, one: &SphereLoads, rests: &[Rest]) -> SphereFigures {
+        let name = self.model.sphere(one.sphere);
+        let force = |&id: &ForceId| self.model.force(id).map(|force| force.name.clone());
+        let on_floor = OnFloor {
+            sphere: one,
+            weight: self.weight,
+            one_body_weight: self.load(1.0),
+            impact_speed_m_s: self.speed,
+            rests,
+        };
+        let answers = Figure::ALL.iter().map(|figure| figure.answer(&on_floor)).collect();
+        SphereFigures {
+            sphere: name.map(|sphere| sphere.name.clone()).unwrap_or_default(),
+            path: name.map(|sphere| sphere.path.clone()).unwrap_or_default(),
+            forces: one.forces.iter().filter_map(force).collect(),
+            answers,
+        }
+    }
+}
+
+/// A limb under a load.
+struct Level {
+    body_weights: f64,
+    /// The share of each sphere, N.
+    load_n: f64,
+    /// Indentation of all spheres by the Hertz law and by the model's, m; `None` where the spheres are alike, so that they
+    /// stand level with equal shares.
+    rest: Option<(Option<f64>, Option<f64>)>,
+}
+
+/// One sphere of the limb.
+fn under(one: &SphereLoads, level: &Level) -> Rest {
+    let relative = |x: f64| Some(x / one.radius_m).filter(|x| x.is_finite());
+    let hertz = equilibrium::hertz_indentation(&one.laws, level.load_n).ok();
+    let model_law = equilibrium::indentation(&one.laws, level.load_n).ok();
+    let (level_hertz, level_model_law) = level.rest.unwrap_or((hertz, model_law));
+    Rest {
+        body_weights: level.body_weights,
+        load_n: level.load_n,
+        hertz: hertz.and_then(relative),
+        model_law: model_law.and_then(relative),
+        level_hertz: level_hertz.and_then(relative),
+        level_model_law: level_model_law.and_then(relative),
+        standing_hertz: None,
+        standing_model_law: None,
+    }
+}
+
+// Spheres of a limb at their own heights: how deep each is where together they carry the body.
+
+/// The joint tree of each sphere on a floor, which all its limb is on.
+pub(super) type Trees<'s> = HashMap<SphereId, &'s Standing>;
+
+/// By sphere, the tree that it is on.
+pub(super) fn by_sphere(standing: &[Standing]) -> Trees<'_> {
+    standing.iter().flat_map(|tree| tree.spheres.iter().map(move |over| (over.sphere, tree))).collect()
+}
+
+/// x̂ of the spheres of a limb that carries the body, its bodies as they are at the default pose; empty where the pose or a sphere
+/// is not known.
+pub(super) struct Stand {
+    hertz: HashMap<SphereId, f64>,
+    model_law: HashMap<SphereId, f64>,
+}
+
+impl Stand {
+    /// `all` spheres of a limb; each carries its share of `load` on the average.
+    pub(super) fn of(all: &[&SphereLoads], load: SharedLoad, trees: &Trees<'_>) -> Self {
+        let spheres: Vec<SphereId> = all.iter().map(|one| one.sphere).collect();
+        let own = spheres.first().and_then(|first| trees.get(first));
+        #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
+        let on_limb = load.per_sphere_n() * all.len() as f64;
+        let rest = |law| {
+            let rest = own.and_then(|own| own.rest_under(&spheres, on_limb, law)?.ok());
+            let spheres = rest.into_iter().flat_map(|rest| rest.spheres);
+            let relative = spheres.map(|one| (one.sphere, one.relative_indentation));
+            relative.filter(|(_, x_hat)| x_hat.is_finite()).collect()
+        };
+        Self { hertz: rest(ByLaw::Hertz), model_law: rest(ByLaw::OfFile) }
+    }
+
+    /// x̂ of one sphere by both laws.
+    pub(super) fn relative(&self, one: &SphereLoads) -> (Option<f64>, Option<f64>) {
+        let of = |known: &HashMap<SphereId, f64>| known.get(&one.sphere).copied();
+        (of(&self.hertz), of(&self.model_law))
     }
 }

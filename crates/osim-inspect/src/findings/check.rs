@@ -2,21 +2,23 @@
 //!
 //! Codes, severities and their explanations are those of each [`Rule`](osim_model::Rule).
 
-use osim_model::{Finding, FindingCode, Model};
+use std::cell::LazyCell;
 
-use super::answers::answer;
-use super::found::Found;
-use super::places::Places;
-use super::remedy::Remedies;
-use super::result::{CheckResult, in_order};
-use super::traps::Asked;
-use super::{known, traps};
-use crate::inspection::Inspection;
-use crate::mass_mismatch::MassMismatch;
-use crate::options::InspectOptions;
-use crate::rules::{
-    Limits, bare_model, contacts_of_another_mass, gravity_sources_disagree, gravity_too_large, of_figures,
+use osim_model::{
+    BothSides, Finding, FindingCode, ForceId, MassRequest, Model, NeedsAnswer, Question, Selection,
 };
+use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
+use osim_requests::{Kilograms, Request, RescaleRequest};
+
+use crate::findings::finding::Found;
+use crate::findings::remedy::Remedies;
+use crate::findings::result::{CheckResult, in_order};
+use crate::floors::Floors;
+use crate::inspection::Inspection;
+use crate::load::{InspectOptions, MassMismatch, unexplained_slip};
+use crate::rules::places::Places;
+use crate::rules::sides::{KnownSide, odd_side};
+use crate::rules::{Limits, contacts, gravity, of_figures, of_floors, sides, smoothing};
 
 /// What trial plans show of a model: remedies are proposed only where they would not be refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,16 +75,16 @@ fn findings(
     let mismatch = MassMismatch::find(model, &options.masses);
     // Spheres that are moved take the contacts of the right mass with them.
     let another_mass = (!places.are_wrong())
-        .then(|| contacts_of_another_mass::find(inspected, &remedies, places.are_right()))
+        .then(|| contacts::find_contacts_of_another_mass(inspected, &remedies, places.are_right()))
         .flatten();
     // Contacts that are made right for the body first need other commands afterwards.
-    let in_other_units = gravity_too_large::find(model).is_some();
-    let another_gravity = gravity_sources_disagree::find(model, options).filter(|_| !in_other_units);
+    let in_other_units = gravity::find_too_large(model).is_some();
+    let another_gravity = gravity::find_sources_disagree(model, options).filter(|_| !in_other_units);
     let is_unsettled = mismatch.is_some() || another_mass.is_some() || another_gravity.is_some();
     if is_unsettled || places.are_wrong() || are_spheres_odd(model) {
         remedies = remedies.unsettled();
     }
-    let mut findings = traps::findings(model, inspected, &remedies, asked);
+    let mut findings = find_in_model(model, inspected, &remedies, asked);
     if let Some(mismatch) = mismatch {
         let disagree =
             findings.iter_mut().filter(|finding| finding.code() == FindingCode::MassSourcesDisagree);
@@ -92,7 +94,7 @@ fn findings(
     if !places.were_left_behind() && (!in_other_units || options.stance.gravity_m_s2.is_some()) {
         findings.extend(of_figures(&Limits::new(inspected, &remedies)));
     }
-    if let Some(bare) = bare_model::find(options, model) {
+    if let Some(bare) = contacts::find_bare_model(options, model) {
         // How many spheres there are is no question then.
         findings.retain(|finding| finding.code() != FindingCode::CountUnknown);
         findings.push(bare.into());
@@ -104,7 +106,7 @@ fn findings(
     for remedy in findings.iter_mut().filter_map(|found| found.remedy.as_mut()) {
         answer(remedy, model, &options.masses);
     }
-    known::as_published(inspected, findings)
+    as_published(inspected, findings)
 }
 
 /// Whether the spheres themselves have to be corrected first: figures of a sphere in millimetres, or of a copy of one, say nothing.
@@ -116,4 +118,145 @@ fn are_spheres_odd(model: &Model) -> bool {
         FindingCode::DoubledSpheres,
     ];
     model.warnings.iter().any(|finding| codes.contains(&finding.code()))
+}
+
+// Findings from the model itself: what reading it showed, and what only matters once it is asked.
+
+/// Which findings are asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Asked {
+    All,
+    /// Those that numbers of contacts decide: models that differ in nothing else have the others alike.
+    OfNumbers,
+}
+
+/// Everything that the model shows apart from its figures; what floors and gravity show alone only where it is `asked` for.
+pub(crate) fn find_in_model(
+    model: &Model,
+    inspected: &Inspection,
+    remedies: &Remedies<'_>,
+    asked: Asked,
+) -> Vec<Found> {
+    let floors = LazyCell::new(|| Floors::of(model));
+    let sides = LazyCell::new(|| model.both_sides());
+    let known = LazyCell::new(|| KnownSide::of(model, &sides, inspected));
+    let with_remedy = |finding: &Finding| {
+        if finding.code() == FindingCode::LeftRightDiffer {
+            return find_differing_sides(model, &sides, known.as_ref(), finding, remedies);
+        }
+        Found::new(finding.clone(), remedy_for(model, finding, remedies))
+    };
+    let mut found: Vec<Found> = inspected.warnings.iter().map(with_remedy).collect();
+    found.extend(model.remarks_on(&meeting_half_space(model)).into_iter().map(Found::from));
+    if asked == Asked::All {
+        found.extend(of_floors(model, &floors).into_iter().map(Found::from));
+    }
+    let unknown = [
+        gravity::find_no_gravity(model, inspected, || floors.are_any()),
+        contacts::find_count_unknown(inspected),
+    ];
+    found.extend(unknown.into_iter().flatten().map(Found::from));
+    found
+}
+
+/// Forces that a change takes by default.
+fn meeting_half_space(model: &Model) -> Vec<ForceId> {
+    let forces = model.forces().iter().filter(|force| model.meets_half_space(force));
+    forces.map(|force| force.id).collect()
+}
+
+/// A difference of the sides, with the side that is the slip, if it is known.
+fn find_differing_sides(
+    model: &Model,
+    sides: &BothSides<'_>,
+    known: Option<&KnownSide>,
+    finding: &Finding,
+    remedies: &Remedies<'_>,
+) -> Found {
+    let remedy = sides::copy_other_side(remedies, model, sides, known, finding);
+    let mut named = finding.clone();
+    name_the_odd_side(&mut named, sides, known);
+    Found::new(named, remedy)
+}
+
+/// Says which side is the slip, and why, if it is known. A majority is in the message already.
+fn name_the_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<&KnownSide>) {
+    let left = finding.place.as_deref().and_then(|path| sides.force(path));
+    let Some(odd) = left.and_then(|left| odd_side(known, sides, left)) else { return };
+    finding.message.push(format!("; the one on the {} is the odd one", odd.as_str()));
+    if let Some(known) = known {
+        let (side, title) = (known.side.as_str(), &known.title);
+        finding.message.push(format!(", since the contacts on the {side} are those of {title}"));
+    }
+}
+
+fn remedy_for(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Option<Request> {
+    match finding.code() {
+        FindingCode::DefaultStiffness => contacts::take_published_contacts(remedies),
+        FindingCode::ZeroConstantContactForce => smoothing::set_suggested_constant_indentation(remedies),
+        FindingCode::MocoDialect => contacts::convert_moco_forces(remedies, model, finding),
+        _ => None,
+    }
+}
+
+/// The findings as bad as they are with these contacts, and a remark that these are known.
+pub(crate) fn as_published(inspected: &Inspection, findings: Vec<Found>) -> Vec<Found> {
+    let Some(known) = inspected.known_contacts else { return findings };
+    let judged = |finding: Found| match known.severity(finding.code()) {
+        Some(severity) => finding.as_published(severity),
+        None => finding,
+    };
+    let mut judged: Vec<Found> = findings.into_iter().map(judged).collect();
+    judged.push(contacts::known_contacts(known).into());
+    judged
+}
+
+// Questions that a remedy would be asked: what was found answers them, so that its command runs as it is printed.
+
+/// Answers what `remedy` would be asked for `model`.
+pub(crate) fn answer(remedy: &mut Request, model: &Model, masses: &MassRequest) {
+    let asked = match remedy {
+        Request::Rescale(request) => asked_of_rescale(request, model, masses),
+        Request::Transfer(request) => asked_of(&said(&request.masses, masses), model, &request.choice),
+        Request::Design(request) => asked_of(&said(&request.masses, masses), model, &request.choice),
+        Request::Convert(request) => asked_of(&said(&MassOptions::default(), masses), model, &request.choice),
+        Request::Set(request) => asked_of(&said(&request.masses, masses), model, &request.choice),
+        _ => Vec::new(),
+    };
+    let is_asked = |question: &Question| asked.iter().any(|asks| asks.question() == *question);
+    let yes = Question::ALL.into_iter().filter(is_asked).collect();
+    if let Some(answers) = remedy.answers_mut() {
+        *answers = AnswerOptions::new(yes);
+    }
+}
+
+/// What a remedy says of masses.
+fn said(own: &MassOptions, masses: &MassRequest) -> MassRequest {
+    MassRequest {
+        contacts_mass_kg: None,
+        model_kg: own.mass.map(Kilograms::get),
+        target_mass_kg: None,
+        ..masses.clone()
+    }
+}
+
+fn asked_of(said: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<NeedsAnswer> {
+    let selection: Selection = choice.selection();
+    unexplained_slip(said, model, &selection).into_iter().collect()
+}
+
+fn asked_of_rescale(request: &RescaleRequest, model: &Model, masses: &MassRequest) -> Vec<NeedsAnswer> {
+    let target_mass_kg = request.target_mass.map(Kilograms::get);
+    let contacts_mass_kg = request.masses.contacts_mass.map(Kilograms::get);
+    let said = MassRequest { contacts_mass_kg, target_mass_kg, ..said(&request.masses, masses) };
+    let mut asked = asked_of(&said, model, &request.choice);
+    if let (Some(contacts_mass_kg), Some(target_mass_kg)) = (contacts_mass_kg, target_mass_kg) {
+        let distances = model.joint_distances();
+        let ratio = (target_mass_kg / contacts_mass_kg).cbrt();
+        asked.extend(model.spheres().iter().filter_map(|sphere| {
+            let radius_m = sphere.radius_m().ok()?;
+            distances.radius_slip(sphere, radius_m * ratio, false)
+        }));
+    }
+    asked
 }

@@ -14,7 +14,7 @@ use osim_requests::{
 
 use crate::figures::{Figure, SphereFigures};
 use crate::inspection::Inspection;
-use crate::options::InspectOptions;
+use crate::load::InspectOptions;
 
 /// The preset whose contacts are proposed where a model's own make no sense.
 const PRESET: &str = "falisse2022";
@@ -48,7 +48,7 @@ pub(crate) struct Load {
 }
 
 impl<'m> Remedies<'m> {
-    pub(super) fn new(
+    pub(crate) fn new(
         inspected: &Inspection,
         joined: bool,
         changes: bool,
@@ -79,12 +79,12 @@ impl<'m> Remedies<'m> {
     }
 
     /// Without such as change radii, unless these `may_change`.
-    pub(super) fn changing_radii(self, may_change: bool) -> Self {
+    pub(crate) fn changing_radii(self, may_change: bool) -> Self {
         Self { radii_may_change: may_change, ..self }
     }
 
     /// Without remedies: something else has to be done first, after which they would be wrong.
-    pub(super) fn unsettled(self) -> Self {
+    pub(crate) fn unsettled(self) -> Self {
         Self { model: None, ..self }
     }
 

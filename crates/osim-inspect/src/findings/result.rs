@@ -10,7 +10,7 @@ use osim_requests::spell::Speller;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::found::Found;
+use crate::findings::finding::Found;
 use crate::inspection::Inspection;
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
@@ -50,7 +50,7 @@ pub struct CheckResult {
 }
 
 /// From the worst to the least; equally bad ones in the order of the register.
-pub(super) fn in_order(mut findings: Vec<Found>) -> Vec<Found> {
+pub(crate) fn in_order(mut findings: Vec<Found>) -> Vec<Found> {
     // What spheres do where they should not be is a symptom.
     let is_symptom = |finding: &Found| {
         !matches!(finding.code(), FindingCode::SpheresLeftBehind | FindingCode::SpheresMisplaced)

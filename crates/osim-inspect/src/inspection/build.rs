@@ -10,17 +10,16 @@ use osim_model::{
     Value, loaded_spheres,
 };
 
-use super::data::{
+use crate::figures::Figures;
+use crate::inspection::inspected::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
 };
-use super::note_story::NoteStory;
-use super::standing::{Rests, StandingBody};
-use crate::figures::Figures;
-use crate::known::KnownContacts;
-use crate::load_sharing::LoadSharing;
-use crate::options::InspectOptions;
-use crate::rules::{mass_unknown, stale_note, unmatched_pattern};
+use crate::inspection::note::NoteStory;
+use crate::inspection::standing::{Rests, StandingBody};
+use crate::known_contacts::KnownContacts;
+use crate::load::{InspectOptions, LoadSharing};
+use crate::rules::contacts;
 use crate::serialized::SCHEMA_VERSION;
 
 impl InspectOptions {
@@ -58,13 +57,13 @@ impl InspectOptions {
         };
         warnings.extend(factors.iter().flat_map(|factors| factors.warnings.iter().cloned()));
         for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
-            let mut warning = stale_note::of_fault(fault).unwrap_or_else(|| mass_unknown::of_fault(fault));
+            let mut warning = contacts::stale_note(fault).unwrap_or_else(|| contacts::mass_unknown(fault));
             warning.line = line_of(model, fault);
             if !warnings.contains(&warning) {
                 warnings.push(warning);
             }
         }
-        warnings.extend(unmatched_pattern::find(&self.selection, &self.masses, model));
+        warnings.extend(contacts::find_unmatched_patterns(&self.selection, &self.masses, model));
         let (mass, contacts_mass) = (mass.ok(), contacts_mass.ok());
         let weight = mass.as_ref().or(contacts_mass.as_ref());
         // Where nobody chose among several bodies, all of them stand somewhere.

@@ -1,16 +1,14 @@
 //! Everything that is known of a model, as one struct.
 
 mod build;
-mod changed_since;
-mod data;
-mod note_story;
+mod inspected;
+mod note;
 mod standing;
-mod standing_words;
 
-pub use data::{
+pub use inspected::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
 };
-pub(crate) use note_story::step_in_words;
-pub use note_story::{NoteStep, NoteStory};
+pub(crate) use note::step_in_words;
+pub use note::{NoteStep, NoteStory};
 pub use standing::{Bottom, OnFeet, StandingBody, StandingSphere};

@@ -1,87 +1,62 @@
-//! Rules about what contacts do: a file for each. Four rules about models and one about places have no more than their remedy here: it
-//! is a request, which the crates that raise them do not know.
+//! Rules about what contacts do: a file for each topic. Four rules about models and one about places have no more than their remedy
+//! here: it is a request, which the crates that raise them do not know.
 
-pub(crate) mod bare_model;
-pub(crate) mod beyond_hertz;
-pub(crate) mod beyond_hertz_at_two;
-pub(crate) mod beyond_hunt_crossley;
-pub(crate) mod contacts_of_another_mass;
-pub(crate) mod default_stiffness;
-pub(crate) mod floats;
-pub(crate) mod floor_on_limb;
-pub(crate) mod floor_slopes;
-pub(crate) mod floor_upright;
-pub(crate) mod floor_upside_down;
-pub(crate) mod force_before_contact;
-pub(crate) mod gravity_not_down;
-pub(crate) mod gravity_sources_disagree;
-pub(crate) mod gravity_too_large;
-pub(crate) mod known_contacts;
-pub(crate) mod large_constant_indentation;
-pub(crate) mod left_right_differ;
+pub(crate) mod contacts;
+pub(crate) mod depth;
+pub(crate) mod floors;
+pub(crate) mod gravity;
 mod limits;
-mod many_limbs;
-pub(crate) mod mass_unknown;
-pub(crate) mod moco_dialect;
-pub(crate) mod no_gravity;
-pub(crate) mod not_on_floor;
-pub(crate) mod sphere_count_unknown;
-pub(crate) mod spheres_left_behind;
-pub(crate) mod stale_note;
-pub(crate) mod sunk_in;
-mod turned_floors;
-pub(crate) mod uneven_bottoms;
-pub(crate) mod unlevel_foot;
-pub(crate) mod unmatched_pattern;
-pub(crate) mod wide_transition;
-pub(crate) mod zero_constant_contact_force;
-
-pub(crate) use limits::Limits;
-pub use unmatched_pattern::unmatched_patterns;
+pub(crate) mod places;
+pub(crate) mod sides;
+pub(crate) mod smoothing;
+pub(crate) mod standing;
 
 use osim_model::{Finding, Model, Rule};
 
 use crate::findings::Found;
 use crate::floors::Floors;
+pub use contacts::unmatched_patterns;
+pub(crate) use limits::Limits;
+pub use places::misplaced_spheres;
 
 /// The rules of this crate.
 pub const RULES: &[&Rule] = &[
-    &bare_model::RULE,
-    &beyond_hertz::RULE,
-    &beyond_hertz_at_two::RULE,
-    &beyond_hunt_crossley::RULE,
-    &contacts_of_another_mass::RULE,
-    &floats::RULE,
-    &floor_on_limb::RULE,
-    &floor_slopes::RULE,
-    &floor_upright::RULE,
-    &floor_upside_down::RULE,
-    &force_before_contact::RULE,
-    &gravity_not_down::RULE,
-    &gravity_sources_disagree::RULE,
-    &gravity_too_large::RULE,
-    &known_contacts::RULE,
-    &large_constant_indentation::RULE,
-    &mass_unknown::RULE,
-    &no_gravity::RULE,
-    &not_on_floor::RULE,
-    &sphere_count_unknown::RULE,
-    &stale_note::RULE,
-    &sunk_in::RULE,
-    &uneven_bottoms::RULE,
-    &unlevel_foot::RULE,
-    &unmatched_pattern::RULE,
-    &wide_transition::RULE,
+    &contacts::BARE_MODEL,
+    &depth::BEYOND_HERTZ,
+    &depth::BEYOND_HERTZ_AT_TWO,
+    &smoothing::BEYOND_HUNT_CROSSLEY,
+    &contacts::CONTACTS_OF_ANOTHER_MASS,
+    &smoothing::FLOATS,
+    &floors::FLOOR_ON_LIMB,
+    &floors::FLOOR_SLOPES,
+    &floors::FLOOR_UPRIGHT,
+    &floors::FLOOR_UPSIDE_DOWN,
+    &smoothing::FORCE_BEFORE_CONTACT,
+    &gravity::GRAVITY_NOT_DOWN,
+    &gravity::GRAVITY_SOURCES_DISAGREE,
+    &gravity::GRAVITY_TOO_LARGE,
+    &contacts::KNOWN_CONTACTS,
+    &smoothing::LARGE_CONSTANT_INDENTATION,
+    &contacts::MASS_UNKNOWN,
+    &gravity::NO_GRAVITY,
+    &standing::NOT_ON_FLOOR,
+    &contacts::COUNT_UNKNOWN,
+    &contacts::STALE_NOTE,
+    &depth::SUNK_IN,
+    &standing::UNEVEN_BOTTOMS,
+    &standing::UNLEVEL_FOOT,
+    &contacts::UNMATCHED_PATTERN,
+    &smoothing::WIDE_TRANSITION,
 ];
 
 /// What is wrong with the floors that spheres press on, and with gravity towards them.
 pub(crate) fn of_floors(model: &Model, floors: &Floors) -> Vec<Finding> {
-    let of_gravity = [gravity_too_large::find(model), gravity_not_down::find(model, floors)];
+    let of_gravity = [gravity::find_too_large(model), gravity::find_not_down(model, floors)];
     let of_planes = [
-        floor_upside_down::find(floors),
-        floor_upright::find(floors),
-        floor_on_limb::find(floors),
-        floor_slopes::find(floors),
+        floors::find_upside_down(floors),
+        floors::find_upright(floors),
+        floors::find_on_limb(floors),
+        floors::find_slopes(floors),
     ];
     of_gravity.into_iter().flatten().chain(of_planes.into_iter().flatten()).collect()
 }
@@ -89,16 +64,16 @@ pub(crate) fn of_floors(model: &Model, floors: &Floors) -> Vec<Finding> {
 /// Everything that figures show.
 pub(crate) fn of_figures(limits: &Limits<'_>) -> Vec<Found> {
     let found = [
-        sunk_in::find(limits),
-        beyond_hertz::find(limits),
-        beyond_hertz_at_two::find(limits),
-        beyond_hunt_crossley::find(limits),
-        large_constant_indentation::find(limits),
-        wide_transition::find(limits),
-        force_before_contact::find(limits),
-        floats::find(limits),
-        uneven_bottoms::find(limits),
-        unlevel_foot::find(limits),
+        depth::find_sunk_in(limits),
+        depth::find_beyond_hertz(limits),
+        depth::find_beyond_hertz_at_two(limits),
+        smoothing::find_beyond_hunt_crossley(limits),
+        smoothing::find_large_constant_indentation(limits),
+        smoothing::find_wide_transition(limits),
+        smoothing::find_force_before_contact(limits),
+        smoothing::find_floats(limits),
+        standing::find_uneven_bottoms(limits),
+        standing::find_unlevel_foot(limits),
     ];
-    found.into_iter().flatten().chain(not_on_floor::find(limits)).collect()
+    found.into_iter().flatten().chain(standing::find_not_on_floor(limits)).collect()
 }

@@ -1,19 +1,19 @@
-//! What is drawn or dropped: the contacts of a model or preset, and what they carry.
+//! Bodies whose contacts are drawn, what their spheres are called, and the reference beside them.
 
 use std::fmt::Display;
 
 use contact_scaling::{
     Contact, DimensionlessContact, DomainError, Law, Preset, Ratios, Scale, ScaleValues, Spheres,
 };
-use osim_model::files::Failure;
+use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::readable;
-use osim_model::{CountOf, Fault, ForceId, GravityFor, MassRequest, Model, Needed, loaded_spheres};
+use osim_model::{
+    CountOf, Fault, ForceId, GravityFor, MassRequest, Model, Needed, Selection, loaded_spheres, short_digest,
+};
 
-use super::names;
+use crate::figures::Figures;
 use crate::floors::weight_share;
-use crate::load_sharing::LoadSharing;
-use crate::mass_mismatch::MassMismatch;
-use crate::options::{InspectOptions, Stance};
+use crate::load::{InspectOptions, LoadSharing, MassMismatch, Stance};
 
 /// What a body weighs and on how many spheres it stands.
 #[derive(Debug, Clone)]
@@ -235,7 +235,7 @@ fn kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fault> {
     }
     let single = kinds.len() == 1;
     let named = kinds.into_iter().map(|(kind, names)| {
-        let spheres = if single { String::new() } else { names::spheres(&names) };
+        let spheres = if single { String::new() } else { spheres(&names) };
         SphereKind { spheres, ..kind }
     });
     Ok(named.collect())
@@ -276,4 +276,120 @@ pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result
         spheres.push(Spheres::new(law, count / found).map_err(Fault::new)?);
     }
     Ok(spheres)
+}
+
+// What spheres that are drawn as one curve are called.
+
+/// Of more names than this, the first and the last are given.
+const LISTED: usize = 4;
+/// Endings by which models part the sides, and what they mean.
+const SIDES: [(&str, &str); 4] = [("_r", "_l"), ("_R", "_L"), ("R", "L"), ("r", "l")];
+
+/// Spheres by their names: all of them where they are few, those of both sides together; else how many they are, with the first
+/// and the last.
+pub(super) fn spheres(names: &[String]) -> String {
+    if let Some(of_both) = of_both_sides(names) {
+        return format!("{}, both sides", listed(&of_both));
+    }
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    listed(&names)
+}
+
+fn listed(names: &[&str]) -> String {
+    match names {
+        [first, .., last] if names.len() > LISTED => format!("{first} to {last} ({} spheres)", names.len()),
+        few => few.join(", "),
+    }
+}
+
+/// Names without their sides, where each stands there for the right and for the left.
+fn of_both_sides(names: &[String]) -> Option<Vec<&str>> {
+    SIDES.iter().find_map(|&(right, left)| {
+        let of = |side: &str| -> Vec<&str> {
+            names.iter().filter_map(|name| name.strip_suffix(side)).filter(|name| !name.is_empty()).collect()
+        };
+        let (of_right, of_left) = (of(right), of(left));
+        let all = of_right.len() + of_left.len() == names.len() && !of_right.is_empty();
+        (all && of_right.len() == of_left.len() && of_right.iter().all(|name| of_left.contains(name)))
+            .then_some(of_right)
+    })
+}
+
+/// A reference: what its spheres do, under its own weight.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct ReferenceState {
+    /// Its name.
+    pub name: String,
+    /// The first 16 digits of the SHA-256 of its file; `None` of a preset.
+    pub digest: Option<String>,
+    /// It, to be drawn; `None` if it cannot be.
+    pub body: Option<Body>,
+    /// Figures of its spheres, where it is a model.
+    pub figures: Option<Figures>,
+}
+
+impl ReferenceState {
+    /// A preset, with what the caller says of it.
+    #[must_use]
+    pub fn of_preset(preset: &Preset, mass_kg: f64, spheres: f64, gravity_m_s2: Option<f64>) -> Self {
+        let masses = MassRequest { model_kg: Some(mass_kg), ..MassRequest::default() };
+        let stance = Stance { spheres: Some(spheres), gravity_m_s2, ..Stance::default() };
+        let name = preset.name.to_string();
+        Self { name, digest: None, body: Body::of_preset(preset, &masses, &stance).ok(), figures: None }
+    }
+
+    /// A model, under the weight that its contacts were made for.
+    #[must_use]
+    pub fn of_model(
+        name: String,
+        open: &OpenModel,
+        selection: Selection,
+        (mass_kg, spheres, gravity_m_s2): (f64, Option<f64>, Option<f64>),
+    ) -> Self {
+        let options = InspectOptions {
+            masses: MassRequest { model_kg: Some(mass_kg), ..MassRequest::default() },
+            selection,
+            stance: Stance { spheres, gravity_m_s2, ..Stance::default() },
+            ..InspectOptions::default()
+        };
+        let body = Body::inspected(name.clone(), &open.model, &options, &|fault| open.failure(fault)).ok();
+        let figures = options.inspect(open.name(), &open.model, None).figures;
+        let digest = Some(short_digest(open.model.document().bytes()));
+        Self { name, digest, body, figures: Some(figures) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn called(names: &[&str], expected: &str) {
+        let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
+        assert_eq!(spheres(&names), expected);
+    }
+
+    #[test]
+    fn few_spheres_are_named() {
+        called(&["heel"], "heel");
+        called(&["heel", "toe"], "heel, toe");
+        called(&[], "");
+    }
+
+    #[test]
+    fn spheres_of_both_sides_are_named_once() {
+        called(&["heel_r", "toe_r", "heel_l", "toe_l"], "heel, toe, both sides");
+        called(&["heel_r", "heel_l", "toe_r"], "heel_r, heel_l, toe_r");
+        called(&["SmoothSphereHeelR", "SmoothSphereHeelL"], "SmoothSphereHeel, both sides");
+        called(&["r", "l"], "r, l");
+    }
+
+    #[test]
+    fn many_spheres_are_counted() {
+        let names: Vec<String> =
+            ["r", "l"].iter().flat_map(|side| (1..=5).map(move |i| format!("s{i}_{side}"))).collect();
+        assert_eq!(spheres(&names), "s1 to s5 (5 spheres), both sides");
+        called(&["a", "b", "c", "d", "e"], "a to e (5 spheres)");
+    }
 }

@@ -5,9 +5,8 @@ use contact_scaling::{Law, Spheres, equilibrium, limits, restitution, smoothing}
 use osim_model::files::Failure;
 use osim_requests::DropHeight;
 
-use super::body::{Body, SphereKind, Weight};
-use super::sampling::{breaks, sampled, thinned};
-use super::units::{ForceUnit, Point, Units};
+use crate::series::body::{Body, SphereKind, Weight};
+use crate::series::sampling::{ForceUnit, Point, Units, breaks, sampled, thinned};
 
 /// Force against indentation of one kind of sphere.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,9 +6,9 @@ use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
 use osim_requests::{DropHeight, HeatQuantity, PlotRequest, Positive};
 
-use super::body::{Body, SphereKind};
-use super::curves::impact_speed;
-use super::units::Point;
+use crate::series::body::{Body, SphereKind};
+use crate::series::curves::impact_speed;
+use crate::series::sampling::Point;
 
 /// What is wanted.
 #[derive(Debug, Clone, PartialEq)]

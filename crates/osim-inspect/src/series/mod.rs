@@ -3,14 +3,12 @@
 mod body;
 mod curves;
 mod heat;
-mod names;
 mod sampling;
-mod units;
 
-pub use body::{Body, SphereKind, Weight, standing_spheres};
+pub use body::{Body, ReferenceState, SphereKind, Weight, standing_spheres};
 pub use curves::{
     DropSeries, ForceSeries, LoopSeries, dropped, duration, elastic, fall, force, hysteresis, impact_speed,
     kinds, name_of, reach, state, thresholds,
 };
 pub use heat::{HeatRequest, HeatSeries, Parameter, Profile, heat};
-pub use units::{ForceUnit, IndentationUnit, Point, Units};
+pub use sampling::{ForceUnit, IndentationUnit, Point, Units};

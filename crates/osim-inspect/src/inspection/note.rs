@@ -1,0 +1,168 @@
+//! What the note in a model says to the one who received the file: who made its contacts from what, and what changed since.
+
+use osim_model::messages::{readable, shown};
+use osim_model::{ChangedContacts, ChangedSinceNote, Model, Note, Scope, Source, Step};
+#[cfg(feature = "schemas")]
+use schemars::JsonSchema;
+use serde::Serialize;
+
+/// What the note says.
+#[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct NoteStory {
+    /// Version of the tool that wrote it.
+    pub version: String,
+    /// What was done to the contacts, the oldest step first.
+    pub steps: Vec<NoteStep>,
+    /// Limbs that share the body weight, where somebody said how many.
+    pub stance_limbs: Option<f64>,
+    /// What the bodies weighed together when it was written, kg.
+    pub weighed_kg: Option<f64>,
+    /// What somebody changed since, in words.
+    pub changed_since: Vec<String>,
+    /// All of it in sentences.
+    #[serde(skip)]
+    pub sentences: Vec<String>,
+}
+
+/// One change of the contacts.
+#[derive(Debug, Clone, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct NoteStep {
+    /// The verb and what it was given: `set stiffness=x2`; `others` where values changed without a note.
+    pub operation: String,
+    /// Options that mattered, as `name=value`.
+    pub options: String,
+    /// Mass the contacts were made for before, kg.
+    pub from_mass_kg: Option<f64>,
+    /// Model or preset that the contacts were taken from.
+    pub reference: Option<String>,
+    /// The first 16 digits of the SHA-256 of the reference's file.
+    pub reference_digest: Option<String>,
+    /// When, as `2026-11-25`.
+    pub date: Option<String>,
+}
+
+impl NoteStory {
+    /// What the note in `model` says; `None` where there is none.
+    #[must_use]
+    pub fn of(model: &Model) -> Option<Self> {
+        let note = model.note.as_ref()?;
+        let changed_since = changes_in_words(&model.changed_since_note());
+        let mut sentences = vec![note_in_words(note)];
+        if !changed_since.is_empty() {
+            sentences.push(format!("Changed since: {}.", changed_since.join("; ")));
+        }
+        Some(Self {
+            version: note.version.clone(),
+            steps: note.steps.iter().map(NoteStep::from).collect(),
+            stance_limbs: note.stance_limbs,
+            weighed_kg: note.weighed_kg,
+            changed_since,
+            sentences,
+        })
+    }
+}
+
+impl From<&Step> for NoteStep {
+    fn from(step: &Step) -> Self {
+        let Step { operation, options, from_mass_kg, reference, date } = step.clone();
+        let (name, digest) = reference.map(|Source { name, digest }| (name, digest)).unzip();
+        Self { operation, options, from_mass_kg, reference: name, reference_digest: digest.flatten(), date }
+    }
+}
+
+/// `These contacts were made for 41 kg: taken from falisse2022, made for 62 kg, on 2026-11-25; with 2 stance limbs.`
+fn note_in_words(note: &Note) -> String {
+    let which = match note.scope {
+        Scope::All => "These contacts",
+        Scope::Partial => "Some of these contacts",
+    };
+    let mass = note
+        .contacts_mass_kg
+        .map_or("for what the bodies weighed".to_owned(), |kg| format!("for {} kg", readable(kg)));
+    let limbs = note.stance_limbs.map(|limbs| {
+        let s = if limbs == 1.0 { "" } else { "s" };
+        format!(", with {} stance limb{s}", readable(limbs))
+    });
+    let steps: Vec<String> = note.steps.iter().map(step_in_words).collect();
+    format!("{which} were made {mass}{}: {}.", limbs.unwrap_or_default(), steps.join("; then "))
+}
+
+/// `transfer from falisse2022, made for 62 kg, on 2025-11-26`.
+pub(crate) fn step_in_words(step: &Step) -> String {
+    let from = step.from_mass_kg.map(|kg| format!("{} kg", readable(kg)));
+    let mut text = match (step.operation.as_str(), &step.reference) {
+        ("others", _) => "values changed by somebody who left no note".to_owned(),
+        (_, Some(source)) => {
+            let digest = source.digest.as_ref().map(|digest| format!(" (SHA-256 {digest}...)"));
+            let made_for = from.map(|kg| format!(", made for {kg}")).unwrap_or_default();
+            let name = shown(&source.name);
+            format!("{} from {name}{}{made_for}", shown(&step.operation), digest.unwrap_or_default())
+        }
+        (operation, None) => {
+            let from = from.map(|kg| format!(" from {kg}")).unwrap_or_default();
+            format!("{}{from}", shown(operation))
+        }
+    };
+    if !step.options.is_empty() {
+        text.push_str(&format!(" with {}", shown(&step.options)));
+    }
+    text + &step.date.as_ref().map(|date| format!(" on {}", shown(date))).unwrap_or_default()
+}
+
+/// Each change as a part of one sentence; an empty list if nothing changed.
+pub(super) fn changes_in_words(changed: &ChangedSinceNote) -> Vec<String> {
+    let sizes = changed.sizes.then(|| "sizes of bodies".to_owned());
+    let weight = changed.weight_kg.map(|(then, now)| {
+        format!("the bodies weighed {} kg then and weigh {} kg now", readable(then), readable(now))
+    });
+    contact_changes_in_words(&changed.contacts).into_iter().chain(sizes).chain(weight).collect()
+}
+
+fn contact_changes_in_words(changed: &ChangedContacts) -> Vec<String> {
+    match changed {
+        ChangedContacts::Apart {
+            sphere_count,
+            force_count,
+            sphere_names,
+            force_names,
+            radii,
+            places,
+            properties,
+            exchanged,
+        } => {
+            let count = |of: &str, count: &Option<(usize, usize)>| {
+                count.map(|(then, now)| format!("the contacts had {then} {of} then and have {now} now"))
+            };
+            let counts: Vec<String> =
+                count("spheres", sphere_count).into_iter().chain(count("forces", force_count)).collect();
+            let unknown = (!counts.is_empty()).then(|| {
+                "the note cannot show whether other numbers of the contacts changed, too".to_owned()
+            });
+            let named = [
+                (*radii, "radii"),
+                (*places, "places of spheres"),
+                (*sphere_names, "names of spheres"),
+                (*force_names, "names of forces"),
+                (*exchanged, "which contact has which numbers"),
+            ];
+            let properties = properties.iter().map(|property| property.name().to_owned());
+            counts.into_iter().chain(unknown).chain(true_ones(named)).chain(properties).collect()
+        }
+        ChangedContacts::Together { radii, values, places } => {
+            let named = [
+                (*radii, "radii, names or number of spheres (perhaps other numbers of contacts, too)"),
+                (*values, "numbers of contacts other than radii, or names of forces"),
+                (*places, "places, names or number of spheres"),
+            ];
+            true_ones(named).collect()
+        }
+    }
+}
+
+fn true_ones<const N: usize>(parts: [(bool, &str); N]) -> impl Iterator<Item = String> {
+    parts.into_iter().filter(|(is, _)| *is).map(|(_, name)| name.to_owned())
+}

@@ -1,0 +1,231 @@
+//! Which contacts a model has: none, or not those that were chosen; for which mass they were made; and who published them.
+
+use osim_model::messages::{Input, Phrase, four_significant, phrase, readable};
+use osim_model::{
+    Example, Fault, Finding, FindingCode, Force, ForceKind, MassRequest, Model, Pattern, Repair, Rule, Seen,
+    Selection, Severity, Sphere, VerdictOn, same_mass,
+};
+use osim_requests::options::{ClassChoice, ForceOptions, MassOptions};
+use osim_requests::{ConvertRequest, Kilograms, Request, RescaleRequest};
+
+use crate::findings::{Found, Remedies, exactly, rounded};
+use crate::inspection::Inspection;
+use crate::known_contacts::KnownContacts;
+use crate::load::InspectOptions;
+
+pub(crate) static BARE_MODEL: Rule = Rule {
+    code: FindingCode::BareModel,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    verdict: None,
+    what: "The model has no contacts.",
+    why: "Nothing carries the model: it has no HuntCrossleyForce or SmoothSphereHalfSpaceForce whose moving spheres meet a half-space.",
+    advice: "`add` gives it contacts: those of another model, spheres under its own bones, or places from a table",
+    repair: Repair::NotPossible("only you know whose contacts it is to have"),
+    example: Example::Models { good: "format/v40000.osim", bad: "bad/no_contacts.osim" },
+};
+
+/// A model in which nothing can be chosen.
+pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option<Finding> {
+    let fault = options.selection.apply(model).err().filter(|fault| fault.code() == "no-contacts")?;
+    Some(Finding::new(&BARE_MODEL, fault.phrase()))
+}
+
+pub(crate) static UNMATCHED_PATTERN: Rule = Rule {
+    code: FindingCode::UnmatchedPattern,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    verdict: None,
+    what: "A choice of forces or bodies fits no name in the model.",
+    why: "Nothing is chosen or left out by it. Most often the name has a slip, or is that of another model.",
+    advice: "Correct the name",
+    repair: Repair::NotPossible("only you know which name was meant"),
+    example: Example::Request {
+        good: r#"{"verb": "inspect", "models": ["table1/human_62kg_smooth_sphere.osim"], "exclude": ["contact_s1_*"]}"#,
+        bad: r#"{"verb": "inspect", "models": ["table1/human_62kg_smooth_sphere.osim"], "exclude": ["contact_sl_*"]}"#,
+    },
+};
+
+/// A message for each pattern of `selection` and of `masses` that fits no name in `model`.
+#[must_use]
+pub fn unmatched_patterns(selection: &Selection, masses: &MassRequest, model: &Model) -> Vec<Phrase> {
+    let said = |input: Input, pattern: &Pattern, what: &str| {
+        phrase![input.being(pattern.to_string()), format!(": no {what} of the model has such a name")]
+    };
+    let forces = selection.unmatched(model).into_iter();
+    let forces = forces.map(|(input, pattern)| said(input, pattern, "contact force"));
+    let bodies = masses.unmatched(model).map(|pattern| said(Input::ExcludeBody, pattern, "body"));
+    forces.chain(bodies).collect()
+}
+
+/// One finding for each.
+pub(crate) fn find_unmatched_patterns(
+    selection: &Selection,
+    masses: &MassRequest,
+    model: &Model,
+) -> Vec<Finding> {
+    let said = unmatched_patterns(selection, masses, model).into_iter();
+    said.map(|message| Finding::new(&UNMATCHED_PATTERN, message)).collect()
+}
+
+pub(crate) static MASS_UNKNOWN: Rule = Rule {
+    code: FindingCode::MassUnknown,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
+    what: "What the model weighs, or what its contacts are made for, is not known.",
+    why: "Every factor follows from these masses.",
+    advice: "Say `mass=KG` or `contacts_mass=KG`, or correct the masses of the bodies",
+    repair: Repair::NotPossible("only you know what the model weighs"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<mass>61.5</mass>",
+        bad: "<mass>-1</mass>",
+    },
+};
+
+/// Why a mass is not known.
+pub(crate) fn mass_unknown(fault: &Fault) -> Finding {
+    Finding::new(&MASS_UNKNOWN, fault.phrase())
+}
+
+pub(crate) static STALE_NOTE: Rule = Rule {
+    code: FindingCode::StaleNote,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
+    what: "The note that this program left in the file no longer fits its contacts.",
+    why: "The note says which mass the contacts were made for. Contacts were changed after it was written, or only some of them were scaled, or the note is damaged.",
+    advice: "Give the mass that the contacts are made for with `contacts_mass=KG`",
+    repair: Repair::NotPossible("only you know what the contacts were made for"),
+    example: Example::Models { good: "check/earlier_note.osim", bad: "check/stale_note.osim" },
+};
+
+/// Why a mass is not known, where it is the note's.
+pub(crate) fn stale_note(fault: &Fault) -> Option<Finding> {
+    (fault.code() == "stale-note").then(|| Finding::new(&STALE_NOTE, fault.phrase()))
+}
+
+pub(crate) static COUNT_UNKNOWN: Rule = Rule {
+    code: FindingCode::CountUnknown,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
+    what: "How many spheres share the weight is not known.",
+    why: "Limbs are found by left and right sides below the joint tree. Where that does not work, figures under body weight are absent, and indentations are not judged.",
+    advice: "Say it with `spheres=N`; where spheres of several bodies are there that only ground joins, choose those of one with `select=GLOB`",
+    repair: Repair::NotPossible("only you know how many spheres share the weight"),
+    example: Example::Models { good: "check/within_limits.osim", bad: "format/no_sides.osim" },
+};
+
+/// Limbs are not known either where forces of several animals are there and nobody chose among them.
+pub(crate) fn find_count_unknown(inspected: &Inspection) -> Option<Finding> {
+    let limbs = &inspected.figures.limbs;
+    let counted = !limbs.is_empty() && limbs.iter().all(|limb| limb.sphere_count.is_some());
+    match (&inspected.limbs, counted, &inspected.limbs_unknown) {
+        (None, false, Some(why)) => Some(Finding::new(&COUNT_UNKNOWN, why.clone())),
+        _ => None,
+    }
+}
+
+pub(crate) static KNOWN_CONTACTS: Rule = Rule {
+    code: FindingCode::KnownContacts,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    verdict: None,
+    what: "The contacts are published ones, and are used as they were published.",
+    why: "What is unusual about the published contacts is a remark here. A warning says what is wrong for this model.",
+    advice: "Nothing, if you chose these contacts",
+    repair: Repair::NotPossible("nothing is wrong"),
+    example: Example::Models { good: "check/within_limits.osim", bad: "check/known_contacts.osim" },
+};
+
+pub(crate) fn known_contacts(known: KnownContacts) -> Finding {
+    let text = format!(
+        "the contact parameters are those of {} for a body of {} kg",
+        known.title,
+        readable(known.made_for_kg)
+    );
+    Finding::new(&KNOWN_CONTACTS, text)
+}
+
+pub(crate) static CONTACTS_OF_ANOTHER_MASS: Rule = Rule {
+    code: FindingCode::ContactsOfAnotherMass,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
+    what: "The contacts are published ones, made for a body of another mass.",
+    why: "Radius, stiffness, dissipation and number of spheres are those of a published model, but the body weighs something else: contacts that are not scaled sink in more or less than they did there.",
+    advice: "If OpenSim scaled this model, `check MODEL from=GENERIC` compares it with the one that was scaled. If its spheres are where they belong, scale the contacts from the mass they were made for to the mass of this body",
+    repair: Repair::Command(
+        "scales the contacts from the mass they were made for to that of this body, where the places of the spheres are known to be right",
+    ),
+    example: Example::Piece {
+        model: "check/known_contacts.osim",
+        good: "<mass>60</mass>",
+        bad: "<mass>88</mass>",
+    },
+};
+
+/// Known contacts under a body of another mass, where no note says that this is known. They can be scaled where the places of
+/// the spheres are right.
+pub(crate) fn find_contacts_of_another_mass(
+    inspected: &Inspection,
+    remedies: &Remedies<'_>,
+    places_are_right: bool,
+) -> Option<Found> {
+    let mass = inspected.mass_kg?;
+    let known = inspected.known_contacts?;
+    let unsaid = inspected.contacts_mass_kg.as_ref().is_some_and(|made_for| made_for.source == "bodies");
+    if !unsaid || same_mass(mass, known.made_for_kg) {
+        return None;
+    }
+    let made_for = known.made_for_kg;
+    let text = format!(
+        "the contacts are those of {}, made for {} kg, and the body weighs {} kg",
+        known.title,
+        readable(made_for),
+        four_significant(mass)
+    );
+    let remedy = places_are_right.then(|| scale_to_body(remedies, made_for, mass)).flatten();
+    Some(Found::new(Finding::new(&CONTACTS_OF_ANOTHER_MASS, text), remedy))
+}
+
+/// Scales contacts that were made for another body to this one.
+fn scale_to_body(remedies: &Remedies<'_>, contacts_mass_kg: f64, target_mass_kg: f64) -> Option<Request> {
+    let contacts_mass = Some(Kilograms::new(rounded(contacts_mass_kg)).ok()?);
+    Some(
+        RescaleRequest {
+            models: remedies.models(true)?,
+            target_mass: Some(Kilograms::new(rounded(target_mass_kg)).ok()?),
+            masses: MassOptions { contacts_mass, ..MassOptions::default() },
+            choice: remedies.choice(),
+            set_files: remedies.set_files(),
+            ..RescaleRequest::default()
+        }
+        .into(),
+    )
+}
+
+/// The remedy of a rule about models, `default-stiffness`: a published model has a stiffness.
+pub(crate) fn take_published_contacts(remedies: &Remedies<'_>) -> Option<Request> {
+    remedies.published(None).map(Request::from)
+}
+
+/// The remedy of a rule about models, `moco-dialect`: the force that `finding` is about as OpenSim reads it today; all forces, where all are such and nobody chose among them.
+pub(crate) fn convert_moco_forces(
+    remedies: &Remedies<'_>,
+    model: &Model,
+    finding: &Finding,
+) -> Option<Request> {
+    let models = remedies.models(false)?;
+    let keeps_inside = |force: &Force| {
+        force.spheres().into_iter().any(|id| model.sphere(id).is_some_and(Sphere::is_inside_force))
+    };
+    let all = remedies.options.selection == Selection::default() && model.forces().iter().all(keeps_inside);
+    let force = model.forces().iter().find(|force| Some(force.path.as_str()) == finding.place.as_deref())?;
+    let select = if all { Vec::new() } else { vec![exactly(&force.name)?] };
+    let choice = ForceOptions { select, ..ForceOptions::default() };
+    let to = ClassChoice::of(ForceKind::SmoothSphereHalfSpace);
+    Some(ConvertRequest { models, to, choice, ..ConvertRequest::default() }.into())
+}

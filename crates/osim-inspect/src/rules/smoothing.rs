@@ -1,0 +1,173 @@
+//! Smoothing and dissipation: what a solver feels before and during contact.
+
+use contact_scaling::limits::{
+    CONSTANT_INDENTATION, RESTITUTION, SUGGESTED_CONSTANT_INDENTATION, SUGGESTED_TRANSITION_WIDTH,
+    TOUCHING_SHARE, TRANSITION_WIDTH,
+};
+use osim_model::messages::four_significant;
+use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
+use osim_requests::options::WantedOptions;
+use osim_requests::{ConstantIndentation, Positive, Request};
+
+use crate::figures::{Figure, SphereFigures};
+use crate::findings::{Found, Remedies, standing_width, touching_indentation};
+use crate::rules::limits::{Limits, beyond};
+
+pub(crate) static FLOATS: Rule = Rule {
+    code: FindingCode::Floats,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
+    what: "The smoothing alone carries body weight: the spheres do not touch the floor.",
+    why: "With constant_contact_force and hertz_smoothing far too large for the spheres, the force before contact holds the body in the air.",
+    advice: "Make constant_contact_force smaller and hertz_smoothing larger, until the spheres touch the floor",
+    repair: Repair::Command("designs constant_contact_force so that the spheres touch the floor"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<constant_contact_force>9e-07</constant_contact_force>",
+        bad: "<constant_contact_force>0.0001</constant_contact_force>",
+    },
+};
+
+pub(crate) fn find_floats(limits: &Limits<'_>) -> Option<Found> {
+    let above =
+        |sphere: &SphereFigures| sphere.value(Figure::IndentationModelLaw).filter(|&x| x <= 0.0).map(|x| -x);
+    let found = limits.concerned(above)?;
+    let text = format!("body weight is carried {} R above the floor", four_significant(found.most));
+    let finding = limits.about_force(&FLOATS, &text, &found);
+    Some(Found::new(finding, bring_to_floor(limits.remedies, &limits.spheres)))
+}
+
+/// Brings the spheres to the floor. Where contact sets in over a long way that has to be shorter, too: far above the floor the force
+/// of (C.1) is large again.
+fn bring_to_floor(remedies: &Remedies<'_>, spheres: &[&SphereFigures]) -> Option<Request> {
+    let (tenth, half) = (standing_width(spheres, TOUCHING_SHARE.value)?, standing_width(spheres, 0.5)?);
+    let is_wide = |sphere: &&SphereFigures| {
+        let width = sphere.value(Figure::TransitionWidth);
+        sphere.is_within(Figure::TransitionWidth) == Some(false) || width.is_some_and(|width| width > half)
+    };
+    let width = spheres.iter().any(is_wide).then_some(tenth.min(SUGGESTED_TRANSITION_WIDTH));
+    let wanted = WantedOptions {
+        constant_indentation: Some(ConstantIndentation::new(touching_indentation(spheres)?).ok()?),
+        state_width: width.map(Positive::new).transpose().ok()?,
+        ..WantedOptions::default()
+    };
+    remedies.design(wanted).map(Request::from)
+}
+
+pub(crate) static FORCE_BEFORE_CONTACT: Rule = Rule {
+    code: FindingCode::ForceBeforeContact,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Solver),
+    what: "A sphere that only just touches the floor carries a large part of its share of body weight already.",
+    why: "Smoothing lets force through before contact (Fig. C.5): the floor repels the foot, as if the spheres were larger. In Falisse et al. (2022), where that did no harm, it is 0.074 of the share.",
+    advice: "Make constant_contact_force smaller",
+    repair: Repair::Command("designs constant_contact_force so that the share comes down to the limit"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<constant_contact_force>9e-07</constant_contact_force>",
+        bad: "<constant_contact_force>4e-06</constant_contact_force>",
+    },
+};
+
+pub(crate) fn find_force_before_contact(limits: &Limits<'_>) -> Option<Found> {
+    let found = limits.concerned(|sphere| beyond(sphere, Figure::TouchingShare))?;
+    let force = found.worst.value(Figure::ForceJustTouching).map(four_significant).unwrap_or_default();
+    let share = four_significant(found.most);
+    let text = format!("just touching, a sphere carries {force} N, {share} of its share of body weight");
+    let finding = limits.about_force(&FORCE_BEFORE_CONTACT, &text, &found);
+    // Down to a tenth of the share of the weight.
+    let below = touching_indentation(&limits.spheres);
+    Some(Found::new(finding, below.and_then(|below| limits.remedies.constant_indentation(below))))
+}
+
+pub(crate) static LARGE_CONSTANT_INDENTATION: Rule = Rule {
+    code: FindingCode::LargeConstantIndentation,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Solver),
+    what: "The constant indentation of constant_contact_force is a large part of the radius.",
+    why: "constant_contact_force is a squared indentation and does not grow with the sphere by itself: OpenSim's default of 1e-5 m2, made for spheres of 32 mm, is 3.2 mm. On smaller spheres it holds the body up before they touch (C.2).",
+    advice: "Make constant_contact_force smaller, for a constant indentation of {constant_indentation} of the radius at most; where spheres sink in by less than {indentation} R, of {suggested_indentation}",
+    repair: Repair::Command("designs constant_contact_force for the limit"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<constant_contact_force>9e-07</constant_contact_force>",
+        bad: "<constant_contact_force>1.5e-05</constant_contact_force>",
+    },
+};
+
+pub(crate) fn find_large_constant_indentation(limits: &Limits<'_>) -> Option<Found> {
+    let found = limits.concerned(|sphere| beyond(sphere, Figure::ConstantIndentation))?;
+    let x = four_significant(found.most);
+    let text = format!("sqrt(constant_contact_force)/R is {x}, {}", CONSTANT_INDENTATION.in_words());
+    let remedy = limits.remedies.constant_indentation(CONSTANT_INDENTATION.value);
+    Some(Found::new(limits.about_force(&LARGE_CONSTANT_INDENTATION, &text, &found), remedy))
+}
+
+/// The remedy of a rule about models, `zero-constant-contact-force`: a small constant indentation.
+pub(crate) fn set_suggested_constant_indentation(remedies: &Remedies<'_>) -> Option<Request> {
+    remedies.constant_indentation(SUGGESTED_CONSTANT_INDENTATION)
+}
+
+pub(crate) static WIDE_TRANSITION: Rule = Rule {
+    code: FindingCode::WideTransition,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Solver),
+    what: "Contact sets in over more of the radius than in published models.",
+    why: "hertz_smoothing is an inverse length: OpenSim's default of 300 1/m, made for spheres of 32 mm, spreads the onset of contact over 10 mm. On smaller spheres that is a large part of the radius, half of it before they touch (C.7).",
+    advice: "Let contact set in over {suggested_width} of the radius, with a larger hertz_smoothing",
+    repair: Repair::Command("designs hertz_smoothing for a width within the limit"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<hertz_smoothing>310</hertz_smoothing>",
+        bad: "<hertz_smoothing>100</hertz_smoothing>",
+    },
+};
+
+pub(crate) fn find_wide_transition(limits: &Limits<'_>) -> Option<Found> {
+    let found = limits.concerned(|sphere| beyond(sphere, Figure::TransitionWidth))?;
+    let (width, limit) = (four_significant(found.most), TRANSITION_WIDTH.in_words());
+    let text = format!("contact sets in over {width} R, {limit}");
+    Some(Found::new(limits.about_force(&WIDE_TRANSITION, &text, &found), narrow_transition(limits.remedies)))
+}
+
+fn narrow_transition(remedies: &Remedies<'_>) -> Option<Request> {
+    let state_width = Some(Positive::new(SUGGESTED_TRANSITION_WIDTH).ok()?);
+    remedies.design(WantedOptions { state_width, ..WantedOptions::default() }).map(Request::from)
+}
+
+pub(crate) static BEYOND_HUNT_CROSSLEY: Rule = Rule {
+    code: FindingCode::BeyondHuntCrossley,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Solver),
+    what: "Restitution by (13) is so low that the Hunt-Crossley law is not accurate.",
+    why: "The Hunt-Crossley law describes materials that give back most of the impact speed. Below a restitution of {restitution} at the impact speed, dissipation is a damper that makes a simulation calm; energies lost in contact are not those of a material.",
+    advice: "Nothing, if that is meant; else a smaller dissipation, for a restitution of {restitution} at least",
+    repair: Repair::NotPossible("a remark: most published contacts are so, and their authors meant it"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<dissipation>0.4</dissipation>",
+        bad: "<dissipation>2</dissipation>",
+    },
+};
+
+pub(crate) fn find_beyond_hunt_crossley(limits: &Limits<'_>) -> Option<Found> {
+    let speed = limits.inspected.figures.impact_speed_m_s?;
+    // The largest dissipation has the least restitution.
+    let found = limits.concerned(|sphere| {
+        let outside = sphere.is_within(Figure::RestitutionApproximate) == Some(false);
+        sphere.value(Figure::Dissipation).filter(|_| outside)
+    })?;
+    let restitution = found.worst.value(Figure::RestitutionApproximate);
+    let restitution = restitution.map_or_else(|| "below 0".to_owned(), four_significant);
+    let text = format!(
+        "at an impact speed of {} m/s the restitution is {restitution} by (13), {}",
+        four_significant(speed),
+        RESTITUTION.in_words()
+    );
+    Some(limits.about_force(&BEYOND_HUNT_CROSSLEY, &text, &found).into())
+}
