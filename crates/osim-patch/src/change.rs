@@ -1,9 +1,7 @@
-//! One number or one place that is to change.
+//! One number or one place that is to change, and its text, for every verb: what is not finite does not become text.
 
-use osim_model::messages::readable;
-use osim_model::{Fault, FileId, Property, Slot, ValueKey};
-
-use crate::written;
+use osim_model::messages::{readable, shortest};
+use osim_model::{Fault, FaultKind, FileId, Property, Slot, ValueKey};
 
 /// One number that is to change, in the unit of its [`Property`].
 ///
@@ -107,7 +105,7 @@ impl Change {
     /// # Errors
     /// It is not finite, or outside the domain in which the contact laws hold: with its place and what it comes from.
     pub(crate) fn check(&self) -> Result<(), Fault> {
-        written::check(self.to, self.property, || self.origin()).map_err(|fault| self.at(fault))
+        check_number(self.to, self.property, || self.origin()).map_err(|fault| self.at(fault))
     }
 
     /// The new number as it is written.
@@ -115,7 +113,7 @@ impl Change {
     /// # Errors
     /// As [`check`](Self::check).
     pub(crate) fn text(&self) -> Result<String, Fault> {
-        written::value(self.to, self.property, || self.origin()).map_err(|fault| self.at(fault))
+        number_text(self.to, self.property, || self.origin()).map_err(|fault| self.at(fault))
     }
 
     /// `fault`, pointing at the number.
@@ -156,7 +154,7 @@ impl Move {
     pub(crate) fn text(&self) -> Result<String, Fault> {
         let from = || self.from.map(readable).join(" ");
         let origin = || format!("{}, in the place of {}", by(self.equation), from());
-        written::triple(self.to, self.slot.tag, origin).map_err(|fault| {
+        triple_text(self.to, self.slot.tag, origin).map_err(|fault| {
             Fault::at(fault.kind, self.slot.offset).of(self.path.clone()).in_file(self.slot.file)
         })
     }
@@ -166,4 +164,53 @@ impl Move {
     pub fn file(&self) -> FileId {
         self.slot.file
     }
+}
+
+// Numbers as they are written into files. Here they become text, for every verb, and what is not finite does not.
+
+/// The text of the new `value` of `property`; `origin` says what it comes from, for the message.
+///
+/// # Errors
+/// A value that is not finite, or in which the contact laws do not hold ([`FaultKind::NewValue`]).
+pub(crate) fn number_text(
+    value: f64,
+    property: Property,
+    origin: impl FnOnce() -> String,
+) -> Result<String, Fault> {
+    check_number(value, property, origin)?;
+    Ok(shortest(value))
+}
+
+/// Whether the new `value` of `property` may be written.
+///
+/// # Errors
+/// As [`number_text`].
+pub(crate) fn check_number(
+    value: f64,
+    property: Property,
+    origin: impl FnOnce() -> String,
+) -> Result<(), Fault> {
+    if property.allows(value) {
+        return Ok(());
+    }
+    Err(refused_number(property.name(), value, property.domain(), origin()))
+}
+
+/// The text of a place or an orientation, which is called `name`.
+///
+/// # Errors
+/// One of its numbers is not finite ([`FaultKind::NewValue`]).
+pub(crate) fn triple_text(
+    values: [f64; 3],
+    name: &str,
+    origin: impl FnOnce() -> String,
+) -> Result<String, Fault> {
+    match values.into_iter().find(|value| !value.is_finite()) {
+        Some(value) => Err(refused_number(name, value, "three finite numbers", origin())),
+        None => Ok(values.map(shortest).join(" ")),
+    }
+}
+
+fn refused_number(property: &str, value: f64, expected: &'static str, origin: String) -> Fault {
+    Fault::new(FaultKind::NewValue { property: property.to_owned(), value, expected, origin })
 }

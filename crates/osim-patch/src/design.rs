@@ -10,14 +10,13 @@ use osim_model::{
     PropertySet, RadiusRule, Scope, Selected, SetId, same_gravity, same_mass,
 };
 
-use crate::builder::{New, PlanBuilder};
+use crate::builder::{New, PlanBuilder, write_composite};
 use crate::note::KeptMass;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRule};
 use crate::remarks::{PLACES_STAY, bottoms_remark, rest_remark};
-use crate::rules::nothing_to_change;
+use crate::rules;
 use crate::scaling::factor;
-use crate::surfaces::write_composite;
 
 /// How E₁* is found: see [`Design`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -145,7 +144,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     remarks.extend(rest_remark(&rests));
     let PlanBuilder { changes, moves, mut warnings, .. } = plan;
     if changes.is_empty() {
-        warnings.push(nothing_to_change::by_design());
+        warnings.push(rules::nothing_to_design());
     }
     let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);
     let masses = wanted.target_mass.clone().map(Masses::same);

@@ -1,12 +1,79 @@
-//! Where an absent element goes, with the indentation of its siblings and the line ends of the file.
+//! Elements that are to be written, and where they go: with the indentation of their siblings and the line ends of the file.
 
 use std::ops::Range;
 
 use osim_model::{ElementId, PieceKind, Tree};
 
 use crate::edit::Edit;
-use crate::empty::end_of_empty_tag;
-use crate::node::Node;
+
+/// An element with its text or its children.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Node {
+    tag: String,
+    name: Option<String>,
+    content: Content,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Content {
+    Text(String),
+    Children(Vec<Node>),
+}
+
+impl Node {
+    /// `<tag>text</tag>`; the text is written as it is.
+    pub(crate) fn leaf(tag: impl Into<String>, text: impl Into<String>) -> Self {
+        Self { tag: tag.into(), name: None, content: Content::Text(text.into()) }
+    }
+
+    /// An element with children.
+    pub(crate) fn parent(tag: impl Into<String>, children: Vec<Self>) -> Self {
+        Self { tag: tag.into(), name: None, content: Content::Children(children) }
+    }
+
+    /// An object with a name and children.
+    pub(crate) fn object(tag: impl Into<String>, name: &str, children: Vec<Self>) -> Self {
+        Self { name: Some(escaped(name)), ..Self::parent(tag, children) }
+    }
+
+    pub(crate) fn tag(&self) -> &str {
+        &self.tag
+    }
+
+    /// The element with `space` (line end and indentation) before it; its children are indented by `unit` more. Without a line
+    /// end in `space`, all is on one line.
+    pub(crate) fn text(&self, space: &str, unit: &str) -> String {
+        let mut text = String::new();
+        self.write(&mut text, space, unit);
+        text
+    }
+
+    fn write(&self, text: &mut String, space: &str, unit: &str) {
+        text.push_str(space);
+        text.push('<');
+        text.push_str(&self.tag);
+        if let Some(name) = &self.name {
+            text.extend([" name=\"", name, "\""]);
+        }
+        text.push('>');
+        match &self.content {
+            Content::Text(own) => text.push_str(own),
+            Content::Children(children) => {
+                let deeper = if space.is_empty() { String::new() } else { format!("{space}{unit}") };
+                children.iter().for_each(|child| child.write(text, &deeper, unit));
+                text.push_str(space);
+            }
+        }
+        text.extend(["</", &self.tag, ">"]);
+    }
+}
+
+/// A name as the value of an attribute.
+pub(crate) fn escaped(name: &str) -> String {
+    name.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+}
+
+// Where an absent element goes, with the indentation of its siblings and the line ends of the file.
 
 /// Inserts `nodes` into `parent`, whose children OpenSim writes in `order`.
 pub(crate) fn insert(tree: &Tree, parent: ElementId, order: &[&str], nodes: &[Node]) -> Vec<Edit> {
@@ -183,10 +250,70 @@ impl<'t> Layout<'t> {
     }
 }
 
+// Elements without content: how they were written, so that they are so again once what was put into them is out.
+
+/// How an element without content was written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// `<objects/>`; any white space in it but a single blank stays in its start tag.
+    Closed,
+    /// `<objects />`
+    ClosedWithBlank,
+    /// `<objects></objects>`
+    Open,
+}
+
+impl Form {
+    /// That of `element`, which has no content.
+    pub(crate) fn of(tree: &Tree, element: ElementId) -> Self {
+        match tree.is_empty_tag(element) {
+            false => Self::Open,
+            true if end_of_empty_tag(tree, element).len() == " />".len() => Self::ClosedWithBlank,
+            true => Self::Closed,
+        }
+    }
+
+    /// The edit that takes out all that is in `element`. Its attributes stay.
+    pub(crate) fn restored(self, tree: &Tree, element: ElementId) -> Edit {
+        let (open, end) = (tree.open_span(element).end, tree.span(element).end);
+        match self {
+            Self::Open => Edit { span: open..tree.close_span(element).start, text: String::new() },
+            Self::Closed => Edit { span: open - ">".len()..end, text: "/>".to_owned() },
+            Self::ClosedWithBlank => Edit { span: open - ">".len()..end, text: " />".to_owned() },
+        }
+    }
+}
+
+/// Where `/>` is in `<tag/>`, with a single blank before it. Other white space is kept in the tag when it is opened, because no
+/// letter of a note says what it was.
+pub(crate) fn end_of_empty_tag(tree: &Tree, element: ElementId) -> Range<usize> {
+    let span = tree.span(element);
+    let kept = tree.slice(span.clone()).strip_suffix("/>").unwrap_or_default();
+    let single = kept.strip_suffix(' ').filter(|rest| rest.trim_ascii_end().len() == rest.len());
+    span.start + single.unwrap_or(kept).len()..span.end
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::edit::splice;
+
+    fn foot() -> Node {
+        Node::object("ContactSphere", "heel & \"toe\"", vec![Node::leaf("radius", "0.03")])
+    }
+
+    #[test]
+    fn children_stand_one_step_further_in() {
+        assert_eq!(
+            foot().text("\r\n\t", "\t"),
+            "\r\n\t<ContactSphere name=\"heel &amp; &quot;toe&quot;\">\r\n\t\t<radius>0.03</radius>\r\n\t</ContactSphere>"
+        );
+    }
+
+    #[test]
+    fn without_line_ends_all_is_one_line() {
+        assert!(!foot().text("", "\t").contains('\n'));
+    }
 
     const ORDER: [&str; 4] = ["a", "b", "c", "d"];
 
@@ -245,5 +372,29 @@ mod tests {
             "<r>\n <x>\n  <!--all default-->\n </x>\n</r>",
             "<r>\n <x>\n  <!--all default-->\n  <a>1</a>\n </x>\n</r>",
         );
+    }
+
+    #[test]
+    fn an_element_that_was_opened_is_as_it_was() {
+        for (tag, opened) in [
+            ("<a/>", "<a>x</a>"),
+            ("<a />", "<a>x</a>"),
+            ("<a  />", "<a  >x</a>"),
+            ("<a\n/>", "<a\n>x</a>"),
+            ("<a b='1' />", "<a b='1'>x</a>"),
+            ("<a b='1'></a>", "<a b='1'>x</a>"),
+        ] {
+            let tree = Tree::scan(tag).unwrap();
+            let form = Form::of(&tree, ElementId::ROOT);
+            let mut seen = tag.to_owned();
+            match form {
+                Form::Open => seen.insert(tree.open_span(ElementId::ROOT).end, 'x'),
+                _ => seen.replace_range(end_of_empty_tag(&tree, ElementId::ROOT), ">x</a>"),
+            }
+            assert_eq!(seen, opened);
+            let Edit { span, text } = form.restored(&Tree::scan(opened).unwrap(), ElementId::ROOT);
+            seen.replace_range(span, &text);
+            assert_eq!(seen, tag);
+        }
     }
 }

@@ -41,11 +41,7 @@ mod builder;
 mod change;
 mod design;
 mod edit;
-mod empty;
-mod gravity;
 mod insert;
-mod levelled;
-mod node;
 mod note;
 mod note_edits;
 mod objects;
@@ -56,15 +52,13 @@ mod rescale;
 mod rules;
 mod scaling;
 mod set;
-mod story;
-mod surfaces;
 mod transfer;
-mod written;
 
 pub use change::{Change, Move};
 pub use design::{Design, DesignModulus, design};
 pub use edit::{Edit, Patch, splice};
 pub use note::{kept_note, note, note_of_rest, note_stance_limbs};
+pub use note_edits::StepDetails;
 pub use objects::{
     Convert, Converted, Deed, Layout, Leftover, NewContact, NewSphere, ObjectChange, Rebuilt, add_contacts,
     added_forces, convert, leftovers, preset_model, presets_with_places, remove,
@@ -74,7 +68,6 @@ pub use remarks::PLACES_STAY;
 pub use rescale::{FOLLOWING, FOLLOWING_NOTE, Rescale, TRANSFER_FOLLOWING, rescale};
 pub use rules::RULES;
 pub use set::{Set, set};
-pub use story::StepDetails;
 pub use transfer::{
     Reference, ReferenceContact, ScalingRule, Transfer, reference_of_layout, reference_of_model, transfer,
 };

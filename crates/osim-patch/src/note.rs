@@ -3,11 +3,9 @@
 use osim_model::messages::{Input, phrase};
 use osim_model::{Fault, Finding, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
 
-use crate::note_edits;
 use crate::objects::{EarlierNote, Rebuilt};
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
-use crate::rules::nothing_to_change;
-use crate::story;
+use crate::{note_edits, rules};
 
 /// Plans a note that the contacts of `model` were made for `contacts_mass_kg` at `gravity_m_s2`, as they are, and how many `stance_limbs`
 /// share the weight, where that is said. Later changes need not be given that again, also after OpenSim has saved or scaled the model.
@@ -47,7 +45,7 @@ pub fn note(
     };
     let masses = Some(Masses::same(contacts_mass));
     let plan = Plan::new(model, Contents { masses, taken, ..Contents::default() }, &facts);
-    Ok(noting(plan, model, stance_limbs, nothing_to_change::by_note(kg)))
+    Ok(noting(plan, model, stance_limbs, rules::nothing_to_note(kg)))
 }
 
 /// Plans a note of how many `stance_limbs` share the weight. What the contacts of `model` were made for stays as the note in the file
@@ -63,9 +61,12 @@ pub fn note_stance_limbs(model: &Model, stance_limbs: f64) -> Plan {
         operation: "note",
         followed: None,
     };
-    let taken = format!("{}: the note in the file says so; no number changes", story::limbs(stance_limbs));
+    let taken = format!(
+        "{}: the note in the file says so; no number changes",
+        note_edits::limbs_in_words(stance_limbs)
+    );
     let plan = Plan::new(model, Contents { taken: taken.into(), ..Contents::default() }, &facts);
-    noting(plan, model, Some(stance_limbs), nothing_to_change::by_stance_limbs(stance_limbs))
+    noting(plan, model, Some(stance_limbs), rules::no_limbs_to_note(stance_limbs))
 }
 
 /// `plan` with its note, unless the note in the file says the same: then with `same`.
@@ -89,7 +90,7 @@ pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<No
     };
     let mut note = old.recorded_again(model, new);
     note.version = env!("CARGO_PKG_VERSION").to_owned();
-    note.steps = story::after(story::earlier(model), Step::new(operation));
+    note.steps = note_edits::steps_after(note_edits::earlier_steps(model), Step::new(operation));
     Some(note)
 }
 
@@ -100,7 +101,7 @@ fn doubtful(model: &Model, new: &Model, operation: &str) -> Note {
         contacts_mass_kg: None,
         gravity_m_s2: None,
         scope: Scope::Partial,
-        steps: vec![Step::new(story::OTHERS), Step::new(operation)],
+        steps: vec![Step::new(note_edits::OTHERS), Step::new(operation)],
         stance_limbs: None,
         weighed_kg: None,
         sizes: Vec::new(),
@@ -113,7 +114,7 @@ fn doubtful(model: &Model, new: &Model, operation: &str) -> Note {
     }
 }
 
-/// The note of what [`remove`](crate::remove()) left of the contacts of `model`: of a part, and of what else was made for them. `None`
+/// The note of what [`remove`](crate::objects::remove()) left of the contacts of `model`: of a part, and of what else was made for them. `None`
 /// where none is left, or the model has no note.
 #[must_use]
 pub fn note_of_rest(model: &Model, rebuilt: &Rebuilt) -> Option<Note> {

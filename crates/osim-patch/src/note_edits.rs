@@ -1,15 +1,17 @@
-//! The edits that leave a note in a file, or take it out.
+//! The edits that leave a note in a file, or take it out, and the steps that it tells.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
 
 use foldhash::{HashMap, HashMapExt};
-use osim_model::{BodySize, Credits, Document, ElementId, Force, Model, Note, PieceKind, SphereId, Tree};
+use osim_model::messages::readable;
+use osim_model::{
+    BodySize, Credits, Document, ElementId, Force, Model, Note, NoteDoubt, PieceKind, Source, SphereId, Step,
+    Tree,
+};
 
 use crate::edit::{Edit, splice};
-use crate::empty::{Form, end_of_empty_tag};
-use crate::insert::{insert, insert_first, with_white_space_before};
-use crate::node::Node;
+use crate::insert::{Form, Node, end_of_empty_tag, insert, insert_first, with_white_space_before};
 
 /// What OpenSim writes before and after `<credits>` in a model.
 const ORDER: [&str; 6] = ["defaults", "Ground", "gravity", "credits", "publications", "length_units"];
@@ -102,13 +104,13 @@ pub(crate) fn sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Vec
 }
 
 /// Leaves `note` in `document`, in the place of all earlier ones.
-pub(crate) fn leave(document: &Document, note: &Note) -> Vec<Edit> {
+pub(crate) fn leave_note(document: &Document, note: &Note) -> Vec<Edit> {
     leave_with(document, note, |credits| credits.edits(Some(note)))
 }
 
 /// Leaves `note` in `document`, after an earlier one that is about contacts that are gone: without the new ones, the text is what it
 /// was.
-pub(crate) fn leave_behind(document: &Document, note: &Note) -> Vec<Edit> {
+pub(crate) fn leave_note_behind(document: &Document, note: &Note) -> Vec<Edit> {
     leave_with(document, note, |credits| credits.edits_for_another(note))
 }
 
@@ -151,7 +153,7 @@ fn add(edits: &mut Vec<Edit>, inserted: Edit) {
 }
 
 /// Takes the note out of `document`, and the element `<credits>` where it was added for it.
-pub(crate) fn remove(document: &Document) -> Vec<Edit> {
+pub(crate) fn remove_note(document: &Document) -> Vec<Edit> {
     let tree = document.tree();
     let made = Note::find(document).map(|note| note.made).unwrap_or_default();
     let comments = Note::comment_spans(document).filter(|_| !made.contains(COMMENT_STAYS));
@@ -223,4 +225,57 @@ fn without(tree: &Tree, span: Range<usize>) -> Edit {
 
 fn contains_only_text(tree: &Tree, element: ElementId) -> bool {
     tree.content(element).all(|piece| piece.kind == PieceKind::Text)
+}
+
+// What a note says of the changes that made the contacts what they are.
+
+/// More steps than this help nobody: of a longer story the first and the latest are kept.
+const MOST_STEPS: usize = 8;
+/// Who changed values without leaving a note.
+pub(crate) const OTHERS: &str = "others";
+
+/// What only the caller knows of a change, for its step in the note.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct StepDetails {
+    /// Options that mattered, as `name=value`.
+    pub options: String,
+    /// What the contacts were taken from.
+    pub reference: Option<Source>,
+    /// Limbs that share the body weight, where the caller said so.
+    pub stance_limbs: Option<f64>,
+    /// The date, as `2026-11-25`, where it is known.
+    pub date: Option<String>,
+}
+
+/// The steps of the note that is in `model`, and `step`; `is_new` where its contacts are, and what was done before is about others.
+pub(crate) fn continued_steps(model: &Model, step: Step, is_new: bool) -> Vec<Step> {
+    steps_after(if is_new { Vec::new() } else { earlier_steps(model) }, step)
+}
+
+/// The steps of the note that is in `model`, and that somebody changed values since, where that is so.
+pub(crate) fn earlier_steps(model: &Model) -> Vec<Step> {
+    let Some(note) = &model.note else { return Vec::new() };
+    match model.doubt_about_note() {
+        // What does not change the values leaves them in doubt, and that they were changed is said once.
+        Some(NoteDoubt::ValuesChanged) if note.steps.iter().all(|step| step.operation != OTHERS) => {
+            steps_after(note.steps.clone(), Step::new(OTHERS))
+        }
+        _ => note.steps.clone(),
+    }
+}
+
+/// `steps` and `step`; one that says the same as the one before is that one.
+pub(crate) fn steps_after(mut steps: Vec<Step>, step: Step) -> Vec<Step> {
+    if steps.last() != Some(&step) {
+        steps.push(step);
+    }
+    if steps.len() > MOST_STEPS {
+        steps.drain(1..=steps.len() - MOST_STEPS);
+    }
+    steps
+}
+
+/// `2 stance limbs`.
+pub(crate) fn limbs_in_words(stance_limbs: f64) -> String {
+    format!("{} stance limb{}", readable(stance_limbs), if stance_limbs == 1.0 { "" } else { "s" })
 }

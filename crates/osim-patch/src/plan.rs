@@ -13,11 +13,9 @@ use osim_model::{
 
 use crate::change::{Change, Move};
 use crate::edit::{Edit, Patch, edited_with};
-use crate::insert::insert;
-use crate::node::Node;
-use crate::note_edits;
+use crate::insert::{Node, insert};
+use crate::note_edits::{self, StepDetails};
 use crate::objects::{EarlierNote, ObjectChange, Rebuilt};
-use crate::story::{self, StepDetails};
 
 /// Everything that is to be done to one model: made by [`rescale`](crate::rescale), [`transfer`](crate::transfer()),
 /// [`design`](crate::design()) or [`set`](crate::set()), shown and written by the caller.
@@ -239,7 +237,11 @@ impl Plan {
             contacts_mass_kg: facts.target_mass_kg.map(without_last_bits),
             gravity_m_s2: facts.gravity_m_s2,
             scope: facts.scope,
-            steps: story::continued(model, step, facts.operation == TRANSFER && facts.scope == Scope::All),
+            steps: note_edits::continued_steps(
+                model,
+                step,
+                facts.operation == TRANSFER && facts.scope == Scope::All,
+            ),
             stance_limbs: model.note.as_ref().and_then(|note| note.stance_limbs),
             weighed_kg: MassRequest::default().bodies_kg(model).map(without_last_bits),
             sizes: note_edits::sizes(model, facts.followed),
@@ -431,13 +433,13 @@ impl Plan {
         let earlier = self.rebuilt.as_ref().map_or(EarlierNote::OfContacts, |rebuilt| rebuilt.earlier_note);
         if let (Some(note), true) = (&self.note, noted && !self.is_empty()) {
             let leave = match earlier {
-                EarlierNote::OfOthers => note_edits::leave_behind,
-                _ => note_edits::leave,
+                EarlierNote::OfOthers => note_edits::leave_note_behind,
+                _ => note_edits::leave_note,
             };
             edits.extend(leave(document, note));
         } else if noted && !self.is_empty() && earlier != EarlierNote::TakenOut {
             // Without a new note the old one would lie: it goes.
-            edits.extend(note_edits::remove(document));
+            edits.extend(note_edits::remove_note(document));
         }
         Ok(edits)
     }

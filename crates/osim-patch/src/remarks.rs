@@ -5,7 +5,7 @@ use osim_model::{ForceId, PropertySet};
 
 use crate::builder::PlanBuilder;
 use crate::radii::Radii;
-use crate::rules::friction_not_similar;
+use crate::rules;
 
 /// What every change of plain numbers leaves as it is.
 pub const PLACES_STAY: &str = "body masses and sphere locations stay as they are";
@@ -24,7 +24,7 @@ pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], proper
     let model = plan.model;
     plan.warnings.extend(model.remarks_on(forces));
     let chosen = forces.iter().filter_map(|&id| model.force(id));
-    plan.warnings.extend(friction_not_similar::of_forces(chosen, properties));
+    plan.warnings.extend(rules::friction_not_similar(chosen, properties));
 }
 
 /// How far the soles move because radii change and centres do not.

@@ -9,12 +9,11 @@ use osim_model::{
 };
 
 use crate::builder::{New, PlanBuilder};
-use crate::gravity::GravityChange;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRule};
 use crate::remarks::{GRAVITY_STAYS, bottoms_remark_and_level, warn_forces};
-use crate::rules::{already_at_target, nothing_to_change};
-use crate::scaling::factor;
+use crate::rules;
+use crate::scaling::{GravityChange, factor};
 
 /// The operation, as the note has it, of a rescaling that moved spheres with their bodies by a ScaleSet.
 pub const FOLLOWING: &str = "rescale body-scale-file";
@@ -147,7 +146,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     let other_radius = matches!(wanted.radius, RadiusRule::Metres(_) | RadiusRule::Factor(_));
     let is_there = same_mass(target_mass_kg, contacts_mass_kg);
     if is_there && gravity == 1.0 && !other_radius && wanted.bodies.is_none() {
-        plan.warnings.push(already_at_target::of_mass(&wanted.contacts_mass));
+        plan.warnings.push(rules::already_at_target(&wanted.contacts_mass));
         return Ok(finish(plan, wanted, selected, None, change));
     }
     // A mass within a thousandth is the same: numbers stay, and only spheres move.
@@ -174,7 +173,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         }
     }
     if plan.changes.is_empty() && plan.moves.is_empty() {
-        plan.warnings.push(nothing_to_change::by_rescale());
+        plan.warnings.push(rules::nothing_to_rescale());
     }
     Ok(finish(plan, wanted, selected, Some(&radii), change))
 }

@@ -1,7 +1,8 @@
-//! The factor of each property, from the ratios of mass, radius, sphere count and gravity.
+//! The factor of each property, from the ratios of mass, radius, sphere count and gravity; PredSim's rule, for users who compare.
 
 use contact_scaling::Ratios;
-use osim_model::{DissipationBy, Property};
+use osim_model::messages::{Input, readable};
+use osim_model::{DissipationBy, Fault, FaultKind, GravityFor, Needed, Property};
 
 /// The factor and equation of each property.
 pub(crate) fn factor(property: Property, ratios: &Ratios, by: DissipationBy) -> Option<(f64, &'static str)> {
@@ -16,6 +17,61 @@ pub(crate) fn factor(property: Property, ratios: &Ratios, by: DissipationBy) -> 
         Property::HuntCrossleySmoothing => (ratios.hunt_crossley_smoothing(), "C.10"),
         Property::TransitionVelocity => (ratios.transition_velocity(), "friction"),
         Property::ViscousFriction => (ratios.viscous_friction(), "friction"),
+        _ => return None,
+    })
+}
+
+// Contacts that are scaled to another gravity: the ratio, and its words.
+
+/// Gravity that contacts were made for and that they are scaled to.
+pub(crate) struct GravityChange {
+    /// γ = g_b/g_a; 1 without a target.
+    pub(crate) ratio: f64,
+    said: Option<String>,
+}
+
+impl GravityChange {
+    /// From `now` to `target`; `now_for` says whose gravity is missing if `now` is `None`.
+    ///
+    /// # Errors
+    /// A target that is not above 0, or a gravity that nobody knows.
+    pub(crate) fn new(now: Option<f64>, target: Option<f64>, now_for: GravityFor) -> Result<Self, Fault> {
+        let Some(target) = target else { return Ok(Self { ratio: 1.0, said: None }) };
+        if !(target.is_finite() && target > 0.0) {
+            return Err(Fault::new(FaultKind::BadInput {
+                input: Input::TargetGravity,
+                value: target,
+                expected: "an acceleration in m/s2 above 0",
+            }));
+        }
+        match now {
+            Some(now) if now.is_finite() && now > 0.0 => {
+                let said = format!(
+                    "; gravity {} -> {} m/s2 (x{})",
+                    readable(now),
+                    readable(target),
+                    readable(target / now)
+                );
+                Ok(Self { ratio: target / now, said: Some(said) })
+            }
+            _ => Err(Fault::new(Needed::Gravity { purpose: now_for })),
+        }
+    }
+
+    /// Which gravities were taken, for the end of a sentence; empty without a target.
+    pub(crate) fn described(self) -> String {
+        self.said.unwrap_or_default()
+    }
+}
+
+/// PredSim's rule, for users who compare; what it does not scale is the reference's.
+pub(crate) fn predsim(property: Property, ratios: &Ratios, height_ratio: f64) -> Option<(f64, &'static str)> {
+    Some(match property {
+        Property::Stiffness => (ratios.mass() / (height_ratio * height_ratio), "predsim"),
+        Property::Dissipation => (1.0 / height_ratio, "predsim"),
+        Property::ConstantContactForce | Property::HertzSmoothing | Property::HuntCrossleySmoothing => {
+            (1.0, "predsim")
+        }
         _ => return None,
     })
 }

@@ -1,5 +1,6 @@
 //! Plain changes: a property becomes a value, or is multiplied by a factor. Nothing else follows.
 
+use foldhash::HashMap;
 use osim_model::messages::phrase;
 use osim_model::{
     Assignment, Fault, HalfSpace, Mass, Model, Needed, Property, RadiusFrom, Selected, SphereId,
@@ -7,11 +8,12 @@ use osim_model::{
 };
 
 use crate::builder::{New, PlanBuilder};
+use crate::change::Move;
 use crate::note::KeptMass;
 use crate::plan::{Contents, LEVEL, Masses, NoteFacts, Plan};
 use crate::radii::Users;
 use crate::remarks::LEVEL_FEET;
-use crate::rules::nothing_to_change;
+use crate::rules;
 
 /// Why a value changes, or a floor moves, that was fitted to a recording.
 const FIT: &str = "fit";
@@ -159,7 +161,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     let PlanBuilder { changes, moves, mut warnings, .. } = plan;
     if changes.is_empty() && moves.is_empty() {
-        warnings.push(nothing_to_change::by_set());
+        warnings.push(rules::nothing_to_set());
     }
     let mut taken = phrase![];
     if let Some(mass) = &wanted.contacts_mass {
@@ -184,4 +186,34 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
             operation: &operation,
         },
     ))
+}
+
+impl Plan {
+    /// Moves the centres of spheres to these places in their own frames, m, wherever the plan puts them; `model` is the one that the
+    /// plan was made for.
+    ///
+    /// # Errors
+    /// A place that is not finite, or a sphere of an included file.
+    pub fn level(&mut self, model: &Model, places: &[(SphereId, [f64; 3])]) -> Result<(), Fault> {
+        if places.is_empty() {
+            return Ok(());
+        }
+        let ground = self.ground(model);
+        let path = |sphere: SphereId| ground.sphere(sphere).map(|sphere| sphere.path.clone());
+        let paths: Vec<String> = places.iter().filter_map(|&(sphere, _)| path(sphere)).collect();
+        let mut builder = PlanBuilder::new(ground);
+        for &(sphere, location_m) in places {
+            builder.location(sphere, location_m, LEVEL)?;
+        }
+        let new: Vec<Move> = builder.moves;
+        let mut moves: Vec<Move> =
+            self.moves.iter().filter(|old| !paths.contains(&old.path)).cloned().chain(new).collect();
+        moves.sort_by_key(|one| (one.slot.file, one.slot.offset));
+        let moved: HashMap<&str, [f64; 3]> = moves.iter().map(|one| (one.path.as_str(), one.to)).collect();
+        let places = ground.places_digest(|sphere| moved.get(sphere.path.as_str()).copied());
+        self.moves = moves;
+        self.note_places(places);
+        self.remarks.push(LEVEL_FEET.into());
+        Ok(())
+    }
 }

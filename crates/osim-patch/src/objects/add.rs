@@ -1,17 +1,16 @@
 //! Contacts for a model that has none.
 
 use foldhash::HashMap;
-use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note, Property};
+use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note, Property, SphereId};
 
-use super::floor::floor;
-use super::layout::{Layout, NewContact};
-use super::names::{Names, refuse_misread};
-use super::rebuilt::{Deed, EarlierNote, ObjectChange, Rebuilt};
-use super::sets::{FORCE_SET, GEOMETRY_SET};
-use super::spelling::{self, Carrier, InList, Surfaces, Values};
-use super::whole::refuse_parts;
 use crate::edit::edited;
-use crate::node::Node;
+use crate::insert::Node;
+use crate::objects::layout::{Layout, NewContact};
+use crate::objects::names::{Names, refuse_misread};
+use crate::objects::rebuilt::{Deed, EarlierNote, ObjectChange, Rebuilt};
+use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_parts};
+use crate::objects::spelling::{self, Carrier, InList, Surfaces, Values};
+use crate::plan::Plan;
 
 /// A letter in a note's list of what was made: the floor.
 pub(super) const MADE_FLOOR: char = 'h';
@@ -142,4 +141,67 @@ fn added(class: &'static str, name: &str, path: &str, body: Option<&str>) -> Obj
         body: body.map(str::to_owned),
         parameters: Vec::new(),
     }
+}
+
+/// A sphere that a plan adds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct NewSphere<'p> {
+    /// Its name.
+    pub name: &'p str,
+    /// Its component path.
+    pub path: &'p str,
+    /// Name of the body that carries it.
+    pub body: &'p str,
+    /// Its centre in the frame of that body, m.
+    pub centre_m: [f64; 3],
+    /// Its radius, m.
+    pub radius_m: f64,
+}
+
+impl Plan {
+    /// The spheres that are added, with the places and radii that are written.
+    #[must_use]
+    pub fn new_spheres(&self) -> Vec<NewSphere<'_>> {
+        let Some(rebuilt) = &self.rebuilt else { return Vec::new() };
+        let built = rebuilt.model();
+        let ids: HashMap<&str, SphereId> =
+            built.spheres().iter().map(|sphere| (sphere.path.as_str(), sphere.id)).collect();
+        let moved: HashMap<&str, [f64; 3]> =
+            self.moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
+        let radii = self.changes.iter().filter(|change| change.property == Property::Radius);
+        let radii: HashMap<&str, f64> = radii.map(|change| (change.path.as_str(), change.to)).collect();
+        let added = rebuilt.objects.iter().filter(|object| object.deed == Deed::Added);
+        let spheres = added.filter_map(|object| {
+            let id = *ids.get(object.path.as_str())?;
+            let path = object.path.as_str();
+            Some(NewSphere {
+                name: &object.name,
+                path,
+                body: object.body.as_deref()?,
+                // New spheres are placed in the frames of bodies.
+                centre_m: moved.get(path).copied().or_else(|| built.centre_m(id))?,
+                radius_m: radii.get(path).copied().or_else(|| built.sphere(id)?.radius_m().ok())?,
+            })
+        });
+        spheres.collect()
+    }
+}
+
+/// The floor of `model`: the one half-space on ground that faces straight up; `None` where there is none.
+///
+/// # Errors
+/// Several could be it: their names.
+pub(super) fn floor(model: &Model) -> Result<Option<HalfSpace>, Fault> {
+    let mut floors = model.floors().into_iter();
+    let Some(first) = floors.next() else { return Ok(None) };
+    let others: Vec<String> = floors.map(|plane| plane.name).collect();
+    if others.is_empty() {
+        return Ok(model.half_spaces().into_iter().find(|plane| plane.name == first.name));
+    }
+    Err(Fault::refused(format!(
+        "{} and {} both could be the floor (on ground, facing up): remove or turn all but one in OpenSim, then do this again",
+        first.name,
+        others.join(", ")
+    )))
 }

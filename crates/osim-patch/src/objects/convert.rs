@@ -4,20 +4,19 @@ use contact_scaling::{RatioValues, Ratios, SmoothingValues, falisse2022};
 use foldhash::HashSet;
 use osim_model::messages::readable;
 use osim_model::{
-    ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, Property, Selected, Sphere, Tree,
+    Class, ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, Property, Selected, Sphere, Tree,
     moving_spheres,
 };
 
-use super::inside::Inside;
-use super::names::{Names, refuse_misread};
-use super::pairs::{Pair, pairs};
-use super::rebuilt::{Deed, ObjectChange, Rebuilt};
-use super::sets::GEOMETRY_SET;
-use super::spelling::{self, InList, Surfaces, Values};
-use super::whole::refuse_parts;
 use crate::edit::{Edit, edited};
 use crate::insert::{unit, white_space_before};
-use crate::rules::composite_surfaces;
+use crate::objects::layout::{Layout, NewContact, Pair, pairs};
+use crate::objects::moco::Inside;
+use crate::objects::names::{Names, refuse_misread};
+use crate::objects::rebuilt::{Deed, ObjectChange, Rebuilt};
+use crate::objects::sets::{GEOMETRY_SET, refuse_parts};
+use crate::objects::spelling::{self, InList, Surfaces, Values};
+use crate::rules;
 
 /// What only smoothed forces have.
 pub(super) const SMOOTHING: [Property; 3] =
@@ -168,12 +167,12 @@ pub(crate) fn keeps_inside(model: &Model, force: &Force) -> bool {
 
 fn composite(model: &Model, force: &Force, pair: &Pair, wanted: &Convert) -> Result<Finding, Fault> {
     let sphere = model.sphere(pair.sphere).map_or("", |sphere| sphere.name.as_str());
-    let text = composite_surfaces::message(force, sphere, &pair.plane.name);
+    let text = rules::composite_surfaces_message(force, sphere, &pair.plane.name);
     if wanted.strict {
         let kind = FaultKind::StrictlyRefused { text };
         return Err(Fault::new(kind).of(force.path.clone()));
     }
-    Ok(composite_surfaces::of_force(force, text))
+    Ok(rules::composite_surfaces(force, text))
 }
 
 /// The edit that puts one force for each pair into the place of `force`, and the new objects.
@@ -292,7 +291,7 @@ pub(super) fn smooth(
 /// Members of groups are called by the names of forces.
 fn renamed_members(tree: &Tree, model: ElementId, renamed: &[(String, Vec<String>)]) -> Vec<Edit> {
     let groups = tree
-        .child(model, super::whole::FORCES)
+        .child(model, crate::objects::sets::FORCES)
         .and_then(|set| tree.child(set, "groups"))
         .into_iter()
         .flat_map(|groups| tree.children(groups))
@@ -311,7 +310,7 @@ fn renamed_members(tree: &Tree, model: ElementId, renamed: &[(String, Vec<String
             }
         });
         let words = words.collect::<Vec<_>>().join(" ");
-        changed.then(|| Edit { span: raw.span, text: crate::node::escaped(&words) })
+        changed.then(|| Edit { span: raw.span, text: crate::insert::escaped(&words) })
     };
     groups.filter_map(edit).collect()
 }
@@ -324,5 +323,73 @@ fn object(deed: Deed, kind: ForceKind, name: &str, path: &str, body: Option<Stri
         path: path.to_owned(),
         body,
         parameters: Vec::new(),
+    }
+}
+
+impl Layout {
+    /// The same contacts with forces of the class `kind`, as [`convert`](crate::objects::convert()) makes them: what a class does not have goes,
+    /// and what the other had not comes from Falisse et al. (2022), without dimensions, at the radius of each sphere.
+    ///
+    /// # Errors
+    /// A radius outside its domain.
+    pub fn into_class(mut self, kind: ForceKind) -> Result<Self, Fault> {
+        for contact in self.contacts.iter_mut().filter(|contact| contact.kind != kind) {
+            contact.set_class(kind)?;
+        }
+        Ok(self)
+    }
+}
+
+impl NewContact {
+    /// Gives the force the class `kind`.
+    fn set_class(&mut self, kind: ForceKind) -> Result<(), Fault> {
+        self.kind = kind;
+        if kind == ForceKind::SmoothSphereHalfSpace {
+            return smooth(&mut self.values, self.radius_m, &Convert::new(kind));
+        }
+        self.values.retain(|(property, _)| !SMOOTHING.contains(property));
+        Ok(())
+    }
+
+    /// The same with a value for each parameter of its class. What is not given gets OpenSim's default. OpenSim's smoothing suits
+    /// no size, so smoothing is that of Falisse et al. (2022), without dimensions, at this radius.
+    ///
+    /// ```
+    /// use osim_model::{ForceKind, Property};
+    /// use osim_patch::NewContact;
+    ///
+    /// let mut heel = NewContact::new(ForceKind::SmoothSphereHalfSpace, "force_heel", "heel");
+    /// heel.radius_m = 0.032;
+    /// let heel = heel.with_defaults()?;
+    /// let of = |wanted| heel.values.iter().find(|(property, _)| *property == wanted).map(|(_, value)| *value);
+    /// assert_eq!((of(Property::StaticFriction), of(Property::TransitionVelocity)), (Some(0.0), Some(0.01)));
+    /// assert_eq!(of(Property::HertzSmoothing), Some(300.0));
+    /// # Ok::<(), osim_model::Fault>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A radius outside its domain.
+    pub fn with_defaults(mut self) -> Result<Self, Fault> {
+        self.set_class(self.kind)?;
+        let classes: &[Class] = match self.kind {
+            ForceKind::SmoothSphereHalfSpace => &[Class::SmoothSphereHalfSpaceForce],
+            _ => &[Class::ContactParameters, Class::HuntCrossleyForce],
+        };
+        for &class in classes {
+            for &property in class.parameters() {
+                if !self.values.iter().any(|(known, _)| *known == property) {
+                    self.values.push((property, class.default(property)));
+                }
+            }
+        }
+        Ok(self)
+    }
+
+    /// Gives a parameter this value.
+    pub fn set_value(&mut self, property: Property, value: f64) {
+        match self.values.iter_mut().find(|(known, _)| *known == property) {
+            Some((_, old)) => *old = value,
+            None => self.values.push((property, value)),
+        }
     }
 }

@@ -1,8 +1,11 @@
-//! Contacts as they are to be made: which sphere, on which body, where, with which values.
+//! Contacts as they are to be made: which sphere, on which body, where, with which values; of a preset, of a model, mirrored.
 
-use osim_model::{Anatomy, AnatomySphere, Fault, FaultKind, ForceKind, Model, Property, Rotation, Selected};
-
-use super::pairs::{Pair, pairs};
+use contact_scaling::modulus::SurfaceValues;
+use foldhash::HashSet;
+use osim_model::{
+    Anatomy, AnatomyJoint, AnatomySphere, Fault, FaultKind, Force, ForceKind, HalfSpace, Model, ParameterSet,
+    Property, Rotation, Selected, SetId, Side, SphereId, Surfaces,
+};
 
 /// One contact that a model is to get: a sphere, and the force that presses it on the floor.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,5 +111,275 @@ impl Layout {
             )
         });
         anatomy.with_spheres(spheres.collect())
+    }
+}
+
+// Contacts of one side, on the other side too.
+
+impl Layout {
+    /// The same contacts and their mirror images in z: names and bodies with `_l` for `_r`, or the other way round. What has no side
+    /// in its body's name stays alone.
+    ///
+    /// # Errors
+    /// Contacts on both sides, or on none.
+    pub fn mirrored(mut self) -> Result<Self, Fault> {
+        let sides: Vec<Side> =
+            self.contacts.iter().filter_map(|contact| Side::of_name(&contact.body)).collect();
+        let Some(&side) = sides.first() else {
+            let text = "no body that carries a contact of the reference has a side in its name (_r or _l): nothing can be mirrored";
+            return Err(Fault::refused(text));
+        };
+        if sides.iter().any(|&other| other != side) {
+            return Err(Fault::refused(
+                "the reference has contacts on both sides: nothing has to be mirrored",
+            ));
+        }
+        let of_side = self.contacts.iter().filter(|contact| Side::of_name(&contact.body) == Some(side));
+        let images = of_side.map(|contact| image(contact, side)).collect::<Result<Vec<_>, _>>()?;
+        self.contacts.extend(images);
+        Ok(self)
+    }
+
+    /// `anatomy` with the bodies of this layout that it lacks: each the mirror image of that of the other side.
+    #[must_use]
+    pub fn mirrored_anatomy(&self, mut anatomy: Anatomy) -> Anatomy {
+        for contact in &self.contacts {
+            let other = other_side(&contact.body).filter(|other| anatomy.has_body(other));
+            if let Some(other) = other.filter(|_| !anatomy.has_body(&contact.body)) {
+                add_image(&mut anatomy, &other, &contact.body);
+                // Its names are looked up in an index, which is made with the spheres.
+                let spheres = anatomy.spheres.clone();
+                anatomy = anatomy.with_spheres(spheres);
+            }
+        }
+        anatomy
+    }
+}
+
+/// Adds `image`, the mirror image of the body `of` with its meshes and the joints around it.
+fn add_image(anatomy: &mut Anatomy, of: &str, image: &str) {
+    anatomy.bodies.push(image.to_owned());
+    if let Some(meshes) = anatomy.meshes.get(of).cloned() {
+        anatomy.meshes.insert(image.to_owned(), meshes);
+    }
+    let swapped = |name: &str| other_side(name).unwrap_or_else(|| name.to_owned());
+    if let Some(offsets) = anatomy.offsets.get(of) {
+        let offsets = offsets.iter().map(|(name, &place)| (swapped(name), in_mirror(place))).collect();
+        anatomy.offsets.insert(image.to_owned(), offsets);
+    }
+    let around = |joint: &&AnatomyJoint| joint.child == of || joint.parent == of;
+    let images = anatomy.joints.iter().filter(around).filter_map(|joint| {
+        let mut joint = joint.clone();
+        joint.name = other_side(&joint.name)?;
+        joint.parent = swapped(&joint.parent);
+        joint.child = swapped(&joint.child);
+        joint.in_parent_m = in_mirror(joint.in_parent_m);
+        joint.in_child_m = in_mirror(joint.in_child_m);
+        Some(joint)
+    });
+    let known: HashSet<String> = anatomy.joints.iter().map(|joint| joint.name.clone()).collect();
+    let images: Vec<AnatomyJoint> = images.filter(|joint| !known.contains(&joint.name)).collect();
+    anatomy.joints.extend(images);
+}
+
+fn in_mirror([x, y, z]: [f64; 3]) -> [f64; 3] {
+    [x, y, if z == 0.0 { z } else { -z }]
+}
+
+fn image(contact: &NewContact, side: Side) -> Result<NewContact, Fault> {
+    let body = other_side(&contact.body).ok_or_else(|| {
+        Fault::refused(format!(
+            "{} says its side otherwise than with _r or _l: what is mirrored is found by these letters",
+            contact.body
+        ))
+    })?;
+    let mark = if side == Side::Right { "_l" } else { "_r" };
+    let name = |own: &str| other_side(own).unwrap_or_else(|| format!("{own}{mark}"));
+    Ok(NewContact {
+        force: name(&contact.force),
+        sphere: name(&contact.sphere),
+        body,
+        location_m: in_mirror(contact.location_m),
+        ..contact.clone()
+    })
+}
+
+/// The name with `_l` for `_r`, or the other way round, where these end a word; `None` where it has neither.
+fn other_side(name: &str) -> Option<String> {
+    let mut letters: Vec<char> = name.chars().collect();
+    let mut found = false;
+    for at in 1..letters.len() {
+        let is_end = letters.get(at + 1).is_none_or(|next| !next.is_alphanumeric());
+        let other = match letters.get(at - 1..=at) {
+            Some(['_', 'r']) if is_end => 'l',
+            Some(['_', 'l']) if is_end => 'r',
+            _ => continue,
+        };
+        if let Some(letter) = letters.get_mut(at) {
+            *letter = other;
+            found = true;
+        }
+    }
+    found.then(|| letters.into_iter().collect())
+}
+
+// A force as pairs of one sphere and one half-space, with the values that such a pair alone would need.
+
+/// A sphere and a half-space of one force.
+pub(crate) struct Pair {
+    pub(crate) sphere: SphereId,
+    pub(crate) plane: HalfSpace,
+    /// Parameters of both surfaces, as one force for the two alone would have them; the transition velocity among them.
+    pub(crate) values: Vec<(Property, f64)>,
+    /// Whether sphere and half-space have parameters of their own that differ: then the values are composites (A.3).
+    pub(crate) is_composite: bool,
+}
+
+/// The pairs of `force`, in its order; a sphere on the half-space's own body never meets it.
+///
+/// # Errors
+/// A value that is not a plain number or outside its domain, with its place.
+pub(crate) fn pairs(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
+    let surfaces = Surfaces::of(force)?;
+    let planes: Vec<(&ParameterSet, HalfSpace)> = force
+        .sets
+        .iter()
+        .flat_map(|set| model.planes_of_set(set).into_iter().map(move |plane| (set, plane)))
+        .collect();
+    let mut pairs = Vec::new();
+    for set in &force.sets {
+        for &sphere in &set.spheres {
+            let Some(own) = model.sphere(sphere).filter(|sphere| !sphere.fixed) else { continue };
+            for (plane_set, plane) in &planes {
+                if plane.body.is_some() && plane.body == own.body {
+                    continue;
+                }
+                let of = |id| values_of_set(force, id);
+                let (here, there) = (of(set.id)?, of(plane_set.id)?);
+                let is_composite = here != there;
+                let values = if is_composite {
+                    composite_values(surfaces.together(set.id, plane_set.id)?, &here, &there)
+                } else {
+                    here
+                };
+                pairs.push(Pair { sphere, plane: plane.clone(), values, is_composite });
+            }
+        }
+    }
+    Ok(pairs)
+}
+
+fn values_of_set(force: &Force, set: SetId) -> Result<Vec<(Property, f64)>, Fault> {
+    let mut values = Vec::new();
+    for property in Property::ALL {
+        if let Some(value) = force.checked(set, property)? {
+            values.push((property, value));
+        }
+    }
+    Ok(values)
+}
+
+/// Modulus and α by (A.3) and (A.4); of each friction the value that Simbody uses, 2ab/(a + b).
+fn composite_values(
+    together: SurfaceValues,
+    here: &[(Property, f64)],
+    there: &[(Property, f64)],
+) -> Vec<(Property, f64)> {
+    let both = here.iter().filter_map(|&(property, a)| {
+        let (_, b) = there.iter().find(|(known, _)| *known == property)?;
+        let value = match property {
+            Property::Stiffness => together.plane_strain_modulus,
+            Property::Dissipation => together.dissipation,
+            Property::StaticFriction | Property::DynamicFriction | Property::ViscousFriction if a != *b => {
+                2.0 * a * b / (a + b)
+            }
+            _ => a,
+        };
+        Some((property, value))
+    });
+    both.collect()
+}
+
+// Presets whose places are published, too: each is a small model of our own that says so.
+
+/// Name and model.
+const MODELS: [(&str, &str); 2] = [
+    ("falisse2022", include_str!("presets/falisse2022.osim")),
+    ("moco-2d-gait", include_str!("presets/moco-2d-gait.osim")),
+];
+
+/// The preset of that name as a model, if the places of its spheres are known.
+///
+/// ```
+/// use osim_model::Model;
+///
+/// let text = osim_patch::preset_model("falisse2022").expect("its places are published");
+/// let model = Model::parse(text)?;
+/// assert_eq!((model.spheres().len(), model.spheres()[0].radius_m()?), (12, 0.032));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[must_use]
+pub fn preset_model(name: &str) -> Option<&'static str> {
+    MODELS.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
+}
+
+/// Names of the presets that have places.
+pub fn presets_with_places() -> impl Iterator<Item = &'static str> {
+    MODELS.iter().map(|(name, _)| *name)
+}
+
+#[cfg(test)]
+mod tests {
+    use osim_model::ForceKind;
+
+    use super::*;
+
+    fn contact(force: &str, sphere: &str, body: &str) -> NewContact {
+        let mut contact = NewContact::new(ForceKind::HuntCrossley, force, sphere);
+        contact.body = body.to_owned();
+        contact.location_m = [0.1, -0.2, 0.03];
+        contact
+    }
+
+    fn layout(contacts: Vec<NewContact>) -> Layout {
+        Layout { contacts, ..Layout::default() }
+    }
+
+    #[test]
+    fn the_image_is_on_the_other_side() {
+        let both = layout(vec![contact("f_heel_r", "heel", "calcn_r"), contact("f", "s", "pelvis")])
+            .mirrored()
+            .unwrap();
+        assert_eq!(both.contacts.len(), 3);
+        let image = &both.contacts[2];
+        assert_eq!(
+            (image.force.as_str(), image.sphere.as_str(), image.body.as_str()),
+            ("f_heel_l", "heel_l", "calcn_l")
+        );
+        assert_eq!(image.location_m, [0.1, -0.2, -0.03]);
+    }
+
+    #[test]
+    fn both_sides_or_none_are_refused() {
+        for contacts in
+            [vec![contact("f", "s", "pelvis")], vec![contact("f", "s", "a_r"), contact("g", "t", "a_l")]]
+        {
+            assert!(layout(contacts).mirrored().is_err());
+        }
+        let camel = layout(vec![contact("f", "s", "RFoot")]).mirrored().unwrap_err();
+        assert!(camel.to_string().contains("otherwise than with _r or _l"), "{camel}");
+    }
+
+    #[test]
+    fn sides_are_words_of_a_name() {
+        assert_eq!(other_side("s1_r_a").as_deref(), Some("s1_l_a"));
+        assert_eq!(other_side("calcn_l").as_deref(), Some("calcn_r"));
+        assert_eq!(
+            other_side("/jointset/mtp_r/calcn_r_offset").as_deref(),
+            Some("/jointset/mtp_l/calcn_l_offset")
+        );
+        assert_eq!(other_side("mtp_r parent").as_deref(), Some("mtp_l parent"));
+        assert_eq!(other_side("rotor_left"), None);
+        assert_eq!(other_side("l"), None);
     }
 }

@@ -1,9 +1,9 @@
-//! Names of new objects: those that OpenSim takes, each once.
+//! Names of new objects, those that OpenSim takes, each once; and places of a file that name contact geometry.
+
+use std::ops::Range;
 
 use foldhash::HashSet;
-use osim_model::{Fault, FileId, Model, refuse_name_in_paths};
-
-use super::references::{names, references};
+use osim_model::{Document, ElementId, Fault, FileId, ForceKind, Model, opensim_text, refuse_name_in_paths};
 
 /// Names that are taken in a model, or will be.
 pub(super) struct Names(HashSet<String>);
@@ -17,8 +17,8 @@ impl Names {
         let members = ["ContactGeometrySet", "ForceSet"].into_iter().flat_map(|set| members(model, set));
         let mut taken: HashSet<String> = geometry.chain(planes).chain(members).collect();
         let document = model.document();
-        for element in references(document) {
-            taken.extend(names(&document.tree().text_of(element)).map(str::to_owned));
+        for element in geometry_references(document) {
+            taken.extend(geometry_names(&document.tree().text_of(element)).map(str::to_owned));
         }
         Self(taken)
     }
@@ -55,4 +55,73 @@ fn members(model: &Model, set: &str) -> Vec<String> {
     let objects = tree.child(document.data_root(), set).and_then(|set| tree.child(set, "objects"));
     let children = objects.into_iter().flat_map(|objects| tree.children(objects));
     children.filter_map(|id| Some(tree.attribute(id, "name")?.into_owned())).collect()
+}
+
+/// The elements of `document` that name contact geometry. What `<defaults>` name for forces is not among them: it counts only for
+/// forces that have nothing of their own there.
+pub(super) fn geometry_references(document: &Document) -> impl Iterator<Item = ElementId> + '_ {
+    let tree = document.tree();
+    let of_forces = |&id: &ElementId| {
+        let kinds = [ForceKind::HuntCrossley, ForceKind::SmoothSphereHalfSpace];
+        kinds.iter().any(|kind| kind.as_str() == tree.name(id))
+    };
+    let defaults = document.defaults().into_iter().flat_map(|defaults| tree.children(defaults));
+    let left_out = Covered::of(defaults.filter(of_forces).map(|element| tree.span(element)).collect());
+    tree.elements().filter(move |&id| is_reference(tree.name(id)) && !left_out.covers(&tree.span(id)))
+}
+
+/// The names that the text of such an element gives, without their paths.
+pub(super) fn geometry_names(text: &str) -> impl Iterator<Item = &str> {
+    opensim_text::list(text).map(|word| word.rsplit('/').next().unwrap_or(word))
+}
+
+/// Whether elements of this name name contact geometry.
+fn is_reference(tag: &str) -> bool {
+    ["geometry", "socket_sphere", "socket_half_space", "socket_contact_geometry"].contains(&tag)
+}
+
+/// Spans in order, none inside another one.
+pub(super) struct Covered(Vec<Range<usize>>);
+
+impl Covered {
+    /// Those of `spans` that are in no other one of them. Spans do not overlap otherwise: they are elements.
+    pub(super) fn of(mut spans: Vec<Range<usize>>) -> Self {
+        // The longer first where two begin together.
+        spans.sort_by_key(|span| (span.start, std::cmp::Reverse(span.end)));
+        let mut end = 0;
+        spans.retain(|span| {
+            let is_outer = span.end > end;
+            end = end.max(span.end);
+            is_outer
+        });
+        Self(spans)
+    }
+
+    /// Whether all of `span` goes.
+    pub(super) fn covers(&self, span: &Range<usize>) -> bool {
+        let behind = self.0.partition_point(|own| own.start <= span.start);
+        self.0[..behind].last().is_some_and(|own| span.end <= own.end)
+    }
+
+    /// The spans, in order.
+    pub(super) fn spans(&self) -> &[Range<usize>] {
+        &self.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_inside_of_what_goes_goes_with_it() {
+        let covered = Covered::of(vec![20..30, 0..10, 20..25, 26..30, 2..3]);
+        assert_eq!(covered.spans(), [0..10, 20..30]);
+        for (span, goes) in
+            [(0..10, true), (2..9, true), (9..11, false), (10..20, false), (25..26, true), (31..32, false)]
+        {
+            assert_eq!(covered.covers(&span), goes, "{span:?}");
+        }
+        assert!(!Covered::of(Vec::new()).covers(&(0..1)));
+    }
 }

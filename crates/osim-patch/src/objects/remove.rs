@@ -1,27 +1,25 @@
-//! Contacts out of a model: forces, their spheres where nothing else uses them, and what was made for them.
+//! Contacts out of a model: forces, their spheres where nothing else uses them, what was made for them, and what still names them.
 
 use std::collections::BTreeSet;
 
-use foldhash::{HashSet, HashSetExt};
+use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use osim_model::{
     Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, HalfSpace, Model, Note, Selected,
-    SphereId, Tree, moving_spheres,
+    SphereId, Tree, moving_spheres, opensim_text,
 };
 
-use super::add::MADE_FLOOR;
-use super::covered::Covered;
-use super::rebuilt::{Deed, EarlierNote, ObjectChange, Rebuilt};
-use super::references::{names, references};
-use super::sets::{FORCE_SET, GEOMETRY_SET};
-use super::whole::refuse_parts;
 use crate::edit::{Edit, edited};
 use crate::insert::with_white_space_before;
+use crate::objects::add::MADE_FLOOR;
+use crate::objects::names::{Covered, geometry_names, geometry_references};
+use crate::objects::rebuilt::{Deed, EarlierNote, ObjectChange, Rebuilt};
+use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_parts};
 
 /// `model` without the forces `selected` and the moving spheres that only they use; the floor goes where [`add_contacts`] made it and
 /// nothing uses it, and so do the sets that it made. After [`add_contacts`], also with other numbers since, the first file is
 /// there again, byte for byte.
 ///
-/// [`add_contacts`]: super::add_contacts
+/// [`add_contacts`]: crate::objects::add_contacts
 ///
 /// # Errors
 /// - A set that stands alone, or one in another file.
@@ -71,7 +69,7 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<Rebuilt, Fault> {
     let is_last = !crate::note::has_rest(model, &rebuilt) || takes_all_added(model, &going);
     if is_last {
         // Without contacts, a note about contacts would be wrong.
-        rebuilt = edited(&rebuilt, crate::note_edits::remove(rebuilt.document()))?;
+        rebuilt = edited(&rebuilt, crate::note_edits::remove_note(rebuilt.document()))?;
     }
     let made = crate::note_edits::with_letters(&made, "");
     let mut rebuilt = Rebuilt::new(rebuilt, objects, made);
@@ -154,10 +152,10 @@ fn refuse_users(model: &Model, elements: &[ElementId], going: &HashSet<String>) 
     let document = model.document();
     let tree = document.tree();
     let gone = Covered::of(elements.iter().map(|&element| tree.span(element)).collect());
-    for element in references(document) {
+    for element in geometry_references(document) {
         let span = tree.span(element);
         let text = tree.text_of(element);
-        let Some(name) = names(&text).find(|name| going.contains(*name)) else { continue };
+        let Some(name) = geometry_names(&text).find(|name| going.contains(*name)) else { continue };
         if !gone.covers(&span) {
             return Err(Fault::over(in_use(document, element, name), span));
         }
@@ -180,4 +178,93 @@ fn in_use(document: &Document, element: ElementId, name: &str) -> FaultKind {
         "<{}>{place} uses {name}, which would go: {way_out}, or choose the forces that go",
         tree.name(element)
     ))
+}
+
+// Places of a file that name objects which were removed: OpenSim still reads the file, and finds less.
+
+/// An object of a model that names others which the model does not have any more.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Leftover {
+    /// Its class and its name, such as `ObjectGroup feet`.
+    pub object: String,
+    /// What it names, in its order.
+    pub names: Vec<String>,
+}
+
+/// Objects of `rebuilt` that name what went with it: groups by names, reporters and others by paths.
+#[must_use]
+pub fn leftovers(rebuilt: &Rebuilt) -> Vec<Leftover> {
+    let paths = |deed: Deed| {
+        let own = rebuilt.objects.iter().filter(move |object| object.deed == deed);
+        own.map(|object| object.path.as_str()).collect::<HashSet<&str>>()
+    };
+    let new = paths(Deed::Added);
+    let gone: HashSet<&str> = paths(Deed::Removed).into_iter().filter(|path| !new.contains(path)).collect();
+    let mut found: Vec<Leftover> = Vec::new();
+    if gone.is_empty() {
+        return found;
+    }
+    let tree = rebuilt.model().document().tree();
+    let (mut by_owner, mut said) = (HashMap::new(), HashSet::new());
+    for leaf in tree.elements().filter(|&id| tree.children(id).next().is_none()) {
+        let names = named_in(tree, leaf, &gone);
+        if names.is_empty() {
+            continue;
+        }
+        let owner = owner(tree, leaf);
+        let at = *by_owner.entry(owner).or_insert_with(|| {
+            found.push(Leftover { object: called(tree, owner), names: Vec::new() });
+            found.len() - 1
+        });
+        if let Some(leftover) = found.get_mut(at) {
+            leftover.names.extend(names.into_iter().filter(|name| said.insert((at, name.clone()))));
+        }
+    }
+    found
+}
+
+/// What of `gone` the text of `leaf` names.
+fn named_in(tree: &Tree, leaf: ElementId, gone: &HashSet<&str>) -> Vec<String> {
+    let set = if tree.name(leaf) == "members" { set_of_group(tree, leaf) } else { None };
+    let text = tree.text_of(leaf);
+    // Most texts are numbers.
+    if set.is_none() && !text.contains('/') {
+        return Vec::new();
+    }
+    let path = |word: &str| match &set {
+        Some(set) => Some(format!("/{set}/{word}")).filter(|path| gone.contains(path.as_str())),
+        None => object_of(word, gone),
+    };
+    opensim_text::list(&text)
+        .filter_map(path)
+        .map(|path| path.rsplit('/').next().unwrap_or_default().to_owned())
+        .collect()
+}
+
+/// The set whose groups `members` belongs to, as paths call it.
+fn set_of_group(tree: &Tree, members: ElementId) -> Option<String> {
+    let groups = tree.parent(tree.parent(members)?)?;
+    let set = tree.name(tree.parent(groups)?);
+    [FORCE_SET.tag, GEOMETRY_SET.tag].contains(&set).then(|| set.to_ascii_lowercase())
+}
+
+/// The path of `gone` that a path leads to or into: `/forceset/heel|force` is an output of `/forceset/heel`.
+fn object_of(word: &str, gone: &HashSet<&str>) -> Option<String> {
+    let path = word.split('|').next().unwrap_or(word).trim_start_matches(['.', '/']);
+    let path = format!("/{path}");
+    let ends = path.match_indices('/').map(|(at, _)| at).skip(1).chain([path.len()]);
+    let mut objects = ends.filter_map(|end| path.get(..end));
+    objects.find(|object| gone.contains(object)).map(str::to_owned)
+}
+
+/// The object that `leaf` belongs to.
+fn owner(tree: &Tree, leaf: ElementId) -> Option<ElementId> {
+    std::iter::successors(tree.parent(leaf), |&id| tree.parent(id))
+        .find(|&id| tree.attribute(id, "name").is_some())
+}
+
+fn called(tree: &Tree, owner: Option<ElementId>) -> String {
+    let name = |id: ElementId| Some(format!("{} {}", tree.name(id), tree.attribute(id, "name")?));
+    owner.and_then(name).unwrap_or_default()
 }

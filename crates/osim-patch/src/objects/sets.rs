@@ -1,12 +1,9 @@
 //! The sets that hold contact objects: where a new member goes, and what a note has to know so that it can be taken out again.
 
-use osim_model::{ElementId, Tree};
+use osim_model::{ElementId, Fault, FaultKind, Model, Tree};
 
-use super::whole::{FORCES, GEOMETRY};
 use crate::edit::Edit;
-use crate::empty::Form;
-use crate::insert::{append, fill, insert, with_white_space_before};
-use crate::node::Node;
+use crate::insert::{Form, Node, append, fill, insert, with_white_space_before};
 
 /// What OpenSim writes around its sets in a model.
 const ORDER: [&str; 15] = [
@@ -159,4 +156,34 @@ fn opened(
     let form = Form::of(tree, element);
     made.extend(letters.iter().find(|(_, known)| *known == form).map(|(letter, _)| *letter));
     fill(tree, element, nodes).into_iter().collect()
+}
+
+/// The sets that whole objects go into.
+pub(super) const FORCES: &str = "ForceSet";
+pub(super) const GEOMETRY: &str = "ContactGeometrySet";
+
+/// Objects are changed in models that are one file: a set in another file belongs to other models, too.
+///
+/// # Errors
+/// A set that stands alone, or one that is in another file.
+pub(super) fn refuse_parts(model: &Model) -> Result<(), Fault> {
+    let document = model.document();
+    let (tree, root) = (document.tree(), document.data_root());
+    if tree.name(root) != "Model" {
+        return Err(Fault::over(
+            FaultKind::Refused(
+                "this is a set that stands alone: whole contacts are added to, changed in and removed from models only; name the \
+                 model that it belongs to"
+                    .to_owned(),
+            ),
+            tree.open_span(root),
+        ));
+    }
+    for (element, file) in document.included_files() {
+        if [FORCES, GEOMETRY].contains(&tree.name(element)) {
+            let (path, span) = (tree.name(element).to_owned(), tree.open_span(element));
+            return Err(Fault::over(FaultKind::IncludedFile { path, file }, span));
+        }
+    }
+    Ok(())
 }

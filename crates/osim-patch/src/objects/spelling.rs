@@ -3,9 +3,9 @@
 use foldhash::HashSet;
 use osim_model::{Class, Document, Fault, ForceKind, Model, Orientation, Property};
 
-use super::layout::NewContact;
-use crate::node::Node;
-use crate::written;
+use crate::change;
+use crate::insert::Node;
+use crate::objects::layout::NewContact;
 
 /// The first version in which geometry has a `socket_frame`; before, OpenSim refuses it, and afterwards `body_name`.
 const FIRST_WITH_SOCKET_FRAME: u32 = 30505;
@@ -24,9 +24,9 @@ pub(super) const GROUND: Carrier<'static> = Carrier { name: "ground", path: "/gr
 impl Carrier<'_> {
     fn node(&self, version: u32) -> Node {
         if version < FIRST_WITH_SOCKET_FRAME {
-            Node::leaf("body_name", crate::node::escaped(self.name))
+            Node::leaf("body_name", crate::insert::escaped(self.name))
         } else {
-            Node::leaf("socket_frame", crate::node::escaped(self.path))
+            Node::leaf("socket_frame", crate::insert::escaped(self.path))
         }
     }
 }
@@ -35,7 +35,7 @@ impl Carrier<'_> {
 fn triple(tag: &str, values: [f64; 3], name: &str) -> Result<Node, Fault> {
     // The mirror image of 0 is 0, without a minus.
     let values = values.map(|value| value + 0.0);
-    let text = written::triple(values, tag, || format!("the place that {name} is to have"));
+    let text = change::triple_text(values, tag, || format!("the place that {name} is to have"));
     Ok(Node::leaf(tag, text.map_err(|fault| fault.of(name))?))
 }
 
@@ -46,8 +46,9 @@ fn triple(tag: &str, values: [f64; 3], name: &str) -> Result<Node, Fault> {
 pub(super) fn sphere(version: u32, carrier: &Carrier<'_>, contact: &NewContact) -> Result<Node, Fault> {
     let name = contact.sphere.as_str();
     let place = triple("location", contact.location_m, name)?;
-    let radius =
-        written::value(contact.radius_m, Property::Radius, || format!("the radius that {name} is to have"));
+    let radius = change::number_text(contact.radius_m, Property::Radius, || {
+        format!("the radius that {name} is to have")
+    });
     let radius = Node::leaf("radius", radius.map_err(|fault| fault.of(name))?);
     Ok(Node::object(Class::ContactSphere.tag(), name, vec![carrier.node(version), place, radius]))
 }
@@ -102,14 +103,14 @@ pub(super) fn force(
     values: &Values<'_>,
     applies: bool,
 ) -> Result<Node, Fault> {
-    let escaped = crate::node::escaped;
+    let escaped = crate::insert::escaped;
     let values_of = |class: Class| {
         let value = |property: Property| {
             let given = values.numbers.iter().find(|(known, _)| *known == property).map(|(_, value)| *value);
             given.or_else(|| has_default(document, class, property.name()).then(|| class.default(property)))
         };
         let leaf = |&property: &Property| {
-            let text = written::value(value(property)?, property, || (values.origin)(property));
+            let text = change::number_text(value(property)?, property, || (values.origin)(property));
             Some(text.map(|text| Node::leaf(property.name(), text)).map_err(|fault| fault.of(name)))
         };
         class.parameters().iter().filter_map(leaf).collect::<Result<Vec<_>, _>>()

@@ -1,27 +1,22 @@
 //! Contacts of a reference, given the dimensions of another body: (10), (14), (C.2), (C.5), (C.10).
 
-use contact_scaling::{RatioValues, Ratios};
+use contact_scaling::{Contact, DimensionlessContact, RatioValues, Ratios, Scale, ScaleValues, restitution};
 use osim_model::compare::Follow;
-use osim_model::messages::{phrase, readable};
+use osim_model::messages::{Phrase, phrase, readable};
 use osim_model::{
     DissipationBy, Fault, FaultKind, Force, ForceKind, GravityFor, Model, Property, RadiusRule, Scope,
     Selected, SphereId,
 };
 
-use super::choice::{Choice, ReferenceRadii};
-use super::predsim::predsim;
-use super::request::{ReferenceContact, ScalingRule, Transfer};
-use super::several_sets;
-use super::similarity::{check_spread, similarity};
-use crate::builder::{New, PlanBuilder};
-use crate::gravity::GravityChange;
+use crate::builder::{New, PlanBuilder, write_composite};
 use crate::objects::keeps_inside;
 use crate::plan::{Contents, FOLLOW, Masses, NoteFacts, Plan, TRANSFER};
 use crate::radii::{Radii, SphereRule};
 use crate::remarks::{GRAVITY_STAYS, PLACES_STAY, bottoms_remark_and_level, warn_forces};
-use crate::rules::{nothing_to_change, reference_without_smoothing};
-use crate::scaling::factor;
-use crate::surfaces::write_composite;
+use crate::rules;
+use crate::scaling::{GravityChange, factor, predsim};
+use crate::transfer::choice::{self, Choice, ReferenceRadii};
+use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};
 
 /// Plans a transfer onto the forces `selected` of `model`, by (10), (14), (C.2), (C.5) and (C.10): see [`Transfer`] for an
 /// example.
@@ -75,8 +70,8 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     warn_forces(&mut plan, &selected.forces, &wanted.properties);
     let mut without_smoothing = false;
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-        if several_sets::has_several(&plan, force, wanted) {
-            several_sets::plan(&mut plan, force, wanted, &chosen, &radii, gravity)?;
+        if choice::has_several_sets(&plan, force, wanted) {
+            choice::plan_several_sets(&mut plan, force, wanted, &chosen, &radii, gravity)?;
             continue;
         }
         let from = chosen.of_force(model, force)?;
@@ -104,7 +99,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     }
     let whole = !without_smoothing;
     if without_smoothing {
-        plan.warnings.push(reference_without_smoothing::of_reference(&reference.name));
+        plan.warnings.push(rules::reference_without_smoothing(&reference.name));
     }
     Ok(finish(plan, wanted, selected.complete && whole, &radii, change))
 }
@@ -183,7 +178,7 @@ fn finish(
 ) -> Plan {
     let PlanBuilder { model, changes, moves, mut warnings, mut remarks, .. } = plan;
     if changes.is_empty() {
-        warnings.push(nothing_to_change::by_transfer());
+        warnings.push(rules::nothing_to_transfer());
     } else if wanted.follow.is_some() {
         remarks.push("body masses stay as they are; spheres follow their bodies".into());
     } else if !moves.is_empty() {
@@ -228,4 +223,93 @@ fn finish(
             operation: TRANSFER,
         },
     )
+}
+
+// Remarks about a transfer whose spheres follow their bodies: the spread of their factors, and figures to compare by.
+
+/// Spheres of one modulus that follow bodies of different factors.
+pub(crate) fn check_spread(
+    plan: &mut PlanBuilder<'_>,
+    selected: &Selected,
+    wanted: &Transfer,
+    chosen: &Choice<'_>,
+    radii: &Radii,
+) -> Result<(), Fault> {
+    let model = plan.model;
+    for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
+        // A reference force has one radius for all its spheres; what differs here is the bodies' factors.
+        let old = |sphere: SphereId| match wanted.follow.as_ref().and_then(|follow| follow.old_radius(sphere))
+        {
+            Some(radius) => radius,
+            None => chosen.of_sphere(model, sphere).radius_m,
+        };
+        let Some(text) = rules::factor_spread_message(force, radii.spread(force, old)) else { continue };
+        if wanted.strict {
+            return Err(Fault::new(FaultKind::StrictlyRefused { text }).of(force.path.clone()));
+        }
+        plan.warnings.push(rules::factor_spread(force, text));
+    }
+    Ok(())
+}
+
+/// x̂ at body weight and c_r of the reference and of the result, so that rules can be compared.
+pub(crate) fn similarity(
+    model: &Model,
+    selected: &Selected,
+    wanted: &Transfer,
+    chosen: &Choice<'_>,
+    radii: &Radii,
+    gravity_ratio: f64,
+) -> Option<Phrase> {
+    // Without a count nothing is known of indentations.
+    if wanted.counts_cancel {
+        return None;
+    }
+    let force = selected.forces.iter().find_map(|&id| model.force(id))?;
+    let from = chosen.of_force(model, force).ok()?;
+    let gravity = wanted.reference.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0)?;
+    let here_gravity = wanted.target_gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0)?;
+    let there = Scale::new(ScaleValues {
+        mass_kg: wanted.reference.mass.kg,
+        radius_m: from.radius_m,
+        sphere_count: wanted.reference.sphere_count,
+        gravity_m_s2: gravity,
+    });
+    let here = Scale::new(ScaleValues {
+        mass_kg: wanted.target_mass.kg,
+        radius_m: radii.mean_new(force),
+        sphere_count: wanted.sphere_count,
+        gravity_m_s2: here_gravity,
+    });
+    let (there, here) = (there.ok()?, here.ok()?);
+    let contact = match wanted.rule {
+        ScalingRule::Paper => {
+            let values = RatioValues {
+                mass: wanted.target_mass.kg / wanted.reference.mass.kg,
+                sphere_count: wanted.sphere_count / wanted.reference.sphere_count,
+                radius: radii.mean_new(force) / from.radius_m,
+                gravity: gravity_ratio,
+            };
+            from.contact.scaled(&Ratios::new(values).ok()?)
+        }
+        ScalingRule::PredSim { height_ratio } => {
+            let mut values = from.contact.values();
+            values.plane_strain_modulus *=
+                wanted.target_mass.kg / wanted.reference.mass.kg / (height_ratio * height_ratio);
+            values.dissipation /= height_ratio;
+            Contact::new(values).ok()?
+        }
+    };
+    let describe = |contact: &Contact, scale: &Scale| {
+        let x = DimensionlessContact::of(contact, scale).relative_indentation();
+        let speed = restitution::drop_speed(scale.gravity_m_s2(), scale.radius_m()).ok()?;
+        restitution::exact(contact.dissipation(), speed).map(|restitution| (x, restitution)).ok()
+    };
+    let (x_there, c_there) = describe(&from.contact, &there)?;
+    let (x_here, c_here) = describe(&contact, &here)?;
+    let text = format!(
+        "relative indentation at body weight {x_there:.4} in the reference, {x_here:.4} here; \
+         restitution (exact law) at sqrt(gR/2) {c_there:.4} and {c_here:.4}"
+    );
+    Some(text.into())
 }

@@ -1,13 +1,191 @@
-//! The contacts of a model, as a reference for others.
+//! What is wanted of a transfer, and where its contacts come from: a preset, or the contacts of a model.
 
-use contact_scaling::{Contact, ContactValues, SmoothingValues};
+use contact_scaling::{Contact, ContactValues, Preset, SmoothingValues};
+use osim_model::compare::Follow;
 use osim_model::{
-    Class, Fault, ForceKind, Mass, Model, Property, Selected, Surfaces, contact_of_set, root_mean_square,
-    sphere_sets,
+    Class, DissipationBy, Fault, ForceKind, LevelAxis, Mass, MassSource, Model, Property, PropertySet,
+    RadiusRule, Selected, Surfaces, contact_of_set, root_mean_square, sphere_sets,
 };
 
-use super::request::{Reference, ReferenceContact};
 use crate::objects::{Layout, NewContact};
+
+/// One contact of a reference, and the spheres that have it.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct ReferenceContact {
+    /// Names of the spheres that have it, and their radii, m.
+    pub spheres: Vec<String>,
+    /// Radius of each of `spheres`, m.
+    pub radii_m: Vec<f64>,
+    /// Their radius (the root of the mean R² where they differ), m.
+    pub radius_m: f64,
+    /// E₁* (N/m²) of two equal surfaces, α (s/m), and the smoothing where the class has it.
+    pub contact: Contact,
+    /// `transition_velocity` in m/s and `viscous_friction` in s/m.
+    pub friction: Option<(f64, f64)>,
+}
+
+/// Where contacts are taken from: another model ([`reference_of_model`](reference_of_model)) or a preset.
+///
+/// ```
+/// use osim_model::{MassRequest, Model, Selection};
+/// use osim_patch::{Reference, reference_of_model};
+///
+/// // The published contacts of Falisse et al. (2022): 62 kg on 6 spheres of 0.032 m.
+/// let human = Reference::from(&contact_scaling::falisse2022());
+/// assert_eq!((human.mass.kg, human.sphere_count, human.contacts[0].radius_m), (62.0, 6.0, 0.032));
+///
+/// # let bytes: &[u8] = include_bytes!("../../../osim-model/tests/data/one_foot.osim");
+/// // A model of 10 kg on one sphere.
+/// let model = Model::parse(bytes)?;
+/// let selected = Selection::default().apply(&model)?;
+/// let mass = MassRequest::default().of_model(&model)?;
+/// let own = reference_of_model(&model, &selected, mass, 1.0)?;
+/// assert_eq!((own.name.as_str(), own.gravity_m_s2), ("one_foot", Some(9.81)));
+/// assert_eq!((own.contacts[0].spheres[0].as_str(), own.contacts[0].radii_m[0]), ("heel_r", 0.03));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Reference {
+    /// Name of the model or preset, for reports.
+    pub name: String,
+    /// Mass its contacts were made for.
+    pub mass: Mass,
+    /// Spheres n that share its body weight.
+    pub sphere_count: f64,
+    /// Gravity its contacts were made for, m/s², where known.
+    pub gravity_m_s2: Option<f64>,
+    /// Its contacts.
+    pub contacts: Vec<ReferenceContact>,
+}
+
+impl Reference {
+    /// The refusal of a reference that has no contacts.
+    #[must_use]
+    pub fn without_contacts(&self) -> Fault {
+        Fault::refused(format!("the reference {} has no contacts to take", self.name))
+    }
+}
+
+impl ReferenceContact {
+    /// The radius of the sphere called `name`, if it has this contact, m.
+    pub(crate) fn radius_of(&self, name: &str) -> Option<f64> {
+        let at = self.spheres.iter().position(|known| known == name)?;
+        self.radii_m.get(at).copied()
+    }
+}
+
+impl From<&Preset> for Reference {
+    fn from(preset: &Preset) -> Self {
+        let mass = Mass { kg: preset.scale.mass_kg(), source: MassSource::Preset(preset.name.to_string()) };
+        Self {
+            name: preset.name.to_string(),
+            mass,
+            sphere_count: preset.scale.sphere_count(),
+            gravity_m_s2: Some(preset.scale.gravity_m_s2()),
+            contacts: vec![ReferenceContact {
+                spheres: vec![],
+                radii_m: vec![],
+                radius_m: preset.scale.radius_m(),
+                contact: preset.contact,
+                friction: None,
+            }],
+        }
+    }
+}
+
+/// What is wanted of a transfer: the contacts of a reference, given the size of this model.
+///
+/// ```
+/// use osim_model::{MassRequest, Model, Property, Selection};
+/// use osim_patch::{Reference, Transfer, transfer};
+///
+/// # let bytes: &[u8] = include_bytes!("../../../osim-model/tests/data/one_foot.osim");
+/// let model = Model::parse(bytes)?;
+/// let selected = Selection::default().apply(&model)?;
+/// let mass = MassRequest::default().of_model(&model)?;
+///
+/// // 62 kg on 6 spheres of 0.032 m with E₁* = 1e6 N/m², to 10 kg on one sphere of 0.03 m.
+/// let human = Reference::from(&contact_scaling::falisse2022());
+/// let plan = transfer(&model, &selected, &Transfer::new(human, mass, 1.0))?;
+/// let stiffness = plan.changes.iter().find(|change| change.property == Property::Stiffness).unwrap();
+/// // (10): E*_b = (M_b / M_a) (n_a / n_b) (R_a² / R_b²) E*_a.
+/// let expected = (10.0 / 62.0) * (6.0 / 1.0) * (0.032 * 0.032) / (0.03 * 0.03) * 1e6;
+/// assert!((stiffness.to / expected - 1.0).abs() < 1e-12);
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Transfer {
+    /// Where the contacts come from.
+    pub reference: Reference,
+    /// Name of the sphere of the reference whose contact all get; `None`: the one that all have there, else that of the sphere
+    /// of the same name.
+    pub reference_sphere: Option<String>,
+    /// What this model weighs: the mass that the contacts are scaled to.
+    pub target_mass: Mass,
+    /// Spheres n that share this model's weight.
+    pub sphere_count: f64,
+    /// Whether each sphere has its own in the reference, and how many share the weight is not known: then only the ratio of the
+    /// two counts has a meaning.
+    pub counts_cancel: bool,
+    /// What happens to the radii.
+    pub radius: RadiusRule,
+    /// Which properties may change.
+    pub properties: PropertySet,
+    /// Which size α follows (14).
+    pub dissipation_by: DissipationBy,
+    /// Gravity of this model, m/s², where the contacts are scaled to it; `None`: they are as under the reference's gravity.
+    pub target_gravity_m_s2: Option<f64>,
+    /// New places and radii of the spheres, where they follow their bodies; of `radius` only the equation that is named counts
+    /// for these.
+    pub follow: Option<Follow>,
+    /// Move sphere centres so that their bottoms stay where they are, where spheres do not follow their bodies.
+    pub level: Option<LevelAxis>,
+    /// By which rule E₁* and α follow.
+    pub rule: ScalingRule,
+    /// Whether to refuse, instead of warning, if spheres of one force follow bodies with different factors.
+    pub strict: bool,
+}
+
+impl Transfer {
+    /// Everything the paper scales, with radii as they are: `target_mass` and `sphere_count` are those of the model that is changed.
+    #[must_use]
+    pub fn new(reference: Reference, target_mass: Mass, sphere_count: f64) -> Self {
+        Self {
+            reference,
+            reference_sphere: None,
+            target_mass,
+            sphere_count,
+            counts_cancel: false,
+            radius: RadiusRule::Keep,
+            properties: PropertySet::default(),
+            dissipation_by: DissipationBy::default(),
+            target_gravity_m_s2: None,
+            follow: None,
+            level: None,
+            rule: ScalingRule::Paper,
+            strict: false,
+        }
+    }
+}
+
+/// How E₁* and α follow from the reference.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub enum ScalingRule {
+    /// (10) and (14).
+    #[default]
+    Paper,
+    /// PredSim's: stiffness by mass over height squared, dissipation by one over height; smoothing stays.
+    PredSim {
+        /// Height of this model over that of the reference.
+        height_ratio: f64,
+    },
+}
+
+// The contacts of a model, as a reference for others.
 
 /// Reads the contacts of the forces `selected` of a reference model, which were made for `mass` and for `sphere_count` spheres
 /// that share its weight: see [`Reference`] for an example.

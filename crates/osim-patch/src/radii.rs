@@ -1,20 +1,19 @@
-//! New radii, and the one radius ratio by which a force's parameters follow.
+//! New radii of the moving spheres, and what follows from them for a force.
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::compare::ScaleFile;
 use osim_model::{
-    Fault, Force, ForceId, LevelAxis, Property, PropertySet, RadiusFrom, RadiusRule, SphereId,
+    Fault, Force, ForceId, LevelAxis, Model, Needed, Property, PropertySet, RadiusFrom, RadiusRule, SphereId,
     moving_spheres, root_mean_square,
 };
 
-use super::rule::{Pair, SphereRule};
-use super::users::Users;
 use crate::builder::{New, PlanBuilder};
 use crate::plan::{FOLLOW, LEVEL};
 
 /// Old and new radius of each moving sphere of the chosen forces.
-pub(crate) struct Radii(BTreeMap<SphereId, Pair>);
+pub(crate) struct Radii(BTreeMap<SphereId, RadiusPair>);
 
 impl Radii {
     /// Applies each sphere's rule to the moving spheres of `forces` and plans the changes.
@@ -71,7 +70,7 @@ impl Radii {
         root_mean_square(self.of(force).iter().map(|pair| pair.new))
     }
 
-    fn of(&self, force: &Force) -> Vec<Pair> {
+    fn of(&self, force: &Force) -> Vec<RadiusPair> {
         force.spheres().iter().filter_map(|sphere| self.0.get(sphere)).copied().collect()
     }
 
@@ -131,5 +130,113 @@ impl Radii {
         let most = ratios.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let least = ratios.iter().copied().fold(f64::INFINITY, f64::min);
         if ratios.is_empty() { 1.0 } else { most / least }
+    }
+}
+
+/// What happens to the radius of one sphere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum SphereRule {
+    /// As for all spheres.
+    Rule(RadiusRule),
+    /// As large against the body as the reference's: this, m.
+    Like(f64),
+    /// As the wanted stiffness and indentation need: this, m.
+    Designed(f64),
+    /// As its body grew: this, m.
+    Followed(f64),
+}
+
+/// Old and new radius of a sphere, m.
+#[derive(Clone, Copy)]
+struct RadiusPair {
+    old: f64,
+    new: f64,
+    ratio: f64,
+}
+
+impl SphereRule {
+    fn equation(self) -> &'static str {
+        match self {
+            Self::Rule(RadiusRule::Isometric) | Self::Like(_) => "8",
+            Self::Followed(_) => "follow",
+            Self::Designed(_) => "11, B.2",
+            Self::Rule(_) => "given",
+        }
+    }
+
+    /// Why the radius changes.
+    fn source(self) -> RadiusFrom {
+        match self {
+            Self::Rule(_) | Self::Like(_) => RadiusFrom::Rule,
+            Self::Designed(_) => RadiusFrom::ContactStiffness,
+            Self::Followed(_) => RadiusFrom::Bodies,
+        }
+    }
+
+    /// Whether the new radius is a multiple of the old one.
+    fn is_relative(self) -> bool {
+        matches!(self, Self::Rule(RadiusRule::Isometric | RadiusRule::Keep | RadiusRule::Factor(_)))
+    }
+
+    fn pair(self, old: f64, isometric: f64) -> RadiusPair {
+        let times = |ratio: f64| RadiusPair { old, new: if ratio == 1.0 { old } else { old * ratio }, ratio };
+        match self {
+            Self::Rule(RadiusRule::Isometric) => times(isometric),
+            Self::Rule(RadiusRule::Keep) => times(1.0),
+            Self::Rule(RadiusRule::Factor(factor)) => times(factor),
+            Self::Rule(RadiusRule::Metres(new))
+            | Self::Like(new)
+            | Self::Followed(new)
+            | Self::Designed(new) => RadiusPair { old, new, ratio: new / old },
+        }
+    }
+}
+
+/// Forces that use a sphere and are not changed with it.
+pub(crate) struct Users<'m> {
+    forces: HashMap<SphereId, Vec<&'m str>>,
+    /// By sphere name: contact classes that are not Hertz's.
+    others: HashMap<String, Vec<String>>,
+}
+
+impl<'m> Users<'m> {
+    pub(crate) fn outside(model: &'m Model, chosen: &[ForceId]) -> Self {
+        let chosen: HashSet<ForceId> = chosen.iter().copied().collect();
+        let mut forces: HashMap<SphereId, Vec<&str>> = HashMap::new();
+        for force in model.forces() {
+            if force.applies && !chosen.contains(&force.id) {
+                for sphere in force.spheres() {
+                    forces.entry(sphere).or_default().push(&force.name);
+                }
+            }
+        }
+        Self { forces, others: model.users_of_other_classes() }
+    }
+
+    /// A radius may change only if every applied force that uses the sphere changes with it.
+    pub(crate) fn refuse(
+        &self,
+        model: &Model,
+        chosen: &[ForceId],
+        sphere: SphereId,
+        radius: RadiusFrom,
+    ) -> Result<(), Fault> {
+        let Some(shared) = model.sphere(sphere) else { return Ok(()) };
+        let mut left: Vec<&str> = self.forces.get(&sphere).cloned().unwrap_or_default();
+        let forces = left.len();
+        left.extend(self.others.get(&shared.name).into_iter().flatten().map(String::as_str));
+        if left.is_empty() {
+            return Ok(());
+        }
+        let uses = |&id: &ForceId| model.force(id).is_some_and(|force| force.spheres().contains(&sphere));
+        let changed: Vec<ForceId> = chosen.iter().copied().filter(uses).collect();
+        let needed = Needed::SharedSphere {
+            sphere: shared.path.clone(),
+            changed: model.names_of(&changed),
+            can_choose: left.len() == forces,
+            radius,
+            left: left.into_iter().map(str::to_owned).collect(),
+        };
+        Err(Fault::at(needed, shared.radius.offset).of(shared.path.clone()).in_file(shared.file))
     }
 }

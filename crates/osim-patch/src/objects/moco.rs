@@ -2,11 +2,11 @@
 
 use osim_model::{Fault, FileId, Force, HalfSpace, Model, Sphere};
 
-use super::layout::NewContact;
-use super::names::{Names, refuse_misread};
-use super::rebuilt::{Deed, ObjectChange};
-use super::spelling::{self, Carrier};
-use crate::node::Node;
+use crate::insert::Node;
+use crate::objects::layout::NewContact;
+use crate::objects::names::{Names, refuse_misread};
+use crate::objects::rebuilt::{Deed, ObjectChange};
+use crate::objects::spelling::{self, Carrier};
 
 /// Objects that are taken out of forces.
 #[derive(Default)]

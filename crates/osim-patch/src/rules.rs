@@ -1,0 +1,205 @@
+//! Rules about changes.
+
+use osim_model::messages::{Input, Verb, phrase, readable};
+use osim_model::{
+    Example, Finding, FindingCode, Force, ForceKind, Mass, Property, PropertySet, Repair, Rule, Seen,
+    Severity,
+};
+
+use crate::note_edits::limbs_in_words;
+
+/// The rules of this crate.
+pub const RULES: &[&Rule] = &[
+    &ALREADY_AT_TARGET,
+    &COMPOSITE_SURFACES,
+    &FACTOR_SPREAD,
+    &FRICTION_NOT_SIMILAR,
+    &NOTHING_TO_CHANGE,
+    &REFERENCE_WITHOUT_SMOOTHING,
+];
+
+pub(crate) static ALREADY_AT_TARGET: Rule = Rule {
+    code: FindingCode::AlreadyAtTarget,
+    severity: Severity::Warn,
+    seen: Seen::Change,
+    verdict: None,
+    what: "The contacts are already made for the target mass, so nothing was written.",
+    why: "The mass the contacts are made for is taken from the note in the file, else `mass`, else the sum of the bodies. A model that was scaled in OpenSim weighs its new mass already while its contacts are still those of the old one; the file does not show which.",
+    advice: "Say what the contacts were made for with `contacts_mass=KG`, or take those of a known model with `transfer from=MODEL`",
+    repair: Repair::NotPossible("only you know what the contacts were made for"),
+    example: Example::Request {
+        good: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 90}"#,
+        bad: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 62}"#,
+    },
+};
+
+pub(crate) fn already_at_target(contacts_mass: &Mass) -> Finding {
+    let message = phrase![
+        format!("contacts are taken as made for {} kg already (", readable(contacts_mass.kg)),
+        &contacts_mass.source.describe(),
+        "); if they were made for another mass, say ",
+        Input::ContactsMass.like("KG"),
+        " or ",
+        Verb::Transfer.call().with(Input::From, "MODEL"),
+    ];
+    Finding::new(&ALREADY_AT_TARGET, message)
+}
+
+pub(crate) static COMPOSITE_SURFACES: Rule = Rule {
+    code: FindingCode::CompositeSurfaces,
+    severity: Severity::Warn,
+    seen: Seen::Change,
+    verdict: None,
+    what: "Sphere and half-space of a converted force have parameters of their own.",
+    why: "A force of one sphere has one set of parameters. It gets those that both surfaces have together (A.3), which gives the same force; but Simbody moves the point of contact towards the softer surface, so that accelerations can differ by up to 3 %.",
+    advice: "Nothing, if 3 % do not matter; otherwise give both surfaces the same parameters first",
+    repair: Repair::NotPossible("only you know which parameters are meant"),
+    example: Example::Request {
+        good: r#"{"verb": "convert", "models": ["format/v40000.osim"], "to": "hunt-crossley"}"#,
+        bad: r#"{"verb": "convert", "models": ["format/three_materials.osim"], "to": "hunt-crossley"}"#,
+    },
+};
+
+/// The message about the new force for `sphere` and `plane`. A strict change is refused with it.
+pub(crate) fn composite_surfaces_message(force: &Force, sphere: &str, plane: &str) -> String {
+    format!(
+        "{}: {sphere} and {plane} have parameters of their own; the new force has those of both together (A.3), and as Simbody \
+         moves the contact point by the moduli, accelerations differ by up to 2.9 %",
+        force.path
+    )
+}
+
+pub(crate) fn composite_surfaces(force: &Force, message: String) -> Finding {
+    Finding::at(&COMPOSITE_SURFACES, force.line, message).about(&force.path)
+}
+
+pub(crate) static FACTOR_SPREAD: Rule = Rule {
+    code: FindingCode::FactorSpread,
+    severity: Severity::Warn,
+    seen: Seen::Change,
+    verdict: None,
+    what: "Spheres of one ContactParameters follow bodies with different factors.",
+    why: "One ContactParameters has one modulus for all its spheres; the mean of R squared is used before and after, so single spheres sink in more or less than they did.",
+    advice: "Give each sphere its own force, or accept it; `strict` refuses instead",
+    repair: Repair::NotPossible("forces cannot be divided yet: only numbers are changed"),
+    example: Example::Request {
+        good: r#"{"verb": "transfer", "models": ["scale_tool/scaled_hunt_crossley.osim"], "from": "scale_tool/generic_hunt_crossley.osim", "follow_bodies": true}"#,
+        bad: r#"{"verb": "transfer", "models": ["scale_tool/scaled_hunt_crossley.osim"], "from": "scale_tool/generic_hunt_crossley.osim", "follow_bodies": true, "body_scale": {"toes_r": 1.1}}"#,
+    },
+};
+
+/// Factors that differ by no more than this, relatively, are the same.
+const SAME_FACTOR: f64 = 0.01;
+
+/// The message if the largest factor of its spheres is `spread` times the smallest. A strict change is refused with it.
+pub(crate) fn factor_spread_message(force: &Force, spread: f64) -> Option<String> {
+    (spread > 1.0 + SAME_FACTOR).then(|| {
+        format!(
+            "{}: its spheres grow by factors that differ by {:.1} %; the mean of R squared is used",
+            force.path,
+            (spread - 1.0) * 100.0
+        )
+    })
+}
+
+pub(crate) fn factor_spread(force: &Force, message: String) -> Finding {
+    Finding::at(&FACTOR_SPREAD, force.line, message)
+}
+
+pub(crate) static FRICTION_NOT_SIMILAR: Rule = Rule {
+    code: FindingCode::FrictionNotSimilar,
+    severity: Severity::Info,
+    seen: Seen::Change,
+    verdict: None,
+    what: "The friction of SmoothSphereHalfSpaceForce is not exactly similar.",
+    why: "Simbody adds constant_contact_force to the squared slip speed, where similarity wants a term in proportion to g R: friction of the smooth force is similar only as far as that term is small.",
+    advice: "Compare slip speeds with the root of constant_contact_force before relying on it",
+    repair: Repair::NotPossible("it lies in how OpenSim computes friction"),
+    example: Example::Request {
+        good: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 90}"#,
+        bad: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 90, "friction": true}"#,
+    },
+};
+
+/// Whether the friction of one of `forces` is scaled and not exactly similar.
+pub(crate) fn friction_not_similar<'f>(
+    mut forces: impl Iterator<Item = &'f Force>,
+    properties: &PropertySet,
+) -> Option<Finding> {
+    let scaled = properties.contains(Property::TransitionVelocity)
+        && forces.any(|force| force.kind == ForceKind::SmoothSphereHalfSpace);
+    let text = "friction of SmoothSphereHalfSpaceForce scales only as far as constant_contact_force is small \
+                against the squared slip speed";
+    scaled.then(|| Finding::new(&FRICTION_NOT_SIMILAR, text))
+}
+
+pub(crate) static NOTHING_TO_CHANGE: Rule = Rule {
+    code: FindingCode::NothingToChange,
+    severity: Severity::Info,
+    seen: Seen::Change,
+    verdict: None,
+    what: "Something that was asked for changes nothing.",
+    why: "A factor of exactly 1 leaves every byte as it is. With a radius that stays, dissipation and smoothing stay too (14, C.2, C.5, C.10).",
+    advice: "Nothing, if that is meant; else say what should change",
+    repair: Repair::NotPossible("nothing is wrong"),
+    example: Example::Request {
+        good: r#"{"verb": "set", "models": ["table1/human_62kg_smooth_sphere.osim"], "set": {"stiffness": 2000000}}"#,
+        bad: r#"{"verb": "set", "models": ["table1/human_62kg_smooth_sphere.osim"], "set": {"stiffness": 1000000}}"#,
+    },
+};
+
+pub(crate) fn nothing_to_design() -> Finding {
+    Finding::new(
+        &NOTHING_TO_CHANGE,
+        "nothing that is wanted applies to these forces, or every value is already as wanted",
+    )
+}
+
+pub(crate) fn nothing_to_note(contacts_mass_kg: f64) -> Finding {
+    Finding::new(
+        &NOTHING_TO_CHANGE,
+        format!("the note in the file says {} kg already", readable(contacts_mass_kg)),
+    )
+}
+
+pub(crate) fn no_limbs_to_note(stance_limbs: f64) -> Finding {
+    Finding::new(
+        &NOTHING_TO_CHANGE,
+        format!("the note in the file says {} already", limbs_in_words(stance_limbs)),
+    )
+}
+
+pub(crate) fn nothing_to_rescale() -> Finding {
+    let text = "every factor is exactly 1: the radius stays, so what follows the radius stays too";
+    Finding::new(&NOTHING_TO_CHANGE, text)
+}
+
+pub(crate) fn nothing_to_set() -> Finding {
+    Finding::new(&NOTHING_TO_CHANGE, "every value is already as wanted")
+}
+
+pub(crate) fn nothing_to_transfer() -> Finding {
+    Finding::new(&NOTHING_TO_CHANGE, "every value is already as the reference wants it")
+}
+
+pub(crate) static REFERENCE_WITHOUT_SMOOTHING: Rule = Rule {
+    code: FindingCode::ReferenceWithoutSmoothing,
+    severity: Severity::Warn,
+    seen: Seen::Change,
+    verdict: None,
+    what: "The reference has no smoothing parameters to give.",
+    why: "A HuntCrossleyForce has no constant_contact_force, hertz_smoothing or hunt_crossley_smoothing, so those of the model stay (or follow its own radii where these change).",
+    advice: "Take the contacts from a model with SmoothSphereHalfSpaceForce, or check the smoothing with `inspect`",
+    repair: Repair::NotPossible("only you know which smoothing is meant"),
+    example: Example::Request {
+        good: r#"{"verb": "transfer", "models": ["table1/human_62kg_smooth_sphere.osim"], "from": "table1/human_500kg_smooth_sphere.osim"}"#,
+        bad: r#"{"verb": "transfer", "models": ["table1/human_62kg_smooth_sphere.osim"], "from": "table1/human_500kg_hunt_crossley.osim"}"#,
+    },
+};
+
+pub(crate) fn reference_without_smoothing(name: &str) -> Finding {
+    Finding::new(
+        &REFERENCE_WITHOUT_SMOOTHING,
+        format!("{name} has no smoothing parameters: the model's own stay"),
+    )
+}
