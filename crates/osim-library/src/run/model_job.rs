@@ -1,23 +1,104 @@
-//! One model: load, plan, write.
+//! One model: load, plan, write; and its outcome, ready to be reported in its turn.
 
 use std::path::{Path, PathBuf};
 
 use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_patch::Plan;
 use osim_planning::BeforeAfter;
+use osim_requests::options::RunOptions;
 
-use super::context::Context;
-use super::destination::Destination;
-use super::front_end::{ChangedModel, Detail, FrontEnd};
-use super::outcome::Outcome;
-use super::record::{Record, Status};
-use super::resume::Previous;
-use super::task::Task;
-use super::writing::{PreparedFiles, Results, Written};
 use crate::digest::{sha256, sha256_of_parts};
 use crate::fault::LibraryFault;
+use crate::folders::Folders;
+use crate::run::journal::{Journal, Previous, PreviousRun};
+use crate::run::record::{Record, Status};
+use crate::run::request::{ChangedModel, Detail, FrontEnd};
+use crate::run::task::{Destination, Task};
+use crate::run::writing::{PreparedFiles, Results, Written};
 use crate::source::{Disk, Loaded, Origin};
 use crate::write::other_names;
+
+/// How a run goes about its work, the same for all models.
+pub(super) struct Context<'r> {
+    pub(super) run: &'r RunOptions,
+    pub(super) folders: Folders,
+    pub(super) journal: Option<Journal>,
+    pub(super) previous: PreviousRun,
+}
+
+/// The outcome for one model; `S` is what a front end shows of it.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Outcome<S> {
+    /// The same in one line of a summary.
+    pub record: Record,
+    /// Whether it was done by an earlier run.
+    pub earlier: bool,
+    /// What the front end shows of it; `None` if there is only the record.
+    pub shown: Option<S>,
+    /// What went wrong.
+    pub failure: Option<Failure>,
+}
+
+impl<S> Outcome<S> {
+    pub(super) fn not_begun(task: &Task) -> Self {
+        Self { record: Record::of_task(task), earlier: false, shown: None, failure: None }
+    }
+
+    pub(super) fn without_contacts(mut record: Record) -> Self {
+        record.status = Status::NoContacts;
+        Self { record, earlier: false, shown: None, failure: None }
+    }
+
+    pub(super) fn failed(failure: Failure, mut record: Record) -> Self {
+        record.failed(&failure);
+        Self { record, earlier: false, shown: None, failure: Some(failure) }
+    }
+}
+
+/// How many models ended how.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Counts {
+    /// New files.
+    pub written: usize,
+    /// Nothing had to change.
+    pub unchanged: usize,
+    /// Planned only.
+    pub dry: usize,
+    /// Models of folders without contacts.
+    pub no_contacts: usize,
+    /// Something went wrong.
+    pub failed: usize,
+    /// The run was stopped before their turn.
+    pub not_begun: usize,
+    /// Done by an earlier run.
+    pub earlier: usize,
+}
+
+impl Counts {
+    pub(super) fn add<S>(&mut self, outcome: &Outcome<S>) {
+        if outcome.earlier {
+            self.earlier += 1;
+            return;
+        }
+        let count = match outcome.record.status {
+            Status::Written => &mut self.written,
+            Status::Unchanged => &mut self.unchanged,
+            Status::DryRun => &mut self.dry,
+            Status::NoContacts => &mut self.no_contacts,
+            Status::Failed => &mut self.failed,
+            Status::NotBegun => &mut self.not_begun,
+        };
+        *count += 1;
+    }
+
+    /// Whether the run was stopped.
+    #[must_use]
+    pub fn interrupted(&self) -> bool {
+        self.not_begun > 0
+    }
+}
 
 /// Does one model after the other.
 pub(super) struct ModelJob<'j, F> {

@@ -12,18 +12,15 @@ use osim_requests::NoteDetails;
 use osim_requests::options::{OutputOptions, RunOptions, SetFiles};
 use osim_requests::spell::Speller;
 
-use super::destination::Destination;
-use super::front_end::ChangedModel;
-use super::model_job::changed;
-use super::record::{Record, Status};
-use super::request::RunRequest;
-use super::settings::JobSettings;
-use super::task::Task;
-use super::writing::{PreparedFiles, Results, Written};
 use crate::digest::sha256;
 use crate::door;
 use crate::fault::{Context, LibraryFault};
 use crate::folders::Folders;
+use crate::run::model_job::changed;
+use crate::run::record::{Record, Status};
+use crate::run::request::{ChangedModel, RunRequest};
+use crate::run::task::{Destination, JobSettings, Task};
+use crate::run::writing::{PreparedFiles, Results, Written};
 use crate::source::{Loaded, Origin, Source};
 use crate::write::other_names;
 

@@ -5,17 +5,13 @@ use std::path::Path;
 use osim_model::files::Failure;
 use osim_requests::options::RunOptions;
 
-use super::context::Context;
-use super::front_end::FrontEnd;
-use super::journal::Journal;
-use super::model_job::ModelJob;
-use super::outcome::{Counts, Outcome};
-use super::record::{Record, Status};
-use super::request::RunRequest;
-use super::resume::PreviousRun;
-use super::task::Task;
 use crate::fault::LibraryFault;
 use crate::folders::Folders;
+use crate::run::journal::{Journal, PreviousRun};
+use crate::run::model_job::{Context, Counts, ModelJob, Outcome};
+use crate::run::record::{Record, Status};
+use crate::run::request::{FrontEnd, RunRequest};
+use crate::run::task::Task;
 use crate::workers::{in_order, threads};
 
 /// A run that was checked: nothing is written yet.

@@ -7,10 +7,9 @@ use osim_model::messages::{Input, phrase};
 use osim_model::{Fault, FileId, Model};
 use osim_patch::{Patch, Plan};
 
-use super::destination::Destination;
-use super::task::Task;
 use crate::fault::LibraryFault;
 use crate::folders::make_folder_of;
+use crate::run::task::{Destination, Task};
 use crate::source::{Origin, Stamp};
 use crate::write::{InPlace, Mode, Prepared, Successor, backup};
 

@@ -1,6 +1,8 @@
-//! Which models a call is about: files, folders and standard input.
+//! Which models a call is about: files, folders and standard input; and names with blanks that came without quotes.
 
 use std::collections::HashSet;
+use std::ffi::OsString;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -8,7 +10,6 @@ use osim_model::files::Failure;
 use osim_requests::options::OutputOptions;
 use walkdir::{DirEntry, WalkDir};
 
-use super::blanks::SplitName;
 use crate::digest::{self, NameDigest};
 use crate::door;
 use crate::paths::{Resolver, resolved};
@@ -119,7 +120,7 @@ impl Sources {
             match entry {
                 Err(error) if is_dead_link_beside_models(&error) => {}
                 Err(error) => self.failures.push(unreadable(folder, &error)),
-                Ok(entry) if !is_model(&entry) => {}
+                Ok(entry) if !is_model_entry(&entry) => {}
                 // A pipe would never end, or never begin.
                 Ok(entry) if !entry.file_type().is_file() => {
                     found = true;
@@ -162,7 +163,7 @@ impl Sources {
     }
 }
 
-fn is_model(entry: &DirEntry) -> bool {
+fn is_model_entry(entry: &DirEntry) -> bool {
     has_name_of_model(entry.path()) && !entry.file_type().is_dir()
 }
 
@@ -217,4 +218,71 @@ impl Known {
         let real = if path.as_os_str() == "-" { path.to_owned() } else { self.resolver.resolved(path) };
         self.files.insert(digest::of_name(real.as_os_str()))
     }
+}
+
+/// More words than this are not one name.
+const MOST_WORDS: usize = 12;
+
+/// Words that are one name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SplitName {
+    /// Which of the words.
+    pub words: Range<usize>,
+    /// The name that they make with blanks between them.
+    pub name: PathBuf,
+    /// Whether it is there.
+    pub exists: bool,
+}
+
+impl SplitName {
+    /// The first run of words that are files only together, or look like one: the last is the first with the ending of a model.
+    #[must_use]
+    pub fn find(words: &[PathBuf]) -> Option<Self> {
+        (0..words.len()).find_map(|start| Self::at(words, start))
+    }
+
+    /// The same where it begins with word `start`.
+    pub(super) fn at(words: &[PathBuf], start: usize) -> Option<Self> {
+        let rest = words.get(start..)?;
+        let parts =
+            rest.iter().skip(1).take_while(|word| word.as_os_str() != "-").take(MOST_WORDS).count() + 1;
+        let mut name =
+            rest.first().filter(|word| !word.exists() && !has_name_of_model(word))?.as_os_str().to_owned();
+        let mut likely = None;
+        let mut are_parts = true;
+        for end in 1..parts {
+            let word = rest.get(end)?;
+            name = joined(name, word);
+            let path = PathBuf::from(&name);
+            let exists = path.exists();
+            // What is there by itself is a part only of what is there as a whole.
+            are_parts = are_parts && !word.exists();
+            let found = Self { words: start..start + end + 1, name: path, exists };
+            if exists {
+                return Some(found);
+            }
+            likely = likely.or_else(|| (are_parts && has_name_of_model(&found.name)).then_some(found));
+        }
+        likely
+    }
+
+    /// What is wrong, and what to write.
+    #[must_use]
+    pub fn message(&self, first: &Path) -> String {
+        format!("'{}' is {}", first.display(), self.reason())
+    }
+
+    /// The same after the name of the first word.
+    #[must_use]
+    pub fn reason(&self) -> String {
+        let name = self.name.display();
+        let there = if self.exists { format!(", but '{name}' is") } else { String::new() };
+        format!("not there{there}: a name with a blank needs quotes, \"{name}\"")
+    }
+}
+
+fn joined(mut name: OsString, word: &Path) -> OsString {
+    name.push(" ");
+    name.push(word);
+    name
 }

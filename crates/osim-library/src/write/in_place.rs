@@ -17,12 +17,13 @@ use osim_model::Finding;
 use osim_planning::rules::hard_linked;
 use tempfile::NamedTempFile;
 
-use super::exchange::{Exchange, IS_KNOWN, exchange};
-use super::prepared::{Mode, Prepared, sync_folder_of};
-use super::replaced::{self, become_backup, is, kept, names_of};
 use crate::door;
 use crate::fault::LibraryFault;
 use crate::paths::resolved;
+use crate::write::prepared::{Mode, Prepared, sync_folder_of};
+use crate::write::replaced::{
+    self, EXCHANGE_IS_KNOWN, Exchange, become_backup, exchange, is, kept, names_of,
+};
 
 /// How often a save that comes in between is put back before it is kept as a backup instead.
 const PUT_BACK: usize = 8;
@@ -82,7 +83,7 @@ impl<'b> Successor<'b> {
         let cannot = |error: std::io::Error| {
             LibraryFault::because(format!("cannot write {}", shown.display()), door::reason(&error))
         };
-        if IS_KNOWN {
+        if EXCHANGE_IS_KNOWN {
             successor = replaced::renamed(successor, &target, &after).map_err(cannot)?;
         }
         let exchanged = exchange(successor.path(), &target);

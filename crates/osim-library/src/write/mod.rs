@@ -2,7 +2,6 @@
 
 #[cfg(target_os = "linux")]
 mod access_list;
-mod exchange;
 mod in_place;
 mod prepared;
 pub(crate) mod replaced;

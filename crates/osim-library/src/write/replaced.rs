@@ -1,5 +1,7 @@
-//! The name under which a successor and a model exchange: `NAME.replaced-HOST-PROCESS-XXXXXX-DIGEST`, beside the model.
+//! Two files that exchange their names in one step, so that at no moment a name is without a file, and what was replaced is
+//! still there to be looked at.
 //!
+//! A successor and a model exchange under the name `NAME.replaced-HOST-PROCESS-XXXXXX-DIGEST`, beside the model.
 //! From the exchange on it is the name of what the model was, and that may be another program's work. So it is not a temporary
 //! name: whenever the process is killed, the file stays, and no run removes it before it has read it. `DIGEST` is that of the
 //! successor. What has it was made here; what is in a backup too is not needed; anything else becomes a further backup.
@@ -11,10 +13,45 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempPath};
 
-use super::prepared::backup_names;
-use super::temporary;
 use crate::digest::sha256_of_parts;
 use crate::door;
+use crate::write::prepared::backup_names;
+use crate::write::temporary;
+
+/// The outcome of an exchange.
+#[derive(Debug)]
+#[cfg_attr(
+    not(any(target_os = "linux", target_vendor = "apple")),
+    expect(dead_code, reason = "other systems cannot do it, and say only that")
+)]
+pub(super) enum Exchange {
+    Done,
+    /// This system, or this file system, cannot do it.
+    NotPossible,
+    Failed(std::io::Error),
+}
+
+/// Whether this system can do it on some of its file systems.
+pub(super) const EXCHANGE_IS_KNOWN: bool = cfg!(any(target_os = "linux", target_vendor = "apple"));
+
+/// Exchanges two files of one folder: `renameat2` with `RENAME_EXCHANGE` on Linux, `renameatx_np` with `RENAME_SWAP` on macOS.
+#[cfg(any(target_os = "linux", target_vendor = "apple"))]
+pub(super) fn exchange(one: &Path, other: &Path) -> Exchange {
+    use rustix::fs::{CWD, RenameFlags, renameat_with};
+    use rustix::io::Errno;
+    const NOT_POSSIBLE: [Errno; 4] = [Errno::INVAL, Errno::NOSYS, Errno::NOTSUP, Errno::OPNOTSUPP];
+    match renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE) {
+        Ok(()) => Exchange::Done,
+        Err(errno) if NOT_POSSIBLE.contains(&errno) => Exchange::NotPossible,
+        Err(errno) => Exchange::Failed(errno.into()),
+    }
+}
+
+/// `ReplaceFileW` does not exchange: it renames twice, and between the two there is no file under the name.
+#[cfg(not(any(target_os = "linux", target_vendor = "apple")))]
+pub(super) fn exchange(_one: &Path, _other: &Path) -> Exchange {
+    Exchange::NotPossible
+}
 
 const INFIX: &str = ".replaced-";
 
