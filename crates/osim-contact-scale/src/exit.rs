@@ -1,9 +1,19 @@
-//! The exit status.
+//! How the program ends: its exit status, what went wrong with a model, and Ctrl-C.
 
+use std::ffi::c_int;
 use std::fmt;
+use std::sync::Once;
+use std::sync::atomic::{AtomicBool, Ordering};
 
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use osim_library::Cause;
+use osim_model::Excerpt;
+use osim_model::files::Failure;
 pub(crate) use osim_view::report::ExitStatus as Exit;
+use signal_hook::{consts, flag};
+
+use crate::session::Words;
+use crate::terminal::Terminal;
 
 /// An error that ends the run with a status of its own; any other is wrong usage.
 #[derive(Debug)]
@@ -41,5 +51,84 @@ pub(crate) fn exit_of_cause(cause: Cause) -> Exit {
         Cause::Call => Exit::Usage,
         Cause::System => Exit::Failed,
         Cause::Busy => Exit::Busy,
+    }
+}
+
+// Ctrl-C: the models in hand are finished, no further one is begun. A second one ends the program at once.
+//
+// A limit on the size of files (`ulimit -f`) is met like a full disk, not by ending the program.
+
+static CAME: AtomicBool = AtomicBool::new(false);
+
+/// Ctrl-C, and what else asks a program to end: a batch system that stops a job, a terminal that closes.
+#[cfg(unix)]
+const REQUESTS: [c_int; 3] = [consts::SIGINT, consts::SIGTERM, consts::SIGHUP];
+/// Ctrl-C and Ctrl-Break. Windows itself ends a program whose window closes, whatever it listens to.
+#[cfg(windows)]
+const REQUESTS: [c_int; 2] = [consts::SIGINT, consts::SIGBREAK];
+
+/// From now on Ctrl-C is a wish, not an end.
+pub(crate) fn listen() {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        for signal in REQUESTS {
+            // In this order, so that the first one finds nothing yet that would end the program. What the second one
+            // leaves behind has a temporary name, and the next run removes it. Where a signal cannot be caught, it
+            // ends the program as ever: no file is torn by that.
+            let end = flag::register_conditional_shutdown(signal, Exit::Interrupted.code().into(), &CAME);
+            drop(end.and_then(|_| flag::register(signal, &CAME)));
+        }
+    });
+}
+
+/// From now on a file that grows beyond the limit is an error of that file.
+#[cfg(unix)]
+pub(crate) fn outlive_size_limit() {
+    static MET: AtomicBool = AtomicBool::new(false);
+    // Where it cannot be caught, it ends the program as ever: no file is torn by that.
+    drop(flag::register(consts::SIGXFSZ, &MET));
+}
+
+#[cfg(not(unix))]
+pub(crate) fn outlive_size_limit() {}
+
+/// Whether it was pressed.
+pub(crate) fn came() -> bool {
+    CAME.load(Ordering::Relaxed)
+}
+
+// What went wrong with one model, as one line and a snippet of the file.
+
+/// Reports it on standard error: one sentence, then the place in the file where that helps.
+pub(crate) fn report(failure: &Failure, words: Words, terminal: &mut Terminal) {
+    let place = match (failure.line, failure.column) {
+        (Some(line), Some(column)) => format!("{}:{line}:{column}", failure.model),
+        _ => failure.model.to_string(),
+    };
+    let message = failure.message.spelled(words);
+    // Messages about outputs name them. If an output is the model itself, it is named already.
+    let message = message.strip_prefix(&format!("{} ", failure.model)).unwrap_or(&message);
+    terminal.error(&format!("error: {place}: {message}\n"));
+    if let Some(excerpt) = &failure.excerpt {
+        terminal.excerpt(&format!("{}\n", snippet(excerpt)));
+    }
+}
+
+/// The line with carets below it.
+fn snippet(excerpt: &Excerpt) -> String {
+    let source = Snippet::source(excerpt.text.as_str()).line_start(excerpt.line);
+    let marked = source.annotation(AnnotationKind::Primary.span(excerpt.marked.clone()));
+    Renderer::plain().render(&[Group::with_level(Level::ERROR).element(marked)])
+}
+
+#[cfg(all(test, windows))]
+mod tests {
+    /// Elsewhere whole runs are stopped in `tests/library/stopped.rs`.
+    #[test]
+    fn ctrl_c_is_a_wish() {
+        listen();
+        assert!(!came());
+        signal_hook::low_level::raise(consts::SIGINT).unwrap();
+        assert!(came());
     }
 }

@@ -1,20 +1,14 @@
 //! The command `osim-contact-scale`: words, terminal and exit status around the libraries.
 //!
 //! [`osim_view::report::ExitStatus`] has what the exit status says.
-
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod args;
 mod commands;
 mod exit;
-mod failure;
-mod interrupt;
-mod meant;
-mod progress;
 mod session;
+mod suggestions;
 mod terminal;
-mod window;
-mod words;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -24,16 +18,15 @@ use clap::error::ErrorKind;
 use osim_model::messages::Verb;
 use osim_requests::{PlotKind, RequestFault};
 
-use args::{Cli, bare_command, check_typed, command, plain_command, usage_line};
-use exit::{Exit, exit_of, text_of};
-use meant::{axis_meant, figure_meant, meant};
-use session::Session;
-use terminal::Terminal;
-use words::WORDS;
+use crate::args::{Cli, bare_command, check_typed, command, plain_command, usage_line};
+use crate::exit::{Exit, exit_of, text_of};
+use crate::session::{Session, WORDS};
+use crate::suggestions::{axis_meant, figure_meant, meant};
+use crate::terminal::Terminal;
 
 /// Does what the words of the command line say.
 pub fn main() -> ExitCode {
-    interrupt::outlive_size_limit();
+    exit::outlive_size_limit();
     let mut session = Session { terminal: Terminal::new(), words: WORDS };
     let exit = match parsed(session.terminal.columns()) {
         Ok((cli, typed)) => {
@@ -48,7 +41,7 @@ pub fn main() -> ExitCode {
         }
         Err(error) => usage(&error, &mut session.terminal),
     };
-    window::keep_open(&mut session.terminal);
+    terminal::keep_open(&mut session.terminal);
     ExitCode::from(exit.code())
 }
 

@@ -4,8 +4,11 @@
 //! look for. `COLUMNS` says nothing of them: readline puts it into the process of an interactive Python or Octave, which hands it on.
 
 use std::borrow::Cow;
-use std::io::{self, ErrorKind, IsTerminal, Write};
+use std::fmt::Write;
+use std::io::{self, ErrorKind, IsTerminal, Write as _};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use osim_model::messages::{harmless, one_line};
 use osim_view::report::layout::{WIDTH, broken};
 use terminal_size::Width;
@@ -172,10 +175,89 @@ fn harmless_but_colours(text: &str) -> String {
     out
 }
 
-#[cfg(test)]
-mod tests {
-    use super::harmless_but_colours;
+// How far a run is: on a terminal only, and only with several models.
 
+/// Models done, their rate, the time that remains, and failures.
+pub(crate) struct Progress {
+    bar: ProgressBar,
+    failures: AtomicUsize,
+}
+
+impl Progress {
+    pub(crate) fn begin(models: usize, quiet: bool) -> Self {
+        let hidden = models < 2 || quiet || !io::stderr().is_terminal();
+        let bar = if hidden { ProgressBar::hidden() } else { ProgressBar::new(models as u64) };
+        let style = ProgressStyle::with_template(
+            "{wide_bar} {human_pos}/{human_len} models, {rate}, {eta} left{msg}",
+        );
+        if let Ok(style) = style {
+            let rate = |state: &ProgressState, text: &mut dyn Write| {
+                // A terminal that cannot be written to shows no bar at all.
+                let _ = write!(text, "{:.0}/s", state.per_sec());
+            };
+            bar.set_style(style.with_key("rate", rate).progress_chars("##-"));
+        }
+        Self { bar, failures: AtomicUsize::new(0) }
+    }
+
+    pub(crate) fn done(&self, failed: bool) {
+        if self.bar.is_hidden() {
+            return;
+        }
+        if failed {
+            let failures = self.failures.fetch_add(1, Ordering::Relaxed) + 1;
+            self.bar.set_message(format!(", {failures} failed"));
+        }
+        self.bar.inc(1);
+    }
+
+    /// Lets `write` write to the terminal between two pictures of the bar.
+    pub(crate) fn suspended<T>(&self, write: impl FnOnce() -> T) -> T {
+        if self.bar.is_hidden() { write() } else { self.bar.suspend(write) }
+    }
+
+    pub(crate) fn end(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+// A window that closes too soon: Windows takes it away, with all it shows, when a program that Explorer started ends.
+
+/// Waits for Enter where a model was dropped on the program, so that there is time to read.
+#[cfg(windows)]
+pub(crate) fn keep_open(terminal: &mut Terminal) {
+    use std::io::{IsTerminal, stdin, stdout};
+    // Asking for the parent costs some milliseconds; elsewhere there is no need to.
+    if !stdout().is_terminal() || !stdin().is_terminal() {
+        return;
+    }
+    if parent_of(std::process::id()).is_some_and(|name| name.eq_ignore_ascii_case("explorer.exe")) {
+        terminal.error("\npress Enter to close this window");
+        // Whatever comes, the window may go.
+        let _ = stdin().read_line(&mut String::new());
+    }
+}
+
+#[cfg(not(windows))]
+pub(crate) fn keep_open(_terminal: &mut Terminal) {}
+
+/// File name of the program that started `process`.
+#[cfg(windows)]
+fn parent_of(process: u32) -> Option<String> {
+    use winsafe::{HPROCESSLIST, co::TH32CS};
+    let mut list = HPROCESSLIST::CreateToolhelp32Snapshot(TH32CS::SNAPPROCESS, None).ok()?;
+    let mut parents = std::collections::HashMap::new();
+    for entry in list.iter_processes() {
+        let entry = entry.ok()?;
+        parents.insert(entry.th32ProcessID, (entry.th32ParentProcessID, entry.szExeFile()));
+    }
+    let (parent, _) = parents.get(&process)?;
+    Some(parents.get(parent)?.1.clone())
+}
+
+#[cfg(test)]
+#[cfg(all(test, windows))]
+mod tests {
     #[test]
     fn colours_are_all_that_reaches_a_terminal() {
         let painted = "\u{1b}[1m\u{1b}[33m0.35 !\u{1b}[0m\nnext\n";
@@ -185,5 +267,20 @@ mod tests {
             harmless_but_colours(hostile),
             "a\\u{1b}[2J\\u{1b}]0;t\\u{7}\u{1b}[31mred\\u{9b}2J\\u{1b}["
         );
+    }
+
+    #[test]
+    fn the_parent_of_a_child_is_this_program() {
+        let mut child = std::process::Command::new("cmd")
+            .args(["/c", "pause"])
+            .stdin(std::process::Stdio::piped())
+            .stdout(std::process::Stdio::null())
+            .spawn()
+            .unwrap();
+        let parent = parent_of(child.id());
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let this = std::env::current_exe().unwrap();
+        assert_eq!(parent.as_deref(), this.file_name().and_then(|name| name.to_str()));
     }
 }

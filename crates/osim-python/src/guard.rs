@@ -1,6 +1,8 @@
 //! From Python into Rust and back: without the GIL, and without ending the interpreter.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 use osim_library::{LibraryFault, in_order};
 use osim_requests::RequestFault;
@@ -74,4 +76,51 @@ pub(crate) fn dictionary<'py>(py: Python<'py>, record: &impl Serialize) -> PyRes
 pub(crate) fn defect(py: Python<'_>, threads: usize) -> PyResult<()> {
     let work = |_: &usize| panic!("asked for by a test");
     guarded(py, || Ok(in_order(&[0; 10], threads, work, |_, ()| Ok::<(), LibraryFault>(()))?))
+}
+
+// How far a long call is, and Ctrl-C.
+
+/// Listens to Ctrl-C between two models, and calls back.
+pub(crate) struct Watch {
+    callback: Option<Py<PyAny>>,
+    stopped: AtomicBool,
+    /// Why no further model should be begun: an exception of the callback, or Ctrl-C.
+    raised: Mutex<Option<PyErr>>,
+}
+
+impl Watch {
+    /// `callback` is called with 1 for each model that is done, and whether it failed.
+    pub(crate) fn new(callback: Option<Py<PyAny>>) -> Self {
+        Self { callback, stopped: AtomicBool::new(false), raised: Mutex::default() }
+    }
+
+    /// Whether no further model should be begun.
+    pub(crate) fn is_stopped(&self) -> bool {
+        self.stopped.load(Ordering::Relaxed)
+    }
+
+    /// One more is done. To be called on the thread that Python called. An exception waits for [`ended`](Self::ended), so that
+    /// what other threads have done meanwhile is still written down.
+    pub(crate) fn one_more(&self, failed: bool) {
+        if self.is_stopped() {
+            return;
+        }
+        let said = Python::attach(|py| {
+            py.check_signals()?;
+            self.callback.as_ref().map_or(Ok(()), |callback| callback.call1(py, (1, failed)).map(|_| ()))
+        });
+        if let Err(error) = said {
+            self.stopped.store(true, Ordering::Relaxed);
+            *self.raised.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
+        }
+    }
+
+    /// What ended the work early, if anything did. To be asked when all that was done is written down.
+    ///
+    /// # Errors
+    /// Ctrl-C, or the exception of the callback.
+    pub(crate) fn ended(&self) -> Result<(), Problem> {
+        let raised = self.raised.lock().unwrap_or_else(PoisonError::into_inner).take();
+        raised.map_or(Ok(()), |error| Err(Problem::raised(error)))
+    }
 }

@@ -6,7 +6,6 @@
 //! # What it will not do
 //!
 //! It knows no pandas, no notebook and no opensim: those are Python's, in `python/osim_contact_scale/`.
-
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![allow(clippy::needless_pass_by_value, reason = "arguments from Python come by value")]
 
@@ -15,18 +14,11 @@ mod equations;
 mod figure;
 mod files;
 mod guard;
-mod outputs;
 mod planned;
-mod printed;
 mod problem;
-mod progress;
-mod remedies;
 mod runs;
 mod scaling;
-mod seen;
 mod surveyed;
-mod sweeps;
-mod wrong;
 
 use pyo3::prelude::*;
 
@@ -40,19 +32,19 @@ mod _native {
     #[pymodule_export]
     use crate::equations::{equation, equation_of_list, equations, mixing_rules, steps};
     #[pymodule_export]
+    use crate::figure::write_file;
+    #[pymodule_export]
     use crate::figure::{Figure, plot};
     #[pymodule_export]
     use crate::guard::defect;
     #[pymodule_export]
-    use crate::outputs::write_file;
-    #[pymodule_export]
     use crate::planned::{Planned, plan};
+    #[pymodule_export]
+    use crate::runs::sweep;
     #[pymodule_export]
     use crate::runs::{change_many, rescale_many};
     #[pymodule_export]
     use crate::surveyed::survey;
-    #[pymodule_export]
-    use crate::sweeps::sweep;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -23,7 +23,7 @@ use serde_json::{Map, Value};
 use crate::files::{Memory, RequestFiles};
 use crate::guard::{dictionary, fields_of, guarded};
 use crate::problem::Problem;
-use crate::remedies::remedies;
+use crate::surveyed::remedies;
 
 /// The words of all messages.
 pub(crate) static WORDS: Words = &PythonWords;

@@ -1,29 +1,30 @@
 //! Many models in one run: a change of all of them, or the rows of a table.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use osim_library::page::{ReportPage, bare_entry, entry};
 use osim_library::run::{
     ChangedModel, Detail, FrontEnd, JsonRecord, Outcome, Record, RowReader, Rows, Run, RunRequest, Task,
     run_options,
 };
-use osim_library::{LibraryFault, folder_of};
+use osim_library::{LibraryFault, SweepFrontEnd, SweepRun, folder_of};
 use osim_model::files::{Failure, Files};
 use osim_planning::prepare;
 use osim_requests::Request;
 use osim_requests::options::RunOptions;
 use osim_requests::spell::Speller;
 use osim_view::html::{DetailLevel, Entry};
+use osim_view::report::json::FailureRecord;
+use osim_view::report::results::SweepRecord;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
 use crate::files::RequestFiles;
-use crate::guard::{dictionary, fields_of, guarded};
+use crate::guard::{Watch, dictionary, fields_of, guarded};
 use crate::planned::WORDS;
 use crate::problem::Problem;
-use crate::progress::Watch;
 
 /// What a run shows of its models: their entries on a page, where one is asked for.
 struct Reporter<'r> {
@@ -170,4 +171,61 @@ pub(crate) fn run(
 pub(crate) fn lines(py: Python<'_>, records: Vec<JsonRecord>, remarks: Vec<String>) -> PyResult<Lines<'_>> {
     let records = records.iter().map(|record| dictionary(py, record)).collect::<PyResult<_>>()?;
     Ok((records, remarks))
+}
+
+// `sweep`: variants of a model in a folder, and the table of what is in which.
+
+impl SweepFrontEnd for Watch {
+    fn is_interrupted(&self) -> bool {
+        self.is_stopped()
+    }
+
+    fn done(&self, _failed: bool) {
+        // Called on the threads that do the work, where Python must not be called: it would hold all of them up.
+    }
+}
+
+/// What a sweep did: its record, the table, and a record for each variant that could not be made.
+type Swept<'py> = (Bound<'py, PyAny>, Option<PathBuf>, Vec<Bound<'py, PyAny>>);
+
+/// Makes all variants.
+#[pyfunction]
+pub(crate) fn sweep<'py>(
+    py: Python<'py>,
+    fields: &Bound<'py, PyDict>,
+    callback: Option<Py<PyAny>>,
+) -> PyResult<Swept<'py>> {
+    let fields = fields_of(fields)?;
+    let ((record, manifest), failures) = guarded(py, || {
+        let Request::Sweep(request) = Request::from_map(fields)? else {
+            return Err(Problem::defect("a request for another verb".to_owned()));
+        };
+        let sweep = SweepRun::new(&request)?;
+        sweep.check_ends()?;
+        let mut failures: Vec<Failure> = Vec::new();
+        if request.dry_run {
+            let record = begun(&sweep, None).counted(sweep.count(), 0);
+            return Ok(((serde_json::to_value(&record), None), failures));
+        }
+        let watch = Watch::new(callback);
+        let end = sweep.run(&watch, |failure| {
+            let failed = failure.is_some();
+            failures.extend(failure);
+            watch.one_more(failed);
+        });
+        watch.ended()?;
+        let end = end?;
+        let record = begun(&sweep, end.manifest.as_deref());
+        let record = record.counted(end.made + end.earlier, end.failed).of_which_before(end.earlier);
+        Ok(((serde_json::to_value(&record), end.manifest), failures))
+    })?;
+    let record = record.map_err(|error| Problem::defect(error.to_string()).into_error(py))?;
+    let failures = failures.iter().map(|failure| dictionary(py, &FailureRecord::new(failure, WORDS)));
+    Ok((dictionary(py, &record)?, manifest, failures.collect::<PyResult<_>>()?))
+}
+
+/// What is known before a model is made.
+fn begun(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
+    let record = SweepRecord::new(sweep.model(), sweep.folder(), manifest);
+    record.of_points(sweep.points(), sweep.point_file())
 }

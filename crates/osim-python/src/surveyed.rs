@@ -1,32 +1,42 @@
-//! `inspect` and `check`: many models, on all processors.
+//! What a survey knows of one model.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Mutex;
 
+use osim_inspect::{CheckResult, Counts, Inspection};
 use osim_library::page::Survey;
 use osim_library::{Folders, LibraryFault, Loaded, Source, Sources, in_order, threads};
 use osim_model::files::Failure;
-use osim_model::messages::Verb;
+use osim_model::messages::{Verb, harmless};
 use osim_planning::Inspector;
 use osim_requests::options::ReportOptions;
 use osim_requests::{Jobs, Request};
 use osim_view::html::Entry;
-use osim_view::report::check::LibraryTable;
-use osim_view::report::inspection::ModelsTable;
+use osim_view::report::check::{self, LibraryTable};
+use osim_view::report::inspection::{self, ModelsTable};
 use osim_view::report::json::FailureRecord;
+use osim_view::report::layout::Colour;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
 
 use crate::files::{Memory, RequestFiles};
-use crate::guard::{dictionary, fields_of, guarded};
+use crate::guard::{Watch, dictionary, fields_of, guarded};
 use crate::planned::WORDS;
-use crate::printed::Printed;
 use crate::problem::Problem;
-use crate::progress::Watch;
-use crate::remedies::remedies;
-use crate::seen::Seen;
+
+/// What is known of a model; its findings also as requests that put them right.
+pub(crate) enum Seen {
+    /// And how much is wrong with it, where the text says that.
+    Inspected(Box<Inspection>, Option<Counts>),
+    Checked(Box<CheckResult>, Vec<Option<String>>),
+    /// A folder's model without contacts: a library may have such.
+    WithoutContacts,
+    Failed(Box<Failure>),
+}
+
+// `inspect` and `check`: many models, on all processors.
 
 /// A record and the requests of its findings; or, if there is no record, the exception.
 type Row<'py> = (Option<Bound<'py, PyAny>>, Vec<Option<String>>, Option<Bound<'py, PyAny>>);
@@ -251,4 +261,67 @@ fn row(py: Python<'_>, seen: Seen) -> PyResult<Row<'_>> {
             (Some(record), Vec::new(), Some(error.into_value(py).into_bound(py).into_any()))
         }
     })
+}
+
+// What `inspect` and `check` print: one model in full, several as one table, as the command decides it.
+
+/// The text of a survey, as far as its models are known.
+pub(crate) enum Printed {
+    /// Each model by itself.
+    InFull(String),
+    /// A row for each model that was inspected.
+    Models(ModelsTable),
+    /// What was found in many models.
+    Library(LibraryTable),
+}
+
+impl Printed {
+    /// The next model.
+    pub(crate) fn add(&mut self, seen: &Seen) {
+        match (self, seen) {
+            (Self::InFull(text), Seen::Inspected(inspected, _)) => {
+                let gap = if text.is_empty() { "" } else { "\n" };
+                text.push_str(gap);
+                text.push_str(&inspection::text(inspected, WORDS, Colour::Plain));
+            }
+            (Self::InFull(text), Seen::Checked(found, _)) => {
+                text.push_str(&check::text(found, WORDS.prompt(), Colour::Plain));
+            }
+            (Self::Models(table), Seen::Inspected(inspected, counts)) => {
+                table.add(inspected, counts.unwrap_or_default());
+            }
+            (Self::Library(table), Seen::Checked(found, _)) => table.add(found),
+            _ => {}
+        }
+    }
+
+    /// A model that could not be read, by its name.
+    pub(crate) fn add_failed(&mut self, model: &str, code: &str) {
+        match self {
+            Self::Models(table) => table.add_failed(model, code),
+            Self::Library(table) => table.add_failed(model, code),
+            Self::InFull(_) => {}
+        }
+    }
+
+    /// All of it. Lines have no end, as in a file: a cell of a notebook can be scrolled.
+    pub(crate) fn text(self) -> String {
+        let text = match self {
+            Self::InFull(text) => text,
+            Self::Models(table) => table.text(None, WORDS, Colour::Plain),
+            Self::Library(table) => table.text(true, WORDS, Colour::Plain),
+        };
+        harmless(&text).into_owned()
+    }
+}
+
+// Remedies as requests, for callers that apply them.
+
+/// The requests that put each finding right, one after the other, as a JSON list; `None` where nothing does.
+pub(crate) fn remedies(found: &CheckResult) -> Vec<Option<String>> {
+    let of = |finding| {
+        let steps: Vec<String> = found.steps_to(finding).iter().map(Request::to_json).collect();
+        (!steps.is_empty()).then(|| format!("[{}]", steps.join(",")))
+    };
+    found.findings.iter().map(of).collect()
 }

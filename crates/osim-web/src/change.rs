@@ -4,22 +4,24 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use osim_model::files::{Failure, ModelFiles};
+use osim_model::messages::Verb;
 use osim_model::{FileId, Model};
 use osim_patch::Plan;
 use osim_planning::scene::{Fall, Scene};
 use osim_planning::{BeforeAfter, Change, States};
 use osim_requests::options::OutputOptions;
-use osim_requests::spell::FrontEnd;
-use osim_view::html::{DetailLevel, Entry, Explained, Files, NamedDigest, RunRow, Section, Sections};
+use osim_requests::spell::{CommandLine, FrontEnd};
+use osim_view::html::{
+    About, Columns, DetailLevel, Entry, Explained, Files, InMemory, Kept, NamedDigest, Page, RunRow, Section,
+    Sections,
+};
 use osim_view::report::json::PlanRecord;
 use osim_view::report::plan::unified_diff;
 use serde::Serialize;
 
-use crate::look::FindingShown;
-use crate::model::{Opened, sha256};
+use crate::look::{FindingShown, Opened, VerdictShown, sha256};
 use crate::problem::Problem;
 use crate::shelf::Shelf;
-use crate::verdict::VerdictShown;
 
 /// The sections that follow from the plan and from what is drawn of both states: those that follow a slider.
 const QUICK: [&str; 5] = ["changes", "plots", "state", SCENE, FALLS];
@@ -234,5 +236,33 @@ impl Planned {
         let mut shown = osim_view::html::Changed::of_states(plan, &both, self.files());
         shown.in_file = !plan.is_empty();
         Ok(osim_view::html::changed(&row, shown, DetailLevel::Alone, self.words))
+    }
+}
+
+// Reports, as the command writes them: in its words, because a report says by which command it is made again.
+
+/// A report.
+#[derive(Debug, Serialize)]
+pub(crate) struct Report {
+    name: String,
+    html: String,
+}
+
+/// The name of a report about the model `path`.
+pub(crate) fn name_of(path: &Path) -> String {
+    path.with_extension("report.html").display().to_string()
+}
+
+impl Report {
+    /// The report about one model; `asked` is the call that would write it.
+    pub(crate) fn of(verb: Verb, model: &Path, asked: String, entry: Entry) -> Result<Self, Problem> {
+        let columns = if verb == Verb::Inspect { Columns::Inspections } else { Columns::Changes };
+        let about = About::new(verb, Some(model.display().to_string()), columns, asked);
+        let mut page = Page::new(about, Kept::<InMemory>::default(), &CommandLine);
+        page.add(entry);
+        let mut bytes = Vec::new();
+        page.finish(&mut bytes).map_err(Problem::defect)?;
+        let html = String::from_utf8(bytes).map_err(Problem::defect)?;
+        Ok(Self { name: name_of(model), html })
     }
 }

@@ -2,13 +2,13 @@
 
 use osim_planning::{DesignSheet, design_sheet, find_presets};
 use osim_requests::Request;
-use osim_requests::spell::Page;
+use osim_requests::spell::{CommandLine, Matlab, Page, Python, Speller};
 use osim_view::report::explain::{Letters, answer};
 use osim_view::report::results::{PresetRecord, design_sheet_text, preset_text};
 use serde::Serialize;
 
+use crate::engine::Fields;
 use crate::problem::Problem;
-use crate::question::Fields;
 use crate::shelf::Shelf;
 
 /// What `design` computes without a model.
@@ -51,4 +51,27 @@ pub(crate) fn explain(topic: &str) -> Result<String, Problem> {
     let fields: Fields = fields.map(|(name, value)| (name.to_owned(), value.into())).into_iter().collect();
     let Request::Explain(request) = Request::from_map(fields)? else { return Ok(String::new()) };
     answer(&request, Letters::Unicode, &Page).map_err(|unknown| Problem::question(unknown.message(&Page)))
+}
+
+// A request as calls that people can copy: of the command, of Python, of MATLAB.
+
+/// The three calls of one request. Each does what the request asks for: it reads the same models and writes the same files.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub(crate) struct Calls {
+    /// A line for a terminal.
+    command: String,
+    /// Lines of Python, from the import on.
+    python: String,
+    /// A line of MATLAB or GNU Octave.
+    matlab: String,
+}
+
+impl Calls {
+    pub(crate) fn of(request: &Request) -> Self {
+        Self {
+            command: CommandLine.script(request),
+            python: Python.script(request),
+            matlab: Matlab.script(request),
+        }
+    }
 }

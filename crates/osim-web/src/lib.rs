@@ -6,20 +6,13 @@
 //! # What it will not do
 //!
 //! It knows no browser: no element, no event, no address. Those are the page's, in `web/src/`.
-
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod change;
 mod engine;
 mod knowledge;
 mod look;
-mod model;
 mod problem;
-mod question;
-mod report;
 mod shelf;
-mod spelled;
-mod verdict;
 
-pub use engine::Engine;
-pub use question::Question;
+pub use crate::engine::{Engine, Question};

@@ -1,21 +1,73 @@
-//! What is in a model, and what is wrong with it.
+//! A model that was opened.
+
+use std::path::{Path, PathBuf};
 
 use osim_inspect::series::Body;
-use osim_inspect::{CheckResult, FindingRecord, Found, Inspection};
+use osim_inspect::{CheckResult, FindingRecord, Found, Inspection, Verdict};
+use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
 use osim_model::messages::Verb;
 use osim_planning::scene::{Fall, Played, Scene};
 use osim_planning::{Inspector, ModelFeet, run_motion};
 use osim_requests::Request;
+use osim_requests::options::SetFiles;
 use osim_requests::spell::{FrontEnd, Page};
-use osim_view::html::{DetailLevel, Entry, Examined, Explained, Inspected, Section, Sections};
+use osim_view::html::{DetailLevel, Entry, Examined, Explained, Inspected, NamedDigest, Section, Sections};
 use serde::Serialize;
 use serde_json::{Map, Value};
+use sha2::{Digest, Sha256};
 
-use crate::model::Opened;
+use crate::engine::Fields;
 use crate::problem::Problem;
-use crate::question::Fields;
 use crate::shelf::Shelf;
-use crate::verdict::VerdictShown;
+
+/// A model that was opened, with the files of a standalone set.
+#[derive(Debug)]
+pub(crate) struct Opened {
+    pub(crate) path: PathBuf,
+    pub(crate) set_files: SetFiles,
+    pub(crate) model: OpenModel,
+    /// Its files, but for its own bytes.
+    pub(crate) files: ModelFiles,
+}
+
+impl Opened {
+    /// Opens the model at `path`.
+    ///
+    /// # Errors
+    /// It cannot be read.
+    pub(crate) fn read(path: &Path, set_files: &SetFiles, shelf: &Shelf) -> Result<Self, Failure> {
+        let failed =
+            |error: osim_model::files::FileError| Failure::outside(path, "unreadable", error.to_string());
+        let bytes = shelf.read(path).map_err(failed)?;
+        let all = ModelFiles::read(path, bytes, set_files.beside(), shelf)?;
+        let files = all.with_bytes(Vec::new());
+        Ok(Self { path: path.to_owned(), set_files: set_files.clone(), model: all.open()?, files })
+    }
+
+    /// Whether it is the model at `path` with these files.
+    pub(crate) fn is(&self, path: &Path, set_files: &SetFiles) -> bool {
+        self.path == path && self.set_files == *set_files
+    }
+
+    /// Names of the files that it was read from, the model first.
+    pub(crate) fn names(&self) -> Vec<String> {
+        self.model.files().map(|(name, _)| name.to_owned()).collect()
+    }
+
+    /// The same with their digests.
+    pub(crate) fn digests(&self) -> Vec<NamedDigest> {
+        let digest =
+            |(name, bytes): (&str, &[u8])| NamedDigest { name: name.to_owned(), sha256: sha256(bytes) };
+        self.model.files().map(digest).collect()
+    }
+}
+
+/// The SHA-256 of some bytes, in hexadecimal digits.
+pub(crate) fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+// What is in a model, and what is wrong with it.
 
 /// What is known of a model.
 #[derive(Debug, Serialize)]
@@ -159,4 +211,22 @@ pub(crate) fn entry(
         recording: None,
     };
     Ok(osim_view::html::inspected(shown, DetailLevel::Alone, words))
+}
+
+// A verdict with its question.
+
+/// A verdict as the page shows it.
+#[derive(Debug, Serialize)]
+pub(crate) struct VerdictShown {
+    question: &'static str,
+    #[serde(flatten)]
+    verdict: Verdict,
+}
+
+impl VerdictShown {
+    /// All of a model.
+    pub(crate) fn all(verdicts: &[Verdict]) -> Vec<Self> {
+        let shown = |verdict: &Verdict| Self { question: verdict.on.question(), verdict: verdict.clone() };
+        verdicts.iter().map(shown).collect()
+    }
 }

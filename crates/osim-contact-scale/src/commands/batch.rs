@@ -9,7 +9,7 @@ use osim_model::files::{Failure, Files};
 use osim_requests::BatchRequest;
 use osim_view::report::json::{FailureRecord, line};
 
-use super::run;
+use super::change;
 use crate::exit::Exit;
 use crate::session::Session;
 
@@ -28,7 +28,7 @@ pub(super) fn run(request: &BatchRequest, session: &mut Session) -> Result<Exit>
     let from_stdin = manifest.as_os_str() == "-";
     let folder = if from_stdin { Path::new("") } else { folder_of(manifest) };
     match reader.read(&bytes, &shown, folder).map_err(|fault| session.refused(&fault))? {
-        Rows::Run(rows) => run::run(rows, &request.run, session),
+        Rows::Run(rows) => change::run(rows, &request.run, session),
         Rows::Wrong(wrong) => report(&wrong, &shown, request.run.is_json(), session),
     }
 }

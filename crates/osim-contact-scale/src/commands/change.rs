@@ -1,14 +1,26 @@
-//! Verbs that change models.
+//! Verbs that change models: one run, what is shown of each model, and what is reported in the end.
 
-use anyhow::Result;
+use anyhow::{Result, bail};
 use osim_library::Disk;
-use osim_library::run::RunRequest;
-use osim_planning::{Change, prepare};
-use osim_requests::Request;
-use osim_requests::options::RunOptions;
+use osim_library::page::{ReportPage, bare_entry, entry};
+use osim_library::run::{ChangedModel, Counts, Detail, FrontEnd, Outcome, Run, RunRequest, Task, Written};
+use osim_model::FileId;
+use osim_model::files::{Failure, Files};
+use osim_model::messages::Input;
+use osim_planning::{Change, may_be_file, prepare};
+use osim_requests::options::{InspectionOptions, RunFormat, RunOptions, SheetFormat, StanceOptions};
+use osim_requests::spell::Speller;
+use osim_requests::{InspectRequest, Request, RequestError, RescaleRequest};
+use osim_view::html::{DetailLevel, Entry};
+use osim_view::report::json::{FailureRecord, PlanRecord, line};
+use osim_view::report::plan;
 
-use crate::exit::Exit;
-use crate::session::Session;
+use crate::commands::inspect;
+use crate::commands::output::{asked, end_page};
+use crate::exit::{self, Exit};
+use crate::session::{Session, Words};
+use crate::suggestions::meant;
+use crate::terminal::Progress;
 
 /// A change of all models that it names.
 ///
@@ -16,17 +28,339 @@ use crate::session::Session;
 /// Wrong usage.
 pub(super) fn change(change: Change, options: &RunOptions, session: &mut Session) -> Result<Exit> {
     let request = RunRequest::of_change(change, options).map_err(|fault| session.refused(&fault))?;
-    super::run::run(request, options, session)
+    run(request, options, session)
 }
 
 /// A verb that changes models.
 ///
 /// # Errors
 /// Wrong usage.
-pub(super) fn run(request: Request, session: &mut Session) -> Result<Exit> {
+pub(super) fn change_models(request: Request, session: &mut Session) -> Result<Exit> {
     let options = request.run_options().cloned().unwrap_or_default();
     match prepare(request, &Disk) {
         Ok(prepared) => change(prepared, &options, session),
         Err(error) => session.refuse(error, options.is_json()),
     }
+}
+
+// `rescale`, and a model alone.
+
+/// Rescales; `may_inspect` where no verb was typed, so that a model alone is inspected.
+///
+/// # Errors
+/// Wrong usage.
+pub(super) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut Session) -> Result<Exit> {
+    if request.models.is_empty() {
+        bail!("no model given, expected one or more .osim files or folders (see --help)");
+    }
+    // If there is a file of that name, it is a model; a name that was split at its blanks is another failure.
+    let is_odd = request.models.iter().any(|path| !Disk.exists(path) && path.as_os_str() != "-");
+    if is_odd && let Some(text) = meant(&request.models, request.target_mass.is_none(), session.words) {
+        bail!("{text} (see --help)");
+    }
+    if let Some(word) = request.models.iter().find(|path| !may_be_file(path, &Disk)).filter(|_| may_inspect) {
+        bail!("'{}' is neither a verb nor a file (see --help)", word.display());
+    }
+    if request.target_mass.is_some() || !may_inspect || request.asks_for_change() {
+        let missing = request.target_mass.is_none();
+        let run = request.run.clone();
+        return match prepare(request, &Disk) {
+            Ok(prepared) => change(prepared, &run, session),
+            Err(RequestError::Fault(fault)) if missing => {
+                bail!("{}{}", fault.spelled(session.words), session.words.see_also())
+            }
+            Err(error) => session.refuse(error, run.is_json()),
+        };
+    }
+    // A model alone, perhaps dropped on the program: show something useful.
+    let json = request.run.is_json();
+    let format = if json { SheetFormat::Json } else { SheetFormat::Table };
+    let mut inspect = InspectRequest { format, ..InspectRequest::default() };
+    inspect.report.report = request.run.report;
+    inspect.report.force = request.output.force;
+    inspect.models = request.models;
+    inspect.options =
+        InspectionOptions::new(StanceOptions::default(), request.masses, request.choice, request.set_files);
+    inspect.options.answers = request.answers;
+    inspect::run(&inspect, true, session)
+}
+
+// One run of a changing verb: what is reported of it, and in which order.
+
+/// More models than this are reported in a line each, unless a table is asked for.
+const FEW: usize = 10;
+
+/// Does all of `request`.
+///
+/// # Errors
+/// Wrong usage: found before anything is written.
+pub(super) fn run(request: RunRequest, options: &RunOptions, session: &mut Session) -> Result<Exit> {
+    let mut run = Run::new(request, options).map_err(|fault| session.refused(&fault))?;
+    let tasks = run.request().tasks.len();
+    let several = tasks + run.request().failures.len() > 1;
+    let few = if tasks > FEW { RunFormat::Lines } else { RunFormat::Table };
+    let format = options.format.unwrap_or(few);
+    let mut exit = Exit::Done;
+    for failure in &run.request().failures {
+        exit = exit.and(tell_failure(failure, format, session));
+    }
+    for remark in run.request().remarks.iter().filter(|_| !options.quiet) {
+        session.terminal.note_line(remark)?;
+    }
+    run.read_previous().map_err(|fault| session.refused(&fault))?;
+    let mut page =
+        ReportPage::of_run(&run, options, asked(), session.words).map_err(|fault| session.refused(&fault))?;
+    run.begin().map_err(|fault| session.refused(&fault))?;
+    for kept in run.kept() {
+        session.terminal.note_line(kept)?;
+    }
+    let counts = work_off(&run, options, format, &mut page, session)?;
+    if let Err(fault) = run.finish() {
+        session.terminal.error_line(&fault.spelled(session.words));
+        exit = exit.and(Exit::Failed);
+    }
+    exit = exit.and(end_page(page, session));
+    let (counts, untold) = counts;
+    if !options.quiet && several {
+        session.terminal.note(&summary(&counts, options, session.words))?;
+    } else if !options.quiet && counts.interrupted() {
+        session.terminal.note("stopped\n")?;
+    }
+    Ok(exit.and(exit_of(&counts, untold)))
+}
+
+/// Does all tasks and reports each in its turn; also whether something could not be shown.
+fn work_off(
+    run: &Run<'_>,
+    options: &RunOptions,
+    format: RunFormat,
+    page: &mut Option<ReportPage>,
+    session: &mut Session,
+) -> Result<(Counts, bool)> {
+    let tasks = run.request().tasks.len();
+    if tasks > 1 {
+        exit::listen();
+    }
+    let shower = Shower {
+        words: session.words,
+        options,
+        format,
+        detail: DetailLevel::of(tasks + run.request().failures.len()),
+        progress: Progress::begin(tasks, options.quiet),
+    };
+    let mut untold = false;
+    let report = |_: &Task, outcome: Outcome<Shown>| {
+        let Outcome { record, earlier, shown, failure, .. } = outcome;
+        let Shown { outputs, entry } = shown.unwrap_or_default();
+        if let Some(page) = page {
+            page.add(entry.unwrap_or_else(|| bare_entry(&record, earlier)));
+        }
+        // Results that cannot be shown are no reason to leave the other models undone.
+        let reported = shower.progress.suspended(|| match &failure {
+            Some(failure) => say_failure(failure, format, session),
+            None => say(&outputs, session),
+        });
+        if let Err(error) = reported {
+            session.terminal.error_line(&format!("cannot write to standard output: {error:#}"));
+            untold = true;
+        }
+    };
+    let counts = run.work_off(&shower, report);
+    shower.progress.end();
+    match counts {
+        Ok(counts) => Ok((counts, untold)),
+        Err(fault) => Err(session.refused(&fault)),
+    }
+}
+
+fn tell_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> Exit {
+    // Scripts read one object per model, also of those that failed.
+    let record = || line(&FailureRecord::new(failure, session.words));
+    if format == RunFormat::Json {
+        let record = record();
+        if session.terminal.print_records(&record).is_err() {
+            return Exit::Failed;
+        }
+    }
+    exit::report(failure, session.words, &mut session.terminal);
+    Exit::Failed
+}
+
+fn say_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> Result<()> {
+    if format == RunFormat::Json {
+        session.terminal.print_records(&line(&FailureRecord::new(failure, session.words)))?;
+    }
+    exit::report(failure, session.words, &mut session.terminal);
+    Ok(())
+}
+
+fn say(all: &[Output], session: &mut Session) -> Result<()> {
+    for output in all {
+        match output {
+            Output::Result(text) => session.terminal.print(text)?,
+            Output::Record(text) => session.terminal.print_records(text)?,
+            Output::Diff(text) => session.terminal.print_diff(text)?,
+            Output::Model(bytes) => session.terminal.write_bytes(bytes)?,
+            Output::Note(text) => session.terminal.note(text)?,
+            Output::Aside(text) => session.terminal.aside(text)?,
+        }
+    }
+    Ok(())
+}
+
+fn exit_of(counts: &Counts, untold: bool) -> Exit {
+    match (counts.interrupted(), counts.failed) {
+        (true, _) => Exit::Interrupted,
+        (false, 0) if !untold => Exit::Done,
+        (false, _) => Exit::Failed,
+    }
+}
+
+/// The last line of a run over several models.
+fn summary(counts: &Counts, options: &RunOptions, words: Words) -> String {
+    let parts = [
+        (counts.written, "written"),
+        (counts.dry, "planned (dry run)"),
+        (counts.unchanged, "unchanged"),
+        (counts.earlier, "done before"),
+        (counts.no_contacts, "skipped (no contacts)"),
+        (counts.failed, "failed"),
+        (counts.not_begun, "not begun"),
+    ];
+    let all: usize = parts.iter().map(|(count, _)| count).sum();
+    let parts: Vec<String> =
+        parts.iter().filter(|(count, _)| *count > 0).map(|(count, what)| format!("{count} {what}")).collect();
+    let stopped = match (counts.interrupted(), &options.summary) {
+        (false, _) => String::new(),
+        (true, Some(_)) => {
+            format!("; stopped: go on with the same call and {}", words.input(Input::Resume, None))
+        }
+        (true, None) => "; stopped".to_owned(),
+    };
+    let parts = if parts.is_empty() { "none done".to_owned() } else { parts.join(", ") };
+    let models = if all == 1 { "model" } else { "models" };
+    format!("note: {all} {models}: {parts}{stopped}\n")
+}
+
+// What is shown of a model that was changed, made on the thread that changed it.
+
+/// What is shown of one model.
+#[derive(Default)]
+pub(super) struct Shown {
+    pub outputs: Vec<Output>,
+    /// The model on the page; `None` without a page.
+    pub entry: Option<Entry>,
+}
+
+/// One thing to report.
+pub(super) enum Output {
+    /// On standard output.
+    Result(String),
+    /// On standard output, for programs.
+    Record(String),
+    /// On standard output, where programs take it as it is.
+    Diff(String),
+    /// On standard output, byte for byte.
+    Model(Vec<u8>),
+    /// On standard error, beside the results.
+    Note(String),
+    /// On standard error, where programs take it as it is.
+    Aside(String),
+}
+
+/// Shows what a run does.
+pub(super) struct Shower<'s> {
+    pub words: Words,
+    pub options: &'s RunOptions,
+    pub format: RunFormat,
+    /// How much of each model a page shows.
+    pub detail: DetailLevel,
+    pub progress: Progress,
+}
+
+impl FrontEnd for Shower<'_> {
+    type Shown = Shown;
+
+    fn dialect(&self) -> &dyn Speller {
+        // A front end's words are words for remedies, too.
+        self.words
+    }
+
+    fn detail(&self) -> Detail {
+        match self.options.report {
+            Some(_) => Detail::BeforeAfter { feet: self.detail.has_feet() },
+            None => Detail::Result,
+        }
+    }
+
+    fn show(&self, mut changed: ChangedModel<'_>) -> Shown {
+        let both = changed.before_after.take();
+        let entry = both.map(|both| entry(&changed, &both, self.detail, self.words));
+        let outputs = if changed.earlier { Vec::new() } else { self.outputs(&changed) };
+        Shown { outputs, entry }
+    }
+
+    fn is_interrupted(&self) -> bool {
+        exit::came()
+    }
+
+    fn done(&self, failed: bool) {
+        self.progress.done(failed);
+    }
+}
+
+impl Shower<'_> {
+    fn outputs(&self, changed: &ChangedModel<'_>) -> Vec<Output> {
+        let mut outputs = Vec::new();
+        let to_stdout = matches!(changed.written, Written::Stdout);
+        if let Some(text) = self.text(changed) {
+            outputs.push(match (to_stdout, self.format) {
+                (true, RunFormat::Json) => Output::Aside(text),
+                (true, _) => Output::Note(text),
+                (false, RunFormat::Json) => Output::Record(text),
+                (false, _) => Output::Result(text),
+            });
+        }
+        if self.options.diff {
+            let text = diff(changed);
+            // With JSON on standard output, the diff would not be JSON.
+            let aside = self.format == RunFormat::Json;
+            outputs.push(if aside { Output::Aside(text) } else { Output::Diff(text) });
+        }
+        if to_stdout {
+            outputs.push(Output::Model(changed.results.model.to_vec()));
+        }
+        outputs
+    }
+
+    /// What changed, as the run reports it; nothing where only errors are.
+    fn text(&self, changed: &ChangedModel<'_>) -> Option<String> {
+        let ChangedModel { plan, task, opened, written, .. } = changed;
+        if self.format == RunFormat::Json {
+            let mut paths = written.paths().iter().map(std::path::PathBuf::as_path);
+            let (output, geometry) = (paths.next(), paths.next());
+            return Some(line(&PlanRecord::new(plan, &opened.model, &task.source.path, output, geometry)));
+        }
+        if self.options.quiet {
+            return None;
+        }
+        let (shown, result) = (opened.name(), written.describe());
+        Some(match self.format {
+            RunFormat::Lines => plan::line(plan, shown, &result),
+            _ => plan::text(plan, shown, &result),
+        })
+    }
+}
+
+fn diff(changed: &ChangedModel<'_>) -> String {
+    let ChangedModel { task, opened, results, .. } = changed;
+    let shown = opened.name();
+    let target = task.output().map_or_else(|| shown.to_string(), |path| path.display().to_string());
+    let bytes = |file: FileId| opened.model.file(file).bytes();
+    let mut text = plan::unified_diff(bytes(FileId::MAIN), &results.model.to_vec(), shown, &target);
+    if let Some(geometry) = &results.geometry {
+        let name = opened.name_of(geometry.file);
+        text.push_str(&plan::unified_diff(bytes(geometry.file), &geometry.patch.to_vec(), name, name));
+    }
+    text
 }

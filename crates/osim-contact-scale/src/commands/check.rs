@@ -14,11 +14,9 @@ use osim_view::report::check;
 use osim_view::report::json::line;
 use osim_view::report::layout::Colour;
 
-use super::asked::asked;
-use super::inspect::Stop;
-use super::page::end_page;
-use crate::exit::Exit;
-use crate::interrupt;
+use crate::commands::inspect::Stop;
+use crate::commands::output::{asked, end_page};
+use crate::exit::{self, Exit};
 use crate::session::Session;
 
 /// Checks all models.
@@ -30,7 +28,7 @@ pub(super) fn run(request: &CheckRequest, session: &mut Session) -> Result<Exit>
     let inspector = Inspector::of_check(request, &Disk);
     let (words, report) = (session.words, &request.report);
     let survey = Survey { verb: Verb::Check, sources: &sources, inspector: &inspector, report, words };
-    interrupt::outlive_size_limit();
+    exit::outlive_size_limit();
     let mut page = survey.begin_page(asked()).map_err(|fault| session.refused(&fault))?;
     let json = request.format == SheetFormat::Json;
     let mut exit = Exit::Done;

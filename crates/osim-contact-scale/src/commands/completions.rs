@@ -1,11 +1,18 @@
-//! `completions`: scripts that let a shell complete verbs and options.
+//! `completions`: scripts for shells; `man`: the manual pages.
 
-mod fish;
+use std::fmt::Write;
+use std::path::Path;
 
-use anyhow::Result;
+use anyhow::{Context, Result, anyhow, bail};
+use clap::builder::PossibleValue;
+use clap::{Arg, Command};
 use clap_complete::Shell;
+use clap_mangen::Man;
+use osim_library::{Mode, Prepared};
 
-use crate::args::{CompletionsArgs, plain_command};
+use crate::args::{CompletionsArgs, ManArgs, plain_command};
+use crate::exit::Exit;
+use crate::session::{Session, Words};
 use crate::terminal::Terminal;
 
 /// Prints the script for the shell that `args` names.
@@ -19,7 +26,7 @@ pub(super) fn run(args: &CompletionsArgs, terminal: &mut Terminal) -> Result<()>
     clap_complete::generate(args.shell, &mut command, name.as_str(), &mut script);
     match args.shell {
         Shell::Bash => script = with_one_name(&String::from_utf8(script)?, &name).into_bytes(),
-        Shell::Fish => script = fish::completed(&String::from_utf8(script)?, &command).into_bytes(),
+        Shell::Fish => script = completed(&String::from_utf8(script)?, &command).into_bytes(),
         _ => {}
     }
     terminal.write_bytes(&script)?;
@@ -30,4 +37,125 @@ pub(super) fn run(args: &CompletionsArgs, terminal: &mut Terminal) -> Result<()>
 /// (<https://github.com/clap-rs/clap/issues/6421>). Both become one; without the second this changes nothing.
 fn with_one_name(script: &str, name: &str) -> String {
     script.replace(&name.replace('-', "__subcmd__"), &name.replace('-', "__"))
+}
+
+// What clap_complete 4.6 leaves out for fish: options after a model where no verb is typed, and values of arguments without a name,
+// such as the kind of a figure.
+
+/// The script with both. Verbs and files are completed without.
+fn completed(script: &str, command: &Command) -> String {
+    let functions = format!("__fish_{}", command.get_name().replace('-', "_"));
+    let (needs_verb, without_verb) =
+        (format!("{functions}_needs_command"), format!("{functions}_without_verb"));
+    let verbs: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+    let mut completed = String::new();
+    for line in script.split_inclusive('\n') {
+        let is_option = line.contains(" -l ") && line.starts_with("complete ");
+        let condition = |name: &str| format!(" -n \"{name}\"");
+        completed.push_str(&match is_option {
+            true => line.replacen(&condition(&needs_verb), &condition(&without_verb), 1),
+            false => line.to_owned(),
+        });
+    }
+    let name = command.get_name();
+    // Writing to a text cannot fail.
+    let _ = writeln!(
+        completed,
+        "\n# Options of a call without a verb come after its models, too.\n\
+         function {without_verb}\n    set -l word ({needs_verb})\n    or not contains -- \"$word\" {}\nend\n",
+        verbs.join(" ")
+    );
+    for verb in command.get_subcommands() {
+        let files = if takes_files(verb) { "" } else { " -f" };
+        for values in verb.get_positionals().map(values).filter(|values| !values.is_empty()) {
+            let _ = writeln!(
+                completed,
+                "complete -c {name} -n \"{functions}_using_subcommand {}\"{files} -a \"{}\"",
+                verb.get_name(),
+                values.iter().map(entry).collect::<Vec<_>>().join("\n")
+            );
+        }
+    }
+    completed
+}
+
+/// Whether any argument without a name is not one of a few words.
+fn takes_files(verb: &Command) -> bool {
+    verb.get_positionals().any(|argument| values(argument).is_empty())
+}
+
+fn values(argument: &Arg) -> Vec<PossibleValue> {
+    argument.get_value_parser().possible_values().into_iter().flatten().collect()
+}
+
+/// A value and what it is, as fish reads them between double quotation marks.
+fn entry(value: &PossibleValue) -> String {
+    let help = value.get_help().map(ToString::to_string).unwrap_or_default();
+    let help = help.replace('\\', "\\\\").replace('\'', "\\'").replace(['"', '$', '\n'], " ");
+    format!("{}\\t'{help}'", value.get_name())
+}
+
+// `man`: the manual pages, one for the command and one for each verb.
+
+const NAME: &str = env!("CARGO_PKG_NAME");
+
+/// Prints one page, or writes all of them.
+///
+/// # Errors
+/// An unknown verb.
+pub(super) fn manual(args: &ManArgs, session: &mut Session) -> Result<Exit> {
+    let pages = pages();
+    if let Some(folder) = &args.output_dir {
+        let mode = if args.force { Mode::Replace } else { Mode::New };
+        return Ok(match write(&pages, folder, mode, session.words) {
+            Ok(()) => Exit::Done,
+            Err(error) => {
+                session.terminal.error_line(&format!("{error:#}"));
+                Exit::Failed
+            }
+        });
+    }
+    let page = match &args.verb {
+        None => pages.last(),
+        Some(verb) => pages.iter().find(|page| page.get_filename() == format!("{NAME}-{verb}.1")),
+    };
+    let Some(page) = page else {
+        bail!("there is no such page");
+    };
+    session.terminal.write_bytes(&rendered(page)?)?;
+    Ok(Exit::Done)
+}
+
+/// One page for each verb, then that of the command.
+fn pages() -> Vec<Man> {
+    // A page has room for what the short help leaves out; clap_mangen would leave it out too.
+    let in_full = |command: Command| command.mut_args(|argument| argument.hide_short_help(false));
+    let mut command = plain_command();
+    // Gives verbs their full names, and their options.
+    command.build();
+    let command = in_full(command).mut_subcommands(in_full);
+    let verbs: Vec<Man> = command.get_subcommands().cloned().map(Man::new).collect();
+    verbs.into_iter().chain([Man::new(command)]).map(titled).collect()
+}
+
+fn titled(page: Man) -> Man {
+    page.manual("OpenSim contacts").source(concat!("osim-contact-scale ", env!("CARGO_PKG_VERSION")))
+}
+
+fn rendered(page: &Man) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    page.render(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// All pages, or none.
+fn write(pages: &[Man], folder: &Path, mode: Mode, words: Words) -> Result<()> {
+    let refused = |fault: osim_library::LibraryFault| anyhow!(fault.spelled(words));
+    std::fs::create_dir_all(folder).map_err(|error| anyhow!(error)).context(folder.display().to_string())?;
+    let mut prepared = Vec::new();
+    for page in pages {
+        let path = folder.join(page.get_filename());
+        prepared.push(Prepared::new(&path, &rendered(page)?, None, mode).map_err(refused)?);
+    }
+    prepared.into_iter().try_for_each(Prepared::commit).map_err(refused)
 }

@@ -6,11 +6,10 @@ use anyhow::Result;
 use osim_model::files::Beside;
 use osim_requests::{DropTestRequest, PlotRequest, Request, SweepRequest};
 
-use super::{
-    batch, change, check, completions, design, drop_test, explain, fit, inspect, manual, motion, plot,
-    presets, reproduce, request, rescale, sweep, unmatched,
-};
 use crate::args::{Cli, VerbArgs};
+use crate::commands::{
+    batch, calculators, change, check, completions, inspect, lookups, motion, output, plot, reproduce, sweep,
+};
 use crate::exit::Exit;
 use crate::session::Session;
 
@@ -20,15 +19,15 @@ use crate::session::Session;
 /// Wrong usage, found before anything was written.
 pub(crate) fn call(cli: Cli, session: &mut Session) -> Result<Exit> {
     let request: Request = match cli.verb {
-        None => return rescale::run(cli.rescale, true, session),
+        None => return change::rescale(cli.rescale, true, session),
         Some(VerbArgs::Set(args)) => args.0.request()?.into(),
-        Some(VerbArgs::Request(args)) => request::read(&args.0, session)?,
+        Some(VerbArgs::Request(args)) => lookups::read_request(&args.0, session)?,
         Some(VerbArgs::Completions(args)) => {
             return completions::run(&args.0, &mut session.terminal).map(|()| Exit::Done);
         }
         // Answered by clap.
         Some(VerbArgs::Help(_) | VerbArgs::Version) => return Ok(Exit::Done),
-        Some(VerbArgs::Man(args)) => return manual::run(&args.0, session),
+        Some(VerbArgs::Man(args)) => return completions::manual(&args.0, session),
         Some(VerbArgs::Rescale(request)) => Request::Rescale(request.0),
         Some(VerbArgs::Transfer(request)) => Request::Transfer(request.0),
         Some(VerbArgs::Add(request)) => Request::Add(request.0),
@@ -53,9 +52,9 @@ pub(crate) fn call(cli: Cli, session: &mut Session) -> Result<Exit> {
 
 fn ask(request: Request, session: &mut Session) -> Result<Exit> {
     match request {
-        Request::Rescale(request) => rescale::run(*request, false, session),
-        Request::Design(request) if request.models.is_empty() => design::calculate(&request, session),
-        Request::Fit(request) if !request.is_of_motion() => fit::run(&request, session),
+        Request::Rescale(request) => change::rescale(*request, false, session),
+        Request::Design(request) if request.models.is_empty() => calculators::design(&request, session),
+        Request::Fit(request) if !request.is_of_motion() => calculators::fit(&request, session),
         changing @ (Request::Transfer(_)
         | Request::Add(_)
         | Request::Convert(_)
@@ -63,23 +62,23 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
         | Request::Design(_)
         | Request::Set(_)
         | Request::Fit(_)
-        | Request::Note(_)) => change::run(changing, session),
+        | Request::Note(_)) => change::change_models(changing, session),
         Request::Batch(request) => batch::run(&request, session),
         Request::Sweep(request) => {
             let exit = sweep::run(&request, session)?;
             if !request.quiet {
                 let SweepRequest { model, choice, masses, .. } = &*request;
-                unmatched::note(model.as_deref(), Beside::default(), choice, masses, session)?;
+                output::note_unmatched(model.as_deref(), Beside::default(), choice, masses, session)?;
             }
             Ok(exit)
         }
         Request::Inspect(request) => inspect::run(&request, false, session),
         Request::Check(request) => check::run(&request, session),
         Request::DropTest(request) => {
-            let exit = drop_test::run(&request, session)?;
+            let exit = calculators::drop_test(&request, session)?;
             let DropTestRequest { subject, compare, choice, masses, set_files, .. } = &*request;
             let models = subject.iter().chain(compare).map(PathBuf::as_path);
-            unmatched::note(models, set_files.beside(), choice, masses, session)?;
+            output::note_unmatched(models, set_files.beside(), choice, masses, session)?;
             Ok(exit)
         }
         Request::Motion(request) => motion::run(&request, session),
@@ -87,12 +86,12 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
             let exit = plot::run(&request, session)?;
             let PlotRequest { models, choice, masses, set_files, .. } = &*request;
             let models = models.iter().map(PathBuf::as_path);
-            unmatched::note(models, set_files.beside(), choice, masses, session)?;
+            output::note_unmatched(models, set_files.beside(), choice, masses, session)?;
             Ok(exit)
         }
         Request::Reproduce(request) => reproduce::run(&request, session),
-        Request::Presets(request) => presets::run(&request, session),
-        Request::Explain(request) => explain::run(&request, session),
+        Request::Presets(request) => lookups::presets(&request, session),
+        Request::Explain(request) => lookups::explain(&request, session),
         _ => anyhow::bail!("this verb takes no request"),
     }
 }

@@ -14,10 +14,8 @@ use osim_view::report::inspection::{self, ModelsTable};
 use osim_view::report::json::line;
 use osim_view::report::layout::Colour;
 
-use super::asked::asked;
-use super::page::end_page;
-use crate::exit::Exit;
-use crate::interrupt;
+use crate::commands::output::{asked, end_page};
+use crate::exit::{self, Exit};
 use crate::session::Session;
 
 /// Inspects all models; `hint` where the reader should see what to do next.
@@ -35,7 +33,7 @@ pub(super) fn run(request: &InspectRequest, hint: bool, session: &mut Session) -
     let (words, report) = (session.words, &request.report);
     let mut exit = Exit::Done;
     let survey = Survey { verb: Verb::Inspect, sources: &sources, inspector: &inspector, report, words };
-    interrupt::outlive_size_limit();
+    exit::outlive_size_limit();
     let mut page = survey.begin_page(asked()).map_err(|fault| session.refused(&fault))?;
     for failure in &sources.failures {
         exit = exit.and(session.fail(failure, json)?);

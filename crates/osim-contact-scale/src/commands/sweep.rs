@@ -14,17 +14,16 @@ use osim_requests::options::Format;
 use osim_view::report::json::line;
 use osim_view::report::results::SweepRecord;
 
-use crate::exit::Exit;
-use crate::interrupt;
-use crate::progress::Progress;
+use crate::exit::{self, Exit};
 use crate::session::Session;
+use crate::terminal::Progress;
 
 /// Shows how far a sweep is.
 struct Watch(Progress);
 
 impl SweepFrontEnd for Watch {
     fn is_interrupted(&self) -> bool {
-        interrupt::came()
+        exit::came()
     }
 
     fn done(&self, failed: bool) {
@@ -115,7 +114,7 @@ fn begun(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
 }
 
 fn make(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<SweepEnd> {
-    interrupt::listen();
+    exit::listen();
     let watch = Watch(Progress::begin(sweep.count(), request.quiet));
     let json = request.format == Format::Json;
     // What cannot be shown is no reason to leave the other variants undone.

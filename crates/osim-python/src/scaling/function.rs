@@ -3,10 +3,10 @@
 use contact_scaling::equations::{self, Equation, Form};
 use contact_scaling::modulus::MixingRule;
 
-use super::columns::Columns;
-use super::failure::Failure;
-use super::parameter::{Parameter, Returns};
-use super::text::{Argument, docstring};
+use crate::scaling::failure::Failure;
+use crate::scaling::parameter::{Parameter, Returns};
+use crate::scaling::spheres::Columns;
+use crate::scaling::text::{Argument, docstring};
 
 /// One equation with plain numbers in and one number out, all in SI units.
 #[derive(Debug, Clone, Copy)]

@@ -6,35 +6,34 @@
 //!
 //! What an equation says, its number, its units and what its symbols mean come from the register of `contact-scaling`.
 
-mod columns;
 mod define;
 mod failure;
 mod function;
-mod hertz;
-mod lists;
+mod laws;
 mod parameter;
-mod ratios;
-mod restitution;
 mod rule;
 mod smooth;
-mod smoothing;
 mod spheres;
-mod steps;
-mod stiffness;
-mod surfaces;
 mod text;
 
 pub(crate) use failure::Failure;
 pub(crate) use function::{Call, Function};
-pub(crate) use lists::MEAN_SQUARE_RADIUS;
+pub(crate) use laws::continuation_steps;
 pub(crate) use parameter::Parameter;
 pub(crate) use rule::{RULES, rule};
-pub(crate) use spheres::OF_SPHERES;
-pub(crate) use steps::continuation_steps;
+pub(crate) use spheres::{MEAN_SQUARE_RADIUS, OF_SPHERES};
 
 /// All functions that take numbers, in the order of the paper.
 pub(crate) fn all() -> impl Iterator<Item = &'static Function> {
-    [hertz::ALL, restitution::ALL, surfaces::ALL, stiffness::ALL, smooth::ALL, smoothing::ALL, ratios::ALL]
-        .into_iter()
-        .flatten()
+    [
+        laws::HERTZ,
+        laws::RESTITUTION,
+        laws::SURFACES,
+        laws::STIFFNESS,
+        smooth::SMOOTH,
+        smooth::SMOOTHING,
+        laws::RATIOS,
+    ]
+    .into_iter()
+    .flatten()
 }

@@ -1,15 +1,16 @@
-//! Where a body rests on several spheres: functions of lists of spheres.
+//! Functions of lists: of spheres that a body rests on, and of plain numbers.
 
-use contact_scaling::equations::symbols::X;
+use contact_scaling::equations::symbols::{R_I, R_SQUARE, X};
 use contact_scaling::equilibrium::{self, Raised};
-use contact_scaling::{DomainError, Hertz, HuntCrossley, Law, SmoothSphere, SmoothingValues, Spheres};
+use contact_scaling::{
+    DomainError, Hertz, HuntCrossley, Law, SmoothSphere, SmoothingValues, Spheres, mixed_radii,
+};
 
-use super::columns::Columns;
-use super::define::parameter;
-use super::failure::Failure;
-use super::function::forms;
-use super::parameter::{Parameter, Returns};
-use super::text::{Argument, docstring};
+use crate::scaling::define::parameter;
+use crate::scaling::failure::Failure;
+use crate::scaling::function::forms;
+use crate::scaling::parameter::{Parameter, Returns};
+use crate::scaling::text::{Argument, docstring};
 
 /// An equation over spheres, whose bottoms are level or each at its own height.
 #[derive(Debug, Clone, Copy)]
@@ -133,5 +134,106 @@ impl OfSpheres {
             .chain(spheres)
             .chain([Argument::of_optional_list(HEIGHT)]);
         docstring(forms(self.level).chain(forms(self.raised)), arguments, self.returns)
+    }
+}
+
+// Functions of one list of numbers.
+
+/// An equation that takes one list of numbers, and gives one number for all of them.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OfList {
+    /// As Python calls it.
+    pub name: &'static str,
+    /// The function of `contact-scaling`.
+    pub computes: &'static str,
+    /// The list.
+    pub parameter: Parameter,
+    /// What it gives.
+    pub returns: Returns,
+}
+
+/// (3) summed over spheres of one modulus: the R² in the place of all their radii.
+pub(crate) const MEAN_SQUARE_RADIUS: OfList = OfList {
+    name: "mean_square_radius",
+    computes: "mixed_radii::mean_square",
+    parameter: Parameter { name: "radius", symbol: R_I, default: None },
+    returns: Returns::Value(R_SQUARE),
+};
+
+impl OfList {
+    /// The value for a list.
+    ///
+    /// # Errors
+    /// The list is empty, or an element is not a finite number above 0.
+    pub(crate) fn value(&self, list: &[f64]) -> Result<f64, Failure> {
+        let name = self.parameter.name;
+        for (index, &element) in list.iter().enumerate() {
+            Failure::unless_finite(std::iter::once((name, element))).map_err(|failure| failure.at(index))?;
+        }
+        mixed_radii::mean_square(list).map_err(|error| {
+            let failure = Failure::from(error).with_argument(list.iter().map(|&element| (name, element)));
+            match list.iter().position(|element| *element == failure.value) {
+                Some(index) if failure.parameter.is_some() => failure.at(index),
+                _ => failure,
+            }
+        })
+    }
+
+    /// Its text in Python.
+    pub(crate) fn docstring(&self) -> String {
+        docstring(forms(self.computes), std::iter::once(Argument::of_list(self.parameter)), self.returns)
+    }
+}
+
+// Lists of arguments as rows: each list has one element, or as many as the others.
+
+/// Lists of arguments, one for each parameter.
+pub(super) struct Columns<'c> {
+    names: Vec<&'static str>,
+    lists: &'c [&'c [f64]],
+    rows: usize,
+}
+
+impl<'c> Columns<'c> {
+    /// Lists for the parameters of these names, in the same order.
+    ///
+    /// # Errors
+    /// Lists that differ in length, or too many or too few of them.
+    pub(super) fn new(
+        names: impl Iterator<Item = &'static str>,
+        lists: &'c [&'c [f64]],
+    ) -> Result<Self, Failure> {
+        let names: Vec<_> = names.collect();
+        if lists.len() != names.len() {
+            return Err(Failure::arguments(lists.len()));
+        }
+        let rows = lists.iter().map(|list| list.len()).find(|&length| length != 1).unwrap_or(1);
+        let other = names.iter().zip(lists).find(|(_, list)| ![1, rows].contains(&list.len()));
+        match other {
+            Some((name, list)) => Err(Failure::length(name, list.len())),
+            None => Ok(Self { names, lists, rows }),
+        }
+    }
+
+    /// What `call` makes of each row.
+    ///
+    /// # Errors
+    /// The first of `call`, with the element that it is about.
+    pub(super) fn each<T>(&self, call: impl Fn(&[f64]) -> Result<T, Failure>) -> Result<Vec<T>, Failure> {
+        let mut arguments = vec![0.0; self.lists.len()];
+        let mut one = |row: usize| {
+            for (argument, list) in arguments.iter_mut().zip(self.lists) {
+                *argument = list.get(row).or(list.first()).copied().unwrap_or(f64::NAN);
+            }
+            call(&arguments)
+                .map_err(|failure| if self.is_listed(&failure) { failure.at(row) } else { failure })
+        };
+        (0..self.rows).map(&mut one).collect()
+    }
+
+    /// Whether a failure is about an element of a list, not about a number that is the same in all rows.
+    fn is_listed(&self, failure: &Failure) -> bool {
+        let mut named = self.names.iter().zip(self.lists);
+        named.any(|(&name, list)| list.len() > 1 && failure.parameter.is_none_or(|about| about == name))
     }
 }

@@ -10,7 +10,7 @@ use contact_scaling::{RatioValues, Ratios};
 use foldhash::{HashMap, HashMapExt};
 
 use crate::messages::{readable, shown};
-use crate::model::contacts::{Force, ForceId, ParameterSet, SetId, Sphere, SphereId};
+use crate::model::contacts::{Force, ForceId, ParameterSet, SetId, Sphere};
 use crate::model::names::Side;
 use crate::model::property::{Property, Value};
 use crate::model::sides::mirror::{BodyPairs, Bones, close};

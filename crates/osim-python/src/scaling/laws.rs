@@ -1,0 +1,236 @@
+//! The force laws, restitution, stiffness, moduli of surfaces, and the factors from one animal to another.
+
+use contact_scaling::equations::symbols::{
+    ALPHA, BD, BV, C_EXACT, C_R, CF, E, E_1, F_C, F_D, F_E, F_N, F_N_EQ, IMPACT, K, K_HAT, PATCH_DIAMETER,
+    PATCH_RADIUS, R, R_TWO, RELATIVE_PATCH_RADIUS, SIGMA, U_V, V_T, X, X_HAT,
+};
+use contact_scaling::modulus::{self, SurfaceValues};
+use contact_scaling::{
+    DomainError, Hertz, HertzValues, HuntCrossley, RatioValues, Ratios, SharedLoad, continuation, design,
+    patch, restitution, stiffness,
+};
+
+use crate::scaling::define::function;
+use crate::scaling::failure::Failure;
+use crate::scaling::function::Function;
+use crate::scaling::parameter::Returns::{Factor, Value};
+
+pub(super) const HERTZ: &[Function] = &[
+    function!(hertz_force(composite_modulus: E, radius: R, indentation: X, shape_factor: ETA = 1.0)
+        -> Value(F_E), "Hertz::force",
+        hertz(composite_modulus, radius, shape_factor)?.force(indentation)),
+    function!(hertz_indentation(composite_modulus: E, radius: R, force: F_E, shape_factor: ETA = 1.0)
+        -> Value(X), "Hertz::indentation_from_force",
+        hertz(composite_modulus, radius, shape_factor)?.indentation_from_force(force)?),
+    function!(relative_indentation(indentation: X, radius: R)
+        -> Value(X_HAT), "Hertz::relative_indentation",
+        Hertz::sphere(1.0, radius)?.relative_indentation(indentation)),
+    function!(indentation(relative_indentation: X_HAT, radius: R)
+        -> Value(X), "Hertz::indentation",
+        Hertz::sphere(1.0, radius)?.indentation(relative_indentation)),
+    function!(hertz_force_at_relative_indentation(
+            composite_modulus: E, radius: R, relative_indentation: X_HAT, shape_factor: ETA = 1.0)
+        -> Value(F_E), "Hertz::force_at_relative_indentation",
+        hertz(composite_modulus, radius, shape_factor)?.force_at_relative_indentation(relative_indentation)),
+    function!(hunt_crossley_dissipative_force(
+            composite_modulus: E, radius: R, dissipation: ALPHA, indentation: X, speed: SPEED, shape_factor: ETA = 1.0)
+        -> Value(F_D), "HuntCrossley::dissipative_force",
+        hunt_crossley(composite_modulus, radius, shape_factor, dissipation)?.dissipative_force(indentation, speed)),
+    function!(hunt_crossley_force(
+            composite_modulus: E, radius: R, dissipation: ALPHA, indentation: X, speed: SPEED, shape_factor: ETA = 1.0)
+        -> Value(F_C), "HuntCrossley::force",
+        hunt_crossley(composite_modulus, radius, shape_factor, dissipation)?.force(indentation, speed)),
+    function!(mean_stress(force: F_C, radius: R, relative_indentation: X_HAT)
+        -> Value(SIGMA), "patch::mean_stress",
+        patch::mean_stress(force, radius, relative_indentation)?),
+    function!(patch_radius(indentation: X, radius: R)
+        -> Value(PATCH_RADIUS), "patch::radius",
+        patch::radius(indentation, radius)?),
+    function!(patch_diameter(indentation: X, radius: R)
+        -> Value(PATCH_DIAMETER), "patch::diameter",
+        patch::diameter(indentation, radius)?),
+    function!(relative_patch_radius(relative_indentation: X_HAT)
+        -> Value(RELATIVE_PATCH_RADIUS), "patch::relative_radius",
+        patch::relative_radius(relative_indentation)?),
+    function!(hertz_stiffness(composite_modulus: E, radius: R, indentation: X, shape_factor: ETA = 1.0)
+        -> Value(K), "Hertz::stiffness",
+        hertz(composite_modulus, radius, shape_factor)?.stiffness(indentation)),
+    function!(hertz_stiffness_at_relative_indentation(
+            composite_modulus: E, radius: R, relative_indentation: X_HAT, shape_factor: ETA = 1.0)
+        -> Value(K), "Hertz::stiffness_at_relative_indentation",
+        hertz(composite_modulus, radius, shape_factor)?.stiffness_at_relative_indentation(relative_indentation)),
+];
+
+/// The Hertz law of a sphere: E* in N/m², R in m, η.
+pub(super) fn hertz(composite_modulus: f64, radius_m: f64, shape_factor: f64) -> Result<Hertz, DomainError> {
+    Hertz::new(HertzValues { composite_modulus, radius_m, shape_factor })
+}
+
+fn hunt_crossley(
+    composite_modulus: f64,
+    radius_m: f64,
+    shape_factor: f64,
+    dissipation: f64,
+) -> Result<HuntCrossley, DomainError> {
+    HuntCrossley::new(hertz(composite_modulus, radius_m, shape_factor)?, dissipation)
+}
+
+// Restitution and dissipation: (13), its exact form, and the speed of the paper's drop.
+
+pub(super) const RESTITUTION: &[Function] = &[
+    function!(approximate_restitution(dissipation: ALPHA, impact_speed: IMPACT)
+        -> Value(C_R), "restitution::approximate",
+        restitution::approximate(dissipation, impact_speed)?),
+    function!(dissipation_for_restitution(restitution: C_R, impact_speed: IMPACT)
+        -> Value(ALPHA), "restitution::dissipation",
+        restitution::dissipation(restitution, impact_speed)?),
+    function!(exact_restitution(dissipation: ALPHA, impact_speed: IMPACT)
+        -> Value(C_EXACT), "restitution::exact",
+        restitution::exact(dissipation, impact_speed)?),
+    function!(dissipation_for_exact_restitution(restitution: C_EXACT, impact_speed: IMPACT)
+        -> Value(ALPHA), "restitution::exact_dissipation",
+        restitution::exact_dissipation(restitution, impact_speed)?),
+    function!(drop_speed(gravity: G, radius: R)
+        -> Value(IMPACT), "restitution::drop_speed",
+        restitution::drop_speed(gravity, radius)?),
+];
+
+// What is wanted of a contact: (11), (B.2) to (B.5), and the modulus for a dimensionless stiffness.
+
+pub(super) const STIFFNESS: &[Function] = &[
+    function!(composite_modulus_for_indentation(relative_indentation: X_HAT, radius: R, load: F, sphere_count: N)
+        -> Value(E), "design::composite_modulus",
+        design::composite_modulus(radius, relative_indentation, &SharedLoad::new(load, sphere_count)?)?),
+    function!(relative_indentation_under_load(composite_modulus: E, radius: R, load: F, sphere_count: N)
+        -> Value(X_HAT), "design::relative_indentation",
+        design::relative_indentation(composite_modulus, radius, &SharedLoad::new(load, sphere_count)?)?),
+    function!(composite_modulus_for_stiffness(stiffness: K, radius: R, relative_indentation: X_HAT)
+        -> Value(E), "design::composite_modulus_for_stiffness",
+        design::composite_modulus_for_stiffness(stiffness, radius, relative_indentation)?),
+    function!(radius_for_stiffness(stiffness: K, relative_indentation: X_HAT, load: F, sphere_count: N)
+        -> Value(R), "design::radius_for_stiffness",
+        design::radius_for_stiffness(stiffness, relative_indentation, &SharedLoad::new(load, sphere_count)?)?),
+    function!(dimensionless_stiffness(stiffness: K, radius: R, load: F_C_ALL, sphere_count: N)
+        -> Value(K_HAT), "stiffness::dimensionless",
+        stiffness::dimensionless(stiffness, radius, &SharedLoad::new(load, sphere_count)?)?),
+    function!(dimensionless_hertz_stiffness(relative_indentation: X_HAT)
+        -> Value(K_HAT), "stiffness::dimensionless_hertz",
+        stiffness::dimensionless_hertz(relative_indentation)?),
+    function!(natural_frequency(stiffness: K, mass_on_sphere: M_ON_SPHERE)
+        -> Value(F_N), "stiffness::natural_frequency",
+        stiffness::natural_frequency(stiffness, mass_on_sphere)?),
+    function!(equilibrium_frequency(relative_indentation: X_HAT_EQ, radius: R, gravity: G)
+        -> Value(F_N_EQ), "stiffness::equilibrium_frequency",
+        stiffness::equilibrium_frequency(relative_indentation, radius, gravity)?),
+    function!(modulus_ratio(first_dimensionless_stiffness: K_HAT_A, second_dimensionless_stiffness: K_HAT_B)
+        -> Factor(E), "continuation::modulus_ratio",
+        continuation::modulus_ratio(first_dimensionless_stiffness, second_dimensionless_stiffness)?),
+];
+
+// Moduli of surfaces: appendix A, and what Simbody and Johnson make of two unlike ones.
+
+pub(super) const SURFACES: &[Function] = &[
+    function!(plane_strain_modulus_of_material(youngs_modulus: YOUNG, poissons_ratio: POISSON)
+        -> Value(E_1), "modulus::plane_strain",
+        modulus::plane_strain(youngs_modulus, poissons_ratio)?),
+    function!(composite_modulus_by_johnson(first_modulus: E_1, second_modulus: E_2)
+        -> Value(E), "modulus::composite_johnson",
+        modulus::composite_johnson(first_modulus, second_modulus)?),
+    function!(composite_modulus_by_sherman(first_modulus: E_1, second_modulus: E_2)
+        -> Value(E), "modulus::composite_sherman",
+        modulus::composite_sherman(first_modulus, second_modulus)?),
+    function!([rule] plane_strain_modulus_of_equal_surfaces(composite_modulus: E)
+        -> Value(E_1), "modulus::of_equal_surfaces",
+        modulus::of_equal_surfaces(composite_modulus, rule)?),
+    function!([rule] composite_modulus_of_equal_surfaces(plane_strain_modulus: E_1)
+        -> Value(E), "modulus::composite_of_equal",
+        modulus::composite_of_equal(plane_strain_modulus, rule)?),
+    function!(stiffness_on_rigid_ground(youngs_modulus: YOUNG, poissons_ratio: POISSON)
+        -> Value(E_1), "modulus::stiffness_on_rigid_ground",
+        modulus::stiffness_on_rigid_ground(youngs_modulus, poissons_ratio)?),
+    function!(mixed_dissipation(
+            first_modulus: E_1, first_dissipation: ALPHA_1, second_modulus: E_2, second_dissipation: ALPHA_2)
+        -> Value(ALPHA), "modulus::mixed_dissipation",
+        modulus::mixed_dissipation(
+            SurfaceValues { plane_strain_modulus: first_modulus, dissipation: first_dissipation },
+            SurfaceValues { plane_strain_modulus: second_modulus, dissipation: second_dissipation },
+        )?),
+    function!(composite_radius(first_radius: R_1, second_radius: R_2)
+        -> Value(R_TWO), "modulus::composite_radius",
+        modulus::composite_radius(first_radius, second_radius)?),
+];
+
+// The factors of OpenSim's properties from one animal to another: (8) to (10), (14), (C.2), (C.5), (C.10), friction.
+
+pub(super) const RATIOS: &[Function] = &[
+    function!(plane_strain_modulus(
+            mass_ratio: MASS_RATIO, sphere_count_ratio: SPHERE_COUNT_RATIO, radius_ratio: RADIUS_RATIO,
+            gravity_ratio: GRAVITY_RATIO = 1.0)
+        -> Factor(E), "Ratios::plane_strain_modulus",
+        Ratios::new(RatioValues {
+            mass: mass_ratio,
+            sphere_count: sphere_count_ratio,
+            radius: radius_ratio,
+            gravity: gravity_ratio,
+        })?
+        .plane_strain_modulus()),
+    function!(dissipation(radius_ratio: RADIUS_RATIO, gravity_ratio: GRAVITY_RATIO = 1.0)
+        -> Factor(ALPHA), "Ratios::dissipation",
+        of_size(radius_ratio, gravity_ratio)?.dissipation()),
+    function!(dissipation_by_mass(mass_ratio: MASS_RATIO, gravity_ratio: GRAVITY_RATIO = 1.0)
+        -> Factor(ALPHA), "Ratios::dissipation_by_mass",
+        Ratios::new(RatioValues { mass: mass_ratio, gravity: gravity_ratio, ..Ratios::identity().values() })?
+            .dissipation_by_mass()),
+    function!(constant_contact_force(radius_ratio: RADIUS_RATIO)
+        -> Factor(CF), "Ratios::constant_contact_force",
+        of_size(radius_ratio, 1.0)?.constant_contact_force()),
+    function!(hertz_smoothing(radius_ratio: RADIUS_RATIO)
+        -> Factor(BD), "Ratios::hertz_smoothing",
+        of_size(radius_ratio, 1.0)?.hertz_smoothing()),
+    function!(hunt_crossley_smoothing(radius_ratio: RADIUS_RATIO, gravity_ratio: GRAVITY_RATIO = 1.0)
+        -> Factor(BV), "Ratios::hunt_crossley_smoothing",
+        of_size(radius_ratio, gravity_ratio)?.hunt_crossley_smoothing()),
+    function!(transition_velocity(radius_ratio: RADIUS_RATIO, gravity_ratio: GRAVITY_RATIO = 1.0)
+        -> Factor(V_T), "Ratios::transition_velocity",
+        of_size(radius_ratio, gravity_ratio)?.transition_velocity()),
+    function!(viscous_friction(radius_ratio: RADIUS_RATIO, gravity_ratio: GRAVITY_RATIO = 1.0)
+        -> Factor(U_V), "Ratios::viscous_friction",
+        of_size(radius_ratio, gravity_ratio)?.viscous_friction()),
+];
+
+/// Ratios in which only size and gravity matter.
+fn of_size(radius: f64, gravity: f64) -> Result<Ratios, DomainError> {
+    Ratios::new(RatioValues { radius, gravity, ..Ratios::identity().values() })
+}
+
+// The steps from compliant contacts to those that are wanted (section 4.3 of the paper).
+
+/// A column for each figure of the steps.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Ladder {
+    /// k̂ at the load of the last step, without unit (B.3).
+    pub dimensionless_stiffness: Vec<f64>,
+    /// What E* of the last step is multiplied by.
+    pub modulus_factor: Vec<f64>,
+    /// What α of the last step is multiplied by.
+    pub dissipation_factor: Vec<f64>,
+}
+
+/// `count` steps from k̂ = `first` to k̂ = `last`, with α from `dissipation_ratio` times its last value to that value.
+///
+/// # Errors
+/// As [`continuation::steps`].
+pub(crate) fn continuation_steps(
+    first: f64,
+    last: f64,
+    dissipation_ratio: f64,
+    count: u32,
+) -> Result<Ladder, Failure> {
+    let mut ladder = Ladder::default();
+    for step in continuation::steps(first, last, dissipation_ratio, count)? {
+        ladder.dimensionless_stiffness.push(step.dimensionless_stiffness);
+        ladder.modulus_factor.push(step.modulus_factor);
+        ladder.dissipation_factor.push(step.dissipation_factor);
+    }
+    Ok(ladder)
+}
