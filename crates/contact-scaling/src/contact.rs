@@ -1,7 +1,9 @@
-//! The contact parameters of a sphere as OpenSim takes them, checked once.
+//! The contact parameters of a sphere as OpenSim takes them, its friction, and published contacts.
 
-use crate::Ratios;
+use std::borrow::Cow;
+
 use crate::error::{DomainError, non_negative, positive};
+use crate::{Ratios, Scale, ScaleValues};
 
 /// 2^(3/2): E₁* of each of two equal surfaces over the composite E*, by OpenSim's mixing rule (A.3), (A.4).
 pub const EQUAL_SURFACES: f64 = 2.0 * std::f64::consts::SQRT_2;
@@ -117,6 +119,145 @@ impl Contact {
     }
 }
 
+// Friction of one sphere that slips, as both contact classes of OpenSim have it.
+
+/// What friction follows from, as in the file.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FrictionValues {
+    /// `static_friction`, the coefficient near rest.
+    pub static_friction: f64,
+    /// `dynamic_friction`, the coefficient far above the transition velocity.
+    pub dynamic_friction: f64,
+    /// `viscous_friction`, s/m.
+    pub viscous_friction: f64,
+    /// `transition_velocity`, m/s.
+    pub transition_velocity: f64,
+}
+
+/// The friction of one sphere: how many times its normal force it brakes.
+///
+/// Coefficients ≥ 0 and a transition velocity above 0: checked once.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Friction(FrictionValues);
+
+impl Friction {
+    /// Friction by these values.
+    ///
+    /// # Errors
+    /// [`DomainError`] unless coefficients are finite and 0 or above, and the transition velocity is finite and above 0.
+    pub fn new(values: FrictionValues) -> Result<Self, DomainError> {
+        non_negative("static friction", values.static_friction)?;
+        non_negative("dynamic friction", values.dynamic_friction)?;
+        non_negative("viscous friction", values.viscous_friction)?;
+        positive("transition velocity", values.transition_velocity)?;
+        Ok(Self(values))
+    }
+
+    /// Its values.
+    #[must_use]
+    pub const fn values(&self) -> FrictionValues {
+        self.0
+    }
+
+    /// Friction force over normal force at the slip speed v (m/s): min(v/vt, 1) (μd + 2 (μs − μd)/(1 + (v/vt)²)) + μv v.
+    ///
+    /// Not in the paper: Simbody's `HuntCrossleyForce` has it so, and the smoothed class the same.
+    ///
+    /// ```
+    /// # use contact_scaling::{Friction, FrictionValues};
+    /// let values =
+    ///     FrictionValues { static_friction: 0.8, dynamic_friction: 0.6, viscous_friction: 0.5, transition_velocity: 0.2 };
+    /// let friction = Friction::new(values)?;
+    /// assert_eq!(friction.coefficient(0.0), 0.0);
+    /// // At the transition velocity: the static coefficient, and what is viscous.
+    /// assert!((friction.coefficient(0.2) - (0.8 + 0.1)).abs() < 1e-15);
+    /// # Ok::<(), contact_scaling::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn coefficient(&self, slip_speed_m_s: f64) -> f64 {
+        let FrictionValues { static_friction, dynamic_friction, viscous_friction, transition_velocity } =
+            self.0;
+        let relative = slip_speed_m_s / transition_velocity;
+        let dry = dynamic_friction + 2.0 * (static_friction - dynamic_friction) / (1.0 + relative * relative);
+        relative.min(1.0) * dry + viscous_friction * slip_speed_m_s
+    }
+
+    /// The coefficient of two surfaces that have their own: 2 a b/(a + b), and 0 where both are 0.
+    ///
+    /// Not in the paper: Simbody's `HuntCrossleyForce` mixes so.
+    ///
+    /// ```
+    /// # use contact_scaling::Friction;
+    /// assert_eq!((Friction::mixed(0.8, 0.8), Friction::mixed(0.0, 0.8), Friction::mixed(0.0, 0.0)), (0.8, 0.0, 0.0));
+    /// ```
+    #[must_use]
+    pub fn mixed(one: f64, other: f64) -> f64 {
+        if one == other { one } else { 2.0 * one * other / (one + other) }
+    }
+}
+
+// Published contacts, each with its source and the scale it was made for.
+
+/// A contact somebody published, with the body it was made for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Preset {
+    /// The name to ask for it by: `falisse2022`.
+    pub name: Cow<'static, str>,
+    /// Who published it, where.
+    pub source: Cow<'static, str>,
+    /// The body the contact was made for.
+    pub scale: Scale,
+    /// The contact itself.
+    pub contact: Contact,
+}
+
+/// The human of Falisse et al. (2022): the paper's base, and the model its readers know.
+///
+/// 62 kg on 6 spheres of R = 0.032 m with E₁* = 1 MPa, α = 2 s/m, cf = 1e-5 m², bd = 300 1/m and bv = 50 s/m,
+/// under OpenSim's own gravity of 9.80665 m/s².
+///
+/// ```
+/// let human = contact_scaling::falisse2022();
+/// assert_eq!((human.scale.mass_kg(), human.contact.plane_strain_modulus()), (62.0, 1e6));
+/// ```
+#[must_use]
+pub fn falisse2022() -> Preset {
+    let scale = ScaleValues { mass_kg: 62.0, radius_m: 0.032, sphere_count: 6.0, gravity_m_s2: 9.80665 };
+    let contact = ContactValues {
+        plane_strain_modulus: 1e6,
+        dissipation: 2.0,
+        smoothing: Some(SmoothingValues::OPENSIM_DEFAULT),
+    };
+    Preset {
+        name: "falisse2022".into(),
+        source: "Falisse A, Afschrift M, De Groote F (2022). Modeling toes contributes to realistic stance \
+                 knee mechanics in three-dimensional predictive simulations of walking. PLoS ONE 17(1): \
+                 e0256311; as scaled and printed in Van Bijlert (2026), Table 1"
+            .into(),
+        scale: Scale::unchecked(scale),
+        contact: Contact::unchecked(contact),
+    }
+}
+
+/// The preset of that name, if there is one.
+///
+/// ```
+/// assert!(contact_scaling::preset("falisse2022").is_some());
+/// assert!(contact_scaling::preset("nobody1900").is_none());
+/// ```
+#[must_use]
+pub fn preset(name: &str) -> Option<Preset> {
+    PRESETS.iter().find(|(known, _)| *known == name).map(|(_, make)| make())
+}
+
+/// The names [`preset`] knows.
+pub fn preset_names() -> impl Iterator<Item = &'static str> {
+    PRESETS.iter().map(|(name, _)| *name)
+}
+
+type Make = fn() -> Preset;
+const PRESETS: [(&str, Make); 1] = [("falisse2022", falisse2022)];
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -157,5 +298,31 @@ mod tests {
         };
         let contact = Contact::new(odd).unwrap();
         assert_eq!(contact.scaled(&Ratios::identity()), contact);
+    }
+
+    #[test]
+    fn far_above_the_transition_it_is_dynamic() {
+        let values = FrictionValues {
+            static_friction: 0.9,
+            dynamic_friction: 0.5,
+            viscous_friction: 0.0,
+            transition_velocity: 1e-6,
+        };
+        let friction = Friction::new(values).unwrap();
+        assert!((friction.coefficient(1.0) - 0.5).abs() < 1e-11);
+        assert!(Friction::new(FrictionValues { transition_velocity: 0.0, ..values }).is_err());
+        assert!(Friction::new(FrictionValues { dynamic_friction: -0.1, ..values }).is_err());
+        assert!(Friction::new(FrictionValues { viscous_friction: f64::NAN, ..values }).is_err());
+    }
+
+    #[test]
+    fn every_preset_is_valid_and_answers_to_its_name() {
+        for name in preset_names() {
+            let found = preset(name).unwrap();
+            assert_eq!(found.name, name);
+            assert_eq!(Scale::new(found.scale.values()), Ok(found.scale));
+            assert_eq!(Contact::new(found.contact.values()), Ok(found.contact));
+            assert!(!found.source.is_empty());
+        }
     }
 }

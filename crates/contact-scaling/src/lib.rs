@@ -28,7 +28,6 @@
 //! The Hertz law holds for small indentations (x̂ ≤ 0.16), the Hunt–Crossley law for a high restitution
 //! (c_r ≥ 0.8); outside them a contact is a damped non-linear spring, no longer a material. Contacts of common
 //! gait models stand outside both.
-
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod contact;
@@ -40,18 +39,12 @@ pub mod equations;
 pub mod equilibrium;
 mod error;
 pub mod fit;
-mod friction;
 mod hertz;
-mod hunt_crossley;
 mod law;
 pub mod limits;
-mod load;
 pub mod mixed_radii;
 pub mod modulus;
 pub mod patch;
-mod preset;
-mod ratios;
-mod rest;
 pub mod restitution;
 mod scale;
 pub mod sizing;
@@ -60,16 +53,14 @@ pub mod smoothing;
 pub mod stiffness;
 pub mod table1;
 
-pub use contact::{Contact, ContactValues, EQUAL_SURFACES, SmoothingValues};
+pub use contact::{
+    Contact, ContactValues, EQUAL_SURFACES, Friction, FrictionValues, Preset, SmoothingValues, falisse2022,
+    preset, preset_names,
+};
 pub use dimensionless::DimensionlessContact;
 pub use equations::Equation;
 pub use error::DomainError;
-pub use friction::{Friction, FrictionValues};
-pub use hertz::{Hertz, HertzValues};
-pub use hunt_crossley::HuntCrossley;
+pub use hertz::{Hertz, HertzValues, HuntCrossley};
 pub use law::{Law, Spheres};
-pub use load::SharedLoad;
-pub use preset::{Preset, falisse2022, preset, preset_names};
-pub use ratios::{RatioValues, Ratios};
-pub use scale::{Scale, ScaleValues};
+pub use scale::{RatioValues, Ratios, Scale, ScaleValues, SharedLoad};
 pub use smooth::SmoothSphere;

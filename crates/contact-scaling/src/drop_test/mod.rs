@@ -15,16 +15,279 @@
 //! # Ok::<(), contact_scaling::drop_test::DropError>(())
 //! ```
 
-mod body;
-mod compare;
-mod error;
-mod falling;
 mod motion;
-mod report;
-mod values;
 
-pub use compare::{Difference, compare};
-pub use error::DropError;
-pub use falling::DropTest;
-pub use report::{DropReport, FirstContact, Lift, Sample};
-pub use values::DropValues;
+use crate::error::{non_negative, positive, within};
+use crate::{Contact, DomainError, Law, Scale, Spheres, equilibrium, restitution};
+use motion::{Body, Record};
+pub use motion::{DropError, DropValues};
+
+/// A drop test that can be run.
+///
+/// M, g and the duration are above 0, the height 0 or above, all finite; at least one sphere, at least two
+/// samples: checked once, in [`DropTest::new`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct DropTest {
+    values: DropValues,
+    spheres: Vec<Spheres>,
+}
+
+impl DropTest {
+    /// Samples of a series where nobody said how many.
+    pub const SAMPLES: usize = 1001;
+
+    /// A drop test of a body on these spheres. Spheres of the same law are taken together.
+    ///
+    /// # Errors
+    /// [`DropError::Domain`] where a number is outside its domain or there is no sphere.
+    pub fn new(spheres: impl IntoIterator<Item = Spheres>, values: DropValues) -> Result<Self, DropError> {
+        positive("mass", values.mass_kg)?;
+        positive("gravity", values.gravity_m_s2)?;
+        non_negative("height", values.height_m)?;
+        positive("duration", values.duration_s)?;
+        within(values.samples >= 2, "number of samples", values.samples as f64, "at least 2")?;
+        let spheres = together(spheres)?;
+        within(!spheres.is_empty(), "number of spheres", 0.0, "at least 1")?;
+        Ok(Self { values, spheres })
+    }
+
+    /// A drop test of a body of scale `scale` on n equal spheres, from a height in sphere radii (0.25 in the
+    /// paper), for a duration in s (2 in the paper).
+    ///
+    /// # Errors
+    /// As [`DropTest::new`].
+    pub fn of(
+        contact: &Contact,
+        scale: &Scale,
+        height_radii: f64,
+        duration_s: f64,
+    ) -> Result<Self, DropError> {
+        let law = Law::of(contact, scale.radius_m())?;
+        let values = DropValues {
+            mass_kg: scale.mass_kg(),
+            gravity_m_s2: scale.gravity_m_s2(),
+            height_m: height_radii * scale.radius_m(),
+            duration_s,
+            samples: Self::SAMPLES,
+        };
+        Self::new([Spheres::new(law, scale.sphere_count())?], values)
+    }
+
+    /// The conditions, by name.
+    #[must_use]
+    pub fn values(&self) -> DropValues {
+        self.values
+    }
+
+    /// The spheres, equal ones together.
+    #[must_use]
+    pub fn spheres(&self) -> &[Spheres] {
+        &self.spheres
+    }
+
+    /// The radius lengths are compared with: √(Σ R_i² / n), in m.
+    #[must_use]
+    pub fn reference_radius_m(&self) -> f64 {
+        self.body().length_m
+    }
+
+    /// Follows the body.
+    ///
+    /// # Errors
+    /// [`DropError::Integration`] where the contact is too stiff for the duration; [`DropError::Domain`] where no
+    /// indentation carries the body weight.
+    pub fn run(&self) -> Result<DropReport, DropError> {
+        let body = self.body();
+        let record = motion::follow(&body, &self.values)?;
+        DropReport::new(&body, &self.values, record)
+    }
+
+    /// The same spheres under other conditions, which are known to be right.
+    fn under(&self, values: DropValues) -> Self {
+        Self { values, spheres: self.spheres.clone() }
+    }
+
+    fn body(&self) -> Body<'_> {
+        Body::new(&self.spheres, self.values.mass_kg, self.values.gravity_m_s2)
+    }
+}
+
+/// Spheres of one law as one entry.
+fn together(spheres: impl IntoIterator<Item = Spheres>) -> Result<Vec<Spheres>, DomainError> {
+    let mut groups: Vec<Spheres> = Vec::new();
+    for one in spheres {
+        match groups.iter_mut().find(|group| group.law() == one.law()) {
+            Some(group) => *group = Spheres::new(*one.law(), group.count() + one.count())?,
+            None => groups.push(one),
+        }
+    }
+    Ok(groups)
+}
+
+/// One moment of a drop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Sample {
+    /// Time since the release, in s.
+    pub time_s: f64,
+    /// Height of the spheres' bottoms above the ground, in m; below 0 in contact, where it is −x.
+    pub height_m: f64,
+    /// Rate of the height, in m/s; below 0 while falling.
+    pub speed_m_s: f64,
+    /// Normal force of all spheres, in N.
+    pub force_n: f64,
+}
+
+/// The first contact with the ground, from one crossing of height 0 to the next.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FirstContact {
+    /// When the bottoms reach the ground, in s.
+    pub start_s: f64,
+    /// How fast they do, in m/s: the ẋ⁻ of (13).
+    pub impact_speed_m_s: f64,
+    /// The end of this contact; `None` if the body never leaves the ground again.
+    pub end: Option<Lift>,
+    /// Restitution of an impact without gravity at this speed, by the law itself.
+    pub restitution_exact: f64,
+    /// The same by (13); `None` if the result is below 0.
+    pub restitution_approximate: Option<f64>,
+}
+
+/// The end of a contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Lift {
+    /// Time from the start of the contact to its end, in s.
+    pub contact_time_s: f64,
+    /// Speed with which the bottoms leave the ground, in m/s.
+    pub rebound_speed_m_s: f64,
+}
+
+/// The result of a drop test.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct DropReport {
+    /// The motion, at equal steps of time.
+    pub series: Vec<Sample>,
+    /// Body weight M g, in N.
+    pub body_weight_n: f64,
+    /// The radius lengths are compared with, √(Σ R_i² / n), in m.
+    pub reference_radius_m: f64,
+    /// The time times are compared with, √(R / g), in s.
+    pub reference_time_s: f64,
+    /// Indentation x at the end of the series, in m.
+    pub final_indentation_m: f64,
+    /// Indentation at rest by the Hertz law (11), in m.
+    pub hertz_indentation_m: f64,
+    /// Indentation at rest by the laws themselves, in m; below 0 where smoothing holds the body above the ground.
+    pub equilibrium_indentation_m: f64,
+    /// Stiffness of one sphere (their mean) at rest by the Hertz law (B.1), in N/m.
+    pub hertz_stiffness_n_m: f64,
+    /// Stiffness of one sphere (their mean) at rest by the laws themselves, (C.9) at ẋ = 0 for a smoothed one, in N/m.
+    pub equilibrium_stiffness_n_m: f64,
+    /// The largest normal force of all spheres, in N.
+    pub peak_force_n: f64,
+    /// The first contact; `None` if the bottoms never reach the ground.
+    pub first_contact: Option<FirstContact>,
+}
+
+impl DropReport {
+    fn new(body: &Body<'_>, values: &DropValues, record: Record) -> Result<Self, DropError> {
+        let hertz = equilibrium::hertz_indentation(body.spheres, body.weight_n)?;
+        let own = equilibrium::indentation(body.spheres, body.weight_n)?;
+        let last = record.states.last().map_or(0.0, |state| state[0] * body.length_m);
+        Ok(Self {
+            body_weight_n: body.weight_n,
+            reference_radius_m: body.length_m,
+            reference_time_s: body.time_s,
+            final_indentation_m: last,
+            hertz_indentation_m: hertz,
+            equilibrium_indentation_m: own,
+            hertz_stiffness_n_m: body.mean(|s| s.law().hertz().stiffness(hertz)),
+            equilibrium_stiffness_n_m: body.mean(|s| s.law().rest_stiffness(own)),
+            peak_force_n: record.peak_force * body.weight_n,
+            first_contact: first_contact(body, &record)?,
+            series: series(body, values, record),
+        })
+    }
+
+    /// Largest normal force over body weight.
+    #[must_use]
+    pub fn peak_force_bw(&self) -> f64 {
+        self.peak_force_n / self.body_weight_n
+    }
+}
+
+fn first_contact(body: &Body<'_>, record: &Record) -> Result<Option<FirstContact>, DropError> {
+    let Some(&(start, impact)) = record.crossings.first() else { return Ok(None) };
+    let impact_speed_m_s = impact * body.speed_m_s();
+    let alpha = body.dissipation();
+    let end = record.crossings.get(1).map(|&(end, rebound)| Lift {
+        contact_time_s: (end - start) * body.time_s,
+        rebound_speed_m_s: -rebound * body.speed_m_s(),
+    });
+    Ok(Some(FirstContact {
+        start_s: start * body.time_s,
+        impact_speed_m_s,
+        end,
+        restitution_exact: restitution::exact(alpha, impact_speed_m_s)?,
+        restitution_approximate: restitution::approximate(alpha, impact_speed_m_s).ok(),
+    }))
+}
+
+fn series(body: &Body<'_>, values: &DropValues, record: Record) -> Vec<Sample> {
+    let last = (values.samples - 1) as f64;
+    let sample = |(i, state): (usize, [f64; 2])| {
+        let (x, rate) = (state[0] * body.length_m, state[1] * body.speed_m_s());
+        Sample {
+            time_s: values.duration_s * (i as f64 / last),
+            height_m: 0.0 - x,
+            speed_m_s: 0.0 - rate,
+            force_n: body.force_n(x, rate),
+        }
+    };
+    record.states.into_iter().enumerate().map(sample).collect()
+}
+
+/// How far two drops lie apart, each in its own dimensionless form.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Difference {
+    /// Largest difference of height / R.
+    pub height: f64,
+    /// Largest difference of force / (M g).
+    pub force: f64,
+    /// The dimensionless time t / √(R/g) to which both were followed.
+    pub until: f64,
+}
+
+/// The largest differences of two drops at equal dimensionless times, up to the end of the shorter one.
+///
+/// Both are run again on common dimensionless times, with the larger number of samples.
+///
+/// # Errors
+/// As [`DropTest::run`].
+pub fn compare(a: &DropTest, b: &DropTest) -> Result<Difference, DropError> {
+    let until = dimensionless_duration(a).min(dimensionless_duration(b));
+    let samples = a.values().samples.max(b.values().samples);
+    let (a, b) = (run_until(a, until, samples)?, run_until(b, until, samples)?);
+    let mut difference = Difference { height: 0.0, force: 0.0, until };
+    for (p, q) in a.series.iter().zip(&b.series) {
+        let height = p.height_m / a.reference_radius_m - q.height_m / b.reference_radius_m;
+        let force = p.force_n / a.body_weight_n - q.force_n / b.body_weight_n;
+        difference.height = difference.height.max(height.abs());
+        difference.force = difference.force.max(force.abs());
+    }
+    Ok(difference)
+}
+
+fn dimensionless_duration(test: &DropTest) -> f64 {
+    test.values().duration_s / test.body().time_s
+}
+
+fn run_until(test: &DropTest, until: f64, samples: usize) -> Result<DropReport, DropError> {
+    let duration_s = until * test.body().time_s;
+    let values = DropValues { duration_s, samples, ..test.values() };
+    test.under(values).run()
+}

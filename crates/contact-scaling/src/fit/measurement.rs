@@ -1,4 +1,6 @@
-//! What was measured, and what of it is fitted.
+//! Measurements, how they are to be fitted, and the points that a fit uses.
+
+use crate::DomainError;
 
 /// What was measured, one value per row.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,4 +56,234 @@ pub struct FitValues {
     pub onset: Onset,
     /// The part of the measurement to fit.
     pub branch: Branch,
+}
+
+/// A fitted parameter, in the order of the covariance.
+///
+/// Exhaustive: code that writes the covariance needs a name for each row, and a new parameter must not go without one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Parameter {
+    /// E*, in N/m².
+    CompositeModulus,
+    /// α, in s/m.
+    Dissipation,
+    /// x₀, in m.
+    Onset,
+}
+
+impl Parameter {
+    /// What it is called in a sentence.
+    #[must_use]
+    pub const fn in_words(self) -> &'static str {
+        match self {
+            Self::CompositeModulus => "composite modulus",
+            Self::Dissipation => "dissipation",
+            Self::Onset => "contact onset",
+        }
+    }
+}
+
+/// Why a measurement has no fit. Rows count from 0.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FitError {
+    /// A number is outside its domain.
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    /// The columns do not have the same number of rows.
+    #[error("{column} has {rows} rows, expected {expected} as indentation has")]
+    Lengths {
+        /// The column.
+        column: &'static str,
+        /// Its rows.
+        rows: usize,
+        /// The rows of the indentation.
+        expected: usize,
+    },
+    /// A value is not a number, or infinite.
+    #[error("{column} in row {row} is {value:?}, expected a finite number")]
+    NotFinite {
+        /// The column.
+        column: &'static str,
+        /// The row, from 0.
+        row: usize,
+        /// The value.
+        value: f64,
+    },
+    /// Time does not rise from this row to the next.
+    #[error("time does not rise after row {row}, expected rising times")]
+    TimeOrder {
+        /// The row, from 0.
+        row: usize,
+    },
+    /// Too few rows are in contact.
+    #[error("{found} rows are in contact, expected at least {needed}")]
+    TooFewPoints {
+        /// Rows in contact.
+        found: usize,
+        /// Rows the fit needs: one more than it has parameters.
+        needed: usize,
+    },
+    /// The data do not determine all parameters: for α, speeds must vary.
+    #[error("the data do not determine {parameter}, expected rows that differ in it")]
+    Undetermined {
+        /// The parameter.
+        parameter: &'static str,
+    },
+    /// The force does not rise with the indentation.
+    #[error(
+        "the composite modulus comes out as {value:?} N/m2, expected a force that rises with the indentation"
+    )]
+    NoStiffness {
+        /// The modulus that came out.
+        value: f64,
+    },
+    /// Every row in contact has the same indentation.
+    #[error(
+        "all rows in contact have one indentation, {indentation_m:?} m, expected several: one point lies on every curve"
+    )]
+    OneIndentation {
+        /// The indentation, in m.
+        indentation_m: f64,
+    },
+    /// A constant force explains the data as well as the law does: R² is 0 or less, or the force never changes.
+    #[error(
+        "the law explains the force no better than a constant does{}, expected a force that follows the indentation",
+        r_squared_in_words(*r_squared)
+    )]
+    NoLaw {
+        /// R²; not finite where the force never changes.
+        r_squared: f64,
+    },
+    /// The search for the onset did not come to an end.
+    #[error("the search for the contact onset did not converge, expected data with a clear onset")]
+    NotConverged,
+}
+
+/// A force that never changes has no R squared.
+fn r_squared_in_words(r_squared: f64) -> String {
+    if r_squared.is_finite() {
+        format!(" (R squared is {r_squared:?})")
+    } else {
+        " (the force never changes)".to_owned()
+    }
+}
+
+// The rows of a measurement, checked, with a speed each.
+
+/// One row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Point {
+    pub(super) row: usize,
+    pub(super) indentation: f64,
+    pub(super) force: f64,
+    /// 0 where no rate is known.
+    pub(super) speed: f64,
+}
+
+/// The rows of the branch that is to be fitted.
+pub(super) fn collect(measurement: &Measurement<'_>, branch: Branch) -> Result<Vec<Point>, FitError> {
+    let Measurement { indentation_m, force_n, rate } = measurement;
+    check("indentation", indentation_m, indentation_m.len())?;
+    check("force", force_n, indentation_m.len())?;
+    let speeds = match rate {
+        Rate::Unknown => None,
+        Rate::Speed(speeds) => {
+            check("speed", speeds, indentation_m.len())?;
+            Some(speeds.to_vec())
+        }
+        Rate::Time(times) => {
+            check("time", times, indentation_m.len())?;
+            Some(speeds_from_times(indentation_m, times)?)
+        }
+    };
+    let deepest = deepest_row(indentation_m);
+    let wanted = |row: usize| match (branch, &speeds) {
+        (Branch::Both, _) => true,
+        (Branch::Loading, Some(speeds)) => speeds[row] >= 0.0,
+        (Branch::Unloading, Some(speeds)) => speeds[row] < 0.0,
+        (Branch::Loading, None) => row <= deepest,
+        (Branch::Unloading, None) => row > deepest,
+    };
+    let point = |row: usize| Point {
+        row,
+        indentation: indentation_m[row],
+        force: force_n[row],
+        speed: speeds.as_ref().map_or(0.0, |speeds| speeds[row]),
+    };
+    Ok((0..indentation_m.len()).filter(|&row| wanted(row)).map(point).collect())
+}
+
+fn check(column: &'static str, values: &[f64], expected: usize) -> Result<(), FitError> {
+    if values.len() != expected {
+        return Err(FitError::Lengths { column, rows: values.len(), expected });
+    }
+    match values.iter().position(|value| !value.is_finite()) {
+        Some(row) => Err(FitError::NotFinite { column, row, value: values[row] }),
+        None => Ok(()),
+    }
+}
+
+fn deepest_row(indentation: &[f64]) -> usize {
+    let deeper = |best: usize, row: usize| if indentation[row] > indentation[best] { row } else { best };
+    (0..indentation.len()).fold(0, deeper)
+}
+
+/// ẋ at each row: the slope there of the parabola through it and its neighbours.
+fn speeds_from_times(indentation: &[f64], times: &[f64]) -> Result<Vec<f64>, FitError> {
+    if let Some(row) = times.windows(2).position(|pair| pair[1] <= pair[0]) {
+        return Err(FitError::TimeOrder { row });
+    }
+    let last = indentation.len().checked_sub(1).filter(|&last| last >= 2);
+    let last = last.ok_or(FitError::TooFewPoints { found: indentation.len(), needed: 3 })?;
+    let slope = |row: usize| {
+        let middle = row.clamp(1, last - 1);
+        let (a, b) = (times[middle] - times[middle - 1], times[middle + 1] - times[middle]);
+        let first = (indentation[middle] - indentation[middle - 1]) / a;
+        let second = (indentation[middle + 1] - indentation[middle]) / b;
+        let bend = (second - first) / (a + b);
+        first + bend * (2.0 * times[row] - times[middle - 1] - times[middle])
+    };
+    Ok((0..=last).map(slope).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn speeds_of_a_parabola_are_exact() {
+        let times = [0.0, 0.1, 0.25, 0.3, 0.7];
+        let x: Vec<f64> = times.iter().map(|t| 0.3 + 2.0 * t - 1.5 * t * t).collect();
+        for (speed, t) in speeds_from_times(&x, &times).unwrap().iter().zip(times) {
+            assert!((speed - (2.0 - 3.0 * t)).abs() < 1e-13);
+        }
+    }
+
+    #[test]
+    fn bad_columns_are_named_with_their_row() {
+        let x = [0.0, 1.0, 2.0];
+        let measure = |force_n, rate| {
+            collect(&Measurement { indentation_m: &x, force_n, rate }, Branch::Both).unwrap_err().to_string()
+        };
+        assert_eq!(measure(&[1.0], Rate::Unknown), "force has 1 rows, expected 3 as indentation has");
+        let nan = [1.0, f64::NAN, 1.0];
+        assert_eq!(measure(&nan, Rate::Unknown), "force in row 1 is NaN, expected a finite number");
+        let times = [0.0, 1.0, 1.0];
+        assert_eq!(measure(&x, Rate::Time(&times)), "time does not rise after row 1, expected rising times");
+    }
+
+    #[test]
+    fn branches_are_told_by_speed_or_by_depth() {
+        let x = [0.0, 1.0, 2.0, 1.0, 0.5];
+        let rows = |rate, branch| {
+            let points = collect(&Measurement { indentation_m: &x, force_n: &x, rate }, branch).unwrap();
+            points.iter().map(|p| p.row).collect::<Vec<_>>()
+        };
+        assert_eq!(rows(Rate::Unknown, Branch::Loading), [0, 1, 2]);
+        assert_eq!(rows(Rate::Unknown, Branch::Unloading), [3, 4]);
+        let speeds = [1.0, 0.0, -0.1, -1.0, -1.0];
+        assert_eq!(rows(Rate::Speed(&speeds), Branch::Loading), [0, 1]);
+        assert_eq!(rows(Rate::Speed(&speeds), Branch::Unloading), [2, 3, 4]);
+    }
 }

@@ -16,22 +16,115 @@
 //! # Ok::<(), contact_scaling::fit::FitError>(())
 //! ```
 
-mod doubt;
-mod error;
-mod estimate;
-mod linear;
+mod least_squares;
 mod measurement;
-mod model;
-mod onset;
-mod parameter;
-mod points;
 mod result;
-mod solve;
 
-pub use doubt::Doubt;
-pub use error::FitError;
-pub use estimate::Estimate;
-pub use measurement::{Branch, FitValues, Measurement, Onset, Rate};
-pub use parameter::Parameter;
-pub use result::Fit;
-pub use solve::fit;
+use crate::error::{at_least_one, finite, positive};
+use crate::{EQUAL_SURFACES, limits, restitution};
+use least_squares::{Model, Parameters};
+use measurement::Point;
+pub use measurement::{Branch, FitError, FitValues, Measurement, Onset, Parameter, Rate};
+pub use result::{Doubt, Estimate, Fit};
+
+/// Indentations that differ by less than this share are one.
+const SAME_INDENTATION: f64 = 1e-9;
+
+/// Fits the contact parameters to a measurement.
+///
+/// # Errors
+/// [`FitError`] where the measurement is not well-formed or does not determine the parameters.
+pub fn fit(measurement: &Measurement<'_>, values: &FitValues) -> Result<Fit, FitError> {
+    let radius = positive("sphere radius", values.radius_m)?;
+    let count = at_least_one("sphere count", values.sphere_count)?;
+    let points = measurement::collect(measurement, values.branch)?;
+    let model = Model {
+        gain: count * 4.0 / 3.0 * radius.sqrt(),
+        with_dissipation: !matches!(measurement.rate, Rate::Unknown),
+        with_onset: matches!(values.onset, Onset::Fitted),
+    };
+    let parameters = match values.onset {
+        Onset::At(onset) => {
+            least_squares::solve_with_known_onset(&model, &points, finite("contact onset", onset)?)?
+        }
+        Onset::Fitted => least_squares::solve_with_onset(&model, &points)?,
+    };
+    if parameters.modulus <= 0.0 || !parameters.modulus.is_finite() {
+        return Err(FitError::NoStiffness { value: parameters.modulus });
+    }
+    several_indentations(&points, parameters.onset)?;
+    report(&model, &points, &parameters, radius)
+}
+
+/// One point lies on the curve of every law.
+fn several_indentations(points: &[Point], onset: f64) -> Result<(), FitError> {
+    let touching = points.iter().map(|p| p.indentation).filter(|&indentation| indentation > onset);
+    let (least, most) =
+        touching.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (x.min(least), x.max(most)));
+    if most - least <= SAME_INDENTATION * (most - onset) {
+        return Err(FitError::OneIndentation { indentation_m: most });
+    }
+    Ok(())
+}
+
+fn report(model: &Model, points: &[Point], fitted: &Parameters, radius: f64) -> Result<Fit, FitError> {
+    let residuals_n: Vec<f64> = points.iter().map(|p| p.force - model.force(fitted, p)).collect();
+    let degrees_of_freedom = points.len() - model.names().len();
+    let square: f64 = residuals_n.iter().map(|r| r * r).sum();
+    let r_squared = r_squared(points, square);
+    if !(r_squared.is_finite() && r_squared > 0.0) {
+        return Err(FitError::NoLaw { r_squared });
+    }
+    let variance = square / degrees_of_freedom as f64;
+    let covariance = result::covariance(model, points, fitted, variance)?;
+    let t = result::student_95(degrees_of_freedom)?;
+    let names = model.names();
+    let exact = result::is_exact(&residuals_n, points.iter().map(|p| p.force));
+    let estimate = |i: usize, value: f64| {
+        let standard_error = if exact { f64::NAN } else { covariance[i][i].sqrt() };
+        Estimate::new(value, standard_error, t)
+    };
+    let of = |name: Parameter, value: f64| {
+        names.iter().position(|&known| known == name).map(|i| estimate(i, value))
+    };
+    let composite = estimate(0, fitted.modulus);
+    let dissipation = of(Parameter::Dissipation, fitted.dissipation());
+    let doubts = result::doubts(
+        r_squared,
+        exact,
+        &[(Parameter::CompositeModulus, Some(&composite)), (Parameter::Dissipation, dissipation.as_ref())],
+    );
+    let touching = || points.iter().filter(|p| p.indentation > fitted.onset);
+    let deepest_m = touching().fold(0.0, |most: f64, p| most.max(p.indentation - fitted.onset));
+    let deepest = finite("indentation over radius", deepest_m / radius)?;
+    let fastest = finite("speed", touching().fold(0.0, |most: f64, p| most.max(p.speed.abs())))?;
+    let restitution = restitution::approximate(fitted.dissipation().max(0.0), fastest).ok();
+    Ok(Fit {
+        composite_modulus: composite,
+        plane_strain_modulus: composite.times(EQUAL_SURFACES),
+        dissipation,
+        doubts,
+        onset_m: of(Parameter::Onset, fitted.onset),
+        parameters: names,
+        covariance,
+        rows: points.iter().map(|p| p.row).collect(),
+        residual_deviation_n: variance.sqrt(),
+        r_squared,
+        residuals_n,
+        degrees_of_freedom,
+        largest_relative_indentation: deepest,
+        within_hertz_limit: limits::INDENTATION.admits(deepest),
+        largest_speed_m_s: model.with_dissipation.then_some(fastest),
+        restitution: restitution.filter(|_| model.with_dissipation),
+        within_hunt_crossley_limit: model
+            .with_dissipation
+            .then(|| restitution.is_some_and(|c_r| limits::RESTITUTION.admits(c_r))),
+    })
+}
+
+/// R² = 1 − Σ residual² / Σ (force − mean)².
+fn r_squared(points: &[Point], square: f64) -> f64 {
+    let mean = points.iter().map(|p| p.force).sum::<f64>() / points.len() as f64;
+    let total: f64 = points.iter().map(|p| (p.force - mean) * (p.force - mean)).sum();
+    1.0 - square / total
+}

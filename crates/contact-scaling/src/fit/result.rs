@@ -1,8 +1,9 @@
 //! What the data say.
 
-use super::doubt::Doubt;
-use super::estimate::Estimate;
-use super::parameter::Parameter;
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use super::least_squares::{Model, Parameters};
+use super::measurement::{FitError, Parameter, Point};
 
 /// What the data say.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,4 +43,180 @@ pub struct Fit {
     pub restitution: Option<f64>,
     /// Whether that is within the Hunt–Crossley law; `None` where no rate is known.
     pub within_hunt_crossley_limit: Option<bool>,
+}
+
+/// Below this R² the law explains less than half of what the force does.
+const LITTLE: f64 = 0.5;
+
+/// Residuals of less than this share of the largest force are those of calculated numbers.
+const ROUNDING: f64 = 1e-12;
+
+/// Why a result must not be taken as it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Doubt {
+    /// The law explains less than half of what the force does.
+    LowRSquared {
+        /// R².
+        r_squared: f64,
+    },
+    /// The 95 % interval holds 0, or reaches below it where a value must be above: the data cannot distinguish the parameter from 0.
+    Undetermined {
+        /// The parameter.
+        parameter: Parameter,
+    },
+    /// Nothing is left over, as with calculated data: how sure the parameters are is not known, and their intervals are not
+    /// numbers.
+    NoResiduals,
+}
+
+impl Doubt {
+    /// Stable short name.
+    #[must_use]
+    pub const fn code(&self) -> &'static str {
+        match self {
+            Self::LowRSquared { .. } => "low-r-squared",
+            Self::Undetermined { .. } => "parameter-undetermined",
+            Self::NoResiduals => "no-residuals",
+        }
+    }
+}
+
+/// Whether nothing is left over but rounding.
+pub(super) fn is_exact(residuals_n: &[f64], forces_n: impl Iterator<Item = f64>) -> bool {
+    let most = forces_n.fold(0.0, |most: f64, force| most.max(force.abs()));
+    residuals_n.iter().all(|residual| residual.abs() <= ROUNDING * most)
+}
+
+/// What these results leave in doubt.
+pub(super) fn doubts(
+    r_squared: f64,
+    exact: bool,
+    estimates: &[(Parameter, Option<&Estimate>)],
+) -> Vec<Doubt> {
+    let low = (r_squared < LITTLE).then_some(Doubt::LowRSquared { r_squared });
+    let holds_zero = |estimate: &Estimate| estimate.low <= 0.0 && estimate.high >= 0.0;
+    let undetermined = estimates
+        .iter()
+        .filter(|(_, estimate)| estimate.is_some_and(holds_zero))
+        .map(|&(parameter, _)| Doubt::Undetermined { parameter });
+    low.into_iter().chain(undetermined).chain(exact.then_some(Doubt::NoResiduals)).collect()
+}
+
+/// A fitted value with its 95 % interval.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Estimate {
+    /// The value of least squares.
+    pub value: f64,
+    /// Its standard error; not a number, as the interval, where nothing is left over that would show it.
+    pub standard_error: f64,
+    /// Lower end of the 95 % interval, by Student's t.
+    pub low: f64,
+    /// Upper end of the 95 % interval, by Student's t.
+    pub high: f64,
+}
+
+impl Estimate {
+    pub(super) fn new(value: f64, standard_error: f64, t: f64) -> Self {
+        let half = t * standard_error;
+        Self { value, standard_error, low: value - half, high: value + half }
+    }
+
+    pub(super) fn times(&self, factor: f64) -> Self {
+        Self {
+            value: self.value * factor,
+            standard_error: self.standard_error * factor,
+            low: self.low * factor,
+            high: self.high * factor,
+        }
+    }
+}
+
+/// The t that holds 95 % of Student's distribution between −t and t.
+pub(super) fn student_95(degrees_of_freedom: usize) -> Result<f64, FitError> {
+    let student = StudentsT::new(0.0, 1.0, degrees_of_freedom as f64)
+        .map_err(|_| FitError::TooFewPoints { found: degrees_of_freedom, needed: 1 })?;
+    Ok(student.inverse_cdf(0.975))
+}
+
+/// s² (JᵀJ)⁻¹, with J the slopes of the force by the parameters.
+pub(super) fn covariance(
+    model: &Model,
+    points: &[Point],
+    fitted: &Parameters,
+    variance: f64,
+) -> Result<Vec<Vec<f64>>, FitError> {
+    let names = model.names();
+    let rows: Vec<Vec<f64>> = points.iter().map(|p| model.gradient(fitted, p)).collect();
+    let size = names.len();
+    let mut information = vec![vec![0.0; size]; size];
+    for row in &rows {
+        for i in 0..size {
+            for j in 0..size {
+                information[i][j] += row[i] * row[j];
+            }
+        }
+    }
+    // Scaled to a correlation matrix, so that units do not decide what is small.
+    let scale: Vec<f64> = (0..size).map(|i| information[i][i].sqrt()).collect();
+    for i in 0..size {
+        for j in 0..size {
+            information[i][j] /= scale[i] * scale[j];
+        }
+    }
+    let inverse =
+        inverse(information).map_err(|i| FitError::Undetermined { parameter: names[i].in_words() })?;
+    let entry = |i: usize, j: usize| variance * inverse[i][j] / (scale[i] * scale[j]);
+    Ok((0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect())
+}
+
+/// Inverse of a small positive definite matrix, by Gauss–Jordan; the row that depends on others if there is one.
+fn inverse(mut matrix: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, usize> {
+    let size = matrix.len();
+    for (i, row) in matrix.iter_mut().enumerate() {
+        row.extend((0..size).map(|j| if i == j { 1.0 } else { 0.0 }));
+    }
+    for i in 0..size {
+        let pivot = matrix[i][i];
+        if pivot.is_nan() || pivot <= 1e-12 {
+            return Err(i);
+        }
+        matrix[i].iter_mut().for_each(|value| *value /= pivot);
+        let row = matrix[i].clone();
+        for (_, other) in matrix.iter_mut().enumerate().filter(|(j, _)| *j != i) {
+            let factor = other[i];
+            other.iter_mut().zip(&row).for_each(|(value, by)| *value -= factor * by);
+        }
+    }
+    Ok(matrix.into_iter().map(|row| row[size..].to_vec()).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn student_quantiles() {
+        // mpmath 1.3.0, 30 digits: roots of the regularised incomplete beta function.
+        let exact = [
+            (1, 12.706_204_736_174_705),
+            (2, 4.302_652_729_749_464),
+            (5, 2.570_581_835_636_315_5),
+            (30, 2.042_272_456_301_238),
+            (197, 1.972_079_033_778_502_7),
+        ];
+        for (degrees, t) in exact {
+            assert!((student_95(degrees).unwrap() / t - 1.0).abs() < 1e-9, "{degrees}");
+        }
+        assert!(student_95(0).is_err());
+    }
+
+    #[test]
+    fn inverse_of_a_matrix_and_its_absence() {
+        let inverse_of = inverse(vec![vec![1.0, 0.5], vec![0.5, 1.0]]).unwrap();
+        assert!((inverse_of[0][0] - 4.0 / 3.0).abs() < 1e-15);
+        assert!((inverse_of[0][1] + 2.0 / 3.0).abs() < 1e-15);
+        assert_eq!(inverse(vec![vec![1.0, 1.0], vec![1.0, 1.0]]), Err(1));
+    }
 }

@@ -1,0 +1,288 @@
+//! The model of a fit and its solutions: in closed form, or by Levenberg–Marquardt where the onset is unknown.
+
+use rmpfit::{MPConfig, MPFitter, MPPar, MPResult, MPSide, MPSuccess};
+
+use super::measurement::{FitError, Parameter, Point};
+
+/// What is fitted, and the factor K = n 4/3 √R.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Model {
+    pub(super) gain: f64,
+    pub(super) with_dissipation: bool,
+    pub(super) with_onset: bool,
+}
+
+/// Values of the parameters; E* α instead of α, so that the force is linear in both.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Parameters {
+    pub(super) modulus: f64,
+    modulus_dissipation: f64,
+    pub(super) onset: f64,
+}
+
+impl Parameters {
+    pub(super) fn dissipation(&self) -> f64 {
+        self.modulus_dissipation / self.modulus
+    }
+}
+
+impl Model {
+    pub(super) fn names(&self) -> Vec<Parameter> {
+        let mut names = vec![Parameter::CompositeModulus];
+        names.extend(self.with_dissipation.then_some(Parameter::Dissipation));
+        names.extend(self.with_onset.then_some(Parameter::Onset));
+        names
+    }
+
+    /// K u^(3/2), by which E* is multiplied.
+    pub(super) fn elastic(&self, point: &Point, onset: f64) -> f64 {
+        let u = (point.indentation - onset).max(0.0);
+        self.gain * (u * u.sqrt())
+    }
+
+    /// K 3/2 u^(3/2) ẋ, by which E* α is multiplied.
+    pub(super) fn dissipative(&self, point: &Point, onset: f64) -> f64 {
+        self.elastic(point, onset) * (1.5 * point.speed)
+    }
+
+    /// ∂F/∂x₀ = −3/2 K √u (E* + E* α 3/2 ẋ).
+    fn onset_slope(&self, p: &Parameters, point: &Point) -> f64 {
+        let u = (point.indentation - p.onset).max(0.0);
+        -1.5 * self.gain * u.sqrt() * (p.modulus + p.modulus_dissipation * (1.5 * point.speed))
+    }
+
+    pub(super) fn force(&self, p: &Parameters, point: &Point) -> f64 {
+        p.modulus * self.elastic(point, p.onset) + p.modulus_dissipation * self.dissipative(point, p.onset)
+    }
+
+    /// ∂F by E*, α and x₀, those that are fitted.
+    pub(super) fn gradient(&self, p: &Parameters, point: &Point) -> Vec<f64> {
+        let alpha = p.dissipation();
+        let (elastic, dissipative) = (self.elastic(point, p.onset), self.dissipative(point, p.onset));
+        let mut row = vec![elastic + alpha * dissipative];
+        row.extend(self.with_dissipation.then_some(p.modulus * dissipative));
+        row.extend(self.with_onset.then(|| self.onset_slope(p, point)));
+        row
+    }
+}
+
+// The closed form where the onset is known: F is linear in E* and E* α.
+
+/// How far from 1 the correlation of the two columns must be.
+const SMALLEST_ANGLE: f64 = 1e-6;
+
+/// The parameters of least squares for this onset.
+pub(super) fn solve_with_known_onset(
+    model: &Model,
+    points: &[Point],
+    onset: f64,
+) -> Result<Parameters, FitError> {
+    let needed = model.names().len() + 1;
+    let found = points.iter().filter(|p| p.indentation > onset).count();
+    if found < needed {
+        return Err(FitError::TooFewPoints { found, needed });
+    }
+    let (a, f): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (model.elastic(p, onset), p.force)).unzip();
+    let aa = dot(&a, &a);
+    if !model.with_dissipation {
+        return Ok(Parameters { modulus: dot(&a, &f) / aa, modulus_dissipation: 0.0, onset });
+    }
+    // Gram–Schmidt: c is what b has besides a.
+    let b: Vec<f64> = points.iter().map(|p| model.dissipative(p, onset)).collect();
+    let share = dot(&a, &b) / aa;
+    let c: Vec<f64> = a.iter().zip(&b).map(|(a, b)| b - share * a).collect();
+    let (bb, cc) = (dot(&b, &b), dot(&c, &c));
+    if cc <= SMALLEST_ANGLE * SMALLEST_ANGLE * bb {
+        return Err(FitError::Undetermined { parameter: "dissipation" });
+    }
+    let modulus_dissipation = dot(&c, &f) / cc;
+    Ok(Parameters { modulus: dot(&a, &f) / aa - share * modulus_dissipation, modulus_dissipation, onset })
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+// The search where the onset is not known: a coarse scan, then Levenberg–Marquardt on all parameters.
+
+/// Onsets tried before the search, over the range of the indentation.
+const SCAN: u32 = 64;
+
+/// The parameters of least squares, the onset among them.
+pub(super) fn solve_with_onset(model: &Model, points: &[Point]) -> Result<Parameters, FitError> {
+    let (low, high) = range(points, |p| p.indentation);
+    let start = scan(model, points, low, high)?;
+    let force = points.iter().fold(0.0, |most: f64, p| most.max(p.force.abs()));
+    let length = high - low;
+    let sum = |p: &Parameters| points.iter().map(|at| (at.force - model.force(p, at)).powi(2)).sum::<f64>();
+    if sum(&start).sqrt() <= 1e-14 * force {
+        return Ok(start);
+    }
+    let mut search = Search::new(model, points, &start, force, length);
+    let mut unknowns = search.to_unknowns(&start);
+    let status = search.mpfit(&mut unknowns).map_err(|_| FitError::NotConverged)?;
+    if matches!(status.success, MPSuccess::NotDone | MPSuccess::MaxIter) {
+        return Err(FitError::NotConverged);
+    }
+    let onset = search.to_parameters(&unknowns).onset;
+    // Both linear parameters once more, in closed form: exact for this onset.
+    solve_with_known_onset(model, points, onset)
+}
+
+/// The best of some onsets, each with its closed form.
+fn scan(model: &Model, points: &[Point], low: f64, high: f64) -> Result<Parameters, FitError> {
+    let needed = model.names().len() + 1;
+    if points.len() < needed {
+        return Err(FitError::TooFewPoints { found: points.len(), needed });
+    }
+    if high <= low {
+        return Err(FitError::OneIndentation { indentation_m: high });
+    }
+    // From half the range before the first row, since the whole measurement may be in contact.
+    let onsets = (0..SCAN).map(|i| low + (high - low) * (1.5 * f64::from(i) / f64::from(SCAN) - 0.5));
+    let mut best: Result<(f64, Parameters), FitError> = Err(FitError::NotConverged);
+    for onset in onsets {
+        match solve_with_known_onset(model, points, onset) {
+            Ok(fitted) if fitted.modulus > 0.0 => {
+                let square: f64 = points.iter().map(|p| (p.force - model.force(&fitted, p)).powi(2)).sum();
+                if best.as_ref().map_or(true, |(least, _)| square < *least) {
+                    best = Ok((square, fitted));
+                }
+            }
+            Ok(_) => {}
+            Err(error) => best = best.or(Err(error)),
+        }
+    }
+    best.map(|(_, fitted)| fitted)
+}
+
+fn range(points: &[Point], value: impl Fn(&Point) -> f64) -> (f64, f64) {
+    points
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(value(p)), high.max(value(p))))
+}
+
+/// The problem as rmpfit takes it; every unknown is near 1.
+struct Search<'a> {
+    model: &'a Model,
+    points: &'a [Point],
+    force: f64,
+    modulus: f64,
+    modulus_dissipation: f64,
+    length: f64,
+    config: MPConfig,
+    settings: Vec<MPPar>,
+}
+
+impl<'a> Search<'a> {
+    fn new(model: &'a Model, points: &'a [Point], start: &Parameters, force: f64, length: f64) -> Self {
+        let speed = points.iter().fold(0.0, |most: f64, p| most.max(p.speed.abs()));
+        let config = MPConfig { ftol: 1e-15, xtol: 1e-14, gtol: 1e-14, ..MPConfig::new() };
+        let setting = || MPPar { side: MPSide::User, ..MPPar::new() };
+        let settings = model.names().iter().map(|_| setting()).collect();
+        let modulus_dissipation = if speed > 0.0 { start.modulus / speed } else { start.modulus };
+        Self { model, points, force, modulus: start.modulus, modulus_dissipation, length, config, settings }
+    }
+
+    fn to_unknowns(&self, p: &Parameters) -> Vec<f64> {
+        let mut unknowns = vec![p.modulus / self.modulus];
+        unknowns
+            .extend(self.model.with_dissipation.then_some(p.modulus_dissipation / self.modulus_dissipation));
+        unknowns.push(p.onset / self.length);
+        unknowns
+    }
+
+    fn to_parameters(&self, unknowns: &[f64]) -> Parameters {
+        let modulus_dissipation =
+            if self.model.with_dissipation { unknowns[1] * self.modulus_dissipation } else { 0.0 };
+        Parameters {
+            modulus: unknowns[0] * self.modulus,
+            modulus_dissipation,
+            onset: unknowns[unknowns.len() - 1] * self.length,
+        }
+    }
+}
+
+impl MPFitter for Search<'_> {
+    fn eval(&mut self, unknowns: &[f64], deviates: &mut [f64]) -> MPResult<()> {
+        let p = self.to_parameters(unknowns);
+        for (deviate, point) in deviates.iter_mut().zip(self.points) {
+            *deviate = (point.force - self.model.force(&p, point)) / self.force;
+        }
+        Ok(())
+    }
+
+    fn number_of_points(&self) -> usize {
+        self.points.len()
+    }
+
+    fn config(&self) -> &MPConfig {
+        &self.config
+    }
+
+    fn parameters(&self) -> &[MPPar] {
+        &self.settings
+    }
+
+    fn jacobian(
+        &mut self,
+        unknowns: &[f64],
+        deviates: &mut [f64],
+        slopes: &mut [Option<Vec<f64>>],
+    ) -> MPResult<()> {
+        self.eval(unknowns, deviates)?;
+        let p = self.to_parameters(unknowns);
+        let last = slopes.len() - 1;
+        for (column, slope) in slopes.iter_mut().enumerate() {
+            let Some(slope) = slope else { continue };
+            for (value, point) in slope.iter_mut().zip(self.points) {
+                let rate = if column == last {
+                    self.model.onset_slope(&p, point) * self.length
+                } else if column == 0 {
+                    self.model.elastic(point, p.onset) * self.modulus
+                } else {
+                    self.model.dissipative(point, p.onset) * self.modulus_dissipation
+                };
+                *value = -rate / self.force;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn points(speed: impl Fn(f64) -> f64) -> Vec<Point> {
+        let point = |row: usize| {
+            let indentation = row as f64 * 1e-3;
+            let speed = speed(indentation);
+            let force = 500.0 * indentation.powf(1.5) * (1.0 + 1.5 * 0.4 * speed);
+            Point { row, indentation, force, speed }
+        };
+        (0..10).map(point).collect()
+    }
+
+    const MODEL: Model = Model { gain: 2.0, with_dissipation: true, with_onset: false };
+
+    #[test]
+    fn exact_data_give_exact_parameters() {
+        let fitted = solve_with_known_onset(&MODEL, &points(|x| 0.3 - 50.0 * x), 0.0).unwrap();
+        assert!((fitted.modulus / 250.0 - 1.0).abs() < 1e-13);
+        assert!((fitted.dissipation() / 0.4 - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn one_speed_does_not_tell_dissipation_from_stiffness() {
+        let error = solve_with_known_onset(&MODEL, &points(|_| 0.2), 0.0).unwrap_err();
+        assert_eq!(error, FitError::Undetermined { parameter: "dissipation" });
+        assert!(solve_with_known_onset(&MODEL, &points(|_| 0.0), 0.0).is_err());
+    }
+
+    #[test]
+    fn rows_before_contact_do_not_count() {
+        let error = solve_with_known_onset(&MODEL, &points(|x| x), 0.0075).unwrap_err();
+        assert_eq!(error, FitError::TooFewPoints { found: 2, needed: 3 });
+    }
+}

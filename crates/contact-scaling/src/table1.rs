@@ -1,0 +1,304 @@
+//! Table 1 of the paper: what it prints, and the same computed.
+//!
+//! `printed.csv` is typed from the paper. Figures, the models of `fixtures/table1` and the tests of printed numbers read it.
+//!
+//! ```
+//! use contact_scaling::table1;
+//!
+//! let taxa: Vec<&str> = table1::animals().map(|animal| animal.taxon()).collect();
+//! assert_eq!(taxa, ["human", "human", "mouse", "emu", "emu", "horse", "giraffe"]);
+//! ```
+
+use crate::drop_test::{DropError, DropTest};
+use crate::{Contact, ContactValues, DomainError, Hertz, Ratios, Scale, ScaleValues, falisse2022};
+
+/// Gravity of the drop tests, m/s²: "gravity on Earth" in the paper, whose digits follow from 9.81 and not from OpenSim's 9.80665.
+pub const GRAVITY_M_S2: f64 = 9.81;
+
+/// Height of the drop tests, in radii (Section 3).
+pub const HEIGHT_RADII: f64 = 0.25;
+
+/// Duration of the drop tests, s (Section 3).
+pub const DURATION_S: f64 = 2.0;
+
+/// The rows of the table.
+fn lines() -> impl Iterator<Item = &'static str> {
+    // The first two lines say what it is, and name the columns.
+    include_str!("table1/printed.csv").lines().skip(2)
+}
+
+/// A column of Table 1 that is computed; the others (mass, spheres, radius) are given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Column {
+    /// Composite modulus E*, MPa.
+    CompositeModulus,
+    /// Plane strain modulus E₁*, MPa: OpenSim's `stiffness` in its millions.
+    PlaneStrainModulus,
+    /// Dissipation α that is the same for all, s/m.
+    BaseDissipation,
+    /// Dissipation α ∝ R^(−1/2), s/m.
+    ScaledDissipation,
+    /// x̂ at the end of the drop test.
+    FinalIndentation,
+    /// Stiffness k of one sphere there, kN/m.
+    ContactStiffness,
+}
+
+impl Column {
+    /// All, in the order of the table.
+    pub const ALL: [Self; 6] = [
+        Self::CompositeModulus,
+        Self::PlaneStrainModulus,
+        Self::BaseDissipation,
+        Self::ScaledDissipation,
+        Self::FinalIndentation,
+        Self::ContactStiffness,
+    ];
+
+    /// Its name for programs; it ends in the unit, where there is one.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::CompositeModulus => "composite_modulus_mpa",
+            Self::PlaneStrainModulus => "stiffness_mpa",
+            Self::BaseDissipation => "base_dissipation_s_m",
+            Self::ScaledDissipation => "scaled_dissipation_s_m",
+            Self::FinalIndentation => "final_relative_indentation",
+            Self::ContactStiffness => "contact_stiffness_kn_m",
+        }
+    }
+
+    /// What it is, in plain letters.
+    #[must_use]
+    pub const fn label(self) -> &'static str {
+        match self {
+            Self::CompositeModulus => "E*",
+            Self::PlaneStrainModulus => "E1*",
+            Self::BaseDissipation => "base alpha",
+            Self::ScaledDissipation => "scaled alpha",
+            Self::FinalIndentation => "final x/R",
+            Self::ContactStiffness => "k of one sphere",
+        }
+    }
+
+    /// The unit in which the paper prints it; empty for a pure number.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::CompositeModulus | Self::PlaneStrainModulus => "MPa",
+            Self::BaseDissipation | Self::ScaledDissipation => "s/m",
+            Self::FinalIndentation => "",
+            Self::ContactStiffness => "kN/m",
+        }
+    }
+
+    /// Number of the equation that gives it; empty where it is given, or the result of the drop test.
+    #[must_use]
+    pub const fn equation(self) -> &'static str {
+        match self {
+            Self::CompositeModulus => "A.4",
+            Self::PlaneStrainModulus => "10",
+            Self::ScaledDissipation => "14",
+            Self::ContactStiffness => "B.2",
+            Self::BaseDissipation | Self::FinalIndentation => "",
+        }
+    }
+}
+
+/// One number of Table 1, as printed and as computed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Compared {
+    /// Where it is.
+    pub column: Column,
+    /// As the paper prints it.
+    pub printed: &'static str,
+    /// As it is computed, in the unit of the paper.
+    pub computed: f64,
+    /// As it is computed from the rounded number that the paper prints for the human, if it can also be computed in this way.
+    pub from_rounded: Option<f64>,
+}
+
+impl Compared {
+    /// The printed number; NaN if it is not a number.
+    #[must_use]
+    pub fn printed_value(&self) -> f64 {
+        self.printed.parse().unwrap_or(f64::NAN)
+    }
+
+    /// Computed minus printed, in the unit of the paper.
+    #[must_use]
+    pub fn difference(&self) -> f64 {
+        self.computed - self.printed_value()
+    }
+
+    /// The difference over the printed number.
+    #[must_use]
+    pub fn relative_difference(&self) -> f64 {
+        self.difference() / self.printed_value()
+    }
+
+    /// Half a unit of the last digit that is printed.
+    #[must_use]
+    pub fn half_last_digit(&self) -> f64 {
+        // An index of bytes says where the point is; what follows it are the decimals.
+        let decimals = self.printed.find('.').map_or(0, |point| self.printed.len() - point - 1);
+        0.5 * 10.0_f64.powi(-i32::try_from(decimals).unwrap_or(i32::MAX))
+    }
+
+    /// Whether the computed number is within half a unit of the last printed digit.
+    #[must_use]
+    pub fn is_within_last_digit(&self) -> bool {
+        self.is_near(self.computed)
+    }
+
+    /// Whether it is not, but the number from the rounded one of the human is: then the paper has computed it so.
+    #[must_use]
+    pub fn is_from_rounded(&self) -> bool {
+        !self.is_within_last_digit() && self.from_rounded.is_some_and(|value| self.is_near(value))
+    }
+
+    fn is_near(&self, value: f64) -> bool {
+        // 2.065 - 2.07 is not 0.005 in binary; nothing that matters is hidden by one part in 1e9 of a digit.
+        (value - self.printed_value()).abs() <= self.half_last_digit() * (1.0 + 1e-9)
+    }
+}
+
+/// One row of Table 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Animal {
+    taxon: &'static str,
+    scale: Scale,
+    printed: [&'static str; Column::ALL.len()],
+}
+
+/// The rows of the table, in its order; the first is the human from which all others are scaled.
+pub fn animals() -> impl Iterator<Item = Animal> {
+    lines().filter_map(Animal::of_line)
+}
+
+/// The animals called `taxon`, in the order of the table.
+pub fn called(taxon: &str) -> impl Iterator<Item = Animal> {
+    animals().filter(move |animal| animal.taxon() == taxon)
+}
+
+impl Animal {
+    /// The row that a line holds; `None` where it holds none.
+    fn of_line(line: &'static str) -> Option<Self> {
+        let mut cells = line.split(',');
+        let taxon = cells.next()?;
+        let mut number = || cells.next()?.parse::<f64>().ok();
+        let (mass_kg, sphere_count, radius_m) = (number()?, number()?, number()?);
+        let values = ScaleValues { mass_kg, radius_m, sphere_count, gravity_m_s2: GRAVITY_M_S2 };
+        let printed: Vec<&'static str> = cells.collect();
+        Some(Self { taxon, scale: Scale::new(values).ok()?, printed: printed.try_into().ok()? })
+    }
+
+    /// What it is called: `"mouse"`.
+    #[must_use]
+    pub const fn taxon(&self) -> &'static str {
+        self.taxon
+    }
+
+    /// Its mass, its spheres and their radius, under [`GRAVITY_M_S2`].
+    #[must_use]
+    pub const fn scale(&self) -> Scale {
+        self.scale
+    }
+
+    /// What the paper prints in a column, digit by digit.
+    #[must_use]
+    pub fn printed(&self, column: Column) -> &'static str {
+        let index = Column::ALL.iter().position(|&known| known == column);
+        index.and_then(|index| self.printed.get(index)).copied().unwrap_or_default()
+    }
+
+    /// The contact of the 62 kg human, scaled to this animal by (10), (14), (C.2), (C.5) and (C.10).
+    ///
+    /// # Errors
+    /// None with the numbers of the table.
+    pub fn contact(&self) -> Result<Contact, DomainError> {
+        Ok(falisse2022().contact.scaled(&self.ratios()?))
+    }
+
+    /// The same without smoothing, as a `HuntCrossleyForce` has it: the drop tests of the paper used these.
+    ///
+    /// # Errors
+    /// None with the numbers of the table.
+    pub fn plain_contact(&self) -> Result<Contact, DomainError> {
+        Contact::new(ContactValues { smoothing: None, ..self.contact()?.values() })
+    }
+
+    /// What the paper's human becomes this animal by.
+    fn ratios(&self) -> Result<Ratios, DomainError> {
+        let human = ScaleValues { gravity_m_s2: GRAVITY_M_S2, ..falisse2022().scale.values() };
+        Ratios::between(&Scale::new(human)?, &self.scale)
+    }
+
+    /// Every column, printed and computed. The drop test is done, as in the paper: from a quarter of the radius, for 2 s.
+    ///
+    /// # Errors
+    /// None with the numbers of the table.
+    pub fn compared(&self) -> Result<Vec<Compared>, DropError> {
+        let contact = self.plain_contact()?;
+        let radius = self.scale.radius_m();
+        let drop = DropTest::of(&contact, &self.scale, HEIGHT_RADII, DURATION_S)?.run()?;
+        let x_hat = drop.final_indentation_m / radius;
+        let stiffness = Hertz::of(&contact, radius)?.stiffness_at_relative_indentation(x_hat);
+        let of = |column| -> Result<Compared, DropError> {
+            let (computed, from_rounded) = match column {
+                Column::CompositeModulus => (contact.composite_modulus() / 1e6, self.modulus_of_rounded()?),
+                Column::PlaneStrainModulus => (contact.plane_strain_modulus() / 1e6, None),
+                Column::BaseDissipation => (falisse2022().contact.dissipation(), None),
+                Column::ScaledDissipation => (contact.dissipation(), None),
+                Column::FinalIndentation => (x_hat, None),
+                Column::ContactStiffness => (stiffness / 1e3, None),
+            };
+            Ok(Compared { column, printed: self.printed(column), computed, from_rounded })
+        };
+        Column::ALL.into_iter().map(of).collect()
+    }
+
+    /// E* in MPa, scaled by (10) from the three digits that are printed for the human.
+    fn modulus_of_rounded(&self) -> Result<Option<f64>, DomainError> {
+        let human =
+            animals().next().and_then(|human| human.printed(Column::CompositeModulus).parse::<f64>().ok());
+        let ratio = self.ratios()?.plane_strain_modulus();
+        Ok(human.map(|printed| printed * ratio))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn compared(printed: &'static str, computed: f64) -> Compared {
+        Compared { column: Column::ContactStiffness, printed, computed, from_rounded: None }
+    }
+
+    #[test]
+    fn half_a_unit_of_the_last_printed_digit_is_allowed() {
+        for (printed, half) in [("207", 0.5), ("13.4", 0.05), ("0.218", 0.0005), ("2.00", 0.005)] {
+            assert_eq!(compared(printed, 0.0).half_last_digit(), half, "{printed}");
+        }
+        assert!(compared("13.4", 13.4495).is_within_last_digit());
+        assert!(compared("13.4", 13.35).is_within_last_digit());
+        assert!(!compared("13.4", 13.4505).is_within_last_digit());
+        assert!(!compared("13.5", 13.4495).is_within_last_digit());
+    }
+
+    #[test]
+    fn differences_are_computed_minus_printed() {
+        let seen = compared("200", 207.0);
+        assert_eq!((seen.difference(), seen.relative_difference()), (7.0, 0.035));
+    }
+
+    #[test]
+    fn a_number_from_a_rounded_one_is_told_apart() {
+        let seen = Compared { from_rounded: Some(0.09155), ..compared("0.0916", 0.0915) };
+        assert!(seen.is_from_rounded());
+        assert!(!Compared { from_rounded: Some(0.0915), ..seen }.is_from_rounded());
+        assert!(!Compared { computed: 0.0916, ..seen }.is_from_rounded());
+    }
+}
