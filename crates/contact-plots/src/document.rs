@@ -1,4 +1,4 @@
-//! A document with its title above, into which the rest is drawn.
+//! A document: its paper, its title, the area that the rest is drawn into, and the SVG that it becomes.
 
 use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, IntoDrawingArea, SVGBackend};
@@ -8,9 +8,171 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use crate::error::PlotError;
 use crate::figure::Width;
 use crate::letters::lines;
-use crate::paper::Paper;
-use crate::style::{TITLE_PT, text, units};
-use crate::svg::{Names, finished, printable};
+use crate::style::{TEXT_PT, TITLE_PT, text, units};
+
+/// How wide a figure is on paper, and how large its letters are.
+///
+/// Everything of a figure (margins, dashes, gaps) grows with its letters, so that a figure with larger letters is drawn as
+/// one on smaller paper and then enlarged.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Paper {
+    /// The width in mm; `None` for the figure's own.
+    pub width_mm: Option<f64>,
+    /// The size of its letters in points (1/72 inch); titles are a little larger.
+    pub text_pt: f64,
+}
+
+impl Default for Paper {
+    fn default() -> Self {
+        Self { width_mm: None, text_pt: TEXT_PT }
+    }
+}
+
+/// Less than this between the axes, in points for letters of 7 points, shows nothing.
+const LEAST_PLOT_PT: f64 = 60.0;
+
+impl Paper {
+    /// The width in mm of a figure that is `own` by itself.
+    pub(crate) fn width_mm(self, own: Width) -> f64 {
+        self.width_mm.unwrap_or(own.mm())
+    }
+
+    /// The width to lay a figure out in, in points for letters of [`TEXT_PT`].
+    pub(crate) fn layout_pt(self, own: Width) -> f64 {
+        self.width_mm(own) / 25.4 * 72.0 / self.enlarged()
+    }
+
+    /// How much what was laid out is enlarged.
+    fn enlarged(self) -> f64 {
+        self.text_pt / TEXT_PT
+    }
+
+    /// Refuses a paper on which `beside_pt` leaves too little room for what is drawn between the axes.
+    ///
+    /// # Errors
+    /// [`PlotError::TooNarrow`].
+    pub(crate) fn check(self, own: Width, beside_pt: f64) -> Result<(), PlotError> {
+        let least_mm = (beside_pt + LEAST_PLOT_PT) * self.enlarged() / 72.0 * 25.4;
+        let width_mm = self.width_mm(own);
+        if width_mm.is_finite() && self.text_pt > 0.0 && width_mm >= least_mm {
+            return Ok(());
+        }
+        Err(PlotError::TooNarrow { width_mm, text_pt: self.text_pt, least_mm: least_mm.ceil() })
+    }
+}
+
+// The SVG document around what the plotting library drew: size on paper, title and description.
+
+/// What a document is called and shows, for those who do not see it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Names<'n> {
+    pub(crate) title: &'n str,
+    pub(crate) description: &'n str,
+}
+
+impl<'n> Names<'n> {
+    /// The title; of a figure without one the first sentence of its description, as every picture needs a name.
+    fn title(self) -> &'n str {
+        if self.title.chars().any(|letter| !letter.is_ascii_whitespace()) {
+            return self.title;
+        }
+        let first = self.description.split_inclusive(". ").next().unwrap_or_default();
+        first.trim_end_matches(' ')
+    }
+}
+
+/// Gives the library's document its width in millimetres, a role, a title and a description.
+fn finished(
+    drawn: &str,
+    (width, height): (u32, u32),
+    width_mm: f64,
+    names: Names<'_>,
+) -> Result<String, PlotError> {
+    let body = drawn
+        .find('>')
+        .and_then(|end| drawn.get(end + 1..))
+        .ok_or_else(|| PlotError::Drawing("the library wrote no document".to_owned()))?;
+    // An opacity of 1 is what SVG takes anyway; half the size of a figure is attributes.
+    let body = joined(&body.replace(" opacity=\"1\"", "").replace(" \"/>", "\"/>"));
+    // As high as its units are wide: nothing is stretched.
+    let height_mm = width_mm * f64::from(height) / f64::from(width.max(1));
+    Ok(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{}mm\" height=\"{}mm\" \
+         viewBox=\"0 0 {width} {height}\">\n<title>{}</title>\n<desc>{}</desc>{body}",
+        rounded(width_mm),
+        rounded(height_mm),
+        escaped(names.title()),
+        escaped(names.description),
+    ))
+}
+
+/// To a thousandth, without zeros that say nothing.
+fn rounded(mm: f64) -> f64 {
+    (1000.0 * mm).round() / 1000.0
+}
+
+/// Lines of one look that follow each other, as one path: the library draws each dash as an element of its own, which
+/// would be most of the document.
+fn joined(body: &str) -> String {
+    const POINTS: &str = " points=\"";
+    let mut out = String::with_capacity(body.len());
+    let mut run: (&str, Vec<&str>) = ("", Vec::new());
+    for line in body.lines() {
+        let parts = line
+            .strip_prefix("<polyline")
+            .and_then(|rest| rest.strip_suffix("\"/>"))
+            .and_then(|rest| rest.split_once(POINTS));
+        match parts {
+            Some((look, points)) if look == run.0 => run.1.push(points),
+            Some((look, points)) => {
+                write_run(&mut out, &run);
+                run = (look, vec![points]);
+            }
+            None => {
+                write_run(&mut out, &run);
+                run = ("", Vec::new());
+                out.push_str(line);
+                out.push('\n');
+            }
+        }
+    }
+    write_run(&mut out, &run);
+    out
+}
+
+fn write_run(out: &mut String, (look, lines): &(&str, Vec<&str>)) {
+    match lines.as_slice() {
+        [] => {}
+        [line] => out.push_str(&format!("<polyline{look} points=\"{line}\"/>\n")),
+        lines => out.push_str(&format!("<path{look} d=\"M{}\"/>\n", lines.join("M"))),
+    }
+}
+
+/// Text as XML holds it. Characters that XML cannot hold at all are left out.
+fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for letter in text.chars() {
+        match letter {
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '&' => out.push_str("&amp;"),
+            other => out.extend(allowed(other)),
+        }
+    }
+    out
+}
+
+fn allowed(letter: char) -> Option<char> {
+    let control = letter < ' ' && !matches!(letter, '\n' | '\t');
+    (!control && !matches!(letter, '\u{fffe}' | '\u{ffff}')).then_some(letter)
+}
+
+/// The text without what XML cannot hold, for the library, which escapes the rest itself.
+pub(crate) fn printable(text: &str) -> String {
+    text.chars().filter_map(allowed).collect()
+}
+
+// A document with its title above, into which the rest is drawn.
 
 pub(crate) const MARGIN_PT: f64 = 4.0;
 const TITLE_LINE_PT: f64 = 9.6;
@@ -72,4 +234,21 @@ pub(crate) fn document(
         root.present().map_err(PlotError::drawing)?;
     }
     finished(&drawn, size, sheet.paper.width_mm(sheet.width), sheet.names)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dashes_of_one_look_become_one_path() {
+        let dash =
+            |colour: &str, points: &str| format!("<polyline stroke=\"{colour}\" points=\"{points}\"/>\n");
+        let drawn =
+            [dash("red", "0,0 1,1"), dash("red", "2,2 3,3"), dash("blue", "4,4 5,5"), "<g/>\n".to_owned()];
+        assert_eq!(
+            joined(&drawn.concat()),
+            "<path stroke=\"red\" d=\"M0,0 1,1M2,2 3,3\"/>\n<polyline stroke=\"blue\" points=\"4,4 5,5\"/>\n<g/>\n"
+        );
+    }
 }

@@ -8,17 +8,12 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, RGBColor};
 
 use crate::axis::Scale;
-use crate::clip;
-use crate::document::{Area, MARGIN_PT, Sheet, Title, document};
+use crate::document::{Area, MARGIN_PT, Names, Paper, Sheet, Title, document, printable};
 use crate::error::PlotError;
-use crate::figure::{Direction, Figure, Limit, Panel};
-use crate::frame::Frame;
-use crate::legend::Legend;
+use crate::figure::{self, Direction, Figure, Frame, Limit, Panel};
+use crate::legend::{LIMIT_ROW_PT, Legend, limit_rows};
 use crate::letters::cut;
-use crate::limit_names::{LIMIT_ROW_PT, limit_rows};
-use crate::paper::Paper;
 use crate::style::{INK, LIMIT, SHADE, SHADE_OPACITY, TEXT_PT, TITLE_PT, float, stroke, text, units};
-use crate::svg::{Names, printable};
 
 /// The row of a panel's title.
 const PANEL_TITLE_PT: f64 = 13.0;
@@ -233,7 +228,7 @@ fn draw_areas(chart: &mut Chart<'_, '_>, panel: &Panel, frame: &Frame<'_>) -> Re
         let (Some(first), Some(last)) = (area.points.first(), area.points.last()) else { continue };
         let mut outline = area.points.clone();
         outline.extend([(last.0, 0.0), (first.0, 0.0)]);
-        if let Some(inside) = clip::area(&frame.places(&outline), frame.x, frame.y) {
+        if let Some(inside) = figure::area(&frame.places(&outline), frame.x, frame.y) {
             let shade = Polygon::new(inside, SHADE.mix(SHADE_OPACITY).filled());
             chart.draw_series([shade]).map_err(PlotError::drawing)?;
         }
@@ -244,7 +239,7 @@ fn draw_areas(chart: &mut Chart<'_, '_>, panel: &Panel, frame: &Frame<'_>) -> Re
 fn draw_curves(chart: &mut Chart<'_, '_>, panel: &Panel, frame: &Frame<'_>) -> Result<(), PlotError> {
     for curve in &panel.curves {
         let style = curve.look.stroke();
-        let parts = clip::line(&frame.places(&curve.points), frame.x, frame.y).into_iter();
+        let parts = figure::line(&frame.places(&curve.points), frame.x, frame.y).into_iter();
         match curve.look.dash.lengths_pt() {
             None => chart.draw_series(parts.map(|part| PathElement::new(part, style))).map(|_| ()),
             Some((dash, gap)) => {

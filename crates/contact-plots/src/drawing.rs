@@ -1,11 +1,11 @@
 //! A figure of any kind, and the numbers in it.
 
 use crate::axis::Axis;
+use crate::document::Paper;
 use crate::draw::{figure, letter};
 use crate::error::PlotError;
 use crate::figure::{Direction, Figure, Panel};
 use crate::heat_map::{HeatMap, heat_map};
-use crate::paper::Paper;
 use crate::scene::{Scene, scene};
 
 /// A figure of any kind, before it is drawn.

@@ -1,6 +1,10 @@
-//! What a figure is made of.
+//! What a figure consists of, what its panels cover, and what of a line or an area is inside of them.
 
-use crate::axis::Axis;
+use line_clipping::cohen_sutherland::clip_line;
+use line_clipping::sutherland_hodgman::clip_polygon;
+use line_clipping::{LineSegment, Polygon, Window};
+
+use crate::axis::{Axis, Ticks};
 use crate::error::PlotError;
 use crate::style::Look;
 
@@ -140,4 +144,136 @@ pub struct Figure {
     pub columns: usize,
     /// The panels, row by row.
     pub panels: Vec<Panel>,
+}
+
+// What a panel covers: from where to where its axes go, and what is between them.
+
+/// Ticks along an axis.
+const X_TICKS: usize = 7;
+const Y_TICKS: usize = 6;
+
+/// The spans of a panel's axes, as places along them (logarithms on a logarithmic axis), and their ticks.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Frame<'p> {
+    panel: &'p Panel,
+    pub(crate) x: (f64, f64),
+    pub(crate) y: (f64, f64),
+    pub(crate) x_ticks: Ticks,
+    pub(crate) y_ticks: Ticks,
+}
+
+impl<'p> Frame<'p> {
+    pub(crate) fn of(panel: &'p Panel) -> Self {
+        let x = panel.x.span(panel.points().map(|(_, (x, _))| x), false);
+        // The vertical axis covers what the limits of the horizontal one leave.
+        let within = |value: f64| (x.0..=x.1).contains(&panel.x.place(value));
+        let shown = panel.points().filter(|(_, (x, _))| within(*x)).map(|(_, (_, y))| y);
+        let across = panel.limits.iter().filter(|limit| limit.direction == Direction::Horizontal);
+        let y = panel.y.span(shown.chain(across.map(|limit| limit.at)), true);
+        Self { panel, x, y, x_ticks: panel.x.ticks(x, X_TICKS), y_ticks: panel.y.ticks(y, Y_TICKS) }
+    }
+
+    /// Where a point is.
+    pub(crate) fn place(&self, (x, y): Point) -> Point {
+        (self.panel.x.place(x), self.panel.y.place(y))
+    }
+
+    pub(crate) fn places(&self, points: &[Point]) -> Vec<Point> {
+        points.iter().map(|&point| self.place(point)).collect()
+    }
+
+    /// Whether a point is between the axes.
+    pub(crate) fn holds(&self, point: Point) -> bool {
+        let (x, y) = self.place(point);
+        (self.x.0..=self.x.1).contains(&x) && (self.y.0..=self.y.1).contains(&y)
+    }
+
+    /// Where a limit is along its axis, if it is in the panel.
+    pub(crate) fn limit(&self, limit: &Limit) -> Option<f64> {
+        let (axis, (low, high)) = match limit.direction {
+            Direction::Vertical => (&self.panel.x, self.x),
+            Direction::Horizontal => (&self.panel.y, self.y),
+        };
+        let at = axis.place(limit.at);
+        (low..=high).contains(&at).then_some(at)
+    }
+
+    /// How far along the horizontal axis a limit is, from 0 to 1.
+    pub(crate) fn share(&self, limit: &Limit) -> Option<f64> {
+        let at = self.limit(limit).filter(|_| limit.direction == Direction::Vertical)?;
+        Some((at - self.x.0) / (self.x.1 - self.x.0))
+    }
+}
+
+// What of a line or an area is inside of a panel: lines and polygons cut at its borders.
+
+type Span = (f64, f64);
+
+fn window((left, right): Span, (low, high): Span) -> Window {
+    Window::new(left, right, low, high)
+}
+
+fn corner((x, y): Point) -> line_clipping::Point {
+    line_clipping::Point::new(x, y)
+}
+
+/// The parts of a line of many points that are inside.
+pub(crate) fn line(points: &[Point], x: Span, y: Span) -> Vec<Vec<Point>> {
+    let window = window(x, y);
+    let mut parts: Vec<Vec<Point>> = Vec::new();
+    for pair in points.windows(2) {
+        let Some(inside) = clip_line(LineSegment::new(corner(pair[0]), corner(pair[1])), window) else {
+            continue;
+        };
+        let (from, to) = ((inside.p1.x, inside.p1.y), (inside.p2.x, inside.p2.y));
+        // Outside, it may still touch the edge.
+        if from == to {
+            continue;
+        }
+        match parts.last_mut() {
+            Some(part) if part.last() == Some(&from) => part.push(to),
+            _ => parts.push(vec![from, to]),
+        }
+    }
+    parts
+}
+
+/// The part of an area that is inside; `None` where nothing is.
+pub(crate) fn area(corners: &[Point], x: Span, y: Span) -> Option<Vec<Point>> {
+    let corners: Vec<line_clipping::Point> = corners.iter().copied().map(corner).collect();
+    if corners.len() < 3 {
+        return None;
+    }
+    let inside = clip_polygon(&Polygon::new(&corners), window(x, y));
+    let inside: Vec<Point> = inside.vertices.iter().map(|corner| (corner.x, corner.y)).collect();
+    (inside.len() > 2).then_some(inside)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const UNIT: Span = (0.0, 1.0);
+
+    #[test]
+    fn a_line_within_stays_as_it_is() {
+        let points = [(0.0, 0.0), (0.3, 1.0), (1.0, 0.5)];
+        assert_eq!(line(&points, UNIT, UNIT), [points.to_vec()]);
+    }
+
+    #[test]
+    fn a_line_that_leaves_and_comes_back_is_two() {
+        let points = [(0.0, 0.5), (0.5, 1.5), (1.0, 0.5)];
+        assert_eq!(line(&points, UNIT, UNIT), [[(0.0, 0.5), (0.25, 1.0)], [(0.75, 1.0), (1.0, 0.5)]]);
+        assert!(line(&[(2.0, 2.0), (3.0, 2.0)], UNIT, UNIT).is_empty());
+    }
+
+    #[test]
+    fn an_area_ends_at_the_edges() {
+        let square = [(0.5, 0.5), (2.0, 0.5), (2.0, 2.0), (0.5, 2.0)];
+        let mut inside = area(&square, UNIT, UNIT).unwrap_or_default();
+        inside.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+        assert_eq!(inside, [(0.5, 0.5), (0.5, 1.0), (1.0, 0.5), (1.0, 1.0)]);
+        assert!(area(&[(2.0, 2.0), (3.0, 2.0), (3.0, 3.0)], UNIT, UNIT).is_none());
+    }
 }

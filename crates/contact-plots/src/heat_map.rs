@@ -6,14 +6,12 @@ use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 use plotters::style::{Color, RGBColor};
 
 use crate::axis::{Axis, Scale, Ticks};
-use crate::document::{Area, MARGIN_PT, Sheet, Title, document};
+use crate::document::{Area, MARGIN_PT, Names, Paper, Sheet, Title, document, printable};
 use crate::draw::{BELOW_PT, NAME_PT, TICK_PT, minor_ticks};
 use crate::error::PlotError;
 use crate::figure::{Point, Width};
 use crate::legend::{Legend, Sample, casing, draw_cross, filling};
-use crate::paper::Paper;
 use crate::style::{INK, TEXT_PT, stroke, text, units};
-use crate::svg::{Names, printable};
 
 const PLOT_HEIGHT_PT: f64 = 140.0;
 const BAR_PT: f64 = 9.0;

@@ -1,4 +1,4 @@
-//! The legend: one for all panels, below them, where it can hide no curve.
+//! Names of curves below a figure, and of vertical limits above a panel.
 
 use plotters::coord::Shift;
 use plotters::element::{Circle, DashedPathElement, PathElement, Rectangle};
@@ -6,12 +6,11 @@ use plotters::prelude::{DrawingArea, SVGBackend};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, RGBColor, ShapeStyle};
 
+use crate::document::printable;
 use crate::error::PlotError;
-use crate::figure::{Direction, Figure};
-use crate::frame::Frame;
+use crate::figure::{Direction, Figure, Frame, Limit, Panel};
 use crate::letters::{lines, roomy_pt};
 use crate::style::{LIMIT, Look, SHADE, SHADE_OPACITY, TEXT_PT, float, stroke, text, units};
-use crate::svg::printable;
 
 const ROW_PT: f64 = 10.0;
 /// Between lines of one name.
@@ -187,4 +186,31 @@ pub(crate) fn draw_cross(area: &DrawingArea<SVGBackend<'_>, Shift>, at: (i32, i3
     let ring = |pt: f64, colour: RGBColor, width: f64| Circle::new(at, units(pt), stroke(colour, width));
     area.draw(&ring(2.6, RGBColor(0, 0, 0), 2.0)).map_err(PlotError::drawing)?;
     area.draw(&ring(2.6, RGBColor(255, 255, 255), 1.0)).map_err(PlotError::drawing)
+}
+
+// The names of vertical limits, above a panel, in as many rows as keep them apart.
+
+pub(crate) const LIMIT_ROW_PT: f64 = 8.5;
+const LIMIT_GAP_PT: f64 = 4.0;
+
+/// A name and how far along the axis its middle is, in points.
+pub(crate) type Placed<'p> = (&'p Limit, f64);
+
+/// Named vertical limits within the panel, split into rows in which no two names touch.
+pub(crate) fn limit_rows<'p>(panel: &'p Panel, frame: &Frame<'_>, plot_pt: f64) -> Vec<Vec<Placed<'p>>> {
+    let mut rows: Vec<Vec<Placed<'p>>> = Vec::new();
+    let named = panel.limits.iter().filter(|limit| !limit.label.is_empty());
+    for (limit, share) in named.filter_map(|limit| Some((limit, frame.share(limit)?))) {
+        let placed = (limit, plot_pt * share);
+        match rows.iter_mut().find(|row| row.iter().all(|other| are_apart(*other, placed))) {
+            Some(row) => row.push(placed),
+            None => rows.push(vec![placed]),
+        }
+    }
+    rows
+}
+
+fn are_apart((a, at_a): Placed<'_>, (b, at_b): Placed<'_>) -> bool {
+    let wide = |limit: &Limit| roomy_pt(&limit.label, TEXT_PT);
+    (at_a - at_b).abs() > 0.5 * (wide(a) + wide(b)) + LIMIT_GAP_PT
 }

@@ -7,8 +7,6 @@ use textwrap::core::Fragment;
 use textwrap::wrap_algorithms::wrap_first_fit;
 use ttf_parser::Face;
 
-use crate::font::FONT;
-
 /// The width of a letter that the font does not have, as a share of the size of the text: no letter of a plain font is wider.
 const WIDEST: f64 = 1.0;
 /// Where a viewer has no Arial, the font in its place may be a little wider.
@@ -144,6 +142,10 @@ fn letter_by_letter(part: &str, size_pt: f64, most_pt: f64) -> Vec<&str> {
     cuts.push(part.len());
     cuts.windows(2).filter_map(|pair| part.get(pair[0]..pair[1])).collect()
 }
+
+/// Arimo (SIL Open Font License 1.1), the letters figures need; `fonts/README.md` says how it was made. Its letters are as
+/// wide as Arial's.
+pub(crate) const FONT: &[u8] = include_bytes!("../fonts/Arimo-subset.ttf");
 
 #[cfg(test)]
 mod tests {

@@ -40,34 +40,23 @@
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod axis;
-mod clip;
 mod document;
 mod draw;
 mod drawing;
 mod error;
 mod figure;
-mod font;
-mod frame;
 mod heat_map;
 mod kinds;
 mod legend;
 mod letters;
-mod limit_names;
-mod paper;
-#[cfg(feature = "pdf")]
-mod pdf;
-#[cfg(feature = "png")]
-mod png;
+#[cfg(any(feature = "pdf", feature = "png"))]
+mod pictures;
 mod scene;
 mod style;
-mod svg;
 mod text;
-#[cfg(any(feature = "pdf", feature = "png"))]
-mod tree;
 
-#[cfg(feature = "png")]
-pub use self::png::png;
 pub use axis::Axis;
+pub use document::Paper;
 pub use draw::figure;
 pub use drawing::{Datum, Drawing};
 pub use error::PlotError;
@@ -78,9 +67,10 @@ pub use kinds::{
     LoopFigure, StateCurve, StateFigure, TimeAxis, drop_figure, drop_panel, force_figure, force_panel,
     loop_figure, state_figure, state_panel,
 };
-pub use paper::Paper;
 #[cfg(feature = "pdf")]
-pub use pdf::pdf;
+pub use pictures::pdf;
+#[cfg(feature = "png")]
+pub use pictures::png;
 pub use scene::{Ball, Block, Level, LevelKind, Outline, Scene, SceneNames, Spot, State, View, scene};
 pub use style::{Dash, Look};
 pub use text::text;

@@ -1,9 +1,7 @@
 //! A panel in letters, for a terminal: each letter of Braille holds two by four dots.
 
-use crate::clip;
 use crate::error::PlotError;
-use crate::figure::{Panel, Point};
-use crate::frame::Frame;
+use crate::figure::{self, Frame, Panel, Point};
 use crate::style::float;
 
 /// The curves of a panel with its axes, in lines of at most `columns` letters, `rows` of them between the axes.
@@ -35,7 +33,7 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
         let share = |value: f64, (low, high): (f64, f64)| (value - low) / (high - low);
         (share(x_value, x) * float(dots.across() - 1), share(y_value, (y.1, y.0)) * float(dots.down() - 1))
     };
-    let parts = panel.curves.iter().flat_map(|curve| clip::line(&frame.places(&curve.points), x, y));
+    let parts = panel.curves.iter().flat_map(|curve| figure::line(&frame.places(&curve.points), x, y));
     let lines: Vec<(Point, Point)> = parts
         .flat_map(|part| part.windows(2).map(|ends| (place(ends[0]), place(ends[1]))).collect::<Vec<_>>())
         .collect();

@@ -28,6 +28,7 @@
 //! The Hertz law holds for small indentations (x̂ ≤ 0.16), the Hunt–Crossley law for a high restitution
 //! (c_r ≥ 0.8); outside them a contact is a damped non-linear spring, no longer a material. Contacts of common
 //! gait models stand outside both.
+
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod contact;

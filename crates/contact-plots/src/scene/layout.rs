@@ -1,17 +1,14 @@
 //! Where everything of a scene goes: one scale for all, views below each other, names around what they name.
 
-use super::data::{Block, LevelKind, Scene, View};
+use super::elements::{Block, LevelKind, Scene, View};
 use super::labels::{Obstacles, Rect, Wanted, place};
-
 use crate::axis::Ticks;
-use crate::document::{MARGIN_PT, Title};
+use crate::document::{MARGIN_PT, Paper, Title, printable};
 use crate::draw::{BELOW_PT, NAME_PT, TICK_PT};
 use crate::figure::{Point, Width};
 use crate::legend::Legend;
 use crate::letters::{cut, lines, width_pt};
-use crate::paper::Paper;
 use crate::style::{TEXT_PT, float};
-use crate::svg::printable;
 
 pub(super) const LINE_PT: f64 = 8.6;
 const GAP_PT: f64 = 10.0;
