@@ -14,19 +14,14 @@
 //! }
 //! ```
 
-mod dialect;
 mod input;
-mod listed;
-mod number;
-mod part;
 mod phrase;
 mod shown;
 
 pub use crate::phrase;
-pub use dialect::{Dialect, Plain};
-pub use input::{Input, Verb};
-pub use listed::listed;
-pub use number::{counted, four_significant, readable, shortest, three_significant};
-pub use part::{Call, Example, Part};
-pub use phrase::{IntoParts, Phrase};
-pub use shown::{SHOWN_LETTERS, Shown, harmless, is_seen, one_line, shown, shown_path, shown_whole};
+pub use input::{Call, Example, Input, Part, Verb};
+pub use phrase::{Dialect, IntoParts, Phrase, Plain};
+pub use shown::{
+    SHOWN_LETTERS, Shown, counted, four_significant, harmless, is_seen, listed, one_line, readable, shortest,
+    shown, shown_path, shown_whole, three_significant,
+};

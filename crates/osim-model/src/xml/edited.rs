@@ -2,11 +2,9 @@
 
 use std::ops::Range;
 
-use super::file_text::FileText;
 use super::plain::scan_plain;
-use super::scan::{pieces_and_elements, refuse_foreign_encodings};
-use super::syntax::SyntaxError;
-use super::tree::{PieceKind, StoredElement, StoredPiece, Tree};
+use super::scan::{SyntaxError, pieces_and_elements, refuse_foreign_encodings};
+use super::tree::{FileText, PieceKind, StoredElement, StoredPiece, Tree};
 
 /// What a text is wrapped in to be scanned by itself.
 const WRAP: (&str, &str) = ("<x>", "</x>");

@@ -19,23 +19,15 @@
 //!
 //! It decodes and encodes nothing as a whole, knows no namespaces and no DTD, and reads no other file.
 
-mod decode;
 mod edited;
-mod file_text;
-mod kept;
-mod names;
-
 pub mod opensim_text;
 mod plain;
 mod position;
 mod raw_text;
 mod scan;
-mod syntax;
 mod tree;
-mod white;
 
-pub use kept::KeptElements;
-pub use position::{LineIndex, Position};
+pub use position::{KeptElements, LineIndex, Position};
 pub use raw_text::RawText;
-pub use syntax::{SyntaxError, SyntaxFault};
+pub use scan::{SyntaxError, SyntaxFault};
 pub use tree::{Children, ElementId, Piece, PieceKind, Tree};

@@ -17,8 +17,6 @@
 //! | no text | the default: `<defaults>`, else that of the class |
 
 use super::raw_text::RawText;
-use super::white::is_white_byte;
-pub use super::white::{is_white, trimmed};
 
 /// Whole numbers of so many digits are exact as doubles.
 const EXACT_DIGITS: usize = 15;
@@ -258,6 +256,29 @@ fn spelled_number(token: &str) -> Option<f64> {
     is_infinite.then_some(sign * f64::INFINITY)
 }
 
+// White space as C has it, which models are read with.
+
+/// Whether C calls `letter` white space.
+#[must_use]
+pub const fn is_white(letter: char) -> bool {
+    matches!(letter, ' ' | '\t'..='\r')
+}
+
+/// The same of a byte: white space is ASCII, so that what lies between its bytes are whole letters.
+pub(super) const fn is_white_byte(byte: u8) -> bool {
+    is_white(byte as char)
+}
+
+/// `text` without the white space around it.
+#[must_use]
+pub fn trimmed(text: &str) -> &str {
+    let is_letter = |byte: &u8| !is_white_byte(*byte);
+    let start = text.as_bytes().iter().position(is_letter);
+    let end = text.as_bytes().iter().rposition(is_letter);
+    let inner = start.zip(end).and_then(|(start, last)| text.get(start..=last));
+    inner.unwrap_or_default()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -369,7 +390,7 @@ mod tests {
             assert_eq!(triple(text), Some([0.1, 0.2, 0.3]), "{text}");
         }
         let unread = "0.1,0.2,0.3|(0.1 0.2 0.3)|[0.1,0.2,0.3]|~[0.1 0.2 0.3]|0.1\u{a0}0.2 0.3|0.1 0.2|0.1 0.2 0.3 x|0.1 0.2 0.3 4 5|\
-            0.1 , 0.2 , 0.3|0.1 0.2 0.3 ,||0.1 0.2 -nan|0.1 0.2 1e400|0.1 0.2 0.3 ";
+        0.1 , 0.2 , 0.3|0.1 0.2 0.3 ,||0.1 0.2 -nan|0.1 0.2 1e400|0.1 0.2 0.3 ";
         for text in unread.split('|') {
             assert_eq!(triple(text), None, "{text}");
         }
@@ -381,7 +402,7 @@ mod tests {
         let yes = "true|TRUE|tRuE|1|+1|01|1.0|1e0|1abc|1,1|true false|1\u{a0}x| true|1 0";
         let no = "false|0|-0|+0|00|0.0|0.5|0abc|0x1|0e5|0true|false true|false 1abc|\u{b}false";
         let neither = "| |2|-1|abc|t|yes|true abc|true 2|truex|true,|true |\u{a0}true|nan|+|-|99999999999999999999|(false)|+false|\
-            true\u{a0}";
+        true\u{a0}";
         for (texts, expected) in [(yes, Some(true)), (no, Some(false)), (neither, None)] {
             for text in texts.split('|') {
                 assert_eq!(flag(text), expected, "{text}");

@@ -3,9 +3,8 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::decode::decode;
-use super::tree::{ElementId, PieceKind, Tree};
-use super::white::{is_white, is_white_byte, trimmed};
+use super::opensim_text::{is_white, is_white_byte, trimmed};
+use super::tree::{ElementId, PieceKind, Tree, decode};
 
 /// The text between an element's tags.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -123,8 +122,8 @@ impl Tree {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tree::Tree;
     use super::*;
+    use crate::xml::tree::Tree;
 
     #[test]
     fn the_span_is_the_number_without_its_surroundings() {

@@ -1,17 +1,110 @@
 //! Bytes → [`Tree`], or the first place where the bytes are not one well-formed document.
-//!
-//! Plain files are scanned by [`plain`](super::plain). For all others, quick-xml finds the pieces; what it lets pass (several roots, text outside the root, elements left open, a second
-//! byte order mark) is refused here. Its comment checks stay off: real models have `<!--` inside a comment.
 
 use std::collections::HashSet;
 
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::reader::Reader;
 
-use super::file_text::FileText;
 use super::plain::scan_plain;
-use super::syntax::{SyntaxError, SyntaxFault};
-use super::tree::{PieceKind, StoredElement, StoredPiece, Tree};
+use super::tree::{FileText, PieceKind, StoredElement, StoredPiece, Tree};
+
+/// Ways of not being one well-formed document.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SyntaxFault {
+    /// No element at all, or text before the first one.
+    #[error(
+        "this is not XML, expected an OpenSim model that starts with <?xml ...> or <OpenSimDocument ...>"
+    )]
+    NotXml,
+    /// Nothing is in it, or white space alone.
+    #[error("the file is empty, expected an OpenSim model: get it again from where it came")]
+    Empty,
+    /// UTF-16 (or something else with two bytes a character).
+    #[error("the file is UTF-16, which OpenSim cannot read: save it as UTF-8")]
+    Utf16,
+    /// Two byte order marks in a row.
+    #[error("the file starts with two byte order marks, expected one at most: remove the second")]
+    SecondByteOrderMark,
+    /// `<!DOCTYPE x […]>`
+    #[error("the DOCTYPE has an internal subset [...], which OpenSim cannot read: remove it")]
+    DoctypeSubset,
+    /// A second element beside the root.
+    #[error("a second outermost element starts here, expected the end of the file")]
+    SecondRoot,
+    /// Text before or after the root element.
+    #[error("text outside the outermost element, expected the end of the file")]
+    TextOutsideRoot,
+    /// The file ends inside an element.
+    #[error("<{tag}> is never closed: the file looks truncated, copy it again from where it came")]
+    Unclosed {
+        /// Tag of the innermost open element.
+        tag: String,
+    },
+    /// An end tag of another name.
+    #[error("</{found}> closes <{expected}>, expected </{expected}>")]
+    MismatchedEnd {
+        /// Tag that is open.
+        expected: String,
+        /// Tag of the end tag.
+        found: String,
+    },
+    /// An end tag without a start.
+    #[error("</{found}> closes nothing")]
+    UnexpectedEnd {
+        /// Tag of the end tag.
+        found: String,
+    },
+    /// A bad attribute.
+    #[error("<{tag}>: {what}")]
+    Attribute {
+        /// Tag of the element.
+        tag: String,
+        /// What the parser says.
+        what: String,
+    },
+    /// Anything else the parser refuses.
+    #[error("{what}")]
+    Malformed {
+        /// What the parser says.
+        what: String,
+    },
+    /// The file ends inside a tag, comment or instruction.
+    #[error("the file ends inside a tag or a comment: it looks truncated, copy it again from where it came")]
+    Truncated {
+        /// What the parser says.
+        what: String,
+    },
+    /// A zero byte.
+    #[error("a zero byte is here: the file is damaged or not text, copy it again from where it came")]
+    Nul,
+    /// More than 4 GiB.
+    #[error("the file is larger than 4 GiB")]
+    TooLarge,
+}
+
+/// A file that is not one document, and where that shows.
+#[derive(Debug)]
+pub struct SyntaxError {
+    /// What is wrong.
+    pub fault: SyntaxFault,
+    /// Byte of the file.
+    pub offset: usize,
+    /// The file, for code that shows the place.
+    pub(crate) file: FileText,
+}
+
+impl SyntaxError {
+    /// The file.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        self.file.bytes()
+    }
+}
+
+// Plain files are scanned by [`scan_plain`]. For all others, quick-xml finds the pieces; what it lets pass (several roots, text
+// outside the root, elements left open, a second byte order mark) is refused here. Its comment checks stay off: real models
+// have `<!--` inside a comment.
 
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 /// Up to this many attributes are compared pairwise; more go through a hash set.
@@ -249,8 +342,8 @@ fn check_attributes(tag: &BytesStart<'_>, start: usize) -> Result<(), Fault> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::tree::ElementId;
     use super::*;
+    use crate::xml::tree::ElementId;
 
     #[track_caller]
     fn refused(bytes: &[u8]) -> (SyntaxFault, usize) {
@@ -305,7 +398,7 @@ mod tests {
     #[test]
     fn the_plain_scan_finds_what_the_full_scan_finds() {
         let text = "\u{feff}<?xml version='1.0'?>\r\n<a x='1' y=\"2 > 1\">t<!-- <!-- -->&amp;<b/>\n<c d='é' ><e>\
-                    </e></c ><![CDATA[<]]><f/ ></a>\n";
+                </e></c ><![CDATA[<]]><f/ ></a>\n";
         let plain = "<?xml version=\"1.0\"?>\n<a x='1' y=\"2\">t > é<!-- <!-- -- -->\n<b/><c d='' ><e>1</e></c></a>\n";
         assert!(scan_plain(plain, 0).is_some());
         let mut left = 0;

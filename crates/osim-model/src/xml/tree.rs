@@ -3,10 +3,6 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use super::decode::decode;
-use super::file_text::FileText;
-use super::names::{is_plain, is_space};
-
 /// What a piece of the file is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
@@ -337,5 +333,89 @@ impl Iterator for Children<'_> {
         let id = ElementId(self.next);
         self.next = self.tree.element(id).subtree_end;
         Some(id)
+    }
+}
+
+/// A file as UTF-8. Where it is not UTF-8, each offending byte is one `?` in the text, so that an offset means the same place
+/// in the text and in the file.
+#[derive(Debug, Clone)]
+pub(crate) struct FileText {
+    text: String,
+    /// The bytes as they are, where they are not the text's.
+    original: Option<Vec<u8>>,
+}
+
+impl FileText {
+    /// Takes the bytes over; they are copied only where they are not UTF-8.
+    pub(crate) fn new(bytes: Vec<u8>) -> Self {
+        match String::from_utf8(bytes) {
+            Ok(text) => Self { text, original: None },
+            Err(error) => {
+                let bytes = error.into_bytes();
+                let mut text = String::with_capacity(bytes.len());
+                for chunk in bytes.utf8_chunks() {
+                    text.push_str(chunk.valid());
+                    text.extend(chunk.invalid().iter().map(|_| '?'));
+                }
+                Self { text, original: Some(bytes) }
+            }
+        }
+    }
+
+    pub(crate) fn as_str(&self) -> &str {
+        &self.text
+    }
+
+    /// The file, untouched.
+    pub(crate) fn bytes(&self) -> &[u8] {
+        self.original.as_deref().unwrap_or(self.text.as_bytes())
+    }
+
+    /// The file, untouched, without a copy.
+    pub(crate) fn into_bytes(self) -> Vec<u8> {
+        self.original.unwrap_or(self.text.into_bytes())
+    }
+}
+
+/// Resolves character and predefined entity references; an unknown one stays as it is written.
+pub(super) fn decode(raw: Cow<'_, str>) -> Cow<'_, str> {
+    if !raw.contains('&') {
+        return raw;
+    }
+    match quick_xml::escape::unescape(&raw) {
+        Ok(text) => Cow::Owned(text.into_owned()),
+        Err(_) => raw,
+    }
+}
+
+/// Whether `byte` may be in a plain name.
+pub(super) fn is_plain(byte: u8) -> bool {
+    NAME.get(byte as usize).is_some_and(|&plain| plain)
+}
+
+/// Whether XML calls `byte` white space.
+pub(super) fn is_space(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\n' | b'\t' | b'\r')
+}
+
+static NAME: [bool; 256] = {
+    let mut table = [false; 256];
+    let mut byte = 0_u8;
+    while byte < 128 {
+        table[byte as usize] = byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'.' | b':' | b'-');
+        byte += 1;
+    }
+    table
+};
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stray_byte_keeps_all_offsets_and_the_file() {
+        let text = FileText::new(b"<a>\x96<b>1</b></a>".to_vec());
+        assert_eq!(text.as_str(), "<a>?<b>1</b></a>");
+        assert_eq!(text.bytes(), b"<a>\x96<b>1</b></a>");
     }
 }
