@@ -23,7 +23,7 @@
 
 mod follow;
 mod placement;
-mod rules;
+pub(crate) mod rules;
 mod similarity;
 
 pub use follow::{

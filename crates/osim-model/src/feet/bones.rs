@@ -1,15 +1,38 @@
-//! The bones of a model's bodies.
+//! The bones of a model's bodies, from the mesh files that are attached to them.
 
-use std::path::PathBuf;
+use std::collections::HashSet;
+use std::path::{Path, PathBuf};
 
-use crate::model::files::Files;
-use crate::model::{AttachedMesh, Model};
 use foldhash::HashMap;
 
-use crate::feet::bone::Bone;
-use crate::feet::fault::FeetFault;
-use crate::feet::folders::MeshFolders;
-use crate::feet::mesh::{Surface, is_length, mesh_points, mesh_surface};
+use super::fault::FeetFault;
+use super::mesh::{MeshFault, Surface, is_length, mesh_points, mesh_surface};
+use crate::messages::{shown, three_significant};
+use crate::model::files::Files;
+use crate::model::{AttachedMesh, Model, Side, probable_units};
+
+/// The points of one mesh that is attached to a body, in the body's frame.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Bone {
+    /// Name of the body.
+    pub body: String,
+    /// Name of the mesh file as the model spells it.
+    pub mesh: String,
+    /// Points of the mesh in the body's frame, with the model's scale factors, m.
+    pub points_m: Vec<[f64; 3]>,
+    /// The file that was read; empty where the points are from elsewhere.
+    pub file: PathBuf,
+    /// Whether the file is that of the other side: then its points were mirrored in z.
+    pub mirrored: bool,
+}
+
+impl Bone {
+    /// A bone from points that are in the body's frame already.
+    pub fn new(body: impl Into<String>, mesh: impl Into<String>, points_m: Vec<[f64; 3]>) -> Self {
+        Self { body: body.into(), mesh: mesh.into(), points_m, file: PathBuf::new(), mirrored: false }
+    }
+}
 
 /// The meshes that are attached to the bodies of a model, by body: read once for all of them.
 pub struct AttachedBones<'m> {
@@ -136,5 +159,249 @@ fn mesh_file(
     match files.read_included(&file) {
         Ok(bytes) => Ok(MeshFile { file, mirrored, bytes }),
         Err(fault) => Err(FeetFault::Unreadable { body, mesh, file, fault }),
+    }
+}
+
+// Where mesh files are looked for, and under which names.
+
+/// Marks of the right and the left side in names of bones that are common: before and after the name.
+const RIGHT: ([&str; 1], [&str; 2]) = (["r_"], ["_r", "_rv"]);
+const LEFT: ([&str; 1], [&str; 2]) = (["l_"], ["_l", "_lv"]);
+
+/// The folders in which meshes are looked for, in this order: that of the model, its `Geometry`, and others.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct MeshFolders(Vec<PathBuf>);
+
+impl MeshFolders {
+    /// For the model at `path`.
+    ///
+    /// ```
+    /// use std::path::Path;
+    /// use osim_model::feet::MeshFolders;
+    ///
+    /// let folders = MeshFolders::of_model(Path::new("models/walker.osim")).and("bones");
+    /// let names: Vec<_> = folders.iter().collect();
+    /// assert_eq!(names, [Path::new("models"), Path::new("models/Geometry"), Path::new("bones")]);
+    /// ```
+    #[must_use]
+    pub fn of_model(path: &Path) -> Self {
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Self(vec![folder.to_owned(), folder.join("Geometry")])
+    }
+
+    /// And another one, after those before.
+    #[must_use]
+    pub fn and(mut self, folder: impl Into<PathBuf>) -> Self {
+        self.0.push(folder.into());
+        self
+    }
+
+    /// The folders, in order.
+    pub fn iter(&self) -> impl Iterator<Item = &Path> {
+        self.0.iter().map(PathBuf::as_path)
+    }
+
+    /// Returns the file that `mesh` names, as a model spells it, and whether it is that of the other side: first the name itself
+    /// in each folder, then each of its other names.
+    pub(crate) fn find(&self, mesh: &str, files: &dyn Files) -> Option<(PathBuf, bool)> {
+        let as_written = Some((mesh.to_owned(), false));
+        let names = as_written.into_iter().chain(aliases(mesh));
+        let places =
+            names.flat_map(|(name, mirrored)| self.iter().map(move |folder| (folder.join(&name), mirrored)));
+        places.into_iter().find(|(path, _)| files.exists(path))
+    }
+}
+
+/// Other names of the file `mesh`, and whether each is that of the other side: without its folder, in small letters, with the
+/// marks of its side or (a bone without a mark is the right one) without; then those of the other side, which is its mirror image
+/// in z.
+fn aliases(mesh: &str) -> Vec<(String, bool)> {
+    let name = mesh.rsplit(['/', '\\']).next().unwrap_or(mesh);
+    let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
+    let (bone, side) = without_mark(&stem.to_lowercase());
+    let other = if side == Side::Right { Side::Left } else { Side::Right };
+    let own = spellings(&bone, side).into_iter().map(|stem| (stem, false));
+    let mirrored = spellings(&bone, other).into_iter().map(|stem| (stem, true));
+    let mut stems = vec![(stem.to_owned(), false), (stem.to_lowercase(), false)];
+    stems.extend(own.chain(mirrored));
+    let lower = ending.to_lowercase();
+    let file = |(stem, mirrored)| {
+        let endings = [ending, lower.as_str()].into_iter().take(if ending == lower { 1 } else { 2 });
+        endings.map(move |ending| (format!("{stem}.{ending}"), mirrored)).collect::<Vec<_>>()
+    };
+    stems.into_iter().flat_map(file).collect()
+}
+
+/// The name of a bone without the mark of its side; without one it is the right one.
+fn without_mark(stem: &str) -> (String, Side) {
+    for (side, (before, behind)) in [(Side::Left, LEFT), (Side::Right, RIGHT)] {
+        let bare = before.iter().find_map(|mark| stem.strip_prefix(mark));
+        let bare = bare.or_else(|| behind.iter().find_map(|mark| stem.strip_suffix(mark)));
+        if let Some(bare) = bare.filter(|bare| !bare.is_empty()) {
+            return (bare.to_owned(), side);
+        }
+    }
+    (stem.to_owned(), Side::Right)
+}
+
+/// The names of files of a bone of one side.
+fn spellings(bone: &str, side: Side) -> Vec<String> {
+    let (before, behind) = if side == Side::Right { RIGHT } else { LEFT };
+    let marked = before.iter().map(|mark| format!("{mark}{bone}"));
+    let marked = marked.chain(behind.iter().map(|mark| format!("{bone}{mark}")));
+    // An unmarked bone is the right one.
+    let bare = (side == Side::Right).then(|| bone.to_owned());
+    marked.chain(bare).collect()
+}
+
+// Meshes that do not fit the skeleton that shows them: in another unit, of another animal, or with a broken vertex.
+
+/// A mesh is at most this many times as long as the longest bone of its limb. Feet, toes and tali on the models of the corpus, with the
+/// files of its Geometry, are 0.136 to 0.6 of it; a foot without a limb, whose longest bone is its own, is 1.2.
+const LONGEST: f64 = 3.0;
+/// And at least this part of it: a bone in the toe of a hoofed animal is 0.03.
+const SHORTEST: f64 = 0.01;
+/// What is usual for a foot, for guesses about units.
+const USUAL: f64 = 0.5;
+
+/// A mesh that does not fit the skeleton.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct OddMesh {
+    /// Name of the body.
+    pub body: String,
+    /// Name of the mesh file as the model spells it.
+    pub mesh: String,
+    /// What is wrong with it, in words.
+    pub text: String,
+}
+
+/// Meshes of `bodies` that do not fit the skeleton, in file order: those with a broken vertex, and those that are far too long or too
+/// short. Meshes that are not there, or cannot be read, say nothing.
+#[must_use]
+pub fn odd_meshes(
+    model: &Model,
+    bodies: &HashSet<&str>,
+    folders: &MeshFolders,
+    files: &dyn Files,
+) -> Vec<OddMesh> {
+    let attached = model.attached_meshes();
+    let shown = attached.iter().filter(|mesh| bodies.contains(mesh.body.as_str()));
+    let odd = |mesh| match bone(mesh, folders, files) {
+        Ok(bone) => odd_size(model, &bone),
+        Err(fault) => of_fault(&fault),
+    };
+    shown.filter_map(odd).collect()
+}
+
+/// The bone, if it is far too long or too short for its limb: for the longest distance between two joints of one body.
+///
+/// ```
+/// use osim_model::feet::{Bone, odd_size};
+///
+/// let text = include_bytes!("../../../../fixtures/feet/human_40000.osim");
+/// let model = osim_model::Model::parse(text)?;
+/// let foot = |unit: f64| Bone::new("calcn_r", "foot.vtp", vec![[0.0; 3], [0.25 * unit, 0.0, 0.0]]);
+/// assert_eq!(odd_size(&model, &foot(1.0)), None);
+/// let in_millimetres = odd_size(&model, &foot(1000.0)).map(|odd| odd.text).unwrap_or_default();
+/// assert!(in_millimetres.starts_with("mesh foot.vtp on calcn_r is 250 m long"));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[must_use]
+pub fn odd_size(model: &Model, bone: &Bone) -> Option<OddMesh> {
+    let distances = model.joint_distances();
+    let longest_m = distances.of_limb(&bone.body).or_else(|| distances.around_body(&bone.body))?;
+    let length_m = length_m(bone);
+    let times = length_m / longest_m;
+    if !times.is_finite() || (SHORTEST..=LONGEST).contains(&times) {
+        return None;
+    }
+    let text = format!(
+        "mesh {} on {} is {} m long, {} times the longest bone of its limb ({} m between its joints), expected {SHORTEST} to {LONGEST} \
+         times{}",
+        shown(&bone.mesh),
+        shown(&bone.body),
+        three_significant(length_m),
+        three_significant(times),
+        three_significant(longest_m),
+        way_out(times)
+    );
+    Some(OddMesh { body: bone.body.clone(), mesh: bone.mesh.clone(), text })
+}
+
+/// The diagonal of the box around the points, m.
+fn length_m(bone: &Bone) -> f64 {
+    let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| {
+        let along = || bone.points_m.iter().map(|point| point[axis]);
+        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+    });
+    x.hypot(y).hypot(z)
+}
+
+/// Factors that would fit, or another bone.
+fn way_out(times: f64) -> String {
+    let (verb, units) = match times > LONGEST {
+        true => ("divide", probable_units(times / USUAL)),
+        false => ("multiply", probable_units(USUAL / times)),
+    };
+    // A file in mm with the factors of one in metres is too long; one in metres with those of mm is too short.
+    let file = |unit: &str| if times > LONGEST { unit.to_owned() } else { format!("m and not in {unit}") };
+    let ways: Vec<String> = units
+        .iter()
+        .map(|(unit, per_metre)| {
+            format!("{verb} its scale factors by {per_metre} if the file is in {}", file(unit))
+        })
+        .collect();
+    match ways.as_slice() {
+        [] => ": it is another animal's bone of this name, or its scale factors are wrong".to_owned(),
+        ways => format!(": {}", ways.join(", or ")),
+    }
+}
+
+/// A file with a broken vertex; other files that cannot be read show nothing of sizes.
+fn of_fault(fault: &FeetFault) -> Option<OddMesh> {
+    let FeetFault::Mesh { body, mesh, fault: MeshFault::StrayPoint { .. }, .. } = fault else { return None };
+    Some(OddMesh { body: body.clone(), mesh: mesh.clone(), text: fault.phrase().to_string() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::files::InMemory;
+
+    #[track_caller]
+    fn found(there: &[&str], mesh: &str) -> Option<(String, bool)> {
+        let files = InMemory::from_iter(there.iter().map(|path| (*path, "")));
+        let folders = MeshFolders::of_model(Path::new("models/m.osim")).and("bones");
+        let (path, mirrored) = folders.find(mesh, &files)?;
+        Some((path.to_string_lossy().replace('\\', "/"), mirrored))
+    }
+
+    #[track_caller]
+    fn finds(there: &[&str], mesh: &str, path: &str, mirrored: bool) {
+        assert_eq!(found(there, mesh), Some((path.to_owned(), mirrored)));
+    }
+
+    #[test]
+    fn the_name_itself_comes_first_and_then_its_other_names() {
+        finds(&["bones/foot.vtp", "models/Geometry/r_foot.vtp"], "foot.vtp", "bones/foot.vtp", false);
+        finds(&["models/Geometry/r_foot.vtp"], "foot.vtp", "models/Geometry/r_foot.vtp", false);
+        finds(&["models/foot.vtp"], "r_foot.vtp", "models/foot.vtp", false);
+        finds(&["bones/talus_rv.vtp"], "talus.vtp", "bones/talus_rv.vtp", false);
+        finds(&["bones/l_foot.vtp", "bones/r_foot.vtp"], "foot_l.vtp", "bones/l_foot.vtp", false);
+        finds(&["bones/foot.vtp"], "Geometry\\FOOT.VTP", "bones/foot.vtp", false);
+        finds(&["models/Geometry/sub/a.vtp"], "sub/a.vtp", "models/Geometry/sub/a.vtp", false);
+    }
+
+    #[test]
+    fn a_bone_of_the_other_side_is_its_mirror_image() {
+        finds(&["bones/r_foot.vtp"], "l_foot.vtp", "bones/r_foot.vtp", true);
+        finds(&["bones/l_foot.vtp"], "foot.vtp", "bones/l_foot.vtp", true);
+        finds(&["bones/foot.vtp"], "foot_lv.vtp", "bones/foot.vtp", true);
+    }
+
+    #[test]
+    fn other_bones_are_not_taken() {
+        assert_eq!(found(&["bones/bofoot.vtp", "bones/foot.stl"], "foot.vtp"), None);
     }
 }

@@ -1,9 +1,10 @@
-//! Values of coordinates at the default pose: their defaults, and what constraints make of them.
+//! Values of coordinates at the default pose: their defaults, what constraints make of them, and what holds them.
 
-use crate::model::{CoordinateFunction, Document, ElementId, FileId, Model, opensim_text};
 use foldhash::{HashMap, HashMapExt, HashSet};
 
-use crate::feet::pose_fault::PoseFault;
+use super::fault::PoseFault;
+use crate::model::{CoordinateFunction, Document, ElementId, FileId, JointCoordinate, Model, ModelJoint};
+use crate::xml::opensim_text;
 
 /// OpenSim leaves coordinates that are this close to what a constraint says.
 const ASSEMBLED: f64 = 1e-10;
@@ -105,7 +106,7 @@ fn coordinate_values(model: &Model) -> CoordinateValues {
 }
 
 /// The names of the coordinates that an enforced coupler makes depend on another.
-pub(crate) fn dependent_coordinates(model: &Model) -> HashSet<String> {
+fn dependent_coordinates(model: &Model) -> HashSet<String> {
     let couplers = constraints(model).into_iter().filter_map(|(document, id)| coupler(document, id));
     couplers.map(|coupler| coupler.dependent).collect()
 }
@@ -130,7 +131,7 @@ fn prescribing(document: &Document, coordinate: ElementId) -> Option<ElementId> 
 }
 
 /// Whether a function of time sets a coordinate.
-pub(crate) fn is_prescribed(document: &Document, coordinate: ElementId) -> bool {
+fn is_prescribed(document: &Document, coordinate: ElementId) -> bool {
     prescribing(document, coordinate).is_some()
 }
 
@@ -206,4 +207,41 @@ fn couple(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Vec<String
         }
     }
     unknown
+}
+
+// Whether a coordinate is free, or what keeps it at its value.
+
+/// What keeps a coordinate at its value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Held {
+    /// Nothing: it is free.
+    Not,
+    /// It is locked.
+    Locked,
+    /// A function of time, or another coordinate, sets it.
+    Driven,
+}
+
+/// Knows of each coordinate of a model what keeps it.
+pub(crate) struct HeldCoordinates<'m> {
+    model: &'m Model,
+    dependent: HashSet<String>,
+}
+
+impl<'m> HeldCoordinates<'m> {
+    pub(crate) fn of(model: &'m Model) -> Self {
+        Self { model, dependent: dependent_coordinates(model) }
+    }
+
+    /// What keeps a coordinate of `joint`.
+    pub(crate) fn held(&self, joint: &ModelJoint, coordinate: &JointCoordinate) -> Held {
+        let document = self.model.file(joint.file);
+        if matches!(document.flag(coordinate.element, "locked"), Ok(Some(true))) {
+            Held::Locked
+        } else if self.dependent.contains(&coordinate.name) || is_prescribed(document, coordinate.element) {
+            Held::Driven
+        } else {
+            Held::Not
+        }
+    }
 }

@@ -1,13 +1,13 @@
-//! Where bodies are in ground while all coordinates have their default values.
+//! Where bodies are in ground while all coordinates have their default values, over all joints.
 
+use std::collections::VecDeque;
 use std::sync::Arc;
 
-use crate::model::{Model, ModelJoint, Placement};
-use foldhash::{HashMap, HashMapExt};
+use foldhash::{HashMap, HashMapExt, HashSet};
 
-use crate::feet::couplers::CoordinateValues;
-use crate::feet::joint_walk::{Crossing, joint_walk};
-use crate::feet::pose_fault::PoseFault;
+use super::couplers::CoordinateValues;
+use super::fault::PoseFault;
+use crate::model::{Model, ModelJoint, Placement};
 
 /// Two ways from ground to a body that end as close as this are one, m and rad.
 const SAME: f64 = 1e-9;
@@ -138,4 +138,95 @@ fn same(known: &Result<Placement, PoseFault>, other: &Result<Placement, PoseFaul
         let pairs = known.point(point).into_iter().zip(other.point(point));
         pairs.into_iter().all(|(a, b)| (a - b).abs() <= SAME)
     })
+}
+
+// The way from ground over all joints.
+
+/// A joint on the way from ground.
+#[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
+pub struct Crossing<'j> {
+    /// The joint.
+    pub joint: &'j ModelJoint,
+    /// The body at which it is reached; `None` is ground.
+    pub from: Option<&'j str>,
+    /// The body that it leads to.
+    pub to: Option<&'j str>,
+    /// Whether it leads from its parent to its child.
+    pub forward: bool,
+    /// Whether another way has reached the body before: the joint closes a loop.
+    pub closes: bool,
+}
+
+/// The joints that hang on ground, each once, in an order in which the body that one is reached at is reached before it.
+///
+/// ```
+/// use osim_model::feet::joint_walk;
+///
+/// # let bytes: &[u8] = include_bytes!("../../tests/data/one_foot.osim");
+/// let model = osim_model::Model::parse(bytes)?;
+/// let reached: Vec<Option<&str>> = joint_walk(model.joints()).iter().map(|crossing| crossing.to).collect();
+/// assert!(joint_walk(model.joints()).first().is_none_or(|first| first.from.is_none()), "{reached:?}");
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[must_use]
+pub fn joint_walk(joints: &[ModelJoint]) -> Vec<Crossing<'_>> {
+    let mut at: HashMap<Option<&str>, Vec<usize>> = HashMap::new();
+    for (index, joint) in joints.iter().enumerate() {
+        at.entry(joint.parent.as_deref()).or_default().push(index);
+        at.entry(joint.child.as_deref()).or_default().push(index);
+    }
+    let mut used = vec![false; joints.len()];
+    let mut reached: HashSet<Option<&str>> = HashSet::from_iter([None]);
+    let mut waiting: VecDeque<Option<&str>> = VecDeque::from([None]);
+    let mut walk = Vec::with_capacity(joints.len());
+    while let Some(from) = waiting.pop_front() {
+        for &index in at.get(&from).into_iter().flatten() {
+            let (Some(joint), Some(used)) = (joints.get(index), used.get_mut(index)) else { continue };
+            if std::mem::replace(used, true) {
+                continue;
+            }
+            let forward = joint.parent.as_deref() == from;
+            let to = if forward { joint.child.as_deref() } else { joint.parent.as_deref() };
+            let closes = !reached.insert(to);
+            if !closes {
+                waiting.push_back(to);
+            }
+            walk.push(Crossing { joint, from, to, forward, closes });
+        }
+    }
+    walk
+}
+
+/// Bodies that WeldJoints hold together, directly or through others.
+pub(crate) struct Welds<'j> {
+    /// From each body to another one of its group; the first of a group has none. `None` is ground.
+    leaders: HashMap<Option<&'j str>, Option<&'j str>>,
+}
+
+impl<'j> Welds<'j> {
+    pub(crate) fn of(joints: &'j [ModelJoint]) -> Self {
+        let mut welds = Self { leaders: HashMap::new() };
+        for joint in joints.iter().filter(|joint| joint.class == "WeldJoint") {
+            let parent = welds.leader(joint.parent.as_deref());
+            let child = welds.leader(joint.child.as_deref());
+            if parent != child {
+                welds.leaders.insert(child, parent);
+            }
+        }
+        welds
+    }
+
+    /// Whether two bodies are one, or welded to each other; `None` is ground.
+    pub(crate) fn hold(&self, one: Option<&'j str>, other: Option<&'j str>) -> bool {
+        self.leader(one) == self.leader(other)
+    }
+
+    fn leader(&self, body: Option<&'j str>) -> Option<&'j str> {
+        let mut at = body;
+        while let Some(&next) = self.leaders.get(&at) {
+            at = next;
+        }
+        at
+    }
 }

@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::model::{Model, ModelJoint, Placement};
 use foldhash::{HashMap, HashMapExt};
 
-use crate::feet::couplers::CoordinateValues;
-use crate::feet::held::{Held, HeldCoordinates};
+use super::couplers::{CoordinateValues, Held, HeldCoordinates};
+use crate::model::{Model, ModelJoint, Placement};
 
 /// How far a coordinate is moved to see what it moves, rad or m.
 const STEP: f64 = 0.1;

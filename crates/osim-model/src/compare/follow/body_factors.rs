@@ -1,7 +1,11 @@
-//! The factors of one body, and where they come from.
+//! The factors of one body, and what they are taken from: distances to joints, and meshes of the same bone.
 
-use crate::model::Fault;
+use std::cell::OnceCell;
+use std::collections::BTreeMap;
+
 use foldhash::{HashMap, HashMapExt};
+
+use crate::model::{Anatomy, AnatomyJoint, Fault, JointDistances};
 
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
@@ -58,7 +62,7 @@ pub struct BodyFactors {
     pub axes: [Option<AxisFactor>; 3],
     /// What each source says along x, y and z, in their order.
     pub sources: Vec<(FactorSource, [Option<f64>; 3])>,
-    /// What has to be answered before its factors are known. It is asked only where they are needed, by [`Factors::of`](super::Factors::of).
+    /// What has to be answered before its factors are known. It is asked only where they are needed, by [`Factors::of`](crate::compare::follow::Factors::of).
     pub question: Option<Fault>,
 }
 
@@ -90,4 +94,228 @@ impl ByName {
 /// Length of a vector.
 pub(super) fn length([x, y, z]: [f64; 3]) -> f64 {
     libm::sqrt(x * x + y * y + z * z)
+}
+
+// How far a joint is from the origin of a body, in two models.
+
+/// A joint nearer to the body's origin than this does not show its size, m...
+const SHORTEST_DISTANCE_M: f64 = 0.02;
+/// ... unless it is at this part of the limb's longest bone, or farther: bones of a rat are that short.
+const SHORTEST_OF_BONE: f64 = 0.2;
+
+/// Where a joint below a body is in both models, seen from the origin of the body at the default pose.
+#[derive(Debug)]
+pub(super) struct Distance<'a> {
+    pub(super) joint: &'a str,
+    /// In the reference, m.
+    pub(super) old_m: [f64; 3],
+    new_m: [f64; 3],
+}
+
+/// The joints of one name in both models, by the bodies on which they are in one of them.
+pub(super) struct Distances<'a> {
+    scaled: &'a Anatomy,
+    reference: &'a Anatomy,
+    on_body: HashMap<&'a str, Vec<[&'a AnatomyJoint; 2]>>,
+    /// How large the bones of both models are.
+    bones: [JointDistances; 2],
+}
+
+impl<'a> Distances<'a> {
+    pub(super) fn of(scaled: &'a Anatomy, reference: &'a Anatomy) -> Self {
+        let mut on_body: HashMap<&str, Vec<[&AnatomyJoint; 2]>> = HashMap::new();
+        for joint in &scaled.joints {
+            let Some(there) = reference.joint(&joint.name) else { continue };
+            on_body.entry(&joint.parent).or_default().push([joint, there]);
+            if there.parent != joint.parent {
+                on_body.entry(&there.parent).or_default().push([joint, there]);
+            }
+        }
+        let bones = [reference, scaled].map(|anatomy| JointDistances::of_joints(&anatomy.joints));
+        Self { scaled, reference, on_body, bones }
+    }
+
+    /// The farthest joint of one name in both models that lies below `body` and is on it in one of them.
+    pub(super) fn farthest(&self, body: &str) -> Option<Distance<'a>> {
+        let places = self.on_body.get(body).into_iter().flatten().filter_map(|[joint, there]| {
+            let old_m = self.reference.place_below(body, there)?;
+            let new_m = self.scaled.place_below(body, joint)?;
+            Some(Distance { joint: &joint.name, old_m, new_m })
+        });
+        let [old_m, new_m] = self.bones.each_ref().map(|bones| shortest_m(bones, body));
+        places
+            .filter(|place| length(place.old_m) >= old_m && length(place.new_m) >= new_m)
+            .max_by(|a, b| length(a.old_m).total_cmp(&length(b.old_m)))
+    }
+}
+
+/// A joint of `body` that is nearer to its origin does not show its size, m.
+fn shortest_m(bones: &JointDistances, body: &str) -> f64 {
+    let longest_m = bones.of_limb(body).or_else(|| bones.around_body(body));
+    longest_m.map_or(SHORTEST_DISTANCE_M, |longest_m| SHORTEST_DISTANCE_M.min(SHORTEST_OF_BONE * longest_m))
+}
+
+impl Distance<'_> {
+    /// New over old.
+    pub(super) fn ratio(&self) -> f64 {
+        length(self.new_m) / length(self.old_m)
+    }
+}
+
+// Which mesh of one model shows the same bone as which of the other.
+
+/// Folders, extensions and side marks that say nothing about the bone.
+const SIDE_BEFORE: [&str; 2] = ["r_", "l_"];
+const SIDE_AFTER: [&str; 4] = ["_rv", "_lv", "_r", "_l"];
+
+/// Two meshes of one bone.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct BonePair {
+    /// The mesh of the scaled model.
+    pub(super) mesh: String,
+    /// New over old factors along x, y and z.
+    pub(super) factors: [Option<f64>; 3],
+}
+
+/// The meshes of `body` that show the same bone in both models, in the order of their names.
+pub(super) fn pairs(scaled: &Anatomy, reference: &Anatomy, body: &str) -> Vec<BonePair> {
+    let (Some(new), Some(old)) = (scaled.meshes.get(body), reference.meshes.get(body)) else {
+        return Vec::new();
+    };
+    let bones = OnceCell::new();
+    let pair = |(mesh, new): (&String, &[f64; 3])| {
+        let alike = || bones.get_or_init(|| Bones::of(old)).alike(mesh);
+        let same_file = old.get(mesh);
+        let old = same_file.or_else(alike)?;
+        let factors = std::array::from_fn(|axis| {
+            let ratio = (old[axis] != 0.0).then(|| new[axis] / old[axis])?;
+            // A mirrored mesh of the other side may have a negative factor.
+            Some(if same_file.is_some() { ratio } else { ratio.abs() })
+        });
+        Some(BonePair { mesh: mesh.clone(), factors })
+    };
+    new.iter().filter_map(pair).collect()
+}
+
+/// The factors of one body's meshes by what they show; where several show the same, those of the first.
+struct Bones<'a> {
+    by_bone: HashMap<String, &'a [f64; 3]>,
+    by_side: HashMap<(String, Option<char>), &'a [f64; 3]>,
+}
+
+impl<'a> Bones<'a> {
+    fn of(meshes: &'a BTreeMap<String, [f64; 3]>) -> Self {
+        let mut bones = Self { by_bone: HashMap::new(), by_side: HashMap::new() };
+        for (mesh, factors) in meshes {
+            let bone = bone_of_mesh(mesh);
+            bones.by_bone.entry(bone.clone()).or_insert(factors);
+            bones.by_side.entry((bone, side(mesh))).or_insert(factors);
+        }
+        bones
+    }
+
+    /// The same file says more than the same bone, and a mesh of the same side more than its mirror.
+    fn alike(&self, mesh: &str) -> Option<&'a [f64; 3]> {
+        let sided = (bone_of_mesh(mesh), side(mesh));
+        self.by_side.get(&sided).or_else(|| self.by_bone.get(&sided.0)).copied()
+    }
+}
+
+/// The bone that a mesh shows: its file's name without folder, extension, case and side mark.
+///
+/// ```
+/// assert_eq!(osim_model::compare::bone_of_mesh("Geometry/R_Foot.VTP"), osim_model::compare::bone_of_mesh("foot_lv.obj"));
+/// ```
+#[must_use]
+pub fn bone_of_mesh(file: &str) -> String {
+    let name = bare(file);
+    let name = SIDE_BEFORE.iter().find_map(|mark| name.strip_prefix(mark)).unwrap_or(&name);
+    let name = SIDE_AFTER.iter().find_map(|mark| name.strip_suffix(mark)).unwrap_or(name);
+    name.to_owned()
+}
+
+/// Its side mark, as one letter.
+fn side(file: &str) -> Option<char> {
+    let name = bare(file);
+    let before = SIDE_BEFORE.iter().find(|mark| name.starts_with(**mark));
+    let after = SIDE_AFTER.iter().find(|mark| name.ends_with(**mark));
+    before.or(after).and_then(|mark| mark.chars().find(|c| *c != '_'))
+}
+
+fn bare(file: &str) -> String {
+    let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    let name = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    name.to_lowercase()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Model;
+
+    const HUMAN: &str = include_str!("../../../../../fixtures/feet/human_40000.osim");
+
+    /// The human with all translations of joints multiplied.
+    fn times(text: &str, factor: f64) -> String {
+        let scaled = |part: &str| {
+            let (numbers, rest) = part.split_once('<').unwrap();
+            let number = |value: &str| (factor * value.parse::<f64>().unwrap()).to_string();
+            format!("{}<{rest}", numbers.split(' ').map(number).collect::<Vec<_>>().join(" "))
+        };
+        let mut parts = text.split("<translation>");
+        let first = parts.next().unwrap().to_owned();
+        parts.fold(first, |text, part| format!("{text}<translation>{}", scaled(part)))
+    }
+
+    #[track_caller]
+    fn assert_ratio(text: &str, expected: Option<f64>) {
+        let [scaled, reference] =
+            [text, HUMAN].map(|text| Anatomy::of(&Model::parse(text).unwrap()).unwrap());
+        for (one, other, expected) in
+            [(&scaled, &reference, expected), (&reference, &scaled, expected.map(f64::recip))]
+        {
+            let distances = Distances::of(one, other);
+            let ratio = distances.farthest("calcn_r").map(|distance| distance.ratio());
+            match (ratio, expected) {
+                (Some(ratio), Some(expected)) => assert!((ratio / expected - 1.0).abs() < 1e-12, "{ratio}"),
+                _ => assert_eq!(ratio, expected),
+            }
+        }
+    }
+
+    #[test]
+    fn a_short_bone_of_a_small_animal_shows_its_size() {
+        // The toes' joint is 178 mm from the calcaneus' origin, and the shank is 462 mm long.
+        assert_ratio(&times(HUMAN, 0.1), Some(0.1));
+        assert_ratio(&times(HUMAN, 0.01), Some(0.01));
+    }
+
+    #[test]
+    fn a_joint_near_the_origin_of_a_long_limb_shows_nothing() {
+        let near = HUMAN.replacen("<translation>0.17799999999999999 ", "<translation>0.0178 ", 1);
+        assert_ne!(near, HUMAN);
+        assert_ratio(&near, None);
+    }
+
+    #[test]
+    fn one_bone_has_many_names() {
+        for name in [
+            "foot.vtp",
+            "r_foot.vtp",
+            "l_foot.vtp",
+            "foot_r.stl",
+            "Geometry/R_Foot.VTP",
+            "bones\\foot_lv.obj",
+            "foot.vtp #2",
+        ] {
+            assert_eq!(bone_of_mesh(name), "foot", "{name}");
+        }
+        for name in ["bofoot.vtp", "footprint.vtp", "l_bofoot.vtp", "talus_rv.vtp"] {
+            assert_ne!(bone_of_mesh(name), "foot", "{name}");
+        }
+        assert_eq!(
+            (side("r_foot.vtp"), side("talus_lv.vtp"), side("foot.vtp")),
+            (Some('r'), Some('l'), None)
+        );
+    }
 }

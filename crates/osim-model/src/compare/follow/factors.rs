@@ -2,18 +2,14 @@
 
 use std::collections::BTreeMap;
 
-use crate::messages::Phrase;
-use crate::model::{Anatomy, Fault, FaultKind, Finding, Needed};
 use foldhash::HashSet;
 
-use crate::compare::rules::{factors_disagree, not_a_scaled_copy};
-
-use super::body_factors::{AXES, AxisFactor, BodyFactors, ByName};
-use super::copy::{self, Difference};
-use super::different;
-use super::distance::Distances;
-use super::scale_file::ScaleFile;
+use super::body_factors::{AXES, AxisFactor, BodyFactors, ByName, Distances};
+use super::copy::{self, Difference, ScaleFile};
 use super::sources::{self, Sources};
+use crate::compare::rules;
+use crate::messages::Phrase;
+use crate::model::{Anatomy, Fault, FaultKind, Finding, Model, Needed};
 
 /// What follows from a difference.
 /// Factors of all bodies of a model against those of a reference: new lengths over old ones.
@@ -101,15 +97,15 @@ impl Factors {
         }
         factors.by_name = ByName::of(&factors.bodies);
         if let Some(difference) = &factors.difference {
-            factors.warnings.push(not_a_scaled_copy::of_difference(difference.phrase()));
-            factors.remarks = different::hang_on(&mut factors.bodies, &factors.by_name, scaled, &carriers);
-            different::ask(&mut factors.bodies, &factors.by_name, &said, scaled);
+            factors.warnings.push(rules::not_a_scaled_copy(difference.phrase()));
+            factors.remarks = sources::hang_on(&mut factors.bodies, &factors.by_name, scaled, &carriers);
+            sources::ask(&mut factors.bodies, &factors.by_name, &said, scaled);
         }
         factors.refuse_no_sizes();
         let carrying: HashSet<&str> = carriers.into_iter().collect();
         for sources in said.iter().filter(|sources| carrying.contains(&sources.body)) {
             let messages = sources.disagreements(&factors.by_name.axes(&factors.bodies, sources.body));
-            factors.warnings.extend(messages.into_iter().map(factors_disagree::of_sources));
+            factors.warnings.extend(messages.into_iter().map(rules::factors_disagree));
         }
         Ok(factors)
     }
@@ -163,4 +159,52 @@ fn carriers<'a>(scaled: &'a Anatomy, reference: &'a Anatomy) -> Vec<&'a str> {
     let spheres = scaled.spheres.iter().chain(&reference.spheres);
     let carrying: HashSet<&str> = spheres.filter_map(|sphere| sphere.body.as_deref()).collect();
     scaled.bodies.iter().map(String::as_str).filter(|body| carrying.contains(body)).collect()
+}
+
+/// How the bodies that carry spheres were scaled, as two models show it.
+///
+/// ```
+/// use osim_model::Model;
+/// use osim_model::compare::SphereBodies;
+///
+/// # let text = include_str!("../../../tests/data/one_foot.osim");
+/// // The foot became 1.2 times as long, with its bone.
+/// let mesh = |factors: &str| {
+///     let mesh = format!("<attached_geometry><Mesh name=\"bone\"><scale_factors>{factors}</scale_factors>\
+///                         <mesh_file>foot.vtp</mesh_file></Mesh></attached_geometry>");
+///     Model::parse(text.replace("<mass>10</mass>", &format!("{mesh}<mass>10</mass>")))
+/// };
+/// let found = SphereBodies::of(&mesh("1.2 1 1.1")?, &mesh("1 1 1")?)?;
+/// assert!(found.is_scaled_copy());
+/// assert_eq!(found.factors["foot_r"], Some([1.2, 1.0, 1.1]));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct SphereBodies {
+    /// What shows that the model is not a scaled copy of the reference; `None` where it is one.
+    pub difference: Option<Difference>,
+    /// Factors along x, y and z of each body that carries spheres in either model; `None` if something has to be asked.
+    pub factors: BTreeMap<String, Option<[f64; 3]>>,
+}
+
+impl SphereBodies {
+    /// Compares `scaled` with `reference`; nothing is asked.
+    ///
+    /// # Errors
+    /// A frame that leads nowhere, or a radius that cannot be scaled.
+    pub fn of(scaled: &Model, reference: &Model) -> Result<Self, Fault> {
+        let (here, there) = (Anatomy::of(scaled)?, Anatomy::of(reference)?);
+        let found = Factors::find(&here, &there, None, &BTreeMap::new())?;
+        let carried = here.spheres.iter().chain(&there.spheres).filter_map(|sphere| sphere.body.clone());
+        let carried = carried.filter(|body| here.has_body(body));
+        let factors = carried.map(|body| (body.clone(), found.of(&body).ok())).collect();
+        Ok(Self { difference: found.difference, factors })
+    }
+
+    /// Whether the model is the reference, scaled.
+    #[must_use]
+    pub const fn is_scaled_copy(&self) -> bool {
+        self.difference.is_none()
+    }
 }

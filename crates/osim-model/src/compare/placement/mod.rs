@@ -1,15 +1,265 @@
-//! Whether contact spheres still fit their bodies, which OpenSim scales without them.
-//!
-//! From one file alone ([`evidence`]): the note in the file, a published layout on bones of another size, spheres beyond where
-//! any published model has them. With the model that was scaled ([`compare`]) it is exact.
+//! Whether spheres are where their bodies have taken them: compared with the model that was scaled, exactly, or with published ones.
 
-mod bones;
-mod compare;
 mod evidence;
-mod layouts;
 mod reach;
 
-pub use compare::{PlacedSphere, Placement, is_stretched};
-pub use evidence::Evidence;
-pub use layouts::LayoutAnswer;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use super::follow::{Factors, ScaleFile};
+use super::rules;
+use crate::messages::{Input, Phrase, Verb};
+use crate::model::{Anatomy, AnatomySphere, Fault, Finding, LevelAxis, Model, Note};
+pub use evidence::{Evidence, LayoutAnswer};
 pub use reach::Reach;
+
+/// Places that differ by no more than this are one, m.
+const SAME_PLACE_M: f64 = 1e-6;
+/// A place or radius that differs by no more than this, relative to the radius, is as it was.
+const UNTOUCHED: f64 = 1e-6;
+/// Factors that differ by no more than this (relative) are equal.
+const SAME_FACTOR: f64 = 1e-9;
+/// A y factor that differs from √(x z) by more than this (relative) makes `level` a bad choice.
+const LARGEST_STRETCH: f64 = 0.2;
+
+/// The spheres of a model, compared with those of the model from which OpenSim scaled it: from [`Placement::compare`].
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Placement {
+    /// The model that was scaled, as it was named.
+    pub from: PathBuf,
+    /// The Scale Tool's ScaleSet, where one was named.
+    pub body_scale_file: Option<PathBuf>,
+    /// Each sphere that both models have.
+    pub spheres: Vec<PlacedSphere>,
+    /// Spheres that one of the models does not have, or has on another body: a remark about each.
+    pub unmatched: Vec<Phrase>,
+    /// Why they cannot be compared, in words.
+    pub unknown: Option<Phrase>,
+    /// Whether no foot was stretched so much that level soles would be wrong, and some is not scaled alike along all axes.
+    pub suits_level: bool,
+    /// Whether radii are as this program wrote them, by its note.
+    noted_radii: bool,
+}
+
+/// A sphere, where it is and where it belongs, in its frame, m.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct PlacedSphere {
+    /// Its name.
+    pub name: String,
+    /// Its component path.
+    pub path: String,
+    /// Line of the element, from 1.
+    pub line: usize,
+    /// Where it is.
+    pub here_m: [f64; 3],
+    /// Where it was in the model that was scaled.
+    pub was_m: [f64; 3],
+    /// Where it belongs: the place there times the factors of its body.
+    pub belongs_m: [f64; 3],
+    /// Whether it is where it belongs, or its bottom is on the scaled sole.
+    pub follows: bool,
+    /// Whether it is as it was, its radius too.
+    untouched: bool,
+}
+
+/// The factors of each body: the one place that asks for them.
+fn factors_between(scaled: &Anatomy, original: &Anatomy, file: Option<&ScaleFile>) -> Result<Factors, Fault> {
+    Factors::find(scaled, original, file, &BTreeMap::new())
+}
+
+impl Placement {
+    /// Compares `model` with the `original` that OpenSim scaled and with what the ScaleSet `file` says; both as they were named.
+    #[must_use]
+    pub fn compare(
+        model: &Model,
+        from: &Path,
+        body_scale_file: Option<&Path>,
+        original: &Anatomy,
+        file: Option<&ScaleFile>,
+    ) -> Self {
+        let unknown = |why| Self {
+            from: from.to_owned(),
+            body_scale_file: body_scale_file.map(Path::to_owned),
+            spheres: Vec::new(),
+            unmatched: Vec::new(),
+            unknown: Some(why),
+            suits_level: false,
+            noted_radii: noted_radii(model),
+        };
+        let placed = || {
+            // Those who only look at a model cannot say factors.
+            let in_words = |fault: Fault| {
+                let mut why = fault.phrase();
+                why.keep_for(&|input| input != Input::BodyScale);
+                why
+            };
+            let scaled = Anatomy::of(model).map_err(in_words)?;
+            let factors = factors_between(&scaled, original, file).map_err(in_words)?;
+            if let Some(difference) = &factors.difference {
+                let mut why = difference.phrase();
+                why.push("this model is not a scaled copy of that one");
+                return Err(why);
+            }
+            placed_spheres(model, &scaled, original, &factors).map_err(in_words)
+        };
+        match placed() {
+            Ok((spheres, _, _)) if spheres.is_empty() => unknown("it has no sphere of the same name".into()),
+            Ok((spheres, unmatched, suits_level)) => {
+                Self { spheres, suits_level, unmatched, unknown: None, ..unknown("".into()) }
+            }
+            Err(why) => unknown(why),
+        }
+    }
+
+    /// Whether each sphere is where it belongs.
+    #[must_use]
+    pub fn is_right(&self) -> bool {
+        self.unknown.is_none()
+            && self.unmatched.is_empty()
+            && self.spheres.iter().all(|sphere| sphere.follows)
+    }
+
+    /// Whether some sphere is not where it belongs.
+    pub fn is_wrong(&self) -> bool {
+        self.spheres.iter().any(|sphere| !sphere.follows)
+    }
+
+    /// Whether some sphere stayed where it was.
+    pub fn was_left_behind(&self) -> bool {
+        self.spheres.iter().any(|sphere| !sphere.follows && sphere.stayed())
+    }
+
+    /// Whether a transfer can place all spheres: each is where it was, with its radius or one that this program gave it.
+    pub fn can_follow(&self) -> bool {
+        let may = |sphere: &PlacedSphere| sphere.untouched || (self.noted_radii && sphere.stayed());
+        self.is_wrong() && self.unmatched.is_empty() && self.spheres.iter().all(may)
+    }
+
+    /// Whether some sphere is not as it was: a transfer asks what to do with it.
+    pub fn has_resized(&self) -> bool {
+        self.spheres.iter().any(|sphere| !sphere.untouched)
+    }
+
+    /// One finding for each sphere that is not where it belongs.
+    pub fn findings(&self) -> Vec<Finding> {
+        if let Some(why) = &self.unknown {
+            return vec![rules::models_not_compared(why)];
+        }
+        let unmatched = self.unmatched.iter().cloned().map(rules::sphere_not_compared);
+        let placed = self.spheres.iter().filter(|sphere| !sphere.follows).map(PlacedSphere::finding);
+        placed.chain(unmatched).collect()
+    }
+}
+
+impl PlacedSphere {
+    fn stayed(&self) -> bool {
+        near(self.here_m, self.was_m)
+    }
+
+    fn finding(&self) -> Finding {
+        let (here, belongs) = (millimetres(self.here_m), millimetres(self.belongs_m));
+        let finding = if self.stayed() {
+            rules::sphere_left_behind(&self.name, &here, &belongs)
+        } else {
+            rules::sphere_misplaced(&self.name, &here, &belongs)
+        };
+        finding.about(&self.path).on_line(Some(self.line)).of_spheres(vec![self.name.clone()])
+    }
+}
+
+/// Whether the note says that this program scaled the radii, and they are as it wrote them.
+fn noted_radii(model: &Model) -> bool {
+    let rescaled = |note: &Note| note.operation().starts_with(Verb::Rescale.name());
+    model.note.as_ref().is_some_and(rescaled) && model.doubt_about_note().is_none()
+}
+
+/// Spheres of the model that the original does not have on the same body, and spheres of the original that the model does not
+/// have: nothing is known of their places.
+fn unmatched(model: &Model, scaled: &Anatomy, original: &Anatomy) -> Vec<Phrase> {
+    let loaded = model.loaded_spheres(&model.force_ids());
+    let here = loaded.into_iter().filter_map(|id| scaled.spheres.get(id.index()));
+    let other = here.filter_map(|now| {
+        let (name, body) = (&now.name, now.body.as_ref()?);
+        let Some(old) = original.sphere(name) else {
+            return Some(format!("{name} is not in the model that was scaled: where it belongs is not known"));
+        };
+        let was = old.body.as_deref().unwrap_or("ground");
+        (was != body).then(|| {
+            format!("{name} is on {body}, and on {was} in the model that was scaled: where it belongs is not known")
+        })
+    });
+    let there =
+        original.spheres.iter().filter(|old| old.body.is_some() && scaled.sphere(&old.name).is_none());
+    let missing = there.map(|old| format!("{} of the model that was scaled is missing here", old.name));
+    other.chain(missing).map(Phrase::from).collect()
+}
+
+/// Spheres that stand and that both models have; those that only one has; and whether `level` suits the factors of their bodies.
+fn placed_spheres(
+    model: &Model,
+    scaled: &Anatomy,
+    original: &Anatomy,
+    factors: &Factors,
+) -> Result<(Vec<PlacedSphere>, Vec<Phrase>, bool), Fault> {
+    let up = LevelAxis::of_gravity(model.gravity_m_s2);
+    let (mut spheres, mut stretched, mut uneven) = (Vec::new(), false, false);
+    for id in model.loaded_spheres(&model.force_ids()) {
+        let (Some(sphere), Some(now)) = (model.sphere(id), scaled.spheres.get(id.index())) else { continue };
+        let Some(old) = original.sphere(&sphere.name).filter(|old| old.body == now.body) else { continue };
+        let Some(body) = &now.body else { continue };
+        let of_body = factors.of(body)?;
+        stretched |= is_stretched(of_body);
+        uneven |= stretch(of_body) > SAME_FACTOR;
+        let belongs_m = now.rotation.scaled_in_frame(of_body, old.location_m);
+        let here_m = now.location_m;
+        let follows = near(here_m, belongs_m) || near(here_m, on_sole(now, old, of_body, up));
+        spheres.push(PlacedSphere {
+            name: sphere.name.clone(),
+            path: sphere.path.clone(),
+            line: sphere.line,
+            here_m,
+            was_m: old.location_m,
+            belongs_m,
+            follows,
+            untouched: is_untouched(now, old),
+        });
+    }
+    Ok((spheres, unmatched(model, scaled, original), uneven && !stretched))
+}
+
+/// By how much the y factor differs from √(x z), relatively.
+fn stretch([x, y, z]: [f64; 3]) -> f64 {
+    (y / (x * z).sqrt() - 1.0).abs()
+}
+
+/// Whether a foot was stretched or flattened so much that spheres should not keep their bottoms on the scaled sole.
+pub fn is_stretched(factors: [f64; 3]) -> bool {
+    stretch(factors) > LARGEST_STRETCH
+}
+
+/// Where the centre is if the bottom is on the scaled sole, with the radius that the sphere has now.
+fn on_sole(now: &AnatomySphere, old: &AnatomySphere, factors: [f64; 3], up: LevelAxis) -> [f64; 3] {
+    let scaled = |vector| now.rotation.scaled_in_frame(factors, vector);
+    up.in_frame(&now.rotation).centre(old.location_m, old.radius_m, now.radius_m, scaled)
+}
+
+/// Whether a sphere is as it was, as a transfer asks before it moves one.
+fn is_untouched(now: &AnatomySphere, old: &AnatomySphere) -> bool {
+    let same = |a: f64, b: f64| (a - b).abs() <= UNTOUCHED * old.radius_m;
+    same(now.radius_m, old.radius_m) && now.location_m.iter().zip(old.location_m).all(|(a, b)| same(*a, b))
+}
+
+fn near(a: [f64; 3], b: [f64; 3]) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME_PLACE_M)
+}
+
+fn millimetres(place: [f64; 3]) -> String {
+    let axes = place.map(|metres| {
+        let text = format!("{:.2}", metres * 1e3);
+        // No sign before a zero.
+        if text == "-0.00" { "0.00".to_owned() } else { text }
+    });
+    axes.join(" ")
+}

@@ -1,16 +1,330 @@
 //! What else follows the size of a body, beside its contacts: what geometric similarity would make of each number, and what was made
 //! of it.
 
-mod compared;
 mod moco;
-mod model_size;
 mod ratios;
-mod spread;
-mod verdict;
 
-pub use compared::{ComparedFactors, LengthFrom, Similarity, SimilarityRow};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use crate::model::{MassRequest, Model, NotRead, SizedKind, SizedValue, SizedValues};
 pub use moco::{moco_bounds, refuse_without_moco_phase};
-pub use model_size::ModelSize;
-pub use ratios::{SizeRatios, formula};
-pub use spread::Spread;
-pub use verdict::SizeVerdict;
+use ratios::SAME;
+pub use ratios::{SizeRatios, SizeVerdict, Spread, formula};
+
+/// Where the ratio of lengths comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum LengthFrom {
+    /// The distances between the joints of so many bodies, summed.
+    Joints(usize),
+    /// The cube root of the ratio of masses.
+    Mass,
+}
+
+/// By what factor numbers of one kind changed.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct ComparedFactors {
+    /// Numbers that are in both models.
+    pub pairs: usize,
+    /// Those of them that are the same in both, 0 among them.
+    pub same: usize,
+    /// The factors of those that are not 0 in the original; `None` where all are.
+    pub factors: Option<Spread>,
+}
+
+/// The numbers of one kind.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct SimilarityRow {
+    /// What they are.
+    pub kind: SizedKind,
+    /// How many the model has.
+    pub count: usize,
+    /// The numbers, in the unit of the kind.
+    pub values: Spread,
+    /// The factor that similarity gives; `None` where masses are not known.
+    pub similar: Option<f64>,
+    /// By what factor they changed; `None` without an original.
+    pub compared: Option<ComparedFactors>,
+    /// What was made of them; `None` without an original.
+    pub verdict: Option<SizeVerdict>,
+}
+
+/// What else follows the size of a body, and what was made of it.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Similarity {
+    /// The masses of the original (or of the model) and of the model (or of the body that is wanted), kg.
+    pub masses_kg: [Option<f64>; 2],
+    /// How much larger the second is; `None` where a mass is not known.
+    pub ratios: Option<SizeRatios>,
+    /// Where the ratio of lengths comes from.
+    pub length_from: LengthFrom,
+    /// By kind, those that the model has.
+    pub rows: Vec<SimilarityRow>,
+    /// Names of objects that have numbers in the model and none in the original.
+    pub only_in_model: Vec<String>,
+    /// The same the other way round.
+    pub only_in_original: Vec<String>,
+    /// What is not read of the model.
+    pub not_read: Vec<NotRead>,
+}
+
+impl Similarity {
+    /// `model` compared with its `original`: numbers of one kind belong together where the names of their objects are the same.
+    #[must_use]
+    pub fn between(model: &ModelSize, original: &ModelSize) -> Self {
+        let (length, length_from) = lengths(model, original);
+        let ratio = |new: Option<f64>, old: Option<f64>| {
+            let ratio = new? / old?;
+            (ratio.is_finite() && ratio > 0.0).then_some(ratio)
+        };
+        let mass = ratio(model.mass_kg, original.mass_kg);
+        let gravity = ratio(model.gravity_m_s2, original.gravity_m_s2).unwrap_or(1.0);
+        let ratios =
+            mass.map(|mass| SizeRatios { mass, length: length.unwrap_or_else(|| libm::cbrt(mass)), gravity });
+        let others = by_identity(&original.values.values);
+        let rows = rows(model, ratios, |values| Some(compared(values, &others)));
+        let owners = |size: &ModelSize| -> BTreeSet<String> {
+            let in_model = size.values.values.iter().filter(|one| !one.kind.is_of_moco());
+            in_model.map(|one| one.owner.clone()).collect()
+        };
+        let (here, there) = (owners(model), owners(original));
+        Self {
+            masses_kg: [original.mass_kg, model.mass_kg],
+            ratios,
+            length_from,
+            rows,
+            only_in_model: here.difference(&there).cloned().collect(),
+            only_in_original: there.difference(&here).cloned().collect(),
+            not_read: model.values.not_read.clone(),
+        }
+    }
+
+    /// What would follow if a body of the same shape had `target_mass_kg`: lengths go with its cube root.
+    #[must_use]
+    pub fn at_mass(model: &ModelSize, target_mass_kg: f64) -> Self {
+        let mass =
+            model.mass_kg.map(|kg| target_mass_kg / kg).filter(|ratio| ratio.is_finite() && *ratio > 0.0);
+        let ratios = mass.map(|mass| SizeRatios { mass, length: libm::cbrt(mass), gravity: 1.0 });
+        Self {
+            masses_kg: [model.mass_kg, Some(target_mass_kg)],
+            ratios,
+            length_from: LengthFrom::Mass,
+            rows: rows(model, ratios, |_| None),
+            only_in_model: Vec::new(),
+            only_in_original: Vec::new(),
+            not_read: model.values.not_read.clone(),
+        }
+    }
+}
+
+type Identity<'v> = (SizedKind, &'v str, (&'static str, usize));
+
+fn by_identity(values: &[SizedValue]) -> HashMap<Identity<'_>, f64> {
+    let mut found = HashMap::new();
+    for one in values {
+        // Of two objects of one name the first counts, as for OpenSim.
+        found.entry((one.kind, one.owner.as_str(), one.part)).or_insert(one.value);
+    }
+    found
+}
+
+/// The ratio of the distances between the joints of bodies that both have, summed so that long bones count most.
+fn lengths(model: &ModelSize, original: &ModelSize) -> (Option<f64>, LengthFrom) {
+    let (mut new, mut old, mut bodies) = (0.0, 0.0, 0_usize);
+    for (body, distance_m) in &model.joint_distances_m {
+        if let Some(other_m) = original.joint_distances_m.get(body) {
+            (new, old, bodies) = (new + distance_m, old + other_m, bodies + 1);
+        }
+    }
+    let ratio = new / old;
+    if ratio.is_finite() && ratio > 0.0 {
+        (Some(ratio), LengthFrom::Joints(bodies))
+    } else {
+        (None, LengthFrom::Mass)
+    }
+}
+
+fn rows(
+    model: &ModelSize,
+    ratios: Option<SizeRatios>,
+    compare: impl Fn(&[&SizedValue]) -> Option<(ComparedFactors, Vec<f64>)>,
+) -> Vec<SimilarityRow> {
+    let mut by_kind: Vec<Vec<&SizedValue>> = vec![Vec::new(); SizedKind::ALL.len()];
+    for one in &model.values.values {
+        if let Some(of_kind) = by_kind.get_mut(one.kind.order()) {
+            of_kind.push(one);
+        }
+    }
+    let row = |(kind, values): (&SizedKind, Vec<&SizedValue>)| {
+        let similar =
+            ratios.map(|ratios| ratios.factor(kind.dimension())).filter(|factor| factor.is_finite());
+        let found = compare(&values);
+        let changed = |(compared, factors): &(ComparedFactors, Vec<f64>)| {
+            let same = factors.iter().filter(|&&factor| is_same(factor)).count();
+            match (compared.pairs, compared.pairs - compared.same) {
+                (1.., 0) if factors.is_empty() => SizeVerdict::Undecided,
+                (_, 1..) if factors.is_empty() => SizeVerdict::Other,
+                _ => SizeVerdict::of(factors, same, similar),
+            }
+        };
+        Some(SimilarityRow {
+            kind: *kind,
+            count: values.len(),
+            values: Spread::of(values.iter().map(|one| one.value))?,
+            similar,
+            verdict: found.as_ref().map(changed),
+            compared: found.map(|(compared, _)| compared),
+        })
+    };
+    SizedKind::ALL.iter().zip(by_kind).filter_map(row).collect()
+}
+
+fn is_same(factor: f64) -> bool {
+    (factor - 1.0).abs() <= SAME
+}
+
+/// How `values` changed against the `others`, and each factor.
+fn compared(values: &[&SizedValue], others: &HashMap<Identity<'_>, f64>) -> (ComparedFactors, Vec<f64>) {
+    let other = |one: &&&SizedValue| others.get(&(one.kind, one.owner.as_str(), one.part)).copied();
+    let pairs: Vec<(f64, f64)> = values.iter().filter_map(|one| Some((one.value, other(&one)?))).collect();
+    let factors: Vec<f64> = pairs
+        .iter()
+        .filter(|(_, old)| *old != 0.0)
+        .map(|(new, old)| new / old)
+        .filter(|factor| factor.is_finite())
+        .collect();
+    let both_zero = pairs.iter().filter(|(new, old)| *new == 0.0 && *old == 0.0).count();
+    let same = factors.iter().filter(|&&factor| is_same(factor)).count() + both_zero;
+    let spread = Spread::of(factors.iter().copied());
+    (ComparedFactors { pairs: pairs.len(), same, factors: spread }, factors)
+}
+
+/// How large a model is, and its numbers that may follow size.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModelSize {
+    /// What it weighs, kg; `None` where that is not known.
+    pub mass_kg: Option<f64>,
+    /// Its gravity, m/s²; `None` where that is not known.
+    pub gravity_m_s2: Option<f64>,
+    /// The longest distance between two joints of each body that has two, m.
+    joint_distances_m: BTreeMap<String, f64>,
+    /// The numbers.
+    values: SizedValues,
+}
+
+impl ModelSize {
+    /// That of `model`, which weighs what `masses` say.
+    #[must_use]
+    pub fn of(model: &Model, masses: &MassRequest) -> Self {
+        let distances = model.joint_distances();
+        let of_body = |name: &str| Some((name.to_owned(), distances.of_body(name)?));
+        Self {
+            mass_kg: masses.of_model(model).ok().map(|mass| mass.kg),
+            gravity_m_s2: model.gravity().filter(|gravity| *gravity > 0.0),
+            joint_distances_m: model.bodies().iter().filter_map(|body| of_body(&body.name)).collect(),
+            values: SizedValues::of(model),
+        }
+    }
+
+    /// The same with numbers of a file beside the model.
+    #[must_use]
+    pub fn with(mut self, more: SizedValues) -> Self {
+        self.values.values.extend(more.values);
+        self.values.not_read.extend(more.not_read);
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{MassRequest, Model};
+
+    /// A thigh and a shank, joined at the knee; a muscle, a spring on the knee, and a limit that is 0.
+    fn leg(masses: [f64; 2], thigh_m: f64, force: f64, fiber: f64, more: &str) -> ModelSize {
+        let text = format!(
+            r#"<OpenSimDocument Version="40000"><Model><BodySet><objects>
+        <Body name="thigh"><mass>{}</mass></Body><Body name="shank"><mass>{}</mass></Body></objects></BodySet>
+        <JointSet><objects>
+        <PinJoint name="hip"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/thigh</socket_child_frame></PinJoint>
+        <PinJoint name="knee"><socket_parent_frame>low</socket_parent_frame><socket_child_frame>/bodyset/shank</socket_child_frame>
+        <coordinates><Coordinate name="knee_angle"/></coordinates>
+        <frames><PhysicalOffsetFrame name="low"><socket_parent>/bodyset/thigh</socket_parent>
+        <translation>0 -{thigh_m} 0</translation></PhysicalOffsetFrame></frames></PinJoint>
+        <PinJoint name="patella"><socket_parent_frame>/bodyset/thigh</socket_parent_frame><socket_child_frame>/bodyset/shank</socket_child_frame></PinJoint>
+        </objects></JointSet><ForceSet><objects><Thelen2003Muscle name="vasti">
+        <max_isometric_force>{force}</max_isometric_force><optimal_fiber_length>{fiber}</optimal_fiber_length></Thelen2003Muscle>
+        <CoordinateLimitForce name="limit"><coordinate>knee_angle</coordinate><damping>0</damping></CoordinateLimitForce>
+        {more}</objects></ForceSet></Model></OpenSimDocument>"#,
+            masses[0], masses[1]
+        );
+        ModelSize::of(&Model::parse(text).unwrap(), &MassRequest::default())
+    }
+
+    fn row(found: &Similarity, kind: SizedKind) -> &SimilarityRow {
+        found.rows.iter().find(|row| row.kind == kind).unwrap()
+    }
+
+    /// 2 kg and 1 kg become 16 kg and 8 kg, M = 24/3 = 8; the thigh of 0.4 m becomes one of 0.8 m, L = 2. Somebody made the force
+    /// 4 times as large, as areas grow, and fibers twice as long: similarity has 8 for the one and 2 for the other.
+    #[test]
+    fn factors_verdicts_and_names_without_a_counterpart() {
+        let old = leg([2.0, 1.0], 0.4, 1000.0, 0.1, "<Thelen2003Muscle name='gone'/>");
+        let new = leg([16.0, 8.0], 0.8, 4000.0, 0.2, "<PathActuator name='come'/>");
+        let found = Similarity::between(&new, &old);
+        let ratios = found.ratios.unwrap();
+        assert_eq!((ratios.mass, ratios.length, found.length_from), (8.0, 2.0, LengthFrom::Joints(1)));
+        let of = |kind| {
+            let row = row(&found, kind);
+            (
+                row.similar.unwrap(),
+                row.compared.clone().unwrap().factors.map(|one| one.median),
+                row.verdict.unwrap(),
+            )
+        };
+        assert_eq!(of(SizedKind::MaxIsometricForce), (8.0, Some(4.0), SizeVerdict::Other));
+        assert_eq!(of(SizedKind::OptimalFiberLength), (2.0, Some(2.0), SizeVerdict::Follows));
+        assert_eq!(of(SizedKind::ActivationTime), (2.0_f64.sqrt(), Some(1.0), SizeVerdict::Left));
+        // N m s = M L^(3/2) = 8 · 2.83; it is 0 in both.
+        let (similar, factor, verdict) = of(SizedKind::LimitRotationalDamping);
+        assert!((similar - 8.0 * 2.0_f64.powf(1.5)).abs() < 1e-12);
+        assert_eq!((factor, verdict), (None, SizeVerdict::Undecided));
+        assert_eq!(of(SizedKind::ActuatorForce).2, SizeVerdict::NotCompared);
+        assert_eq!(
+            (found.only_in_model, found.only_in_original),
+            (vec!["come".to_owned()], vec!["gone".to_owned()])
+        );
+    }
+
+    /// A body of an eighth of the mass is half as long: fibers 0.5, times √0.5.
+    #[test]
+    fn a_mass_alone_is_a_size() {
+        let found = Similarity::at_mass(&leg([2.0, 1.0], 0.4, 1000.0, 0.1, ""), 3.0 / 8.0);
+        assert!((row(&found, SizedKind::OptimalFiberLength).similar.unwrap() - 0.5).abs() < 1e-15);
+        assert!((row(&found, SizedKind::ActivationTime).similar.unwrap() - 0.5_f64.sqrt()).abs() < 1e-15);
+        assert!(found.rows.iter().all(|row| row.verdict.is_none() && row.compared.is_none()));
+        // Its bodies have no mass: there is no ratio, and the numbers are listed all the same.
+        let unknown = Similarity::at_mass(&leg([0.0, 0.0], 0.4, 1000.0, 0.1, ""), 3.0);
+        assert_eq!((unknown.ratios, row(&unknown, SizedKind::MaxIsometricForce).similar), (None, None));
+    }
+
+    #[test]
+    fn what_was_nothing_and_is_something_is_something_else() {
+        let spring = |stiffness: &str| {
+            let spring = format!(
+                "<PointToPointSpring name='s'><stiffness>{stiffness}</stiffness></PointToPointSpring>"
+            );
+            leg([2.0, 1.0], 0.4, 1000.0, 0.1, &spring)
+        };
+        let mut new = spring("5");
+        new.mass_kg = Some(24.0);
+        let found = Similarity::between(&new, &spring("0"));
+        assert_eq!(row(&found, SizedKind::SpringStiffness).verdict, Some(SizeVerdict::Other));
+        // Numbers in six digits are the same.
+        let found = Similarity::between(&new, &spring("5.000001"));
+        assert_eq!(row(&found, SizedKind::SpringStiffness).verdict, Some(SizeVerdict::Left));
+    }
+}

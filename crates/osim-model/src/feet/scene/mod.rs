@@ -2,15 +2,360 @@
 //!
 //! [`FootBodies::find`] says which bodies make feet, [`Foot::all`] where everything on them is at the default pose.
 
-mod axes;
 mod bodies;
-mod floor;
-mod foot;
-mod silhouette;
-mod tree;
+mod view;
 
-pub use axes::ViewAxes;
+use foldhash::{HashMap, HashMapExt, HashSet};
+
+use super::bones::Bone;
+use super::default_pose::DefaultPose;
+use super::fault::PoseFault;
+use super::vector::dot;
+use crate::model::{Anatomy, AnatomyJoint, Model, ModelJoint, Side};
 pub use bodies::FootBodies;
-pub use floor::FloorPlace;
-pub use foot::{Foot, FootBone, FootFrame, FootJoint, FootSphere};
-pub use silhouette::silhouette;
+pub use view::{ViewAxes, silhouette};
+
+/// Joints above a foot belong to it where they are within this share of its length.
+const NEAR: f64 = 0.5;
+/// Bones of bodies without spheres are drawn up to this share of the foot's length above its lowest place.
+const SHOWN: f64 = 0.8;
+
+/// The frame in which a foot is drawn.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FootFrame {
+    /// Ground, at the default pose.
+    Ground,
+    /// The frame of a body: it is not known where that body is in ground.
+    Body {
+        /// The body.
+        name: String,
+        /// Why it is not known.
+        fault: PoseFault,
+    },
+}
+
+/// A joint of a foot.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct FootJoint {
+    /// Its name.
+    pub name: String,
+    /// Where it is on its parent, in the frame of the foot, m.
+    pub at_m: [f64; 3],
+}
+
+/// A contact sphere.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct FootSphere {
+    /// Its name.
+    pub name: String,
+    /// The body that carries it; empty for ground.
+    pub body: String,
+    /// Its centre in the frame of the foot, m.
+    pub centre_m: [f64; 3],
+    /// Its radius, m.
+    pub radius_m: f64,
+    /// Whether it is known to be in the wrong place. Callers that know it set it.
+    pub misplaced: bool,
+}
+
+/// A bone, from its mesh.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct FootBone {
+    /// The body.
+    pub body: String,
+    /// The mesh, as the model spells it.
+    pub mesh: String,
+    /// Its points in the frame of the foot, m.
+    pub points_m: Vec<[f64; 3]>,
+}
+
+/// A foot, as a picture of it needs it.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Foot {
+    /// The body on which its others hang.
+    pub name: String,
+    /// Right or left, if known.
+    pub side: Option<Side>,
+    /// What its places are seen from.
+    pub frame: FootFrame,
+    /// Where the origin of its first body is, m.
+    pub origin_m: [f64; 3],
+    /// The directions from which it is drawn.
+    pub axes: ViewAxes,
+    /// Its joints.
+    pub joints: Vec<FootJoint>,
+    /// Its spheres, in file order.
+    pub spheres: Vec<FootSphere>,
+    /// Its bones, those whose meshes are available.
+    pub bones: Vec<FootBone>,
+    /// The floor.
+    pub floor: FloorPlace,
+    /// Bodies that are not drawn, because a joint between them and the foot is not understood.
+    pub unplaced: Vec<String>,
+}
+
+impl Foot {
+    /// Where everything on each foot is: in ground where the default pose is understood, else in the frame of its first body.
+    #[must_use]
+    pub fn all(model: &Model, anatomy: &Anatomy, feet: &[FootBodies], pose: &DefaultPose) -> Vec<Self> {
+        let shared = Shared::of(model);
+        feet.iter().map(|bodies| Self::of(&shared, anatomy, bodies, pose)).collect()
+    }
+
+    fn of(shared: &Shared<'_>, anatomy: &Anatomy, bodies: &FootBodies, pose: &DefaultPose) -> Self {
+        let places = Places::of(anatomy, bodies, pose);
+        let (frame, floor) = match &places.fault {
+            None => (FootFrame::Ground, shared.floor.clone()),
+            Some(fault) => {
+                let frame = FootFrame::Body { name: bodies.top().to_owned(), fault: fault.clone() };
+                (frame, FloorPlace::NotInGround)
+            }
+        };
+        let is_unplaced = |body: &&String| places.at(body, [0.0; 3]).is_none();
+        let mut foot = Self {
+            name: bodies.top().to_owned(),
+            side: bodies.side,
+            frame,
+            origin_m: places.at(bodies.top(), [0.0; 3]).unwrap_or_default(),
+            axes: shared.axes,
+            joints: Vec::new(),
+            spheres: spheres(shared.model, bodies, &places),
+            bones: Vec::new(),
+            floor,
+            unplaced: bodies.bodies.iter().filter(is_unplaced).cloned().collect(),
+        };
+        foot.add_joints(anatomy, bodies, &places, shared);
+        foot
+    }
+
+    /// The bodies whose bones belong to the picture: its own, and those whose joints above are near.
+    #[must_use]
+    pub fn bodies_with_bones(&self, anatomy: &Anatomy, bodies: &FootBodies) -> Vec<String> {
+        let mut with_bones = bodies.bodies.clone();
+        let above = anatomy.joint_above(bodies.top());
+        let near = above.and_then(|joint| anatomy.joint_above(&joint.parent));
+        if let (Some(joint), Some(near)) = (above, near)
+            && self.joints.iter().any(|known| known.name == near.name)
+        {
+            with_bones.push(joint.parent.clone());
+        }
+        with_bones
+    }
+
+    /// Adds bones; points of bodies without spheres that are high above the foot are left out.
+    pub fn add_bones(&mut self, anatomy: &Anatomy, bodies: &FootBodies, bones: &[Bone], pose: &DefaultPose) {
+        let places = Places::of(anatomy, bodies, pose);
+        let top = self.lowest_m().map(|lowest| lowest + SHOWN * self.length_m());
+        let carriers: HashSet<&str> = self.spheres.iter().map(|sphere| sphere.body.as_str()).collect();
+        let mut shown_bones = Vec::new();
+        for bone in bones {
+            let limit = if carriers.contains(bone.body.as_str()) { None } else { top };
+            let shown = |point: &[f64; 3]| limit.is_none_or(|top| dot(self.axes.up, *point) <= top);
+            let points_m: Vec<[f64; 3]> = bone
+                .points_m
+                .iter()
+                .filter_map(|&point| places.at(&bone.body, point))
+                .filter(shown)
+                .collect();
+            if !points_m.is_empty() {
+                shown_bones.push(FootBone { body: bone.body.clone(), mesh: bone.mesh.clone(), points_m });
+            }
+        }
+        self.bones.extend(shown_bones);
+    }
+
+    /// The height of the lowest sphere, m; without spheres that of the bones, else that of the joints.
+    #[must_use]
+    pub fn lowest_m(&self) -> Option<f64> {
+        let up = |point: [f64; 3]| dot(self.axes.up, point);
+        let spheres =
+            self.spheres.iter().map(|sphere| up(sphere.centre_m) - sphere.radius_m).reduce(f64::min);
+        let bones = || self.bones.iter().flat_map(|bone| &bone.points_m).map(|&point| up(point));
+        let joints = || self.joints.iter().map(|joint| up(joint.at_m));
+        spheres.or_else(|| bones().reduce(f64::min)).or_else(|| joints().reduce(f64::min))
+    }
+
+    /// How far it reaches forward, m.
+    #[must_use]
+    pub fn length_m(&self) -> f64 {
+        let along = |point: [f64; 3]| dot(self.axes.forward, point);
+        let spheres = self.spheres.iter().flat_map(|sphere| {
+            [along(sphere.centre_m) - sphere.radius_m, along(sphere.centre_m) + sphere.radius_m]
+        });
+        let bones = self.bones.iter().flat_map(|bone| &bone.points_m).map(|&point| along(point));
+        let joints = self.joints.iter().map(|joint| along(joint.at_m));
+        let ends = spheres.chain(bones).chain(joints);
+        let (low, high) = ends
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+        (high - low).max(0.0)
+    }
+
+    /// Whether a height (m) is within the length of the foot from its lowest place.
+    #[must_use]
+    pub fn is_near(&self, height_m: f64) -> bool {
+        self.lowest_m().is_some_and(|lowest| (height_m - lowest).abs() <= self.length_m())
+    }
+
+    /// The share of the bones' length at which the first and the last centre are, from the heel; `None` without bones.
+    #[must_use]
+    pub fn reach(&self) -> Option<(f64, f64)> {
+        let along = |point: [f64; 3]| dot(self.axes.forward, point);
+        let carriers: HashSet<&str> = self.spheres.iter().map(|sphere| sphere.body.as_str()).collect();
+        let of_carriers = self.bones.iter().filter(|bone| carriers.contains(bone.body.as_str()));
+        let (heel, toe) = of_carriers
+            .flat_map(|bone| &bone.points_m)
+            .map(|&point| along(point))
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
+        let centres = self.spheres.iter().map(|sphere| (along(sphere.centre_m) - heel) / (toe - heel));
+        let ends = centres.fold(None, |ends: Option<(f64, f64)>, share| {
+            Some(ends.map_or((share, share), |(low, high)| (low.min(share), high.max(share))))
+        });
+        ends.filter(|_| toe > heel)
+    }
+
+    fn add_joints(
+        &mut self,
+        anatomy: &Anatomy,
+        bodies: &FootBodies,
+        places: &Places<'_>,
+        shared: &Shared<'_>,
+    ) {
+        let place = |joint: &AnatomyJoint| places.joint(joint, shared);
+        for body in &bodies.bodies {
+            self.joints.extend(anatomy.joint_above(body).and_then(place));
+        }
+        // The ankle is above the subtalar joint; a knee would be far away.
+        let above = anatomy.joint_above(bodies.top());
+        let next = above.and_then(|joint| anatomy.joint_above(&joint.parent));
+        let (Some(above), Some(next)) = (above, next) else { return };
+        if let (Some(first), Some(second)) = (place(above), place(next))
+            && distance(first.at_m, second.at_m) <= NEAR * self.length_m()
+        {
+            self.joints.push(second);
+        }
+    }
+}
+
+fn spheres(model: &Model, bodies: &FootBodies, places: &Places<'_>) -> Vec<FootSphere> {
+    let sphere = |&id| {
+        let sphere = model.sphere(id)?;
+        let body = sphere.body.clone().unwrap_or_default();
+        let centre_m = places.at(&body, model.centre_m(id)?)?;
+        let radius_m = sphere.radius_m().ok()?;
+        Some(FootSphere { name: sphere.name.clone(), body, centre_m, radius_m, misplaced: false })
+    };
+    bodies.spheres.iter().filter_map(sphere).collect()
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let between: [f64; 3] = std::array::from_fn(|i| a[i] - b[i]);
+    dot(between, between).sqrt()
+}
+
+/// What all feet of a model share.
+struct Shared<'m> {
+    model: &'m Model,
+    axes: ViewAxes,
+    floor: FloorPlace,
+    /// By their own names and those of their children, the first of each.
+    joints: HashMap<(&'m str, &'m str), &'m ModelJoint>,
+}
+
+impl<'m> Shared<'m> {
+    fn of(model: &'m Model) -> Self {
+        let mut joints = HashMap::new();
+        for joint in model.joints() {
+            if let Some(child) = joint.child.as_deref() {
+                joints.entry((joint.name.as_str(), child)).or_insert(joint);
+            }
+        }
+        Self { model, axes: ViewAxes::of(model), floor: FloorPlace::of(model), joints }
+    }
+}
+
+/// Where bodies are in the frame of a foot.
+struct Places<'p> {
+    anatomy: &'p Anatomy,
+    top: &'p str,
+    /// Why the first body cannot be placed in ground, if it cannot.
+    fault: Option<PoseFault>,
+    pose: &'p DefaultPose,
+}
+
+impl<'p> Places<'p> {
+    fn of(anatomy: &'p Anatomy, bodies: &'p FootBodies, pose: &'p DefaultPose) -> Self {
+        let top = bodies.top();
+        // Ground has no name here.
+        let fault = pose.placement(top).err().filter(|_| !top.is_empty());
+        Self { anatomy, top, fault, pose }
+    }
+
+    /// A point of a body, m.
+    fn at(&self, body: &str, point_m: [f64; 3]) -> Option<[f64; 3]> {
+        match (body, &self.fault) {
+            ("", None) => Some(point_m),
+            (_, None) => Some(self.pose.placement(body).ok()?.point(point_m)),
+            (_, Some(_)) => self.in_top(body, point_m),
+        }
+    }
+
+    /// The point in the frame of the foot's first body, m: through the joints between them.
+    fn in_top(&self, body: &str, point_m: [f64; 3]) -> Option<[f64; 3]> {
+        let (mut at, mut point) = (body, point_m);
+        for _ in 0..=self.anatomy.bodies.len() {
+            if at == self.top {
+                return Some(point);
+            }
+            let above = self.anatomy.joint_above(at)?;
+            point = above.in_parent(point)?;
+            at = &above.parent;
+        }
+        None
+    }
+
+    /// A joint, where it is on its parent as OpenSim reads it; on its child where the parent is not in the picture.
+    fn joint(&self, joint: &AnatomyJoint, shared: &Shared<'_>) -> Option<FootJoint> {
+        let read = shared.joints.get(&(joint.name.as_str(), joint.child.as_str()));
+        let in_parent_m = read.map_or(joint.in_parent_m, |read| read.in_parent_m());
+        let at_m = self.at(&joint.parent, in_parent_m).or_else(|| self.at(&joint.child, joint.in_child_m))?;
+        Some(FootJoint { name: joint.name.clone(), at_m })
+    }
+}
+
+/// Floors that are this close are one.
+const SAME_M: f64 = 1e-9;
+
+/// Where the floor is.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum FloorPlace {
+    /// The model has no level half-space on ground.
+    None,
+    /// All floors are at this height over the origin of ground, m.
+    At(f64),
+    /// There are floors at several heights over the origin of ground, m, the lowest first.
+    Several(Vec<f64>),
+    /// What is drawn is not in ground.
+    NotInGround,
+}
+
+impl FloorPlace {
+    /// The floor of a model.
+    #[must_use]
+    pub fn of(model: &Model) -> Self {
+        let up = model.up();
+        let mut heights: Vec<f64> = model.floors().iter().map(|plane| dot(plane.point_m, up)).collect();
+        heights.sort_by(f64::total_cmp);
+        heights.dedup_by(|a, b| (*a - *b).abs() <= SAME_M);
+        match heights.as_slice() {
+            [] => Self::None,
+            [height] => Self::At(*height),
+            _ => Self::Several(heights),
+        }
+    }
+}

@@ -1,11 +1,10 @@
 //! Where the spheres of a foot have to be for their bottoms to be level.
 
-use crate::messages::{readable, shown};
-use crate::model::{Fault, ForceId, Limb, Model, SphereId};
-
 use super::gaps::{Floors, tilt};
 use crate::feet::default_pose::DefaultPose;
-use crate::feet::pose_fault::PoseFault;
+use crate::feet::fault::PoseFault;
+use crate::messages::{readable, shown};
+use crate::model::{Fault, ForceId, Limb, Model, SphereId};
 
 /// Bodies that lean by more than this are posed so, rad: the pose moves their spheres, and not the foot.
 pub const LEANING_RAD: f64 = 3.0 * std::f64::consts::PI / 180.0;

@@ -4,28 +4,22 @@
 mod gaps;
 mod levelled;
 mod lift;
-mod rest;
-mod tree;
 
 use std::collections::BTreeSet;
 
-use crate::model::{ForceId, Model, SphereId, loaded_spheres};
 use contact_scaling::DomainError;
 use foldhash::{HashMap, HashMapExt, HashSet};
 
-use crate::feet::contact_plane::{ContactPlane, PlaneSurface};
-use crate::feet::default_pose::DefaultPose;
-use crate::feet::pose_fault::PoseFault;
-use crate::feet::vector::{angle, dot};
-
-pub use gaps::OverFloor;
-pub use levelled::{LEANING_RAD, LevelledSphere, NotLevelled, levelled};
-pub use lift::{Lift, NotLifted};
-pub use rest::{ByLaw, Rest, RestingSphere};
-
+use super::contacts::{ContactPlane, PlaneSurface};
+use super::default_pose::DefaultPose;
+use super::fault::PoseFault;
+use super::vector::{angle, dot};
+use crate::model::{ForceId, Model, SphereId, loaded_spheres};
+pub use gaps::{ByLaw, OverFloor, Rest, RestingSphere};
 use gaps::{Floors, Pressing};
-use lift::Lifting;
-use tree::JointTree;
+pub use levelled::{LEANING_RAD, LevelledSphere, NotLevelled, levelled};
+use lift::{JointTree, Lifting};
+pub use lift::{Lift, NotLifted};
 
 /// Floors whose normals are this close have one direction, rad.
 const SAME_DIRECTION: f64 = 1e-6;

@@ -1,9 +1,50 @@
-//! Stereolithography files, in text or binary.
+//! Wavefront files: of their lines, those that begin with `v` and `f`. Stereolithography files, in text or binary.
 
+use super::surface::{MeshFault, Surface, add, number, within};
 use crate::xml::opensim_text::words;
 
-use super::fault::MeshFault;
-use super::numbers::{number, within};
+/// The vertices of an .obj file. A weight or a colour may follow x, y and z, and does not count.
+pub(super) fn obj_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
+    let text = String::from_utf8_lossy(bytes);
+    let mut points = Vec::new();
+    for line in text.lines() {
+        let mut words = words(line);
+        if words.next() != Some("v") {
+            continue;
+        }
+        let mut next = || number(words.next().ok_or(MeshFault::Truncated("a vertex"))?, "the vertices");
+        add(&mut points, [next()?, next()?, next()?])?;
+    }
+    Ok(points)
+}
+
+/// Vertices and faces. A face names its corners by their places among the vertices: from 1, or back from the last one before it.
+pub(super) fn obj_surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
+    let mut surface = Surface { points: obj_points(bytes)?, triangles: Vec::new() };
+    let text = String::from_utf8_lossy(bytes);
+    let mut before = 0_usize;
+    for line in text.lines() {
+        let mut words = words(line);
+        match words.next() {
+            Some("v") => before += 1,
+            Some("f") => {
+                let place = |word: &str| {
+                    let number: isize = word.split('/').next()?.parse().ok()?;
+                    match number {
+                        0 => None,
+                        1.. => number.unsigned_abs().checked_sub(1),
+                        _ => before.checked_add_signed(number),
+                    }
+                };
+                surface.add_face(0, words.map(place))?;
+            }
+            _ => {}
+        }
+    }
+    Ok(surface)
+}
+
+// Stereolithography files, in text or binary.
 
 /// A binary file has this many bytes before its triangles: a title, and how many there are.
 const HEAD: usize = 84;
@@ -13,7 +54,7 @@ const TRIANGLE: usize = 50;
 const NORMAL: usize = 12;
 
 /// The corners of all triangles.
-pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
+pub(super) fn stl_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     // Many binary files begin with "solid" too: the size decides.
     let count = bytes.get(TITLE..HEAD).and_then(|count| Some(u32::from_le_bytes(count.try_into().ok()?)));
     let size = count.and_then(|count| HEAD.checked_add(usize::try_from(count).ok()?.checked_mul(TRIANGLE)?));
@@ -63,6 +104,14 @@ fn in_text(text: &str) -> Result<Vec<[f64; 3]>, MeshFault> {
 mod tests {
     use super::*;
 
+    #[test]
+    fn vertices_are_the_lines_that_begin_with_v() {
+        let text = "# v 9 9 9\r\nmtllib a.mtl\r\nv 1 2 3\r\n  v\t-1e-3 .5 6 1.0 0.2 0.3\r\nvn 0 0 1\r\nvt 1 1\r\nf 1 2 1\r\n";
+        assert_eq!(obj_points(text.as_bytes()).unwrap(), [[1.0, 2.0, 3.0], [-1e-3, 0.5, 6.0]]);
+        assert_eq!(obj_points(b"v 1 2\nv 1 2 3\n"), Err(MeshFault::Truncated("a vertex")));
+        assert!(matches!(obj_points(b"v 1 2 x\n"), Err(MeshFault::NotUnderstood(_))));
+    }
+
     fn binary_of(title: &[u8], count: u32, triangles: &[[f32; 9]]) -> Vec<u8> {
         let mut bytes = title.to_vec();
         bytes.resize(TITLE, 0);
@@ -79,23 +128,23 @@ mod tests {
     fn the_size_says_whether_it_is_binary() {
         let triangle = [0.5, 0.0, 0.0, 1.0, 0.25, 0.0, 0.0, 1.0, -2.0];
         let expected = [[0.5, 0.0, 0.0], [1.0, 0.25, 0.0], [0.0, 1.0, -2.0]];
-        assert_eq!(points(&binary_of(b"exported", 1, &[triangle])).unwrap(), expected);
-        assert_eq!(points(&binary_of(b"solid exported", 1, &[triangle])).unwrap(), expected);
+        assert_eq!(stl_points(&binary_of(b"exported", 1, &[triangle])).unwrap(), expected);
+        assert_eq!(stl_points(&binary_of(b"solid exported", 1, &[triangle])).unwrap(), expected);
         let text = "solid toe\n facet normal 0 0 1\n  outer loop\n   vertex 5e-1 0 0\n   vertex 1 .25 0\n   vertex 0 1 -2\n  \
-                    endloop\n endfacet\nendsolid toe\n";
-        assert_eq!(points(text.as_bytes()).unwrap(), expected);
+                endloop\n endfacet\nendsolid toe\n";
+        assert_eq!(stl_points(text.as_bytes()).unwrap(), expected);
     }
 
     #[test]
     fn counts_are_not_believed() {
         let triangle = [0.0; 9];
         assert_eq!(
-            points(&binary_of(b"x", u32::MAX, &[triangle])),
+            stl_points(&binary_of(b"x", u32::MAX, &[triangle])),
             Err(MeshFault::Truncated("its triangles"))
         );
-        assert_eq!(points(&binary_of(b"x", 2, &[triangle])), Err(MeshFault::Truncated("its triangles")));
-        assert!(matches!(points(b"binary"), Err(MeshFault::NotUnderstood(_))));
-        assert_eq!(points(b"solid x vertex 1 2 3"), Err(MeshFault::Truncated("its triangles")));
-        assert!(matches!(points(b"solid x vertex 1 2 endsolid"), Err(MeshFault::NotUnderstood(_))));
+        assert_eq!(stl_points(&binary_of(b"x", 2, &[triangle])), Err(MeshFault::Truncated("its triangles")));
+        assert!(matches!(stl_points(b"binary"), Err(MeshFault::NotUnderstood(_))));
+        assert_eq!(stl_points(b"solid x vertex 1 2 3"), Err(MeshFault::Truncated("its triangles")));
+        assert!(matches!(stl_points(b"solid x vertex 1 2 endsolid"), Err(MeshFault::NotUnderstood(_))));
     }
 }
