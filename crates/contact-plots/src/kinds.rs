@@ -198,7 +198,7 @@ pub struct StateFigure {
 /// The contact state (C.4) with the step that it smooths.
 ///
 /// # Errors
-/// As [`force_figure`](force_figure).
+/// As [`force_figure`].
 pub fn state_figure(data: &StateFigure) -> Result<Figure, PlotError> {
     Ok(Figure {
         title: data.title.clone(),
@@ -215,7 +215,7 @@ pub fn state_figure(data: &StateFigure) -> Result<Figure, PlotError> {
 /// The panel of a [`StateFigure`], its title left empty.
 ///
 /// # Errors
-/// As [`force_figure`](force_figure).
+/// As [`force_figure`].
 pub fn state_panel(data: &StateFigure) -> Result<Panel, PlotError> {
     check_count(data.bodies.len())?;
     let mut panel =
@@ -276,7 +276,7 @@ pub struct LoopFigure {
 /// Loops of force against indentation: the area within is the energy lost.
 ///
 /// # Errors
-/// As [`force_figure`](force_figure).
+/// As [`force_figure`].
 pub fn loop_figure(data: &LoopFigure) -> Result<Figure, PlotError> {
     check_count(data.loops.len())?;
     let mut panel = Panel::new("", Axis::new(data.indentation.label()), Axis::new(data.force.label()));
@@ -336,7 +336,7 @@ pub struct DropEnd {
 /// The drop test against time and, below, against non-dimensional time, as in Fig. 4.
 ///
 /// # Errors
-/// As [`force_figure`](force_figure).
+/// As [`force_figure`].
 pub fn drop_figure(data: &DropFigure) -> Result<Figure, PlotError> {
     let shown = |time| {
         data.shown.map(|shown| match time {
@@ -361,7 +361,7 @@ pub fn drop_figure(data: &DropFigure) -> Result<Figure, PlotError> {
 /// One panel of a drop test; its time axis ends where it is `shown`, at the latest with the shortest of several bodies.
 ///
 /// # Errors
-/// As [`force_figure`](force_figure).
+/// As [`force_figure`].
 pub fn drop_panel(bodies: &[DropCurve], time: TimeAxis, shown: Option<f64>) -> Result<Panel, PlotError> {
     check_count(bodies.len())?;
     let unit = |body: &DropCurve| match time {

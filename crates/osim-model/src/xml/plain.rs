@@ -1,7 +1,7 @@
 //! The scan of what nearly every model is: plain tags, attributes in quotes, text and comments.
 //!
 //! It is several times as fast as a full parser, because it stops at anything else (`&`, CDATA, DOCTYPE, names with odd
-//! letters, tags that do not match) and leaves the whole file to [`scan`](crate::xml::scan::scan), which knows all of XML
+//! letters, tags that do not match) and leaves the whole file to [`scan`](super::scan), which knows all of XML
 //! and says what is wrong. Where this scan finishes, both find the same pieces and elements: a test over all fixtures
 //! and real models and a fuzz target hold them to it.
 
