@@ -157,7 +157,7 @@ const LEVEL_DEGREES: f64 = 1.0;
 
 /// How a plane lies in the field of gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Lie {
+enum Lie {
     /// Level, within a degree.
     Level,
     /// A slope of so many degrees.

@@ -199,7 +199,7 @@ fn close(value: f64, expected: f64) -> bool {
 /// A published contact.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Entry {
+struct Entry {
     pub name: String,
     /// As people cite it.
     pub title: String,
@@ -220,7 +220,7 @@ pub(super) struct Entry {
 /// Spheres of a limb that have one contact.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct PublishedContact {
+struct PublishedContact {
     /// How many on a limb.
     pub spheres: usize,
     /// Of spheres that share one parameter set the root of the mean square.
@@ -242,17 +242,17 @@ enum Level {
 
 impl Entry {
     /// What the body weighs that carries them as published, kg.
-    pub(super) fn body_kg(&self) -> f64 {
+    fn body_kg(&self) -> f64 {
         self.body_kg.unwrap_or(self.made_for_kg)
     }
 
     /// Spheres of a limb.
-    pub(super) fn spheres(&self) -> usize {
+    fn spheres(&self) -> usize {
         self.contacts.iter().map(|contact| contact.spheres).sum()
     }
 
     /// How bad a finding is with these contacts, if it is not what the rule says.
-    pub(super) fn severity(&self, code: FindingCode) -> Option<Severity> {
+    fn severity(&self, code: FindingCode) -> Option<Severity> {
         self.severity.get(code.as_str()).map(|level| match level {
             Level::Error => Severity::Error,
             Level::Warn => Severity::Warn,
@@ -262,7 +262,7 @@ impl Entry {
 }
 
 /// Every known contact.
-pub(super) fn entries() -> &'static [Entry] {
+fn entries() -> &'static [Entry] {
     static ENTRIES: OnceLock<Vec<Entry>> = OnceLock::new();
     // A test reads the table strictly; a program that could not would know none.
     ENTRIES.get_or_init(|| serde_json::from_str(include_str!("known_contacts.json")).unwrap_or_default())

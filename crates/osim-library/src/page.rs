@@ -147,7 +147,7 @@ fn check_name(path: &Path) -> Result<(), LibraryFault> {
 const CHUNK: usize = 1 << 16;
 
 /// Text that waits in a nameless file until what is before it on the page is known.
-pub(crate) struct NamelessFile(BufWriter<File>);
+struct NamelessFile(BufWriter<File>);
 
 impl NamelessFile {
     /// On the disk that will hold `path`; the system removes the file, whatever happens.

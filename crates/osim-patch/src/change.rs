@@ -185,11 +185,7 @@ pub(crate) fn number_text(
 ///
 /// # Errors
 /// As [`number_text`].
-pub(crate) fn check_number(
-    value: f64,
-    property: Property,
-    origin: impl FnOnce() -> String,
-) -> Result<(), Fault> {
+fn check_number(value: f64, property: Property, origin: impl FnOnce() -> String) -> Result<(), Fault> {
     if property.allows(value) {
         return Ok(());
     }

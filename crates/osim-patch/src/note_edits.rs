@@ -1,4 +1,4 @@
-//! The edits that leave a note in a file, or take it out, and the steps that it tells.
+//! The edits that leave a note in a file, or take it out, and the steps that it records.
 
 use std::collections::BTreeSet;
 use std::ops::Range;

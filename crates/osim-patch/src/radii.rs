@@ -61,7 +61,7 @@ impl Radii {
     }
 
     /// Root of the mean R² before.
-    pub(crate) fn mean_old(&self, force: &Force) -> f64 {
+    fn mean_old(&self, force: &Force) -> f64 {
         root_mean_square(self.of(force).iter().map(|pair| pair.old))
     }
 

@@ -18,7 +18,7 @@ pub const RULES: &[&Rule] = &[
     &REFERENCE_WITHOUT_SMOOTHING,
 ];
 
-pub(crate) static ALREADY_AT_TARGET: Rule = Rule {
+static ALREADY_AT_TARGET: Rule = Rule {
     code: FindingCode::AlreadyAtTarget,
     severity: Severity::Warn,
     seen: Seen::Change,
@@ -45,7 +45,7 @@ pub(crate) fn already_at_target(contacts_mass: &Mass) -> Finding {
     Finding::new(&ALREADY_AT_TARGET, message)
 }
 
-pub(crate) static COMPOSITE_SURFACES: Rule = Rule {
+static COMPOSITE_SURFACES: Rule = Rule {
     code: FindingCode::CompositeSurfaces,
     severity: Severity::Warn,
     seen: Seen::Change,
@@ -73,7 +73,7 @@ pub(crate) fn composite_surfaces(force: &Force, message: String) -> Finding {
     Finding::at(&COMPOSITE_SURFACES, force.line, message).about(&force.path)
 }
 
-pub(crate) static FACTOR_SPREAD: Rule = Rule {
+static FACTOR_SPREAD: Rule = Rule {
     code: FindingCode::FactorSpread,
     severity: Severity::Warn,
     seen: Seen::Change,
@@ -106,7 +106,7 @@ pub(crate) fn factor_spread(force: &Force, message: String) -> Finding {
     Finding::at(&FACTOR_SPREAD, force.line, message)
 }
 
-pub(crate) static FRICTION_NOT_SIMILAR: Rule = Rule {
+static FRICTION_NOT_SIMILAR: Rule = Rule {
     code: FindingCode::FrictionNotSimilar,
     severity: Severity::Info,
     seen: Seen::Change,
@@ -133,7 +133,7 @@ pub(crate) fn friction_not_similar<'f>(
     scaled.then(|| Finding::new(&FRICTION_NOT_SIMILAR, text))
 }
 
-pub(crate) static NOTHING_TO_CHANGE: Rule = Rule {
+static NOTHING_TO_CHANGE: Rule = Rule {
     code: FindingCode::NothingToChange,
     severity: Severity::Info,
     seen: Seen::Change,
@@ -182,7 +182,7 @@ pub(crate) fn nothing_to_transfer() -> Finding {
     Finding::new(&NOTHING_TO_CHANGE, "every value is already as the reference wants it")
 }
 
-pub(crate) static REFERENCE_WITHOUT_SMOOTHING: Rule = Rule {
+static REFERENCE_WITHOUT_SMOOTHING: Rule = Rule {
     code: FindingCode::ReferenceWithoutSmoothing,
     severity: Severity::Warn,
     seen: Seen::Change,

@@ -154,10 +154,10 @@ fn limbs_unknown(limbs: &Limbs) -> Option<Phrase> {
 const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
 
 /// A limb on the floor.
-pub(super) struct LoadedLimb<'s> {
+struct LoadedLimb<'s> {
     pub(super) model: &'s Model,
     /// The chosen spheres, which have figures.
-    pub(super) members: &'s [&'s SphereLoads],
+    members: &'s [&'s SphereLoads],
     /// All its spheres; `None` where not all can be read.
     pub(super) all: Option<Vec<&'s SphereLoads>>,
     /// Spheres that share the weight.
@@ -266,16 +266,16 @@ fn under(one: &SphereLoads, level: &Level) -> Rest {
 // Spheres of a limb at their own heights: how deep each is where together they carry the body.
 
 /// The joint tree of each sphere on a floor, which all its limb is on.
-pub(super) type Trees<'s> = HashMap<SphereId, &'s Standing>;
+type Trees<'s> = HashMap<SphereId, &'s Standing>;
 
 /// By sphere, the tree that it is on.
-pub(super) fn by_sphere(standing: &[Standing]) -> Trees<'_> {
+fn by_sphere(standing: &[Standing]) -> Trees<'_> {
     standing.iter().flat_map(|tree| tree.spheres.iter().map(move |over| (over.sphere, tree))).collect()
 }
 
 /// x̂ of the spheres of a limb that carries the body, its bodies as they are at the default pose; empty where the pose or a sphere
 /// is not known.
-pub(super) struct Stand {
+struct Stand {
     hertz: HashMap<SphereId, f64>,
     model_law: HashMap<SphereId, f64>,
 }

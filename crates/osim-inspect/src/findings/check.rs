@@ -124,19 +124,14 @@ fn are_spheres_odd(model: &Model) -> bool {
 
 /// Which findings are asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Asked {
+enum Asked {
     All,
     /// Those that numbers of contacts decide: models that differ in nothing else have the others alike.
     OfNumbers,
 }
 
 /// Everything that the model shows apart from its figures; what floors and gravity show alone only where it is `asked` for.
-pub(crate) fn find_in_model(
-    model: &Model,
-    inspected: &Inspection,
-    remedies: &Remedies<'_>,
-    asked: Asked,
-) -> Vec<Found> {
+fn find_in_model(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>, asked: Asked) -> Vec<Found> {
     let floors = LazyCell::new(|| Floors::of(model));
     let sides = LazyCell::new(|| model.both_sides());
     let known = LazyCell::new(|| KnownSide::of(model, &sides, inspected));
@@ -200,7 +195,7 @@ fn remedy_for(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Opti
 }
 
 /// The findings as bad as they are with these contacts, and a remark that these are known.
-pub(crate) fn as_published(inspected: &Inspection, findings: Vec<Found>) -> Vec<Found> {
+fn as_published(inspected: &Inspection, findings: Vec<Found>) -> Vec<Found> {
     let Some(known) = inspected.known_contacts else { return findings };
     let judged = |finding: Found| match known.severity(finding.code()) {
         Some(severity) => finding.as_published(severity),
@@ -214,7 +209,7 @@ pub(crate) fn as_published(inspected: &Inspection, findings: Vec<Found>) -> Vec<
 // Questions that a remedy would be asked: what was found answers them, so that its command runs as it is printed.
 
 /// Answers what `remedy` would be asked for `model`.
-pub(crate) fn answer(remedy: &mut Request, model: &Model, masses: &MassRequest) {
+fn answer(remedy: &mut Request, model: &Model, masses: &MassRequest) {
     let asked = match remedy {
         Request::Rescale(request) => asked_of_rescale(request, model, masses),
         Request::Transfer(request) => asked_of(&said(&request.masses, masses), model, &request.choice),

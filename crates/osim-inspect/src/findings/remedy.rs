@@ -89,7 +89,7 @@ impl<'m> Remedies<'m> {
     }
 
     /// Whether contacts are under the gravity that the model's own file says.
-    pub(crate) fn has_own_gravity(&self) -> bool {
+    fn has_own_gravity(&self) -> bool {
         self.load.gravity.is_none()
     }
 
@@ -231,7 +231,7 @@ fn constant_indentation_below(x_hat: f64) -> f64 {
 }
 
 /// At most `value`, in two digits, without rounding error.
-pub(crate) fn two_digits_below(value: f64) -> f64 {
+fn two_digits_below(value: f64) -> f64 {
     let digit = 10_f64.powf(value.log10().floor() - 1.0);
     // A value that has two digits is itself, whatever its last bit.
     let text = format!("{:.1e}", (value / digit + 1e-9).floor() * digit);

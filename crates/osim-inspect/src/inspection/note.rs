@@ -114,7 +114,7 @@ pub(crate) fn step_in_words(step: &Step) -> String {
 }
 
 /// Each change as a part of one sentence; an empty list if nothing changed.
-pub(super) fn changes_in_words(changed: &ChangedSinceNote) -> Vec<String> {
+fn changes_in_words(changed: &ChangedSinceNote) -> Vec<String> {
     let sizes = changed.sizes.then(|| "sizes of bodies".to_owned());
     let weight = changed.weight_kg.map(|(then, now)| {
         format!("the bodies weighed {} kg then and weigh {} kg now", readable(then), readable(now))

@@ -32,7 +32,7 @@ pub(crate) fn find_sunk_in(limits: &Limits<'_>) -> Option<Found> {
 }
 
 /// Whether a sphere is as deep as its centre where its limb carries the body and each sphere is at its own height.
-pub(super) fn is_own_height_too_deep(sphere: &SphereFigures) -> Option<f64> {
+fn is_own_height_too_deep(sphere: &SphereFigures) -> Option<f64> {
     sphere.value(Figure::StandingIndentationModelLaw).filter(|&x| x >= CENTRE)
 }
 
@@ -94,7 +94,7 @@ fn sunk_in_at_own_heights(limits: &Limits<'_>) -> Option<Found> {
 const CARRIERS: f64 = 2.0;
 
 /// A body on more limbs than a biped's.
-pub(super) struct ManyLimbs {
+struct ManyLimbs {
     limbs: usize,
     /// How many of them share the weight, as the caller said.
     said: f64,
@@ -111,7 +111,7 @@ impl ManyLimbs {
 
     /// `finding` about spheres that sink in by `x` of their radius, as it is for a body on so many limbs: what x/R is on two of them, and
     /// what to do about it.
-    pub(super) fn sunk_in(&self, finding: Finding, x: f64, limits: &Limits<'_>) -> Found {
+    fn sunk_in(&self, finding: Finding, x: f64, limits: &Limits<'_>) -> Found {
         let carriers = self.said.max(CARRIERS);
         // Equal spheres share the load, and x̂ follows F^(2/3) (3).
         let there = x * (self.said / carriers).powf(2.0 / 3.0);

@@ -9,7 +9,7 @@ use crate::floors::{Floors, JudgedPlane, PlaneKind};
 pub(super) const UPSIDE_DOWN_DEGREES: f64 = 135.0;
 
 /// The floors that lean as `is_so` (degrees) says, with what to write instead.
-pub(super) fn find_turned(floors: &Floors, rule: &'static Rule, is_so: impl Fn(f64) -> bool) -> Vec<Finding> {
+fn find_turned(floors: &Floors, rule: &'static Rule, is_so: impl Fn(f64) -> bool) -> Vec<Finding> {
     let of_plane = |judged: &JudgedPlane| match judged.kind {
         PlaneKind::Steep(degrees) if is_so(degrees) => turned_finding(judged, rule, degrees),
         _ => None,

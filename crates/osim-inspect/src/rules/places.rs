@@ -89,7 +89,7 @@ impl<'i> Places<'i> {
 }
 
 /// The model's own contacts at the mass of its body, on spheres that follow it by the sizes in the note.
-pub(crate) fn follow_by_note(remedies: &Remedies<'_>, model: &Model) -> Option<Request> {
+fn follow_by_note(remedies: &Remedies<'_>, model: &Model) -> Option<Request> {
     let since = model.scaled_since_note().filter(|_| model.doubt_about_note().is_none())?;
     if !since.has_all_carriers(model) {
         return None;
@@ -115,7 +115,7 @@ pub(crate) fn follow_by_note(remedies: &Remedies<'_>, model: &Model) -> Option<R
 }
 
 /// Contacts of the model that OpenSim scaled, on spheres that follow their bodies.
-pub(crate) fn follow_by_original(remedies: &Remedies<'_>, placement: &Placement) -> Option<Request> {
+fn follow_by_original(remedies: &Remedies<'_>, placement: &Placement) -> Option<Request> {
     if !placement.can_follow() {
         return None;
     }

@@ -74,7 +74,7 @@ pub(crate) fn find_uneven_bottoms(limits: &Limits<'_>) -> Option<Found> {
 }
 
 /// A limb whose lowest and highest bottoms differ.
-pub(super) struct Uneven<'i> {
+struct Uneven<'i> {
     limb: &'i LimbFigures,
     lowest: &'i Bottom,
     highest: &'i Bottom,
@@ -95,12 +95,12 @@ impl<'i> Uneven<'i> {
     }
 
     /// Whether they differ by more than `share` of the radius of the lowest sphere.
-    pub(super) fn is_beyond(&self, share: f64) -> bool {
+    fn is_beyond(&self, share: f64) -> bool {
         self.share > share + ROUNDING
     }
 
     /// Whether that is a warning: a foot that leans has such contacts by its pose.
-    pub(super) fn is_too_much(&self) -> bool {
+    fn is_too_much(&self) -> bool {
         self.is_beyond(TOO_MUCH) && self.tilt_rad <= LEANING_RAD
     }
 

@@ -285,7 +285,7 @@ impl PreviousRun {
     ///
     /// # Errors
     /// The summary cannot be read any more, or what `each` says.
-    pub(super) fn of_others(
+    fn of_others(
         &self,
         tasks: &[Task],
         mut each: impl FnMut(Record) -> Result<(), LibraryFault>,

@@ -49,7 +49,7 @@ impl Form {
 ///
 /// # Errors
 /// None in practice: it is written into memory.
-pub(super) fn header_line<'c>(own: impl Iterator<Item = &'c str>) -> Result<Vec<u8>, LibraryFault> {
+fn header_line<'c>(own: impl Iterator<Item = &'c str>) -> Result<Vec<u8>, LibraryFault> {
     let line = Form::Csv.line(&Record::default(), true)?;
     let mut columns = csv::Reader::from_reader(line.as_slice()).headers().map_err(foreign_fault)?.clone();
     columns.extend(own);

@@ -45,7 +45,7 @@ impl<S> Outcome<S> {
         Self { record: Record::of_task(task), earlier: false, shown: None, failure: None }
     }
 
-    pub(super) fn without_contacts(mut record: Record) -> Self {
+    fn without_contacts(mut record: Record) -> Self {
         record.status = Status::NoContacts;
         Self { record, earlier: false, shown: None, failure: None }
     }

@@ -363,7 +363,7 @@ pub(super) struct Changed {
     /// New over old, if it is the same everywhere.
     pub(super) factor: Option<f64>,
     /// Whether the factor is not the same everywhere.
-    pub(super) unequal: bool,
+    unequal: bool,
 }
 
 impl Changed {

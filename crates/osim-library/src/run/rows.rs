@@ -144,7 +144,7 @@ impl TableRows<'_> {
 /// The folder that the rows of a table may write into. A table comes from somebody else more often than a call does, and its cells
 /// must not reach every file of the reader's.
 #[derive(Debug)]
-pub(super) struct Inside {
+struct Inside {
     folder: PathBuf,
     /// Without links, `.` and `..`.
     real: PathBuf,

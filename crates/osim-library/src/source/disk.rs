@@ -67,7 +67,7 @@ impl Files for OrdinaryFiles {
 
 /// The disk, remembering each file as it was when it was read.
 #[derive(Debug)]
-pub(super) struct StampedDisk {
+struct StampedDisk {
     /// For names that the user gave.
     kinds: Kinds,
     stamps: RefCell<HashMap<PathBuf, Stamp>>,
@@ -78,7 +78,7 @@ impl StampedDisk {
         Self { kinds, stamps: RefCell::default() }
     }
 
-    pub(super) fn into_stamps(self) -> HashMap<PathBuf, Stamp> {
+    fn into_stamps(self) -> HashMap<PathBuf, Stamp> {
         self.stamps.into_inner()
     }
 

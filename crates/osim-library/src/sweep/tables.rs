@@ -82,7 +82,7 @@ impl<'p> Tables<'p> {
     ///
     /// # Errors
     /// The folder cannot be changed.
-    pub(super) fn remove_parts(&self) -> Result<(), LibraryFault> {
+    fn remove_parts(&self) -> Result<(), LibraryFault> {
         for part in self.replaced().filter(|part| is_of_sweep(part)) {
             let partial = Partial::path_of(part);
             for file in [part, &partial] {
@@ -204,11 +204,11 @@ fn ended_early() -> LibraryFault {
 // Names and digests of files, as tables of sweeps have them.
 
 /// Columns of every table, and all of a partial one.
-pub(super) const COLUMNS: [&str; 2] = ["file", "sha256"];
+const COLUMNS: [&str; 2] = ["file", "sha256"];
 
 /// Files that sweeps made.
 #[derive(Debug, Default)]
-pub(super) struct KnownFiles(HashSet<NameDigest>);
+struct KnownFiles(HashSet<NameDigest>);
 
 impl KnownFiles {
     /// Adds what `table` and its partial table have; `only_in_table` is called for what is in the table alone.
@@ -237,7 +237,7 @@ impl KnownFiles {
 }
 
 /// Whether `table` and its partial table, if they are there, are those of a sweep.
-pub(super) fn is_of_sweep(table: &Path) -> bool {
+fn is_of_sweep(table: &Path) -> bool {
     KnownFiles::default().add(table, |_, _| Ok(())).is_ok()
 }
 

@@ -19,7 +19,7 @@ use crate::objects::spelling::{self, InList, Surfaces, Values};
 use crate::rules;
 
 /// What only smoothed forces have.
-pub(super) const SMOOTHING: [Property; 3] =
+const SMOOTHING: [Property; 3] =
     [Property::ConstantContactForce, Property::HertzSmoothing, Property::HuntCrossleySmoothing];
 
 /// What is wanted of a conversion.

@@ -160,7 +160,7 @@ fn opened(
 
 /// The sets that whole objects go into.
 pub(super) const FORCES: &str = "ForceSet";
-pub(super) const GEOMETRY: &str = "ContactGeometrySet";
+const GEOMETRY: &str = "ContactGeometrySet";
 
 /// Objects are changed in models that are one file: a set in another file belongs to other models, too.
 ///

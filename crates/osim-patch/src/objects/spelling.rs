@@ -19,7 +19,7 @@ pub(super) struct Carrier<'c> {
 }
 
 /// Ground.
-pub(super) const GROUND: Carrier<'static> = Carrier { name: "ground", path: "/ground" };
+const GROUND: Carrier<'static> = Carrier { name: "ground", path: "/ground" };
 
 impl Carrier<'_> {
     fn node(&self, version: u32) -> Node {

@@ -27,10 +27,10 @@ use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};
 ///   ([`Needed::ReferenceContact`](osim_model::Needed::ReferenceContact),
 ///   [`Needed::ReferenceContactOfForce`](osim_model::Needed::ReferenceContactOfForce),
 ///   [`Needed::ReferenceRadius`](osim_model::Needed::ReferenceRadius)), or the reference has no such sphere
-///   ([`FaultKind::UnknownReferenceSphere`](osim_model::FaultKind::UnknownReferenceSphere)).
+///   ([`FaultKind::UnknownReferenceSphere`]).
 /// - A force that keeps its sphere inside itself, as in Moco 0.1 to 0.3 ([`FaultKind::OldDialect`]).
 /// - Spheres of one force follow bodies with different factors, and that is to be refused
-///   ([`FaultKind::StrictlyRefused`](osim_model::FaultKind::StrictlyRefused)).
+///   ([`FaultKind::StrictlyRefused`]).
 pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result<Plan, Fault> {
     refuse_old_dialect(model, selected)?;
     let mut plan = PlanBuilder::new(model);
@@ -228,7 +228,7 @@ fn finish(
 // Remarks about a transfer whose spheres follow their bodies: the spread of their factors, and figures to compare by.
 
 /// Spheres of one modulus that follow bodies of different factors.
-pub(crate) fn check_spread(
+fn check_spread(
     plan: &mut PlanBuilder<'_>,
     selected: &Selected,
     wanted: &Transfer,
@@ -253,7 +253,7 @@ pub(crate) fn check_spread(
 }
 
 /// x̂ at body weight and c_r of the reference and of the result, so that rules can be compared.
-pub(crate) fn similarity(
+fn similarity(
     model: &Model,
     selected: &Selected,
     wanted: &Transfer,

@@ -25,7 +25,7 @@ pub struct ReferenceContact {
     pub friction: Option<(f64, f64)>,
 }
 
-/// Where contacts are taken from: another model ([`reference_of_model`](reference_of_model)) or a preset.
+/// Where contacts are taken from: another model ([`reference_of_model`]) or a preset.
 ///
 /// ```
 /// use osim_model::{MassRequest, Model, Selection};
