@@ -72,7 +72,7 @@ pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault
         contact.force = names.take(&contact.force)?;
         let sphere = format!("/contactgeometryset/{}", contact.sphere);
         let carrier = Carrier { name: &body.name, path: &body.path };
-        geometry.push(spelling::sphere(version, &carrier, contact)?);
+        geometry.push(spelling::sphere_node(version, &carrier, contact)?);
         objects.push(added("ContactSphere", &contact.sphere, &sphere, Some(&contact.body)));
         forces.push(force(model.document(), &list, contact, &Surfaces { sphere: &sphere, plane: &plane })?);
         let path = format!("/forceset/{}", contact.force);

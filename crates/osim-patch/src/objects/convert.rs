@@ -11,11 +11,10 @@ use osim_model::{
 use crate::edit::{Edit, edited};
 use crate::insert::{unit, white_space_before};
 use crate::objects::layout::{Layout, NewContact, Pair, pairs};
-use crate::objects::moco::Inside;
 use crate::objects::names::{Names, refuse_misread};
 use crate::objects::rebuilt::{Deed, ObjectChange, Rebuilt};
 use crate::objects::sets::{GEOMETRY_SET, refuse_parts};
-use crate::objects::spelling::{self, InList, Surfaces, Values};
+use crate::objects::spelling::{self, InList, Inside, Surfaces, Values};
 use crate::rules;
 
 /// What only smoothed forces have.
