@@ -92,7 +92,7 @@ pub fn splice(bytes: &[u8], edits: &[Edit]) -> Result<Vec<u8>, Fault> {
 /// `model` with `edits` in its main file, read again; all or nothing.
 ///
 /// # Errors
-/// As [`Patch::new`], and those of [`Model::rebuilt`].
+/// As [`Patch::new`], and those of [`Model::read_again`].
 pub(crate) fn edited(model: &Model, edits: Vec<Edit>) -> Result<Model, Fault> {
     edited_with(model, edits, &[])
 }
@@ -107,9 +107,7 @@ pub(crate) fn edited_with(
     others: &[(FileId, Vec<u8>)],
 ) -> Result<Model, Fault> {
     let patch = Patch::new(model.document().bytes(), edits)?;
-    let places: Vec<(Range<usize>, usize)> =
-        patch.edits.iter().map(|edit| (edit.span.clone(), edit.text.len())).collect();
-    model.rebuilt(patch.to_vec(), &places, others)
+    model.read_again(patch.to_vec(), others)
 }
 
 #[cfg(test)]

@@ -447,7 +447,7 @@ impl Plan {
     /// The model as it will be, with all of its files.
     ///
     /// # Errors
-    /// As [`patched`](Self::patched), and those of [`Model::rebuilt`].
+    /// As [`patched`](Self::patched), and those of [`Model::read_again`].
     pub fn changed(&self, model: &Model) -> Result<Model, Fault> {
         let others = self.files(model).filter(|&file| file != FileId::MAIN);
         let others =

@@ -1,7 +1,6 @@
 //! One file: its bytes, its tree, its version, its data root and its `<defaults>`.
 
 use std::borrow::Cow;
-use std::ops::Range;
 use std::sync::OnceLock;
 
 use foldhash::{HashMap, HashMapExt};
@@ -56,30 +55,7 @@ impl Document {
     /// # Errors
     /// What is not one well-formed XML document, or not an OpenSim document, with its place.
     pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {
-        Self::of_tree(Tree::scan(bytes)?)
-    }
-
-    /// The same document after an edit: [`Tree::edited`] says what `edits` are.
-    ///
-    /// # Errors
-    /// As [`Document::parse`].
-    pub fn edited(&self, bytes: impl Into<Vec<u8>>, edits: &[(Range<usize>, usize)]) -> Result<Self, Fault> {
-        let mut edited = Self::of_tree(self.tree.edited(bytes, edits)?)?;
-        if let Some(lines) = self.lines.get() {
-            edited.lines = OnceLock::from(lines.edited(self.bytes(), edited.bytes(), edits));
-        }
-        if !self.may_include() && !edits_may_include(edited.bytes(), edits) {
-            return Ok(edited.including_nothing());
-        }
-        Ok(edited)
-    }
-
-    /// The same, where it is known that there is no `file="…"` in it.
-    pub(crate) fn including_nothing(self) -> Self {
-        Self { may_include: OnceLock::from(false), ..self }
-    }
-
-    fn of_tree(tree: Tree) -> Result<Self, Fault> {
+        let tree = Tree::scan(bytes)?;
         let (version, data_root) =
             version_and_data_root(&tree).map_err(|fault| fault.located(tree.bytes()))?;
         let defaults = tree.child(data_root, "defaults");
@@ -93,6 +69,11 @@ impl Document {
             may_include: OnceLock::new(),
             lines: OnceLock::new(),
         })
+    }
+
+    /// The same, where it is known that there is no `file="…"` in it.
+    pub(crate) fn including_nothing(self) -> Self {
+        Self { may_include: OnceLock::from(false), ..self }
     }
 
     /// The file, untouched.
@@ -358,20 +339,6 @@ pub fn may_include(bytes: &[u8]) -> bool {
         let before = at.checked_sub(1).and_then(|at| bytes.get(at));
         let after = bytes.get(at + 4..).unwrap_or_default().trim_ascii_start().first();
         before.is_some_and(u8::is_ascii_whitespace) && after == Some(&b'=')
-    })
-}
-
-/// The same of what `edits` brought into `bytes`, and of what it stands beside now.
-fn edits_may_include(bytes: &[u8], edits: &[(Range<usize>, usize)]) -> bool {
-    let mut shift = 0_isize;
-    edits.iter().any(|(span, length)| {
-        let start = span.start.saturating_add_signed(shift);
-        shift = shift.saturating_add_unsigned(*length).saturating_sub_unsigned(span.len());
-        let before = bytes.get(..start).unwrap_or_default().trim_ascii_end().len().saturating_sub(5);
-        let end = start.saturating_add(*length).saturating_add(4).min(bytes.len());
-        let behind = bytes.get(end..).unwrap_or_default();
-        let end = (end + (behind.len() - behind.trim_ascii_start().len()) + 1).min(bytes.len());
-        bytes.get(before..end).is_none_or(may_include)
     })
 }
 

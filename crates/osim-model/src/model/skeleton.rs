@@ -1,7 +1,5 @@
 //! Bodies and the joints between them, in the spelling of every document version; and loops of joints.
 
-use std::sync::Arc;
-
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use crate::model::components::{Base, ComponentId, Components};
@@ -50,7 +48,7 @@ impl Body {
 #[derive(Debug)]
 pub(crate) struct Skeleton {
     pub bodies: Vec<Body>,
-    joined: Arc<Joined>,
+    joined: Joined,
 }
 
 /// What joints say: which component hangs on which.
@@ -75,15 +73,7 @@ impl Skeleton {
     /// Reads all bodies and joints. A joint whose frames lead nowhere is left out: only limbs need it, and a body
     /// without a joint to a parent stands on ground.
     pub(crate) fn read(components: &Components) -> Self {
-        Self::of(components, Arc::new(Joined::read(components)))
-    }
-
-    /// That of `components` whose joints are the same, and have the same places among them.
-    pub(crate) fn moved(&self, components: &Components) -> Self {
-        Self::of(components, Arc::clone(&self.joined))
-    }
-
-    fn of(components: &Components, joined: Arc<Joined>) -> Self {
+        let joined = Joined::read(components);
         let bodies = components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body");
         let bodies = bodies.filter(|(id, _)| !components.is_ground(*id)).map(|(id, component)| {
             let document = components.document(component.file);

@@ -46,8 +46,8 @@ pub struct Model {
     pub note: Option<Note>,
     /// Traps found while reading, in the order in which reports list them.
     pub warnings: Vec<Finding>,
-    /// How many of these reading the contacts showed, then how many each rule found.
-    pub(crate) found_by: Vec<usize>,
+    /// How many of these reading the contacts showed; rules found the others.
+    pub(crate) warnings_of_reading: usize,
 }
 
 impl Model {
@@ -103,8 +103,8 @@ impl Model {
         self.body_facts.joint_distances(&self.components)
     }
 
-    /// What `make` makes of this model: made once for it and for all that a change of contacts alone makes of it, so that it must
-    /// follow from bodies, joints and constraints alone. There is one of each type.
+    /// What `make` makes of this model: made once for it and for those with other numbers of its contacts, so that it must follow
+    /// from bodies, joints and constraints alone. There is one of each type.
     pub fn of_bodies<T: Any + Send + Sync>(&self, make: impl FnOnce(&Self) -> T) -> &T {
         self.body_facts.made.get_or_make(|| make(self))
     }
@@ -180,7 +180,7 @@ impl Model {
     }
 }
 
-// What a model says of its bodies and joints: read when somebody first asks for it, and the same after a change of its contacts alone.
+// What a model says of its bodies and joints: read when somebody first asks for it, and the same with other numbers of its contacts.
 
 /// What several who check or plan a change ask for.
 #[derive(Debug, Default)]

@@ -19,7 +19,6 @@
 //!
 //! It decodes and encodes nothing as a whole, knows no namespaces and no DTD, and reads no other file.
 
-mod edited;
 pub mod opensim_text;
 mod plain;
 mod position;
@@ -27,7 +26,7 @@ mod raw_text;
 mod scan;
 mod tree;
 
-pub use position::{KeptElements, LineIndex, Position};
+pub use position::{LineIndex, Position};
 pub use raw_text::RawText;
 pub use scan::{SyntaxError, SyntaxFault};
 pub use tree::{Children, ElementId, Piece, PieceKind, Tree};

@@ -131,7 +131,7 @@ fn scan(bytes: Vec<u8>) -> Result<Tree, SyntaxError> {
     }
 }
 
-pub(super) fn pieces_and_elements(file: &FileText) -> Result<(Vec<StoredPiece>, Vec<StoredElement>), Fault> {
+fn pieces_and_elements(file: &FileText) -> Result<(Vec<StoredPiece>, Vec<StoredElement>), Fault> {
     let (bytes, text) = (file.bytes(), file.as_str());
     refuse_foreign_encodings(bytes)?;
     let mark = if bytes.starts_with(BYTE_ORDER_MARK) { BYTE_ORDER_MARK.len() } else { 0 };
@@ -144,7 +144,7 @@ pub(super) fn pieces_and_elements(file: &FileText) -> Result<(Vec<StoredPiece>, 
     }
 }
 
-pub(super) fn refuse_foreign_encodings(bytes: &[u8]) -> Result<(), Fault> {
+fn refuse_foreign_encodings(bytes: &[u8]) -> Result<(), Fault> {
     if u32::try_from(bytes.len()).is_err() {
         return Err((SyntaxFault::TooLarge, 0));
     }

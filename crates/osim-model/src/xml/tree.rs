@@ -60,11 +60,6 @@ impl ElementId {
     pub const fn index(self) -> usize {
         self.0 as usize
     }
-
-    /// The element so many places later.
-    pub(super) const fn later(self, by: u32) -> Self {
-        Self(self.0.saturating_add(by))
-    }
 }
 
 /// An element as indices: its tags among the pieces, its parent and the end of its subtree among the elements.
@@ -105,33 +100,6 @@ pub struct Tree {
 impl Tree {
     pub(super) fn new(text: FileText, pieces: Vec<StoredPiece>, elements: Vec<StoredElement>) -> Self {
         Self { text, pieces, elements }
-    }
-
-    pub(super) fn text(&self) -> &str {
-        self.text.as_str()
-    }
-
-    pub(super) fn stored_pieces(&self) -> &[StoredPiece] {
-        &self.pieces
-    }
-
-    /// The innermost element that holds the border before piece `piece`, and the first element after it.
-    pub(super) fn place_among_elements(&self, piece: usize) -> Option<(usize, usize)> {
-        let elements = &self.elements;
-        let next = elements.partition_point(|element| (element.open as usize) < piece);
-        let mut parent = next.checked_sub(1)?;
-        loop {
-            let element = elements.get(parent)?;
-            if element.close as usize >= piece {
-                return Some((parent, next));
-            }
-            // The root is its own parent: outside of it nothing is inserted.
-            parent = Some(element.parent as usize).filter(|&above| above != parent)?;
-        }
-    }
-
-    pub(super) fn stored_elements(&self) -> &[StoredElement] {
-        &self.elements
     }
 
     /// The file, untouched.

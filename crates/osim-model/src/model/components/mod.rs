@@ -12,7 +12,7 @@ use crate::model::components::classes::Counted;
 use crate::model::components::tree::ComponentTree;
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FaultKind, FileId};
-use crate::xml::{ElementId, KeptElements};
+use crate::xml::ElementId;
 pub(crate) use tree::{Component, ComponentId};
 
 /// A file that belongs to the model beside its main one, for [`Model::read_with`](crate::model::Model::read_with).
@@ -82,11 +82,6 @@ impl Components {
             tree.add(FileId::companion(index), &companion.document, mount, counted);
         }
         Self { main, companions, tree }
-    }
-
-    /// The same components in another main file, which has them at the places of `kept`.
-    pub(crate) fn moved(&self, main: Document, companions: Vec<Companion>, kept: &KeptElements) -> Self {
-        Self { main, companions, tree: self.tree.moved(kept) }
     }
 
     pub(crate) fn main(&self) -> &Document {

@@ -12,7 +12,7 @@ use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use crate::model::components::classes::{self, Counted};
 use crate::model::document::Document;
 use crate::model::fault::FileId;
-use crate::xml::{ElementId, KeptElements};
+use crate::xml::ElementId;
 
 /// Sets of a model that may hold contacts or what they are attached to; markers, muscles' path points and the like are
 /// skipped, which keeps large models fast.
@@ -27,7 +27,7 @@ const CONTACT_PARAMETERS_SETS: [&str; 2] =
 pub(crate) struct ComponentId(u32);
 
 /// One component.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(crate) struct Component {
     /// Which of the files.
     pub file: FileId,
@@ -60,14 +60,14 @@ const FEW_CHILDREN: u32 = 12;
 const USUAL_DEPTH: usize = 4;
 
 /// All components of the files read together, with look-up by path and by name.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(crate) struct ComponentTree {
     list: Vec<Component>,
     roots: Vec<ComponentId>,
     /// The children, by their segments, of objects that have many or whose children are numbered.
-    by_parent: Arc<HashMap<ComponentId, HashMap<Arc<str>, ComponentId>>>,
+    by_parent: HashMap<ComponentId, HashMap<Arc<str>, ComponentId>>,
     /// All of them by the names that they would have alone, once somebody asks for one by name.
-    by_name: Arc<OnceLock<HashMap<Arc<str>, Vec<ComponentId>>>>,
+    by_name: OnceLock<HashMap<Arc<str>, Vec<ComponentId>>>,
     /// Objects of which two children share a name, so that these are to be numbered.
     crowded: HashSet<ComponentId>,
     /// Members of `<components>` of a class that OpenSim does not know: file and element.
@@ -94,7 +94,7 @@ impl ComponentTree {
         mount: Option<ComponentId>,
         counted: Counted,
     ) {
-        self.by_name = Arc::default();
+        self.by_name = OnceLock::new();
         let (tree, is_model) = (document.tree(), document.is_model());
         let mut roles = vec![Role::Nothing; tree.element_count()];
         let mut seen: HashSet<(ComponentId, &str)> = HashSet::new();
@@ -134,17 +134,6 @@ impl ComponentTree {
             !matches!(role, Role::Nothing)
         });
         self.number_siblings();
-    }
-
-    /// The same components, those of the main file at the places of `kept`.
-    pub(crate) fn moved(&self, kept: &KeptElements) -> Self {
-        let mut moved = self.clone();
-        let own = moved.list.iter_mut().map(|component| (component.file, &mut component.element));
-        let skipped = moved.skipped.iter_mut().map(|(file, element)| (*file, element));
-        for (_, element) in own.chain(skipped).filter(|(file, _)| *file == FileId::MAIN) {
-            *element = kept.place(*element);
-        }
-        moved
     }
 
     fn push_root(&mut self, file: FileId, document: &Document, mount: Option<ComponentId>) -> ComponentId {
@@ -237,13 +226,13 @@ impl ComponentTree {
         }
         if were_listed {
             let segment = self.get(id).map(|child| Arc::clone(&child.segment)).unwrap_or_default();
-            Arc::make_mut(&mut self.by_parent).entry(owner).or_default().entry(segment).or_insert(id);
+            self.by_parent.entry(owner).or_default().entry(segment).or_insert(id);
         } else if are_many {
             let mut by_segment = HashMap::new();
             for (id, child) in self.children(owner) {
                 by_segment.entry(Arc::clone(&child.segment)).or_insert(id);
             }
-            Arc::make_mut(&mut self.by_parent).insert(owner, by_segment);
+            self.by_parent.insert(owner, by_segment);
         }
     }
 
@@ -293,7 +282,7 @@ impl ComponentTree {
             }
             by_segment.entry(Arc::clone(&object.segment)).or_insert(id);
         }
-        Arc::make_mut(&mut self.by_parent).insert(owner, by_segment);
+        self.by_parent.insert(owner, by_segment);
         if let Some(object) = self.list.get_mut(owner.0 as usize) {
             object.children.are_listed = true;
         }

@@ -53,52 +53,29 @@ pub const RULES: &[&Rule] = &[
 ];
 
 /// Rules that look at a whole model, in the order in which reports list what they find.
-const OF_MODELS: [(Looks, Find); 17] = [
-    (Looks::AtNumbers, numbers::find_in_values),
-    (Looks::Elsewhere, numbers::find_in_triples),
-    (Looks::Elsewhere, numbers::find_angle_in_degrees),
-    (Looks::Elsewhere, components::find_included_file),
-    (Looks::Elsewhere, forces::find_dead_derivative_smoothing),
-    (Looks::Elsewhere, forces::find_several_spheres_one_force),
-    (Looks::Elsewhere, forces::find_sphere_in_two_forces),
-    (Looks::AtNumbers, numbers::find_default_stiffness),
-    (Looks::AtNumbers, numbers::find_zero_constant_contact_force),
-    (Looks::AtNumbers, find_on_sides),
-    (Looks::AtNumbers, numbers::find_large_friction),
-    (Looks::Elsewhere, components::find_contact_defaults),
-    (Looks::Elsewhere, forces::find_moco_dialect),
-    (Looks::Elsewhere, forces::find_terrain),
-    (Looks::Elsewhere, components::find_unknown_class),
-    (Looks::Elsewhere, find_in_components),
-    (Looks::Elsewhere, components::find_loop_of_joints),
+const OF_MODELS: [fn(&Model) -> Vec<Finding>; 17] = [
+    numbers::find_in_values,
+    numbers::find_in_triples,
+    numbers::find_angle_in_degrees,
+    components::find_included_file,
+    forces::find_dead_derivative_smoothing,
+    forces::find_several_spheres_one_force,
+    forces::find_sphere_in_two_forces,
+    numbers::find_default_stiffness,
+    numbers::find_zero_constant_contact_force,
+    find_on_sides,
+    numbers::find_large_friction,
+    components::find_contact_defaults,
+    forces::find_moco_dialect,
+    forces::find_terrain,
+    components::find_unknown_class,
+    find_in_components,
+    components::find_loop_of_joints,
 ];
 
-type Find = fn(&Model) -> Vec<Finding>;
-
-/// Where a rule looks.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Looks {
-    /// At radii of spheres or parameters of forces, among others.
-    AtNumbers,
-    /// At neither: in a model with other such numbers it finds the same.
-    Elsewhere,
-}
-
-/// What each rule finds in `model`.
-pub(crate) fn find(model: &Model) -> Vec<Vec<Finding>> {
-    OF_MODELS.into_iter().map(|(_, find)| find(model)).collect()
-}
-
-/// The same in a model that differs in numbers of its contacts alone from the one in which they found `before`.
-pub(crate) fn find_again<'f>(
-    model: &Model,
-    before: impl Iterator<Item = &'f [Finding]>,
-) -> Vec<Vec<Finding>> {
-    let again = |((looks, find), before): ((Looks, Find), &[Finding])| match looks {
-        Looks::AtNumbers => find(model),
-        Looks::Elsewhere => before.to_vec(),
-    };
-    OF_MODELS.into_iter().zip(before).map(again).collect()
+/// What all of them find in `model`.
+pub(crate) fn find(model: &Model) -> impl Iterator<Item = Finding> {
+    OF_MODELS.into_iter().flat_map(|find| find(model))
 }
 
 /// What rules say about the two sides of the body, and about the places and sizes of spheres on it.
