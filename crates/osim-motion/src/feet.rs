@@ -1,6 +1,7 @@
-//! Which contacts belong to one foot.
+//! Which contacts belong to one foot, and when a foot stands.
 
 use std::collections::{BTreeSet, HashMap};
+use std::ops::RangeInclusive;
 
 use osim_model::{ForceId, Model, Side, SphereId};
 
@@ -91,4 +92,108 @@ fn bodies(states: &ContactStates, pairs: &[usize]) -> Vec<String> {
         }
     }
     bodies
+}
+
+/// A foot touches down where its force along the normal passes this part of body weight,
+pub const ON_BW: f64 = 0.05;
+/// and lifts off where it falls below this one.
+pub const OFF_BW: f64 = 0.03;
+
+/// One time on the ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Stance {
+    /// The first frame.
+    pub first: usize,
+    /// The last frame.
+    pub last: usize,
+    /// When it touches down, s; `None` where the recording begins in it, or the force before is not known.
+    pub on_s: Option<f64>,
+    /// When it lifts off, s; `None` where the recording ends in it, or the force after is not known.
+    pub off_s: Option<f64>,
+}
+
+impl Stance {
+    /// The stances of a foot by its force along the normal, N, with times between frames. Where the force is NaN, nobody knows it: there
+    /// is no stance.
+    #[must_use]
+    pub fn all(time_s: &[f64], force_n: &[f64], weight_n: f64) -> Vec<Self> {
+        let (on, off) = (ON_BW * weight_n, OFF_BW * weight_n);
+        let mut stances: Vec<Self> = Vec::new();
+        let mut open: Option<Self> = None;
+        for (frame, &force) in force_n.iter().enumerate() {
+            let crossed = |level: f64| between(time_s, force_n, frame, level);
+            match &mut open {
+                None if force > on => {
+                    open = Some(Self { first: frame, last: frame, on_s: crossed(on), off_s: None });
+                }
+                Some(stance) if force >= off => stance.last = frame,
+                Some(stance) => {
+                    stances.push(Self { off_s: crossed(off), ..*stance });
+                    open = None;
+                }
+                None => {}
+            }
+        }
+        stances.extend(open);
+        stances
+    }
+
+    /// How long it lasts, s, where both ends are seen.
+    #[must_use]
+    pub fn duration_s(&self) -> Option<f64> {
+        Some(self.off_s? - self.on_s?)
+    }
+
+    /// Its frames.
+    #[must_use]
+    pub const fn frames(&self) -> RangeInclusive<usize> {
+        self.first..=self.last
+    }
+}
+
+/// When a value passes `level` between a frame and the one before; `None` where one of both is not known.
+fn between(time_s: &[f64], values: &[f64], frame: usize, level: f64) -> Option<f64> {
+    let before = frame.checked_sub(1)?;
+    let (t0, t1) = (*time_s.get(before)?, *time_s.get(frame)?);
+    let (v0, v1) = (*values.get(before)?, *values.get(frame)?);
+    let part = (level - v0) / (v1 - v0);
+    part.is_finite().then(|| t0 + part.clamp(0.0, 1.0) * (t1 - t0))
+}
+
+/// The times of whole strides: from one touch-down of a foot to its next.
+#[must_use]
+pub fn strides(stances: &[Stance]) -> Vec<(f64, f64)> {
+    let on: Vec<f64> = stances.iter().filter_map(|stance| stance.on_s).collect();
+    on.windows(2).filter_map(|pair| Some((*pair.first()?, *pair.get(1)?))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stance_begins_and_ends_between_frames() {
+        // Body weight 100 N: on at 5 N, off at 3 N.
+        let times: Vec<f64> = (0..10).map(f64::from).collect();
+        let force = [0.0, 0.0, 10.0, 90.0, 4.0, 3.5, 1.5, 4.9, 6.9, 80.0];
+        let stances = Stance::all(&times, &force, 100.0);
+        assert_eq!(stances.len(), 2);
+        // 5 of 10 N between frames 1 and 2; 4 N does not end it; 3 N is a quarter of the way from 3.5 to 1.5.
+        assert_eq!((stances[0].first, stances[0].last), (2, 5));
+        assert_eq!((stances[0].on_s, stances[0].off_s), (Some(1.5), Some(5.25)));
+        assert_eq!(stances[0].duration_s(), Some(3.75));
+        // 4.9 N does not begin one; the end is not seen.
+        assert_eq!((stances[1].first, stances[1].last, stances[1].off_s), (8, 9, None));
+        assert_eq!(strides(&stances), [(1.5, stances[1].on_s.unwrap())]);
+        assert_eq!(stances[0].frames(), 2..=5);
+    }
+
+    #[test]
+    fn a_recording_may_begin_on_the_ground_and_plates_may_end_there() {
+        let stances = Stance::all(&[0.0, 1.0], &[50.0, f64::NAN], 100.0);
+        assert_eq!((stances[0].on_s, stances[0].last, stances[0].off_s), (None, 0, None));
+        let stances = Stance::all(&[0.0, 1.0, 2.0], &[f64::NAN, 50.0, 0.0], 100.0);
+        assert_eq!((stances[0].first, stances[0].on_s), (1, None));
+    }
 }

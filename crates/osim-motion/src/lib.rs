@@ -6,47 +6,35 @@
 //! # What it will not do
 //!
 //! It opens no file and changes nothing. It enforces no constraints but couplers.
-
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod assigned;
-mod belt;
-mod beside;
 mod comparison;
 mod coordinates;
 mod fault;
 mod feet;
-mod filter;
 pub mod fit;
-mod left_out;
-mod on_sole;
 mod pair;
-mod percentile;
 mod plates;
-mod poses;
 mod recording;
 mod skeleton;
 mod sole;
-mod stance;
 mod states;
 mod summary;
 mod table;
 mod wrench;
 
 pub use assigned::{AssignedBy, Measured, PlateUse};
-pub use belt::Belt;
-pub use comparison::{ComparedOn, Comparison};
+pub use comparison::{ComparedOn, Comparison, LeftOut};
 pub use coordinates::{CoordinateKind, ModelCoordinate};
 pub use fault::MotionFault;
-pub use feet::Foot;
-pub use left_out::LeftOut;
-pub use on_sole::OnSole;
+pub use feet::{Foot, OFF_BW, ON_BW, Stance, strides};
 pub use pair::{ContactPair, Touched};
 pub use plates::{ExternalLoads, Load, Plate};
-pub use poses::Poses;
 pub use recording::{Recording, RecordingFacts, RecordingOptions};
-pub use stance::{OFF_BW, ON_BW, Stance, strides};
-pub use states::{ContactState, ContactStates, StatesError};
+pub use skeleton::Poses;
+pub use sole::OnSole;
+pub use states::{Belt, ContactState, ContactStates, StatesError};
 pub use summary::{FootSummary, SphereSummary, StanceSummary, Summary, TouchDown};
 pub use table::{AngleUnit, Column, Gap, Table};
 pub use wrench::{CentreOfPressure, Wrench};

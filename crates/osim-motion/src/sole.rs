@@ -1,10 +1,13 @@
-//! Which way is down for a sphere in its body, and which way is forward along the floor.
+//! The sole of a foot: which way is down and forward, and where forces act on it.
 
 use osim_model::feet::{DefaultPose, PoseFault, ViewAxes, dot};
 use osim_model::{Model, Side, cross};
 
+use crate::feet::ON_BW;
 use crate::pair::Touched;
 use crate::states::ContactStates;
+use crate::summary::FootSummary;
+use crate::wrench::Wrench;
 
 /// Limbs closer than this do not say what is right and left, m.
 const APART_M: f64 = 1e-3;
@@ -65,4 +68,129 @@ pub(crate) fn level(direction: [f64; 3], up: [f64; 3]) -> [f64; 3] {
     let flat: [f64; 3] = std::array::from_fn(|i| direction[i] - rises * up[i]);
     let length = libm::sqrt(dot(flat, flat));
     if length > 1e-6 { flat.map(|part| part / length) } else { direction }
+}
+
+// Where forces act on the sole of a foot, which moves and turns over the floor.
+
+/// Centres of pressure in the axes of a foot: forward and to the right, m, from the middle of its spheres, as the foot stands at the
+/// default pose.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct OnSole {
+    /// Where each of its spheres is at the default pose.
+    pub spheres_m: Vec<[f64; 2]>,
+    /// Where the model's force acts in each frame; `None` where it is too small.
+    pub model_m: Vec<Option<[f64; 2]>>,
+    /// Where that of the plates does; `None` where they do not say it.
+    pub measured_m: Vec<Option<[f64; 2]>>,
+}
+
+impl OnSole {
+    /// What each foot and its plates show; `None` where it is not known where a body is at the default pose. The foot's direction along the
+    /// floor is that in which its spheres lie as they do at the default pose, as nearly as can be.
+    pub fn all<'f>(
+        model: &Model,
+        states: &ContactStates,
+        feet: impl Iterator<Item = (&'f FootSummary, Option<&'f [Option<Wrench>]>)>,
+        weight_n: f64,
+    ) -> Vec<Option<Self>> {
+        let pose = DefaultPose::of(model);
+        let across = across(states, &pose).ok();
+        feet.map(|(foot, measured)| Self::of(states, (&pose, across?), foot, measured, weight_n).ok())
+            .collect()
+    }
+
+    fn of(
+        states: &ContactStates,
+        (pose, across): (&DefaultPose, [f64; 3]),
+        foot: &FootSummary,
+        measured: Option<&[Option<Wrench>]>,
+        weight_n: f64,
+    ) -> Result<Self, PoseFault> {
+        let pairs: Vec<_> = foot.foot.pairs.iter().filter_map(|&pair| states.pairs.get(pair)).collect();
+        let first = foot.foot.pairs.first().copied().unwrap_or_default();
+        let normal = states.frame(0).get(first).map_or([0.0, 1.0, 0.0], |state| state.normal);
+        let forward = level(forward(across, normal), normal);
+        let axes = [forward, cross(forward, normal)];
+        let flat = |point_m: [f64; 3]| axes.map(|axis| dot(axis, point_m));
+        let mut spheres_m = Vec::new();
+        for pair in &pairs {
+            spheres_m.push(flat(pose.placement(&pair.body)?.point(pair.centre_m)));
+        }
+        let middle_m = mean(&spheres_m);
+        spheres_m.iter_mut().for_each(|place| *place = less(*place, middle_m));
+        let seen = |frame: usize, wrench: &Wrench| {
+            let own = foot.foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
+            let places: Vec<[f64; 2]> = own.map(|state| flat(state.centre_m)).collect();
+            let on_plane_m = states.frame(frame).get(first)?.on_surface_m(pairs.first()?.radius_m);
+            let centre = wrench.centre_of_pressure(normal, on_plane_m, ON_BW * weight_n)?;
+            Some(turned_back(&spheres_m, &places, flat(centre.point_m)))
+        };
+        let each = |wrenches: &mut dyn Iterator<Item = Option<Wrench>>| {
+            wrenches.enumerate().map(|(frame, one)| seen(frame, &one?)).collect::<Vec<_>>()
+        };
+        let plates = measured.unwrap_or_default();
+        Ok(Self {
+            model_m: each(&mut foot.wrenches.iter().copied().map(Some)),
+            measured_m: each(&mut plates.iter().copied()),
+            spheres_m,
+        })
+    }
+
+    /// By how much the model's centre of pressure is ahead and to the right of the plates', m: the mean over the frames in which both
+    /// are known.
+    #[must_use]
+    pub fn mean_difference_m(&self) -> Option<[f64; 2]> {
+        let both = self.model_m.iter().zip(&self.measured_m);
+        let differences: Vec<[f64; 2]> =
+            both.filter_map(|(own, plate)| Some(less((*own)?, (*plate)?))).collect();
+        (!differences.is_empty()).then(|| mean(&differences))
+    }
+}
+
+/// A point of the floor in the axes of a foot whose spheres are at `now` and were at `before`, around 0: the turn between both is the one
+/// with the least squares.
+fn turned_back(before: &[[f64; 2]], now: &[[f64; 2]], point: [f64; 2]) -> [f64; 2] {
+    let middle = mean(now);
+    let (mut along, mut across) = (0.0, 0.0);
+    for (old, new) in before.iter().zip(now) {
+        let new = less(*new, middle);
+        along += old[0] * new[0] + old[1] * new[1];
+        across += old[0] * new[1] - old[1] * new[0];
+    }
+    let length = libm::sqrt(along * along + across * across);
+    // One sphere alone has no direction.
+    let (cosine, sine) = if length > 0.0 { (along / length, across / length) } else { (1.0, 0.0) };
+    let [ahead, right] = less(point, middle);
+    [cosine * ahead + sine * right, cosine * right - sine * ahead]
+}
+
+fn less(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
+    [one[0] - other[0], one[1] - other[1]]
+}
+
+fn mean(places: &[[f64; 2]]) -> [f64; 2] {
+    let count = places.len().max(1) as f64;
+    let sum = |axis: usize| places.iter().filter_map(|place| place.get(axis)).sum::<f64>() / count;
+    [sum(0), sum(1)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_foot_that_turns_and_moves_keeps_its_points() {
+        let sole = [[0.1, 0.02], [-0.1, 0.0], [0.0, -0.02]];
+        let turn = 0.4_f64;
+        let there = |[x, y]: [f64; 2]| {
+            [3.0 + turn.cos() * x - turn.sin() * y, -1.0 + turn.sin() * x + turn.cos() * y]
+        };
+        let now = sole.map(there);
+        let seen = turned_back(&sole, &now, there([0.05, 0.01]));
+        assert!((seen[0] - 0.05).abs() < 1e-12 && (seen[1] - 0.01).abs() < 1e-12, "{seen:?}");
+        // One sphere: the floor's own axes.
+        let seen = turned_back(&[[0.0; 2]], &[[2.0, 1.0]], [2.1, 1.2]);
+        assert!((seen[0] - 0.1).abs() < 1e-12 && (seen[1] - 0.2).abs() < 1e-12, "{seen:?}");
+    }
 }

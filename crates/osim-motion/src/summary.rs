@@ -6,10 +6,8 @@ use contact_scaling::{limits, restitution};
 use osim_model::feet::dot;
 
 use crate::assigned::Measured;
-use crate::comparison::{ComparedOn, Comparison};
-use crate::feet::Foot;
-use crate::percentile::percentile;
-use crate::stance::{ON_BW, Stance, strides};
+use crate::comparison::{ComparedOn, Comparison, percentile};
+use crate::feet::{Foot, ON_BW, Stance, strides};
 use crate::states::{ContactState, ContactStates};
 use crate::wrench::{CentreOfPressure, Wrench};
 

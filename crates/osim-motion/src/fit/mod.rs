@@ -5,17 +5,12 @@
 //! height and the dissipation given, the force is proportional to the stiffness; the rest is Levenberg–Marquardt from the best of some
 //! heights.
 
-mod data;
-mod held_out;
-mod lowered;
 mod problem;
-mod ranges;
-mod result;
 mod search;
 mod solve;
+mod trial;
 
-pub use data::{FitTrial, FootForces};
-pub use problem::{FitWanted, FittedHeight};
-pub use result::{FitErrors, FittedParameter, HeldOut, MotionFit};
+pub use problem::{FitErrors, FitWanted, FittedHeight, FittedParameter, HeldOut, MotionFit};
 pub use search::{FitBounds, FitError};
 pub use solve::fit_motion;
+pub use trial::{FitTrial, FootForces};

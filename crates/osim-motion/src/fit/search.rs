@@ -2,9 +2,9 @@
 
 use rmpfit::{MPFitter, MPStatus, MPSuccess};
 
-use super::data::FitTrial;
 use super::problem::{FitWanted, FittedHeight, Limits, Problem, Unknowns, forces_bw, with_dissipation};
-use crate::stance::ON_BW;
+use super::trial::FitTrial;
+use crate::feet::ON_BW;
 
 /// Heights that are tried before the search.
 const HEIGHTS: usize = 48;

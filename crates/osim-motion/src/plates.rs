@@ -1,0 +1,391 @@
+//! Ground reactions as force plates measured them, by the columns of a table and by OpenSim's `ExternalLoads`.
+
+use osim_model::{Document, ElementId, opensim_text};
+
+use crate::fault::MotionFault;
+use crate::table::{Column, Table};
+use crate::wrench::Wrench;
+
+/// One plate: what it measured at its own times.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Plate {
+    /// What its columns begin with, as in the file.
+    pub name: String,
+    /// The body that its force acts on, where somebody says it.
+    pub body: Option<String>,
+    /// Whether it has a centre of pressure; a file whose points are all 0 has none, and its moments mean nothing.
+    pub has_points: bool,
+    /// Its times, s.
+    time_s: Vec<f64>,
+    /// What it measured at each of them.
+    wrenches: Vec<Wrench>,
+}
+
+impl Plate {
+    /// The plates of a table of ground reactions, by the names of its columns.
+    ///
+    /// # Errors
+    /// No columns of a force, or a number that is missing.
+    pub fn all(table: &Table) -> Result<Vec<Self>, MotionFault> {
+        let triples = Triples::of(table);
+        if triples.forces.is_empty() {
+            return Err(MotionFault::new(
+                "it has no columns of a force that are known, such as ground_force_vx, ground_force_vy and ground_force_vz: an \
+                 ExternalLoads file says which columns are forces",
+            ));
+        }
+        triples
+            .forces
+            .iter()
+            .map(|force| {
+                let (point, torque) = (triples.point_of(force), triples.torque_of(force));
+                Self::new(table, &force.stem, None, [Some(force.columns), point, torque])
+            })
+            .collect()
+    }
+
+    /// The plates that an `ExternalLoads` file names.
+    ///
+    /// # Errors
+    /// Columns that are not there, a frame that is not ground, or a number that is missing.
+    pub fn of_loads(table: &Table, loads: &ExternalLoads) -> Result<Vec<Self>, MotionFault> {
+        let mut plates = Vec::new();
+        for load in loads.all.iter().filter(|load| load.applies) {
+            let columns = |prefix: &Option<String>| match prefix {
+                Some(prefix) => with_prefix(table, prefix).map(Some),
+                None => Ok(None),
+            };
+            if let Some(frame) =
+                [&load.force_frame, &load.point_frame].into_iter().find(|frame| !is_ground(frame))
+            {
+                return Err(MotionFault::new(format!(
+                    "load '{}' is expressed in '{frame}': only loads in ground are understood",
+                    load.name
+                )));
+            }
+            let triples = [columns(&load.force)?, columns(&load.point)?, columns(&load.torque)?];
+            let name = load.force.as_deref().unwrap_or(&load.name);
+            plates.push(Self::new(table, name, load.body.clone(), triples)?);
+        }
+        if plates.is_empty() {
+            return Err(MotionFault::new("none of the loads of the ExternalLoads file is applied"));
+        }
+        Ok(plates)
+    }
+
+    fn new(
+        table: &Table,
+        name: &str,
+        body: Option<String>,
+        [force, point, torque]: [Option<[&Column; 3]>; 3],
+    ) -> Result<Self, MotionFault> {
+        for column in [force, point, torque].into_iter().flatten().flatten() {
+            table.finite(column)?;
+        }
+        let at = |columns: Option<[&Column; 3]>, row: usize| {
+            columns.map_or([0.0; 3], |columns| {
+                columns.map(|column| column.values.get(row).copied().unwrap_or(0.0))
+            })
+        };
+        let has_points = point.is_some_and(|columns| {
+            columns.iter().any(|column| column.values.iter().any(|&value| value != 0.0))
+        });
+        let wrenches = (0..table.rows())
+            .map(|row| {
+                let free = Wrench { force_n: [0.0; 3], moment_n_m: at(torque, row) };
+                free.plus(at(force, row), at(point, row))
+            })
+            .collect();
+        Ok(Self { name: name.to_owned(), body, has_points, time_s: table.time_s.clone(), wrenches })
+    }
+
+    /// What it measured at a time; straight lines between its own times. `None` before the first and after the last.
+    #[must_use]
+    pub fn at(&self, time_s: f64) -> Option<Wrench> {
+        /// Times of two files that are as close are one, s: the kinematics may begin a rounding before the plates.
+        const SAME: f64 = 1e-6;
+        let after = self.time_s.partition_point(|&time| time < time_s);
+        match (after.checked_sub(1).and_then(|before| self.point(before)), self.point(after)) {
+            (Some((t0, w0)), Some((t1, w1))) => Some(w0.towards(&w1, (time_s - t0) / (t1 - t0))),
+            (None, Some((first, wrench))) if first - time_s <= SAME => Some(wrench),
+            (Some((last, wrench)), None) if time_s - last <= SAME => Some(wrench),
+            _ => None,
+        }
+    }
+
+    fn point(&self, row: usize) -> Option<(f64, Wrench)> {
+        Some((*self.time_s.get(row)?, *self.wrenches.get(row)?))
+    }
+}
+
+fn is_ground(frame: &str) -> bool {
+    matches!(frame, "" | "ground" | "/ground")
+}
+
+impl Wrench {
+    /// The part of the way to another one.
+    fn towards(&self, other: &Self, part: f64) -> Self {
+        let mixed = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| a[i] + part * (b[i] - a[i]));
+        Self {
+            force_n: mixed(self.force_n, other.force_n),
+            moment_n_m: mixed(self.moment_n_m, other.moment_n_m),
+        }
+    }
+}
+
+// OpenSim's `ExternalLoads`: which columns act on which body.
+
+/// An `ExternalLoads` file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct ExternalLoads {
+    /// Its loads, in order.
+    pub all: Vec<Load>,
+    /// What it says in `datafile`, as it stands.
+    pub data_file: Option<String>,
+}
+
+/// One `ExternalForce`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Load {
+    /// Its name.
+    pub name: String,
+    /// Whether it acts at all.
+    pub applies: bool,
+    /// The body that it acts on.
+    pub body: Option<String>,
+    /// The frame of the force; ground where nothing is said.
+    pub force_frame: String,
+    /// The frame of the point.
+    pub point_frame: String,
+    /// What the columns of the force begin with.
+    pub force: Option<String>,
+    /// What the columns of its point begin with.
+    pub point: Option<String>,
+    /// What the columns of the moment begin with.
+    pub torque: Option<String>,
+}
+
+impl ExternalLoads {
+    /// Reads the file.
+    ///
+    /// # Errors
+    /// A file that is not XML, or has another root than `ExternalLoads`.
+    pub fn read(bytes: &[u8]) -> Result<Self, MotionFault> {
+        let document =
+            Document::parse(bytes.to_vec()).map_err(|fault| MotionFault::new(fault.to_string()))?;
+        let tree = document.tree();
+        let root = document.data_root();
+        if tree.name(root) != "ExternalLoads" {
+            return Err(MotionFault::new(format!(
+                "it is a <{}>, not an <ExternalLoads>, which says which columns act on which body",
+                tree.name(root)
+            )));
+        }
+        let objects = tree.child(root, "objects");
+        let forces = objects.into_iter().flat_map(|objects| tree.children(objects));
+        let forces = forces.filter(|&id| matches!(tree.name(id), "ExternalForce" | "PrescribedForce"));
+        let all = forces.map(|force| Load::read(&document, force)).collect();
+        Ok(Self { all, data_file: text(&document, root, "datafile") })
+    }
+
+    /// The last part of `datafile`, whatever disk it was on.
+    #[must_use]
+    pub fn data_file_name(&self) -> Option<&str> {
+        self.data_file.as_deref().and_then(|path| path.rsplit(['/', '\\']).next())
+    }
+}
+
+impl Load {
+    fn read(document: &Document, force: ElementId) -> Self {
+        let tree = document.tree();
+        let get = |tag| text(document, force, tag);
+        // Before version 4, `isDisabled` said the opposite.
+        let is_false = |text: &String| matches!(text.as_str(), "false" | "0");
+        let applies = get("appliesForce").is_none_or(|text| !is_false(&text))
+            && get("isDisabled").is_none_or(|text| is_false(&text));
+        Self {
+            name: tree.attribute(force, "name").unwrap_or_default().into_owned(),
+            applies,
+            body: get("applied_to_body"),
+            force_frame: get("force_expressed_in_body").unwrap_or_default(),
+            point_frame: get("point_expressed_in_body").unwrap_or_default(),
+            force: get("force_identifier"),
+            point: get("point_identifier"),
+            torque: get("torque_identifier"),
+        }
+    }
+}
+
+/// The text of a child, if it says anything.
+fn text(document: &Document, owner: ElementId, tag: &str) -> Option<String> {
+    let tree = document.tree();
+    let text = tree.text_of(tree.child(owner, tag)?);
+    let text = opensim_text::trimmed(&text);
+    (!text.is_empty() && text != "Unassigned").then(|| text.to_owned())
+}
+
+// Which columns are the three parts of a force, of its point, of a moment.
+
+/// Columns that end in x, y and z and have the rest in common.
+struct Triple<'t> {
+    /// What they have in common, as in the file.
+    stem: String,
+    columns: [&'t Column; 3],
+    what: What,
+    /// What distinguishes its plate from others: what is left of the stem without the words.
+    plate: String,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum What {
+    Force,
+    Point,
+    Torque,
+}
+
+/// All triples of a table of ground reactions.
+struct Triples<'t> {
+    forces: Vec<Triple<'t>>,
+    others: Vec<Triple<'t>>,
+}
+
+impl<'t> Triples<'t> {
+    fn of(table: &'t Table) -> Self {
+        let mut triples = Self { forces: Vec::new(), others: Vec::new() };
+        for column in &table.columns {
+            let Some(stem) = column.name.strip_suffix(['x', 'X']) else { continue };
+            let Some((what, plate)) = meaning(stem) else { continue };
+            let [Some(y), Some(z)] = [["y", "Y"], ["z", "Z"]]
+                .map(|names| names.iter().find_map(|axis| table.column(&format!("{stem}{axis}"))))
+            else {
+                continue;
+            };
+            let triple = Triple { stem: stem.to_owned(), columns: [column, y, z], what, plate };
+            match what {
+                What::Force => triples.forces.push(triple),
+                _ => triples.others.push(triple),
+            }
+        }
+        triples
+    }
+
+    fn point_of(&self, force: &Triple<'_>) -> Option<[&'t Column; 3]> {
+        self.of_plate(What::Point, force)
+    }
+
+    fn torque_of(&self, force: &Triple<'_>) -> Option<[&'t Column; 3]> {
+        self.of_plate(What::Torque, force)
+    }
+
+    fn of_plate(&self, what: What, force: &Triple<'_>) -> Option<[&'t Column; 3]> {
+        self.others.iter().find(|one| one.what == what && one.plate == force.plate).map(|one| one.columns)
+    }
+}
+
+/// What columns of this stem are, and of which plate: `ground_force_v`, `1_ground_force_p`, `ground_torque_r_`, `l_ground_moment_m`,
+/// `F1`, `M1`, `COP1`.
+fn meaning(stem: &str) -> Option<(What, String)> {
+    let lower = stem.to_ascii_lowercase();
+    let numbered = lower.trim_start_matches(|c: char| c.is_ascii_alphabetic());
+    if !numbered.is_empty() && numbered.chars().all(|c| c.is_ascii_digit()) {
+        let what = match lower.strip_suffix(numbered)? {
+            "f" | "force" => What::Force,
+            "p" | "cop" => What::Point,
+            "m" | "t" | "moment" => What::Torque,
+            _ => return None,
+        };
+        return Some((what, numbered.to_owned()));
+    }
+    let is_moment = lower.contains("torque") || lower.contains("moment");
+    let what = match lower.rsplit(['_', '.']).next()? {
+        "m" if is_moment || lower.contains("force") => What::Torque,
+        _ if is_moment => What::Torque,
+        "v" if lower.contains("force") => What::Force,
+        "p" if lower.contains("force") || lower.contains("cop") => What::Point,
+        _ => return None,
+    };
+    let words = ["ground", "force", "torque", "moment", "v", "p", "m", "cop"];
+    let rest: Vec<&str> =
+        lower.split(['_', '.']).filter(|part| !part.is_empty() && !words.contains(part)).collect();
+    Some((what, rest.join("_")))
+}
+
+/// The three columns that begin with `prefix`, as `ExternalLoads` files name them.
+fn with_prefix<'t>(table: &'t Table, prefix: &str) -> Result<[&'t Column; 3], MotionFault> {
+    let exact = ["x", "y", "z"].map(|axis| table.column(&format!("{prefix}{axis}")));
+    if let [Some(x), Some(y), Some(z)] = exact {
+        return Ok([x, y, z]);
+    }
+    let found: Vec<&Column> = table.columns.iter().filter(|column| column.name.starts_with(prefix)).collect();
+    match found.as_slice() {
+        [x, y, z] => Ok([x, y, z]),
+        _ => Err(MotionFault::new(format!(
+            "the ExternalLoads file names three columns that begin with '{prefix}', and the table has {}",
+            found.len()
+        ))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn table(text: &str) -> Table {
+        Table::read(text.as_bytes()).unwrap()
+    }
+
+    #[test]
+    fn plates_are_found_by_their_columns() {
+        let text = "endheader\ntime 1_ground_force_vx 1_ground_force_vy 1_ground_force_vz 1_ground_force_px 1_ground_force_py \
+                1_ground_force_pz 1_ground_torque_x 1_ground_torque_y 1_ground_torque_z F2x F2y F2z other\n\
+                0 0 100 0 0.5 0 0.1 0 7 0 1 2 3 9\n1 0 200 0 0.5 0 0.1 0 7 0 1 2 3 9\n";
+        let plates = Plate::all(&table(text)).unwrap();
+        assert_eq!(
+            plates.iter().map(|plate| (plate.name.as_str(), plate.has_points)).collect::<Vec<_>>(),
+            [("1_ground_force_v", true), ("F2", false)]
+        );
+        // Halfway: 150 N up at (0.5, 0, 0.1), and 7 N m about y.
+        let half = plates[0].at(0.5).unwrap();
+        assert_eq!((half.force_n, half.moment_n_m), ([0.0, 150.0, 0.0], [-15.0, 7.0, 75.0]));
+        assert_eq!((plates[0].at(-0.1), plates[0].at(1.1)), (None, None));
+        assert_eq!(plates[0].at(1.0).unwrap().force_n[1], 200.0);
+        assert_eq!(plates[1].at(0.0).unwrap().force_n, [1.0, 2.0, 3.0]);
+    }
+
+    #[test]
+    fn loads_name_their_columns() {
+        let xml = "<OpenSimDocument Version=\"40000\"><ExternalLoads><objects><ExternalForce name=\"R\"><applied_to_body>calcn_r\
+               </applied_to_body><force_identifier>a_</force_identifier><point_identifier>b_</point_identifier>\
+               </ExternalForce></objects></ExternalLoads></OpenSimDocument>";
+        let loads = ExternalLoads::read(xml.as_bytes()).unwrap();
+        let text = "endheader\ntime a_x a_y a_z b_x b_y b_z\n0 0 10 0 0 0 0\n";
+        let plates = Plate::of_loads(&table(text), &loads).unwrap();
+        assert_eq!((plates[0].body.as_deref(), plates[0].has_points), (Some("calcn_r"), false));
+        let lost = Plate::of_loads(&table("endheader\ntime a_x a_y\n0 0 1\n"), &loads).unwrap_err();
+        assert!(lost.message.contains("'a_'"), "{lost}");
+        assert!(Plate::all(&table(text)).is_err());
+    }
+
+    #[test]
+    fn names_of_laboratories_are_understood() {
+        let plate = |stem: &str| meaning(stem).map(|(what, plate)| (what, plate.leak() as &str));
+        assert_eq!(plate("ground_force_v"), Some((What::Force, "")));
+        assert_eq!(plate("ground_force_p"), Some((What::Point, "")));
+        assert_eq!(plate("ground_torque_"), Some((What::Torque, "")));
+        assert_eq!(plate("l_ground_torque_"), Some((What::Torque, "l")));
+        assert_eq!(plate("1_ground_force_v"), Some((What::Force, "1")));
+        assert_eq!(plate("R_ground_force_v"), Some((What::Force, "r")));
+        assert_eq!(plate("ground_force_r_v"), Some((What::Force, "r")));
+        assert_eq!(plate("ground_torque_r_"), Some((What::Torque, "r")));
+        assert_eq!(plate("ground_force_1_v"), Some((What::Force, "1")));
+        assert_eq!(plate("ground_moment_1_m"), Some((What::Torque, "1")));
+        assert_eq!(plate("1_ground_torque_m"), Some((What::Torque, "1")));
+        assert_eq!(plate("F1"), Some((What::Force, "1")));
+        assert_eq!(plate("M12"), Some((What::Torque, "12")));
+        assert_eq!(plate("knee_"), None);
+        assert_eq!(plate("emg1"), None);
+    }
+}

@@ -1,0 +1,416 @@
+//! OpenSim's tables over time: `.mot` and `.sto` files.
+
+use crate::fault::MotionFault;
+
+/// A table over time, as OpenSim's `.mot` and `.sto` files have it.
+///
+/// ```
+/// use osim_motion::Table;
+///
+/// let text = "name walk\ninDegrees=yes\nendheader\ntime\tknee_angle_r\n0.0\t10\n0.1\t12\n";
+/// let table = Table::read(text.as_bytes())?;
+/// assert_eq!((table.time_s.as_slice(), table.column("knee_angle_r").unwrap().values.as_slice()), ([0.0, 0.1].as_slice(), [10.0, 12.0].as_slice()));
+/// # Ok::<(), osim_motion::MotionFault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Table {
+    /// The time of each row, s, rising.
+    pub time_s: Vec<f64>,
+    /// All other columns, in the order of the file.
+    pub columns: Vec<Column>,
+    /// The unit of its angles, where the header says it.
+    pub declared: Option<AngleUnit>,
+    /// Whether the header has a `version`: then OpenSim takes angles of an undeclared unit for radians.
+    pub has_version: bool,
+    /// The line of each row in the file, from 1.
+    pub lines: Vec<usize>,
+}
+
+/// One column of a table.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Column {
+    /// Its name, as in the file.
+    pub name: String,
+    /// One number for each row; NaN where the file says so.
+    pub values: Vec<f64>,
+}
+
+impl Table {
+    /// A table that was not in a file.
+    ///
+    /// # Errors
+    /// Columns of other lengths than `time_s`, or times that do not rise; lines count from the first row.
+    pub fn of_columns(
+        time_s: Vec<f64>,
+        columns: Vec<(String, Vec<f64>)>,
+        unit: AngleUnit,
+    ) -> Result<Self, MotionFault> {
+        let lines: Vec<usize> = (1..=time_s.len()).collect();
+        rising(&time_s, &lines)?;
+        if let Some((name, values)) = columns.iter().find(|(_, values)| values.len() != time_s.len()) {
+            let (given, rows) = (values.len(), time_s.len());
+            return Err(MotionFault::new(format!(
+                "column '{name}' has {given} values, but there are {rows} times"
+            )));
+        }
+        let columns = columns.into_iter().map(|(name, values)| Column { name, values }).collect();
+        Ok(Self { time_s, columns, declared: Some(unit), has_version: true, lines })
+    }
+
+    /// The first column of this name.
+    #[must_use]
+    pub fn column(&self, name: &str) -> Option<&Column> {
+        self.columns.iter().find(|column| column.name == name)
+    }
+
+    /// How many rows it has.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.time_s.len()
+    }
+
+    /// Checks that a column has a finite number in each row.
+    ///
+    /// # Errors
+    /// The first row in which it has none.
+    pub fn finite(&self, column: &Column) -> Result<(), MotionFault> {
+        let odd = column.values.iter().position(|value| !value.is_finite());
+        match odd.and_then(|row| Some((row, *self.lines.get(row)?))) {
+            None => Ok(()),
+            Some((row, line)) => {
+                let value = column.values.get(row).copied().unwrap_or(f64::NAN);
+                Err(MotionFault::at(
+                    line,
+                    format!("column '{}' is {value}, expected a finite number", column.name),
+                ))
+            }
+        }
+    }
+
+    /// The time between rows, s, where all are equally far apart within one percent.
+    #[must_use]
+    pub fn even_step_s(&self) -> Option<f64> {
+        let (first, last) = (self.time_s.first()?, self.time_s.last()?);
+        let mean = (last - first) / self.rows().checked_sub(1).filter(|&steps| steps > 0)? as f64;
+        let is_even = |pair: &[f64]| matches!(pair, [a, b] if ((b - a) - mean).abs() <= 0.01 * mean);
+        self.time_s.windows(2).all(is_even).then_some(mean)
+    }
+}
+
+// What stands above the rows.
+
+/// The unit of the angles of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AngleUnit {
+    /// Degrees.
+    Degrees,
+    /// Radians.
+    Radians,
+}
+
+impl AngleUnit {
+    /// What a number of this unit is multiplied by to be in rad.
+    #[must_use]
+    pub const fn radians(self) -> f64 {
+        match self {
+            Self::Degrees => std::f64::consts::PI / 180.0,
+            Self::Radians => 1.0,
+        }
+    }
+
+    /// As in messages.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Degrees => "degrees",
+            Self::Radians => "radians",
+        }
+    }
+}
+
+/// What a header says.
+struct Header {
+    declared: Option<AngleUnit>,
+    has_version: bool,
+    /// Index of the line `endheader`, from 0.
+    end: usize,
+}
+
+impl Header {
+    fn read(text: &str) -> Result<Self, MotionFault> {
+        let mut header = Self { declared: None, has_version: false, end: 0 };
+        for (index, line) in text.lines().enumerate() {
+            let line = line.trim_ascii();
+            if line.eq_ignore_ascii_case("endheader") {
+                header.end = index;
+                return Ok(header);
+            }
+            header.take(line);
+        }
+        Err(MotionFault::new(
+            "it has no line `endheader`: a motion is a .mot or .sto file of OpenSim, with a header that ends so",
+        ))
+    }
+
+    fn take(&mut self, line: &str) {
+        let lower = line.to_ascii_lowercase();
+        // `inDegrees=yes`, `inDegrees yes`, and a sentence that OpenSim writes for people.
+        let (key, value) = lower.split_once(['=', ' ', '\t']).unwrap_or((lower.as_str(), ""));
+        match key.trim_ascii() {
+            "indegrees" => {
+                let yes = matches!(value.trim_start_matches('=').trim_ascii(), "yes" | "true" | "1" | "y");
+                self.declared = Some(if yes { AngleUnit::Degrees } else { AngleUnit::Radians });
+            }
+            "version" => self.has_version = true,
+            _ if lower.contains("angles are in degrees") => self.said(AngleUnit::Degrees),
+            _ if lower.contains("angles are in radians") => self.said(AngleUnit::Radians),
+            _ => {}
+        }
+    }
+
+    /// A sentence counts where no property says it.
+    fn said(&mut self, unit: AngleUnit) {
+        self.declared.get_or_insert(unit);
+    }
+}
+
+/// Checks that times are finite and rise.
+fn rising(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault> {
+    if let Some((time, line)) = time_s.iter().zip(lines).find(|(time, _)| !time.is_finite()) {
+        return Err(MotionFault::at(*line, format!("its time is {time}, expected a finite number")));
+    }
+    for (pair, lines) in time_s.windows(2).zip(lines.windows(2)) {
+        let ([before, now], [_, line]) = (pair, lines) else { continue };
+        if now > before {
+            continue;
+        }
+        return Err(MotionFault::at(
+            *line,
+            format!("its time is {now} s, after {before} s: times must rise"),
+        ));
+    }
+    Ok(())
+}
+
+// Names and numbers below the header.
+
+/// Texts of a file are shown up to here.
+const SHOWN: usize = 40;
+
+impl Table {
+    /// Reads one.
+    ///
+    /// # Errors
+    /// No header, no times, a row with more or fewer cells than there are names, a cell that is not a number, or times that do not
+    /// rise, with the line.
+    pub fn read(bytes: &[u8]) -> Result<Self, MotionFault> {
+        let text = String::from_utf8_lossy(bytes);
+        let header = Header::read(&text)?;
+        read(&text, &header)
+    }
+}
+
+fn read(text: &str, header: &Header) -> Result<Table, MotionFault> {
+    let mut lines =
+        text.lines().enumerate().skip(header.end + 1).filter(|(_, line)| !line.trim_ascii().is_empty());
+    let Some((above, names)) = lines.next() else {
+        return Err(MotionFault::new(
+            "nothing follows its line `endheader`: the names of its columns are missing",
+        ));
+    };
+    let mut names = names_of(names).into_iter();
+    match names.next() {
+        Some(first) if first.eq_ignore_ascii_case("time") => {}
+        first => {
+            let first = shown(&first.unwrap_or_default());
+            return Err(MotionFault::at(
+                above + 1,
+                format!("its first column is '{first}', expected 'time'"),
+            ));
+        }
+    }
+    let mut columns: Vec<Column> = names.map(|name| Column { name, values: Vec::new() }).collect();
+    let (mut time_s, mut numbers) = (Vec::new(), Vec::new());
+    for (index, line) in lines {
+        let number = index + 1;
+        let mut cells = line.split_ascii_whitespace();
+        let time = cells.next().unwrap_or_default();
+        time_s.push(value(time, "time", number)?);
+        let mut count = 1;
+        for column in &mut columns {
+            let Some(cell) = cells.next() else { break };
+            column.values.push(value(cell, &column.name, number)?);
+            count += 1;
+        }
+        count += cells.count();
+        if count != columns.len() + 1 {
+            let expected = columns.len() + 1;
+            return Err(MotionFault::at(
+                number,
+                format!(
+                    "it has {count} cells, but there are {expected} names of columns in line {}",
+                    above + 1
+                ),
+            ));
+        }
+        numbers.push(number);
+    }
+    if time_s.is_empty() {
+        return Err(MotionFault::new("it has no rows of numbers"));
+    }
+    rising(&time_s, &numbers)?;
+    let &Header { declared, has_version, .. } = header;
+    Ok(Table { time_s, columns, declared, has_version, lines: numbers })
+}
+
+/// Names between tabs may have spaces; without tabs, spaces divide them.
+fn names_of(line: &str) -> Vec<String> {
+    let by_tabs = line.contains('\t');
+    let names: Vec<&str> = match by_tabs {
+        true => line.split('\t').map(str::trim_ascii).filter(|name| !name.is_empty()).collect(),
+        false => line.split_ascii_whitespace().collect(),
+    };
+    names.into_iter().map(str::to_owned).collect()
+}
+
+fn value(cell: &str, column: &str, line: usize) -> Result<f64, MotionFault> {
+    cell.parse().map_err(|_| {
+        let (cell, column) = (shown(cell), shown(column));
+        MotionFault::at(line, format!("column '{column}': '{cell}' is not a number"))
+    })
+}
+
+fn shown(text: &str) -> String {
+    match text.char_indices().nth(SHOWN) {
+        Some((end, _)) => format!("{}...", text.get(..end).unwrap_or_default()),
+        None => text.to_owned(),
+    }
+}
+
+// Rows that are missing.
+
+/// A step this many times as long as the usual one lacks a row: less is a rounded time.
+const LACKS_A_ROW: f64 = 1.5;
+
+/// A time without rows, longer than the usual step from row to row.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct Gap {
+    /// The time of the row before it, s.
+    pub from_s: f64,
+    /// The time of the row after it, s.
+    pub to_s: f64,
+}
+
+impl Gap {
+    /// How long it is, s.
+    #[must_use]
+    pub fn length_s(&self) -> f64 {
+        self.to_s - self.from_s
+    }
+}
+
+impl Table {
+    /// Where rows are missing: steps in time that are longer than 1.5 times the median of all.
+    ///
+    /// ```
+    /// use osim_motion::Table;
+    ///
+    /// let table = Table::read(b"endheader\ntime x\n0.00 1\n0.01 1\n0.02 1\n0.05 1\n0.06 1\n")?;
+    /// let gaps = table.gaps();
+    /// assert_eq!((gaps.len(), gaps[0].from_s, gaps[0].to_s), (1, 0.02, 0.05));
+    /// # Ok::<(), osim_motion::MotionFault>(())
+    /// ```
+    #[must_use]
+    pub fn gaps(&self) -> Vec<Gap> {
+        let steps = self.time_s.windows(2).filter_map(|pair| match pair {
+            [from_s, to_s] => Some(Gap { from_s: *from_s, to_s: *to_s }),
+            _ => None,
+        });
+        let mut lengths: Vec<f64> = steps.clone().map(|step| step.length_s()).collect();
+        let middle = lengths.len() / 2;
+        if lengths.is_empty() {
+            return Vec::new();
+        }
+        let (_, usual_s, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
+        let longest_usual_s = LACKS_A_ROW * *usual_s;
+        steps.filter(|step| step.length_s() > longest_usual_s).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{AngleUnit, Table};
+
+    fn refused(text: &str) -> (Option<usize>, String) {
+        let fault = Table::read(text.as_bytes()).unwrap_err();
+        (fault.line, fault.message)
+    }
+
+    #[test]
+    fn headers_of_all_kinds_are_read() {
+        let simm = "name a.mot\ndatacolumns 2\ndatarows 7\nrange 0 1\nendheader\n time \t x y\t\t\n0 1\n\n1.5 -2e-3\n";
+        let table = Table::read(simm.as_bytes()).unwrap();
+        // A name between tabs keeps its spaces; the number of rows in the header is not believed.
+        assert_eq!((table.columns[0].name.as_str(), table.rows(), table.declared), ("x y", 2, None));
+        assert!(!table.has_version);
+        let said = "Coordinates\n\nAngles are in degrees.\n\nendheader\ntime x\n0 1\n";
+        assert_eq!(Table::read(said.as_bytes()).unwrap().declared, Some(AngleUnit::Degrees));
+        let both = "version=1\ninDegrees=no\nAngles are in degrees.\nEndHeader\ntime x\n0 1\r\n";
+        let table = Table::read(both.as_bytes()).unwrap();
+        assert_eq!((table.declared, table.has_version), (Some(AngleUnit::Radians), true));
+    }
+
+    #[test]
+    fn what_is_wrong_has_its_line() {
+        let head = "endheader\ntime x\n";
+        assert_eq!(refused("time x\n0 1\n").0, None);
+        assert_eq!(refused("endheader\nt x\n0 1\n").0, Some(2));
+        assert_eq!(
+            refused(&format!("{head}0 1\n1 2 3\n")),
+            (Some(4), "it has 3 cells, but there are 2 names of columns in line 2".to_owned())
+        );
+        assert_eq!(refused(&format!("{head}0 1\n1\n")).0, Some(4));
+        assert_eq!(
+            refused(&format!("{head}0 1\n1 two\n")),
+            (Some(4), "column 'x': 'two' is not a number".to_owned())
+        );
+        assert_eq!(
+            refused(&format!("{head}0 1\n0 2\n")),
+            (Some(4), "its time is 0 s, after 0 s: times must rise".to_owned())
+        );
+        assert_eq!(refused(&format!("{head}0 1\nnan 2\n")).0, Some(4));
+        assert_eq!(refused(&format!("{head}0 1\ninf 2\n")).0, Some(4));
+        assert_eq!(refused(&format!("{head}nan 2\n")).0, Some(3));
+        assert_eq!(refused(head).0, None);
+        assert_eq!(refused("").0, None);
+        let table = Table::read(format!("{head}0 nan\n").as_bytes()).unwrap();
+        assert_eq!(table.finite(&table.columns[0]).unwrap_err().line, Some(3));
+    }
+
+    #[test]
+    fn even_steps_are_seen() {
+        let table =
+            |times: &[f64]| Table::of_columns(times.to_vec(), Vec::new(), AngleUnit::Radians).unwrap();
+        assert_eq!(table(&[0.0, 0.1, 0.3]).even_step_s(), None);
+        assert!((table(&[1.0, 1.1, 1.2]).even_step_s().unwrap() - 0.1).abs() < 1e-12);
+        assert_eq!(table(&[1.0]).even_step_s(), None);
+    }
+
+    fn gaps(times: &[f64]) -> Vec<(f64, f64)> {
+        let table = Table::of_columns(times.to_vec(), Vec::new(), AngleUnit::Radians).unwrap();
+        table.gaps().iter().map(|gap| (gap.from_s, gap.to_s)).collect()
+    }
+
+    #[test]
+    fn a_gap_lacks_a_row() {
+        assert_eq!(gaps(&[]), []);
+        assert_eq!(gaps(&[1.0]), []);
+        assert_eq!(gaps(&[1.0, 2.0]), []);
+        // 120 Hz with three digits: steps of 8 and 9 ms.
+        assert_eq!(gaps(&[0.0, 0.008, 0.017, 0.025, 0.033, 0.042]), []);
+        assert_eq!(gaps(&[0.0, 0.1, 0.2, 0.4, 0.5, 0.9, 1.0]), [(0.2, 0.4), (0.5, 0.9)]);
+    }
+}
