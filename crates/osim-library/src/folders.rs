@@ -79,7 +79,7 @@ impl Folders {
         // The names are sorted: the first that is not before the prefix has it, or none does.
         let first = compiled.partition_point(|name| *name < prefix);
         let found = compiled.get(first).filter(|name| name.starts_with(&prefix))?;
-        Some(compiled_model_beside::of_file(&folder_of(output).join(found)))
+        Some(compiled_model_beside(&folder_of(output).join(found)))
     }
 }
 

@@ -6,6 +6,7 @@
 //! # What it will not do
 //!
 //! It opens no file and changes nothing. It enforces no constraints but couplers.
+
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod assigned;

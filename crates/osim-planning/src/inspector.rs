@@ -12,9 +12,9 @@ use osim_requests::{CheckRequest, InspectRequest, Kilograms};
 
 use crate::motion::{CheckedMotion, MotionRemark, MotionResult};
 use crate::opening::{moco_setup, open, scale_file};
+use crate::planner::check_with_trials;
 use crate::remedies::Trials;
-use crate::rules::odd_mesh;
-use crate::trial::check_with_trials;
+use crate::rules;
 
 /// Inspects models, on any thread.
 #[derive(Debug)]
@@ -198,7 +198,7 @@ impl Inspector {
         files: &dyn Files,
     ) -> CheckResult {
         let name = FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone());
-        let mesh = odd_mesh::find(model, &name.to_path(), files);
+        let mesh = rules::find_odd_mesh(model, &name.to_path(), files);
         let beside: Vec<Finding> = compiled.cloned().into_iter().chain(mesh).collect();
         let found = check_with_trials(&self.options, model, inspected, &beside);
         let inspect = |name: &FileName, model: &Model| self.inspect_again(name, model);

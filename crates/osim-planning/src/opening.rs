@@ -1,10 +1,17 @@
-//! Files that a request names, opened through whatever holds them.
+//! Files, models and presets that a request names, opened through whatever holds the files.
 
 use std::path::Path;
 
+use contact_scaling::{Contact, ContactValues, DomainError, Preset, Scale, ScaleValues, SmoothingValues};
 use osim_model::compare::{ScaleFile, refuse_without_moco_phase};
-use osim_model::files::{Beside, Failure, FileError, Files, ModelFiles, OpenModel};
-use osim_model::{Document, FileId};
+use osim_model::files::{Beside, Failure, FileError, Files, InMemory, ModelFiles, OpenModel};
+use osim_model::messages::{Input, phrase};
+use osim_model::{Document, FileId, LineIndex};
+use osim_patch::{preset_model, presets_with_places};
+use osim_requests::options::SetFiles;
+use osim_requests::{PresetsRequest, RequestError, RequestFault};
+use serde::Deserialize;
+use toml::Spanned;
 
 /// Opens a model that stands alone.
 ///
@@ -49,4 +56,236 @@ pub(crate) fn moco_setup(path: &Path, files: &dyn Files) -> Result<Document, Fai
     let problem = refuse_without_moco_phase(&document);
     problem.map_err(|fault| Failure::of_fault(path, fault.in_file(FileId::MAIN)))?;
     Ok(document)
+}
+
+// Is this word a model or a preset? One rule for all verbs.
+
+/// What a word names.
+pub(crate) enum Named {
+    Preset(Preset),
+    /// A preset whose spheres differ in their numbers: a model of ours, which nothing but a model can say.
+    Placed(Box<OpenModel>),
+    /// A file, which may be missing.
+    File,
+}
+
+impl Named {
+    /// The preset of this name, also where a file is called so; else a file. `input` is the field of the word, for messages.
+    ///
+    /// # Errors
+    /// It can be neither, or the file of presets cannot be read.
+    pub(crate) fn find(
+        word: &Path,
+        input: Option<Input>,
+        presets: Option<&Path>,
+        files: &dyn Files,
+    ) -> Result<Self, RequestError> {
+        if let Some(preset) = find_preset(word, presets, files)? {
+            return Ok(Self::Preset(preset));
+        }
+        if let Some(open) = placed_preset(word)? {
+            return Ok(Self::Placed(Box::new(open)));
+        }
+        if may_be_file(word, files) {
+            return Ok(Self::File);
+        }
+        let neither = format!(
+            "'{}': there is no such file and no such preset, expected a model or one of: {}",
+            word.display(),
+            all_names(presets, files)
+        );
+        let fault = match input {
+            Some(input) => RequestFault::refused(input, phrase![input, " ", neither]),
+            None => RequestFault::general(neither),
+        };
+        Err(fault.into())
+    }
+}
+
+/// The preset of this name that has places, as a model; also where a file is called so.
+pub(crate) fn placed_preset(name: &Path) -> Result<Option<OpenModel>, Failure> {
+    let Some(text) = name.to_str().and_then(preset_model) else { return Ok(None) };
+    ModelFiles::read(name, text.into(), Beside::default(), &InMemory::default())?.open().map(Some)
+}
+
+/// All that may be named: presets, and those that only a model can say.
+fn all_names(presets: Option<&Path>, files: &dyn Files) -> String {
+    let mut names = preset_names(presets, files);
+    for name in presets_with_places() {
+        if !names.iter().any(|known| known == name) {
+            names.push(name.to_owned());
+        }
+    }
+    names.join(", ")
+}
+
+/// Whether `word` names a file: it is there, is standard input, or looks like the name of one.
+pub fn may_be_file(word: &Path, files: &dyn Files) -> bool {
+    files.exists(word) || looks_like_file(word)
+}
+
+/// Whether `word` looks like the name of a file, without a look at the files.
+pub(crate) fn looks_like_file(word: &Path) -> bool {
+    word.as_os_str() == "-" || word.components().count() > 1 || word.extension().is_some()
+}
+
+/// A model, or a preset.
+pub(crate) enum Subject {
+    Model(Box<OpenModel>),
+    Preset(Preset),
+}
+
+impl Subject {
+    /// The preset of this name, else the model.
+    ///
+    /// # Errors
+    /// There is neither, or the model cannot be read.
+    pub(crate) fn find(
+        path: &Path,
+        presets: Option<&Path>,
+        set_files: &SetFiles,
+        files: &dyn Files,
+    ) -> Result<Self, RequestError> {
+        Ok(match Named::find(path, None, presets, files)? {
+            Named::Preset(preset) => Self::Preset(preset),
+            Named::Placed(open) => Self::Model(open),
+            Named::File => Self::Model(Box::new(open_with(path, set_files.beside(), files)?)),
+        })
+    }
+}
+
+// Presets: the published ones, and those of a user's own TOML file.
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    #[serde(default)]
+    preset: Vec<Entry>,
+}
+
+/// One `[[preset]]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Entry {
+    name: Spanned<String>,
+    source: String,
+    mass_kg: f64,
+    spheres: f64,
+    radius_m: f64,
+    gravity_m_s2: f64,
+    stiffness: f64,
+    dissipation: f64,
+    constant_contact_force: Option<f64>,
+    hertz_smoothing: Option<f64>,
+    hunt_crossley_smoothing: Option<f64>,
+}
+
+/// All presets: the built-in ones, then those of `file`.
+///
+/// # Errors
+/// A file that cannot be read, an unknown or missing key (with line and column), a value outside its domain, or a name
+/// that is taken.
+pub fn presets(file: Option<&Path>, files: &dyn Files) -> Result<Vec<Preset>, RequestFault> {
+    let mut presets: Vec<Preset> =
+        contact_scaling::preset_names().filter_map(contact_scaling::preset).collect();
+    let Some(path) = file else { return Ok(presets) };
+    let shown = path.display().to_string();
+    let fault = |message: String| RequestFault::refused(Input::Presets, message);
+    let bytes = files.read(path).map_err(|error| fault(format!("{shown}: {error}")))?;
+    let text = std::str::from_utf8(&bytes)
+        .map_err(|_| fault(format!("{shown}: not UTF-8 text, expected a TOML file")))?;
+    let place = |offset: usize| {
+        let at = LineIndex::new(&bytes).position(&bytes, offset);
+        format!("{shown}:{}:{}", at.line, at.column)
+    };
+    let parsed: File = toml::from_str(text).map_err(|error| {
+        let place = error.span().map_or_else(|| shown.clone(), |span| place(span.start));
+        fault(format!("{place}: {}", error.message().replace("expected f64", "expected a number")))
+    })?;
+    for entry in parsed.preset {
+        let (name, at) = (entry.name.get_ref().clone(), place(entry.name.span().start));
+        if presets.iter().any(|preset| preset.name == name) {
+            return Err(fault(format!("{at}: the name '{name}' is taken: choose another")));
+        }
+        presets.push(entry.preset().map_err(|why| fault(format!("{at}: preset '{name}': {why}")))?);
+    }
+    Ok(presets)
+}
+
+/// The preset called `name`, if there is one.
+///
+/// # Errors
+/// As [`presets`].
+pub(crate) fn find_preset(
+    name: &Path,
+    file: Option<&Path>,
+    files: &dyn Files,
+) -> Result<Option<Preset>, RequestFault> {
+    let name = name.to_string_lossy();
+    Ok(presets(file, files)?.into_iter().find(|preset| preset.name == name))
+}
+
+/// The names of all presets, for messages.
+fn preset_names(file: Option<&Path>, files: &dyn Files) -> Vec<String> {
+    let presets = presets(file, files).unwrap_or_default();
+    presets.iter().map(|preset| preset.name.to_string()).collect()
+}
+
+/// Why the values of a preset make no contact.
+#[derive(Debug, thiserror::Error)]
+enum EntryError {
+    #[error(transparent)]
+    Domain(#[from] DomainError),
+    #[error(
+        "constant_contact_force, hertz_smoothing and hunt_crossley_smoothing come together or not at all"
+    )]
+    Smoothing,
+}
+
+impl Entry {
+    fn preset(self) -> Result<Preset, EntryError> {
+        let smoothing =
+            match (self.constant_contact_force, self.hertz_smoothing, self.hunt_crossley_smoothing) {
+                (None, None, None) => None,
+                (Some(constant_contact_force), Some(hertz_smoothing), Some(hunt_crossley_smoothing)) => {
+                    Some(SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })
+                }
+                _ => return Err(EntryError::Smoothing),
+            };
+        let scale = Scale::new(ScaleValues {
+            mass_kg: self.mass_kg,
+            radius_m: self.radius_m,
+            sphere_count: self.spheres,
+            gravity_m_s2: self.gravity_m_s2,
+        })?;
+        let contact = Contact::new(ContactValues {
+            plane_strain_modulus: self.stiffness,
+            dissipation: self.dissipation,
+            smoothing,
+        })?;
+        Ok(Preset { name: self.name.into_inner().into(), source: self.source.into(), scale, contact })
+    }
+}
+
+/// The presets that are asked for.
+///
+/// # Errors
+/// As [`presets`], or an unknown name.
+pub fn find_presets(request: &PresetsRequest, files: &dyn Files) -> Result<Vec<Preset>, RequestFault> {
+    let mut all = presets(request.presets.as_deref(), files)?;
+    let Some(name) = &request.name else { return Ok(all) };
+    all.retain(|preset| preset.name == name.as_str());
+    if all.is_empty() {
+        if preset_model(name).is_some() {
+            return Err(RequestFault::general(phrase![format!(
+                "the spheres of {name} have radii of their own, which this list cannot show: drop-test {name} says what they do; add and \
+                 transfer take them"
+            )]));
+        }
+        let names = preset_names(request.presets.as_deref(), files).join(", ");
+        return Err(RequestFault::general(phrase![format!(
+            "unknown preset '{name}', expected one of: {names}"
+        )]));
+    }
+    Ok(all)
 }

@@ -1,20 +1,20 @@
-//! What a figure shows: bodies, units, the fall.
+//! What a figure shows: bodies, feet, units, the fall, columns of a table.
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use contact_scaling::Ratios;
-use osim_inspect::Stance;
 use osim_inspect::series::Body;
-use osim_inspect::unexplained_slip;
-use osim_model::files::Files;
+use osim_inspect::{Stance, misplaced_spheres, unexplained_slip};
+use osim_model::feet::{AttachedBones, DefaultPose, FeetFault, Foot, FootBodies, MeshFolders};
+use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase, readable};
-use osim_model::{Fault, MassRequest};
-use osim_requests::{MotionRequest, PlotRequest, RequestError, RequestFault};
+use osim_model::{Anatomy, Fault, Finding, ForceId, MassRequest, Model, Selection, SphereId};
+use osim_requests::{HeatOptions, MotionRequest, PlotRequest, RequestError, RequestFault};
 
-use crate::feet::ModelFeet;
-use crate::heat_table::HeatTable;
 use crate::motion::{MotionResult, run_motion};
-use crate::subject::Subject;
+use crate::opening::Subject;
+use crate::sheet::Sheet;
 
 /// The table that a column is drawn from, if the request names one.
 ///
@@ -147,4 +147,248 @@ fn body(request: &PlotRequest, path: &Path, name: &str, files: &dyn Files) -> Re
 /// The file's name without its folders, which would fill a legend.
 fn short_name(path: &Path) -> String {
     path.file_stem().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
+}
+
+// The feet of a model, as figures show them.
+
+/// Spheres and bodies that a model may have at most for its feet to be on a page.
+const MOST_SPHERES: usize = 200;
+const MOST_BODIES: usize = 1000;
+
+/// The feet of one state of a model.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct ModelFeet {
+    /// The name that figures show.
+    pub name: String,
+    /// Its feet.
+    pub feet: Vec<Foot>,
+    /// What says that spheres are where they should not be.
+    pub misplaced: Option<Finding>,
+    /// Bones that could not be read, each with what is wrong.
+    pub missing: Vec<FeetFault>,
+    anatomy: Anatomy,
+    pose: DefaultPose,
+    bodies: Vec<FootBodies>,
+}
+
+impl ModelFeet {
+    /// The feet of a model without their bones: with all moving spheres where `selection` chooses nothing, else with those of the
+    /// chosen forces.
+    ///
+    /// # Errors
+    /// A number that cannot be read, no force that is chosen, or no feet.
+    pub fn of(name: &str, opened: &OpenModel, selection: &Selection) -> Result<Self, Failure> {
+        let found = Self::find(name, &opened.model, selection).map_err(|fault| opened.failure(fault))?;
+        if found.feet.is_empty() {
+            let why = "there are no feet to draw: the model has no contact sphere that moves, and no body near the ground has \
+                       a side in its name, such as calcn_r";
+            return Err(opened.failure(Fault::refused(why)));
+        }
+        Ok(found)
+    }
+
+    /// The same for a page: `None` without feet, or with more spheres or bodies than a page should show.
+    #[must_use]
+    pub fn for_page(name: &str, opened: &OpenModel, selection: &Selection) -> Option<Self> {
+        let model = &opened.model;
+        let few = model.spheres().len() <= MOST_SPHERES && model.bodies().len() <= MOST_BODIES;
+        few.then(|| Self::of(name, opened, selection).ok()).flatten()
+    }
+
+    fn find(name: &str, model: &Model, selection: &Selection) -> Result<Self, Fault> {
+        let anatomy = Anatomy::of(model)?;
+        let pose = DefaultPose::of(model);
+        let (spheres, forces) = chosen(model, selection)?;
+        let bodies = FootBodies::find(model, &anatomy, &spheres, &forces, &pose);
+        let mut feet = Foot::all(model, &anatomy, &bodies, &pose);
+        let misplaced = misplaced_spheres(model);
+        mark(&mut feet, misplaced.as_ref());
+        Ok(Self { name: name.to_owned(), feet, misplaced, missing: Vec::new(), anatomy, pose, bodies })
+    }
+
+    /// Adds the bones whose meshes are there: in the folder of the model, in its `Geometry`, or in `geometry_dir`.
+    pub fn add_bones(&mut self, model: &Model, path: &Path, geometry_dir: Option<&Path>, files: &dyn Files) {
+        let mut folders = MeshFolders::of_model(path);
+        if let Some(folder) = geometry_dir {
+            folders = folders.and(folder);
+        }
+        let attached = AttachedBones::of(model);
+        for (foot, bodies) in self.feet.iter_mut().zip(&self.bodies) {
+            let mut found = Vec::new();
+            for body in foot.bodies_with_bones(&self.anatomy, bodies) {
+                match attached.bones(&body, &folders, files) {
+                    Ok(bones) => found.extend(bones),
+                    Err(FeetFault::NoMesh { .. }) => {}
+                    Err(fault) => self.missing.push(fault),
+                }
+            }
+            foot.add_bones(&self.anatomy, bodies, &found, &self.pose);
+        }
+    }
+
+    /// The same feet with spheres of other radii: all multiplied by `ratio`, the centres where they are.
+    #[must_use]
+    pub fn with_radii(&self, name: String, ratio: f64) -> Self {
+        let mut scaled = Self { name, ..self.clone() };
+        for sphere in scaled.feet.iter_mut().flat_map(|foot| &mut foot.spheres) {
+            sphere.radius_m *= ratio;
+        }
+        scaled
+    }
+
+    /// Whether there are spheres at all.
+    #[must_use]
+    pub fn has_spheres(&self) -> bool {
+        self.feet.iter().any(|foot| !foot.spheres.is_empty())
+    }
+
+    /// Whether both have the same spheres in the same places.
+    #[must_use]
+    pub fn has_same_spheres(&self, other: &Self) -> bool {
+        let spheres = |feet: &Self| -> Vec<_> { feet.feet.iter().map(|foot| foot.spheres.clone()).collect() };
+        spheres(self) == spheres(other)
+    }
+}
+
+/// The spheres to draw, and the forces by which limbs are found.
+fn chosen(model: &Model, selection: &Selection) -> Result<(Vec<SphereId>, Vec<ForceId>), Fault> {
+    let moving = |id: &SphereId| model.sphere(*id).is_some_and(|sphere| !sphere.fixed);
+    if *selection == Selection::default() {
+        let spheres = model.spheres().iter().map(|sphere| sphere.id).filter(moving).collect();
+        return Ok((spheres, model.force_ids()));
+    }
+    let forces = selection.apply(model)?.forces;
+    let held = forces.iter().filter_map(|&id| model.force(id)).flat_map(osim_model::Force::spheres);
+    let mut spheres: Vec<SphereId> = held.filter(moving).collect();
+    spheres.sort_unstable();
+    spheres.dedup();
+    Ok((spheres, forces))
+}
+
+fn mark(feet: &mut [Foot], finding: Option<&Finding>) {
+    let Some(finding) = finding else { return };
+    let misplaced: HashSet<&String> = finding.spheres.iter().collect();
+    for sphere in feet.iter_mut().flat_map(|foot| &mut foot.spheres) {
+        sphere.misplaced = misplaced.is_empty() || misplaced.contains(&sphere.name);
+    }
+}
+
+// A column of a table over one or two others, such as a result over the grid of a sweep.
+
+/// Columns that say what a sweep was asked for begin with this.
+const GRID: &str = "grid_";
+
+/// A column of numbers.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct TableColumn {
+    /// Its name, as the table has it.
+    pub name: String,
+    /// A number for each row; `None` for an empty cell.
+    pub values: Vec<Option<f64>>,
+}
+
+/// What is drawn of a table.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct HeatTable {
+    /// The file's name without its folders.
+    pub name: String,
+    /// Along the horizontal axis.
+    pub x: TableColumn,
+    /// Along the vertical axis; `None` where the table varies one thing only.
+    pub y: Option<TableColumn>,
+    /// As a colour, or as the height of a curve.
+    pub value: TableColumn,
+}
+
+impl HeatTable {
+    /// Reads the columns that `options` name from the table at `path`.
+    ///
+    /// # Errors
+    /// The table cannot be read, a column is missing (with those that are there) or is not clear, or a cell is not a number.
+    pub fn read(path: &Path, options: &HeatOptions, files: &dyn Files) -> Result<Self, Failure> {
+        let failed = |why: String| Failure::outside(path.display().to_string(), "table", why);
+        let bytes = files.read(path).map_err(|error| failed(error.to_string()))?;
+        let sheet = Sheet::read(&bytes).map_err(failed)?;
+        let name = path.file_stem().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        Self::of_sheet(name, &sheet, options).map_err(failed)
+    }
+
+    fn of_sheet(name: String, sheet: &Sheet, options: &HeatOptions) -> Result<Self, String> {
+        let grid: Vec<&str> =
+            sheet.header.iter().map(String::as_str).filter(|name| name.starts_with(GRID)).collect();
+        let (x, y) = match (options.x_column.as_deref(), options.y_column.as_deref()) {
+            (Some(x), y) => (x, y),
+            (None, y) => match (grid.as_slice(), y) {
+                ([x], y) => (*x, y),
+                ([x, y], None) => (*x, Some(*y)),
+                _ => {
+                    return Err(format!(
+                        "the table has {} columns that begin with '{GRID}', expected one or two: say which columns are \
+                         the axes; there are {}",
+                        grid.len(),
+                        sheet.columns()
+                    ));
+                }
+            },
+        };
+        let value = options.value_column.as_deref().unwrap_or_default();
+        let column = |name: &str| column(sheet, name);
+        Ok(Self { name, x: column(x)?, y: y.map(column).transpose()?, value: column(value)? })
+    }
+}
+
+fn column(sheet: &Sheet, name: &str) -> Result<TableColumn, String> {
+    let index = sheet.column(name)?;
+    let value = |row: &crate::sheet::Row| match row.cells.get(index).map(String::as_str) {
+        None | Some("") => Ok(None),
+        Some(cell) => sheet
+            .number(cell)
+            .map(Some)
+            .map_err(|why| format!("line {}, column '{name}': '{cell}' {why}", row.line)),
+    };
+    let values = sheet.rows.iter().map(value).collect::<Result<_, _>>()?;
+    Ok(TableColumn { name: sheet.header.get(index).cloned().unwrap_or_default(), values })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(table: &str, x: Option<&str>, y: Option<&str>) -> Result<HeatTable, String> {
+        let options = HeatOptions {
+            value_column: Some("speed".to_owned()),
+            x_column: x.map(str::to_owned),
+            y_column: y.map(str::to_owned),
+            ..HeatOptions::default()
+        };
+        HeatTable::of_sheet("t".to_owned(), &Sheet::read(table.as_bytes()).unwrap(), &options)
+    }
+
+    #[test]
+    fn the_columns_of_the_grid_are_the_axes() {
+        let table =
+            read("file,grid_stiffness,grid_dissipation,speed\na,1,2,3\nb,1,4,\n", None, None).unwrap();
+        assert_eq!(
+            (table.x.name.as_str(), table.x.values.as_slice()),
+            ("grid_stiffness", &[Some(1.0), Some(1.0)][..])
+        );
+        assert_eq!(table.y.unwrap().values, [Some(2.0), Some(4.0)]);
+        assert_eq!(table.value.values, [Some(3.0), None]);
+        assert!(read("grid_stiffness,speed\n1,2\n", None, None).unwrap().y.is_none());
+    }
+
+    #[test]
+    fn what_is_not_clear_is_asked_for() {
+        let refused = |table: &str, x, words: &str| {
+            let message = read(table, x, None).unwrap_err();
+            assert!(message.contains(words), "{message}");
+        };
+        refused("a,speed\n1,2\n", None, "0 columns that begin with 'grid_'");
+        refused("grid_a,grid_b,grid_c,speed\n1,2,3,4\n", None, "say which columns");
+        refused("a,speed\n1,2\n", Some("b"), "no column 'b'");
+        refused("a,speed\n1,fast\n", Some("a"), "line 2, column 'speed': 'fast' is not a number");
+    }
 }

@@ -206,7 +206,7 @@ fn as_read(backup: &Option<PathBuf>) -> String {
 pub(crate) fn other_names(path: &Path) -> Option<Finding> {
     let others =
         names_of(&std::fs::metadata(resolved(path)).ok()?).checked_sub(1).filter(|&others| others > 0)?;
-    Some(hard_linked::of_file(path, others))
+    Some(hard_linked(path, others))
 }
 
 #[cfg(test)]

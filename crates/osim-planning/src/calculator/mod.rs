@@ -1,11 +1,376 @@
 //! A design without a model: from what is known, every figure that follows, with its equation and limit.
 
-mod at_rest;
-mod calculate;
 mod given;
-mod register;
-mod sheet;
 
-pub use calculate::design_sheet;
-pub use register::DesignQuantity;
-pub use sheet::{DesignFigure, DesignLimit, DesignSheet};
+use std::borrow::Cow;
+
+use contact_scaling::sizing::{Known, Sizing};
+use contact_scaling::{
+    Hertz, SharedLoad, SmoothSphere, SmoothingValues, limits, modulus, patch, restitution, smoothing,
+    stiffness,
+};
+use osim_inspect::{Quantity, SCHEMA_VERSION};
+use osim_model::Property;
+use osim_model::messages::{Input, phrase};
+use osim_requests::options::WantedOptions;
+use osim_requests::{ConstantIndentation, DesignRequest, Positive, RequestFault, RestitutionCoefficient};
+#[cfg(feature = "schemas")]
+use schemars::JsonSchema;
+#[cfg(feature = "schemas")]
+use schemars::Schema;
+#[cfg(feature = "schemas")]
+use schemars::SchemaGenerator;
+#[cfg(feature = "schemas")]
+use schemars::json_schema;
+use serde::Serialize;
+
+pub(crate) use given::STANDARD_GRAVITY_M_S2;
+use given::{AtRest, Given, ModulusFrom, refused};
+
+/// Every figure that follows from what is known. Serialised it is the JSON contract of `design` without a model;
+/// `docs/reference/json.md` describes it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct DesignSheet {
+    /// Raised when a field changes its meaning or goes away.
+    pub schema_version: u32,
+    /// The figures, in the order in which they follow.
+    pub figures: Vec<DesignFigure>,
+    /// Things to know about them.
+    pub notes: Vec<String>,
+}
+
+/// One figure.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct DesignFigure {
+    /// What it is.
+    #[serde(skip)]
+    pub quantity: DesignQuantity,
+    /// Its name, with its unit.
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "names"))]
+    pub name: &'static str,
+    /// Its value.
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
+    pub value: f64,
+    /// Its unit, for people.
+    pub unit: &'static str,
+    /// Number of the equation in the paper, or a word where there is none.
+    pub equation: Cow<'static, str>,
+    /// It was given, and does not follow from other numbers.
+    pub given: bool,
+    /// Its limit, where it has one.
+    pub limit: Option<DesignLimit>,
+}
+
+/// The limit of a figure.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct DesignLimit {
+    /// In words.
+    pub text: String,
+    /// Whether the figure is within it.
+    pub within_limit: bool,
+}
+
+impl DesignSheet {
+    fn new() -> Self {
+        Self { schema_version: SCHEMA_VERSION, figures: Vec::new(), notes: Vec::new() }
+    }
+
+    /// A figure by the equation of its quantity.
+    fn add(&mut self, quantity: DesignQuantity, value: f64, given: bool) {
+        self.add_by(quantity.info().equation, quantity, value, given);
+    }
+
+    /// A figure that depends on the force at rest: by (C.9), too, if that is not the Hertz force.
+    fn add_at_rest(&mut self, smoothed: bool, quantity: DesignQuantity, value: f64, given: bool) {
+        let equation = quantity.info().equation;
+        let equation = if smoothed { format!("{equation}, C.9").into() } else { Cow::from(equation) };
+        self.add_by(equation, quantity, value, given);
+    }
+
+    /// A figure by another equation than its quantity has as a rule.
+    fn add_by(
+        &mut self,
+        equation: impl Into<Cow<'static, str>>,
+        quantity: DesignQuantity,
+        value: f64,
+        given: bool,
+    ) {
+        let info = quantity.info();
+        let limit =
+            info.limit.map(|limit| DesignLimit { text: limit.in_words(), within_limit: limit.admits(value) });
+        let (name, unit, equation) = (info.name, info.unit, equation.into());
+        self.figures.push(DesignFigure { quantity, name, value, unit, equation, given, limit });
+    }
+}
+
+/// A name from the register.
+#[cfg(feature = "schemas")]
+fn names(_: &mut SchemaGenerator) -> Schema {
+    let names: Vec<&str> = DesignQuantity::ALL.iter().map(|quantity| quantity.info().name).collect();
+    json_schema!({"type": "string", "enum": names})
+}
+
+// The one register of what a design without a model finds. A new quantity is a new entry here, a line in `design_sheet` that
+// adds its value, and a test.
+
+osim_inspect::quantities! {
+    /// A quantity of a design, see [`Quantity`]; its equation may be another in a case.
+    DesignQuantity {
+        /// Load F/n on each sphere.
+        LoadPerSphere = Quantity::new("load_per_sphere_n", "load per sphere", "N").by("3");
+        /// Radius R.
+        Radius = Quantity::RADIUS.by("11, B.2");
+        /// Relative indentation x̂ under the load.
+        RelativeIndentation = Quantity::new("relative_indentation", "relative indentation", "")
+            .by("2, 11").within(&limits::INDENTATION);
+        /// Indentation x under the load.
+        Indentation = Quantity::new("indentation_m", "indentation", "m").by("2");
+        /// Composite modulus E* of both surfaces; by (11), from `stiffness` or from `young`.
+        CompositeModulus = Quantity::COMPOSITE_MODULUS.by("11");
+        /// Plane strain modulus E₁* of one of two equal surfaces: the number for OpenSim.
+        Stiffness = Quantity::property(Property::Stiffness).by("A.4");
+        /// Stiffness k of one sphere under the load.
+        ContactStiffness = Quantity::CONTACT_STIFFNESS;
+        /// k̂ = k R n / F under the load.
+        DimensionlessStiffness = Quantity::DIMENSIONLESS_STIFFNESS;
+        /// Mean contact stress σ under the load.
+        MeanContactStress = Quantity::MEAN_CONTACT_STRESS;
+        /// Diameter of the contact patch under the load.
+        ContactPatchDiameter = Quantity::new("contact_patch_diameter_m", "contact patch diameter", "m").by("15");
+        /// Natural frequency f_n about the rest under one body weight, from k and the mass on the sphere, M/n.
+        NaturalFrequency = Quantity::NATURAL_FREQUENCY;
+        /// The same from gravity and the indentation at rest.
+        EquilibriumFrequency = Quantity::new("equilibrium_frequency_hz", "equilibrium frequency", "Hz").by("B.5");
+        /// Speed before the impact.
+        ImpactSpeed = Quantity::IMPACT_SPEED.by("13");
+        /// Coefficient of restitution c_r that is wanted.
+        Restitution = Quantity::new("restitution", "restitution", "").by("13").within(&limits::RESTITUTION);
+        /// Dissipation α that gives it.
+        Dissipation = Quantity::property(Property::Dissipation).by("13");
+        /// Restitution of the law itself with that dissipation.
+        RestitutionExact
+            = Quantity::new("restitution_exact_at_this_dissipation", "restitution exact at this dissipation", "")
+            .by(DesignQuantity::EXACT);
+        /// Dissipation with which the law itself has the restitution that is wanted; absent for a restitution of 0.
+        DissipationExact
+            = Quantity::new("dissipation_for_exact_restitution_s_m", "dissipation for exact restitution", "s/m")
+            .by(DesignQuantity::EXACT);
+        /// cf, which gives the constant indentation √cf / R that is wanted.
+        ConstantContactForce = Quantity::property(Property::ConstantContactForce).by("C.2");
+        /// bd, which gives the width of the contact transition that is wanted.
+        HertzSmoothing = Quantity::property(Property::HertzSmoothing).by("C.8");
+        /// bv, which gives the width in speed that is wanted.
+        HuntCrossleySmoothing = Quantity::property(Property::HuntCrossleySmoothing).by("C.10");
+        /// Force at rest while the sphere just touches, x = 0; by (C.3) where no dissipation is known.
+        ForceJustTouching = Quantity::FORCE_JUST_TOUCHING;
+    }
+}
+
+impl DesignQuantity {
+    /// In the place of an equation: the law itself, which has no number.
+    pub const EXACT: &'static str = "exact";
+}
+
+// Figures that follow from what is known.
+
+/// Calculates a design that names no model.
+///
+/// # Errors
+/// Too little is known, or it contradicts itself; or something is given that only makes sense with a model.
+pub fn design_sheet(request: &DesignRequest) -> Result<DesignSheet, RequestFault> {
+    if let Some(input) = without_meaning(request) {
+        let message = phrase![input, " needs a model to work on: name one, or leave it out"];
+        return Err(RequestFault::refused(input, message));
+    }
+    let given = Given::new(request)?;
+    let load = given.shared_load().map_err(refused)?;
+    let known = given.known(load.as_ref());
+    let mut sheet = DesignSheet::new();
+    let (sizing, at_rest) = given::solve(&known, &given, &request.wanted)?;
+    match &sizing {
+        Some(sizing) => sized(&mut sheet, sizing, &known, &given, load.as_ref(), at_rest)?,
+        None if given.needs_sizing() => return Err(given.missing()),
+        None => {
+            if let Some(composite) = given.composite_modulus {
+                moduli(&mut sheet, composite, given.modulus, false)?;
+            }
+        }
+    }
+    let radius = sizing.map(|sizing| sizing.radius_m).or(given.radius_m);
+    let composite = sizing.map(|sizing| sizing.composite_modulus_n_m2).or(given.composite_modulus);
+    dissipation(&mut sheet, &request.wanted, radius, given.gravity_m_s2)?;
+    smoothed(&mut sheet, &request.wanted, radius, composite, at_rest)?;
+    if sheet.figures.is_empty() {
+        return Err(given.missing());
+    }
+    Ok(sheet)
+}
+
+/// The first input that only makes sense with a model.
+fn without_meaning(request: &DesignRequest) -> Option<Input> {
+    let output = &request.output;
+    let given = [
+        (Input::Output, output.output.is_some()),
+        (Input::OutputDir, output.output_dir.is_some()),
+        (Input::InPlace, output.in_place),
+        (Input::DryRun, request.run.dry_run),
+        (Input::Diff, request.run.diff),
+        (Input::Summary, request.run.summary.is_some()),
+        (Input::Shard, request.run.shard.is_some()),
+        (Input::Force, output.force),
+        (Input::NoNote, output.no_note),
+        (Input::Select, !request.choice.select.is_empty()),
+        (Input::Exclude, !request.choice.exclude.is_empty()),
+        (Input::SkipDisabled, request.choice.skip_disabled),
+        (Input::ExcludeBody, !request.masses.exclude_body.is_empty()),
+        (Input::ContactsMass, request.masses.contacts_mass.is_some()),
+        (Input::Geometry, request.set_files.geometry.is_some()),
+        (Input::Model, request.set_files.model.is_some()),
+    ];
+    given.into_iter().find(|(_, given)| *given).map(|(input, _)| input)
+}
+
+fn moduli(
+    sheet: &mut DesignSheet,
+    composite: f64,
+    from: ModulusFrom,
+    smoothed: bool,
+) -> Result<(), RequestFault> {
+    match from.equation() {
+        Some(equation) => sheet.add_by(equation, DesignQuantity::CompositeModulus, composite, false),
+        None => sheet.add_at_rest(smoothed, DesignQuantity::CompositeModulus, composite, false),
+    }
+    let surface = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(refused)?;
+    sheet.add(DesignQuantity::Stiffness, surface, from == ModulusFrom::Stiffness);
+    Ok(())
+}
+
+fn sized(
+    sheet: &mut DesignSheet,
+    sizing: &Sizing,
+    known: &Known,
+    given: &Given,
+    load: Option<&SharedLoad>,
+    at_rest: Option<AtRest>,
+) -> Result<(), RequestFault> {
+    let (radius, x) = (sizing.radius_m, sizing.relative_indentation);
+    let (load_n, k) = (sizing.load_per_sphere_n, sizing.stiffness_n_m);
+    let smoothed = at_rest.is_some_and(AtRest::matters);
+    sheet.add_at_rest(smoothed, DesignQuantity::LoadPerSphere, load_n, known.load_per_sphere_n.is_some());
+    sheet.add(DesignQuantity::Radius, radius, known.radius_m.is_some());
+    let x_given = known.relative_indentation.is_some();
+    sheet.add_at_rest(smoothed, DesignQuantity::RelativeIndentation, x, x_given);
+    sheet.add(DesignQuantity::Indentation, x * radius, false);
+    moduli(sheet, sizing.composite_modulus_n_m2, given.modulus, smoothed)?;
+    sheet.add_at_rest(smoothed, DesignQuantity::ContactStiffness, k, known.stiffness_n_m.is_some());
+    let one = SharedLoad::new(load_n, 1.0).map_err(refused)?;
+    let pure = stiffness::dimensionless(k, radius, &one).map_err(refused)?;
+    sheet.add(DesignQuantity::DimensionlessStiffness, pure, false);
+    let stress = patch::mean_stress(load_n, radius, x).map_err(refused)?;
+    sheet.add(DesignQuantity::MeanContactStress, stress, false);
+    let diameter = patch::diameter(x * radius, radius).map_err(refused)?;
+    sheet.add(DesignQuantity::ContactPatchDiameter, diameter, false);
+    if let (Some(mass), Some(load), true) = (given.mass_kg, load, given.is_body_weight) {
+        let on_sphere = mass / load.sphere_count();
+        let frequency = stiffness::natural_frequency(k, on_sphere).map_err(refused)?;
+        sheet.add(DesignQuantity::NaturalFrequency, frequency, false);
+        let frequency = stiffness::equilibrium_frequency(x, radius, given.gravity_m_s2).map_err(refused)?;
+        sheet.add(DesignQuantity::EquilibriumFrequency, frequency, false);
+    }
+    sheet.notes.extend(at_rest.and_then(AtRest::note));
+    if x > 1.0 {
+        let note = "a relative indentation above 1: the sphere is softer than its load allows";
+        sheet.notes.push(note.to_owned());
+    }
+    Ok(())
+}
+
+fn dissipation(
+    sheet: &mut DesignSheet,
+    wanted: &WantedOptions,
+    radius: Option<f64>,
+    gravity: f64,
+) -> Result<(), RequestFault> {
+    let Some(target) = wanted.restitution.map(RestitutionCoefficient::get) else { return Ok(()) };
+    let speed = match (wanted.impact_speed.map(Positive::get), radius) {
+        (Some(speed), _) => speed,
+        (None, Some(radius)) => {
+            let text = "the impact speed is that of a fall from a quarter of the radius, sqrt(gR/2)";
+            sheet.notes.push(text.to_owned());
+            restitution::drop_speed(gravity, radius).map_err(refused)?
+        }
+        (None, None) => {
+            let message = phrase![
+                Input::Restitution,
+                " needs ",
+                Input::ImpactSpeed.like("M/S"),
+                ", or a radius to take sqrt(gR/2) from",
+            ];
+            return Err(RequestFault::refused(Input::Restitution, message));
+        }
+    };
+    sheet.add(DesignQuantity::ImpactSpeed, speed, wanted.impact_speed.is_some());
+    let alpha = restitution::dissipation(target, speed).map_err(refused)?;
+    sheet.add(DesignQuantity::Restitution, target, true);
+    sheet.add(DesignQuantity::Dissipation, alpha, false);
+    let exact = restitution::exact(alpha, speed).map_err(refused)?;
+    sheet.add(DesignQuantity::RestitutionExact, exact, false);
+    if target > 0.0 {
+        let exact = restitution::exact_dissipation(target, speed).map_err(refused)?;
+        sheet.add(DesignQuantity::DissipationExact, exact, false);
+    }
+    Ok(())
+}
+
+fn smoothed(
+    sheet: &mut DesignSheet,
+    wanted: &WantedOptions,
+    radius: Option<f64>,
+    composite: Option<f64>,
+    at_rest: Option<AtRest>,
+) -> Result<(), RequestFault> {
+    let need = |input: Input| {
+        radius.ok_or_else(|| {
+            let message = phrase![input, " needs a radius: say ", Input::Radius.like("METRES")];
+            RequestFault::refused(input, message)
+        })
+    };
+    let t = wanted.threshold.get();
+    let mut cf = None;
+    let mut bd = None;
+    if let Some(x) = wanted.constant_indentation.map(ConstantIndentation::get) {
+        let radius = need(Input::ConstantIndentation)?;
+        let value = smoothing::constant_contact_force(x, radius).map_err(refused)?;
+        sheet.add(DesignQuantity::ConstantContactForce, value, false);
+        cf = Some(value);
+    }
+    if let Some(width) = wanted.state_width.map(Positive::get) {
+        let radius = need(Input::StateWidth)?;
+        let value = smoothing::hertz_smoothing_for_width(t, width, radius).map_err(refused)?;
+        sheet.add(DesignQuantity::HertzSmoothing, value, false);
+        bd = Some(value);
+    }
+    if let Some(width) = wanted.speed_width.map(Positive::get) {
+        let value = smoothing::hunt_crossley_smoothing_for_speed_width(t, width).map_err(refused)?;
+        sheet.add(DesignQuantity::HuntCrossleySmoothing, value, false);
+    }
+    if let (Some(constant_contact_force), Some(hertz_smoothing), Some(radius), Some(composite)) =
+        (cf, bd, radius, composite)
+    {
+        let values =
+            SmoothingValues { constant_contact_force, hertz_smoothing, ..SmoothingValues::OPENSIM_DEFAULT };
+        let hertz = Hertz::sphere(composite, radius).map_err(refused)?;
+        let elastic = SmoothSphere::new(hertz, 0.0, values).map_err(refused)?.elastic_force(0.0);
+        match at_rest {
+            Some(known) => sheet.add(DesignQuantity::ForceJustTouching, elastic * known.speed_state, false),
+            None => sheet.add_by("C.3", DesignQuantity::ForceJustTouching, elastic, false),
+        }
+    }
+    Ok(())
+}

@@ -1,10 +1,395 @@
 //! Contacts in a table: their names, bodies, places and radii.
 
-mod columns;
-mod fault;
 mod place;
-mod read;
 
-pub use fault::TableFault;
+use std::collections::HashMap;
+use std::fmt::{self, Display};
+
+use osim_model::refuse_name;
+
+use crate::sheet::{Row, Sheet};
 pub use place::{PlaceFault, PlaceOnBody, TablePlace};
-pub use read::{ContactRow, ContactTable};
+
+/// What is wrong with a table, and where.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct TableFault {
+    /// Line in the file, where it is about one.
+    pub line: Option<u64>,
+    /// Column, from 1, where it is about one.
+    pub column: Option<usize>,
+    /// What is wrong, with the name of the column, without its line.
+    pub message: String,
+}
+
+impl TableFault {
+    fn of_header(index: usize, message: String) -> Self {
+        Self { line: Some(1), column: Some(index + 1), message }
+    }
+}
+
+impl Display for TableFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "line {line}: {}", self.message),
+            None => f.write_str(&self.message),
+        }
+    }
+}
+
+impl std::error::Error for TableFault {}
+
+/// No place and no radius is beyond this, in whatever unit, m.
+const LARGEST: f64 = 1e9;
+/// What MuSkeMo writes where a contact has no body.
+const NO_BODY: &str = "not_assigned";
+
+/// Contacts as a table has them: one's own (`name`, `body`, `x`, `y`, `z` in the body's frame and perhaps `radius`, all in metres),
+/// or MuSkeMo's export as it is.
+///
+/// ```
+/// use osim_planning::contact_table::{ContactTable, TablePlace};
+///
+/// let table = ContactTable::read(b"body,name,x,y,z,radius [m]\ncalcn_r,heel_r,0.02,-0.01,0,0.03\n")?;
+/// let heel = &table.rows[0];
+/// assert_eq!((heel.name.as_str(), heel.body.as_str(), heel.radius_m), ("heel_r", "calcn_r", Some(0.03)));
+/// assert_eq!(heel.place, TablePlace::OfBody([0.02, -0.01, 0.0]));
+/// # Ok::<(), osim_planning::contact_table::TableFault>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct ContactTable {
+    /// One contact each.
+    pub rows: Vec<ContactRow>,
+    /// Whether it has radii; then each row has one.
+    pub has_radii: bool,
+}
+
+/// One contact.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct ContactRow {
+    /// Line in the file; the header is line 1.
+    pub line: u64,
+    /// Name of its sphere.
+    pub name: String,
+    /// Name of the body that carries it.
+    pub body: String,
+    /// Where it is.
+    pub place: TablePlace,
+    /// Its radius, m, where the table has radii.
+    pub radius_m: Option<f64>,
+}
+
+impl ContactTable {
+    /// Reads a whole table.
+    ///
+    /// # Errors
+    /// The first thing that is wrong: a column that is missing or not known, a cell that is not what it should be, a name that
+    /// OpenSim refuses or that appears twice, or no rows.
+    pub fn read(bytes: &[u8]) -> Result<Self, TableFault> {
+        let whole = |message| TableFault { line: None, column: None, message };
+        let sheet = Sheet::read(bytes).map_err(whole)?;
+        let columns = Columns::of(&sheet)?;
+        let mut lines: HashMap<String, u64> = HashMap::new();
+        let mut rows = Vec::new();
+        for row in &sheet.rows {
+            let cells = Cells { sheet: &sheet, row };
+            let row = cells.contact(&columns)?;
+            if let Some(first) = lines.insert(row.name.clone(), row.line) {
+                let message =
+                    format!("the name '{}' is in line {first} already: each contact needs its own", row.name);
+                return Err(cells.fault(columns.name, message));
+            }
+            rows.push(row);
+        }
+        if rows.is_empty() {
+            return Err(whole("there are no rows below the first one: give each contact a row".to_owned()));
+        }
+        Ok(Self { rows, has_radii: columns.radius.is_some() })
+    }
+}
+
+/// One row as text.
+struct Cells<'s> {
+    sheet: &'s Sheet,
+    row: &'s Row,
+}
+
+impl Cells<'_> {
+    fn contact(&self, columns: &Columns) -> Result<ContactRow, TableFault> {
+        let name = self.cell(columns.name);
+        refuse_name(name).map_err(|fault| self.fault(columns.name, fault.phrase()))?;
+        let body = self.cell(columns.body);
+        if body.is_empty() || body.eq_ignore_ascii_case(NO_BODY) {
+            let message = match body {
+                "" => format!("the cell is empty: name the body that carries {name}"),
+                body => format!("'{body}' is not a body: name the body that carries {name}"),
+            };
+            return Err(self.fault(columns.body, message));
+        }
+        let place = match columns.of_body {
+            Some(own) => TablePlace::OfBody(self.numbers(own)?),
+            None => {
+                let triple =
+                    |columns: Option<[usize; 3]>| columns.map_or(Ok(None), |own| self.numbers_or_none(own));
+                TablePlace::Exported { global_m: triple(columns.global)?, local_m: triple(columns.local)? }
+            }
+        };
+        if let TablePlace::Exported { global_m: None, local_m: None } = place {
+            let first = columns.local.or(columns.global).map_or(columns.name, |[x, ..]| x);
+            return Err(self.fault(first, format!("{name} has no position, neither global nor local")));
+        }
+        let radius_m = columns.radius.map(|column| self.radius(column)).transpose()?;
+        Ok(ContactRow { line: self.row.line, name: name.to_owned(), body: body.to_owned(), place, radius_m })
+    }
+
+    fn radius(&self, column: usize) -> Result<f64, TableFault> {
+        let radius = self.number(column)?;
+        if radius > 0.0 {
+            return Ok(radius);
+        }
+        Err(self.fault(column, format!("'{}' is not a radius, expected metres above 0", self.cell(column))))
+    }
+
+    fn numbers(&self, [x, y, z]: [usize; 3]) -> Result<[f64; 3], TableFault> {
+        Ok([self.number(x)?, self.number(y)?, self.number(z)?])
+    }
+
+    /// Three numbers, or three cells that are empty or nan.
+    fn numbers_or_none(&self, columns: [usize; 3]) -> Result<Option<[f64; 3]>, TableFault> {
+        let silent =
+            |&column: &usize| self.cell(column).is_empty() || self.cell(column).eq_ignore_ascii_case("nan");
+        if columns.iter().all(silent) { Ok(None) } else { self.numbers(columns).map(Some) }
+    }
+
+    fn number(&self, column: usize) -> Result<f64, TableFault> {
+        let cell = self.cell(column);
+        if cell.is_empty() {
+            return Err(self.fault(column, "the cell is empty, expected a number"));
+        }
+        match self.sheet.number(cell) {
+            Ok(value) if value.abs() <= LARGEST => Ok(value),
+            Ok(_) => Err(self.fault(column, format!("'{cell}' is beyond 1e9, expected metres"))),
+            Err(why) => Err(self.fault(column, format!("'{cell}' {why}"))),
+        }
+    }
+
+    fn cell(&self, column: usize) -> &str {
+        self.row.cells.get(column).map_or("", String::as_str)
+    }
+
+    fn fault(&self, column: usize, message: impl Display) -> TableFault {
+        let line = self.row.line;
+        let header = self.sheet.header.get(column).map_or("", String::as_str);
+        let message = format!("column '{header}': {message}");
+        TableFault { line: Some(line), column: Some(column + 1), message }
+    }
+}
+
+/// What a column says of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Name,
+    Body,
+    Radius,
+    /// A coordinate in the frame of the body.
+    OfBody(usize),
+    /// The same, as MuSkeMo exports it: a number only where a local frame was assigned.
+    Local(usize),
+    /// A coordinate in MuSkeMo's global frame.
+    Global(usize),
+    /// A remark of the user, or a name that nothing follows from.
+    Remark,
+}
+
+/// Names of columns without their unit, in small letters. Those of MuSkeMo's export follow one's own.
+const KNOWN: [(&str, Kind); 15] = [
+    ("name", Kind::Name),
+    ("body", Kind::Body),
+    ("x", Kind::OfBody(0)),
+    ("y", Kind::OfBody(1)),
+    ("z", Kind::OfBody(2)),
+    ("radius", Kind::Radius),
+    ("contact_name", Kind::Name),
+    ("parent_body", Kind::Body),
+    ("pos_x_in_global", Kind::Global(0)),
+    ("pos_y_in_global", Kind::Global(1)),
+    ("pos_z_in_global", Kind::Global(2)),
+    ("pos_x_in_local", Kind::Local(0)),
+    ("pos_y_in_local", Kind::Local(1)),
+    ("pos_z_in_local", Kind::Local(2)),
+    ("parent_frame_name", Kind::Remark),
+];
+const EXPECTED: &str = "name, body, x, y, z and radius (remarks begin with #), or MuSkeMo's own";
+
+/// Where each thing is in a row.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Columns {
+    name: usize,
+    body: usize,
+    radius: Option<usize>,
+    of_body: Option<[usize; 3]>,
+    local: Option<[usize; 3]>,
+    global: Option<[usize; 3]>,
+}
+
+impl Columns {
+    /// # Errors
+    /// A column that is missing, appears twice or is not known, or one in another unit than metres.
+    fn of(sheet: &Sheet) -> Result<Self, TableFault> {
+        let mut found: Vec<(Kind, usize)> = Vec::new();
+        for (index, header) in sheet.header.iter().enumerate() {
+            let kind = kind(header).map_err(|message| TableFault::of_header(index, message))?;
+            if kind == Kind::Remark {
+                continue;
+            }
+            if let Some((_, first)) = found.iter().find(|(known, _)| *known == kind) {
+                let other = sheet.header.get(*first).map_or("", String::as_str);
+                let message = format!("the columns '{other}' and '{header}' say the same: leave one out");
+                return Err(TableFault::of_header(index, message));
+            }
+            found.push((kind, index));
+        }
+        let at = |kind: Kind| found.iter().find(|(known, _)| *known == kind).map(|(_, index)| *index);
+        let missing = |what: &str| {
+            TableFault::of_header(
+                0,
+                format!("no column '{what}' in the first row, which has {}", sheet.columns()),
+            )
+        };
+        let triple =
+            |kind: fn(usize) -> Kind, name: fn(&str) -> String| match [0, 1, 2].map(|axis| at(kind(axis))) {
+                [None, None, None] => Ok(None),
+                [Some(x), Some(y), Some(z)] => Ok(Some([x, y, z])),
+                [x, y, _] => Err(missing(&name(if x.is_none() {
+                    "x"
+                } else if y.is_none() {
+                    "y"
+                } else {
+                    "z"
+                }))),
+            };
+        let columns = Self {
+            name: at(Kind::Name).ok_or_else(|| missing("name"))?,
+            body: at(Kind::Body).ok_or_else(|| missing("body"))?,
+            radius: at(Kind::Radius),
+            of_body: triple(Kind::OfBody, str::to_owned)?,
+            local: triple(Kind::Local, |axis| format!("pos_{axis}_in_local"))?,
+            global: triple(Kind::Global, |axis| format!("pos_{axis}_in_global"))?,
+        };
+        match (columns.of_body, columns.local.or(columns.global)) {
+            (None, None) => Err(missing("x")),
+            (Some(_), Some([other, ..])) => {
+                let message = "there are the columns x, y, z and those of MuSkeMo: leave one kind out";
+                Err(TableFault::of_header(other, message.to_owned()))
+            }
+            _ => Ok(columns),
+        }
+    }
+}
+
+fn kind(header: &str) -> Result<Kind, String> {
+    if header.is_empty() || header.starts_with('#') {
+        return Ok(Kind::Remark);
+    }
+    let lower = header.to_ascii_lowercase();
+    let (name, unit) = without_unit(&lower);
+    let Some((_, kind)) = KNOWN.iter().find(|(known, _)| *known == name) else {
+        return Err(format!("the column '{header}' is not known, expected {EXPECTED}"));
+    };
+    match unit {
+        None | Some("m") => Ok(*kind),
+        Some(_) => Err(format!(
+            "the column '{header}' is not in metres: write its numbers in metres, and [m] or no unit"
+        )),
+    }
+}
+
+/// `radius [m]` and `radius(m)` as `radius` and `m`.
+fn without_unit(header: &str) -> (&str, Option<&str>) {
+    for (open, close) in [('(', ')'), ('[', ']')] {
+        let parts = header.strip_suffix(close).and_then(|rest| rest.split_once(open));
+        if let Some((name, unit)) = parts {
+            return (name.trim_ascii_end(), Some(unit.trim_ascii()));
+        }
+    }
+    (header, None)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn refused(text: &str, line: Option<u64>, column: Option<usize>, says: &str) {
+        let fault = ContactTable::read(text.as_bytes()).unwrap_err();
+        assert_eq!((fault.line, fault.column), (line, column), "{fault}");
+        assert!(fault.message.contains(says), "{fault}");
+    }
+
+    #[test]
+    fn columns_may_be_in_any_order_and_separated_as_spreadsheets_do() {
+        let commas = ContactTable::read(b"z,y,x,#who,name,body\n0.3,0.2,0.1,me,heel_r,calcn_r\n").unwrap();
+        let semicolons =
+            ContactTable::read(b"\xEF\xBB\xBFNAME;Body;X [m];y(m);z\r\nheel_r;calcn_r;0,1;0,2;0,3\r\n");
+        let heel = &commas.rows[0];
+        assert_eq!((heel.line, &heel.place), (2, &TablePlace::OfBody([0.1, 0.2, 0.3])));
+        assert_eq!(commas, semicolons.unwrap());
+        assert!(!commas.has_radii);
+    }
+
+    #[test]
+    fn what_muskemo_exports_is_read_as_it_is() {
+        let header = "CONTACT_name,pos_x_in_global(m),pos_y_in_global,pos_z_in_global,parent_body,parent_frame_name,\
+                  pos_x_in_local(m),pos_y_in_local,pos_z_in_local\n";
+        let table =
+            format!("{header}a,1,2,3,foot,not_assigned,nan,nan,nan\nb,1,2,3,foot,frame,0.1,0.2,0.3\n");
+        let table = ContactTable::read(table.as_bytes()).unwrap();
+        let places: Vec<_> = table.rows.iter().map(|row| row.place.clone()).collect();
+        let global_m = Some([1.0, 2.0, 3.0]);
+        assert_eq!(places[0], TablePlace::Exported { global_m, local_m: None });
+        assert_eq!(places[1], TablePlace::Exported { global_m, local_m: Some([0.1, 0.2, 0.3]) });
+        refused(&format!("{header}a,1,2,3,not_assigned,x,nan,nan,nan\n"), Some(2), Some(5), "is not a body");
+        refused(&format!("{header}a,1,2,3,foot,x,0.1,nan,0.3\n"), Some(2), Some(8), "'nan' is not finite");
+        refused(&format!("{header}a,nan,nan,nan,foot,x,,,\n"), Some(2), Some(7), "a has no position");
+    }
+
+    #[test]
+    fn what_is_wrong_is_said_with_its_place() {
+        refused("name,body,x,y\na,foot,1,2\n", Some(1), Some(1), "no column 'z'");
+        refused("name,body,x,y,z,radus\na,foot,1,2,3,4\n", Some(1), Some(6), "'radus' is not known");
+        refused("name,body,x,y,z,radius [mm]\na,foot,1,2,3,4\n", Some(1), Some(6), "not in metres");
+        refused("name,body,x,X,y,z\na,foot,1,1,2,3\n", Some(1), Some(4), "say the same");
+        refused(
+            "name,body,x,y,z,pos_x_in_local,pos_y_in_local,pos_z_in_local\n",
+            Some(1),
+            Some(6),
+            "leave one kind out",
+        );
+        refused("name,body,x,y,z\na,foot,1,O,3\n", Some(2), Some(4), "column 'y': 'O' is not a number");
+        refused("name,body,x,y,z,radius\na,foot,1,2,3,0\n", Some(2), Some(6), "expected metres above 0");
+        refused("name,body,x,y,z,radius\na,foot,1,2,3,\n", Some(2), Some(6), "the cell is empty, expected");
+        refused("name,body,x,y,z\na,,1,2,3\n", Some(2), Some(2), "the cell is empty: name the body");
+        refused("name,body,x,y,z\nleft heel,foot,1,2,3\n", Some(2), Some(1), "with which OpenSim refuses");
+        for name in [".", ".."] {
+            let table = format!("name,body,x,y,z\n{name},foot,1,2,3\n");
+            refused(&table, Some(2), Some(1), "is a step in OpenSim's paths");
+        }
+        // ESC, an override of direction, a no-break space, and a letter that is not there.
+        for (letter, number) in
+            [('\u{1b}', "U+001B"), ('\u{202e}', "U+202E"), ('\u{a0}', "U+00A0"), ('\u{200b}', "U+200B")]
+        {
+            refused(&format!("name,body,x,y,z\nheel{letter}r,foot,1,2,3\n"), Some(2), Some(1), number);
+        }
+        for number in ["1e308", "-1.1e9"] {
+            let table = format!("name,body,x,y,z,radius\na,foot,1,{number},3,0.1\n");
+            refused(&table, Some(2), Some(4), "is beyond 1e9, expected metres");
+        }
+        refused("name,body,x,y,z,radius\na,foot,1,2,3,2e9\n", Some(2), Some(6), "is beyond 1e9");
+        refused("name,body,x,y,z\na,foot,1,2,3\na,foot,1,2,4\n", Some(3), Some(1), "in line 2 already");
+        refused("name,body,x,y,z\n", None, None, "no rows");
+        refused("name,body,x,y,z\n,,,,\n,,,,\n", None, None, "no rows");
+        refused("name,body,x,y,z\na,foot,1,2\n", None, None, "line 2: 4 cells");
+    }
+}

@@ -2,12 +2,12 @@
 
 use contact_scaling::SmoothingValues;
 use osim_inspect::{Found, InspectOptions, check_model};
-use osim_requests::{ConstantIndentation, Request};
-
-use crate::trial;
 use osim_model::messages::{Input, Phrase, Verb, readable};
 use osim_model::{Finding, FindingCode, ForceKind, Model, Property};
 use osim_patch::{Deed, ObjectChange};
+use osim_requests::{ConstantIndentation, Request};
+
+use crate::planner;
 
 /// Different numbers that are listed; more are counted.
 const SAID: usize = 3;
@@ -70,7 +70,7 @@ fn numbers(values: &[f64; 3], count: usize) -> Phrase {
 pub(crate) fn too_smooth(model: &Model) -> Vec<Finding> {
     let options = InspectOptions::default();
     let inspection = options.inspect("", model, None);
-    let found = check_model(&options, model, &inspection, &[], trial::with_numbers(&options, model, true))
+    let found = check_model(&options, model, &inspection, &[], planner::with_numbers(&options, model, true))
         .findings
         .into_iter();
     found

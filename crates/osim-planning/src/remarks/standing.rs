@@ -7,7 +7,7 @@ use osim_model::Model;
 use osim_model::messages::{Phrase, shown};
 use osim_patch::Plan;
 
-use crate::standing_bodies::standing_bodies;
+use crate::afterwards::standing_bodies;
 
 /// How far the spheres that `plan` adds are from the floor of `built`, the model that it makes, at the default pose, and which
 /// coordinate puts the body on them. `None` if they press on no floor.

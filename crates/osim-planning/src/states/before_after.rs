@@ -7,11 +7,11 @@ use osim_model::{Model, Property};
 use osim_patch::Plan;
 use osim_requests::spell::Speller;
 
+use super::both::body;
 use crate::afterwards::options_after;
 use crate::motion::{MotionRemark, MotionResult};
 use crate::remedies::Trials;
-use crate::states::both::body;
-use crate::{ModelFeet, Planner, trial};
+use crate::{ModelFeet, Planner, planner};
 
 /// What is known of both states of a model, spelled.
 #[derive(Debug)]
@@ -51,7 +51,7 @@ impl BeforeAfter {
     ) -> Result<Self, Failure> {
         let before = InspectOptions::from(&planner.inspection());
         // The new model has the same elements: what can be changed in one can be changed in the other.
-        let changes = shown_by(plan, &before, opened) || trial::changeable(&before, &opened.model).numbers;
+        let changes = shown_by(plan, &before, opened) || planner::changeable(&before, &opened.model).numbers;
         let now = seen(&before, opened, changes);
         let after = options_after(planner.aims(), &before, plan, now.0.figures.mass_kg);
         let target = planner.target_gravity_m_s2();
@@ -109,7 +109,7 @@ fn seen(options: &InspectOptions, opened: &OpenModel, changes: bool) -> (Inspect
         &opened.model,
         &inspection,
         &[],
-        trial::with_numbers(options, &opened.model, changes),
+        planner::with_numbers(options, &opened.model, changes),
     );
     // Remedies of a model by itself name no other files.
     let trials = Trials { options, files: &InMemory::default(), inspect: &inspect };

@@ -10,9 +10,8 @@ use serde_json::{Map, Value};
 
 use super::columns::{Column, Columns, Kind};
 use super::fault::RowFault;
-use crate::presets::find_preset;
+use crate::opening::{find_preset, looks_like_file};
 use crate::sheet::{BROKEN_FORMULA, Row, Sheet, is_broken_formula};
-use crate::subject::looks_like_file;
 use crate::verbs::any::{CHANGING, changing_verbs};
 
 /// What a row says.

@@ -22,11 +22,10 @@ use sha2::{Digest, Sha256};
 
 use super::asking::Asking;
 use super::fitted_words::remarks;
-use crate::motion::PlatesRead;
-use crate::motion::opened::{belt, recording_options, table};
-use crate::motion::remarks::other_weight;
-use crate::motion::run::{OnGround, weight};
-use crate::motion::{MotionRemark, MotionResult};
+use crate::motion::{
+    MotionRemark, MotionResult, OnGround, PlatesRead, belt, recording_options, table, weight,
+};
+use crate::motion_remarks::other_weight;
 use crate::opening::read;
 use crate::planner::{Change, Planner, file_name};
 

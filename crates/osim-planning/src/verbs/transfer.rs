@@ -14,8 +14,8 @@ use serde_json::json;
 use super::asking::Asking;
 use super::reference::{Generic, KnownMass, of_opened, of_preset, reference_from_file};
 use super::transferring::{ReferenceSaid, Transferring};
+use crate::opening::Named;
 use crate::planner::Change;
-use crate::subject::Named;
 
 /// A reference, the same as reports show it, and its bones where spheres follow them.
 pub(super) type Referenced = (Reference, ReferenceState, Option<Generic>);

@@ -9,12 +9,11 @@ use osim_model::{Anatomy, Fault, FaultKind, FindingCode, Model, RadiusRule, Sele
 use osim_patch::{Layout, Plan, Rebuilt, presets_with_places, reference_of_model};
 use osim_requests::{AddRequest, BodyMap, NewRadius, Radius, RequestError, RequestFault, TransferRequest};
 
-use super::super::reference::Generic;
-use super::super::transferring::Transferring;
 use super::fault::AddFault;
 use super::made::added;
-use crate::opening::open;
-use crate::subject::{Named, placed_preset};
+use crate::opening::{Named, open, placed_preset};
+use crate::verbs::reference::Generic;
+use crate::verbs::transferring::Transferring;
 
 /// Places, radii and numbers of a reference.
 pub(super) struct FromReference {

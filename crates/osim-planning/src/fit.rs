@@ -1,0 +1,139 @@
+//! Contact parameters from a measured indentation and force.
+
+use std::path::{Path, PathBuf};
+
+use contact_scaling::fit::{Fit, FitError, FitValues, Measurement, Rate, fit};
+use osim_model::files::{Failure, Files};
+use osim_requests::options::ColumnOptions;
+use osim_requests::{FitRequest, RequestError, RequestFault};
+
+use crate::sheet::Sheet;
+
+/// What a measurement says of a contact.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct FitResult {
+    /// The measurement.
+    pub file: PathBuf,
+    /// Spheres that shared the force.
+    pub sphere_count: f64,
+    /// Their radius, m.
+    pub radius_m: f64,
+    /// The parameters, with what is left over.
+    pub fit: Fit,
+    /// Line in the file of each row that was fitted.
+    pub lines: Vec<u64>,
+}
+
+/// Reads the measurement and fits it.
+///
+/// # Errors
+/// Columns or cells that cannot be read, or values that cannot be fitted.
+pub fn run_fit(request: &FitRequest, files: &dyn Files) -> Result<FitResult, RequestError> {
+    let Some(file) = request.file.clone() else {
+        return Err(RequestFault::Missing { field: "file" }.into());
+    };
+    let Some(radius) = request.radius else { return Err(RequestFault::Missing { field: "radius" }.into()) };
+    let (sphere_count, radius_m) = (request.spheres.get(), radius.get());
+    let values =
+        FitValues { radius_m, sphere_count, onset: request.onset.get(), branch: request.branch.branch() };
+    let shown = file.display().to_string();
+    let failed = |why: String| Failure::outside(&shown, "fit", format!("{shown}: {why}"));
+    let measured = Measured::read(&file, &request.columns, files).map_err(failed)?;
+    let rate = match (&measured.speed_m_s, &measured.time_s) {
+        (Some(speed), _) => Rate::Speed(speed),
+        (None, Some(time)) => Rate::Time(time),
+        (None, None) => Rate::Unknown,
+    };
+    let measurement =
+        Measurement { indentation_m: &measured.indentation_m, force_n: &measured.force_n, rate };
+    let fit = fit(&measurement, &values).map_err(|error| failed(in_file(&error, &measured)))?;
+    let lines = fit.rows.iter().map(|&row| measured.line(row)).collect();
+    Ok(FitResult { file, sphere_count, radius_m, fit, lines })
+}
+
+/// Rows count from 0 in the equations and from the first line in a file.
+fn in_file(error: &FitError, measured: &Measured) -> String {
+    match error {
+        FitError::NotFinite { column, row, value } => {
+            format!("line {}: {column} is {value}, expected a finite number", measured.line(*row))
+        }
+        FitError::TimeOrder { row } => {
+            format!("line {}: the time does not rise after it, expected rising times", measured.line(*row))
+        }
+        other => other.to_string(),
+    }
+}
+
+// A measured curve from a CSV file, as spreadsheets of any country write it.
+
+/// Columns in SI units; row `i` of each belongs together.
+struct Measured {
+    indentation_m: Vec<f64>,
+    force_n: Vec<f64>,
+    speed_m_s: Option<Vec<f64>>,
+    time_s: Option<Vec<f64>>,
+    /// Line of each row in the file.
+    lines: Vec<u64>,
+}
+
+impl Measured {
+    /// Reads the columns that `columns` names.
+    ///
+    /// # Errors
+    /// A column that is missing (with those that are there), a row of another length, or a cell that is not a number, with
+    /// row and column.
+    fn read(path: &Path, columns: &ColumnOptions, files: &dyn Files) -> Result<Self, String> {
+        let bytes = files.read(path).map_err(|error| error.to_string())?;
+        Self::of_sheet(&Sheet::read(&bytes)?, columns)
+    }
+
+    fn of_sheet(sheet: &Sheet, columns: &ColumnOptions) -> Result<Self, String> {
+        let header = &sheet.header;
+        let find = |name: &str| sheet.column(name);
+        let mut wanted = vec![
+            Column::new(find(&columns.indentation_column)?, columns.indentation_unit.metres()),
+            Column::new(find(&columns.force_column)?, columns.force_unit.newtons()),
+        ];
+        if let Some(name) = &columns.speed_column {
+            wanted.push(Column::new(find(name)?, columns.speed_unit.metres_per_second()));
+        }
+        if let Some(name) = &columns.time_column {
+            wanted.push(Column::new(find(name)?, columns.time_unit.seconds()));
+        }
+        let mut lines = Vec::new();
+        for row in &sheet.rows {
+            for column in &mut wanted {
+                let cell = row.cells.get(column.index).map_or("", String::as_str);
+                let name = header.get(column.index).map_or("", String::as_str);
+                let value = sheet
+                    .number(cell)
+                    .map_err(|why| format!("line {}, column '{name}': '{cell}' {why}", row.line))?;
+                column.values.push(value * column.unit);
+            }
+            lines.push(row.line);
+        }
+        let mut taken = wanted.into_iter().map(|column| column.values);
+        let (indentation_m, force_n) = (taken.next().unwrap_or_default(), taken.next().unwrap_or_default());
+        let rate = taken.next();
+        let (speed_m_s, time_s) = if columns.speed_column.is_some() { (rate, None) } else { (None, rate) };
+        Ok(Self { indentation_m, force_n, speed_m_s, time_s, lines })
+    }
+
+    /// Line of a row in the file.
+    fn line(&self, row: usize) -> u64 {
+        self.lines.get(row).copied().unwrap_or_default()
+    }
+}
+
+struct Column {
+    index: usize,
+    unit: f64,
+    values: Vec<f64>,
+}
+
+impl Column {
+    fn new(index: usize, unit: f64) -> Self {
+        Self { index, unit, values: Vec::new() }
+    }
+}

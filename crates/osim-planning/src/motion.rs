@@ -1,0 +1,330 @@
+//! Contacts along a recorded motion, beside what force plates measured.
+
+use std::path::{Path, PathBuf};
+
+use osim_model::files::{Failure, FileName, Files, OpenModel};
+use osim_model::messages::{Input, Phrase, phrase, readable, shown};
+use osim_model::{Fault, MassRequest, Model};
+use osim_motion::{
+    AngleUnit, Belt, ContactStates, ExternalLoads, Foot, Gap, Measured, MotionFault, OnSole, Plate,
+    Recording, RecordingOptions, StatesError, Summary, Table,
+};
+use osim_requests::{AngleChoice, MotionRequest, Positive, RequestError, RequestFault, Speed};
+
+pub(crate) use crate::motion_remarks::CheckedMotion;
+pub use crate::motion_remarks::MotionRemark;
+use crate::opening::{open_with, read};
+
+/// What contacts do along a motion.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct MotionResult {
+    /// The model.
+    pub opened: OpenModel,
+    /// The motion, as it was named.
+    pub motion: FileName,
+    /// The coordinates of the model in each frame.
+    pub recording: Recording,
+    /// Each sphere on each plane in each frame.
+    pub states: ContactStates,
+    /// The plates, where the request names some.
+    pub plates: Option<PlatesRead>,
+    /// What they measured under each foot.
+    pub measured: Option<Measured>,
+    /// Each foot, and all together.
+    pub summary: Summary,
+    /// Where forces act on the sole of each foot; `None` where the default pose is not known.
+    pub on_soles: Vec<Option<OnSole>>,
+    /// What the model weighs, kg.
+    pub mass_kg: f64,
+    /// Gravity, m/s².
+    pub gravity_m_s2: f64,
+    /// How the belt moves, where there is one.
+    pub belt: Option<Belt>,
+}
+
+/// Follows the contacts along the motion.
+///
+/// # Errors
+/// A file that cannot be read, a motion of another model, or a model whose place is not known.
+pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionResult, RequestError> {
+    let Some(subject) = &request.subject else {
+        return Err(RequestFault::Missing { field: "subject" }.into());
+    };
+    let Some(motion) = &request.motion else { return Err(RequestFault::Missing { field: "motion" }.into()) };
+    let opened = open_with(subject, request.set_files.beside(), files)?;
+    let options = recording_options(motion, request.angles, request.low_pass);
+    let table = table(motion, files)?;
+    let recording =
+        Recording::of(&opened.model, &table, &options).map_err(|fault| failure(motion, &fault))?;
+    let loads = request.loads.as_deref();
+    let plates = request.plates.as_ref().map(|file| PlatesRead::read(file, loads, files)).transpose()?;
+    let (mass_kg, gravity_m_s2) =
+        weight(&request.masses.request(), &opened.model).map_err(|fault| opened.failure(fault))?;
+    let selected = request.choice.selection().apply(&opened.model).map_err(|fault| opened.failure(fault))?;
+    let belt = belt(motion, &table, request.belt, request.belt_column.as_deref())?;
+    let states =
+        ContactStates::of(&opened.model, &recording, &selected.forces, belt.clone().unwrap_or_default())
+            .map_err(|error| match error {
+                StatesError::Motion(fault) => failure(motion, &fault),
+                StatesError::Model(fault) => opened.failure(*fault),
+                StatesError::Pose(fault) => opened.failure(Fault::refused(fault.to_string())),
+            })?;
+    refuse_states(&states, mass_kg * gravity_m_s2).map_err(|fault| opened.failure(fault))?;
+    let feet = Foot::all(&opened.model, &states, &selected.forces);
+    if feet.is_empty() {
+        let fault =
+            Fault::refused("no applied force presses a sphere on the ground: there is nothing to follow");
+        return Err(opened.failure(fault).into());
+    }
+    let on_ground = OnGround { recording, states, feet, weight: (mass_kg, gravity_m_s2), belt };
+    let result = on_ground.beside(opened, FileName::from(motion.as_path()), plates);
+    if let (Some(read), Some(measured)) = (&result.plates, &result.measured)
+        && measured.total.iter().all(Option::is_none)
+    {
+        let why = "it has no time in common with the motion";
+        return Err(Failure::outside(read.name(), "motion", why).into());
+    }
+    let plates = result.plates.as_ref().zip(result.measured.as_ref());
+    if let Some((read, what)) = plates.and_then(|(read, measured)| Some((read, of_plates(measured)?))) {
+        let why = format!("it has {what}: correct the table");
+        return Err(Failure::outside(read.name(), "motion", why).into());
+    }
+    Ok(result)
+}
+
+/// Contacts along a motion.
+pub(crate) struct OnGround {
+    pub(crate) recording: Recording,
+    pub(crate) states: ContactStates,
+    pub(crate) feet: Vec<Foot>,
+    /// What the model weighs, kg, and its gravity, m/s².
+    pub(crate) weight: (f64, f64),
+    pub(crate) belt: Option<Belt>,
+}
+
+impl OnGround {
+    /// Beside what plates measured, where there are some.
+    pub(crate) fn beside(
+        self,
+        opened: OpenModel,
+        motion: FileName,
+        plates: Option<PlatesRead>,
+    ) -> MotionResult {
+        let Self { recording, states, feet, weight: (mass_kg, gravity_m_s2), belt } = self;
+        let weight_n = mass_kg * gravity_m_s2;
+        let measured = plates.as_ref().map(|read| Measured::of(&read.plates, &feet, &states, weight_n));
+        let summary = Summary::of(&states, &feet, measured.as_ref(), weight_n);
+        let with_plates = summary.feet.iter().enumerate().map(|(index, foot)| {
+            let plates = measured.as_ref().filter(|measured| measured.has_points.get(index) == Some(&true));
+            (foot, plates.and_then(|measured| measured.feet.get(index)).map(Vec::as_slice))
+        });
+        MotionResult {
+            on_soles: OnSole::all(&opened.model, &states, with_plates, weight_n),
+            opened,
+            motion,
+            recording,
+            states,
+            plates,
+            measured,
+            summary,
+            mass_kg,
+            gravity_m_s2,
+            belt,
+        }
+    }
+}
+
+/// What `model` weighs, kg and m/s².
+///
+/// # Errors
+/// No mass, or no gravity.
+pub(crate) fn weight(masses: &MassRequest, model: &Model) -> Result<(f64, f64), Fault> {
+    let mass = masses.of_model(model)?;
+    let gravity = model.gravity().filter(|&gravity| gravity > 0.0);
+    let needed =
+        || Fault::refused("the model has no gravity, so that there is no body weight to compare forces with");
+    Ok((mass.kg, gravity.ok_or_else(needed)?))
+}
+
+// What force plates measured, as files say it.
+
+/// The plates of a recording.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct PlatesRead {
+    /// The table that they were read from.
+    pub file: PathBuf,
+    /// The ExternalLoads that say what its columns are.
+    pub loads: Option<PathBuf>,
+    /// What the ExternalLoads name as their table, where its last part is another name than that of the table.
+    pub other_data_file: Option<String>,
+    /// The plates.
+    pub plates: Vec<Plate>,
+    /// Where rows of the table are missing.
+    pub gaps: Vec<Gap>,
+}
+
+impl PlatesRead {
+    /// Those of the table `file`, as the ExternalLoads at `loads` name them.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or columns that are not there.
+    pub(crate) fn read(file: &Path, loads: Option<&Path>, files: &dyn Files) -> Result<Self, Failure> {
+        let table = table(file, files)?;
+        let gaps = table.gaps();
+        let Some(path) = loads else {
+            let plates = Plate::all(&table).map_err(|fault| failure(file, &fault))?;
+            return Ok(Self { file: file.to_owned(), loads: None, other_data_file: None, plates, gaps });
+        };
+        let loads = ExternalLoads::read(&read(path, files)?).map_err(|fault| failure(path, &fault))?;
+        let plates = Plate::of_loads(&table, &loads).map_err(|fault| failure(file, &fault))?;
+        let own = file.file_name().map(|name| name.to_string_lossy().into_owned());
+        let other = loads.data_file_name().map(str::to_owned).filter(|named| Some(named) != own.as_ref());
+        let (file, loads) = (file.to_owned(), Some(path.to_owned()));
+        Ok(Self { file, loads, other_data_file: other, plates, gaps })
+    }
+
+    /// That rows are missing among those that a motion with these times needs, where they are.
+    pub(crate) fn gaps_during(&self, time_s: &[f64]) -> Option<String> {
+        let (first, last) = (time_s.first()?, time_s.last()?);
+        let during = || self.gaps.iter().filter(|gap| gap.from_s < *last && gap.to_s > *first);
+        let longest = during().max_by(|a, b| a.length_s().total_cmp(&b.length_s()))?;
+        let count = match during().count() {
+            1 => "1 gap".to_owned(),
+            count => format!("{count} gaps, the longest"),
+        };
+        Some(format!(
+            "{}: rows are missing in {count} from {} to {} s; the measured forces are taken along straight lines there",
+            shown(&self.file.file_name().unwrap_or_default().to_string_lossy()),
+            readable(longest.from_s),
+            readable(longest.to_s)
+        ))
+    }
+
+    /// The file's name, for sentences.
+    #[must_use]
+    pub fn name(&self) -> &Path {
+        &self.file
+    }
+}
+
+// Tables over time, through whatever holds the files.
+
+/// Reads a table.
+///
+/// # Errors
+/// It cannot be read, with the line.
+pub(crate) fn table(path: &Path, files: &dyn Files) -> Result<Table, Failure> {
+    Table::read(&read(path, files)?).map_err(|fault| failure(path, &fault))
+}
+
+/// What `fault` says of the file at `path`.
+pub(crate) fn failure(path: &Path, fault: &MotionFault) -> Failure {
+    let place = fault.line.map(|line| format!("line {line}: ")).unwrap_or_default();
+    let mut message = Phrase::from(format!("{place}{}", fault.message));
+    if fault.needs_angles {
+        message.push(&phrase![
+            ": say ",
+            Input::Angles.being("degrees"),
+            " or ",
+            Input::Angles.being("radians")
+        ]);
+    }
+    let mut failure = Failure::outside(path, "motion", message);
+    (failure.line, failure.needs_answer) = (fault.line, fault.needs_angles);
+    failure
+}
+
+/// The belt under the feet of the motion at `path`, where one is named: by its speed, or by a column of `table`.
+///
+/// # Errors
+/// No such column.
+pub(crate) fn belt(
+    path: &Path,
+    table: &Table,
+    speed: Option<Speed>,
+    column: Option<&str>,
+) -> Result<Option<Belt>, Failure> {
+    match (speed, column) {
+        (Some(speed), _) => Ok(Some(Belt::against_x(speed.get()))),
+        (None, Some(name)) => Belt::of_column(table, name).map(Some).map_err(|fault| failure(path, &fault)),
+        (None, None) => Ok(None),
+    }
+}
+
+/// How the motion at `path` is taken.
+pub(crate) fn recording_options(
+    path: &Path,
+    angles: Option<AngleChoice>,
+    low_pass: Option<Positive>,
+) -> RecordingOptions {
+    RecordingOptions {
+        angles: angles.map(|choice| match choice {
+            AngleChoice::Degrees => AngleUnit::Degrees,
+            _ => AngleUnit::Radians,
+        }),
+        undeclared: undeclared(path),
+        low_pass_hz: low_pass.map(Positive::get),
+    }
+}
+
+/// What OpenSim takes the angles of a file of this name for where its header has neither unit nor version.
+fn undeclared(path: &Path) -> Option<AngleUnit> {
+    let ending = path.extension()?.to_string_lossy().to_ascii_lowercase();
+    match ending.as_str() {
+        "mot" => Some(AngleUnit::Degrees),
+        "sto" => Some(AngleUnit::Radians),
+        _ => None,
+    }
+}
+
+// Numbers so large or small that what follows from them is not finite.
+
+/// Nothing of a body is larger than this, in SI units: squares of what is larger, such as of errors, are not finite.
+const LARGEST: f64 = 1e100;
+
+/// # Errors
+/// A sphere whose force, place or speed is beyond all measure, or a weight that is.
+fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(), Fault> {
+    if !(1.0 / LARGEST..=LARGEST).contains(&weight_n) {
+        return Err(Fault::refused(format!(
+            "the body weight is {weight_n:e} N: forces cannot be compared with that, correct mass and gravity of the model"
+        )));
+    }
+    for (index, pair) in states.pairs.iter().enumerate() {
+        for (state, time_s) in states.pair(index).zip(&states.time_s) {
+            let depth = state.indentation_m / pair.radius_m;
+            let sum = |parts: [f64; 3]| parts.into_iter().fold(0.0, |sum: f64, part| sum + part.abs());
+            let sizes = [
+                ("a force of", sum(state.force_n), "N"),
+                ("x/R of", depth, ""),
+                ("a speed of", state.slip_speed_m_s(), "m/s"),
+                ("a centre at", sum(state.centre_m), "m"),
+            ];
+            if let Some((what, value, unit)) = sizes.into_iter().find(|(_, value, _)| !is_measurable(*value))
+            {
+                let fault = format!(
+                    "at {time_s} s a sphere of radius {:e} m has {what} {value:e} {unit}: correct what the model says of it",
+                    pair.radius_m
+                );
+                return Err(Fault::refused(fault));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A force or a moment of the plates that is beyond all measure, if there is one, in words: of all plates, or of those of one foot.
+fn of_plates(measured: &Measured) -> Option<String> {
+    let mut all = measured.total.iter().chain(measured.feet.iter().flatten()).flatten();
+    all.find_map(|wrench| {
+        let beyond = |values: [f64; 3]| values.into_iter().find(|value| !is_measurable(*value));
+        let force = beyond(wrench.force_n).map(|force| format!("a force of {force:e} N"));
+        force.or_else(|| Some(format!("a moment of {:e} N m about ground", beyond(wrench.moment_n_m)?)))
+    })
+}
+
+fn is_measurable(value: f64) -> bool {
+    value.abs() <= LARGEST
+}

@@ -1,0 +1,167 @@
+//! All rules, in the order of their codes; and those of this crate: about what a change does to spheres, and about files beside a model.
+
+use std::collections::{BTreeSet, HashSet};
+use std::path::Path;
+use std::sync::LazyLock;
+
+use osim_inspect::{Bottom, StandingBody};
+use osim_model::feet::{DefaultPose, FootBodies, MeshFolders, odd_meshes};
+use osim_model::files::Files;
+use osim_model::messages::{readable, shown, three_significant};
+use osim_model::{Anatomy, Example, Finding, FindingCode, Model, Repair, Rule, Seen, Severity, VerdictOn};
+
+/// The rules of this crate.
+const RULES: &[&Rule] = &[&BOTTOMS_MOVED, &COMPILED_MODEL_BESIDE, &HARD_LINKED, &ODD_MESH];
+
+/// Every rule of every crate, one for each code.
+#[must_use]
+pub fn all() -> &'static [&'static Rule] {
+    static ALL: LazyLock<Vec<&Rule>> = LazyLock::new(|| {
+        let crates =
+            [osim_model::RULES, osim_model::compare::RULES, osim_inspect::RULES, osim_patch::RULES, RULES];
+        let mut all = crates.concat();
+        all.sort_by_key(|rule| rule.code);
+        all
+    });
+    &ALL
+}
+
+/// Those of `codes`, in the order of the codes.
+pub fn of<'c>(codes: impl Fn(FindingCode) -> bool + 'c) -> impl Iterator<Item = &'static Rule> + 'c {
+    all().iter().copied().filter(move |rule| codes(rule.code))
+}
+
+static BOTTOMS_MOVED: Rule = Rule {
+    code: FindingCode::BottomsMoved,
+    severity: Severity::Warn,
+    seen: Seen::Change,
+    verdict: None,
+    what: "A change moves the bottoms of spheres so far that a body which stood at its default pose starts inside its floor or above it, or that a level foot is uneven.",
+    why: "Radii grow around centres that stay. A simulation that starts from the default pose starts inside the floor then, and lower spheres carry what all should carry. Contacts that are made for a body which is still to be scaled are not judged by the pose of the one that is there, nor are spheres that follow their bodies.",
+    advice: "Give the coordinate its new value, or keep bottoms where they are with `level`; nothing, if simulations start from a pose of their own and the foot is meant to be so",
+    repair: Repair::NotPossible("a change is what it is about, and not a model"),
+    example: Example::Request {
+        good: r#"{"verb": "set", "models": ["check/within_limits.osim"], "set": {"radius": "x1.05"}}"#,
+        bad: r#"{"verb": "set", "models": ["check/within_limits.osim"], "set": {"radius": "x2"}}"#,
+    },
+};
+
+/// A body that stood as `before` and does not as `now`; it is named if there are `several`.
+pub(crate) fn bottoms_moved_of_body(
+    before: &StandingBody,
+    now: &StandingBody,
+    several: bool,
+) -> Option<Finding> {
+    let which = if several { format!(" of {}", shown(&now.body)) } else { String::new() };
+    let (was, is) = (before.place()?, now.place()?);
+    let text = format!("the default pose{which} was {was} and is {is} now; {}", now.way_to_stand());
+    Some(Finding::new(&BOTTOMS_MOVED, text).about(&now.lowest()?.path))
+}
+
+/// A limb whose bottoms differed by `before_m` and differ more now, from `lowest` to `highest`.
+pub(crate) fn bottoms_moved_of_limb(limb: &str, before_m: f64, lowest: &Bottom, highest: &Bottom) -> Finding {
+    let millimetres = |metres: f64| readable((metres * 1e4).round() / 10.0);
+    let now_m = highest.height_m - lowest.height_m;
+    let text = format!(
+        "the bottoms of {} differed by {} mm at the default pose and differ by {} mm now, {} R, from {} to {}",
+        shown(limb),
+        millimetres(before_m),
+        millimetres(now_m),
+        three_significant(now_m / lowest.radius_m),
+        shown(&lowest.sphere),
+        shown(&highest.sphere),
+    );
+    Finding::new(&BOTTOMS_MOVED, text).about(&highest.path)
+}
+
+static COMPILED_MODEL_BESIDE: Rule = Rule {
+    code: FindingCode::CompiledModelBeside,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: None,
+    what: "A compiled file, F_ and the name of the model, lies beside the output.",
+    why: "PredSim and OpenCap compile a model to F_<name> and reuse it without looking at the model's content: the old contacts would stay in use.",
+    advice: "Delete the compiled file, or write the model under a new name",
+    repair: Repair::NotPossible("files of other programs are left alone"),
+    example: Example::InWords {
+        good: "`model.osim` is written to a folder of its own",
+        bad: "`F_model.dll` lies in the folder that `model.osim` is written to",
+    },
+};
+
+/// The compiled file `compiled` would be used instead of the output.
+#[must_use]
+pub fn compiled_model_beside(compiled: &Path) -> Finding {
+    let text =
+        format!("{} lies beside the output: PredSim and OpenCap would go on using it", compiled.display());
+    Finding::new(&COMPILED_MODEL_BESIDE, text)
+}
+
+static HARD_LINKED: Rule = Rule {
+    code: FindingCode::HardLinked,
+    severity: Severity::Warn,
+    seen: Seen::Change,
+    verdict: None,
+    what: "A model that is changed itself has other names too.",
+    why: "A changed model is a new file that takes the name of the old one, so that no moment is without a whole file. Hard links to the old one are names of the old file: they keep the old model.",
+    advice: "Make the other names again, or change the model under one of its names into a file of its own",
+    repair: Repair::NotPossible("only you know what the other names are for"),
+    example: Example::InWords {
+        good: "`model.osim` is the only name of its file",
+        bad: "`model.osim` and `copy.osim` are two names of one file, and one of them is changed in place",
+    },
+};
+
+/// The file `path` has `others` more names.
+#[must_use]
+pub fn hard_linked(path: &Path, others: u64) -> Finding {
+    let names = if others == 1 { "one more name".to_owned() } else { format!("{others} more names") };
+    let text = format!("{} has {names} (hard links), under which the old model stays", path.display());
+    Finding::new(&HARD_LINKED, text)
+}
+
+/// Bodies whose meshes are looked at: more than a model has feet. Each is a file to read.
+const MOST_BODIES: usize = 40;
+/// Among more bodies nobody looks for those near the ground, which takes longer than all other rules.
+const MOST_BARE_BODIES: usize = 200;
+
+static ODD_MESH: Rule = Rule {
+    code: FindingCode::OddMesh,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
+    what: "The mesh of a foot does not fit the skeleton.",
+    why: "`add MODEL` with `feet` lays spheres under the lowest points of meshes, and factors between models come from them: with a file in millimetres, another animal's bone of the same name, or one broken vertex, spheres are far from where the foot is. Real feet, toes and tali are 0.136 to 0.6 of the longest bone of their limb, the longest distance between two joints of one body.",
+    advice: "Correct the scale factors of the mesh, or put the file that is meant beside the model",
+    repair: Repair::NotPossible("only numbers of contacts are changed"),
+    example: Example::Models { good: "feet/human_40000.osim", bad: "feet/human_in_millimetres.osim" },
+};
+
+/// One finding, about the first mesh of a foot that does not fit; the model is the file at `path`.
+pub(crate) fn find_odd_mesh(model: &Model, path: &Path, files: &dyn Files) -> Option<Finding> {
+    let feet = feet(model);
+    if feet.is_empty() {
+        return None;
+    }
+    let bodies: HashSet<&str> = feet.iter().take(MOST_BODIES).map(String::as_str).collect();
+    let odd = odd_meshes(model, &bodies, &MeshFolders::of_model(path), files);
+    let first = odd.first()?;
+    let more = match odd.len() {
+        1 => String::new(),
+        2 => "; another mesh, too".to_owned(),
+        count => format!("; {} other meshes, too", count - 1),
+    };
+    Some(Finding::new(&ODD_MESH, format!("{}{more}", first.text)))
+}
+
+/// The bodies of feet: those with spheres; in a model without spheres those near the ground.
+fn feet(model: &Model) -> BTreeSet<String> {
+    let moving = model.spheres().iter().filter(|sphere| !sphere.fixed);
+    let carriers: BTreeSet<String> = moving.filter_map(|sphere| sphere.body.clone()).collect();
+    if !carriers.is_empty() || model.bodies().len() > MOST_BARE_BODIES {
+        return carriers;
+    }
+    let Ok(anatomy) = Anatomy::of(model) else { return carriers };
+    let feet = FootBodies::find(model, &anatomy, &[], &[], &DefaultPose::of(model));
+    feet.into_iter().flat_map(|foot| foot.bodies).collect()
+}
