@@ -1,15 +1,376 @@
-//! A model in space, as a view that can be turned needs it: bodies, spheres, floors and forces; bones; falls.
+//! A model in space, as a view that can be turned needs it: bodies, spheres, floors and forces; bones; frames of a recording; falls.
 
-mod animals;
 mod falls;
-mod lines;
-mod played;
-mod rounded;
-mod surfaces;
-mod view;
 
-pub use animals::AnimalFall;
-pub use falls::Fall;
-pub use played::Played;
-pub use surfaces::{BoneSurface, Bones};
-pub use view::Scene;
+use std::collections::{HashMap, HashSet};
+use std::path::Path;
+
+use osim_inspect::InspectOptions;
+use osim_model::feet::{
+    ContactPlane, DefaultPose, FeetFault, MeshFolders, Standing, ViewAxes, attached_surface,
+};
+use osim_model::files::Files;
+use osim_model::messages::Dialect;
+use osim_model::{Anatomy, ForceId, MassRequest, Model, Placement, Side, SphereId};
+use osim_motion::{FootSummary, ON_BW, Poses, Wrench};
+use osim_requests::MotionRequest;
+use serde::Serialize;
+
+use crate::motion::MotionResult;
+pub use falls::{AnimalFall, Fall};
+
+/// A model at its default pose, in ground, m.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Scene {
+    /// Forward, up (against gravity) and to the right, of length 1.
+    pub axes: [[f64; 3]; 3],
+    /// Bodies that have a place.
+    pub bodies: Vec<PlacedBody>,
+    /// Contact spheres that move and whose bodies have a place, in file order.
+    pub spheres: Vec<PlacedSphere>,
+    /// Planes that spheres press on.
+    pub planes: Vec<PlacedPlane>,
+    /// Lines from joint to joint, for bodies without bones.
+    pub lines: Vec<BodyLine>,
+    /// Why bodies have no place, where one has none.
+    pub why_not_placed: Option<String>,
+}
+
+/// Where a body is.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PlacedBody {
+    /// Its name.
+    pub name: String,
+    /// Its axes x, y and z, and its origin.
+    pub frame: [[f64; 3]; 4],
+}
+
+/// A contact sphere.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PlacedSphere {
+    /// Its name.
+    pub name: String,
+    /// Its component path.
+    pub path: String,
+    /// The body that carries it.
+    pub body: String,
+    /// `right` or `left`.
+    pub side: Option<&'static str>,
+    /// Its centre, m.
+    pub centre_m: [f64; 3],
+    /// Its radius, m.
+    pub radius_m: f64,
+    /// What it carries, in body weights, where the body stands on all its spheres with the weight that they are to carry.
+    pub force_bw: Option<f64>,
+    /// How deep it is then, in its radius.
+    pub relative_indentation: Option<f64>,
+}
+
+/// A plane.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PlacedPlane {
+    /// A point of it, m.
+    pub point_m: [f64; 3],
+    /// Its outward normal.
+    pub normal: [f64; 3],
+}
+
+impl Scene {
+    /// A model as it is inspected by `options`, which say what its contacts carry.
+    #[must_use]
+    pub fn of(model: &Model, options: &InspectOptions) -> Self {
+        let pose = DefaultPose::of(model);
+        let forces = options.selection.apply(model).map(|selected| selected.forces);
+        let forces = forces.unwrap_or_else(|_| model.force_ids());
+        let axes = ViewAxes::of(model);
+        let planes = ContactPlane::all(model, &forces, &pose);
+        let surfaces = planes.iter().filter_map(|plane| plane.surface);
+        let placed = |name: &str| pose.placement(name).ok().map(frame);
+        let bodies = model
+            .bodies()
+            .iter()
+            .filter_map(|body| Some(PlacedBody { name: body.name.clone(), frame: placed(&body.name)? }));
+        let mut faults = model.bodies().iter().filter_map(|body| pose.placement(&body.name).err());
+        Self {
+            axes: [axes.forward, axes.up, axes.right],
+            bodies: bodies.collect(),
+            spheres: spheres(model, &forces, &pose, &loads(model, &forces, options)),
+            planes: surfaces.map(|one| PlacedPlane { point_m: one.point_m, normal: one.normal }).collect(),
+            lines: lines(model),
+            why_not_placed: faults.next().map(|fault| fault.to_string()),
+        }
+    }
+}
+
+/// The axes of a placement, and its origin.
+fn frame(placement: &Placement) -> [[f64; 3]; 4] {
+    let axis = |axis| placement.rotation.to_body(axis);
+    [axis([1.0, 0.0, 0.0]), axis([0.0, 1.0, 0.0]), axis([0.0, 0.0, 1.0]), placement.translation_m]
+}
+
+/// What a sphere carries.
+struct Load {
+    force_bw: f64,
+    relative_indentation: f64,
+}
+
+/// What each sphere carries under the weight that the contacts are to carry.
+fn loads(model: &Model, forces: &[ForceId], options: &InspectOptions) -> HashMap<SphereId, Load> {
+    let mut found = HashMap::new();
+    // Contacts may be for a body that the bodies of the model still have to become.
+    let weighs = options.masses.of_model(model).ok().map(|mass| mass.kg);
+    let share = weighs.zip(MassRequest::default().bodies_kg(model)).map_or(1.0, |(kg, bodies)| kg / bodies);
+    for standing in Standing::all(model, forces).unwrap_or_default() {
+        let all: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
+        let Some(Ok(rest)) = standing.rest(&all, share) else { continue };
+        for one in &rest.spheres {
+            let load =
+                Load { force_bw: one.force_n / rest.load_n, relative_indentation: one.relative_indentation };
+            if load.force_bw.is_finite() && load.relative_indentation.is_finite() {
+                found.insert(one.sphere, load);
+            }
+        }
+    }
+    found
+}
+
+fn spheres(
+    model: &Model,
+    forces: &[ForceId],
+    pose: &DefaultPose,
+    loads: &HashMap<SphereId, Load>,
+) -> Vec<PlacedSphere> {
+    let limbs = model.limbs(forces);
+    let limbs = limbs.known().unwrap_or_default().iter();
+    let sides = limbs.flat_map(|limb| limb.spheres.iter().map(|&sphere| (sphere, limb.side)));
+    let sides: HashMap<SphereId, Side> = sides.collect();
+    let moving = model.spheres().iter().filter(|sphere| !sphere.fixed);
+    let placed = moving.filter_map(|sphere| {
+        let body = sphere.body.clone()?;
+        let load = loads.get(&sphere.id);
+        let radius_m = sphere.radius_m().ok()?;
+        let centre_m = pose.placement(&body).ok()?.point(model.centre_m(sphere.id)?);
+        Some(PlacedSphere {
+            name: sphere.name.clone(),
+            path: sphere.path.clone(),
+            side: sides.get(&sphere.id).copied().map(Side::as_str),
+            body,
+            centre_m,
+            radius_m,
+            force_bw: load.map(|load| load.force_bw),
+            relative_indentation: load.map(|load| load.relative_indentation),
+        })
+    });
+    placed.filter(|sphere| sphere.centre_m.iter().all(|value| value.is_finite())).collect()
+}
+
+// Lines from joint to joint.
+
+/// A line on a body, from the joint above it to one below it, in the frame of the body, m.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct BodyLine {
+    /// The body.
+    pub body: String,
+    /// Where the joint above is.
+    pub from_m: [f64; 3],
+    /// Where the joint below is.
+    pub to_m: [f64; 3],
+}
+
+/// The lines of all bodies; none where the bodies cannot be read.
+fn lines(model: &Model) -> Vec<BodyLine> {
+    let Ok(anatomy) = Anatomy::of(model) else { return Vec::new() };
+    let line = |below: &osim_model::AnatomyJoint| {
+        let above = anatomy.joint_above(&below.parent)?;
+        let line = BodyLine { body: below.parent.clone(), from_m: above.in_child_m, to_m: below.in_parent_m };
+        let is_finite = line.from_m.iter().chain(&line.to_m).all(|value| value.is_finite());
+        (is_finite && line.from_m != line.to_m).then_some(line)
+    };
+    anatomy.joints.iter().filter_map(line).collect()
+}
+
+// The bones of all bodies, as surfaces.
+
+/// Triangles of all bones together: more is too slow to turn.
+const MOST_TRIANGLES: usize = 600_000;
+
+/// The bones of a model whose meshes are there.
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Bones {
+    /// Those that could be read.
+    pub surfaces: Vec<BoneSurface>,
+    /// Meshes that are not there, as the model spells them, each once.
+    pub missing: Vec<String>,
+    /// What is wrong with others.
+    pub broken: Vec<String>,
+}
+
+/// The surface of a bone.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct BoneSurface {
+    /// The body.
+    pub body: String,
+    /// The mesh, as the model spells it.
+    pub mesh: String,
+    /// x, y and z of one point after the other in the frame of the body, in hundredths of a millimetre.
+    pub points: Vec<i32>,
+    /// Three places among the points for each triangle.
+    pub triangles: Vec<u32>,
+}
+
+impl Bones {
+    /// The bones of `model`, which was read from `path`.
+    #[must_use]
+    pub fn of(model: &Model, path: &Path, files: &dyn Files) -> Self {
+        let folders = MeshFolders::of_model(path);
+        let mut bones = Self::default();
+        let (mut count, mut known) = (0, HashSet::new());
+        for attached in model.attached_meshes() {
+            let (body, mesh) = (attached.body.clone(), attached.file.clone());
+            match attached_surface(&attached, &folders, files) {
+                Err(FeetFault::MeshMissing { .. }) => {
+                    if known.insert(mesh.clone()) {
+                        bones.missing.push(mesh);
+                    }
+                }
+                Err(fault) => bones.broken.push(fault.phrase().to_string()),
+                Ok(surface) => {
+                    count += surface.triangles.len();
+                    if count > MOST_TRIANGLES {
+                        bones.broken.push(format!("{mesh}: left out, there are too many triangles to turn"));
+                        continue;
+                    }
+                    let points = surface.points.iter().flatten().map(|&value| rounded(value)).collect();
+                    let triangles = surface.triangles.concat();
+                    bones.surfaces.push(BoneSurface { body, mesh, points, triangles });
+                }
+            }
+        }
+        bones
+    }
+}
+
+/// Places are rounded to a hundredth of a millimetre.
+const PER_M: f64 = 1e5;
+
+/// Metres in hundredths of a millimetre; parts of an axis in hundred-thousandths.
+#[expect(clippy::cast_possible_truncation, reason = "what is too far away is at the edge of what is drawn")]
+fn rounded(metres: f64) -> i32 {
+    (metres * PER_M).round() as i32
+}
+
+// A model along a recording, frame by frame: bodies, the forces of its contacts, and what plates measured.
+
+/// Frames that are shown at most: those of a longer recording are left out evenly.
+const MOST_FRAMES: usize = 600;
+
+/// A model along a recording.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct Played {
+    /// The time of each frame, s.
+    pub time_s: Vec<f64>,
+    /// Bodies that have a place.
+    pub bodies: Vec<String>,
+    /// For each frame, of each body axes x, y and z and the origin in ground, in hundred-thousandths.
+    pub poses: Vec<i32>,
+    /// Each foot.
+    pub feet: Vec<PlayedFoot>,
+    /// What the recording shows, and what is odd, in words.
+    pub remarks: Vec<String>,
+}
+
+/// A foot along a recording.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PlayedFoot {
+    /// Its name.
+    pub name: String,
+    /// `right` or `left`.
+    pub side: Option<&'static str>,
+    /// What the contacts of the model do.
+    pub model: PlayedForce,
+    /// What plates measured; `None` without plates.
+    pub plates: Option<PlayedForce>,
+}
+
+/// A force along a recording.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct PlayedForce {
+    /// In each frame, body weights, in ground; `None` where it is not known.
+    pub forces_bw: Vec<Option<[f64; 3]>>,
+    /// Where it acts on the floor, m; `None` where it is too small, or where that is not known.
+    pub points_m: Vec<Option<[f64; 3]>>,
+}
+
+impl Played {
+    /// What `result` shows of what `request` asked for, its words spelled by `dialect`.
+    #[must_use]
+    pub fn of(result: &MotionResult, request: &MotionRequest, dialect: &dyn Dialect) -> Self {
+        let states = &result.states;
+        let step = states.frames().div_ceil(MOST_FRAMES).max(1);
+        let frames: Vec<usize> = (0..states.frames()).step_by(step).collect();
+        let poses = Poses::of(&result.opened.model, &result.recording, &frames);
+        let feet = result.summary.feet.iter().enumerate().map(|(index, foot)| {
+            let measured = result.measured.as_ref();
+            let has_points = measured.is_some_and(|measured| measured.has_points.get(index) == Some(&true));
+            let plates = measured.and_then(|measured| measured.feet.get(index));
+            let seen = Seen { result, foot, frames: &frames };
+            PlayedFoot {
+                name: foot.foot.name.clone(),
+                side: foot.foot.side.map(Side::as_str),
+                model: seen.force(|frame| foot.wrenches.get(frame).copied(), true),
+                plates: plates
+                    .map(|plates| seen.force(|frame| plates.get(frame).copied().flatten(), has_points)),
+            }
+        });
+        Self {
+            time_s: frames.iter().filter_map(|&frame| states.time_s.get(frame).copied()).collect(),
+            poses: (0..frames.len()).flat_map(|number| poses.frame(number)).flat_map(numbers).collect(),
+            bodies: poses.bodies,
+            feet: feet.collect(),
+            remarks: result.remarks(request).iter().map(|remark| remark.message.spelled(dialect)).collect(),
+        }
+    }
+}
+
+/// A foot in the frames that are shown.
+struct Seen<'r> {
+    result: &'r MotionResult,
+    foot: &'r FootSummary,
+    frames: &'r [usize],
+}
+
+impl Seen<'_> {
+    fn force(&self, of: impl Fn(usize) -> Option<Wrench>, has_points: bool) -> PlayedForce {
+        let weight_n = self.result.summary.weight_n;
+        let forces = self
+            .frames
+            .iter()
+            .map(|&frame| of(frame).map(|wrench| wrench.force_n.map(|part| part / weight_n)));
+        let points = self.frames.iter().map(|&frame| self.point(frame, &of(frame)?).filter(|_| has_points));
+        PlayedForce { forces_bw: forces.collect(), points_m: points.collect() }
+    }
+
+    /// Where a force acts on the floor below the foot.
+    fn point(&self, frame: usize, wrench: &Wrench) -> Option<[f64; 3]> {
+        let states = &self.result.states;
+        let first = *self.foot.foot.pairs.first()?;
+        let (state, pair) = (states.frame(frame).get(first)?, states.pairs.get(first)?);
+        let least_n = ON_BW * self.result.summary.weight_n;
+        let centre = wrench.centre_of_pressure(state.normal, state.on_surface_m(pair.radius_m), least_n)?;
+        Some(centre.point_m)
+    }
+}
+
+fn numbers(placement: &Placement) -> Vec<i32> {
+    frame(placement).into_iter().flatten().map(rounded).collect()
+}

@@ -1,9 +1,358 @@
 //! Tables as text: CSV of any country, and texts as cells of it.
 
 mod cell;
-mod spreadsheet;
-mod unequal;
+
+use std::borrow::Cow;
+
+use csv::StringRecord;
+use osim_requests::values::typed::trimmed;
 
 pub use cell::{cell, from_cell, marked, unmarked};
-pub(crate) use spreadsheet::is_broken_formula;
-pub use spreadsheet::{BROKEN_FORMULA, Row, Sheet};
+
+const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
+/// How .xlsx and .ods begin.
+const PACKED: &[u8] = b"PK\x03\x04";
+
+/// A table with a header.
+///
+/// ```
+/// use osim_planning::sheet::Sheet;
+///
+/// let sheet = Sheet::read(b"body;x\r\ncalcn_r;0,05\r\n")?;
+/// assert_eq!((sheet.column("X")?, sheet.number("0,05")?), (1, 0.05));
+/// # Ok::<(), String>(())
+/// ```
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Sheet {
+    /// Names of the columns.
+    pub header: Vec<String>,
+    /// What follows.
+    pub rows: Vec<Row>,
+    delimiter: u8,
+    /// Whether a spreadsheet wrote it in a country whose decimal mark is the comma: semicolons separate the cells, or some number
+    /// has one.
+    pub decimal_commas: bool,
+}
+
+/// One row of cells, as many as the header has.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct Row {
+    /// Line in the file; the header is line 1.
+    pub line: u64,
+    /// The cells, in the order of the header.
+    pub cells: Vec<String>,
+}
+
+impl Sheet {
+    /// Reads a whole table.
+    ///
+    /// # Errors
+    /// It is not text in UTF-8, or a row has more or fewer cells than the header: with the line. Rows of empty cells are left out.
+    pub fn read(bytes: &[u8]) -> Result<Self, String> {
+        if bytes.starts_with(PACKED) {
+            return Err(
+                "the file is a workbook or another packed file that cannot be read here: save it as CSV in UTF-8".to_owned()
+            );
+        }
+        if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") || bytes.contains(&0) {
+            return Err("the file is UTF-16 or binary: save it as CSV in UTF-8".to_owned());
+        }
+        let bytes = bytes.strip_prefix(BYTE_ORDER_MARK).unwrap_or(bytes);
+        let delimiter = delimiter(bytes);
+        if bytes.to_ascii_lowercase().starts_with(b"sep=") {
+            return Err(
+                "the first line is Excel's 'sep=': remove it, so that the first line names the columns"
+                    .to_owned(),
+            );
+        }
+        let mut reader = csv::ReaderBuilder::new();
+        let mut reader = reader.delimiter(delimiter).trim(csv::Trim::All).flexible(true).from_reader(bytes);
+        let not_text = |error: &csv::Error| in_words(error, bytes);
+        let header = reader.headers().map_err(|error| not_text(&error))?;
+        let header: Vec<String> = header.iter().map(str::to_owned).collect();
+        let mut lines = Lines { bytes, at: 0, line: 1 };
+        let (mut rows, mut unequal) = (Vec::new(), Unequal::default());
+        for record in reader.records() {
+            let record = record.map_err(|error| not_text(&error))?;
+            let line = record.position().map_or(0, |position| lines.of(position.byte()));
+            // What spreadsheets leave behind, like lines without anything.
+            if record.iter().all(str::is_empty) {
+                continue;
+            }
+            if record.len() != header.len() {
+                unequal.add(&record, line);
+            }
+            rows.push(Row { line, cells: record.iter().map(|cell| from_cell(cell).into_owned()).collect() });
+        }
+        if let Some(message) = unequal.message(&header, delimiter) {
+            return Err(message);
+        }
+        let decimal_commas =
+            delimiter == b';' || rows.iter().flat_map(|row| &row.cells).any(|cell| has_comma(cell));
+        Ok(Self { header, rows, delimiter, decimal_commas })
+    }
+
+    /// A number's text with a decimal point. A decimal comma is clear only where commas do not separate the cells.
+    ///
+    /// # Errors
+    /// The comma may mean something else.
+    pub fn with_point<'c>(&self, cell: &'c str) -> Result<Cow<'c, str>, &'static str> {
+        with_point(cell, self.delimiter)
+    }
+
+    /// A cell that is one plain finite number.
+    ///
+    /// # Errors
+    /// What is wrong with it, to be read after the cell.
+    pub fn number(&self, cell: &str) -> Result<f64, &'static str> {
+        if cell.is_empty() {
+            return Err("is empty, expected a number");
+        }
+        match self.with_point(cell)?.parse::<f64>() {
+            Ok(value) if value.is_finite() => Ok(value),
+            Ok(_) => Err("is not finite, expected a number"),
+            Err(_) => Err("is not a number"),
+        }
+    }
+
+    /// The place of the column called `name`, in capital letters or not.
+    ///
+    /// # Errors
+    /// There is none, or there are two.
+    pub fn column(&self, name: &str) -> Result<usize, String> {
+        let mut own = self.header.iter().enumerate().filter(|(_, cell)| cell.eq_ignore_ascii_case(name));
+        match (own.next(), own.next()) {
+            (Some((index, _)), None) => Ok(index),
+            (Some(_), Some(_)) => Err(format!("the column '{name}' appears twice, expected one")),
+            _ => Err(format!("no column '{name}' in the first row, which has {}", self.columns())),
+        }
+    }
+
+    /// The names of the columns, for messages.
+    #[must_use]
+    pub fn columns(&self) -> String {
+        let known: Vec<_> = self.header.iter().map(|cell| format!("'{cell}'")).collect();
+        if known.is_empty() { "nothing".to_owned() } else { known.join(", ") }
+    }
+}
+
+/// Lines of records that come one after the other. The reader's own count is one short where lines end with CR and LF.
+struct Lines<'b> {
+    bytes: &'b [u8],
+    at: usize,
+    line: u64,
+}
+
+impl Lines<'_> {
+    /// Line of the first letter of the record that begins at `start`, or after the line ends there.
+    fn of(&mut self, start: u64) -> u64 {
+        let start = usize::try_from(start).unwrap_or(self.bytes.len());
+        let rest = self.bytes.get(start..).unwrap_or_default();
+        let blank = rest.iter().position(|&byte| byte != b'\r' && byte != b'\n').unwrap_or(0);
+        let passed = self.bytes.get(self.at..start + blank).unwrap_or_default();
+        self.line += memchr::memchr_iter(b'\n', passed).count() as u64;
+        self.at = start + blank;
+        self.line
+    }
+}
+
+/// `;` and tabs separate the cells where commas are decimal; the first line shows which.
+fn delimiter(bytes: &[u8]) -> u8 {
+    let first = bytes.split(|&byte| byte == b'\n').next().unwrap_or_default();
+    [b';', b'\t'].into_iter().find(|delimiter| first.contains(delimiter)).unwrap_or(b',')
+}
+
+/// Whether it is a number with a comma, such as `0,5`.
+fn has_comma(cell: &str) -> bool {
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    cell.split_once(',').is_some_and(|(head, tail)| digits(head) && digits(tail))
+}
+
+/// What is wrong with a cell in which a spreadsheet says that its formula has no value, to be read after it.
+pub const BROKEN_FORMULA: &str =
+    "is a broken formula of the spreadsheet: repair it there, and save the table again";
+
+/// Whether a spreadsheet wrote into the cell that its formula has no value, such as `#REF!` and `#N/A`.
+#[must_use]
+pub(crate) fn is_broken_formula(cell: &str) -> bool {
+    const ERRORS: [&str; 12] = [
+        "#REF!",
+        "#N/A",
+        "#VALUE!",
+        "#NAME?",
+        "#DIV/0!",
+        "#NUM!",
+        "#NULL!",
+        "#SPILL!",
+        "#CALC!",
+        "#FIELD!",
+        "#GETTING_DATA",
+        "#ERROR!",
+    ];
+    let cell = trimmed(cell);
+    // LibreOffice writes numbers of errors, such as Err:502.
+    let numbered =
+        cell.strip_prefix("Err:").is_some_and(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()));
+    numbered || ERRORS.iter().any(|known| known.eq_ignore_ascii_case(cell))
+}
+
+fn with_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {
+    if is_broken_formula(cell) {
+        return Err(BROKEN_FORMULA);
+    }
+    match (cell.matches(',').count(), cell.contains('.')) {
+        (0, _) => Ok(cell.into()),
+        (1, false) if delimiter != b',' => Ok(cell.replace(',', ".").into()),
+        (1, false) => Err("has a decimal comma: separate the columns by ; or write a decimal point"),
+        _ => Err("has separators between thousands, expected a plain number"),
+    }
+}
+
+/// What the CSV reader refuses.
+fn in_words(error: &csv::Error, bytes: &[u8]) -> String {
+    match error.kind() {
+        csv::ErrorKind::Utf8 { pos: Some(place), .. } => {
+            let line = Lines { bytes, at: 0, line: 1 }.of(place.byte());
+            format!("line {line}: not UTF-8 text: save it as CSV in UTF-8")
+        }
+        _ => error.to_string(),
+    }
+}
+
+// Rows that have more or fewer cells than the first one.
+
+/// Rows that are named at most.
+const NAMED: usize = 20;
+
+/// What is known of such rows.
+#[derive(Debug, Default)]
+struct Unequal {
+    /// Line, cells, and whether the row begins as a comment would.
+    rows: Vec<(u64, usize, bool)>,
+}
+
+impl Unequal {
+    fn add(&mut self, record: &StringRecord, line: u64) {
+        let is_comment = record.get(0).is_some_and(|cell| cell.starts_with('#'));
+        self.rows.push((line, record.len(), is_comment));
+    }
+
+    /// What is wrong, and what to do about it; `None` where all rows are like the first one.
+    fn message(&self, header: &[String], delimiter: u8) -> Option<String> {
+        if self.rows.is_empty() {
+            return None;
+        }
+        let expected = header.len();
+        let mut rows: Vec<String> = self
+            .rows
+            .iter()
+            .take(NAMED)
+            .map(|(line, cells, _)| format!("line {line}: {cells} cells"))
+            .collect();
+        if self.rows.len() > NAMED {
+            rows.push(format!("{} more lines", self.rows.len() - NAMED));
+        }
+        let rows = rows.join(", ");
+        Some(format!("{rows}, expected {expected} as in the first row: {}", self.cause(header, delimiter)))
+    }
+
+    fn cause(&self, header: &[String], delimiter: u8) -> String {
+        if header.first().is_some_and(|cell| cell.starts_with('#')) {
+            return "the first row begins with #, and it names the columns: leave comments out".to_owned();
+        }
+        if let Some((line, ..)) = self.rows.iter().find(|(_, _, is_comment)| *is_comment) {
+            return format!(
+                "line {line} begins with #, and comments are not left out: use a column whose name begins with #"
+            );
+        }
+        let more = match delimiter {
+            b',' => "a number with a decimal comma needs a point instead, or columns that are separated by ;",
+            _ => "a cell that holds the mark between columns needs quotation marks",
+        };
+        if self.rows.iter().any(|(_, cells, _)| *cells > header.len()) {
+            return more.to_owned();
+        }
+        let mark = match delimiter {
+            b',' => "comma",
+            b';' => "semicolon",
+            _ => "tab",
+        };
+        format!("a cell is missing there, write its {mark} also where it is empty")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_of_european_spreadsheets_are_read_where_they_are_clear() {
+        assert_eq!(with_point("1,5", b';').unwrap(), "1.5");
+        assert_eq!(with_point("1.5", b';').unwrap(), "1.5");
+        assert!(with_point("1.234,5", b';').is_err());
+        assert!(with_point("1,5", b',').is_err());
+    }
+
+    #[test]
+    fn a_cell_is_one_plain_finite_number() {
+        let commas = Sheet::read(b"a,b\n").unwrap();
+        let semicolons = Sheet::read(b"a;b\n").unwrap();
+        assert_eq!(semicolons.number("1,5"), Ok(1.5));
+        assert_eq!(commas.number("1.5"), Ok(1.5));
+        for cell in ["nan", "", "5 N", "1,5"] {
+            assert!(commas.number(cell).is_err(), "{cell}");
+        }
+    }
+
+    #[test]
+    fn the_first_line_tells_the_delimiter() {
+        assert_eq!(delimiter(b"a;b\n1,5;2"), b';');
+        assert_eq!(delimiter(b"a\tb\n"), b'\t');
+        assert_eq!(delimiter(b"a,b\n"), b',');
+    }
+
+    #[test]
+    fn a_byte_order_mark_is_no_part_of_the_first_column() {
+        let sheet = Sheet::read(b"\xEF\xBB\xBFmodel;target-mass\r\na.osim;0,02\r\n").unwrap();
+        assert_eq!(sheet.header, ["model", "target-mass"]);
+        assert_eq!((sheet.rows[0].line, sheet.rows[0].cells[1].as_str()), (2, "0,02"));
+        assert!(Sheet::read(b"\xFF\xFEm\0").is_err());
+        let ragged = Sheet::read(b"a,b\r\n1,2\r\n1\r\n1,2,3\r\n").err().unwrap();
+        assert!(
+            ragged.starts_with("line 3: 1 cells, line 4: 3 cells, expected 2 as in the first row: "),
+            "{ragged}"
+        );
+        // The message is about what is wrong with them, not about what could be.
+        for (text, cause) in [
+            (
+                "a,b,c\n1,2\n",
+                "line 2: 2 cells, expected 3 as in the first row: a cell is missing there, write its comma",
+            ),
+            ("a;b;c\n1;2\n", "a cell is missing there, write its semicolon"),
+            (
+                "a,b\n1,5,2\n",
+                "line 2: 3 cells, expected 2 as in the first row: a number with a decimal comma",
+            ),
+            ("a;b\n1;5;2\n", "needs quotation marks"),
+            (
+                "# mine, of today\na,b,c\n1,2,3\n",
+                "the first row begins with #, and it names the columns: leave comments out",
+            ),
+            (
+                "a,b\n# mine\n1,2\n",
+                "line 2 begins with #, and comments are not left out: use a column whose name begins with #",
+            ),
+        ] {
+            let message = Sheet::read(text.as_bytes()).err().unwrap();
+            assert!(message.contains(cause), "{text}: {message}");
+        }
+        let empty = Sheet::read(b"a,b\r\n,\r\n\r\n1,2\r\n,,,,\r\n , \r\n").unwrap();
+        assert_eq!((empty.rows.len(), empty.rows[0].line), (1, 4));
+        let latin = Sheet::read(b"a,b\r\n1,\xe9\r\n").err().unwrap();
+        assert!(latin.contains("line 2: not UTF-8"), "{latin}");
+        assert!(Sheet::read(b"PK\x03\x04\0\0").err().unwrap().contains("save it as CSV"));
+        assert!(Sheet::read(b"sep=;\r\na;b\r\n").is_err());
+    }
+}

@@ -1,17 +1,25 @@
-//! One variant of the model: its bytes, and what is in them.
+//! One variant of a model: what is done to it, its bytes and what is in them; and the steps of a ladder.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
+use contact_scaling::{continuation, stiffness};
 use osim_inspect::{Figure, Figures, InspectOptions, LoadSharing, Stance};
 use osim_model::files::{Failure, ModelFiles, OpenModel};
-use osim_model::messages::shortest;
+use osim_model::messages::{Input, Phrase, phrase, shortest};
 use osim_model::{
-    Fault, FileId, FindingCode, Mass, MassRequest, MassSource, Model, Property, Selected, Severity,
+    Assignment, Fault, FileId, FindingCode, Mass, MassRequest, MassSource, Model, Property, Selected,
+    Severity,
 };
-use osim_requests::SweepRequest;
+use osim_requests::{
+    AxisName, DesignRequest, Kilograms, RelativeIndentation, RequestFault, RescaleRequest,
+    RestitutionCoefficient, SetRequest, SweepRequest,
+};
 
-use super::stages::Stages;
+use super::grid::{Point, padded};
 use crate::afterwards::{is_due, unmended};
+use crate::planner::Planner;
+use crate::verbs::{design, rescale, set};
 
 /// A variant, read again from its own bytes.
 pub(super) struct Variant {
@@ -172,4 +180,196 @@ fn values(model: &Model, selected: &Selected) -> Vec<(Property, f64)> {
         }
     }
     values
+}
+
+// What is done to the model at a point: rescaled, then set, then designed, each if the point asks for it.
+
+/// The plans that lead to a point, one after the other.
+pub(super) type Stages = Vec<Arc<dyn Planner>>;
+
+/// The stages of a point of a grid.
+///
+/// # Errors
+/// Values that do not go together.
+pub(super) fn stages_at(request: &SweepRequest, point: &Point<'_>) -> Result<Stages, RequestFault> {
+    let (indentation, restitution) =
+        (point.number(AxisName::Indentation), point.number(AxisName::Restitution));
+    let wanted = &request.wanted;
+    let designs =
+        indentation.is_some() || restitution.is_some() || wanted.asks() || wanted.contact_stiffness.is_some();
+    let mut stages = Stages::new();
+    if let Some(target_mass_kg) = point.number(AxisName::TargetMass) {
+        if designs {
+            return Err(RequestFault::general(
+                "target_mass and a design (indentation, restitution, ...) contradict each other in one sweep",
+            ));
+        }
+        stages.push(rescale(request, target_mass_kg)?);
+    }
+    let assignments: Vec<(Property, Assignment)> = point
+        .values
+        .iter()
+        .filter_map(|(name, value)| match name {
+            AxisName::Property(property) if value.is_factor => {
+                Some((*property, Assignment::Factor(value.number)))
+            }
+            AxisName::Property(property) => Some((*property, Assignment::Value(value.number))),
+            _ => None,
+        })
+        .collect();
+    if !assignments.is_empty() {
+        stages.push(set(request, assignments)?);
+    }
+    if designs {
+        stages.push(design(request, indentation, restitution)?);
+    }
+    Ok(stages)
+}
+
+/// `design` with what the point and the request want.
+fn design(
+    request: &SweepRequest,
+    indentation: Option<f64>,
+    restitution: Option<f64>,
+) -> Result<Arc<dyn Planner>, RequestFault> {
+    let refused = |name: AxisName, number: f64| {
+        move |why: String| {
+            let value = format!(" {}={}: {why}", name.as_str(), shortest(number));
+            RequestFault::refused(Input::Grid, phrase![Input::Grid, value])
+        }
+    };
+    let mut wanted = request.wanted.clone();
+    if let Some(x) = indentation {
+        wanted.indentation = Some(RelativeIndentation::new(x).map_err(refused(AxisName::Indentation, x))?);
+    }
+    if let Some(restitution) = restitution {
+        wanted.restitution = Some(
+            RestitutionCoefficient::new(restitution).map_err(refused(AxisName::Restitution, restitution))?,
+        );
+    }
+    let design = DesignRequest {
+        wanted,
+        load: request.load.clone(),
+        masses: request.masses.clone(),
+        counts: request.counts.clone(),
+        choice: request.choice.clone(),
+        answers: request.answers.clone(),
+        ..DesignRequest::default()
+    };
+    design::prepare(design).map(|change| change.planner)
+}
+
+/// `set` with these assignments.
+fn set(
+    request: &SweepRequest,
+    assignments: Vec<(Property, Assignment)>,
+) -> Result<Arc<dyn Planner>, RequestFault> {
+    let set = SetRequest {
+        models: request.model.iter().cloned().collect(),
+        set: assignments.into_iter().collect(),
+        masses: request.masses.clone(),
+        choice: request.choice.clone(),
+        answers: request.answers.clone(),
+        ..SetRequest::default()
+    };
+    set::prepare(set).map(|change| change.planner)
+}
+
+fn rescale(request: &SweepRequest, target_mass_kg: f64) -> Result<Arc<dyn Planner>, RequestFault> {
+    let target_mass =
+        Kilograms::new(target_mass_kg).map_err(|why| RequestFault::refused(Input::TargetMass, why))?;
+    let request = RescaleRequest {
+        target_mass: Some(target_mass),
+        masses: request.masses.clone(),
+        choice: request.choice.clone(),
+        answers: request.answers.clone(),
+        ..RescaleRequest::default()
+    };
+    rescale::with_bodies(request, None).map(|change| change.planner)
+}
+
+// From a soft contact to the wanted one, in steps (section 4.3 of the paper).
+
+/// What a ladder needs to know before its first step.
+pub(super) struct Ladder {
+    steps: Vec<continuation::Step>,
+    /// α of the softest step where the last has none, s/m.
+    dissipation_if_none: Option<f64>,
+}
+
+impl Ladder {
+    /// Finds where the model begins and where the last step ends.
+    ///
+    /// # Errors
+    /// The last step cannot be designed, or is softer than the first.
+    pub(super) fn of(request: &SweepRequest, model: &ModelFiles, count: u32) -> Result<Self, RequestFault> {
+        let Some(indentation) = request.wanted.indentation else {
+            let message =
+                phrase![Input::Ladder, " needs ", Input::Indentation.like("X"), " for its last step"];
+            return Err(RequestFault::refused(Input::Ladder, message));
+        };
+        let last = stiffness::dimensionless_hertz(indentation.get())
+            .map_err(|error| RequestFault::general(error.to_string()))?;
+        let end = vec![design(request, None, None)?];
+        let now = dissipation(&Variant::unchanged(request, model).map_err(|failure| of_model(&failure))?);
+        let then = dissipation(
+            &Variant::of(request, model, &end, "ladder", None).map_err(|failure| of_model(&failure))?,
+        );
+        let falls = now > then && then > 0.0;
+        let ratio = if falls { now / then } else { 1.0 };
+        let soft = request.soft.get();
+        let steps = continuation::steps(soft, last, ratio, count).map_err(|error| {
+            let message = phrase![Input::Soft, format!(" {}: {error}", shortest(soft))];
+            RequestFault::refused(Input::Soft, message)
+        })?;
+        Ok(Self { steps, dissipation_if_none: (then == 0.0 && now > 0.0).then_some(now) })
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.steps.len()
+    }
+
+    /// Step `index` in a file's name, from 1.
+    pub(super) fn file_part(&self, index: usize) -> String {
+        let count = self.steps.len();
+        format!("ladder-{}-of-{count}", padded(index + 1, count))
+    }
+
+    /// k̂ of step `index`, at the load of the design.
+    pub(super) fn dimensionless_stiffness(&self, index: usize) -> Option<f64> {
+        self.steps.get(index).map(|step| step.dimensionless_stiffness)
+    }
+
+    /// What leads to step `index`, from 0: the last step, made softer.
+    ///
+    /// # Errors
+    /// The last step cannot be designed.
+    pub(super) fn stages(&self, request: &SweepRequest, index: usize) -> Result<Stages, RequestFault> {
+        let mut stages = vec![design(request, None, None)?];
+        let Some(step) = self.steps.get(index) else { return Err(RequestFault::general("no such step")) };
+        if index + 1 < self.steps.len() {
+            let mut assignments = vec![(Property::Stiffness, Assignment::Factor(step.modulus_factor))];
+            if let Some(dissipation) = self.dissipation_if_none {
+                // No ratio leads to 0: α falls by equal amounts.
+                #[expect(clippy::cast_precision_loss, reason = "ladders have few steps")]
+                let remaining = 1.0 - index as f64 / (self.steps.len() - 1) as f64;
+                assignments.push((Property::Dissipation, Assignment::Value(dissipation * remaining)));
+            } else if step.dissipation_factor != 1.0 {
+                assignments.push((Property::Dissipation, Assignment::Factor(step.dissipation_factor)));
+            }
+            stages.push(set(request, assignments)?);
+        }
+        Ok(stages)
+    }
+}
+
+/// The largest α of the selected forces, s/m.
+fn dissipation(variant: &Variant) -> f64 {
+    variant.all(Property::Dissipation).fold(0.0, f64::max)
+}
+
+fn of_model(failure: &Failure) -> RequestFault {
+    let mut message = Phrase::from(format!("{}: ", failure.model));
+    message.push(&failure.message);
+    RequestFault::general(message)
 }

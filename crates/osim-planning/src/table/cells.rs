@@ -1,18 +1,41 @@
-//! One row as the fields of a request.
+//! One row as the fields of a request, and what can be wrong with it.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use osim_model::MassesBeside;
 use osim_model::files::Files;
-use osim_model::messages::{Phrase, Verb};
+use osim_model::messages::{Input, Phrase, Verb};
 use osim_requests::values::path;
 use osim_requests::values::typed::trimmed;
 use serde_json::{Map, Value};
 
 use super::columns::{Column, Columns, Kind};
-use super::fault::RowFault;
 use crate::opening::{find_preset, looks_like_file};
 use crate::sheet::{BROKEN_FORMULA, Row, Sheet, is_broken_formula};
 use crate::verbs::any::{CHANGING, changing_verbs};
+
+/// What is wrong with a row, and in which column.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct RowFault {
+    /// Header of the column, where it is about one.
+    pub column: Option<String>,
+    /// What is wrong, and what to do.
+    pub message: Phrase,
+}
+
+impl RowFault {
+    /// A fault in a column.
+    pub fn of(column: &str, message: impl Into<Phrase>) -> Self {
+        Self { column: Some(column.to_owned()), message: message.into() }
+    }
+
+    /// A fault of the whole row.
+    pub fn general(message: impl Into<Phrase>) -> Self {
+        Self { column: None, message: message.into() }
+    }
+}
 
 /// What a row says.
 #[derive(Debug)]
@@ -188,5 +211,40 @@ fn is_yes(cell: &str, column: &Column) -> Result<bool, RowFault> {
         "yes" | "true" | "1" | "x" => Ok(true),
         "no" | "false" | "0" => Ok(false),
         _ => Err(RowFault::of(&column.header, format!("'{cell}', expected yes or no"))),
+    }
+}
+
+// Columns of masses: each row is judged by the others, because a slip is what is out of line.
+
+/// Columns in which a mass may be a slip.
+const MASSES: [Input; 3] = [Input::TargetMass, Input::ContactsMass, Input::Mass];
+
+/// The masses of each such column, kg, from the lightest to the heaviest.
+#[derive(Debug, Default)]
+pub(super) struct Masses(BTreeMap<Input, Vec<f64>>);
+
+impl Masses {
+    /// Those of a table. A cell that is not a number is refused when its row is read.
+    pub(super) fn of(sheet: &Sheet, columns: &Columns) -> Self {
+        let read = |input: Input| {
+            let is_of = |field: &str, kind| kind == Kind::Value && field == input.name();
+            let at = columns.columns.iter().position(|column| is_of(&column.field, column.kind))?;
+            let column = columns.columns.get(at)?;
+            let cells = sheet.rows.iter().filter_map(|row| row.cells.get(at));
+            let mut masses: Vec<f64> =
+                cells.filter_map(|cell| number(cell, sheet, column).ok()?.parse().ok()).collect();
+            masses.sort_by(f64::total_cmp);
+            Some((input, masses))
+        };
+        Self(MASSES.into_iter().filter_map(read).collect())
+    }
+
+    /// What the other rows say of the masses of a row with these fields.
+    pub(super) fn beside(&self, fields: &Map<String, Value>) -> BTreeMap<Input, MassesBeside> {
+        let found = self.0.iter().filter_map(|(&input, sorted)| {
+            let own_kg = fields.get(input.name())?.as_str()?.parse().ok()?;
+            Some((input, MassesBeside::of(sorted, own_kg)?))
+        });
+        found.collect()
     }
 }

@@ -2,9 +2,207 @@
 
 mod cells;
 mod columns;
-mod fault;
-mod masses;
-mod read;
 
-pub use fault::RowFault;
-pub use read::{RowRequest, Table};
+use std::path::{Path, PathBuf};
+
+use osim_model::Question;
+use osim_model::files::{Failure, Files};
+use osim_model::messages::{Input, Phrase, Verb, phrase, shown};
+use osim_requests::options::OutputOptions;
+use osim_requests::values::path;
+use osim_requests::{Request, RequestError, RequestFault};
+use serde_json::{Map, Value, json};
+
+use crate::planner::Change;
+use crate::sheet::{Row, Sheet};
+use crate::verbs::any::prepare;
+pub use cells::RowFault;
+use cells::{Cells, Masses};
+use columns::{Columns, model_field};
+
+/// A table of models and what is done with each.
+pub struct Table {
+    sheet: Sheet,
+    columns: Columns,
+    masses: Masses,
+    /// Paths of the table begin here.
+    folder: PathBuf,
+    /// Answers to questions of all rows.
+    yes: Vec<Question>,
+}
+
+/// What one row asks for.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct RowRequest {
+    /// Line of the row in the table; the first row, which names the columns, is line 1.
+    pub line: u64,
+    /// What is done.
+    pub verb: Verb,
+    /// The model.
+    pub model: PathBuf,
+    /// Where its result goes: as the row says, else as the call says.
+    pub output: OutputOptions,
+    /// Columns of the user's own, whose names begin with #: name and text, empty where the cell is.
+    pub remarks: Vec<(String, String)>,
+    /// Everything else.
+    fields: Map<String, Value>,
+}
+
+impl RowRequest {
+    /// Rows with the same text plan the same for any model and are written in the same way.
+    #[must_use]
+    pub fn settings(&self) -> String {
+        let mut output = self.output.clone();
+        (output.output, output.geometry_output, output.output_dir) = (None, None, None);
+        json!([self.verb.name(), self.fields, output]).to_string()
+    }
+}
+
+impl Table {
+    /// Reads a table; `folder` is where it lies.
+    ///
+    /// # Errors
+    /// It is not a table, or its first row does not name fields of changes.
+    pub fn read(bytes: &[u8], folder: &Path) -> Result<Self, Phrase> {
+        let sheet = Sheet::read(bytes)?;
+        let columns = Columns::of(&sheet.header)?;
+        let masses = Masses::of(&sheet, &columns);
+        Ok(Self { sheet, columns, masses, folder: folder.to_owned(), yes: Vec::new() })
+    }
+
+    /// The same with answers to questions of all rows, beside those that rows give themselves.
+    #[must_use]
+    pub fn answering(self, yes: Vec<Question>) -> Self {
+        Self { yes, ..self }
+    }
+
+    /// Every row that is not empty, as a request; `call` says where results go for rows that do not.
+    pub fn requests<'t>(
+        &'t self,
+        call: &'t OutputOptions,
+        files: &'t dyn Files,
+    ) -> impl Iterator<Item = (u64, Result<RowRequest, RowFault>)> {
+        let rows = self.sheet.rows.iter().filter(|row| row.cells.iter().any(|cell| !cell.is_empty()));
+        rows.map(move |row| (row.line, self.request(row, call, files)))
+    }
+
+    fn request(&self, row: &Row, call: &OutputOptions, files: &dyn Files) -> Result<RowRequest, RowFault> {
+        let cells = Cells::read(row, &self.columns, &self.sheet, &self.folder, files)?;
+        let output = output(&cells, call)?;
+        let Cells { verb, model, fields, .. } = cells;
+        let remarks = self.columns.remarks(&row.cells);
+        Ok(RowRequest { line: row.line, verb, model, output, remarks, fields })
+    }
+
+    /// Checks what a row asks for and prepares it.
+    ///
+    /// # Errors
+    /// What is wrong, with its column.
+    pub fn prepare(&self, row: &RowRequest, files: &dyn Files) -> Result<Change, RowFault> {
+        let mut fields = row.fields.clone();
+        if row.verb == Verb::Fit && !fields.contains_key(Input::Motion.name()) {
+            let column = self.columns.header_of(Input::Motion.name()).map(str::to_owned);
+            let message =
+                phrase!["a row of fit is about a recording: fill the columns 'motion' and 'plates'"];
+            return Err(RowFault { column, message });
+        }
+        // A list may be given as its only item.
+        let field = model_field(row.verb);
+        fields.insert(field.to_owned(), path::to_value(&row.model));
+        if !self.yes.is_empty() {
+            let own = fields.get(Input::Yes.name()).and_then(Value::as_array).cloned().unwrap_or_default();
+            let yes = self.yes.iter().map(|question| Value::from(question.code())).chain(own);
+            fields.insert(Input::Yes.name().to_owned(), yes.collect());
+        }
+        let beside = self.masses.beside(&fields);
+        let mut request = Request::read(row.verb, fields).map_err(|fault| self.placed(&fault, row.verb))?;
+        if let Some(masses) = request.masses_mut() {
+            masses.beside = beside;
+        }
+        let change = prepare(request, files).map_err(|error| match error {
+            RequestError::Fault(fault) => self.placed(&fault, row.verb),
+            RequestError::Failure(Failure { model, message, .. }) => {
+                let mut text = Phrase::from(format!("{model}: "));
+                text.push(&message);
+                RowFault::of("from", text)
+            }
+        })?;
+        Ok(Change { output: row.output.clone(), ..change })
+    }
+
+    /// The column that a fault is about.
+    fn placed(&self, fault: &RequestFault, verb: Verb) -> RowFault {
+        let column = fault
+            .field()
+            .and_then(|field| self.columns.header_of(field))
+            .or_else(|| (verb == Verb::Set).then(|| self.columns.header_of("set")).flatten())
+            .map(str::to_owned);
+        let message = match (fault, &column) {
+            (RequestFault::UnknownField { .. }, Some(_)) => {
+                format!("{} has no such option: leave the cell empty", verb.name()).into()
+            }
+            // What is wrong with assignments names the one that it is about.
+            (RequestFault::BadValue { field, reason, .. }, Some(_)) if field == "set" => {
+                reason.clone().into()
+            }
+            (RequestFault::BadValue { value, reason, .. }, Some(_)) => {
+                format!("'{}': {reason}", shown(value)).into()
+            }
+            _ => fault.phrase(),
+        };
+        RowFault { column, message }
+    }
+
+    /// What is wrong with a row, as the failure of the table `shown`.
+    #[must_use]
+    pub fn failure(&self, shown: &str, line: u64, fault: &RowFault) -> Failure {
+        let place = match &fault.column {
+            Some(column) => format!("row {line}, column '{column}': "),
+            None => format!("row {line}: "),
+        };
+        let mut message = Phrase::from(place);
+        message.push(&fault.message);
+        let mut failure = Failure::outside(shown, "manifest", message);
+        failure.line = usize::try_from(line).ok();
+        let index =
+            fault.column.as_ref().and_then(|name| self.sheet.header.iter().position(|cell| cell == name));
+        failure.column = index.map(|index| index + 1);
+        failure
+    }
+
+    /// Header of the column that says `input`.
+    #[must_use]
+    pub fn header_of(&self, input: Input) -> Option<&str> {
+        self.columns.header_of(input.name())
+    }
+
+    /// Header of the column that names the models.
+    #[must_use]
+    pub fn model_column(&self) -> &str {
+        &self.columns.model
+    }
+}
+
+/// Where the row's result goes: as its cells say, else as the call says.
+fn output(cells: &Cells, call: &OutputOptions) -> Result<OutputOptions, RowFault> {
+    let named = cells.output.is_some() || cells.output_dir.is_some();
+    if cells.output.as_deref() == Some(Path::new("-")) {
+        return Err(RowFault::of("output", "standard output takes one model: name a file"));
+    }
+    if cells.output.is_some() && cells.output_dir.is_some() {
+        return Err(RowFault::of("output-dir", "the row has an output already: leave one cell empty"));
+    }
+    if named && cells.has("in_place") {
+        return Err(RowFault::of("in-place", "the row has an output already: leave one cell empty"));
+    }
+    let mut output = OutputOptions::default();
+    output.output.clone_from(&cells.output);
+    output.geometry_output.clone_from(&cells.geometry_output);
+    output.output_dir.clone_from(if named { &cells.output_dir } else { &call.output_dir });
+    output.in_place = cells.has("in_place") || (call.in_place && !named);
+    output.no_backup = cells.has("no_backup") || call.no_backup;
+    output.force = cells.has("force") || call.force;
+    output.no_note = cells.has("no_note") || call.no_note;
+    Ok(output)
+}
