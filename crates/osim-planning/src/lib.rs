@@ -50,8 +50,10 @@ mod table;
 mod verbs;
 
 pub use afterwards::Aims;
-pub use calculator::{DesignFigure, DesignLimit, DesignQuantity, DesignSheet, design_sheet};
-pub use drop_test::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow, run_drop_test};
+pub use calculator::DesignQuantity;
+pub use calculator::{DesignFigure, DesignLimit, DesignSheet, design_sheet};
+pub use drop_test::{ComparedDrop, DropResult, DropRow, run_drop_test};
+pub use drop_test::{DropColumn, DropFigure};
 pub use fit::{FitResult, run_fit};
 pub use inspector::Inspector;
 pub use motion::{MotionRemark, MotionResult, PlatesRead, run_motion};
@@ -63,8 +65,7 @@ pub use sheet::{cell, from_cell, marked, unmarked};
 pub use states::{BeforeAfter, States};
 pub use sweep::{SweepPlan, VariantMade};
 pub use table::{RowFault, RowRequest, Table};
-pub use verbs::any::prepare;
-pub use verbs::of_many::of_many;
+pub use verbs::any::{of_many, prepare};
 
 /// The example of the README compiles.
 #[cfg(doctest)]

@@ -86,7 +86,7 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
         return Err(Failure::outside(read.name(), "motion", why).into());
     }
     let plates = result.plates.as_ref().zip(result.measured.as_ref());
-    if let Some((read, what)) = plates.and_then(|(read, measured)| Some((read, of_plates(measured)?))) {
+    if let Some((read, what)) = plates.and_then(|(read, measured)| Some((read, unmeasurable(measured)?))) {
         let why = format!("it has {what}: correct the table");
         return Err(Failure::outside(read.name(), "motion", why).into());
     }
@@ -220,7 +220,7 @@ pub(crate) fn table(path: &Path, files: &dyn Files) -> Result<Table, Failure> {
 }
 
 /// What `fault` says of the file at `path`.
-pub(crate) fn failure(path: &Path, fault: &MotionFault) -> Failure {
+fn failure(path: &Path, fault: &MotionFault) -> Failure {
     let place = fault.line.map(|line| format!("line {line}: ")).unwrap_or_default();
     let mut message = Phrase::from(format!("{place}{}", fault.message));
     if fault.needs_angles {
@@ -316,7 +316,7 @@ fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(), Fault> {
 }
 
 /// A force or a moment of the plates that is beyond all measure, if there is one, in words: of all plates, or of those of one foot.
-fn of_plates(measured: &Measured) -> Option<String> {
+fn unmeasurable(measured: &Measured) -> Option<String> {
     let mut all = measured.total.iter().chain(measured.feet.iter().flatten()).flatten();
     all.find_map(|wrench| {
         let beyond = |values: [f64; 3]| values.into_iter().find(|value| !is_measurable(*value));

@@ -1,12 +1,14 @@
-//! Plans that ask before they do what looks like a slip.
+//! What stands before a plan: questions about what looks like a slip, and what is refused because it does nothing or was done.
 
 use std::path::PathBuf;
 
 use osim_inspect::{ReferenceState, perhaps_in_pounds, unexplained_slip};
 use osim_model::files::{Failure, Files, OpenModel};
-use osim_model::{Fault, MassRequest, Model, Question};
+use osim_model::messages::{Input, phrase, shortest};
+use osim_model::{Fault, MassRequest, Model, Needed, Question, RadiusRule};
 use osim_patch::Plan;
-use osim_requests::options::{AnswerOptions, InspectionOptions};
+use osim_requests::RequestFault;
+use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions};
 
 use crate::motion::{MotionRemark, MotionResult};
 use crate::planner::Planner;
@@ -85,4 +87,39 @@ impl<P: Planner> Planner for Asking<P> {
     fn settings(&self) -> String {
         self.planner.settings()
     }
+}
+
+/// A factor that the note says was applied already is not applied once more in place, unless that is wanted.
+///
+/// # Errors
+/// The question whether it is.
+pub(super) fn refuse_again(model: &Model, operation: &str, may_repeat: bool) -> Result<(), Fault> {
+    let done = model.note.as_ref().is_some_and(|note| note.operation() == operation);
+    if !done || may_repeat {
+        return Ok(());
+    }
+    Err(Fault::new(Needed::Repetition { operation: operation.to_owned() }))
+}
+
+/// The verb, and the factor of the radius where one is given.
+pub(super) fn operation(verb: &str, radius: Option<RadiusRule>) -> String {
+    match radius {
+        Some(RadiusRule::Factor(factor)) => format!("{verb} radius=x{}", shortest(factor)),
+        _ => verb.to_owned(),
+    }
+}
+
+/// Verbs that change whole objects do so in models: no geometry set is written beside them.
+///
+/// # Errors
+/// A file for one is named.
+pub(super) fn refuse_geometry_output(output: &OutputOptions) -> Result<(), RequestFault> {
+    if output.geometry_output.is_none() {
+        return Ok(());
+    }
+    let why = phrase![
+        Input::GeometryOutput,
+        " is for force sets that stand alone: whole objects are changed in whole models, whose geometry is in the same file"
+    ];
+    Err(RequestFault::refused(Input::GeometryOutput, why))
 }

@@ -7,8 +7,7 @@ use osim_requests::options::{InspectionOptions, MassOptions, SetFiles, StanceOpt
 use osim_requests::{ConvertRequest, Positive, RequestFault};
 use serde_json::json;
 
-use super::asking::Asking;
-use super::useless::refuse_geometry_output;
+use super::asking::{Asking, refuse_geometry_output};
 use crate::planner::{Change, Planner};
 use crate::remarks::{dropped_pairs, smoothed, still_named, too_new, too_smooth};
 

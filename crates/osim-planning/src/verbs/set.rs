@@ -1,14 +1,14 @@
-//! Plain changes.
+//! Plain changes, and feet whose bottoms are made level.
 
+use osim_model::feet::{NotLevelled, levelled};
 use osim_model::messages::{Input, phrase};
-use osim_model::{Fault, Mass, MassRequest, MassSource, Model, Selected, Selection, SphereId};
+use osim_model::{Fault, ForceId, Mass, MassRequest, MassSource, Model, Selected, Selection, SphereId};
 use osim_patch::{Plan, Set, set};
 use osim_requests::options::{InspectionOptions, StanceOptions};
 use osim_requests::{Assignments, RequestFault, SetRequest};
 use serde_json::json;
 
 use super::asking::Asking;
-use super::levelling;
 use crate::planner::{Change, Planner};
 
 struct Setting {
@@ -98,6 +98,19 @@ impl Setting {
                 &changed
             }
         };
-        levelling::places(model, &selected.forces)
+        level_places(model, &selected.forces)
     }
+}
+
+/// Where spheres of `forces` have to be in `model` for the bottoms of each foot to be as low as its lowest one, in their own frames, m;
+/// those that are right are left out.
+///
+/// # Errors
+/// Limbs, floors or the default pose are not known; a foot leans.
+pub(super) fn level_places(model: &Model, forces: &[ForceId]) -> Result<Vec<(SphereId, [f64; 3])>, Fault> {
+    let found = levelled(model, forces).map_err(|fault| match fault {
+        NotLevelled::Frame(fault) => *fault,
+        other => Fault::refused(other.to_string()),
+    })?;
+    Ok(found.into_iter().map(|one| (one.sphere, one.location_m)).collect())
 }

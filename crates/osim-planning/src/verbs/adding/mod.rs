@@ -1,9 +1,6 @@
 //! Contacts for models that have none.
 
 mod bodies;
-mod fault;
-mod made;
-mod numbers;
 mod places;
 pub(in crate::verbs) mod prepare;
 mod reference;
@@ -19,14 +16,12 @@ use osim_patch::{Deed, Layout, Plan, Rebuilt, remove};
 use osim_requests::BodyScale;
 use osim_requests::options::{AnswerOptions, InspectionOptions};
 
-use self::fault::AddFault;
-use self::made::added;
-use self::numbers::Numbers;
-use self::places::Places;
-use self::reference::FromReference;
-use super::levelling;
+use super::set;
 use crate::planner::Planner;
 use crate::remarks::{friction_stays, leaning, planes_left, scale_slip, standing, too_new};
+use bodies::AddFault;
+use places::Places;
+use reference::{FromReference, Numbers, added};
 
 /// Plans contacts for models that have none.
 struct Adding {
@@ -128,7 +123,7 @@ impl Adding {
         });
         if self.level {
             let changed = plan.changed(model)?;
-            plan.level(model, &levelling::places(&changed, &new_forces(&plan, &changed))?)?;
+            plan.level(model, &set::level_places(&changed, &new_forces(&plan, &changed))?)?;
         }
         let stands = plan.changed(model).ok().and_then(|changed| standing(&plan, &changed));
         plan.remarks.extend(stands);

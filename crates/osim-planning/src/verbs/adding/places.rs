@@ -13,9 +13,8 @@ use osim_model::{Fault, Model, NeedsAnswer, Question, Side};
 use osim_patch::{Layout, NewContact};
 use osim_requests::options::AnswerOptions;
 
-use super::bodies::{meant, plain};
-use super::fault::AddFault;
-use super::numbers::Numbers;
+use super::bodies::{AddFault, meant, plain};
+use super::reference::Numbers;
 use crate::contact_table::{ContactRow, ContactTable, PlaceFault};
 use crate::remarks::{Bones, pad_slip, parts_of_feet};
 

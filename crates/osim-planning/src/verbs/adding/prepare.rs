@@ -9,16 +9,16 @@ use osim_patch::reference_of_layout;
 use osim_requests::{AddRequest, DesignRequest, Metres, NewRadius, RequestError, RequestFault};
 use serde_json::json;
 
-use super::super::asking::Asking;
-use super::super::reference::{KnownMass, of_opened};
-use super::bodies::listed;
-use super::fault::of_table;
-use super::numbers::{Numbers, OfReference, Wanted};
+use super::bodies::{failure_of_table, listed};
 use super::places::{FeetPlaces, Places, TablePlaces};
-use super::reference::{FromReference, check_maps, contacts_of, layout, reference, transfer};
+use super::reference::{
+    FromReference, Numbers, OfReference, Wanted, check_maps, contacts_of, layout, reference, transfer,
+};
 use super::{Adding, Source};
 use crate::contact_table::ContactTable;
 use crate::planner::Change;
+use crate::verbs::asking::Asking;
+use crate::verbs::reference::{KnownMass, of_opened};
 
 /// No sole is farther below the bones, in whatever unit, m.
 const LARGEST_PAD: f64 = 1e9;
@@ -125,7 +125,7 @@ fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, Req
     };
     if let Some(path) = &request.contacts {
         let bytes = crate::opening::read(path, files)?;
-        let table = ContactTable::read(&bytes).map_err(|fault| of_table(path, &fault))?;
+        let table = ContactTable::read(&bytes).map_err(|fault| failure_of_table(path, &fault))?;
         if table.has_radii && radius_m.is_some() {
             let message = phrase![
                 Input::Radius.like("METRES"),
@@ -169,7 +169,7 @@ fn whole_reference(
         layout(request, model, &selected).map_err(|fault| opened.failure(fault))?;
     // Presets have the bodies with spheres and their joint.
     anatomy.is_fragment = !is_file;
-    let transferring = super::super::transfer::planner(transfer, referenced, is_file);
+    let transferring = crate::verbs::transfer::planner(transfer, referenced, is_file);
     let maps = request.body_map.clone();
     Ok((FromReference { layout, anatomy, transferring, generic, maps }, is_file, remarks))
 }
@@ -187,7 +187,7 @@ fn numbers_of(
         .apply(&opened.model)
         .and_then(|selected| contacts_of(request, &opened.model, &selected))
         .map_err(|fault| opened.failure(fault))?;
-    let transferring = super::super::transfer::planner(transfer, referenced, is_file);
+    let transferring = crate::verbs::transfer::planner(transfer, referenced, is_file);
     let known = &transferring.reference;
     let (mass, sphere_count) = (known.mass.clone(), known.sphere_count);
     let reference = reference_of_layout(&known.name, &layout, mass, sphere_count, known.gravity_m_s2)
@@ -234,7 +234,7 @@ fn wanted(request: &AddRequest) -> Result<Wanted, RequestFault> {
     Ok(Wanted {
         kind: class.kind(),
         friction: friction.iter().filter_map(|&(property, value)| Some((property, value?))).collect(),
-        designing: super::super::design::planner(design)?,
+        designing: crate::verbs::design::planner(design)?,
         remarks: of_defaults(request, class.kind()),
     })
 }

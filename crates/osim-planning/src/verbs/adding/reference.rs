@@ -1,19 +1,176 @@
-//! Contacts as a reference has them, on the bodies that take them here.
+//! Contacts as a reference has them, on the bodies that take them here; and numbers of contacts whose places are given.
 
 use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
 
+use contact_scaling::Ratios;
+use osim_inspect::ReferenceState;
 use osim_model::files::{Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase};
-use osim_model::{Anatomy, Fault, FaultKind, FindingCode, Model, RadiusRule, Selected};
-use osim_patch::{Layout, Plan, Rebuilt, presets_with_places, reference_of_model};
+use osim_model::{
+    Anatomy, Fault, FaultKind, FindingCode, Force, ForceKind, Model, Property, RadiusRule, Selected,
+};
+use osim_patch::{
+    Layout, NewContact, PLACES_STAY, Plan, Rebuilt, Reference, add_contacts, presets_with_places,
+    reference_of_model,
+};
+use osim_requests::options::InspectionOptions;
 use osim_requests::{AddRequest, BodyMap, NewRadius, Radius, RequestError, RequestFault, TransferRequest};
 
-use super::fault::AddFault;
-use super::made::added;
+use super::bodies::AddFault;
 use crate::opening::{Named, open, placed_preset};
+use crate::planner::Planner as _;
+use crate::verbs::design::Designing;
 use crate::verbs::reference::Generic;
-use crate::verbs::transferring::Transferring;
+use crate::verbs::transfer::Transferring;
+
+/// Where the numbers come from.
+pub(super) enum Numbers {
+    /// The contacts of a reference, without dimensions.
+    Reference(Box<OfReference>),
+    /// What is wanted.
+    Wanted(Box<Wanted>),
+}
+
+/// Contacts of a reference.
+pub(super) struct OfReference {
+    /// As they are there, in the class that is wanted.
+    pub(super) layout: Layout,
+    /// The same, free of names of forces.
+    pub(super) reference: Reference,
+    pub(super) transferring: Transferring,
+}
+
+/// What is wanted.
+pub(super) struct Wanted {
+    pub(super) kind: ForceKind,
+    /// Friction that the caller gave.
+    pub(super) friction: Vec<(Property, f64)>,
+    pub(super) designing: Designing,
+    /// What comes from OpenSim's defaults.
+    pub(super) remarks: Vec<Phrase>,
+}
+
+impl Numbers {
+    /// By how much radii that are not given are larger in `model` than in the reference: by (8).
+    ///
+    /// # Errors
+    /// There is no reference, or a mass that is not known.
+    pub(super) fn growth(&self, model: &Model) -> Result<f64, AddFault> {
+        let own = self.of_reference()?;
+        let mass = own.transferring.masses.of_model(model)?;
+        let ratios = Ratios::isometric(mass.kg / own.reference.mass.kg).map_err(Fault::new)?;
+        Ok(ratios.radius())
+    }
+
+    /// The radius of the sphere in the reference that the sphere called `name` is made from, m.
+    ///
+    /// # Errors
+    /// There is no reference, or its radii differ and it has no sphere of that name.
+    pub(super) fn radius(&self, name: Option<&str>) -> Result<f64, AddFault> {
+        let own = self.of_reference()?;
+        let reference = &own.reference;
+        own.radius(name)?.ok_or_else(|| {
+            let message = phrase![
+                format!("radii differ in {}: say the radius with ", reference.name),
+                Input::Radius.like("METRES"),
+                ", or whose with ",
+                Input::ReferenceSphere.like("NAME"),
+            ];
+            AddFault::Beside("which-reference", message)
+        })
+    }
+
+    fn of_reference(&self) -> Result<&OfReference, Fault> {
+        match self {
+            Self::Reference(own) => Ok(own),
+            // Asked for before any model is read.
+            Self::Wanted(_) => Err(Fault::refused("nothing says how large the spheres are")),
+        }
+    }
+
+    /// The force and the sphere called `name`, which has this radius: numbers that `plan` changes, and those that stay.
+    pub(super) fn contact(&self, name: &str, radius_m: f64) -> Result<NewContact, Fault> {
+        let force = format!("force_{name}");
+        let mut contact = match self {
+            Self::Reference(own) => {
+                let mut like = own.like(Some(name))?.clone();
+                (like.force, like.sphere) = (force, name.to_owned());
+                like
+            }
+            Self::Wanted(wanted) => {
+                let mut contact = NewContact::new(wanted.kind, force, name);
+                contact.values.clone_from(&wanted.friction);
+                // Any value will do: the plan gives another one, and a force must have a stiffness.
+                contact.set_value(Property::Stiffness, 1.0);
+                contact.radius_m = radius_m;
+                return contact.with_defaults();
+            }
+        };
+        contact.radius_m = radius_m;
+        Ok(contact)
+    }
+
+    /// Gives the contacts `selected` of `built` their numbers.
+    pub(super) fn plan(&self, built: &Model, selected: &Selected) -> Result<Plan, Fault> {
+        let mut plan = match self {
+            Self::Reference(own) => own.transferring.plan_from(built, selected, &own.reference, None)?,
+            Self::Wanted(wanted) => {
+                let mut plan = wanted.designing.plan_for(built, selected)?;
+                plan.remarks.extend(wanted.remarks.iter().cloned());
+                if selected.complete {
+                    plan.note_all_values();
+                }
+                plan
+            }
+        };
+        // Spheres that are new do not stay anywhere.
+        plan.remarks.retain(|remark| remark.to_string() != PLACES_STAY);
+        Ok(plan)
+    }
+
+    pub(super) fn inspection(&self) -> InspectionOptions {
+        match self {
+            Self::Reference(own) => own.transferring.inspection(),
+            Self::Wanted(wanted) => wanted.designing.inspection(),
+        }
+    }
+
+    pub(super) fn reference(&self) -> Option<&ReferenceState> {
+        match self {
+            Self::Reference(own) => own.transferring.reference(),
+            Self::Wanted(_) => None,
+        }
+    }
+}
+
+impl OfReference {
+    /// The contact that a sphere called `name` gets: that of the sphere that was chosen, else of that name, else the first. Where
+    /// they differ and none has the name, the transfer asks.
+    fn like(&self, name: Option<&str>) -> Result<&NewContact, Fault> {
+        let contacts = &self.layout.contacts;
+        let of = |wanted: &str| contacts.iter().find(|contact| contact.sphere == wanted);
+        let none = || self.reference.without_contacts();
+        match &self.transferring.reference_sphere {
+            Some(chosen) => of(chosen).ok_or_else(|| {
+                let known = contacts.iter().map(|contact| contact.sphere.clone()).collect();
+                let reference = self.reference.name.clone();
+                Fault::new(FaultKind::UnknownReferenceSphere { sphere: chosen.clone(), reference, known })
+            }),
+            None => name.and_then(of).or(contacts.first()).ok_or_else(none),
+        }
+    }
+
+    /// The radius of the sphere in the reference that a sphere called `name` is made from; `None` if that is not clear.
+    fn radius(&self, name: Option<&str>) -> Result<Option<f64>, Fault> {
+        let like = self.like(name)?;
+        let named = self.transferring.reference_sphere.is_some() || Some(like.sphere.as_str()) == name;
+        let all = self.layout.contacts.iter().all(|contact| contact.radius_m == like.radius_m);
+        Ok((named || all).then_some(like.radius_m))
+    }
+}
+
+// Contacts as a reference has them, on the bodies that take them here.
 
 /// Places, radii and numbers of a reference.
 pub(super) struct FromReference {
@@ -212,4 +369,24 @@ pub(super) fn reference(from: &Path, files: &dyn Files) -> Result<(OpenModel, bo
         ),
     ];
     Err(RequestFault::refused(Input::From, message).into())
+}
+
+/// `base` with the contacts of `layout`, and their forces.
+///
+/// # Errors
+/// Contacts of `base` that stay are on bodies that get new ones: both would carry the weight.
+pub(super) fn added(base: &Model, layout: &mut Layout) -> Result<(Rebuilt, Selected), Fault> {
+    let bodies: HashSet<&str> = layout.contacts.iter().map(|contact| contact.body.as_str()).collect();
+    let is_there = |force: &Force| {
+        let mut spheres = force.spheres().into_iter().filter_map(|id| base.sphere(id)?.body.as_deref());
+        base.meets_half_space(force) && spheres.any(|body| bodies.contains(body))
+    };
+    let doubled = Selected::those(base, is_there);
+    if !doubled.forces.is_empty() {
+        return Err(Fault::new(FaultKind::ContactsExist { forces: base.names_of(&doubled.forces) }));
+    }
+    let rebuilt = add_contacts(base, layout)?;
+    let own: HashSet<&str> = layout.contacts.iter().map(|contact| contact.force.as_str()).collect();
+    let selected = Selected::those(rebuilt.model(), |force| own.contains(force.name.as_str()));
+    Ok((rebuilt, selected))
 }
