@@ -10,7 +10,8 @@ use osim_model::{Anatomy, Document, Fault, Finding, MassRequest, Model, Severity
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
 use osim_requests::{CheckRequest, InspectRequest, Kilograms};
 
-use crate::motion::{CheckedMotion, MotionRemark, MotionResult};
+use crate::motion::MotionResult;
+use crate::motion_remarks::{CheckedMotion, MotionRemark};
 use crate::opening::{moco_setup, open, scale_file};
 use crate::planner::check_with_trials;
 use crate::remedies::Trials;

@@ -11,8 +11,6 @@ use osim_motion::{
 };
 use osim_requests::{AngleChoice, MotionRequest, Positive, RequestError, RequestFault, Speed};
 
-pub(crate) use crate::motion_remarks::CheckedMotion;
-pub use crate::motion_remarks::MotionRemark;
 use crate::opening::{open_with, read};
 
 /// What contacts do along a motion.

@@ -14,7 +14,8 @@ use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions, Se
 use osim_requests::{NoteDetails, takes};
 
 use crate::afterwards::{Aims, Changed, worse_findings};
-use crate::motion::{MotionRemark, MotionResult};
+use crate::motion::MotionResult;
+use crate::motion_remarks::MotionRemark;
 use crate::opening::open_with;
 
 /// Plans the change of one model after the other, on any thread.

@@ -8,7 +8,8 @@ use osim_patch::Plan;
 use osim_requests::spell::Speller;
 
 use crate::afterwards::options_after;
-use crate::motion::{MotionRemark, MotionResult};
+use crate::motion::MotionResult;
+use crate::motion_remarks::MotionRemark;
 use crate::remedies::Trials;
 use crate::scene::{Fall, Scene};
 use crate::{ModelFeet, Planner, planner};

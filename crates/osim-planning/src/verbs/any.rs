@@ -13,7 +13,8 @@ use osim_requests::{Request, RequestError, RequestFault};
 
 use super::adding::prepare;
 use super::{convert, design, fitting, note, remove, rescale, set, transfer};
-use crate::motion::{MotionRemark, MotionResult};
+use crate::motion::MotionResult;
+use crate::motion_remarks::MotionRemark;
 use crate::planner::{Change, Planner};
 
 /// Verbs that change models.

@@ -10,7 +10,8 @@ use osim_patch::Plan;
 use osim_requests::RequestFault;
 use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions};
 
-use crate::motion::{MotionRemark, MotionResult};
+use crate::motion::MotionResult;
+use crate::motion_remarks::MotionRemark;
 use crate::planner::Planner;
 
 /// A planner that asks if a mass that the caller gave, or a radius that it would write, looks like a slip.

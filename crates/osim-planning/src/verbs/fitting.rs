@@ -22,10 +22,8 @@ use sha2::{Digest, Sha256};
 
 use super::asking::Asking;
 use super::fitted_words::remarks;
-use crate::motion::{
-    MotionRemark, MotionResult, OnGround, PlatesRead, belt, recording_options, table, weight,
-};
-use crate::motion_remarks::other_weight;
+use crate::motion::{MotionResult, OnGround, PlatesRead, belt, recording_options, table, weight};
+use crate::motion_remarks::{MotionRemark, other_weight};
 use crate::opening::read;
 use crate::planner::{Change, Planner, file_name};
 
