@@ -114,10 +114,10 @@ const BETWEEN: &[&str] = &[
     "<![CDATA[ ]]>",
     "<?pi?>",
     "text",
-    "<credits>[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes none; digest 0123456789abcdef; places unknown; made -)]</credits>",
+    "<credits>[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes none; digest 0123456789abcdef; radii 0123456789abcdef; spheres 1 0123456789abcdef; forces 1 0123456789abcdef; numbers stiffness=01234567; places unknown; made -)]</credits>",
     "<credits>A; <![CDATA[B]]></credits>",
     "<credits/>",
-    "<!-- osim-contact-scale 0.1.0: contacts stand for 62 kg; gravity 9.81 m/s2; scope all; by rescale; digest 00 -->",
+    "<!-- [contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; digest 00)] -->",
 ];
 
 /// Mutates `bytes[..size]`: mostly whole elements and texts, now and then plain bytes.

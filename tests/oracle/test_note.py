@@ -4,7 +4,6 @@ Documents of every version from 1.9 to 4.6, five ways through OpenSim. Nothing i
 """
 
 import re
-import shutil
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -137,15 +136,3 @@ def test_what_is_written_down_survives_too(tmp_path):
     for how in WAYS:
         saved = save(noted, tmp_path / f"{how}.osim", how)
         assert contacts_mass(saved) == (62.0, "note")
-
-
-def test_a_comment_of_an_earlier_version_moves_into_the_credits(tmp_path):
-    """The comment is read, and its note survives from the next change on."""
-    model = tmp_path / "earlier.osim"
-    shutil.copy(models.FIXTURES / "check" / "earlier_note.osim", model)
-    assert contacts_mass(model)[1] == "note"
-    moved = tmp_path / "moved.osim"
-    assert command.rescale(model, 100.0, moved).status == 0
-    text = moved.read_text(encoding="utf-8")
-    assert "<!-- osim-contact-scale" not in text
-    assert contacts_mass(save(moved, tmp_path / "saved.osim", "save")) == (100.0, "note")

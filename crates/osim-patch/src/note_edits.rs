@@ -20,8 +20,6 @@ const CREDITS: &str = "credits";
 /// note the file is again what it was.
 const MADE_CREDITS: char = 'c';
 const OPENED: [(char, Form); 2] = [('s', Form::Closed), ('b', Form::ClosedWithBlank)];
-/// The letter of a note beside which a comment of an earlier version stays, because that is about other contacts.
-const COMMENT_STAYS: char = 'k';
 
 /// Whether `document` keeps its note in credits that it does not have yet.
 pub(crate) fn adds_credits(document: &Document) -> bool {
@@ -66,11 +64,6 @@ fn opened(document: &Document) -> Option<char> {
     let credits = Credits::of(document).ok()??;
     let form = Form::of(document.tree(), credits.element);
     OPENED.into_iter().find(|(_, known)| *known == form).map(|(letter, _)| letter)
-}
-
-/// The letters of a note beside an earlier one in `document`, which is about other contacts.
-pub(crate) fn letters_beside(document: &Document) -> String {
-    Note::comment_spans(document).next().map(|_| COMMENT_STAYS).into_iter().collect()
 }
 
 /// Sizes of the bodies for which the spheres are placed: today's where all spheres of a body `followed` it, else those that the
@@ -120,35 +113,19 @@ fn leave_with(
     of: impl Fn(&Credits<'_>) -> Vec<(Range<usize>, String)>,
 ) -> Vec<Edit> {
     let (tree, root) = (document.tree(), document.data_root());
-    let mut comments = Note::comment_spans(document);
     if !document.is_model() {
-        let text = note.comment();
+        let (mut comments, text) = (Note::comment_spans(document), note.comment());
         let own = match comments.next() {
             Some(span) => Edit { span, text },
             None => insert_first(tree, root, &text),
         };
         return std::iter::once(own).chain(comments.map(|span| without(tree, span))).collect();
     }
-    // A comment of an earlier version would be lost when OpenSim saves the file: its note moves.
-    let moving = comments.filter(|_| !note.made.contains(COMMENT_STAYS));
-    let mut edits: Vec<Edit> = moving.map(|span| without(tree, span)).collect();
     match Credits::of(document) {
-        Ok(Some(credits)) => edits.extend(filled(tree, &credits, of(&credits))),
-        Ok(None) => insert(tree, root, &ORDER, &[Node::leaf(CREDITS, note.text())])
-            .into_iter()
-            .for_each(|inserted| add(&mut edits, inserted)),
+        Ok(Some(credits)) => filled(tree, &credits, of(&credits)),
+        Ok(None) => insert(tree, root, &ORDER, &[Node::leaf(CREDITS, note.text())]),
         // Reading such a model was refused.
-        Err(_) => {}
-    }
-    edits
-}
-
-/// Adds an edit; one at the place of what goes takes that place.
-fn add(edits: &mut Vec<Edit>, inserted: Edit) {
-    let holds = |gone: &Range<usize>| gone.start <= inserted.span.start && inserted.span.end <= gone.end;
-    match edits.iter_mut().find(|edit| edit.text.is_empty() && holds(&edit.span)) {
-        Some(edit) => edit.text = inserted.text,
-        None => edits.push(inserted),
+        Err(_) => Vec::new(),
     }
 }
 
@@ -156,8 +133,7 @@ fn add(edits: &mut Vec<Edit>, inserted: Edit) {
 pub(crate) fn remove_note(document: &Document) -> Vec<Edit> {
     let tree = document.tree();
     let made = Note::find(document).map(|note| note.made).unwrap_or_default();
-    let comments = Note::comment_spans(document).filter(|_| !made.contains(COMMENT_STAYS));
-    let mut edits: Vec<Edit> = comments.map(|span| without(tree, span)).collect();
+    let mut edits: Vec<Edit> = Note::comment_spans(document).map(|span| without(tree, span)).collect();
     if let Ok(Some(credits)) = Credits::of(document) {
         let is_bare = credits.is_note_only() && contains_only_text(tree, credits.element);
         let form = OPENED.into_iter().find(|(letter, _)| made.contains(*letter)).map(|(_, form)| form);

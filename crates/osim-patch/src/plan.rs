@@ -246,8 +246,8 @@ impl Plan {
             weighed_kg: MassRequest::default().bodies_kg(model).map(without_last_bits),
             sizes: note_edits::sizes(model, facts.followed),
             digest: model.contact_digest(|key| changed.get(&key).copied()),
-            radii: Some(model.radii_digest(|key| changed.get(&key).copied())),
-            parts: Some(model.noted_parts(|key| changed.get(&key).copied())),
+            radii: model.radii_digest(|key| changed.get(&key).copied()),
+            parts: model.noted_parts(|key| changed.get(&key).copied()),
             places: Some(model.places_digest(|sphere| moved.get(sphere.path.as_str()).copied())),
             made: note_edits::made(model, facts.followed),
             added: model.note.as_ref().map(|note| note.added.clone()).unwrap_or_default(),
@@ -275,7 +275,6 @@ impl Plan {
             if rebuilt.earlier_note == EarlierNote::OfOthers {
                 let earlier = model.note.as_ref().map_or("", |note| note.made.as_str());
                 note.made = note_edits::without_letters(&note.made, earlier);
-                note.made.push_str(&note_edits::letters_beside(model.document()));
                 note.added.clear();
             }
             note.added.extend(rebuilt.added.iter().cloned());

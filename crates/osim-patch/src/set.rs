@@ -17,8 +17,6 @@ use crate::rules;
 
 /// Why a value changes, or a floor moves, that was fitted to a recording.
 const FIT: &str = "fit";
-/// Between the operations of a step that an earlier version wrote.
-const AND: &str = " + ";
 /// What follows an operation that made feet level as well.
 const AND_LEVEL: &str = " level";
 
@@ -101,10 +99,8 @@ impl Set {
 /// be applied twice without a question. Feet that are level stay so.
 fn is_done(model: &Model, wanted: &Set) -> bool {
     let steps = model.note.iter().flat_map(|note| note.steps.iter().rev());
-    let of_set = steps.map(|step| step.operation.as_str()).take_while(|done| done.starts_with("set "));
-    // Earlier versions wrote all of them as one.
-    let mut each = of_set.flat_map(|done| done.split(AND));
-    each.any(|one| one.strip_suffix(AND_LEVEL).unwrap_or(one) == wanted.assigned())
+    let mut of_set = steps.map(|step| step.operation.as_str()).take_while(|done| done.starts_with("set "));
+    of_set.any(|one| one.strip_suffix(AND_LEVEL).unwrap_or(one) == wanted.assigned())
 }
 
 /// Plans plain changes of the forces `selected` of `model`; nothing else follows from them: see [`Set`] for an example.

@@ -123,46 +123,23 @@ fn changes_in_words(changed: &ChangedSinceNote) -> Vec<String> {
 }
 
 fn contact_changes_in_words(changed: &ChangedContacts) -> Vec<String> {
-    match changed {
-        ChangedContacts::Apart {
-            sphere_count,
-            force_count,
-            sphere_names,
-            force_names,
-            radii,
-            places,
-            properties,
-            exchanged,
-        } => {
-            let count = |of: &str, count: &Option<(usize, usize)>| {
-                count.map(|(then, now)| format!("the contacts had {then} {of} then and have {now} now"))
-            };
-            let counts: Vec<String> =
-                count("spheres", sphere_count).into_iter().chain(count("forces", force_count)).collect();
-            let unknown = (!counts.is_empty()).then(|| {
-                "the note cannot show whether other numbers of the contacts changed, too".to_owned()
-            });
-            let named = [
-                (*radii, "radii"),
-                (*places, "places of spheres"),
-                (*sphere_names, "names of spheres"),
-                (*force_names, "names of forces"),
-                (*exchanged, "which contact has which numbers"),
-            ];
-            let properties = properties.iter().map(|property| property.name().to_owned());
-            counts.into_iter().chain(unknown).chain(true_ones(named)).chain(properties).collect()
-        }
-        ChangedContacts::Together { radii, values, places } => {
-            let named = [
-                (*radii, "radii, names or number of spheres (perhaps other numbers of contacts, too)"),
-                (*values, "numbers of contacts other than radii, or names of forces"),
-                (*places, "places, names or number of spheres"),
-            ];
-            true_ones(named).collect()
-        }
-    }
-}
-
-fn true_ones<const N: usize>(parts: [(bool, &str); N]) -> impl Iterator<Item = String> {
-    parts.into_iter().filter(|(is, _)| *is).map(|(_, name)| name.to_owned())
+    let count = |of: &str, count: Option<(usize, usize)>| {
+        count.map(|(then, now)| format!("the contacts had {then} {of} then and have {now} now"))
+    };
+    let counts: Vec<String> = count("spheres", changed.sphere_count)
+        .into_iter()
+        .chain(count("forces", changed.force_count))
+        .collect();
+    let unknown = (!counts.is_empty())
+        .then(|| "the note cannot show whether other numbers of the contacts changed, too".to_owned());
+    let named = [
+        (changed.radii, "radii"),
+        (changed.places, "places of spheres"),
+        (changed.sphere_names, "names of spheres"),
+        (changed.force_names, "names of forces"),
+        (changed.exchanged, "which contact has which numbers"),
+    ];
+    let named = named.into_iter().filter(|(is, _)| *is).map(|(_, name)| name.to_owned());
+    let properties = changed.properties.iter().map(|property| property.name().to_owned());
+    counts.into_iter().chain(unknown).chain(named).chain(properties).collect()
 }

@@ -98,7 +98,7 @@ pub(crate) static STALE_NOTE: Rule = Rule {
     why: "The note says which mass the contacts were made for. Contacts were changed after it was written, or only some of them were scaled, or the note is damaged.",
     advice: "Give the mass that the contacts are made for with `contacts_mass=KG`",
     repair: Repair::NotPossible("only you know what the contacts were made for"),
-    example: Example::Models { good: "check/earlier_note.osim", bad: "check/stale_note.osim" },
+    example: Example::Models { good: "check/noted.osim", bad: "check/stale_note.osim" },
 };
 
 /// Why a mass is not known, where it is the note's.

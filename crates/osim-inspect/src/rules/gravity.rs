@@ -129,7 +129,7 @@ pub(crate) static GRAVITY_SOURCES_DISAGREE: Rule = Rule {
     advice: "Set gravity in OpenSim, or look at the model under the gravity of its contacts with `check MODEL gravity=G`",
     repair: Repair::NotPossible("only you know which gravity is meant"),
     example: Example::Piece {
-        model: "check/earlier_note.osim",
+        model: "check/noted.osim",
         good: "<gravity>0 -9.81 0</gravity>",
         bad: "<gravity>0 -1.62 0</gravity>",
     },

@@ -110,24 +110,18 @@ impl Model {
     /// Whether all contact values are those that `note` records.
     #[must_use]
     pub fn has_values_of(&self, note: &Note) -> bool {
-        let by_name = note.parts.is_none();
-        note.digest == if by_name { self.contact_digest_by_name() } else { self.contact_digest(|_| None) }
+        note.digest == self.contact_digest(|_| None)
     }
 
-    /// Whether all radii are those that `note` records; `None` where it records none.
-    #[must_use]
-    pub fn has_radii_of(&self, note: &Note) -> Option<bool> {
-        let by_name = note.parts.is_none();
-        let now = || if by_name { self.radii_digest_by_name() } else { self.radii_digest(|_| None) };
-        note.radii.as_ref().map(|radii| *radii == now())
+    /// Whether all radii are those that `note` records.
+    pub(crate) fn has_radii_of(&self, note: &Note) -> bool {
+        note.radii == self.radii_digest(|_| None)
     }
 
     /// Whether all spheres are where `note` records them; `None` where it records no places.
     #[must_use]
     pub fn has_places_of(&self, note: &Note) -> Option<bool> {
-        let by_name = note.parts.is_none();
-        let now = || if by_name { self.places_digest_by_name() } else { self.places_digest(|_| None) };
-        note.places.as_ref().map(|places| *places == now())
+        note.places.as_ref().map(|places| *places == self.places_digest(|_| None))
     }
 
     /// Why the note about the contacts cannot be relied on; `None` if it can, or if there is no note.
@@ -221,81 +215,25 @@ fn names(mut names: Vec<&str>) -> NotedNames {
     NotedNames { count: names.len(), digest: first_digits(hash) }
 }
 
-// Digests in notes of earlier versions: of numbers together with the names of what has them.
-
-impl Model {
-    /// Parameters of every contact force and radii of their spheres, with their paths.
-    fn contact_digest_by_name(&self) -> String {
-        let mut hash = Sha256::new();
-        let mut feed = |path: &str, set: usize, property: Property, number: f64| {
-            hash.update(path.as_bytes());
-            hash.update([0]);
-            hash.update((set as u64).to_le_bytes());
-            hash.update(property.name().as_bytes());
-            hash.update(number.to_bits().to_le_bytes());
-        };
-        for force in self.forces() {
-            for (index, set) in force.sets.iter().enumerate() {
-                set.values.iter().for_each(|value| feed(&force.path, index, value.property, value.number));
-            }
-            let value = &force.transition_velocity;
-            feed(&force.path, 0, value.property, value.number);
-            for sphere in force.spheres().into_iter().filter_map(|sphere| self.sphere(sphere)) {
-                feed(&sphere.path, 0, Property::Radius, sphere.radius.number);
-            }
-        }
-        first_digits(hash)
-    }
-
-    /// Radii of all spheres of contact forces, with their paths.
-    fn radii_digest_by_name(&self) -> String {
-        let mut hash = Sha256::new();
-        for sphere in self.forces().iter().flat_map(Force::spheres).filter_map(|sphere| self.sphere(sphere)) {
-            hash.update(sphere.path.as_bytes());
-            hash.update([0]);
-            hash.update(sphere.radius.number.to_bits().to_le_bytes());
-        }
-        first_digits(hash)
-    }
-
-    /// Locations of all spheres of contact forces, with their paths.
-    fn places_digest_by_name(&self) -> String {
-        let mut hash = Sha256::new();
-        for sphere in self.forces().iter().flat_map(Force::spheres).filter_map(|sphere| self.sphere(sphere)) {
-            hash.update(sphere.path.as_bytes());
-            hash.update([0]);
-            for coordinate in sphere.location_m {
-                // -0 and 0 are one place.
-                hash.update((coordinate + 0.0).to_bits().to_le_bytes());
-            }
-        }
-        first_digits(hash)
-    }
-}
-
 // The record of a note after a change that takes contacts out or makes them of another class, and leaves what they are made for.
 
 impl Note {
     /// This note of `before`, with the record of `after`. What others changed before stays recorded as it was, so that it is found.
     #[must_use]
     pub fn recorded_again(&self, before: &Model, after: &Model) -> Self {
-        let had_places = before.has_places_of(self);
-        let had_radii = before.has_radii_of(self);
         let mut note = self.clone();
+        let parts = after.noted_parts(|_| None);
         if before.has_values_of(self) {
             note.digest = after.contact_digest(|_| None);
-            note.parts = Some(after.noted_parts(|_| None));
-        } else if let Some(then) = &self.parts {
-            note.parts = Some(then.again(&before.noted_parts(|_| None), after.noted_parts(|_| None)));
+            note.parts = parts;
+        } else {
+            note.parts = self.parts.again(&before.noted_parts(|_| None), parts);
         }
-        let by_name = note.parts.is_none();
-        if had_radii != Some(false) {
-            note.radii =
-                Some(if by_name { after.radii_digest_by_name() } else { after.radii_digest(|_| None) });
+        if before.has_radii_of(self) {
+            note.radii = after.radii_digest(|_| None);
         }
-        if had_places == Some(true) {
-            note.places =
-                Some(if by_name { after.places_digest_by_name() } else { after.places_digest(|_| None) });
+        if before.has_places_of(self) == Some(true) {
+            note.places = Some(after.places_digest(|_| None));
         }
         note
     }

@@ -8,7 +8,7 @@ use crate::model::contacts::ContactReader;
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FaultKind, FileId, Needed, NoteDoubt};
 use crate::model::finding::Finding;
-use crate::model::note::{Note, NotesFound};
+use crate::model::note::Note;
 use crate::model::property::{Origin, Value};
 use crate::model::rules::{self, reading};
 use crate::model::skeleton::Skeleton;
@@ -56,7 +56,11 @@ impl Model {
             .or(Some(Self::DEFAULT_GRAVITY))
             .filter(|gravity| gravity.iter().all(|value| value.is_finite()));
         let name = document.tree().attribute(document.data_root(), "name").unwrap_or_default().into_owned();
-        let notes = NotesFound::of(document)?;
+        let (note, note_fault) = match Note::look_for(document)? {
+            Some(Ok(note)) => (Some(note), None),
+            Some(Err(_)) => (None, Some(NoteDoubt::Unreadable)),
+            None => (None, None),
+        };
         let named = |companion: &Companion| {
             let file = document.tree().attribute(companion.included_by?, "file")?;
             Some(file.into_owned())
@@ -69,15 +73,14 @@ impl Model {
             half_spaces: OnceLock::new(),
             spheres,
             forces,
-            note_fault: None,
+            note_fault,
             included,
             name,
             gravity_m_s2,
-            note: None,
+            note,
             warnings_of_reading: warnings.len(),
             warnings,
         };
-        model.take_note(notes);
         model.apply_rules();
         model.compare_notes();
         Ok(model)
@@ -101,19 +104,6 @@ impl Model {
         });
         let companions = companions.collect::<Result<_, Fault>>()?;
         Self::read_with(document, companions)
-    }
-
-    /// Of the note in the credits and that of an earlier version in a comment, the one that describes these contacts counts;
-    /// where neither does, or both do, the one in the credits.
-    fn take_note(&mut self, notes: NotesFound) {
-        let found: Vec<_> = [notes.credits, notes.comment].into_iter().flatten().collect();
-        let fits = |note: &Note| found.len() > 1 && self.has_values_of(note);
-        let chosen = found.iter().position(|note| note.as_ref().is_ok_and(fits)).unwrap_or(0);
-        match found.into_iter().nth(chosen) {
-            Some(Ok(note)) => self.note = Some(note),
-            Some(Err(_)) => self.note_fault = Some(NoteDoubt::Unreadable),
-            None => {}
-        }
     }
 
     fn apply_rules(&mut self) {

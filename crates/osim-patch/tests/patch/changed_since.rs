@@ -28,27 +28,13 @@ fn edited(text: &str, edits: &[(&str, &str)]) -> Model {
 }
 
 fn nothing() -> ChangedSinceNote {
-    let contacts = ChangedContacts::Apart {
-        sphere_count: None,
-        force_count: None,
-        sphere_names: false,
-        force_names: false,
-        radii: false,
-        places: false,
-        properties: vec![],
-        exchanged: false,
-    };
-    let mut none = ChangedSinceNote::default();
-    none.contacts = contacts;
-    none
+    ChangedSinceNote::default()
 }
 
 #[track_caller]
 fn assert_properties(changed: &ChangedSinceNote, expected: &[Property], what: &str) {
     let mut all = nothing();
-    if let ChangedContacts::Apart { properties, .. } = &mut all.contacts {
-        properties.extend(expected);
-    }
+    all.contacts.properties.extend(expected);
     assert_eq!(*changed, all, "{what}");
 }
 
@@ -78,8 +64,7 @@ fn all_that_changed_is_named_together() {
     let text = noted(SMOOTH);
     let both =
         edited(&text, &[("<stiffness>", "<stiffness>1"), ("<radius>", "<radius>1")]).changed_since_note();
-    let ChangedContacts::Apart { radii: true, places: false, exchanged: false, properties, .. } =
-        both.contacts
+    let ChangedContacts { radii: true, places: false, exchanged: false, properties, .. } = both.contacts
     else {
         panic!("{both:?}");
     };
@@ -97,7 +82,7 @@ fn a_sphere_that_moved_is_named_and_puts_no_mass_in_doubt() {
     let changed = model.changed_since_note();
     assert!(matches!(
         changed.contacts,
-        ChangedContacts::Apart { places: true, radii: false, sphere_names: false, exchanged: false, .. }
+        ChangedContacts { places: true, radii: false, sphere_names: false, exchanged: false, .. }
     ));
     assert_eq!(model.doubt_about_note(), None);
 }
@@ -113,12 +98,8 @@ fn new_names_alone_are_named_and_put_nothing_in_doubt() {
         let edits = [(named.as_str(), "name=\"another\""), (path.as_str(), "/another<")];
         let model = edited(&text, if of_spheres { &edits } else { &edits[..1] });
         let changed = model.changed_since_note();
-        let ChangedContacts::Apart {
-            sphere_names, force_names, radii, places, properties, exchanged, ..
-        } = changed.contacts
-        else {
-            panic!("{name}");
-        };
+        let ChangedContacts { sphere_names, force_names, radii, places, properties, exchanged, .. } =
+            changed.contacts;
         assert_eq!((sphere_names, force_names), (of_spheres, !of_spheres), "{name}");
         assert!(!radii && !places && !exchanged && properties.is_empty(), "{name}");
         assert_eq!(model.doubt_about_note(), None, "{name}");
@@ -134,8 +115,7 @@ fn contacts_that_went_are_counted() {
     let count = Model::parse(text.clone()).unwrap().forces().len();
     let model = Model::parse(format!("{}{}", &text[..start], &text[end..])).unwrap();
     let changed = model.changed_since_note();
-    let ChangedContacts::Apart { force_count, sphere_count, radii: false, places: false, .. } =
-        changed.contacts
+    let ChangedContacts { force_count, sphere_count, radii: false, places: false, .. } = changed.contacts
     else {
         panic!("{changed:?}");
     };
@@ -157,22 +137,9 @@ fn numbers_that_changed_places_are_named() {
     let model = Model::parse(exchanged.replacen("HERE", &value, 1)).unwrap();
     let changed = model.changed_since_note();
     assert!(
-        matches!(&changed.contacts, ChangedContacts::Apart { exchanged: true, radii: false, properties, .. }
+        matches!(&changed.contacts, ChangedContacts { exchanged: true, radii: false, properties, .. }
             if properties.is_empty()),
         "{changed:?}"
     );
     assert_eq!(model.doubt_about_note(), Some(NoteDoubt::ValuesChanged));
-}
-
-/// A note of an earlier version holds names and numbers together: it is read as before, and says that it cannot tell them apart.
-#[test]
-fn an_earlier_note_tells_what_it_can() {
-    let text = noted(SMOOTH);
-    let plain = Model::parse(text.clone()).unwrap();
-    let earlier = String::from_utf8(fixture("walks/scaled_noted.osim")).unwrap();
-    let model = Model::parse(earlier.clone()).unwrap();
-    assert_eq!(model.doubt_about_note(), None);
-    let radius = edited(&earlier, &[("<stiffness>", "<stiffness>1")]).changed_since_note();
-    assert_eq!(radius.contacts, ChangedContacts::Together { radii: false, values: true, places: false });
-    assert!(plain.note.unwrap().parts.is_some());
 }

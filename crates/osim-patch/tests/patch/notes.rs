@@ -5,7 +5,7 @@
 
 use crate::given::{fixture, fixtures, given, given_fixture};
 use osim_model::compare::ScaleFile;
-use osim_model::{FileId, MassRequest, MassSource, Model, Note, Selection};
+use osim_model::{FileId, MassRequest, MassSource, Model, Selection};
 use osim_patch::{Plan, Rescale, note, rescale};
 
 fn patched(plan: &Plan, model: &Model) -> String {
@@ -89,78 +89,6 @@ fn a_note_is_replaced_and_says_the_same_as_before() {
         let other = patched(&note(&model, 70.0, Some(9.81), None).unwrap(), &model);
         assert_eq!(other.replace("made for 70 kg", "made for 62 kg"), once, "{name}");
     }
-}
-
-#[test]
-fn the_comment_of_an_earlier_version_moves_into_the_credits() {
-    let there = given_fixture("check/earlier_note.osim").with_note().rescaled_to(123.0);
-    let text = String::from_utf8_lossy(there.bytes()).into_owned();
-    assert!(!text.contains("<!-- osim-contact-scale"), "{text}");
-    assert!(text.contains("<credits>[contacts made for 123 kg at 9.81 m/s2 ("), "{text}");
-    assert_eq!(there.plan().masses.as_ref().unwrap().contacts_mass.kg, 61.5);
-}
-
-#[test]
-fn a_comment_where_the_credits_belong_gives_them_its_place() {
-    // Nothing is before the comment of which OpenSim writes the credits after: both are the first child of the model.
-    let text = String::from_utf8(fixture("check/earlier_note.osim")).unwrap();
-    let (head, rest) = text.split_once("<Model name=\"one_foot\">").unwrap();
-    let start = rest.find("<!-- osim-contact-scale").unwrap();
-    let end = start + rest[start..].find("-->").unwrap() + 3;
-    let comment = &rest[start..end];
-    let bodies = &rest[rest.find("<BodySet").unwrap()..];
-    let model = format!("{head}<Model name=\"one_foot\">\n\t\t{comment}\n\t\t{bodies}");
-    let there = given(model.clone()).with_note().rescaled_to(123.0);
-    let text = String::from_utf8_lossy(there.bytes()).into_owned();
-    assert!(text.contains("<Model name=\"one_foot\">\n\t\t<credits>[contacts made for 123 kg"), "{text}");
-    assert!(!text.contains("<!-- osim-contact-scale"), "{text}");
-    Model::parse(text).unwrap();
-}
-
-#[test]
-fn all_comments_of_earlier_versions_go() {
-    // Copied, and then cut by hand: what is left of it would go on saying another mass.
-    let text = String::from_utf8(fixture("check/earlier_note.osim")).unwrap();
-    let start = text.find("<!-- osim-contact-scale").unwrap();
-    let end = start + text[start..].find("-->").unwrap() + 3;
-    let broken = "\n\t\t<!-- osim-contact-scale 0.1.0: contacts stand for 62 kg; gravity 9.x m/s2 -->";
-    let twice = format!("{}{broken}{}", &text[..end], &text[end..]);
-    let there = given(twice).with_note().rescaled_to(123.0);
-    let written = String::from_utf8_lossy(there.bytes()).into_owned();
-    assert!(!written.contains("<!-- osim-contact-scale"), "{written}");
-    // Otherwise it is as if there had been one.
-    let one = given(text).with_note().rescaled_to(123.0);
-    assert_eq!(written, String::from_utf8_lossy(one.bytes()));
-}
-
-#[test]
-fn of_two_notes_the_one_counts_that_fits_the_values() {
-    let right = noted("check/within_limits.osim");
-    let note = Note::find(Model::parse(right.as_str()).unwrap().document()).unwrap();
-    // As an earlier version wrote it, with names: that of check/earlier_note.osim.
-    let earlier = "5c4f1b43d4b7920a";
-    let comment = |kg: f64, digest: &str| {
-        format!(
-            "<Model name=\"one_foot\">\n\t\t<!-- osim-contact-scale 0.1.0: contacts stand for {kg} kg; gravity 9.81 m/s2; \
-             scope all; by rescale; digest {digest} -->"
-        )
-    };
-    let with = |text: &str, comment: &str| text.replacen("<Model name=\"one_foot\">", comment, 1);
-    let mass = |text: &str| Model::parse(text).unwrap().note.unwrap().contacts_mass_kg;
-    // Both fit: that of the credits. One fits: that one. None: that of the credits, which is then not believed.
-    assert_eq!(mass(&with(&right, &comment(70.0, earlier))), Some(62.0));
-    assert_eq!(mass(&with(&right, &comment(70.0, "0000000000000000"))), Some(62.0));
-    let wrong = right.replace(&note.digest, "1111111111111111");
-    assert_eq!(mass(&with(&wrong, &comment(70.0, earlier))), Some(70.0));
-    assert_eq!(mass(&with(&wrong, &comment(70.0, "0000000000000000"))), Some(62.0));
-    // Writing leaves one note.
-    let text = with(&right, &comment(70.0, earlier));
-    let there = given(text).with_note().rescaled_to(70.0);
-    let text = String::from_utf8_lossy(there.bytes()).into_owned();
-    assert_eq!(
-        (text.matches("contacts made for").count(), text.matches("contacts stand for").count()),
-        (1, 0)
-    );
 }
 
 #[test]

@@ -20,7 +20,7 @@ pub enum Scope {
 /// use osim_model::{Document, Note, Scope};
 ///
 /// let text = r#"<OpenSimDocument Version="40000"><Model name="walker">
-/// <credits>A. Author; [contacts made for 500 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes calcn_r=0.9,1,1; digest 0123456789abcdef; places fedcba9876543210; made -)]</credits>
+/// <credits>A. Author; [contacts made for 500 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes calcn_r=0.9,1,1; digest 0123456789abcdef; radii 0011223344556677; spheres 1 1122334455667788; forces 1 2233445566778899; numbers stiffness=33445566; places fedcba9876543210; made -)]</credits>
 /// </Model></OpenSimDocument>"#;
 /// let note = Note::find(&Document::parse(text)?).expect("there is a note");
 /// assert_eq!((note.contacts_mass_kg, note.gravity_m_s2, note.scope), (Some(500.0), Some(9.81), Scope::All));
@@ -43,17 +43,17 @@ pub struct Note {
     pub steps: Vec<Step>,
     /// Limbs that share the body weight, where somebody said how many.
     pub stance_limbs: Option<f64>,
-    /// What the bodies weighed together when it was written, kg; `None` in notes of sets and of earlier versions.
+    /// What the bodies weighed together when it was written, kg; `None` where no mass is known, or the note before could not be read.
     pub weighed_kg: Option<f64>,
     /// Mesh scale factors of the bodies that carried spheres when it was written.
     pub sizes: Vec<BodySize>,
     /// Digest of all contact values as written: the first 16 digits of their SHA-256.
     pub digest: String,
-    /// The same of the radii alone; `None` in notes of earlier versions.
-    pub radii: Option<String>,
-    /// Names of the contacts and digests of their properties; `None` in notes of earlier versions.
-    pub parts: Option<NotedParts>,
-    /// The same of the spheres' locations; `None` in notes of earlier versions.
+    /// The same of the radii alone.
+    pub radii: String,
+    /// Names of the contacts and digests of their properties.
+    pub parts: NotedParts,
+    /// The same of the spheres' locations; `None` where the note before could not be read.
     pub places: Option<String>,
     /// What was added to the file for the note, one letter each; `-` for nothing.
     pub made: String,
@@ -199,8 +199,7 @@ const NUMBERS: &str = "numbers ";
 const NOTHING: &str = "-";
 const PROPERTY_DIGITS: usize = 8;
 
-/// Names of the contacts and digests of their properties. A note that has them has digests of numbers alone; in notes of earlier
-/// versions the digests hold the names, too.
+/// Names of the contacts and digests of their properties.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NotedParts {
     /// The spheres of contact forces.
@@ -231,11 +230,9 @@ impl NotedParts {
         format!("{SPHERES}{spheres}; {FORCES}{forces}; {NUMBERS}{properties}")
     }
 
-    /// Reads it from the fields that `next_if` gives where they begin with a word; the outer `None` where it is broken.
-    #[expect(clippy::option_option, reason = "what is not there is not what cannot be read")]
-    pub(super) fn parse<'t>(mut next_if: impl FnMut(&str) -> Option<&'t str>) -> Option<Option<Self>> {
-        let Some(spheres) = next_if(SPHERES) else { return Some(None) };
-        let (forces, numbers) = (next_if(FORCES)?, next_if(NUMBERS)?);
+    /// Reads it from the fields that `next_if` gives where they begin with a word.
+    pub(super) fn parse<'t>(mut next_if: impl FnMut(&str) -> Option<&'t str>) -> Option<Self> {
+        let (spheres, forces, numbers) = (next_if(SPHERES)?, next_if(FORCES)?, next_if(NUMBERS)?);
         let property = |text: &str| {
             let (name, digest) = text.split_once('=')?;
             let is_whole =
@@ -244,11 +241,7 @@ impl NotedParts {
         };
         let properties =
             numbers.split(' ').filter(|text| *text != NOTHING).map(property).collect::<Option<_>>()?;
-        Some(Some(Self {
-            spheres: NotedNames::parse(spheres)?,
-            forces: NotedNames::parse(forces)?,
-            properties,
-        }))
+        Some(Self { spheres: NotedNames::parse(spheres)?, forces: NotedNames::parse(forces)?, properties })
     }
 }
 

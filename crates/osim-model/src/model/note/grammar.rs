@@ -4,7 +4,7 @@
 //! weighed 62 kg; sizes calcn_r=1,1,1; digest 0123456789abcdef; radii 0123456789abcdef; spheres 6 0123456789abcdef;
 //! forces 6 0123456789abcdef; numbers stiffness=01234567 dissipation=01234567; places 0123456789abcdef; made -)]`
 //!
-//! Each step has its own `by`, the oldest first. What nobody said, and what earlier versions did not write, is left out.
+//! Each step has its own `by`, the oldest first. What nobody said is left out.
 
 use crate::messages::shortest;
 use crate::model::note::content::{
@@ -24,7 +24,6 @@ const NO_SIZES: &str = "none";
 const BY: &str = "by ";
 const STANCE: &str = "stance limbs ";
 const WEIGHED: &str = "weighed ";
-const RADII: &str = "radii ";
 /// Before the names of forces that were added beside others, where there are some.
 const ADDED: &str = "added ";
 
@@ -46,7 +45,7 @@ impl Note {
         };
         let added = (!self.added.is_empty()).then(|| self.added.join(" "));
         format!(
-            "{BEGINS}{} at {}{NAMES}{}; {scope}{steps}{}{}; sizes {}; digest {}{}{}; places {}; made {}{}{ENDS}",
+            "{BEGINS}{} at {}{NAMES}{}; {scope}{steps}{}{}; sizes {}; digest {}; radii {}; {}; places {}; made {}{}{ENDS}",
             known(self.contacts_mass_kg, "kg"),
             known(self.gravity_m_s2, "m/s2"),
             self.version,
@@ -54,8 +53,8 @@ impl Note {
             optional(WEIGHED, self.weighed_kg.map(|kg| format!("{} kg", shortest(kg)))),
             if sizes.is_empty() { NO_SIZES.to_owned() } else { sizes.join(" ") },
             self.digest,
-            optional(RADII, self.radii.clone()),
-            optional("", self.parts.as_ref().map(NotedParts::text)),
+            self.radii,
+            self.parts.text(),
             self.places.as_deref().unwrap_or(UNKNOWN),
             self.made,
             optional(ADDED, added),
@@ -80,7 +79,7 @@ impl Note {
         let weighed_kg = next_if(WEIGHED).map(|text| mass_kg(text).flatten());
         let sizes = sizes(next_if("sizes ")?)?;
         let digest = next_if("digest ").filter(|text| is_digest(text))?.to_owned();
-        let radii = next_if(RADII).map(|text| is_digest(text).then(|| text.to_owned()));
+        let radii = next_if("radii ").filter(|text| is_digest(text))?.to_owned();
         let parts = NotedParts::parse(next_if)?;
         if steps.is_empty() {
             return None;
@@ -105,8 +104,8 @@ impl Note {
             weighed_kg: weighed_kg.map_or(Some(None), |kg| kg.map(Some))?,
             sizes,
             digest,
+            radii,
             parts,
-            radii: radii.map_or(Some(None), |radii| radii.map(Some))?,
             places,
             made,
             added: fields.next().map_or(Some(Vec::new()), names)?,
@@ -200,8 +199,8 @@ mod tests {
             weighed_kg: Some(0.021),
             sizes: vec![BodySize { body: "calcn_r".into(), factors: [0.913_924, 1.0, 1e-3] }],
             digest: "0123456789abcdef".into(),
-            radii: Some("0011223344556677".into()),
-            parts: Some(NotedParts {
+            radii: "0011223344556677".into(),
+            parts: NotedParts {
                 spheres: NotedNames { count: 12, digest: "1122334455667788".into() },
                 forces: NotedNames { count: 6, digest: "2233445566778899".into() },
                 properties: [
@@ -209,7 +208,7 @@ mod tests {
                     (Property::Dissipation, "44556677".into()),
                 ]
                 .into(),
-            }),
+            },
             places: Some("fedcba9876543210".into()),
             made: "c".into(),
             added: vec![],
@@ -236,14 +235,11 @@ mod tests {
             stance_limbs: None,
             weighed_kg: None,
             sizes: vec![],
-            radii: None,
-            parts: None,
             places: None,
             made: Note::nothing_made(),
             ..note()
         };
-        let no_numbers = NotedParts { properties: [].into(), ..note().parts.unwrap() };
-        let no_numbers = Note { parts: Some(no_numbers), ..note() };
+        let no_numbers = Note { parts: NotedParts { properties: [].into(), ..note().parts }, ..note() };
         let beside_others = Note { added: vec!["heel".into(), "toe".into()], ..note() };
         assert!(beside_others.text().ends_with("; made c; added heel toe)]"), "{}", beside_others.text());
         for note in [note(), nothing_known, no_numbers, beside_others] {
@@ -279,6 +275,11 @@ mod tests {
             ("limbs 2", "limbs two"),
             ("weighed 0.021 kg", "weighed 0.021"),
             ("0011223344556677", "0011"),
+            ("; radii 0011223344556677", ""),
+            (
+                "; spheres 12 1122334455667788; forces 6 2233445566778899; numbers stiffness=33445566 dissipation=44556677",
+                "",
+            ),
             ("spheres 12", "spheres many"),
             ("1122334455667788", "1122"),
             ("; forces 6 2233445566778899", ""),

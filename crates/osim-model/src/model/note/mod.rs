@@ -11,7 +11,7 @@ use std::ops::Range;
 
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FaultKind};
-use crate::model::note::content::{Unreadable, gravity_m_s2, mass_kg};
+use crate::model::note::content::Unreadable;
 use crate::model::note::grammar::{BEGINS, ENDS, NAMES};
 use crate::xml::opensim_text::{is_white, words};
 use crate::xml::{ElementId, PieceKind};
@@ -159,10 +159,7 @@ fn condensed(text: &str) -> String {
     words(text).collect::<Vec<_>>().join(" ")
 }
 
-// Notes in comments: those of standalone sets, and those that earlier versions left in models.
-
-/// How the comments of earlier versions begin.
-const EARLIER: &str = "osim-contact-scale ";
+// Where a note is: in the credits of a model, in a comment of a set.
 
 impl Note {
     /// The comment that holds the note in a document without credits: one line, no `--` inside.
@@ -171,62 +168,39 @@ impl Note {
         format!("<!-- {} -->", self.text())
     }
 
-    /// Reads the comment of an earlier version: `<!-- osim-contact-scale 0.1.0: contacts stand for 500 kg; gravity 9.80665 m/s2;
-    /// scope all; by rescale; digest 0123456789abcdef -->`.
-    fn parse_earlier(text: &str) -> Option<Self> {
-        let (version, rest) = text.strip_prefix(EARLIER)?.trim_ascii_start().split_once(": ")?;
-        let mut fields = rest.split("; ");
-        let contacts_mass_kg =
-            mass_kg(fields.next()?.strip_prefix("contacts stand for ")?).or_else(|| {
-                rest.split_once(';').and_then(|(mass, _)| mass.ends_with(" unknown kg").then_some(None))
-            })?;
-        let gravity_m_s2 = gravity_m_s2(fields.next()?.strip_prefix("gravity ")?)?;
-        let scope = match fields.next()?.strip_prefix("scope ")? {
-            "all" => Scope::All,
-            "partial" => Scope::Partial,
-            _ => return None,
-        };
-        let steps = vec![Step::new(fields.next()?.strip_prefix("by ")?)];
-        let digest = fields.next()?.strip_prefix("digest ")?.to_owned();
-        let (version, made) = (version.to_owned(), Self::nothing_made());
-        let (sizes, radii, parts, places, added) = (Vec::new(), None, None, None, Vec::new());
-        let (stance_limbs, weighed_kg) = (None, None);
-        let note = Self {
-            version,
-            contacts_mass_kg,
-            gravity_m_s2,
-            scope,
-            steps,
-            stance_limbs,
-            weighed_kg,
-            sizes,
-            digest,
-            radii,
-            parts,
-            places,
-            made,
-            added,
-        };
-        fields.next().is_none().then_some(note)
+    /// The note of `document`: of a model in its credits, else in a comment before the first child of the data root. `None` where
+    /// there is none or it cannot be read.
+    #[must_use]
+    pub fn find(document: &Document) -> Option<Self> {
+        Self::look_for(document).ok()??.ok()
     }
-}
 
-/// The comments before the first child of the data root that begin like a note.
-fn spans(document: &Document) -> impl Iterator<Item = Range<usize>> + '_ {
-    let tree = document.tree();
-    let root = document.data_root();
-    // Other comments may stand around it, elements may not stand before it.
-    let end = tree.children(root).next().map_or(tree.close_span(root).start, |child| tree.span(child).start);
-    tree.content(root)
-        .take_while(move |piece| piece.span.start < end)
-        .filter(|piece| piece.kind == PieceKind::Comment)
-        .filter(|piece| [EARLIER, BEGINS].iter().any(|begins| inner(piece.text).starts_with(begins)))
-        .map(|piece| piece.span)
-}
+    /// The same, with `Err` where something begins like a note and cannot be read, or does not end the credits.
+    ///
+    /// # Errors
+    /// Credits that OpenSim refuses.
+    pub(crate) fn look_for(document: &Document) -> Result<Option<Result<Self, Unreadable>>, Fault> {
+        if document.is_model() {
+            return Ok(Credits::of(document)?.and_then(|credits| credits.note()));
+        }
+        let comment = Self::comment_spans(document).next();
+        Ok(comment.map(|span| Self::parse(inner(document.tree().slice(span))).ok_or(Unreadable)))
+    }
 
-fn find(document: &Document) -> Option<Result<Note, Unreadable>> {
-    let text = inner(document.tree().slice(spans(document).next()?));
-    Some(Note::parse(text).or_else(|| Note::parse_earlier(text)).ok_or(Unreadable))
+    /// The bytes of the comments of a set that begin like a note, before the first child of the data root: the first counts. A model
+    /// has none.
+    pub fn comment_spans(document: &Document) -> impl Iterator<Item = Range<usize>> + '_ {
+        let tree = document.tree();
+        let root = document.data_root();
+        // Other comments may stand around it, elements may not stand before it.
+        let end =
+            tree.children(root).next().map_or(tree.close_span(root).start, |child| tree.span(child).start);
+        tree.content(root)
+            .take_while(move |piece| piece.span.start < end)
+            .filter(|piece| piece.kind == PieceKind::Comment && inner(piece.text).starts_with(BEGINS))
+            .filter(|_| !document.is_model())
+            .map(|piece| piece.span)
+    }
 }
 
 fn inner(comment: &str) -> &str {
@@ -234,45 +208,13 @@ fn inner(comment: &str) -> &str {
     text.strip_suffix("-->").unwrap_or(text).trim_ascii()
 }
 
-/// The notes of one document: a model can have one in its credits and one of an earlier version in a comment.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub(crate) struct NotesFound {
-    /// In `<credits>`: `Err` where something begins like a note and cannot be read, or does not end the text.
-    pub(crate) credits: Option<Result<Note, Unreadable>>,
-    /// In a comment before the first child of the data root.
-    pub(crate) comment: Option<Result<Note, Unreadable>>,
-}
-
-impl NotesFound {
-    /// # Errors
-    /// Credits that OpenSim refuses.
-    pub(crate) fn of(document: &Document) -> Result<Self, Fault> {
-        let credits = Credits::of(document)?.and_then(|credits| credits.note());
-        Ok(Self { credits, comment: find(document) })
-    }
-}
-
-impl Note {
-    /// The note of `document`: in its credits, else in a comment before the first child of the data root. `None` where there
-    /// is none or it cannot be read.
-    #[must_use]
-    pub fn find(document: &Document) -> Option<Self> {
-        let found = NotesFound::of(document).ok()?;
-        found.credits.or(found.comment)?.ok()
-    }
-
-    /// The bytes of the comments that begin like a note, of this version or an earlier one: the first counts.
-    pub fn comment_spans(document: &Document) -> impl Iterator<Item = Range<usize>> + '_ {
-        spans(document)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     const NOTE: &str = "[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes none; \
-                    digest 0123456789abcdef; places 0123456789abcdef; made -)]";
+                    digest 0123456789abcdef; radii 0123456789abcdef; spheres 1 0123456789abcdef; forces 1 0123456789abcdef; \
+                    numbers stiffness=01234567; places 0123456789abcdef; made -)]";
 
     fn document(credits: &str) -> Document {
         let text =
@@ -360,25 +302,16 @@ mod tests {
     }
 
     #[test]
-    fn comments_of_earlier_versions_are_read() {
-        let text = "osim-contact-scale 0.1.0: contacts stand for 500 kg; gravity 9.80665 m/s2; scope all; by rescale; \
-                digest 0123456789abcdef";
-        let note = Note::parse_earlier(text).unwrap();
-        assert_eq!(
-            (note.contacts_mass_kg, note.gravity_m_s2, note.scope),
-            (Some(500.0), Some(9.80665), Scope::All)
-        );
-        assert_eq!((note.operation(), note.digest.as_str()), ("rescale", "0123456789abcdef"));
-        assert_eq!((note.places, note.sizes), (None, vec![]));
-        let unknown = text.replace("500 kg", "unknown kg").replace("9.80665 m/s2", "unknown");
-        let note = Note::parse_earlier(&unknown).unwrap();
-        assert_eq!((note.contacts_mass_kg, note.gravity_m_s2), (None, None));
-    }
-
-    #[test]
-    fn other_comments_are_not_notes() {
-        for text in ["a", "osim-contact-scale", "osim-contact-scale 1: contacts stand for x kg"] {
-            assert_eq!(Note::parse_earlier(text), None);
-        }
+    fn a_comment_counts_in_a_set_only() {
+        let of = |root: &str, comment: &str| {
+            let text = format!(
+                "<OpenSimDocument Version='40000'><{root} name='m'><!-- {comment} --></{root}></OpenSimDocument>"
+            );
+            Note::look_for(&Document::parse(text).unwrap()).unwrap()
+        };
+        assert_eq!(of("ForceSet", NOTE).map(|note| note.unwrap().contacts_mass_kg), Some(Some(62.0)));
+        assert_eq!(of("ForceSet", &NOTE[..90]), Some(Err(Unreadable)));
+        assert_eq!(of("ForceSet", "a comment"), None);
+        assert_eq!(of("Model", NOTE), None);
     }
 }

@@ -18,42 +18,24 @@ pub struct ChangedSinceNote {
 }
 
 /// What is different about contacts: as much as the note's record can show.
-#[derive(Debug, Clone, PartialEq)]
-pub enum ChangedContacts {
-    /// By a note that records numbers and names apart.
-    Apart {
-        /// How many spheres there were and are, where that is different. Then nothing else can be compared.
-        sphere_count: Option<(usize, usize)>,
-        /// The same of the forces.
-        force_count: Option<(usize, usize)>,
-        /// Whether spheres have other names.
-        sphere_names: bool,
-        /// Whether forces have other names.
-        force_names: bool,
-        /// Whether radii are others.
-        radii: bool,
-        /// Whether spheres have other places or bodies.
-        places: bool,
-        /// Properties of forces with other values.
-        properties: Vec<Property>,
-        /// Whether all numbers are still there, at other contacts.
-        exchanged: bool,
-    },
-    /// By a note of an earlier version, whose digests are of numbers and names together.
-    Together {
-        /// Whether radii or names of spheres are others.
-        radii: bool,
-        /// Whether other values of contacts, or names, are. Where radii are, nobody can know: one digest covers all values.
-        values: bool,
-        /// Whether places or names of spheres are others.
-        places: bool,
-    },
-}
-
-impl Default for ChangedContacts {
-    fn default() -> Self {
-        Self::Together { radii: false, values: false, places: false }
-    }
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ChangedContacts {
+    /// How many spheres there were and are, where that is different. Then nothing else can be compared.
+    pub sphere_count: Option<(usize, usize)>,
+    /// The same of the forces.
+    pub force_count: Option<(usize, usize)>,
+    /// Whether spheres have other names.
+    pub sphere_names: bool,
+    /// Whether forces have other names.
+    pub force_names: bool,
+    /// Whether radii are others.
+    pub radii: bool,
+    /// Whether spheres have other places or bodies.
+    pub places: bool,
+    /// Properties of forces with other values.
+    pub properties: Vec<Property>,
+    /// Whether all numbers are still there, at other contacts.
+    pub exchanged: bool,
 }
 
 impl Model {
@@ -76,12 +58,10 @@ impl Model {
     }
 
     fn changed_contacts(&self, note: &Note) -> ChangedContacts {
-        let radii = self.has_radii_of(note) == Some(false);
+        let radii = !self.has_radii_of(note);
         let places = self.has_places_of(note) == Some(false);
         let values = !self.has_values_of(note);
-        let Some(then) = &note.parts else {
-            return ChangedContacts::Together { radii, values: values && !radii, places };
-        };
+        let then = &note.parts;
         let now = self.noted_parts(|_| None);
         let counts = |then: &NotedNames, now: &NotedNames| {
             (then.count != now.count).then_some((then.count, now.count))
@@ -90,7 +70,7 @@ impl Model {
             (counts(&then.spheres, &now.spheres), counts(&then.forces, &now.forces));
         let comparable = sphere_count.is_none() && force_count.is_none();
         let properties = if comparable { other_properties(then, &now) } else { Vec::new() };
-        ChangedContacts::Apart {
+        ChangedContacts {
             sphere_names: comparable && then.spheres.digest != now.spheres.digest,
             force_names: comparable && then.forces.digest != now.forces.digest,
             radii: comparable && radii,

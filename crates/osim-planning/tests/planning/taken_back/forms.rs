@@ -100,7 +100,7 @@ const SETS: [&str; 24] = [
 ];
 
 /// Credits of all kinds; the last ones with notes of contacts that are gone.
-const CREDITS: [&str; 24] = [
+const CREDITS: [&str; 23] = [
     "",
     "<credits/>",
     "<credits />",
@@ -123,11 +123,9 @@ const CREDITS: [&str; 24] = [
     "<credits><![CDATA[]]></credits>",
     "<credits>A [contacts made for fun]</credits>",
     "<credits>\u{e9}; [contacts made for 12 kg at 9.8 m/s2 (osim-contact-scale 0.0.9; all; by add; sizes none; digest 0000000000000000; \
-     places 0000000000000000; made fgOhc)]</credits>",
+     radii 0000000000000000; spheres 1 0000000000000000; forces 1 0000000000000000; numbers stiffness=00000000; places 0000000000000000; made fgOhc)]</credits>",
     "<credits>[contacts made for 12 kg at 9.8 m/s2 (osim-contact-scale 0.0.9; all; by add; sizes none; digest 0000000000000000; \
-     places 0000000000000000; made -)];\n\tB</credits>",
-    "<!-- osim-contact-scale 0.1.0: contacts stand for 500 kg; gravity 9.80665 m/s2; scope all; by rescale; digest 0123456789abcdef -->\
-     \n\t\t<credits>A</credits>",
+     radii 0000000000000000; spheres 1 0000000000000000; forces 1 0000000000000000; numbers stiffness=00000000; places 0000000000000000; made -)];\n\tB</credits>",
 ];
 
 /// Without what is white between tags.
