@@ -1,4 +1,4 @@
-//! What stands before a plan: questions about what looks like a slip, and what is refused because it does nothing or was done.
+//! Plans that ask before they do what looks like a slip, and what is refused because it does nothing or was done already.
 
 use std::path::PathBuf;
 
