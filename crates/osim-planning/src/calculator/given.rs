@@ -286,7 +286,7 @@ impl AtRest {
 ///
 /// # Errors
 /// A number outside its domain, or numbers that contradict each other.
-pub(super) fn solve(
+pub(super) fn solve_at_rest(
     known: &Known,
     given: &Given,
     wanted: &WantedOptions,

@@ -15,17 +15,11 @@ use osim_model::messages::{Input, phrase};
 use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, DesignRequest, Positive, RequestFault, RestitutionCoefficient};
 #[cfg(feature = "schemas")]
-use schemars::JsonSchema;
-#[cfg(feature = "schemas")]
-use schemars::Schema;
-#[cfg(feature = "schemas")]
-use schemars::SchemaGenerator;
-#[cfg(feature = "schemas")]
-use schemars::json_schema;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 
 pub(crate) use given::STANDARD_GRAVITY_M_S2;
-use given::{AtRest, Given, ModulusFrom, refused};
+use given::{AtRest, Given, ModulusFrom, refused, solve_at_rest};
 
 /// Every figure that follows from what is known. Serialised it is the JSON contract of `design` without a model;
 /// `docs/reference/json.md` describes it.
@@ -192,7 +186,7 @@ pub fn design_sheet(request: &DesignRequest) -> Result<DesignSheet, RequestFault
     let load = given.shared_load().map_err(refused)?;
     let known = given.known(load.as_ref());
     let mut sheet = DesignSheet::new();
-    let (sizing, at_rest) = given::solve(&known, &given, &request.wanted)?;
+    let (sizing, at_rest) = solve_at_rest(&known, &given, &request.wanted)?;
     match &sizing {
         Some(sizing) => sized(&mut sheet, sizing, &known, &given, load.as_ref(), at_rest)?,
         None if given.needs_sizing() => return Err(given.missing()),
