@@ -5,8 +5,7 @@ use clap::{ArgMatches, Command};
 use osim_model::messages::Verb;
 
 use crate::dictionary;
-use crate::fault::RequestFault;
-use crate::relation::Relation;
+use crate::fault::{Relation, RequestFault};
 use crate::request::relations_of;
 
 /// Teaches the parser of a verb which options are required and which exclude each other: the same rules as for dictionaries.

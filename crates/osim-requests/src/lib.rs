@@ -16,31 +16,24 @@
 //!
 //! It reads no model, plans nothing, and knows no disk and no terminal. What is wrong with a request is a [`RequestFault`], in
 //! which fields are data that each front end spells.
-
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-mod choice;
 #[cfg(feature = "clap")]
 pub mod command_line;
 mod dictionary;
 mod fault;
-mod group;
-mod json;
+mod fields;
 pub mod options;
-mod positional;
-mod relation;
 mod request;
 #[cfg(feature = "schemas")]
 mod schema;
 pub mod spell;
-mod unique;
 pub mod values;
 
-pub use fault::{RequestError, RequestFault};
-pub use relation::Relation;
+pub use crate::fault::{Relation, RequestError, RequestFault};
 #[cfg(feature = "schemas")]
-pub use request::schema_of;
-pub use request::{
+pub use crate::request::schema_of;
+pub use crate::request::{
     AddRequest, AngleChoice, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny,
     DesignRequest, DropTestRequest, ExplainRequest, FigureOptions, FitRequest, FittedChoice, HeatOptions,
     HeatQuantity, HeightChoice, InspectRequest, MotionFormat, MotionRequest, NoteDetails, NoteRequest,
@@ -48,7 +41,7 @@ pub use request::{
     RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, fig1, no_fig1, silent_fields,
     takes,
 };
-pub use values::{
+pub use crate::values::{
     Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,
     Dpi, DropHeight, FigureWidth, FontSize, Grid, GridValue, Height, Jobs, Kilograms, Metres, NewRadius,
     NotNegative, PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient, Samples, Shard,

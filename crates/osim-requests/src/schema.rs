@@ -5,14 +5,15 @@
 
 use osim_model::messages::Verb;
 #[cfg(feature = "schemas")]
-use schemars::generate::SchemaSettings;
+use schemars::JsonSchema;
 #[cfg(feature = "schemas")]
-use schemars::{JsonSchema, Schema};
+use schemars::Schema;
+#[cfg(feature = "schemas")]
+use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
-use crate::group::FieldGroup;
-use crate::positional::positional;
-use crate::relation::Relation;
+use crate::fault::Relation;
+use crate::fields::{FieldGroup, positional};
 
 /// The schema of the requests `T` for `verb`.
 pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Schema {

@@ -4,8 +4,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::choice::choices;
-use crate::relation::Relation;
+use crate::fault::Relation;
+use crate::values::serial::choices;
 
 choices! {
     /// Unit of a length.

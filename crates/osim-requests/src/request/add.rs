@@ -1,4 +1,4 @@
-//! Contacts for models that have none.
+//! Contacts for models that have none, and contacts of another model or of a preset.
 
 use std::path::PathBuf;
 
@@ -6,12 +6,12 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::fault::Relation;
 use crate::options::{
-    AnswerOptions, ClassChoice, CountOptions, ForceOptions, LoadOptions, MassOptions, MirrorChoice,
-    NumberOptions, OutputOptions, ReferenceOptions, RunOptions,
+    AnswerOptions, ClassChoice, CountOptions, FollowOptions, ForceOptions, LoadOptions, MassOptions,
+    MirrorChoice, NumberOptions, OutputOptions, ReferenceOptions, RunOptions, ScalingOptions, SetFiles,
 };
-use crate::relation::Relation;
-use crate::values::{BodyMap, BodyScale, Metres, NewRadius, SpheresOfFoot, body_scale, path, serial};
+use crate::values::{BodyMap, BodyScale, Metres, NewRadius, SpheresOfFoot, bodies, path, serial};
 
 /// Gives a model that has no foot contacts those of another model or of a preset, of a table, or spheres under its bones.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -66,8 +66,8 @@ pub struct AddRequest {
     pub radius: NewRadius,
     /// Factors of a body against the reference's (or one, BODY=f); may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "BODY=x,y,z"))]
-    #[serde(with = "body_scale")]
-    #[cfg_attr(feature = "schemas", schemars(with = "body_scale::BodyScaleSchema"))]
+    #[serde(with = "bodies")]
+    #[cfg_attr(feature = "schemas", schemars(with = "bodies::BodyScaleSchema"))]
     pub body_scale: Vec<BodyScale>,
     /// A body of the reference, and the one that takes its spheres here; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "BODY=BODY"))]
@@ -151,6 +151,79 @@ impl AddRequest {
         ],
         NumberOptions::RELATIONS,
         LoadOptions::RELATIONS,
+        OutputOptions::RELATIONS,
+        RunOptions::RELATIONS,
+    ];
+}
+
+/// Gives a model the contacts of another model or of a preset, at its own size.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[serde(default)]
+pub struct TransferRequest {
+    /// Models (.osim), a ForceSet (.xml) with `geometry`, folders, or - for standard input
+    #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
+    #[serde(with = "path::list")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
+    pub models: Vec<PathBuf>,
+    /// Where the contacts come from: a model, or a preset such as falisse2022
+    #[cfg_attr(feature = "clap", arg(long, value_name = "MODEL|PRESET"))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub from: Option<PathBuf>,
+    /// A file with presets of your own (TOML)
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub presets: Option<PathBuf>,
+    /// How many spheres share the weight.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub counts: CountOptions,
+    /// What the reference is.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub reference: ReferenceOptions,
+    /// Whether spheres follow their bodies.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub follow: FollowOptions,
+    /// Which mass is meant.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub masses: MassOptions,
+    /// What changes, and how.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub scaling: ScalingOptions,
+    /// Which forces.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub choice: ForceOptions,
+    /// Where results go.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub output: OutputOptions,
+    /// How to go about the work.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub run: RunOptions,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
+    /// Files of a standalone set.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub set_files: SetFiles,
+}
+
+impl TransferRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
+        &[Relation::Required("models"), Relation::Required("from")],
+        FollowOptions::RELATIONS,
+        ScalingOptions::RELATIONS,
         OutputOptions::RELATIONS,
         RunOptions::RELATIONS,
     ];

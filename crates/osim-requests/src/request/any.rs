@@ -1,33 +1,30 @@
-//! Any request, by its verb.
+//! Any request: by its verb, as JSON, and as the note of a changed model tells it.
+
+use std::path::Path;
 
 use osim_model::messages::{Input, Verb};
 #[cfg(feature = "schemas")]
 use schemars::Schema;
+use serde_json::error::Category;
 use serde_json::{Map, Value};
 
-use super::add::AddRequest;
-use super::convert::ConvertRequest;
-use super::design::DesignRequest;
-use super::drop_test::DropTestRequest;
-use super::fit::FitRequest;
-use super::inspect::{CheckRequest, InspectRequest};
-use super::knowledge::{ExplainRequest, PresetsRequest};
-use super::library::{BatchRequest, SweepRequest};
-use super::motion::MotionRequest;
-use super::note::NoteRequest;
-use super::plot::PlotRequest;
-use super::remove::RemoveRequest;
-use super::reproduce::ReproduceRequest;
-use super::rescale::RescaleRequest;
-use super::set::SetRequest;
-use super::transfer::TransferRequest;
-use crate::dictionary;
-use crate::fault::RequestFault;
-use crate::options::{AnswerOptions, MassOptions, OutputOptions, RunOptions};
+use crate::dictionary::{self, map};
 #[cfg(feature = "clap")]
-use crate::relation::Relation;
+use crate::fault::Relation;
+use crate::fault::RequestFault;
+use crate::options::{AnswerOptions, MassOptions, OutputOptions, RunOptions, SetFiles};
+use crate::request::add::{AddRequest, TransferRequest};
+use crate::request::change::{ConvertRequest, RemoveRequest, RescaleRequest, SetRequest};
+use crate::request::inspect::{CheckRequest, InspectRequest, NoteRequest};
+use crate::request::knowledge::{ExplainRequest, PresetsRequest, ReproduceRequest};
+use crate::request::library::{BatchRequest, SweepRequest};
+use crate::request::motion::{DropTestRequest, MotionRequest};
+use crate::request::parameters::{DesignRequest, FitRequest};
+use crate::request::plot::PlotRequest;
 #[cfg(feature = "schemas")]
 use crate::schema::schema;
+use crate::values::path;
+use crate::values::typed::trimmed;
 
 /// The name under which a dictionary says which verb it is for.
 const VERB: &str = "verb";
@@ -193,4 +190,163 @@ requests! {
     Reproduce(ReproduceRequest) = ReproduceRequest::RELATIONS;
     Presets(PresetsRequest) = &[];
     Explain(ExplainRequest) = &[];
+}
+
+// Requests as JSON texts.
+
+/// What some editors write before a text in UTF-8.
+const UTF8_MARK: &[u8] = b"\xEF\xBB\xBF";
+
+/// What is before a text in UTF-16, as PowerShell's `>` writes it.
+const UTF16_MARKS: [&[u8]; 2] = [b"\xFF\xFE", b"\xFE\xFF"];
+
+/// Fields that name files to be read.
+const FILES_READ: [&str; 10] = [
+    "models",
+    "model",
+    "subject",
+    "from",
+    "compare",
+    "geometry",
+    "manifest",
+    "file",
+    "presets",
+    "body_scale_file",
+];
+
+impl Request {
+    /// Reads a request from a JSON object that has its verb and its fields.
+    ///
+    /// # Errors
+    /// It is not a JSON object, has no verb, or as [`Request::read`].
+    pub fn from_json(bytes: &[u8]) -> Result<Self, RequestFault> {
+        let text = bytes.strip_prefix(UTF8_MARK).unwrap_or(bytes);
+        if UTF16_MARKS.iter().any(|mark| text.starts_with(mark)) {
+            return Err(RequestFault::general("this is UTF-16: save it as UTF-8"));
+        }
+        let value = dictionary::from_slice(text).map_err(|error| match error.classify() {
+            Category::Data => RequestFault::general(error.to_string()),
+            _ => RequestFault::general(format!("this is not JSON: {error}")),
+        })?;
+        match value {
+            Value::Object(fields) => Self::from_map(fields),
+            _ => Err(RequestFault::general("expected a JSON object such as {\"verb\": \"inspect\", ...}")),
+        }
+    }
+
+    /// Reads a request from a dictionary that has its verb and its fields.
+    ///
+    /// # Errors
+    /// It has no verb, or as [`Request::read`].
+    pub fn from_map(mut fields: Map<String, Value>) -> Result<Self, RequestFault> {
+        let verb = fields.shift_remove("verb").ok_or(RequestFault::Missing { field: "verb" })?;
+        let known = Verb::ALL.iter().copied().find(|known| verb.as_str() == Some(known.name()));
+        let Some(known) = known else {
+            let names: Vec<&str> = Verb::ALL.iter().map(|verb| verb.name()).collect();
+            return Err(RequestFault::BadValue {
+                field: "verb".to_owned(),
+                value: verb.as_str().map_or_else(|| verb.to_string(), str::to_owned),
+                reason: format!("expected one of {}", names.join(", ")),
+            });
+        };
+        Self::read(known, fields)
+    }
+
+    /// The request as a JSON object, without fields that have their defaults.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        Value::Object(self.to_map()).to_string()
+    }
+
+    /// The field that names `file` as one to be read, if any does: standard input, for one, cannot be read twice.
+    #[must_use]
+    pub fn field_that_reads(&self, file: &Path) -> Option<&'static str> {
+        let fields = self.to_map();
+        let file = path::to_value(file);
+        FILES_READ.into_iter().find(|field| match fields.get(*field) {
+            Some(Value::Array(items)) => items.contains(&file),
+            Some(value) => *value == file,
+            None => false,
+        })
+    }
+}
+
+// What the note of a changed model says of the request.
+
+/// Fields that the operation, the mass or the reference of a note gives: see `Step` of `osim-model`.
+const SAID_ELSEWHERE: [&str; 6] = ["verb", "models", "from", "target_mass", "set", "stance_limbs"];
+
+/// What the note of a changed model says of the request.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct NoteDetails {
+    /// The options that decide which numbers result, as `name=value`: without files, masses and answers. Of files that are read, no
+    /// folders, because a model travels.
+    pub options: String,
+    /// Limbs that share the body weight, where the request says so.
+    pub stance_limbs: Option<f64>,
+}
+
+impl Request {
+    /// What the note of a model that it changes says of it.
+    #[must_use]
+    pub fn noted(&self) -> NoteDetails {
+        let others = [
+            map(&AnswerOptions::default()),
+            map(&MassOptions::default()),
+            map(&OutputOptions::default()),
+            map(&RunOptions::default()),
+            map(&SetFiles::default()),
+        ];
+        let is_elsewhere = |name: &str, value: &Value| match name {
+            // A factor is in the operation.
+            "radius" => value.as_str().is_some_and(|text| text.starts_with('x')),
+            "level" => self.verb() == Verb::Set,
+            name => SAID_ELSEWHERE.contains(&name) || others.iter().any(|fields| fields.contains_key(name)),
+        };
+        let said = self.to_map();
+        let stance_limbs = said.get("stance_limbs").and_then(Value::as_f64);
+        let noted = said.into_iter().filter(|(name, value)| !is_elsewhere(name, value));
+        let options = noted.map(|(name, value)| format!("{name}={}", in_a_word(&value)));
+        NoteDetails { options: options.collect::<Vec<_>>().join(" "), stance_limbs }
+    }
+}
+
+fn in_a_word(value: &Value) -> String {
+    match value {
+        Value::String(text) => {
+            let name = Path::new(text).file_name().unwrap_or_default().to_string_lossy().into_owned();
+            trimmed(&name).replace(' ', "_")
+        }
+        Value::Array(items) => items.iter().map(in_a_word).collect::<Vec<_>>().join(","),
+        Value::Object(fields) => {
+            let each = fields.iter().map(|(name, value)| format!("{name}:{}", in_a_word(value)));
+            each.collect::<Vec<_>>().join(",")
+        }
+        other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[track_caller]
+    fn notes(json: &str, noted: &str) {
+        assert_eq!(Request::from_json(json.as_bytes()).unwrap().noted().options, noted);
+    }
+
+    #[test]
+    fn what_decides_numbers_is_told_and_where_files_are_is_not() {
+        notes(r#"{"verb": "rescale", "models": "/home/me/a.osim", "target_mass": 80, "radius": "x2"}"#, "");
+        notes(
+            r#"{"verb": "rescale", "models": "a.osim", "target_mass": 80, "radius": "keep", "level": true, "only": ["radius", "stiffness"],
+            "output": "b.osim", "yes": ["implausible-mass"]}"#,
+            "radius=keep level=true only=radius,stiffness",
+        );
+        notes(
+            r#"{"verb": "transfer", "models": "a.osim", "from": "b.osim", "body_scale_file": "/home/me/my scales.xml",
+            "follow_bodies": true, "stance_limbs": 2}"#,
+            "follow_bodies=true body_scale_file=my_scales.xml",
+        );
+    }
 }

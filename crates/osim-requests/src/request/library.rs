@@ -2,17 +2,18 @@
 
 use std::path::PathBuf;
 
+use osim_model::messages::{Input, Phrase, phrase};
+use osim_model::{Property, Question};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::fault::{Relation, RequestFault};
 use crate::options::{
     AnswerOptions, CountOptions, ForceOptions, Format, LoadOptions, MassOptions, OutputOptions, RunOptions,
     WantedOptions,
 };
-use crate::relation::Relation;
-use crate::values::point_number;
-use crate::values::{Axis, Jobs, Positive, Shard, Steps, axis, path, serial};
+use crate::values::{Axis, AxisName, Jobs, Positive, Shard, Steps, axis, path, serial, shard};
 
 /// One row per model; columns are named like the long options of rescale, transfer, design and set.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -71,8 +72,8 @@ pub struct SweepRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "K", default_value_t = Positive::SOFT_STIFFNESS))]
     pub soft: Positive,
     /// Only point N of the grid, or step N of the ladder, counted from 1, for job arrays
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N", hide_short_help = true, value_parser = point_number::of_word))]
-    #[serde(deserialize_with = "point_number::deserialize")]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N", hide_short_help = true, value_parser = shard::of_word))]
+    #[serde(deserialize_with = "shard::deserialize")]
     pub point: Option<usize>,
     /// Only share I of N of the points, for job arrays
     #[cfg_attr(feature = "clap", arg(long, value_name = "I/N", hide_short_help = true))]
@@ -173,4 +174,105 @@ impl SweepRequest {
         WantedOptions::RELATIONS,
         LoadOptions::RELATIONS,
     ];
+}
+
+// How many models a sweep makes, and whether its axes go together: what can be known without the model.
+
+/// More models than this are made only if the caller confirms it.
+const MANY: usize = 10_000;
+/// More than this no sweep makes.
+const MOST: usize = 1_000_000;
+
+impl SweepRequest {
+    /// Checks what can be known without the model.
+    ///
+    /// # Errors
+    /// Axes that undo each other, or so many models that they are made only if the caller confirms it.
+    pub fn check(&self) -> Result<(), RequestFault> {
+        self.check_axes()?;
+        let count = self.count()?;
+        if count > MOST && self.point.is_none() && !self.dry_run {
+            let message = format!(
+                "{count} models are more than 1,000,000, the most that one sweep makes: give fewer values"
+            );
+            return Err(RequestFault::general(message));
+        }
+        // One point is one model. A share asks, too: all shares together, and the call that ends them, make as many.
+        if self.is_large() && self.point.is_none() && !self.answers.has(Question::ManyModels) && !self.dry_run
+        {
+            let message = phrase![
+                format!("{count} models would be made, more than 10,000: say "),
+                &Question::ManyModels.answer(),
+                ", or give fewer values",
+            ];
+            return Err(RequestFault::general(message));
+        }
+        Ok(())
+    }
+
+    /// Whether there are so many models that they are made only if the caller confirms it.
+    #[must_use]
+    pub fn is_large(&self) -> bool {
+        self.count().is_ok_and(|count| count > MANY)
+    }
+
+    /// Checks that axes do not undo each other.
+    ///
+    /// # Errors
+    /// Which do.
+    pub fn check_axes(&self) -> Result<(), RequestFault> {
+        check_axes(self)
+    }
+
+    /// How many models are made.
+    ///
+    /// # Errors
+    /// More than can be counted.
+    pub fn count(&self) -> Result<usize, RequestFault> {
+        let made = self.ladder.map_or_else(|| points(&self.grid), |steps| usize::try_from(steps.get()).ok());
+        made.ok_or_else(|| RequestFault::general("more models than can be counted: give fewer values"))
+    }
+}
+
+/// Number of points; `None` beyond counting.
+fn points(axes: &[Axis]) -> Option<usize> {
+    axes.iter().try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
+}
+
+/// Axes that would undo each other.
+///
+/// # Errors
+/// Which.
+fn check_axes(request: &SweepRequest) -> Result<(), RequestFault> {
+    let has = |name: AxisName| request.grid.iter().any(|axis| axis.name == name);
+    let refused = |message: Phrase| Err(RequestFault::refused(Input::Grid, message));
+    for (index, axis) in request.grid.iter().enumerate() {
+        if request.grid.iter().take(index).any(|other| other.name == axis.name) {
+            return refused(phrase![
+                Input::Grid,
+                format!(" {}: given twice, expected one list of values", axis.name.as_str()),
+            ]);
+        }
+    }
+    let wanted = &request.wanted;
+    for (quantity, input, given, property) in [
+        (AxisName::Indentation, Input::Indentation, wanted.indentation.is_some(), Property::Stiffness),
+        (AxisName::Restitution, Input::Restitution, wanted.restitution.is_some(), Property::Dissipation),
+    ] {
+        if has(quantity) && given {
+            return refused(phrase![
+                input,
+                " and ",
+                Input::Grid,
+                format!(" {} both say what it is: leave one out", quantity.as_str()),
+            ]);
+        }
+        if (has(quantity) || given) && has(AxisName::Property(property)) {
+            return refused(
+                format!("{} and {property} both say what {property} is: leave one out", quantity.as_str())
+                    .into(),
+            );
+        }
+    }
+    Ok(())
 }

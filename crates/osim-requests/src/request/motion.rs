@@ -1,4 +1,4 @@
-//! Contacts along a recorded motion.
+//! Contacts along a recorded motion, and in a fall.
 
 use std::path::PathBuf;
 
@@ -6,10 +6,10 @@ use std::path::PathBuf;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::choice::choices;
-use crate::options::{ForceOptions, MassOptions, SetFiles};
-use crate::relation::Relation;
-use crate::values::{Positive, Speed, path};
+use crate::fault::Relation;
+use crate::options::{AnswerOptions, ContactNumbers, CountOptions, ForceOptions, MassOptions, SetFiles};
+use crate::values::serial::choices;
+use crate::values::{Count, Height, Positive, Samples, Speed, path};
 
 choices! {
     /// The unit of the angles of a motion.
@@ -103,4 +103,104 @@ impl MotionRequest {
         Relation::Needs("loads", "plates"),
         Relation::Excludes("belt", "belt_column"),
     ]];
+}
+
+choices! {
+    /// How a drop is shown.
+    SeriesFormat: Table {
+        /// Figures (and a chart on a terminal).
+        Table = "table", "Figures (and a chart on a terminal)";
+        /// One JSON object.
+        Json = "json", "One JSON object";
+        /// The series, one row per moment.
+        Csv = "csv", "The series, one row per moment";
+    }
+}
+
+/// Lets a model fall on its contacts and shows what they do.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
+#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[serde(default)]
+pub struct DropTestRequest {
+    /// The model to drop (.osim), or a preset; without one, give the numbers
+    #[cfg_attr(feature = "clap", arg(value_name = "MODEL|PRESET"))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub subject: Option<PathBuf>,
+    /// Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25
+    #[cfg_attr(feature = "clap", arg(long, value_name = "HEIGHT", default_value_t))]
+    pub height: Height,
+    /// How long to follow the body, s
+    #[cfg_attr(feature = "clap", arg(long, value_name = "S", default_value_t = Positive::DROP_DURATION_S))]
+    pub duration: Positive,
+    /// Points of the series
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N", default_value_t))]
+    pub samples: Samples,
+    /// Say how far this drop and that of OTHER (a model or preset) lie apart in dimensionless form
+    #[cfg_attr(feature = "clap", arg(long, value_name = "OTHER"))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub compare: Option<PathBuf>,
+    /// With `compare`: the spheres that share OTHER's weight [default: as found on one limb]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
+    pub compare_spheres: Option<Count>,
+    /// A file with presets of your own (TOML)
+    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
+    #[serde(with = "path::optional")]
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    pub presets: Option<PathBuf>,
+    /// How to print
+    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
+    pub format: SeriesFormat,
+    /// A contact given by its numbers.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub numbers: ContactNumbers,
+    /// How many spheres share the weight.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub counts: CountOptions,
+    /// Which mass is meant.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub masses: MassOptions,
+    /// Which forces.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub choice: ForceOptions,
+    /// Files of a standalone set.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub set_files: SetFiles,
+    /// Answers to questions.
+    #[cfg_attr(feature = "clap", command(flatten))]
+    #[serde(flatten)]
+    pub answers: AnswerOptions,
+}
+
+impl Default for DropTestRequest {
+    fn default() -> Self {
+        Self {
+            subject: None,
+            height: Height::default(),
+            duration: Positive::DROP_DURATION_S,
+            samples: Samples::default(),
+            compare: None,
+            compare_spheres: None,
+            presets: None,
+            format: SeriesFormat::Table,
+            numbers: ContactNumbers::default(),
+            counts: CountOptions::default(),
+            masses: MassOptions::default(),
+            choice: ForceOptions::default(),
+            set_files: SetFiles::default(),
+            answers: AnswerOptions::default(),
+        }
+    }
+}
+
+impl DropTestRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
+        &[&[Relation::Needs("compare_spheres", "compare")]];
 }

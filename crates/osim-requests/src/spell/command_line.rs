@@ -1,14 +1,11 @@
-//! The words of the command line.
+//! The words of the command line, quoted as shells take them.
 
 use std::borrow::Cow;
 
 use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 
-use super::fields::{Field, FieldValue, Fields, is_assignment};
-use super::front_end::FrontEnd;
-use super::shell::shell_quoted;
-use super::speller::Speller;
 use crate::request::Request;
+use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, is_assignment};
 
 /// Name of the program.
 const PROGRAM: &str = "osim-contact-scale";
@@ -138,6 +135,29 @@ fn option(field: &str) -> String {
     format!("--{}", field.replace('_', "-"))
 }
 
+// Words as shells take them.
+
+/// `word` as shells take it: without quotation marks where all shells agree on it, else in double ones, which cmd and PowerShell know,
+/// too; in single ones where a POSIX shell would find something to expand. cmd puts a variable in for `%NAME%` whatever is around it.
+#[must_use]
+pub fn shell_quoted(word: &str) -> String {
+    // PowerShell makes a list of what has commas, and zsh looks for a program after an equals sign.
+    let plain = |letter: char| letter.is_alphanumeric() || "_-./:+=%".contains(letter);
+    if !word.is_empty() && !word.starts_with('=') && word.chars().all(plain) {
+        word.to_owned()
+    } else if !expands_in_double_quotes(word) {
+        format!("\"{word}\"")
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
+}
+
+/// Whether a shell would change something of `word` between double quotation marks. To PowerShell the curly ones are the same.
+fn expands_in_double_quotes(word: &str) -> bool {
+    let is_special = |letter: char| "$`\"!\u{201c}\u{201d}\u{201e}".contains(letter) || letter.is_control();
+    word.contains(is_special) || word.contains(r"\\") || word.ends_with('\\')
+}
+
 #[cfg(test)]
 mod tests {
     use osim_model::messages::Phrase;
@@ -167,9 +187,9 @@ mod tests {
     fn lists_and_maps_are_as_each_option_takes_them() {
         is_spelled(
             &json!({"verb": "transfer", "models": "a.osim", "from": "falisse2022", "follow_bodies": true,
-                "body_scale": {"calcn_r": [1.1, 1.05, 1.1], "foot l": 2}, "only": ["stiffness", "radius"], "select": ["*_r", "toe"]}),
+            "body_scale": {"calcn_r": [1.1, 1.05, 1.1], "foot l": 2}, "only": ["stiffness", "radius"], "select": ["*_r", "toe"]}),
             "transfer a.osim --from falisse2022 --follow-bodies --body-scale \"calcn_r=1.1,1.05,1.1\" \
-             --body-scale \"foot l=2,2,2\" --only \"stiffness,radius\" --select \"*_r\" --select toe",
+         --body-scale \"foot l=2,2,2\" --only \"stiffness,radius\" --select \"*_r\" --select toe",
         );
         is_spelled(
             &json!({"verb": "set", "models": "a.osim", "set": {"stiffness": "x2", "dissipation": 1.5}, "in_place": true}),
@@ -197,5 +217,30 @@ mod tests {
     fn what_is_positional_stands_before_the_model() {
         let call = "`plot MODEL output=FILE.svg kind=force`, `explain topics=FINDING`";
         assert_eq!(spelled(call), "plot force MODEL -o FILE.svg, explain FINDING");
+    }
+
+    #[test]
+    fn words_are_quoted_where_shells_ask_for_it() {
+        for (word, expected) in [
+            ("human_62kg.osim", "human_62kg.osim"),
+            ("models/a_1.osim", "models/a_1.osim"),
+            ("Fuß.osim", "Fuß.osim"),
+            ("my model.osim", r#""my model.osim""#),
+            ("*_r", r#""*_r""#),
+            ("it's", r#""it's""#),
+            ("~/a", r#""~/a""#),
+            ("a,b", r#""a,b""#),
+            (r"C:\my models\a.osim", r#""C:\my models\a.osim""#),
+            ("", r#""""#),
+            ("$HOME", "'$HOME'"),
+            ("`id`", "'`id`'"),
+            ("wow!", "'wow!'"),
+            (r#"12" foot"#, r#"'12" foot'"#),
+            (r"a\", r"'a\'"),
+            (r"\\server\a", r"'\\server\a'"),
+            ("it's $5", r"'it'\''s $5'"),
+        ] {
+            assert_eq!(shell_quoted(word), expected);
+        }
     }
 }

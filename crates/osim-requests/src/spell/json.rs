@@ -3,10 +3,8 @@
 use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 use serde_json::Value;
 
-use super::fields::is_assignment;
-use super::front_end::FrontEnd;
-use super::speller::Speller;
 use crate::request::Request;
+use crate::spell::speller::{FrontEnd, Speller, is_assignment};
 
 /// A request in JSON: `"mass": KG`, `{"verb": "design", "models": ["model.osim"], "indentation": 0.16}`.
 ///

@@ -2,11 +2,9 @@
 
 use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 
-use super::fields::{FieldValue, Fields, digits, is_assignment};
-use super::front_end::FrontEnd;
-use super::speller::Speller;
-use crate::group::FieldGroup;
+use crate::fields::FieldGroup;
 use crate::request::Request;
+use crate::spell::speller::{FieldValue, Fields, FrontEnd, Speller, digits, is_assignment};
 
 /// MATLAB and GNU Octave: `'Mass', KG`, `osimcontact.design('model.osim', 'Indentation', 0.16)`.
 ///
@@ -262,7 +260,7 @@ mod tests {
         is_spelled(
             &json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "follow_bodies": true, "body_scale": {"foot l": 2, "toes": [1, 2, 3]}}),
             "transfer('a.osim', 'From', 'g.osim', 'FollowBodies', true, \
-             'BodyScale', containers.Map({'foot l', 'toes'}, {[2, 2, 2], [1, 2, 3]}))",
+         'BodyScale', containers.Map({'foot l', 'toes'}, {[2, 2, 2], [1, 2, 3]}))",
         );
         assert!(["end", "_a", "1a", "ä", ""].into_iter().all(|name| !is_field(name)) && is_field("calcn_r"));
     }

@@ -4,20 +4,15 @@
 //! else may name an option as it is typed. So a remedy, a call to copy, and a message say the same thing in the same words.
 
 mod command_line;
-mod fields;
-mod front_end;
 mod json;
 mod matlab;
 mod page;
 mod python;
-mod shell;
 mod speller;
 
-pub use command_line::CommandLine;
-pub use front_end::FrontEnd;
+pub use command_line::{CommandLine, shell_quoted};
 pub use json::JsonRequest;
 pub use matlab::Matlab;
 pub use page::Page;
 pub use python::{Python, python_quoted};
-pub use shell::shell_quoted;
-pub use speller::Speller;
+pub use speller::{FrontEnd, Speller};

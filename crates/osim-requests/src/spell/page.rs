@@ -2,10 +2,8 @@
 
 use osim_model::messages::{Call, Dialect, Example, Input, Verb, readable};
 
-use super::fields::{Field, FieldValue, Fields};
-use super::front_end::FrontEnd;
-use super::speller::Speller;
 use crate::request::Request;
+use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller};
 
 /// The button that answers a question.
 const MEANT: &str = "“It is meant as it is: go on”";
@@ -119,7 +117,7 @@ mod tests {
             (
                 json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "follow_bodies": true, "body_scale": {"toes": [1, 2, 3]}}),
                 "Take the contacts of another model: where the contacts come from g.osim, spheres follow their bodies, \
-                 scale factors of a body toes 1 and 2 and 3.",
+             scale factors of a body toes 1 and 2 and 3.",
             ),
             (json!({"verb": "remove", "models": "a.osim"}), "Remove the contacts."),
         ] {
@@ -135,7 +133,7 @@ mod tests {
         assert_eq!(
             text.spelled(&Page),
             "leave radii as they are with the field “radius” (keep); “design” with the field “relative indentation” \
-             (0.16)"
+         (0.16)"
         );
     }
 }

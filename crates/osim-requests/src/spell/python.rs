@@ -4,11 +4,9 @@ use std::borrow::Cow;
 
 use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 
-use super::fields::{Field, FieldValue, Fields, digits};
-use super::front_end::FrontEnd;
-use super::speller::Speller;
-use crate::group::FieldGroup;
+use crate::fields::FieldGroup;
 use crate::request::Request;
+use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, digits};
 
 const IMPORT: &str = "import osim_contact_scale as ocs";
 const SHOWN: &str = "print(result)";
@@ -329,7 +327,7 @@ mod tests {
         );
         is_spelled(
             &json!({"verb": "add", "models": "bare.osim", "from": "a \"b\".osim", "class": "smooth", "yes": ["implausible-mass"],
-                "output": "~new.osim", "force": true, "no_note": true, "report": "page.html", "format": "json"}),
+            "output": "~new.osim", "force": true, "no_note": true, "report": "page.html", "format": "json"}),
             &[
                 r#"result = ocs.add("bare.osim", from_="a \"b\".osim", class_="smooth", no_note=True, yes=["implausible-mass"])"#,
                 r#"result.write(output="./~new.osim", force=True)"#,
@@ -353,10 +351,10 @@ mod tests {
     fn bodies_with_their_factors_are_a_dictionary() {
         is_spelled(
             &json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "follow_bodies": true, "body_scale": {"foot l": [1.1, 1.05, 1.1]},
-                "only": ["stiffness", "radius"]}),
+            "only": ["stiffness", "radius"]}),
             &[
                 "result = ocs.transfer(\"a.osim\", from_=\"g.osim\", follow_bodies=True, \
-                 body_scale={\"foot l\": [1.1, 1.05, 1.1]}, only=[\"stiffness\", \"radius\"])",
+             body_scale={\"foot l\": [1.1, 1.05, 1.1]}, only=[\"stiffness\", \"radius\"])",
                 "result.write()",
             ],
         );
@@ -366,7 +364,7 @@ mod tests {
     fn other_verbs_are_called_as_their_functions_take_them() {
         is_spelled(
             &json!({"verb": "plot", "kind": "force", "models": ["a.osim", "~b.osim"], "output": "a.svg", "data": "a.csv", "force": true,
-                "axes": "real"}),
+            "axes": "real"}),
             &[
                 r#"result = ocs.plot("force", "a.osim", "./~b.osim", axes="real")"#,
                 r#"result.save("a.svg", force=True)"#,

@@ -1,7 +1,10 @@
-//! What a language spells: requests, beside the inputs and calls in sentences.
+//! What a language spells, and the fields of a request as every language writes them.
 
-use osim_model::messages::Dialect;
+use osim_model::Property;
+use osim_model::messages::{Call, Dialect, Input, Verb, shortest};
+use serde_json::{Map, Number, Value};
 
+use crate::fields::{FieldGroup, positional};
 use crate::request::Request;
 
 /// The words of a language, for whole requests too.
@@ -27,5 +30,195 @@ pub trait Speller: Dialect {
     /// Lines that do all of a request, files that it writes and results that it shows among them.
     fn script(&self, request: &Request) -> String {
         self.request(request)
+    }
+}
+
+// What a front end spells beyond requests and sentences.
+
+/// The words of a front end, for calls that stand alone too.
+pub trait FrontEnd: Speller {
+    /// A call that stands alone, to be copied: on a command line it begins with the name of the program.
+    fn command(&self, call: &Call) -> String {
+        self.call(call)
+    }
+
+    /// A name as one word of a call.
+    fn word(&self, name: &str) -> String {
+        name.to_owned()
+    }
+
+    /// What is before a remedy that is there to be copied.
+    fn prompt(&self) -> &'static str {
+        ""
+    }
+
+    /// Where more is written, for the end of a message about a call that cannot be understood.
+    fn see_also(&self) -> &'static str {
+        ""
+    }
+}
+
+// The fields of a request, as every language writes them.
+
+/// A field that says something, by its name in requests.
+pub(super) type Field = (String, FieldValue);
+
+/// A request, taken apart.
+#[derive(Debug)]
+pub(super) struct Fields {
+    pub(super) verb: Verb,
+    /// Whether it changes models that it names.
+    pub(super) changes: bool,
+    /// What has no name in a call, in its order there.
+    pub(super) positional: Vec<Field>,
+    /// Everything else that says something, in the order of requests, which is that of the help and of forms.
+    pub(super) options: Vec<Field>,
+}
+
+/// What a field says.
+#[derive(Debug)]
+pub(super) enum FieldValue {
+    /// Its name alone says it.
+    Flag,
+    Number(Number),
+    Text(String),
+    List(Vec<FieldValue>),
+    /// Properties or bodies with their values.
+    Map(Vec<Field>),
+}
+
+impl Fields {
+    pub(super) fn of(request: &Request) -> Self {
+        let verb = request.verb();
+        let fields = request.to_map().into_iter().filter(|(name, _)| name != "verb");
+        let fields = fields.filter_map(|(name, value)| Some((name, FieldValue::of(value)?)));
+        let place = |name: &str| positional(verb).iter().position(|known| *known == name);
+        let (mut positional, options): (Vec<Field>, Vec<Field>) =
+            fields.partition(|(name, _)| place(name).is_some());
+        positional.sort_by_key(|(name, _)| place(name));
+        Self { verb, changes: request.run_options().is_some(), positional, options }
+    }
+
+    /// The models, where they have no name in the call.
+    pub(super) fn models(&self) -> &[FieldValue] {
+        match self.positional.iter().find(|(name, _)| name == "models") {
+            Some((_, FieldValue::List(models))) => models,
+            _ => &[],
+        }
+    }
+
+    /// The options that are of none of these groups.
+    pub(super) fn without(&self, groups: &[FieldGroup]) -> impl Iterator<Item = &Field> {
+        let left_out = |name: &str| FieldGroup::of(name).is_some_and(|group| groups.contains(&group));
+        self.options.iter().filter(move |(name, _)| !left_out(name))
+    }
+
+    /// The options of this group.
+    pub(super) fn only(&self, group: FieldGroup) -> impl Iterator<Item = &Field> {
+        self.options.iter().filter(move |(name, _)| FieldGroup::of(name) == Some(group))
+    }
+
+    /// The option of this name.
+    pub(super) fn option(&self, name: &str) -> Option<&FieldValue> {
+        self.options.iter().find(|(known, _)| known == name).map(|(_, value)| value)
+    }
+}
+
+impl FieldValue {
+    /// `None` where it says nothing.
+    fn of(value: Value) -> Option<Self> {
+        Some(match value {
+            Value::Null | Value::Bool(false) => return None,
+            Value::Bool(true) => Self::Flag,
+            Value::Number(number) => Self::Number(number),
+            Value::String(text) => Self::Text(text),
+            Value::Array(items) => Self::List(items.into_iter().filter_map(Self::of).collect()),
+            Value::Object(entries) => match bytes_of(&entries) {
+                Some(bytes) => Self::Text(String::from_utf8_lossy(&bytes).into_owned()),
+                None => Self::Map(
+                    entries.into_iter().filter_map(|(name, value)| Some((name, Self::of(value)?))).collect(),
+                ),
+            },
+        })
+    }
+
+    /// The text or number; with commas between those of a list.
+    pub(super) fn text(&self) -> String {
+        match self {
+            Self::Number(number) => digits(number),
+            Self::Text(text) => text.clone(),
+            Self::List(items) => items.iter().map(Self::text).collect::<Vec<_>>().join(","),
+            Self::Flag | Self::Map(_) => String::new(),
+        }
+    }
+
+    /// Its items, or itself if it is not a list.
+    pub(super) fn items(&self) -> &[Self] {
+        match self {
+            Self::List(items) => items,
+            one => std::slice::from_ref(one),
+        }
+    }
+}
+
+/// Whether `input` is a property that `call` sets.
+pub(super) fn is_assignment(call: &Call, input: Input) -> bool {
+    call.verb == Verb::Set && input.name().parse::<Property>().is_ok()
+}
+
+/// The shortest digits that give the number back.
+pub(super) fn digits(number: &Number) -> String {
+    match number.as_f64().filter(|_| number.is_f64()) {
+        Some(value) => shortest(value),
+        None => number.to_string(),
+    }
+}
+
+/// The bytes of a name that is not UTF-8, which is `{"bytes": [...]}`. Factors of a body of that name are not whole numbers to JSON.
+fn bytes_of(entries: &Map<String, Value>) -> Option<Vec<u8>> {
+    let bytes = entries.get("bytes").filter(|_| entries.len() == 1)?.as_array()?;
+    bytes.iter().map(|byte| byte.as_u64().and_then(|byte| u8::try_from(byte).ok())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(values: &[FieldValue]) -> Vec<String> {
+        values.iter().map(FieldValue::text).collect()
+    }
+
+    #[test]
+    fn models_and_options_are_apart_and_numbers_are_short() {
+        let request = br#"{"verb": "add", "models": ["a.osim", "b.osim"], "count": 3, "pad": 0.010, "feet": ["calcn_r"], "replace": true,
+        "load": null, "force": false}"#;
+        let fields = Fields::of(&Request::from_json(request).unwrap());
+        assert_eq!(texts(fields.models()), ["a.osim", "b.osim"]);
+        let options: Vec<(&str, String)> =
+            fields.options.iter().map(|(name, value)| (name.as_str(), value.text())).collect();
+        let expected = [("feet", "calcn_r"), ("count", "3"), ("pad", "0.01"), ("replace", "")];
+        assert_eq!(options, expected.map(|(name, text)| (name, text.to_owned())));
+    }
+
+    #[test]
+    fn what_has_no_name_is_in_the_order_of_the_call() {
+        let request = br#"{"output": "a.svg", "models": "a.osim", "verb": "plot", "kind": "force"}"#;
+        let fields = Fields::of(&Request::from_json(request).unwrap());
+        let names: Vec<&str> = fields.positional.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, ["kind", "models"]);
+        // A sweep's model has no name in a call; that of a force set has one.
+        let sweep = br#"{"verb": "sweep", "model": "a.osim", "grid": "stiffness=x2"}"#;
+        assert_eq!(Fields::of(&Request::from_json(sweep).unwrap()).positional[0].0, "model");
+        let set = br#"{"verb": "set", "models": "a.xml", "set": "stiffness=x2", "model": "a.osim"}"#;
+        assert!(Fields::of(&Request::from_json(set).unwrap()).option("model").is_some());
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn names_that_are_not_text_are_not_bodies() {
+        let request = br#"{"verb": "add", "models": {"bytes": [97, 255]}, "from": "b.osim", "body_scale": {"bytes": [1, 2, 1]}}"#;
+        let fields = Fields::of(&Request::from_json(request).unwrap());
+        assert_eq!(texts(fields.models()), ["a\u{fffd}"]);
+        assert!(matches!(&fields.options[1], (name, FieldValue::Map(_)) if name == "body_scale"));
     }
 }

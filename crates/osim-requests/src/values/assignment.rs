@@ -1,4 +1,4 @@
-//! What happens to properties: `stiffness=x2 dissipation=1`.
+//! What happens to properties: `stiffness=x2 dissipation=1`; and lists of them, by OpenSim's names.
 
 #[cfg(feature = "schemas")]
 use std::borrow::Cow;
@@ -6,7 +6,13 @@ use std::borrow::Cow;
 use osim_model::messages::shortest;
 use osim_model::{Assignment, Property};
 #[cfg(feature = "schemas")]
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use schemars::JsonSchema;
+#[cfg(feature = "schemas")]
+use schemars::Schema;
+#[cfg(feature = "schemas")]
+use schemars::SchemaGenerator;
+#[cfg(feature = "schemas")]
+use schemars::json_schema;
 use serde::de::Error;
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -144,4 +150,32 @@ impl<'d> Deserialize<'d> for Assignments {
             ))),
         }
     }
+}
+
+/// One of them.
+///
+/// # Errors
+/// There is no such property.
+pub fn one(text: &str) -> Result<Property, String> {
+    trimmed(text).parse()
+}
+
+/// Writes their names.
+///
+/// # Errors
+/// Those of the serialiser.
+pub fn serialize<S: Serializer>(properties: &[Property], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(properties.iter().map(|property| property.name()))
+}
+
+/// Reads a list of names, or one text with commas between them.
+///
+/// # Errors
+/// A name that is not a property's.
+pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Property>, D::Error> {
+    let names = match Value::deserialize(deserializer)? {
+        Value::String(text) => text.split(',').map(str::to_owned).collect(),
+        list => Vec::<String>::deserialize(list).map_err(D::Error::custom)?,
+    };
+    names.iter().map(|name| one(name)).collect::<Result<_, _>>().map_err(D::Error::custom)
 }

@@ -4,40 +4,25 @@
 //!
 //! It knows no options, no files and no terminal: who asked for a value says so in its own words.
 
-mod assignment;
+pub mod assignment;
 pub mod axis;
-mod body_map;
-pub mod body_scale;
-mod drop_height;
+pub mod bodies;
 pub mod grid;
-mod height;
-mod new_radius;
-mod onset;
+mod lengths;
 pub mod path;
-pub(crate) mod point_number;
-pub mod property_list;
 mod quantity;
-mod radius;
 pub mod serial;
-mod shard;
-mod span;
+pub(crate) mod shard;
 pub mod typed;
-mod whole;
 
 pub use assignment::{Assignments, assignment};
 pub use axis::{Axis, AxisName, GridValue};
-pub use body_map::BodyMap;
-pub use body_scale::BodyScale;
-pub use drop_height::DropHeight;
-pub use grid::Grid;
-pub use height::Height;
-pub use new_radius::NewRadius;
-pub use onset::ContactOnset;
+pub use bodies::{BodyMap, BodyScale};
+pub use grid::{Grid, Span};
+pub use lengths::{ContactOnset, DropHeight, Height, NewRadius, Radius};
 pub use quantity::{
-    Acceleration, ConstantIndentation, Count, FigureWidth, FontSize, Kilograms, Metres, NotNegative,
-    PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient, Speed, Threshold,
+    Acceleration, ConstantIndentation, Count, Dpi, FigureWidth, FontSize, Jobs, Kilograms, Metres,
+    NotNegative, PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient, Samples, Speed,
+    SpheresOfFoot, Steps, Threshold,
 };
-pub use radius::Radius;
 pub use shard::Shard;
-pub use span::Span;
-pub use whole::{Dpi, Jobs, Samples, SpheresOfFoot, Steps};

@@ -1,4 +1,4 @@
-//! A share of the models, for job arrays on clusters.
+//! What one job of many does: a share of the models, or one point of a grid.
 
 use std::fmt;
 use std::iter::StepBy;
@@ -11,7 +11,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use sha2::{Digest, Sha256};
 
-use super::serial::from_text;
+use crate::values::serial::{self, from_text};
 use crate::values::typed::trimmed;
 
 /// No cluster runs more jobs than this.
@@ -96,6 +96,30 @@ impl<'d> Deserialize<'d> for Shard {
     fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
         from_text(deserializer)
     }
+}
+
+/// The number of one point, from 1. There is none beyond counting.
+struct PointNumber(usize);
+
+impl FromStr for PointNumber {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let expected = || "expected the number of one point, counted from 1".to_owned();
+        trimmed(text).parse().map(Self).map_err(|_| expected())
+    }
+}
+
+/// Reads one from a word of the command line.
+#[cfg(feature = "clap")]
+pub(crate) fn of_word(text: &str) -> Result<usize, String> {
+    text.parse().map(|PointNumber(number)| number)
+}
+
+/// Reads one from JSON.
+pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<usize>, D::Error> {
+    let number: Option<PointNumber> = serial::optional_from_text(deserializer)?;
+    Ok(number.map(|PointNumber(number)| number))
 }
 
 #[cfg(test)]

@@ -1,0 +1,356 @@
+//! Radii, heights from which a body falls, and where contact begins, in words.
+
+#[cfg(feature = "schemas")]
+use std::borrow::Cow;
+use std::fmt;
+use std::str::FromStr;
+
+use contact_scaling::fit::Onset;
+use osim_model::RadiusRule;
+use osim_model::messages::{readable, shortest};
+#[cfg(feature = "schemas")]
+use schemars::JsonSchema;
+#[cfg(feature = "schemas")]
+use schemars::Schema;
+#[cfg(feature = "schemas")]
+use schemars::SchemaGenerator;
+#[cfg(feature = "schemas")]
+use schemars::json_schema;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::values::serial::from_text;
+use crate::values::typed::{LENGTHS, factor, not_negative, positive, trimmed};
+
+/// `isometric`, `keep`, metres, or a factor such as `x1.5`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline))]
+pub struct Radius(#[cfg_attr(feature = "schemas", schemars(schema_with = "radius_schema"))] RadiusRule);
+
+#[cfg(feature = "schemas")]
+fn radius_schema(_generator: &mut SchemaGenerator) -> Schema {
+    schemars::json_schema!({"anyOf": [
+        {"type": "number", "exclusiveMinimum": 0, "description": "metres"},
+        {"type": "string", "pattern": "^(isometric|keep|[xX][0-9.eE+-]+)$"},
+    ]})
+}
+
+impl Radius {
+    /// The rule.
+    #[must_use]
+    pub const fn rule(self) -> RadiusRule {
+        self.0
+    }
+}
+
+impl From<RadiusRule> for Radius {
+    fn from(rule: RadiusRule) -> Self {
+        Self(rule)
+    }
+}
+
+impl FromStr for Radius {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let rule = match (text, factor(text)) {
+            ("isometric", _) => Ok(RadiusRule::Isometric),
+            ("keep", _) => Ok(RadiusRule::Keep),
+            (_, Some(number)) => positive(number, "a factor like x1.5", &[]).map(RadiusRule::Factor),
+            (_, None) => positive(text, "isometric, keep, a radius in metres or a factor like x1.5", LENGTHS)
+                .map(RadiusRule::Metres),
+        };
+        rule.map(Self)
+    }
+}
+
+impl fmt::Display for Radius {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            RadiusRule::Isometric => f.write_str("isometric"),
+            RadiusRule::Metres(metres) => f.write_str(&shortest(metres)),
+            RadiusRule::Factor(factor) => write!(f, "x{}", shortest(factor)),
+            _ => f.write_str("keep"),
+        }
+    }
+}
+
+impl Serialize for Radius {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            RadiusRule::Metres(metres) => serializer.serialize_f64(metres),
+            _ => serializer.collect_str(self),
+        }
+    }
+}
+
+impl<'d> Deserialize<'d> for Radius {
+    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
+        from_text(deserializer)
+    }
+}
+
+/// What is expected of a text.
+const EXPECTED: &str = "isometric, follow or a radius in metres";
+/// No radius is beyond this, in whatever unit, m.
+const LARGEST: f64 = 1e9;
+
+/// `isometric`, `follow` or metres.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
+pub enum NewRadius {
+    /// The reference's times the cube root of the masses' ratio (8).
+    #[default]
+    Isometric,
+    /// The reference's times the geometric mean of the factors of the body that carries the sphere.
+    Follow,
+    /// All are this, m.
+    Metres(f64),
+}
+
+#[cfg(feature = "schemas")]
+impl JsonSchema for NewRadius {
+    fn schema_name() -> Cow<'static, str> {
+        "NewRadius".into()
+    }
+
+    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({"anyOf": [
+            {"type": "number", "exclusiveMinimum": 0, "maximum": 1e9, "description": "metres"},
+            {"type": "string", "pattern": "^(isometric|follow)$"},
+        ]})
+    }
+
+    fn inline_schema() -> bool {
+        true
+    }
+}
+
+impl FromStr for NewRadius {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "isometric" => Ok(Self::Isometric),
+            "follow" => Ok(Self::Follow),
+            _ => match positive(text, EXPECTED, LENGTHS)? {
+                metres if metres <= LARGEST => Ok(Self::Metres(metres)),
+                _ => Err(format!("expected {EXPECTED}, at most 1e9")),
+            },
+        }
+    }
+}
+
+impl fmt::Display for NewRadius {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Isometric => f.write_str("isometric"),
+            Self::Follow => f.write_str("follow"),
+            Self::Metres(metres) => f.write_str(&shortest(*metres)),
+        }
+    }
+}
+
+impl Serialize for NewRadius {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Metres(metres) => serializer.serialize_f64(*metres),
+            _ => serializer.collect_str(self),
+        }
+    }
+}
+
+impl<'d> Deserialize<'d> for NewRadius {
+    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
+        from_text(deserializer)
+    }
+}
+
+/// Height of the sphere bottoms at the start of a fall.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum DropHeight {
+    /// In m.
+    Metres(f64),
+    /// In radii of the sphere.
+    Radii(f64),
+}
+
+impl DropHeight {
+    /// In m, for a sphere of this radius.
+    #[must_use]
+    pub fn metres(self, radius_m: f64) -> f64 {
+        match self {
+            Self::Metres(metres) => metres,
+            Self::Radii(radii) => radii * radius_m,
+        }
+    }
+
+    /// For people: the number, and what it counts.
+    #[must_use]
+    pub fn describe(self, metre: &str, radius: &str) -> String {
+        match self {
+            Self::Metres(metres) => format!("{} {metre}", readable(metres)),
+            Self::Radii(radii) => format!("{} {radius}", readable(radii)),
+        }
+    }
+}
+
+/// Metres, or a multiple of the radius such as `x0.25`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline))]
+pub struct Height(#[cfg_attr(feature = "schemas", schemars(schema_with = "height_schema"))] DropHeight);
+
+#[cfg(feature = "schemas")]
+fn height_schema(_generator: &mut SchemaGenerator) -> Schema {
+    schemars::json_schema!({"anyOf": [
+        {"type": "number", "minimum": 0, "description": "metres"},
+        {"type": "string", "pattern": "^[xX][0-9.eE+-]+$"},
+    ]})
+}
+
+impl Height {
+    /// The height.
+    #[must_use]
+    pub const fn get(self) -> DropHeight {
+        self.0
+    }
+}
+
+impl Default for Height {
+    /// A quarter of the radius, as in the paper's drop tests.
+    fn default() -> Self {
+        Self(DropHeight::Radii(0.25))
+    }
+}
+
+impl FromStr for Height {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let expected = "a length in metres, or a multiple of the radius like x0.25";
+        let parse = |text: &str| not_negative(text, expected, LENGTHS);
+        let height = match factor(text) {
+            Some(number) => parse(number).map(DropHeight::Radii),
+            None => parse(text).map(DropHeight::Metres),
+        };
+        height.map(Self)
+    }
+}
+
+impl fmt::Display for Height {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            DropHeight::Metres(metres) => f.write_str(&shortest(metres)),
+            DropHeight::Radii(radii) => write!(f, "x{}", shortest(radii)),
+        }
+    }
+}
+
+impl Serialize for Height {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            DropHeight::Metres(metres) => serializer.serialize_f64(metres),
+            DropHeight::Radii(_) => serializer.collect_str(self),
+        }
+    }
+}
+
+impl<'d> Deserialize<'d> for Height {
+    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
+        from_text(deserializer)
+    }
+}
+
+/// An indentation in m at which contact begins, or `fit` to find it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline))]
+pub struct ContactOnset(#[cfg_attr(feature = "schemas", schemars(schema_with = "number_or_word"))] Onset);
+
+#[cfg(feature = "schemas")]
+fn number_or_word(_generator: &mut SchemaGenerator) -> Schema {
+    schemars::json_schema!({"anyOf": [{"type": "number", "description": "metres"}, {"const": "fit"}]})
+}
+
+impl ContactOnset {
+    /// The onset.
+    #[must_use]
+    pub const fn get(self) -> Onset {
+        self.0
+    }
+}
+
+impl Default for ContactOnset {
+    fn default() -> Self {
+        Self(Onset::At(0.0))
+    }
+}
+
+impl FromStr for ContactOnset {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == "fit" {
+            return Ok(Self(Onset::Fitted));
+        }
+        match trimmed(text).parse::<f64>() {
+            Ok(metres) if metres.is_finite() => Ok(Self(Onset::At(metres))),
+            _ => Err("expected an indentation in metres, or fit to find it".to_owned()),
+        }
+    }
+}
+
+impl fmt::Display for ContactOnset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.0 {
+            Onset::At(metres) => f.write_str(&shortest(metres)),
+            Onset::Fitted => f.write_str("fit"),
+        }
+    }
+}
+
+impl Serialize for ContactOnset {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.0 {
+            Onset::At(metres) => serializer.serialize_f64(metres),
+            Onset::Fitted => serializer.serialize_str("fit"),
+        }
+    }
+}
+
+impl<'d> Deserialize<'d> for ContactOnset {
+    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
+        from_text(deserializer)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_radius_is_a_word_metres_or_a_factor() {
+        for (text, rule) in [
+            ("isometric", RadiusRule::Isometric),
+            ("keep", RadiusRule::Keep),
+            ("x1.5", RadiusRule::Factor(1.5)),
+            ("0.032", RadiusRule::Metres(0.032)),
+        ] {
+            let radius: Radius = text.parse().unwrap();
+            assert_eq!((radius.rule(), radius.to_string().as_str()), (rule, text));
+            let json = serde_json::to_string(&radius).unwrap();
+            assert_eq!(serde_json::from_str::<Radius>(&json).unwrap(), radius);
+        }
+        for (text, hint) in [
+            ("32mm", "type 0.032"),
+            ("3.2cm", "type 0.032"),
+            ("3.2 CM", "type 0.032"),
+            ("0.032m", "type 0.032"),
+            ("1500um", "type 0.0015"),
+            // An inch is 0.0254 m.
+            ("1.5in", "type 0.0381"),
+            ("2ft", "units are not written here"),
+        ] {
+            let refused = text.parse::<Radius>().unwrap_err();
+            assert!(refused.contains(hint), "{text}: {refused}");
+        }
+    }
+}
