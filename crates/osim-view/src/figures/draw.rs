@@ -1,23 +1,18 @@
-//! The figure that a request asks for.
+//! The figure that a request asks for, and its numbers as a table.
 
-use contact_plots::{Drawing, Paper, PlotError, drop_figure, force_figure, loop_figure, state_figure};
+use contact_plots::{Datum, Drawing, Paper, PlotError, drop_figure, force_figure, loop_figure, state_figure};
 use osim_inspect::series::{Body, HeatRequest};
 use osim_model::files::Failure;
-use osim_model::messages::{Input, Phrase, harmless, phrase};
-use osim_planning::{HeatTable, ModelFeet, MotionResult};
+use osim_model::messages::{Input, Phrase, harmless, phrase, shortest};
+use osim_planning::{HeatTable, ModelFeet, MotionResult, cell};
 use osim_requests::{AxesChoice, FigureOptions, PlotKind, PlotRequest, Positive, Span, no_fig1};
 
-use super::axes::{Axes, units};
-use super::drops::drops;
-use super::feet::feet;
-use super::force::force;
-use super::heat::heat;
-use super::loops::loops;
-use super::motion::motion;
-use super::names::failure;
-use super::paper::{fig_c5, fig4};
-use super::state::state;
-use super::table::table;
+use crate::figures::axes::{Axes, failure, units};
+use crate::figures::curves::{drops, force, loops, state};
+use crate::figures::feet::feet;
+use crate::figures::heat::{heat, table};
+use crate::figures::motion::motion;
+use crate::figures::paper::{fig_c5, fig4};
 
 /// A figure of `bodies`, or of a table, as `request` asks for it, before it is put on paper.
 ///
@@ -135,4 +130,32 @@ pub fn not_drawn(error: PlotError, bodies: &[Body]) -> Failure {
         error => error.to_string().into(),
     };
     failure(bodies, why)
+}
+
+/// What the columns are called: they say themselves what is in them.
+const COLUMNS: [&str; 9] = ["panel", "kind", "name", "x_axis", "x", "y_axis", "y", "value_name", "value"];
+
+/// All numbers of a figure as CSV: a row for each point of a curve, each mark, limit and cell; what one does not have is empty.
+///
+/// # Errors
+/// The library that writes CSV did not get through, which it says.
+pub fn data_csv(drawing: &Drawing) -> Result<Vec<u8>, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(COLUMNS)?;
+    for datum in drawing.data() {
+        let Datum { panel, kind, name, x_axis, x, y_axis, y, value_name, value, .. } = datum;
+        let number = |value: Option<f64>| value.map(shortest).unwrap_or_default();
+        writer.write_record([
+            cell(&panel).into_owned(),
+            kind.to_owned(),
+            cell(&name).into_owned(),
+            x_axis,
+            number(x),
+            y_axis,
+            number(y),
+            value_name,
+            number(value),
+        ])?;
+    }
+    writer.into_inner().map_err(|error| error.into_error().into())
 }

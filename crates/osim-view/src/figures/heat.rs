@@ -1,15 +1,16 @@
-//! A quantity over stiffness and dissipation.
+//! A quantity as colours over two others, or as a curve over one.
 
 use contact_plots::{
-    Axis, Curve, Direction, Drawing, Figure, HeatLimit, HeatMap, Limit, Look, Mark, Panel, Width,
+    Axis, Curve, Direction, Drawing, Figure, HeatLimit, HeatMap, Limit, Look, Mark, Panel, Point, Width,
 };
 use contact_scaling::limits;
 use osim_inspect::series::{self, Body, HeatRequest, Parameter, Profile};
 use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
+use osim_planning::HeatTable;
 use osim_requests::HeatQuantity;
 
-use super::names::failure;
+use crate::figures::axes::failure;
 
 /// Colours over E₁* and α for the one contact of the one body; `stiffness` and `dissipation` make axes of its own E₁* (N/m²)
 /// and α (s/m). Where only one of the two changes the quantity, a curve over that one.
@@ -145,5 +146,136 @@ impl Words {
                 limit: String::new(),
             },
         }
+    }
+}
+
+// A column of a table, as colours over two others or as a curve over one.
+
+/// Draws a table: colours where two columns vary, a curve where one does.
+///
+/// # Errors
+/// Nothing varies, two rows are about the same point, or no row has a number in all columns.
+pub(super) fn table(table: &HeatTable, wanted_title: Option<&str>) -> Result<Drawing, Failure> {
+    let failed = |why: String| Failure::outside(&table.name, "plot", why);
+    let title = wanted_title.map_or_else(|| format!("{}: {}", table.value.name, table.name), str::to_owned);
+    let x = distinct(&table.x.values);
+    let y = table.y.as_ref().map(|column| (column, distinct(&column.values))).filter(|(_, y)| y.len() > 1);
+    match y {
+        _ if x.len() < 2 => Err(failed(format!(
+            "the column '{}' has {} value, expected two or more: choose another for the horizontal axis",
+            table.x.name,
+            x.len()
+        ))),
+        Some((column, y)) => {
+            let values = cells(table, &column.values, (&x, &y)).map_err(failed)?;
+            Ok(Drawing::HeatMap(HeatMap {
+                title,
+                description: format!(
+                    "The column {} of {} as a colour, over {} and {}.",
+                    table.value.name, table.name, table.x.name, column.name
+                ),
+                x_axis: axis(&table.x.name, &x),
+                y_axis: axis(&column.name, &y),
+                value_axis: value_axis(&table.value.name, &values),
+                x,
+                y,
+                values,
+                limit: None,
+                mark: None,
+            }))
+        }
+        None => {
+            let mut panel = Panel::new("", axis(&table.x.name, &x), Axis::new(&table.value.name));
+            let points = line(table).map_err(failed)?;
+            panel.curves.push(Curve { label: String::new(), points, look: Look::HERTZ });
+            Ok(Drawing::Panels(Figure {
+                title,
+                description: format!(
+                    "The column {} of {} over {}.",
+                    table.value.name, table.name, table.x.name
+                ),
+                width: Width::Column,
+                columns: 1,
+                panels: vec![panel],
+            }))
+        }
+    }
+}
+
+/// The values of a column, each once, from the smallest to the largest.
+fn distinct(values: &[Option<f64>]) -> Vec<f64> {
+    let mut values: Vec<f64> = values.iter().flatten().copied().collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    values
+}
+
+/// An axis on which the values are as equally spaced as they can be: logarithmic where their ratios are more alike than their
+/// differences.
+fn axis(name: &str, values: &[f64]) -> Axis {
+    let spread = |steps: Vec<f64>| {
+        let (low, high) = steps
+            .into_iter()
+            .fold((f64::INFINITY, 0.0_f64), |(low, high), step| (low.min(step), high.max(step)));
+        high / low
+    };
+    let differences = spread(values.windows(2).map(|pair| pair[1] - pair[0]).collect());
+    let ratios = || spread(values.windows(2).map(|pair| (pair[1] / pair[0]).ln()).collect());
+    let is_positive = values.first().is_some_and(|first| *first > 0.0);
+    if is_positive && ratios() < differences { Axis::logarithmic(name) } else { Axis::new(name) }
+}
+
+/// A value for each point of the grid; `None` where the table has none.
+fn cells(
+    table: &HeatTable,
+    y_values: &[Option<f64>],
+    (x, y): (&[f64], &[f64]),
+) -> Result<Vec<Vec<Option<f64>>>, String> {
+    let mut cells = vec![vec![None; x.len()]; y.len()];
+    let mut seen = vec![vec![false; x.len()]; y.len()];
+    for (row, (at_x, at_y)) in table.x.values.iter().zip(y_values).enumerate() {
+        let place = |values: &[f64], at: f64| values.binary_search_by(|value| value.total_cmp(&at)).ok();
+        let (Some(at_x), Some(at_y)) = (*at_x, *at_y) else { continue };
+        let found = place(x, at_x).zip(place(y, at_y));
+        let Some((cell, seen)) = found.and_then(|(column, line)| {
+            Some((cells.get_mut(line)?.get_mut(column)?, seen.get_mut(line)?.get_mut(column)?))
+        }) else {
+            continue;
+        };
+        if std::mem::replace(seen, true) {
+            return Err(twice(&format!("{} = {at_x}, {at_y}", table.x.name)));
+        }
+        *cell = table.value.values.get(row).copied().flatten();
+    }
+    Ok(cells)
+}
+
+/// The values over the one column that varies, from left to right.
+fn line(table: &HeatTable) -> Result<Vec<Point>, String> {
+    let pairs = table.x.values.iter().zip(&table.value.values);
+    let mut points: Vec<Point> = pairs.filter_map(|(x, value)| Some(((*x)?, (*value)?))).collect();
+    points.sort_by(|a, b| a.0.total_cmp(&b.0));
+    match points.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+        Some(pair) => Err(twice(&format!("{} = {}", table.x.name, pair[0].0))),
+        None => Ok(points),
+    }
+}
+
+fn twice(point: &str) -> String {
+    format!(
+        "several rows are about {point}: other columns vary, too, so leave rows out, or choose other columns for the axes"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_follow_the_spacing_of_their_values() {
+        assert!(axis("E", &[1e5, 1e6, 1e7]).logarithmic);
+        assert!(!axis("x", &[1.0, 2.0, 3.0]).logarithmic);
+        assert!(!axis("x", &[0.0, 1.0, 10.0]).logarithmic);
+        assert!(!axis("x", &[-1.0, 1.0]).logarithmic);
     }
 }

@@ -14,30 +14,17 @@
 //! ```
 
 mod axes;
-mod data;
+mod curves;
 mod draw;
-mod drops;
 mod feet;
-mod force;
 mod heat;
 mod indentations;
-mod limits;
-mod loops;
 mod motion;
-mod names;
 pub mod paper;
-mod state;
-mod table;
-mod weights;
 
-pub use axes::{Axes, units};
-pub use data::data_csv;
-pub use draw::{draw, draw_feet, draw_motion, not_drawn, paper, svg};
-pub use drops::drops;
+pub use axes::{Axes, units, weights};
+pub use curves::{drops, force, impact_loops, loops, state};
+pub use draw::{data_csv, draw, draw_feet, draw_motion, not_drawn, paper, svg};
 pub use feet::{feet, feet_notes, feet_svg, missing_meshes};
-pub use force::force;
 pub use heat::heat;
 pub use indentations::{State as Indentations, above_the_axis, indentations};
-pub use loops::{impact_loops, loops};
-pub use state::state;
-pub use weights::weights;

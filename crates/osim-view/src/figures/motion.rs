@@ -1,13 +1,10 @@
 //! Contacts along a recorded motion: force beside the plates', how deep each sphere is, and where forces act on the sole.
 
-mod foot;
-mod sole;
-mod stride;
-
-use self::foot::{along_normal, hertz_limit};
-use contact_plots::{Axis, Curve, Direction, Figure, Limit, Look, Panel, Width};
+use contact_plots::{Axis, Curve, Dash, Direction, Figure, Limit, Look, Mark, Panel, Width};
+use contact_scaling::limits;
+use osim_model::feet::{ViewAxes, dot};
 use osim_model::files::FileName;
-use osim_motion::{FootSummary, Wrench};
+use osim_motion::{FootSummary, OnSole, Wrench};
 use osim_planning::MotionResult;
 
 /// Forces and depths over time and over strides, and two panels of the sole, for each foot: in three columns where all are there.
@@ -41,10 +38,10 @@ struct Rows {
 impl Rows {
     fn of(result: &MotionResult, index: usize, foot: &FootSummary) -> Self {
         let on_sole = result.on_soles.get(index).and_then(Option::as_ref);
-        let sole = on_sole.map(|on_sole| sole::panels(result, index, foot, on_sole));
+        let sole = on_sole.map(|on_sole| sole_panels(result, index, foot, on_sole));
         Self {
             times: [forces(result, index, foot), depths(result, foot)],
-            strides: stride::panels(result, index, foot),
+            strides: stride_panels(result, index, foot),
             // A foot in the air has no centre of pressure.
             sole: sole.filter(|panels| panels.iter().all(|panel| !panel.curves.is_empty())),
         }
@@ -116,4 +113,146 @@ fn depths(result: &MotionResult, foot: &FootSummary) -> Panel {
     let deepest = foot.spheres.iter().map(|sphere| sphere.largest_relative_indentation).fold(0.2, f64::max);
     panel.y.limits = Some((ABOVE, 1.05 * deepest));
     panel
+}
+
+/// The normal of the foot's floor.
+fn normal(result: &MotionResult, foot: &FootSummary) -> [f64; 3] {
+    let first = foot.foot.pairs.first().and_then(|&pair| result.states.frame(0).get(pair));
+    first.map_or([0.0, 1.0, 0.0], |state| state.normal)
+}
+
+/// The part of a force along that normal, body weights.
+fn along_normal(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> f64 {
+    dot(wrench.force_n, normal(result, foot)) / result.summary.weight_n
+}
+
+/// How deep the Hertz law holds.
+fn hertz_limit() -> Limit {
+    Limit { label: "Hertz".to_owned(), at: limits::INDENTATION.value, direction: Direction::Horizontal }
+}
+
+// Where forces act on the sole, and forces along the foot.
+
+/// Arrows of one stance, at most.
+const ARROWS: usize = 25;
+/// How far a push of one body weight along the foot leans an arrow, mm.
+const LEAN_MM: f64 = 100.0;
+
+/// The path of the centre of pressure seen from above, and forces as they stand on the sole.
+fn sole_panels(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &OnSole) -> [Panel; 2] {
+    [path(result, foot, on_sole), arrows(result, index, foot, on_sole)]
+}
+
+fn path(result: &MotionResult, foot: &FootSummary, on_sole: &OnSole) -> Panel {
+    let mut panel = Panel::new(
+        "centre of pressure on the sole",
+        Axis::new("along the foot (mm)"),
+        Axis::new("to the right of the foot (mm)"),
+    );
+    for (label, points, series) in [("model", &on_sole.model_m, 0), ("plates", &on_sole.measured_m, 1)] {
+        // No line leads over a time without a centre of pressure.
+        for run in points.chunk_by(|before, after| before.is_some() == after.is_some()) {
+            let points: Vec<(f64, f64)> =
+                run.iter().flatten().map(|[ahead, right]| (1e3 * ahead, 1e3 * right)).collect();
+            if points.len() > 1 {
+                panel.curves.push(Curve { label: label.to_owned(), points, look: Look::series(series) });
+            }
+        }
+    }
+    for (&pair, [ahead, right]) in foot.foot.pairs.iter().zip(&on_sole.spheres_m) {
+        if result.states.pairs.get(pair).is_some() {
+            let at = (1e3 * ahead, 1e3 * right);
+            panel.marks.push(Mark { label: "sphere".to_owned(), at, look: Look::series(3) });
+        }
+    }
+    panel
+}
+
+/// The first stance that is seen whole, else the first one: the force in some of its frames, from where it acts.
+fn arrows(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &OnSole) -> Panel {
+    let mut panel = Panel::new(
+        "forces of one stance",
+        Axis::new("along the foot (mm)"),
+        Axis::new("normal force / body weight (–)"),
+    );
+    let whole = foot.stances.iter().find(|one| one.stance.duration_s().is_some());
+    let Some(stance) = whole.or(foot.stances.first()).map(|one| one.stance) else { return panel };
+    let measured = result.measured.as_ref().and_then(|measured| measured.feet.get(index));
+    let step = ((stance.last - stance.first) / ARROWS).max(1);
+    for frame in (stance.first..=stance.last).step_by(step) {
+        let own = on_sole.model_m.get(frame).copied().flatten().zip(foot.wrenches.get(frame));
+        let plate = on_sole.measured_m.get(frame).copied().flatten();
+        let plate = plate.zip(measured.and_then(|all| all.get(frame)?.as_ref()));
+        for (one, series) in [(own, 0), (plate, 1)] {
+            if let Some(([ahead_m, _], wrench)) = one {
+                let (leans_mm, up) = arrow(result, foot, wrench);
+                let start_mm = 1e3 * ahead_m;
+                panel.curves.push(Curve {
+                    // The legend has them by their colours.
+                    label: String::new(),
+                    points: vec![(start_mm, 0.0), (start_mm + leans_mm, up)],
+                    look: Look { dash: Dash::Solid, ..Look::series(series) },
+                });
+            }
+        }
+    }
+    panel
+}
+
+/// How far an arrow leans, mm, and how high it is, body weights.
+fn arrow(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> (f64, f64) {
+    let normal = normal(result, foot);
+    let weight_n = result.summary.weight_n;
+    let forward = ViewAxes::with_up(normal).forward;
+    (LEAN_MM * dot(wrench.force_n, forward) / weight_n, along_normal(result, foot, wrench))
+}
+
+// Forces and depths over whole strides, from touch-down (0 %) to the next one (100 %).
+
+/// The force and the deepest sphere; `None` where no stride is seen whole.
+fn stride_panels(result: &MotionResult, index: usize, foot: &FootSummary) -> Option<[Panel; 2]> {
+    let strides = foot.strides();
+    if strides.is_empty() {
+        return None;
+    }
+    let axis = || Axis::over("stride (%)", 0.0, 100.0);
+    let mut forces = Panel::new("over strides", axis(), Axis::new("normal force / body weight (–)"));
+    let mut depths = Panel::new("", axis(), Axis::new("deepest x/R (–)"));
+    depths.limits.push(hertz_limit());
+    let measured = result.measured.as_ref().and_then(|measured| measured.feet.get(index));
+    for &stride in &strides {
+        let plates = |frame: usize| Some(along_normal(result, foot, measured?.get(frame)?.as_ref()?));
+        let model = |frame: usize| Some(along_normal(result, foot, foot.wrenches.get(frame)?));
+        add(&mut forces, result, stride, ("model", 0), model);
+        add(&mut forces, result, stride, ("plates", 1), plates);
+        add(&mut depths, result, stride, ("model", 0), |frame| deepest(result, foot, frame));
+    }
+    Some([forces, depths])
+}
+
+/// Adds a curve of what is known of a stride, up to the first frame of which nothing is.
+fn add(
+    panel: &mut Panel,
+    result: &MotionResult,
+    (from_s, to_s): (f64, f64),
+    (label, series): (&str, usize),
+    value: impl Fn(usize) -> Option<f64>,
+) {
+    let times = result.states.time_s.as_slice();
+    let first = times.partition_point(|&time_s| time_s < from_s);
+    let inside = times.iter().copied().enumerate().skip(first).take_while(|(_, time_s)| *time_s <= to_s);
+    let percent = |time_s: f64| 100.0 * (time_s - from_s) / (to_s - from_s);
+    let points: Vec<(f64, f64)> =
+        inside.map_while(|(frame, time_s)| Some((percent(time_s), value(frame)?))).collect();
+    if points.len() > 1 {
+        panel.curves.push(Curve { label: label.to_owned(), points, look: Look::series(series) });
+    }
+}
+
+fn deepest(result: &MotionResult, foot: &FootSummary, frame: usize) -> Option<f64> {
+    let relative = |&pair: &usize| {
+        let state = result.states.frame(frame).get(pair)?;
+        Some(state.indentation_m / result.states.pairs.get(pair)?.radius_m)
+    };
+    foot.foot.pairs.iter().filter_map(relative).reduce(f64::max)
 }

@@ -1,8 +1,5 @@
 //! A model that was changed: from what, to what, by which equation, and what its contacts do before and after.
 
-use crate::report::plan::groups::{groups, names, several_groups, whose};
-use crate::report::plan::object_groups::object_groups;
-use crate::report::plan::table::{centre, is_new, moves_of_others};
 use maud::{Markup, html};
 use osim_inspect::series::Body;
 use osim_inspect::{Figures, Inspection, ReferenceState};
@@ -10,18 +7,16 @@ use osim_model::messages::{Dialect, readable};
 use osim_patch::{Change, Move, Plan};
 use osim_planning::{BeforeAfter, ModelFeet};
 
-use super::detail_level::DetailLevel;
-use super::entry::Entry;
-use super::examined::Examined;
-use super::explained::Topics;
-use super::files::{self, Files};
-use super::fragment::{Fragment, table};
-use super::run_row::RunRow;
-use super::section::Section;
-use super::sphere_figures::{self, State};
-use super::values::{listed, sentence, severity};
-use super::{feet, findings, plots, reference};
+use crate::html::entry::{Entry, RunRow};
+use crate::html::explained::{Topics, listed, sentence, severity};
+use crate::html::fragment::{DetailLevel, Fragment, Section, table};
+use crate::html::inspected::{self, Examined, Files};
 use crate::html::special::{Drawn, Facts, deepest};
+use crate::html::sphere_figures::{self, State};
+use crate::html::{findings, plots, reference};
+use crate::report::plan::{
+    centre, groups, is_new, moves_of_others, names, object_groups, several_groups, whose,
+};
 
 /// A change and what it does. What the plan, the inspections and the checks say is taken as it is spelled.
 #[derive(Debug)]
@@ -116,12 +111,12 @@ pub(super) fn fill(fragment: &mut Fragment, changed: Changed<'_>, dialect: &dyn 
         reference::section(fragment, reference, &changed.bodies);
     }
     let Changed { before_under_new_weight, after, reference, .. } = changed;
-    let files = files::of_change(&changed.files);
+    let files = inspected::of_change(&changed.files);
     let drawn = drawn(changed);
     if fragment.detail.is_alone() {
-        feet::section(fragment, &drawn.feet);
+        plots::feet_section(fragment, &drawn.feet);
         if !drawn.bodies.is_empty() {
-            plots::section(fragment, &drawn.bodies, drawn.has_reference, dialect);
+            plots::contact_section(fragment, &drawn.bodies, drawn.has_reference, dialect);
             plots::state_section(fragment, &drawn.bodies);
         }
     }

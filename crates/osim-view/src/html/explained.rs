@@ -1,16 +1,18 @@
-//! Equations and findings that a page names, each explained once.
+//! Equations and findings that a page names, each explained once, and words that sections share.
 
 use std::collections::BTreeSet;
+use std::ffi::OsStr;
+use std::path::Path;
 
-use crate::report::explain::{self, ErrorCode};
 use contact_scaling::Equation;
 use contact_scaling::equations::reference;
 use maud::{Markup, html};
 use osim_model::messages::{Dialect, Phrase};
-use osim_model::{FindingCode, Rule};
+use osim_model::{FindingCode, Rule, Severity};
 use osim_planning::rules;
 
-use super::values::sentence;
+use crate::report::explain::{self, ErrorCode, equations};
+use crate::report::layout::OUTSIDE;
 
 /// The section's anchor and heading.
 pub(super) const SECTION: (&str, &str) = ("explained", "Equations and findings explained");
@@ -100,7 +102,7 @@ fn anchor(kind: &str, name: &str) -> String {
 /// The section, in the order of the registers.
 pub(super) fn section(topics: &Topics, dialect: &dyn Dialect) -> String {
     let equations: Vec<&Equation> =
-        explain::equations().filter(|equation| topics.equations.contains(equation.label)).collect();
+        equations().filter(|equation| topics.equations.contains(equation.label)).collect();
     let (id, title) = SECTION;
     html! {
         section id=(id) aria-labelledby="explained-title" {
@@ -125,7 +127,7 @@ pub(super) fn section(topics: &Topics, dialect: &dyn Dialect) -> String {
 
 /// Each topic by itself, in the order of the registers: its anchor, and its explanation.
 pub(super) fn each(topics: &Topics, dialect: &dyn Dialect) -> Vec<(String, Markup)> {
-    let equations = explain::equations().filter(|equation| topics.equations.contains(equation.label));
+    let equations = equations().filter(|equation| topics.equations.contains(equation.label));
     let equations =
         equations.map(|equation| (anchor("equation", equation.label), of_equation(equation, dialect)));
     let codes = rules::of(|code| topics.codes.contains(&code))
@@ -174,6 +176,46 @@ fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> Markup {
             p { b { "What to do: " } (sentence(&error.way_out().spelled(dialect))) }
         }
     }
+}
+
+// Words that several sections share.
+
+/// How bad something is, as a word with a colour.
+pub(super) fn severity(severity: Severity) -> Markup {
+    let word = severity.as_str();
+    html! { span class={ "tag " (word) } { (word) } }
+}
+
+/// The first names, and how many more there are.
+pub(super) fn listed(names: &[&str]) -> String {
+    const NAMED: usize = 8;
+    osim_model::messages::listed(names, NAMED)
+}
+
+/// A path that may be broken after each folder, so that long ones leave room for what is beside them.
+pub(super) fn broken_at_folders(path: &str) -> Markup {
+    html! { @for part in path.split_inclusive(['/', '\\']) { (part) @if part.ends_with(['/', '\\']) { wbr; } } }
+}
+
+/// A figure outside of its limit. The sign and the value must stay on one line.
+pub(super) fn marked_outside(figure: &str) -> String {
+    format!("{figure}\u{a0}{OUTSIDE}")
+}
+
+/// A clause as a sentence.
+pub(super) fn sentence(clause: &str) -> String {
+    let mut letters = clause.chars();
+    let first = letters.next().map(|letter| letter.to_uppercase().collect::<String>()).unwrap_or_default();
+    let end = if clause.ends_with('.') { "" } else { "." };
+    format!("{first}{}{end}", letters.as_str())
+}
+
+/// The last part of a path as it is shown.
+pub(super) fn file_name(shown: &str) -> &str {
+    if shown == "-" {
+        return "standard input";
+    }
+    Path::new(shown).file_name().and_then(OsStr::to_str).unwrap_or(shown)
 }
 
 #[cfg(test)]

@@ -1,13 +1,12 @@
-//! What `check` found, and what a change made of it.
+//! The six verdicts on a model, what `check` found, and what a change made of it.
 
 use maud::{Markup, html};
-use osim_inspect::{CheckResult, Found, Kin};
+use osim_inspect::{CheckResult, Found, Kin, Sign, Verdict};
 use osim_model::messages::readable;
 
-use super::fragment::Fragment;
-use super::shell::command_line;
-use super::values::severity;
-use super::verdicts;
+use crate::html::explained::severity;
+use crate::html::fragment::{Fragment, table};
+use crate::html::shell::command_line;
 
 pub(super) const SECTION: (&str, &str) = ("findings", "Findings");
 
@@ -16,7 +15,7 @@ pub(super) fn of_model(fragment: &mut Fragment, found: &CheckResult) {
     let findings: Vec<&Found> = found.findings.iter().collect();
     let list = list(&items(fragment, &findings, Lines::Only, Commands::Shown));
     let body = html! {
-        (verdicts::of_model(&found.verdicts))
+        (verdicts_of_model(&found.verdicts))
         @if found.findings.is_empty() { p { "Nothing to say: all figures are within the limits." } }
         (list)
     };
@@ -58,7 +57,7 @@ pub(super) fn of_change(fragment: &mut Fragment, now: &CheckResult, new: &After<
             "."
             @if !new.in_file { " The new model is in no file yet, so no commands are given." }
         }
-        (verdicts::of_change(&now.verdicts, &new.found.verdicts))
+        (verdicts_of_change(&now.verdicts, &new.found.verdicts))
         @for (title, items) in groups {
             (fragment.heading(title))
             @if items.is_empty() { p.quiet { "Nothing." } } @else { (list(&items)) }
@@ -134,6 +133,62 @@ fn item(fragment: &mut Fragment, finding: &Found, lines: Lines, commands: Comman
         @if let Some(command) = finding.command.as_ref().filter(|_| commands == Commands::Shown) {
             (command_line(command))
         }
+    }
+}
+
+// The six verdicts on a model, a row each; after a change, on both states.
+
+const NAME: &str = "Verdicts";
+
+/// Verdicts on a model that was inspected.
+pub(super) fn verdicts_of_model(verdicts: &[Verdict]) -> Markup {
+    let rows: Vec<Markup> = verdicts
+        .iter()
+        .map(|verdict| html! { tr { (question(verdict)) td.words { (sign(verdict.sign)) } (answer(verdict)) } })
+        .collect();
+    table(
+        NAME,
+        &format!("{} questions about the model.", number(rows.len())),
+        &["question", " verdict", " why"],
+        &rows,
+    )
+}
+
+/// Verdicts on the model before and after a change.
+pub(super) fn verdicts_of_change(before: &[Verdict], after: &[Verdict]) -> Markup {
+    let rows: Vec<Markup> = before
+        .iter()
+        .zip(after)
+        .map(|(before, after)| {
+            html! { tr {
+                (question(after)) td.words { (sign(before.sign)) } td.words { (sign(after.sign)) } (answer(after))
+            } }
+        })
+        .collect();
+    let headers = ["question", " before", " after", " why, after the change"];
+    table(NAME, "Six questions about the model, before and after the change.", &headers, &rows)
+}
+
+fn question(verdict: &Verdict) -> Markup {
+    html! { th scope="row" { (verdict.on.question()) } }
+}
+
+fn sign(sign: Sign) -> Markup {
+    html! { span class={ "tag " (sign.as_str()) } { (sign.as_str()) } }
+}
+
+fn answer(verdict: &Verdict) -> Markup {
+    let text = verdict.text.to_string();
+    let place = verdict.place.as_deref().filter(|place| !text.contains(*place));
+    html! { td.words { (text) @if let Some(place) = place { " " span.quiet { (place) } } } }
+}
+
+/// Six questions, and one more where a recording is named.
+fn number(questions: usize) -> String {
+    match questions {
+        6 => "Six".to_owned(),
+        7 => "Seven".to_owned(),
+        other => other.to_string(),
     }
 }
 

@@ -1,10 +1,9 @@
 //! What a page says about one model: sections, and what they need explained.
 
 use maud::{Markup, PreEscaped, html};
+use serde::Serialize;
 
-use super::detail_level::DetailLevel;
-use super::explained::Topics;
-use super::section::Section;
+use crate::html::explained::Topics;
 
 /// One model on the page.
 #[derive(Debug)]
@@ -87,4 +86,53 @@ pub(super) fn table(name: &str, caption: &str, headers: &[&str], rows: &[Markup]
 pub(super) fn header_cell(header: &str) -> Markup {
     let class = header.starts_with(' ').then_some("words");
     html! { th class=[class] scope="col" { (header.trim_start_matches(' ')) } }
+}
+
+/// One section, without its heading.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
+pub struct Section {
+    /// Its name, such as `plots`.
+    pub id: &'static str,
+    /// Its heading.
+    pub title: &'static str,
+    /// Its body.
+    pub html: String,
+}
+
+/// Models of a library whose feet may be drawn: bones take most of the time and the room of a page.
+const FEW: usize = 20;
+
+/// How much of a model a page shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum DetailLevel {
+    /// The page is about this model alone.
+    Alone,
+    /// One of few: its feet may be drawn.
+    OneOfFew,
+    /// One of many.
+    OneOfMany,
+}
+
+impl DetailLevel {
+    /// The level for each model on a page about this many.
+    #[must_use]
+    pub const fn of(models: usize) -> Self {
+        match models {
+            0 | 1 => Self::Alone,
+            2..=FEW => Self::OneOfFew,
+            _ => Self::OneOfMany,
+        }
+    }
+
+    /// Whether feet may be drawn.
+    #[must_use]
+    pub const fn has_feet(self) -> bool {
+        !matches!(self, Self::OneOfMany)
+    }
+
+    pub(super) const fn is_alone(self) -> bool {
+        matches!(self, Self::Alone)
+    }
 }

@@ -3,16 +3,15 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
-use crate::figures::{self as figures, Indentations};
 use contact_scaling::limits;
 use maud::{Markup, html};
 use osim_model::messages::{counted, four_significant};
 use osim_model::{FindingCode, Severity};
 
-use super::entry::{EARLIER, Entry};
-use super::explained::Topics;
-use super::fragment::table;
-use super::values::{marked_outside, severity};
+use crate::figures::{self, Indentations};
+use crate::html::entry::{EARLIER, Entry};
+use crate::html::explained::{Topics, marked_outside, severity};
+use crate::html::fragment::table;
 use crate::html::special::{Indentation, is_too_deep};
 
 pub(super) const SECTION: (&str, &str) = ("glance", "At a glance");

@@ -1,25 +1,19 @@
-//! A model that was inspected and checked.
+//! A model that was inspected and checked, and its files.
 
-use crate::report::inspection::force_groups::{described, groups};
-use crate::report::inspection::lengths;
-use crate::report::inspection::on_feet::sentences;
 use maud::{Markup, html};
 use osim_inspect::series::Body;
-use osim_inspect::{InspectOptions, Inspection};
+use osim_inspect::{CheckResult, InspectOptions, Inspection};
 use osim_model::files::OpenModel;
 use osim_model::messages::{Dialect, four_significant, readable};
 use osim_planning::ModelFeet;
 
-use super::detail_level::DetailLevel;
-use super::entry::Entry;
-use super::examined::Examined;
-use super::files::{self, NamedDigest};
-use super::fragment::{Fragment, table};
-use super::section::Section;
-use super::sphere_figures::{self, State};
-use super::values::file_name;
-use super::{findings, plots, similarity};
+use crate::html::entry::Entry;
+use crate::html::explained::file_name;
+use crate::html::fragment::{DetailLevel, Fragment, Section, table};
 use crate::html::special::{Drawn, Facts};
+use crate::html::sphere_figures::{self, State};
+use crate::html::{findings, plots, reference};
+use crate::report::inspection::table::{decimals, described, groups, metres, sentences};
 
 /// A model that was inspected, and what a page shows of it.
 #[derive(Debug)]
@@ -64,9 +58,9 @@ pub(super) fn fill(fragment: &mut Fragment, inspected: Inspected<'_>, dialect: &
         feet: feet.into_iter().collect(),
     };
     if fragment.detail.is_alone() {
-        super::feet::section(fragment, &drawn.feet);
+        plots::feet_section(fragment, &drawn.feet);
         if !drawn.bodies.is_empty() {
-            plots::section(fragment, &drawn.bodies, false, dialect);
+            plots::contact_section(fragment, &drawn.bodies, false, dialect);
             plots::state_section(fragment, &drawn.bodies);
         }
     }
@@ -77,7 +71,7 @@ pub(super) fn fill(fragment: &mut Fragment, inspected: Inspected<'_>, dialect: &
     let asked = inspected.similarity.as_ref();
     let compared = examined.check.similarity.as_ref().filter(|list| list.is_worth_showing());
     if let Some(list) = compared.or(asked) {
-        similarity::section(fragment, list);
+        reference::size_section(fragment, list);
     }
     let body = html! { (forces(inspected)) (spheres(inspected)) (standing(inspected)) (factors(inspected)) };
     fragment.section("contacts", "Forces and spheres of the model", &body);
@@ -124,8 +118,8 @@ fn spheres(inspected: &Inspection) -> Markup {
     if inspected.spheres.is_empty() {
         return html! {};
     }
-    let decimals = lengths::decimals(&inspected.spheres);
-    let metres = |value: f64| lengths::metres(value, decimals);
+    let places = decimals(&inspected.spheres);
+    let metres = |value: f64| metres(value, places);
     let rows: Vec<Markup> = inspected
         .spheres
         .iter()
@@ -178,7 +172,7 @@ fn the_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
         limbs.map(|limb| format!("{} ({}, n = {})", limb.name, limb.side, limb.spheres.len())).collect();
     html! {
         dl {
-            (files::read(files))
+            (read(files))
             dt { "Name" } dd { (inspected.name) ", document version " (inspected.document_version) }
             dt { "Weighs" } dd { @match inspected.mass_kg {
                 Some(mass) => { (readable(mass)) " kg (" (inspected.mass_source) ")" }
@@ -199,4 +193,63 @@ fn the_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
             }
         }
     }
+}
+
+/// One state of a model, inspected and checked. It is shown as it is spelled.
+#[derive(Debug, Clone, Copy)]
+pub struct Examined<'m> {
+    /// What is in it.
+    pub inspection: &'m Inspection,
+    /// What is wrong with it.
+    pub check: &'m CheckResult,
+}
+
+impl<'m> From<&'m (Inspection, CheckResult)> for Examined<'m> {
+    fn from((inspection, check): &'m (Inspection, CheckResult)) -> Self {
+        Self { inspection, check }
+    }
+}
+
+/// A file, for the record.
+#[derive(Debug, Clone)]
+pub struct NamedDigest {
+    /// Its name.
+    pub name: String,
+    /// The SHA-256 of its bytes; empty if there are no bytes.
+    pub sha256: String,
+}
+
+/// The files of a change.
+#[derive(Debug, Clone, Default)]
+pub struct Files {
+    /// What was read, the model first.
+    pub inputs: Vec<NamedDigest>,
+    /// The outcome, in words.
+    pub result: String,
+    /// What was written.
+    pub outputs: Vec<NamedDigest>,
+}
+
+/// The files of a change, as a list.
+pub(super) fn of_change(files: &Files) -> Markup {
+    html! {
+        dl {
+            (read(&files.inputs))
+            dt { "Result" } dd { (files.result) }
+            @for file in &files.outputs { dt { "Written" } dd { (digest(file)) } }
+        }
+    }
+}
+
+/// The files that a model was read from, the model first.
+pub(super) fn read(files: &[NamedDigest]) -> Markup {
+    html! {
+        @for (index, file) in files.iter().enumerate() {
+            dt { @if index == 0 { "Model" } @else { "With it" } } dd { (digest(file)) }
+        }
+    }
+}
+
+fn digest(NamedDigest { name, sha256 }: &NamedDigest) -> Markup {
+    html! { (name) @if !sha256.is_empty() { br; "SHA-256 " code.digest { (sha256) } } }
 }

@@ -18,17 +18,9 @@
 //! # Ok::<(), std::io::Error>(())
 //! ```
 
-mod about;
-mod cell;
 mod change;
-mod chosen;
-mod deferred;
-mod detail_level;
 mod entry;
-mod examined;
 mod explained;
-mod feet;
-mod files;
 mod findings;
 mod fragment;
 mod glance;
@@ -36,30 +28,18 @@ mod inspected;
 mod models_table;
 mod page;
 mod plots;
-mod recording;
 mod reference;
-mod run_row;
-mod section;
 mod sections;
 mod shell;
-mod similarity;
 mod special;
 mod sphere_figures;
-mod values;
-mod verdicts;
 
-pub use about::About;
 pub use change::{Changed, changed};
-pub use deferred::{DeferredText, InMemory};
-pub use detail_level::DetailLevel;
-pub use entry::Entry;
-pub use examined::Examined;
-pub use files::{Files, NamedDigest};
-pub use inspected::{Inspected, inspected};
+pub use entry::{EarlierRun, Entry, RowError, RunRow};
+pub use fragment::{DetailLevel, Section};
+pub use inspected::{Examined, Files, Inspected, NamedDigest, inspected};
 pub use models_table::Columns;
-pub use page::{Kept, Page};
-pub use recording::recording;
-pub use run_row::{EarlierRun, RowError, RunRow};
-pub use section::Section;
+pub use page::{About, DeferredText, InMemory, Kept, Page};
+pub use plots::recording;
 pub use sections::{Explained, Sections};
 pub use shell::GENERATOR;

@@ -1,13 +1,13 @@
-//! The table of a library's models, and their details below it.
+//! The table of a library's models, their details below it, and those that are drawn.
 
 use maud::{Markup, html};
+use osim_model::messages::Dialect;
 
-use super::cell::Cell;
-use super::entry::{EARLIER, Entry};
-use super::explained::Topics;
-use super::fragment::header_cell;
-use super::glance;
-use super::values::broken_at_folders;
+use crate::html::entry::{Cell, EARLIER, Entry};
+use crate::html::explained::{Topics, broken_at_folders};
+use crate::html::fragment::header_cell;
+use crate::html::special::Chosen;
+use crate::html::{glance, plots};
 
 pub(super) const MODELS: (&str, &str) = ("models", "Models");
 pub(super) const IN_FULL: (&str, &str) = ("in-full", "Each model in full");
@@ -178,4 +178,35 @@ pub(super) fn details(entry: &Entry, number: usize, inside: &str) -> String {
 /// The code of what was wrong, linked to its explanation.
 pub(super) fn code(entry: &Entry, topics: &mut Topics) -> Markup {
     html! { @if let Some(error) = entry.error { " [" (topics.error(error)) "]" } }
+}
+
+// The models of a library that are drawn, with the reasons.
+
+pub(super) const SECTION: (&str, &str) = ("chosen", "Plots of special models");
+
+/// The section.
+pub(super) fn section(chosen: &Chosen, dialect: &dyn Dialect) -> Markup {
+    let (id, title) = SECTION;
+    let models = chosen.choice();
+    let feet = models.iter().any(|(one, _)| !one.drawn.feet.is_empty());
+    html! {
+        section id=(id) aria-labelledby="chosen-title" {
+            h2 id="chosen-title" { (title) }
+            p {
+                (models.len()) " of " (chosen.models()) " models are drawn: those with the most findings, the deepest and the \
+                 least deep, the heaviest and the lightest, the most common, and one for each other finding."
+                @if !feet { " Feet are drawn on pages about few models, or about one." }
+            }
+            @for (one, reasons) in &models {
+                div.chosen {
+                    h3 { (broken_at_folders(&one.model)) }
+                    p { b { "Chosen because: " } (reasons.join("; ")) "." }
+                    @if let Some(drawn) = plots::feet_figure(&one.drawn.feet) { (drawn) }
+                    @if !one.drawn.bodies.is_empty() {
+                        (plots::figures(&one.drawn.bodies, one.drawn.has_reference, dialect))
+                    }
+                }
+            }
+        }
+    }
 }

@@ -5,13 +5,12 @@ use std::io::{self, Write};
 use osim_model::messages::{Input, Verb, harmless};
 use osim_requests::spell::FrontEnd;
 
-use super::about::About;
-use super::deferred::DeferredText;
-use super::entry::Entry;
-use super::explained::{self, Topics};
-use super::fragment::Fragment;
-use super::glance::{self, Tally};
-use super::{chosen, models_table as models, shell};
+use crate::html::entry::Entry;
+use crate::html::explained::{self, Topics, file_name};
+use crate::html::fragment::Fragment;
+use crate::html::glance::{self, Tally};
+use crate::html::models_table::{self, Columns};
+use crate::html::shell;
 use crate::html::special::{Chosen, MOST};
 
 /// Models of a library that are shown in full; the others are rows of the table.
@@ -92,7 +91,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
             return self.add_alone(&entry, fragment.map(|fragment| *fragment));
         }
         if entry.failed {
-            return self.kept.failures.add(&harmless(&models::failure(&entry, &mut self.topics)));
+            return self.kept.failures.add(&harmless(&models_table::failure(&entry, &mut self.topics)));
         }
         let number = self.tally.models();
         if let (Some(facts), Some(drawn)) = (&entry.facts, entry.drawn.take()) {
@@ -101,16 +100,21 @@ impl<'d, S: DeferredText> Page<'d, S> {
         self.rows_only |= fragment.is_some() && self.in_full >= IN_FULL;
         let fragment = fragment.filter(|_| self.in_full < IN_FULL);
         let details = fragment.is_some().then_some(number);
-        self.kept.rows.add(&harmless(&models::row(&entry, self.about.columns, details, &mut self.topics)))?;
+        self.kept.rows.add(&harmless(&models_table::row(
+            &entry,
+            self.about.columns,
+            details,
+            &mut self.topics,
+        )))?;
         let Some(fragment) = fragment else { return Ok(()) };
         self.in_full += 1;
         self.topics.add(&fragment.topics);
-        self.kept.details.add(&harmless(&models::details(&entry, number, &fragment.html())))
+        self.kept.details.add(&harmless(&models_table::details(&entry, number, &fragment.html())))
     }
 
     /// The one model of the page.
     fn add_alone(&mut self, entry: &Entry, fragment: Option<Fragment>) -> io::Result<()> {
-        let glance = glance::of_one(entry, &models::code(entry, &mut self.topics));
+        let glance = glance::of_one(entry, &models_table::code(entry, &mut self.topics));
         self.kept.rows.add(&harmless(&glance.0))?;
         let Some(fragment) = fragment else { return Ok(()) };
         self.topics.add(&fragment.topics);
@@ -147,26 +151,26 @@ impl<'d, S: DeferredText> Page<'d, S> {
 
     fn write_library(&mut self, findings: &str, page: &mut dyn Write) -> io::Result<()> {
         let left_out = self.left_out();
-        page.write_all(models::glance_opening(&self.tally.counts()).as_bytes())?;
+        page.write_all(models_table::glance_opening(&self.tally.counts()).as_bytes())?;
         if self.tally.has_failures() {
-            page.write_all(models::failures_opening(self.about.columns).as_bytes())?;
+            page.write_all(models_table::failures_opening(self.about.columns).as_bytes())?;
             self.kept.failures.pour_into(page)?;
-            page.write_all(models::FAILURES_END.as_bytes())?;
+            page.write_all(models_table::FAILURES_END.as_bytes())?;
         }
         page.write_all(findings.as_bytes())?;
-        page.write_all(models::SECTION_END.as_bytes())?;
+        page.write_all(models_table::SECTION_END.as_bytes())?;
         self.write_asked(page)?;
         page.write_all(harmless(&self.tally.chart().0).as_bytes())?;
-        page.write_all(models::table_opening(self.about.columns, &left_out).as_bytes())?;
+        page.write_all(models_table::table_opening(self.about.columns, &left_out).as_bytes())?;
         self.kept.rows.pour_into(page)?;
-        page.write_all(models::TABLE_END.as_bytes())?;
+        page.write_all(models_table::TABLE_END.as_bytes())?;
         if !self.chosen.is_empty() {
-            page.write_all(harmless(&chosen::section(&self.chosen, self.dialect).0).as_bytes())?;
+            page.write_all(harmless(&models_table::section(&self.chosen, self.dialect).0).as_bytes())?;
         }
         if self.in_full > 0 {
-            page.write_all(models::DETAILS_BEGIN.as_bytes())?;
+            page.write_all(models_table::DETAILS_BEGIN.as_bytes())?;
             self.kept.details.pour_into(page)?;
-            page.write_all(models::SECTION_END.as_bytes())?;
+            page.write_all(models_table::SECTION_END.as_bytes())?;
         }
         Ok(())
     }
@@ -190,9 +194,9 @@ impl<'d, S: DeferredText> Page<'d, S> {
             Some(_) => sections.extend(&self.sections),
             None => {
                 sections.extend(Some(glance::CHART).filter(|_| self.tally.has_chart()));
-                sections.push(models::MODELS);
-                sections.extend(Some(chosen::SECTION).filter(|_| !self.chosen.is_empty()));
-                sections.extend(Some(models::IN_FULL).filter(|_| self.in_full > 0));
+                sections.push(models_table::MODELS);
+                sections.extend(Some(models_table::SECTION).filter(|_| !self.chosen.is_empty()));
+                sections.extend(Some(models_table::IN_FULL).filter(|_| self.in_full > 0));
             }
         }
         sections.extend(Some(explained::SECTION).filter(|_| !self.topics.is_empty()));
@@ -216,10 +220,82 @@ impl<'d, S: DeferredText> Page<'d, S> {
                 "At most {} models have plots; “{}” says why each was chosen. For any other, ask for a page of its own, or \
                  for a picture: {}",
                 MOST,
-                chosen::SECTION.1,
+                models_table::SECTION.1,
                 self.dialect.command(&plot)
             ));
         }
         left_out
+    }
+}
+
+/// What a page is about.
+#[derive(Debug, Clone)]
+#[non_exhaustive]
+pub struct About {
+    /// What was done.
+    pub verb: Verb,
+    /// The model, where it is one.
+    pub model: Option<String>,
+    /// Which table the models are in, where they are several.
+    pub columns: Columns,
+    /// What was asked, as the reader would ask for it again.
+    pub asked: String,
+}
+
+impl About {
+    /// A page about models to which `verb` was done; about one where `model` names it.
+    pub fn new(verb: Verb, model: Option<String>, columns: Columns, asked: impl Into<String>) -> Self {
+        Self { verb, model, columns, asked: asked.into() }
+    }
+
+    pub(super) fn title(&self, models: usize) -> String {
+        let what = match self.verb {
+            Verb::Rescale => "Rescaled contacts",
+            Verb::Transfer => "Transferred contacts",
+            Verb::Add => "Added contacts",
+            Verb::Convert => "Converted contacts",
+            Verb::Remove => "Removed contacts",
+            Verb::Design => "Designed contacts",
+            Verb::Note => "Noted contacts",
+            Verb::Check => "Check of contacts",
+            Verb::Inspect => "Contacts",
+            _ => "Changed contacts",
+        };
+        match &self.model {
+            Some(model) => format!("{what}: {}", file_name(model)),
+            None => format!("{what}: {models} models"),
+        }
+    }
+}
+
+// Text that waits until what is before it on the page is known.
+
+/// Text that waits: in memory, or in a file that has no name.
+pub trait DeferredText {
+    /// Adds a piece.
+    ///
+    /// # Errors
+    /// It cannot be kept: the disk is full.
+    fn add(&mut self, text: &str) -> io::Result<()>;
+
+    /// Writes everything that was added, in its order.
+    ///
+    /// # Errors
+    /// It cannot be read back, or the page cannot be written.
+    fn pour_into(&mut self, page: &mut dyn Write) -> io::Result<()>;
+}
+
+/// Text that waits in memory.
+#[derive(Debug, Clone, Default)]
+pub struct InMemory(String);
+
+impl DeferredText for InMemory {
+    fn add(&mut self, text: &str) -> io::Result<()> {
+        self.0.push_str(text);
+        Ok(())
+    }
+
+    fn pour_into(&mut self, page: &mut dyn Write) -> io::Result<()> {
+        page.write_all(self.0.as_bytes())
     }
 }

@@ -1,6 +1,5 @@
-//! Plots of a page.
+//! Pictures of a page: plots, feet, and contacts along a recording.
 
-use crate::figures as draw;
 use contact_plots::{
     Drawing, Figure, Paper, PlotError, drop_figure, force_figure, loop_figure, state_figure,
 };
@@ -8,11 +7,15 @@ use maud::{Markup, PreEscaped, html};
 use osim_inspect::series::{Body, ForceUnit, IndentationUnit, Units};
 use osim_model::files::Failure;
 use osim_model::messages::Dialect;
-use osim_requests::DropHeight;
+use osim_planning::{ModelFeet, MotionRemark, MotionResult};
+use osim_requests::{DropHeight, PlotRequest};
 
-use super::fragment::Fragment;
+use crate::figures::{self, draw_motion};
+use crate::html::explained::sentence;
+use crate::html::fragment::{Fragment, Section, table};
+use crate::report::results::motion_feet;
 
-const SECTION: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
+const CONTACTS: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
 /// For a page that has room for it; reports have the three others.
 const STATE: (&str, &str) = ("state", "Contact state against indentation");
 /// Shares of the weight of one sphere against x/R: bodies of all sizes fit into one figure.
@@ -23,9 +26,14 @@ const HEIGHT: DropHeight = DropHeight::Radii(0.25);
 /// The section: what `bodies`, states of one model, do.
 ///
 /// `has_reference`: the last one is another body.
-pub(super) fn section(fragment: &mut Fragment, bodies: &[Body], has_reference: bool, dialect: &dyn Dialect) {
-    if fragment.wants(SECTION.0) {
-        fragment.section(SECTION.0, SECTION.1, &figures(bodies, has_reference, dialect));
+pub(super) fn contact_section(
+    fragment: &mut Fragment,
+    bodies: &[Body],
+    has_reference: bool,
+    dialect: &dyn Dialect,
+) {
+    if fragment.wants(CONTACTS.0) {
+        fragment.section(CONTACTS.0, CONTACTS.1, &figures(bodies, has_reference, dialect));
     }
 }
 
@@ -83,22 +91,99 @@ fn drawn(bodies: &[Body], figure: Result<Figure, PlotError>) -> Result<String, F
 }
 
 fn force(bodies: &[Body]) -> Result<String, Failure> {
-    let figure = draw::force(bodies, UNITS, None, Some("Force against indentation"))?;
+    let figure = figures::force(bodies, UNITS, None, Some("Force against indentation"))?;
     drawn(bodies, force_figure(&figure))
 }
 
 fn state(bodies: &[Body]) -> Result<String, Failure> {
-    let figure = draw::state(bodies, UNITS, None, Some("Contact state"))?;
+    let figure = figures::state(bodies, UNITS, None, Some("Contact state"))?;
     drawn(bodies, state_figure(&figure))
 }
 
 fn loops(bodies: &[Body]) -> Result<String, Failure> {
-    let figure = draw::impact_loops(bodies, UNITS, HEIGHT, Some("Dissipation"))?;
+    let figure = figures::impact_loops(bodies, UNITS, HEIGHT, Some("Dissipation"))?;
     drawn(bodies, loop_figure(&figure))
 }
 
 fn drops(bodies: &[Body]) -> Result<String, Failure> {
-    let figure = draw::drops(bodies, HEIGHT, None, Some("Drop test"))?;
+    let figure = figures::drops(bodies, HEIGHT, None, Some("Drop test"))?;
     let conditions = "They fall from a quarter of the sphere radius.".to_owned();
     drawn(bodies, drop_figure(&contact_plots::DropFigure { conditions, ..figure }))
+}
+
+// The feet of a model on a page.
+
+const FEET: (&str, &str) = ("feet", "Feet from the side and from above");
+
+/// The section: `states` of one model, the last with its bones. Nothing without feet.
+pub(super) fn feet_section(fragment: &mut Fragment, states: &[ModelFeet]) {
+    if let Some(figure) = fragment.wants(FEET.0).then(|| feet_figure(states)).flatten() {
+        fragment.section(FEET.0, FEET.1, &figure);
+    }
+}
+
+/// Meshes that are listed; more are counted.
+const LISTED: usize = 12;
+
+/// The figure with its caption.
+pub(super) fn feet_figure(states: &[ModelFeet]) -> Option<Markup> {
+    let last = states.last()?;
+    let svg = figures::feet_svg(states, &last.name, Some("Feet")).ok()?;
+    let mut caption = "From the right and from above, at the default pose and to one scale.".to_owned();
+    let had_spheres =
+        states.split_last().is_some_and(|(_, before)| before.iter().any(ModelFeet::has_spheres));
+    if had_spheres {
+        caption.push_str(" Dashed: where spheres were before the change.");
+    }
+    let missing = figures::missing_meshes(last);
+    Some(html! {
+        figure { div.plot.feet role="group" aria-label="Feet" tabindex="0" { (PreEscaped(svg)) } figcaption { (caption) } }
+        @if !missing.is_empty() {
+            p.note { "No bones are drawn of " (osim_model::messages::listed(&missing, LISTED)) ": they are neither beside the model nor in its folder Geometry." }
+        }
+    })
+}
+
+// What contacts do along a recording: words, one row for each foot, and the figure.
+
+/// The section, made where a recording is compared: a page that never compares one does without all that it needs.
+#[must_use]
+pub fn recording(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> Section {
+    let body = html! {
+        p.note {
+            (result.motion.to_string()) ": " (result.states.frames()) " frames."
+        }
+        ul { @for remark in remarks { li { (sentence(&remark.message.spelled(dialect))) } } }
+        (feet(result))
+        (recording_figure(result, dialect))
+    };
+    Section { id: "recording", title: "Contacts along the recording", html: body.0 }
+}
+
+fn feet(result: &MotionResult) -> Markup {
+    let (columns, rows) = motion_feet(result);
+    let rows: Vec<Markup> = rows
+        .iter()
+        .map(|row| {
+            let mut cells = row.iter();
+            html! { tr { @if let Some(name) = cells.next() { th scope="row" { (name) } } @for cell in cells { td { (cell) } } } }
+        })
+        .collect();
+    let caption = "Forces along the normal of the floor, in body weights (BW): the largest of the model and of the plates, and the root mean \
+                   square of the difference; of the distance between the centres of pressure (COP).";
+    table("Feet along the recording", caption, &columns, &rows)
+}
+
+fn recording_figure(result: &MotionResult, dialect: &dyn Dialect) -> Markup {
+    let drawn = draw_motion(&PlotRequest::default(), result)
+        .and_then(|drawing| figures::svg(&drawing, Paper::default(), &[]));
+    match drawn {
+        Ok(svg) => html! {
+            div.plots { figure {
+                div.plot { (PreEscaped(svg)) }
+                figcaption { "For each foot: its force beside the plates'; how deep each sphere is, over time and over strides; where the force acts on the sole; forces of one stance along the foot." }
+            } }
+        },
+        Err(failure) => html! { p.note { "Not drawn: " (failure.message.spelled(dialect)) "." } },
+    }
 }

@@ -1,12 +1,13 @@
-//! The contact beside that of the reference it was taken from, both without dimensions.
+//! The contact beside that of its reference, both without dimensions, and what else follows the size of a body.
 
 use contact_scaling::DimensionlessContact;
 use maud::{Markup, html};
-use osim_inspect::ReferenceState;
 use osim_inspect::series::{Body, SphereKind};
+use osim_inspect::{ReferenceState, SizeList};
 use osim_model::messages::{four_significant, readable};
 
-use super::fragment::{Fragment, table};
+use crate::html::fragment::{Fragment, table};
+use crate::report::similarity::{about, cells, gaps, headings};
 
 pub(super) const SECTION: (&str, &str) = ("reference", "The contact beside that of the reference");
 /// Contacts whose numbers differ by less (relative) are one.
@@ -177,4 +178,31 @@ fn row(state: &str, (kind, contact): &(&SphereKind, DimensionlessContact)) -> Ma
             td { (four(contact.hunt_crossley_smoothing())) }
         }
     }
+}
+
+// What else follows the size of a body.
+
+/// Adds the list, a row a kind.
+pub(super) fn size_section(fragment: &mut Fragment, list: &SizeList) {
+    let rows: Vec<Markup> = list
+        .kinds
+        .iter()
+        .map(|row| {
+            let [name, count, numbers, similar, last] = cells(list, row);
+            html! {
+                tr {
+                    th scope="row" { (name) }
+                    td { (count) } td { (numbers) } td { (similar) } td.words { (last) }
+                }
+            }
+        })
+        .collect();
+    let [name, count, numbers, similar, last] = headings(list);
+    let last = format!(" {last}");
+    let body = html! {
+        @for sentence in about(list) { p { (sentence) "." } }
+        (table("What else follows size", "Factors, new over old.", &[name, count, numbers, similar, &last], &rows))
+        @for sentence in gaps(list) { p.note { (sentence) "." } }
+    };
+    fragment.section("similarity", "What else follows size", &body);
 }

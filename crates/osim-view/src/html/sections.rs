@@ -6,11 +6,10 @@ use osim_model::messages::{Dialect, harmless};
 use osim_patch::Plan;
 use serde::Serialize;
 
-use super::change::{Changed, fill, what_changed};
-use super::fragment::Fragment;
-use super::inspected::{self, Inspected};
-use super::section::Section;
-use super::{explained, plots};
+use crate::html::change::{Changed, fill, what_changed};
+use crate::html::fragment::{Fragment, Section};
+use crate::html::inspected::{self, Inspected};
+use crate::html::{explained, plots};
 
 /// What a link in a section leads to.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -57,7 +56,7 @@ impl Sections {
         if !bodies.is_empty() {
             let other = reference.and_then(|reference| reference.body.clone());
             let bodies: Vec<Body> = bodies.iter().cloned().chain(other).collect();
-            plots::section(&mut fragment, &bodies, reference.is_some(), dialect);
+            plots::contact_section(&mut fragment, &bodies, reference.is_some(), dialect);
             plots::state_section(&mut fragment, &bodies);
         }
         Self::of(fragment, dialect)

@@ -2,14 +2,15 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::report::inspection::rows::{FigureText, Spheres, heading, key, limit, value};
-use crate::report::inspection::standing::{CAPTION, equally_deep};
-use crate::report::layout::OUTSIDE;
 use maud::{Markup, html};
 use osim_inspect::{Figure, Figures, SphereFigures};
 
-use super::fragment::{Fragment, boxed, table};
-use super::values::{listed, marked_outside};
+use crate::html::explained::{listed, marked_outside};
+use crate::html::fragment::{Fragment, boxed, table};
+use crate::report::inspection::spheres::{
+    CAPTION, FigureText, Spheres, equally_deep, heading, key, limit, value,
+};
+use crate::report::layout::OUTSIDE;
 
 pub(super) const SECTION: (&str, &str) = ("figures", "Load, indentation and restitution of the spheres");
 /// Columns of numbers in one table.

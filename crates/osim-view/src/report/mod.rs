@@ -27,7 +27,6 @@
 //! checks are shown as they are.
 
 pub mod check;
-mod exit_status;
 pub mod explain;
 pub mod inspection;
 pub mod json;
@@ -38,4 +37,4 @@ pub mod reproduce;
 pub mod results;
 pub mod similarity;
 
-pub use exit_status::ExitStatus;
+pub use messages::ExitStatus;

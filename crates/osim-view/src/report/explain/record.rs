@@ -1,19 +1,22 @@
-//! Explanations for scripts: one object for each topic and line.
+//! Explanations for scripts: one object for each topic and line; and the answer to a request.
 
 use contact_scaling::Equation;
 use contact_scaling::equations::{Form, Symbol};
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::messages::{Dialect, Phrase};
 use osim_model::{Repair, Rule, Seen};
+use osim_requests::ExplainRequest;
+use osim_requests::options::Format;
+use osim_requests::spell::FrontEnd;
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::ascii::ascii;
-use super::errors::ErrorCode;
-use super::quantities::QuantityTopic;
-use super::topic::Topic;
-use super::uses::uses;
+use crate::report::explain::equations::uses;
+use crate::report::explain::errors::ErrorCode;
+use crate::report::explain::text::{Letters, ascii, list, text};
+use crate::report::explain::topic::{QuantityTopic, Topic, UnknownTopic};
+use crate::report::json::line;
 
 /// One topic. `docs/reference/json.md` describes every field.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -206,4 +209,26 @@ impl SymbolRecord {
             unit: symbol.unit,
         }
     }
+}
+
+/// Explains what is named; where nothing is, lists everything.
+///
+/// # Errors
+/// Something that is neither an equation, a quantity nor a code.
+pub fn answer(
+    request: &ExplainRequest,
+    letters: Letters,
+    front_end: &dyn FrontEnd,
+) -> Result<String, UnknownTopic> {
+    let named = request.topics.join(" ");
+    let topics = if named.is_empty() { Topic::all() } else { Topic::find(&named)? };
+    let letters = if request.ascii { Letters::Ascii } else { letters };
+    Ok(match request.format {
+        Format::Json => topics.into_iter().map(|topic| line(&TopicRecord::new(topic, front_end))).collect(),
+        _ if named.is_empty() => list(&topics, front_end, letters),
+        _ => {
+            let each: Vec<String> = topics.into_iter().map(|topic| text(topic, front_end, letters)).collect();
+            each.join("\n")
+        }
+    })
 }

@@ -1,12 +1,14 @@
-//! A model's contacts as tables of at most 80 columns.
+//! A model's contacts as tables of at most 80 columns, and a body on its feet in sentences.
 
-use osim_inspect::{InspectedSphere, Inspection};
-use osim_model::messages::{Dialect, Phrase, one_line, readable, shown};
+use std::collections::HashMap;
 
-use super::force_groups::{described, groups, has_default};
-use super::lengths::{decimals, metres};
-use super::on_feet::sentences;
-use super::sphere_sheet;
+use osim_inspect::{InspectedForce, InspectedSphere, Inspection, OnFeet, StandingBody, StandingSphere};
+use osim_model::Property;
+use osim_model::messages::{
+    Dialect, Phrase, four_significant, listed, one_line, readable, shown, three_significant,
+};
+
+use crate::report::inspection::spheres;
 use crate::report::layout::{Colour, clipped, painted, table, wrapped};
 use crate::report::messages::warnings;
 use crate::report::similarity;
@@ -24,7 +26,7 @@ pub fn text(inspected: &Inspection, dialect: &dyn Dialect, colour: Colour) -> St
         text.push_str(&forces(inspected));
     }
     if !inspected.forces.is_empty() {
-        let figures = sphere_sheet::text(inspected, dialect);
+        let figures = spheres::sphere_sheet(inspected, dialect);
         text.push_str(if figures.is_empty() { "" } else { "\n" });
         text.push_str(&painted(&figures, colour));
         text.push_str(&standing(inspected));
@@ -161,4 +163,184 @@ fn body_factors(inspected: &Inspection) -> String {
     }
     table.right_aligned(&[1, 2, 3]);
     format!("{}\n", table.trim_fmt())
+}
+
+// A body over its floor and on its feet, in sentences: the text and the page share them.
+
+/// Spheres that are named at most.
+const NAMED: usize = 6;
+
+/// The text about a body: where it is at the default pose, and where it stands on all its feet and on one limb.
+pub fn sentences(body: &StandingBody) -> Vec<String> {
+    let Some((lowest, place)) = body.lowest().zip(body.place()) else { return Vec::new() };
+    let mut said = format!("at the default pose {}, the lowest sphere, is {place}", shown(&lowest.sphere));
+    if let Some(why) = &body.why_no_coordinate {
+        said.push_str(&format!("; no coordinate puts the body on its feet: {why}"));
+    }
+    let mut sentences = vec![said];
+    let rests = [("on all feet", body.as_posed.as_ref()), ("on one limb", other_than_all(body))];
+    let known = rests.into_iter().filter_map(|(how, rest)| Some((how, rest?)));
+    sentences.extend(known.map(|(how, rest)| on_feet(body, how, rest)));
+    if body.as_posed.is_none() {
+        let why = match body.weight_n {
+            None => "a mass or gravity is missing",
+            Some(_) => "a contact cannot be read, or no depth carries the weight",
+        };
+        sentences.push(format!("what puts the body on its feet is not known: {why}"));
+    }
+    sentences
+}
+
+/// The body on one limb, unless it has no other.
+fn other_than_all(body: &StandingBody) -> Option<&OnFeet> {
+    let (one, all) = (body.on_one_limb.as_ref()?, body.as_posed.as_ref()?);
+    (one.spheres != all.spheres).then_some(one)
+}
+
+fn on_feet(body: &StandingBody, how: &str, rest: &OnFeet) -> String {
+    let limb = rest.limb.as_deref().map(|limb| format!(", {}", shown(limb))).unwrap_or_default();
+    let load = four_significant(rest.load_n);
+    if !rest.carried {
+        return format!("{how}{limb}: its spheres cannot carry the {load} N; {}", depths(rest));
+    }
+    let place = body.coordinate_on(rest).map(|set| format!(" with {set}")).unwrap_or_default();
+    format!("{how}{limb}: carries {load} N{place}; {}", depths(rest))
+}
+
+/// Which spheres touch, and how deep they are.
+fn depths(rest: &OnFeet) -> String {
+    let touching: Vec<&StandingSphere> = rest.touching().collect();
+    let deep = |one: &StandingSphere| three_significant(one.relative_indentation);
+    let least = touching
+        .iter()
+        .copied()
+        .reduce(|a, b| if b.relative_indentation < a.relative_indentation { b } else { a });
+    let Some((most, least)) = rest.deepest().zip(least) else {
+        return "no sphere touches: the smoothing carries it".to_owned();
+    };
+    let x = match deep(most) == deep(least) {
+        true => format!("x is {} R", deep(most)),
+        false => {
+            let (most_of, least_of) = (shown(&most.sphere), shown(&least.sphere));
+            format!("x is {} R ({least_of}) to {} R ({most_of})", deep(least), deep(most))
+        }
+    };
+    match (touching.len(), rest.spheres.len()) {
+        (1, 1) => format!("its only sphere touches, {x}"),
+        (some, of) if some == of => format!("all {of} spheres touch, {x}"),
+        (some, of) => format!("{some} of {of} spheres touch ({}), {x}", named(&touching)),
+    }
+}
+
+fn named(spheres: &[&StandingSphere]) -> String {
+    let names: Vec<String> = spheres.iter().map(|one| shown(&one.sphere).to_string()).collect();
+    listed(&names, NAMED)
+}
+
+// Forces with the same parameters together.
+
+/// Forces with the same parameters.
+pub struct ForceGroup<'m> {
+    /// The parameters, in the order of the table.
+    pub cells: Vec<String>,
+    /// The forces, in the order of the file.
+    pub forces: Vec<&'m InspectedForce>,
+}
+
+/// The forces of a model, those with the same parameters together.
+pub fn groups(inspected: &Inspection) -> Vec<ForceGroup<'_>> {
+    let mut groups: Vec<ForceGroup<'_>> = Vec::new();
+    let (mut places, mut exact) = (HashMap::new(), HashMap::new());
+    for force in &inspected.forces {
+        let how = (force.kind, force.applies, force.selected);
+        let found = || *places.entry((parameters(force), how)).or_insert(groups.len());
+        let place = *exact.entry((exact_parameters(force), how)).or_insert_with(found);
+        match groups.get_mut(place) {
+            Some(group) => group.forces.push(force),
+            None => groups.push(ForceGroup { cells: parameters(force), forces: vec![force] }),
+        }
+    }
+    groups
+}
+
+/// Whether a number of the force is not in the object itself.
+pub fn has_default(force: &InspectedForce) -> bool {
+    Property::ALL.iter().any(|&property| force.origin.is_default(property))
+}
+
+/// How many forces of which class, and their names.
+pub fn described(members: &[&InspectedForce]) -> String {
+    const SHOWN: usize = 6;
+    let Some(first) = members.first() else { return String::new() };
+    let name = |force: &&InspectedForce| match force.set {
+        Some(set) if set > 0 => format!("{} (set {set})", force.name),
+        _ => force.name.clone(),
+    };
+    let mut names: Vec<String> = members.iter().take(SHOWN).map(name).collect();
+    if members.len() > SHOWN {
+        names.push(format!("{} more", members.len() - SHOWN));
+    }
+    let mut text = format!("{} x {}: {}", members.len(), first.kind, names.join(", "));
+    if !first.applies {
+        text.push_str(" (disabled)");
+    }
+    if !first.selected {
+        text.push_str(" (not ground contact)");
+    }
+    text
+}
+
+fn parameters(force: &InspectedForce) -> Vec<String> {
+    let one = |property: Property| match force.parameters.get(property) {
+        Some(value) => {
+            format!("{}{}", short(value), if force.origin.is_default(property) { "*" } else { "" })
+        }
+        None => "-".to_owned(),
+    };
+    let friction = [Property::StaticFriction, Property::DynamicFriction, Property::ViscousFriction].map(one);
+    vec![
+        one(Property::Stiffness),
+        force.composite_modulus_n_m2.map_or_else(|| "-".to_owned(), four_significant),
+        one(Property::Dissipation),
+        friction.join("/"),
+        one(Property::TransitionVelocity),
+        one(Property::ConstantContactForce),
+        one(Property::HertzSmoothing),
+        one(Property::HuntCrossleySmoothing),
+    ]
+}
+
+/// What the cells are made from: if it is equal, so are they.
+fn exact_parameters(force: &InspectedForce) -> (Vec<(Option<u64>, bool)>, Option<u64>) {
+    let one = |&property: &Property| {
+        (force.parameters.get(property).map(f64::to_bits), force.origin.is_default(property))
+    };
+    (Property::ALL.iter().map(one).collect(), force.composite_modulus_n_m2.map(f64::to_bits))
+}
+
+/// A number of the file: exact if the exact text is short.
+fn short(value: f64) -> String {
+    let exact = readable(value);
+    if exact.len() <= 8 { exact } else { four_significant(value) }
+}
+
+/// Decimals that show a hundredth of the smallest radius.
+pub fn decimals(spheres: &[InspectedSphere]) -> usize {
+    let radii =
+        spheres.iter().map(|sphere| sphere.radius_m).filter(|radius| *radius > 0.0 && radius.is_finite());
+    let smallest = radii.fold(1.0, f64::min);
+    let mut decimals = 2;
+    let mut unit = smallest;
+    while unit < 1.0 && decimals < 12 {
+        unit *= 10.0;
+        decimals += 1;
+    }
+    decimals
+}
+
+/// A length or coordinate, in m.
+pub fn metres(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    // Nobody's coordinate is -0.0000.
+    if text.chars().all(|letter| matches!(letter, '-' | '0' | '.')) { "0".to_owned() } else { text }
 }

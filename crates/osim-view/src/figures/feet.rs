@@ -1,0 +1,330 @@
+//! Feet from the side and from above.
+
+use std::collections::{HashMap, HashSet};
+
+use contact_plots::{
+    Ball, Block, Level, LevelKind, Outline, Paper, Point, Scene, SceneNames, Spot, State, View, scene,
+};
+use osim_model::feet::{FeetFault, FloorPlace, Foot, FootFrame, FootSphere, silhouette};
+use osim_model::files::Failure;
+use osim_model::messages::{Dialect, Input, four_significant, harmless, listed, phrase, shown};
+use osim_planning::ModelFeet;
+
+/// The last of `states` with its bones and names, and the spheres of the first where they are others.
+#[must_use]
+pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
+    let (Some(now), before) = (states.last(), earlier(states)) else { return Scene::default() };
+    let mut others: HashMap<&str, &Foot> = HashMap::new();
+    for other in before.into_iter().flat_map(|before| &before.feet) {
+        others.entry(&other.name).or_insert(other);
+    }
+    let blocks = now.feet.iter().map(|foot| block(foot, others.get(foot.name.as_str()).copied()));
+    let whose = match before {
+        Some(before) => format!("{} and {}", before.name, now.name),
+        None => now.name.clone(),
+    };
+    let of_state = |state: &ModelFeet| match before {
+        Some(_) => format!("sphere, {}", state.name),
+        None => "sphere".to_owned(),
+    };
+    let misplaced = "sphere that is where it should not be";
+    Scene {
+        title: title.map_or_else(|| format!("Feet: {whose}"), str::to_owned),
+        description: format!(
+            "Feet of {whose} from the right and from above, to one scale: joints, outlines of bones whose meshes are at hand, \
+             contact spheres in their true size, a line under the lowest of them, and the floor where it is near."
+        ),
+        blocks: blocks.collect(),
+        names: SceneNames {
+            now: of_state(now),
+            before: before.map(of_state).unwrap_or_default(),
+            astray: misplaced.to_owned(),
+            spot: "joint".to_owned(),
+            outline: "bone".to_owned(),
+            ground: "floor".to_owned(),
+            lowest: String::new(),
+        },
+    }
+}
+
+/// The same as an SVG document; `name` is whose figure it is, where it cannot be drawn.
+///
+/// # Errors
+/// It was not drawn: a number is not finite.
+pub fn feet_svg(states: &[ModelFeet], name: &str, title: Option<&str>) -> Result<String, Failure> {
+    // Names of spheres are labels: what a picture cannot show would make it unreadable.
+    let drawn = scene(&feet(states, title), Paper::default()).map(|svg| harmless(&svg).into_owned());
+    drawn.map_err(|error| Failure::outside(name, "plot", error.to_string()))
+}
+
+/// The first of two states.
+fn earlier(states: &[ModelFeet]) -> Option<&ModelFeet> {
+    states.split_last().and_then(|(_, before)| before.last())
+}
+
+/// `other` is the same foot in another state.
+fn block(foot: &Foot, other: Option<&Foot>) -> Block {
+    let shift = other.map(|other| shift(other, foot));
+    let name = if foot.name.is_empty() { "ground" } else { foot.name.as_str() };
+    let title = match foot.side {
+        Some(side) => format!("{name}, {}", side.as_str()),
+        None => name.to_owned(),
+    };
+    Block { title, remarks: remarks(foot, other.zip(shift)), views: views(foot, other.zip(shift)) }
+}
+
+/// From where another model has the foot to where this one has it, m.
+fn shift(other: &Foot, foot: &Foot) -> [f64; 3] {
+    std::array::from_fn(|i| foot.origin_m[i] - other.origin_m[i])
+}
+
+/// Names and heights that a remark lists; more are counted.
+const LISTED: usize = 12;
+
+/// A foot that is moved by less than this is where it was, m.
+const STAYS_M: f64 = 1e-6;
+
+fn remarks(foot: &Foot, before: Option<(&Foot, [f64; 3])>) -> Vec<String> {
+    let mut remarks = Vec::new();
+    if let FootFrame::Body { name, fault } = &foot.frame {
+        remarks.push(format!("Drawn in the frame of {name}: {fault}."));
+    }
+    if !foot.unplaced.is_empty() {
+        remarks.push(format!(
+            "Not drawn, as the default pose of a joint cannot be calculated: {}.",
+            listed(&foot.unplaced, LISTED)
+        ));
+    }
+    if let Some((_, shift)) = before
+        && shift.iter().any(|value| value.abs() > STAYS_M)
+    {
+        remarks.push(format!("Both are drawn with the origin of {} in one place.", foot.name));
+    }
+    if let Some((first, last)) = foot.reach() {
+        let percent = |share: f64| format!("{:.0} %", 100.0 * share).replace('-', "−");
+        remarks.push(match foot.spheres.len() {
+            1 => format!("The centre is at {} of the bones' length.", percent(first)),
+            _ => format!("Centres are at {} to {} of the bones' length.", percent(first), percent(last)),
+        });
+    }
+    remarks.extend(floor_in_words(foot));
+    remarks
+}
+
+/// Why the floor is not drawn, in words.
+fn floor_in_words(foot: &Foot) -> Option<String> {
+    let metres = |value: f64| format!("{} m", four_significant(value)).replace('-', "−");
+    match &foot.floor {
+        FloorPlace::At(height) if foot.is_near(*height) => None,
+        FloorPlace::At(height) => {
+            let lowest = foot.lowest_m()?;
+            let off = (height - lowest).abs();
+            let way = if *height < lowest { "below" } else { "above" };
+            Some(format!("The floor is {} {way} the lowest place, too far to be drawn.", metres(off)))
+        }
+        FloorPlace::Several(heights) => {
+            let heights: Vec<String> = heights.iter().map(|height| metres(*height)).collect();
+            Some(format!("Floors are at {}; none is drawn.", listed(&heights, LISTED)))
+        }
+        FloorPlace::None if !foot.spheres.is_empty() => Some("The model has no level floor.".to_owned()),
+        _ => None,
+    }
+}
+
+// The two views of a foot, in millimetres.
+
+/// Spheres that differ by less than this, in m, are drawn once.
+const SAME_M: f64 = 1e-9;
+const MM: f64 = 1e3;
+
+/// From which side a foot is seen.
+#[derive(Clone, Copy, PartialEq)]
+enum From {
+    Right,
+    Above,
+}
+
+/// From the right and from above; `before` is another state, and by how much it is moved to be drawn here.
+fn views(foot: &Foot, before: Option<(&Foot, [f64; 3])>) -> Vec<View> {
+    [From::Right, From::Above].map(|from| view(foot, before, from)).into()
+}
+
+fn view(foot: &Foot, before: Option<(&Foot, [f64; 3])>, from: From) -> View {
+    let [forward, up, right] = foot.axes.names();
+    let place = match &foot.frame {
+        FootFrame::Ground => "in ground",
+        _ => "in the body",
+    };
+    let side = from == From::Right;
+    let mut view = View {
+        title: if side { "from the right" } else { "from above" }.to_owned(),
+        x_label: format!("{forward} {place} (mm)"),
+        y_label: format!("{} (mm)", if side { up } else { right }),
+        y_down: !side,
+        ..View::default()
+    };
+    if let Some((other, shift)) = before {
+        add_before(&mut view, foot, other, shift, from);
+    }
+    let seen = |point: [f64; 3]| seen(foot, point, from);
+    view.outlines.extend(outlines(foot, [0.0; 3], from, State::Now));
+    view.balls.extend(foot.spheres.iter().map(|sphere| Ball {
+        name: sphere.name.clone(),
+        centre: seen(sphere.centre_m),
+        radius: MM * sphere.radius_m,
+        state: State::Now,
+        astray: sphere.misplaced,
+    }));
+    view.spots.extend(foot.joints.iter().map(|joint| Spot {
+        name: joint.name.clone(),
+        at: seen(joint.at_m),
+        state: State::Now,
+    }));
+    if side {
+        view.levels = levels(foot, up);
+    }
+    view
+}
+
+/// What another state has elsewhere: its spheres, and its bones where they are of another size.
+fn add_before(view: &mut View, foot: &Foot, other: &Foot, shift: [f64; 3], from: From) {
+    let moved = |point: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| point[i] + shift[i]) };
+    let drawn = Drawn::of(&foot.spheres);
+    let differs = |sphere: &&FootSphere| !drawn.has(moved(sphere.centre_m), sphere.radius_m);
+    view.balls.extend(other.spheres.iter().filter(differs).map(|sphere| Ball {
+        name: String::new(),
+        centre: seen(foot, moved(sphere.centre_m), from),
+        radius: MM * sphere.radius_m,
+        state: State::Before,
+        astray: false,
+    }));
+    let (here, there) =
+        (outlines(foot, [0.0; 3], from, State::Before), outlines(other, shift, from, State::Before));
+    let close = |a: &Outline, b: &Outline| {
+        let near = |(p, q): (&Point, &Point)| (p.0 - q.0).hypot(p.1 - q.1) <= MM * SAME_M;
+        a.points.len() == b.points.len() && a.points.iter().zip(&b.points).all(near)
+    };
+    view.outlines.extend(there.into_iter().filter(|there| !here.iter().any(|here| close(here, there))));
+}
+
+/// Spheres in the order along the axis on which they are farthest apart, so that one is found without looking at all.
+struct Drawn<'f> {
+    axis: usize,
+    spheres: Vec<&'f FootSphere>,
+}
+
+impl<'f> Drawn<'f> {
+    fn of(spheres: &'f [FootSphere]) -> Self {
+        let spread = |axis: usize| {
+            let along = || spheres.iter().map(|sphere| sphere.centre_m[axis]);
+            along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+        };
+        let axis = (0..3).max_by(|&a, &b| spread(a).total_cmp(&spread(b))).unwrap_or(0);
+        let mut spheres: Vec<&FootSphere> = spheres.iter().collect();
+        spheres.sort_by(|a, b| a.centre_m[axis].total_cmp(&b.centre_m[axis]));
+        Self { axis, spheres }
+    }
+
+    fn has(&self, centre_m: [f64; 3], radius_m: f64) -> bool {
+        let off = |sphere: &FootSphere, axis: usize| sphere.centre_m[axis] - centre_m[axis];
+        let first = self.spheres.partition_point(|sphere| off(sphere, self.axis) < -SAME_M);
+        let from = self.spheres.get(first..).unwrap_or_default();
+        from.iter().take_while(|sphere| off(sphere, self.axis) <= SAME_M).any(|sphere| {
+            (0..3).all(|axis| off(sphere, axis).abs() <= SAME_M)
+                && (sphere.radius_m - radius_m).abs() <= SAME_M
+        })
+    }
+}
+
+fn seen(foot: &Foot, point: [f64; 3], from: From) -> Point {
+    let [forward, up, right] = foot.axes.seen(point);
+    (MM * forward, MM * if from == From::Right { up } else { right })
+}
+
+fn outlines(foot: &Foot, shift: [f64; 3], from: From, state: State) -> Vec<Outline> {
+    let line = |points: &Vec<[f64; 3]>| {
+        let moved = points.iter().map(|point| std::array::from_fn(|i| point[i] + shift[i]));
+        silhouette(&moved.map(|point| seen(foot, point, from)).collect::<Vec<_>>())
+    };
+    let lines = foot.bones.iter().map(|bone| Outline { points: line(&bone.points_m), state });
+    lines.filter(|outline| !outline.points.is_empty()).collect()
+}
+
+/// The line under the lowest sphere, and the floor where it is near.
+fn levels(foot: &Foot, up: &str) -> Vec<Level> {
+    let mut levels = Vec::new();
+    // A thousandth of a millimetre: what rounding leaves of 0 is 0.
+    let rounded = |value: f64| (1e6 * value).round() / 1e3 + 0.0;
+    let mm = |value: f64| format!("{up} = {} mm", four_significant(rounded(value))).replace('-', "−");
+    if let Some(lowest) = foot.lowest_m().filter(|_| !foot.spheres.is_empty()) {
+        let name = format!("lowest bottom, {}", mm(lowest));
+        levels.push(Level { name, at: MM * lowest, kind: LevelKind::Lowest });
+    }
+    if let FloorPlace::At(height) = foot.floor
+        && foot.is_near(height)
+    {
+        let name = format!("floor, {}", mm(height));
+        levels.push(Level { name, at: MM * height, kind: LevelKind::Ground });
+    }
+    levels
+}
+
+/// What is drawn of each state, one line each; what was not available, and what is wrong with the places of spheres.
+#[must_use]
+pub fn feet_notes(states: &[ModelFeet], dialect: &dyn Dialect) -> String {
+    states.iter().map(|state| of_state(state, dialect)).collect()
+}
+
+fn of_state(state: &ModelFeet, dialect: &dyn Dialect) -> String {
+    let name = &state.name;
+    let spheres: usize = state.feet.iter().map(|foot| foot.spheres.len()).sum();
+    let in_ground = state.feet.iter().all(|foot| foot.frame == FootFrame::Ground);
+    let pose = if in_ground { ", at the default pose" } else { "" };
+    let mut text = format!(
+        "{name}: {}, {}{pose}\n",
+        count(state.feet.len(), "foot", "feet"),
+        count(spheres, "sphere", "spheres")
+    );
+    if let Some(finding) = &state.misplaced {
+        text.push_str(&format!(
+            "{name}: {}: {}\n",
+            finding.code().as_str(),
+            finding.message.spelled(dialect)
+        ));
+    }
+    if let Some(missing) = missing(state, dialect) {
+        text.push_str(&format!("{name}: {missing}\n"));
+    }
+    text
+}
+
+fn count(number: usize, one: &str, many: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { many })
+}
+
+/// Bones that are not drawn: meshes that were not found in one sentence, others each with what is wrong.
+fn missing(state: &ModelFeet, dialect: &dyn Dialect) -> Option<String> {
+    let names = missing_meshes(state);
+    let mut reasons: Vec<String> = Vec::new();
+    if !names.is_empty() {
+        let text = phrase![
+            format!("no bones are drawn of {}: name the folder of the meshes with ", listed(&names, LISTED)),
+            Input::GeometryDir.like("DIR"),
+        ];
+        reasons.push(text.spelled(dialect));
+    }
+    let others = state.missing.iter().filter(|fault| !matches!(fault, FeetFault::MeshMissing { .. }));
+    reasons.extend(others.map(|fault| shown(&fault.to_string()).to_string()));
+    (!reasons.is_empty()).then(|| reasons.join("; "))
+}
+
+/// Meshes that were not found, each once, as the model spells them.
+#[must_use]
+pub fn missing_meshes(state: &ModelFeet) -> Vec<String> {
+    let mut known = HashSet::new();
+    let missing = state.missing.iter().filter_map(|fault| match fault {
+        FeetFault::MeshMissing { mesh, .. } => Some(shown(mesh).to_string()),
+        _ => None,
+    });
+    missing.filter(|name| known.insert(name.clone())).collect()
+}

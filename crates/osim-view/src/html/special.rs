@@ -1,0 +1,279 @@
+//! What is special about the models of a library: the numbers that say it, and the models that a page draws for it.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::rc::Rc;
+
+use contact_scaling::limits;
+use osim_inspect::series::Body;
+use osim_inspect::{CheckResult, Counts, Figure, Figures};
+use osim_model::messages::{four_significant, readable};
+use osim_model::{FindingCode, Severity};
+use osim_planning::ModelFeet;
+
+/// Numbers of one model.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Facts {
+    /// What it weighs, kg; after a change the mass that the new contacts carry.
+    pub(crate) mass_kg: Option<f64>,
+    pub(crate) indentation: Indentation,
+    /// Findings in it; after a change in the new one.
+    pub(crate) counts: Counts,
+    /// Each code once, with its worst severity.
+    pub(crate) codes: BTreeMap<FindingCode, Severity>,
+    /// Its contact without dimensions: models with equal texts have the same contact.
+    pub(crate) contact: Option<String>,
+    /// What the contacts were taken from, in words.
+    pub(crate) reference: Option<String>,
+}
+
+/// x̂ = x/R at rest, by the Hertz law, of the sphere that sinks in most.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Indentation {
+    /// Before a change.
+    pub(crate) before: Option<f64>,
+    /// The old contacts under the new weight, if it differs.
+    pub(crate) not_scaled: Option<f64>,
+    /// The model after a change, or as it is if it was only read.
+    pub(crate) now: Option<f64>,
+}
+
+impl Facts {
+    pub(crate) fn new(figures: &Figures, found: &CheckResult, body: Option<&Body>) -> Self {
+        Self {
+            mass_kg: figures.mass_kg,
+            indentation: Indentation { now: deepest(figures), ..Indentation::default() },
+            counts: found.counts,
+            codes: worst(found),
+            contact: body.and_then(contact),
+            reference: None,
+        }
+    }
+}
+
+fn worst(found: &CheckResult) -> BTreeMap<FindingCode, Severity> {
+    let mut codes: BTreeMap<FindingCode, Severity> = BTreeMap::new();
+    for finding in &found.findings {
+        let worst = codes.entry(finding.code()).or_insert(finding.severity);
+        *worst = finding.severity.max(*worst);
+    }
+    codes
+}
+
+/// x̂ of the sphere that sinks in most under the body weight on one limb.
+pub(crate) fn deepest(figures: &Figures) -> Option<f64> {
+    figures.spheres().filter_map(|sphere| sphere.value(Figure::Indentation)).reduce(f64::max)
+}
+
+/// Whether x̂ is outside the limit of the Hertz law.
+pub(crate) fn is_too_deep(indentation: f64) -> bool {
+    !limits::INDENTATION.admits(indentation)
+}
+
+/// x/R and damping of each kind of sphere, as a page shows them.
+fn contact(body: &Body) -> Option<String> {
+    let contacts = body.dimensionless().ok()?;
+    let shown = contacts.iter().map(|(_, contact)| {
+        let (depth, damping) = (contact.relative_indentation(), contact.dissipation());
+        format!("x/R = {}, α √(gR) = {}", four_significant(depth), four_significant(damping))
+    });
+    // Spheres of several kinds in any order are one contact.
+    let distinct: BTreeSet<String> = shown.collect();
+    Some(distinct.into_iter().collect::<Vec<_>>().join("; "))
+}
+
+// Which models of a library are special, and why: those that a page draws.
+
+/// Models of a library that get plots.
+pub(crate) const MOST: usize = 10;
+/// Contacts without dimensions that are counted; more different ones than this have no most common one.
+const CONTACTS: usize = 256;
+
+/// What is drawn of a model.
+#[derive(Debug, Default)]
+pub(crate) struct Drawn {
+    /// Its states.
+    pub(crate) bodies: Vec<Body>,
+    /// Whether the last of them is the reference.
+    pub(crate) has_reference: bool,
+    /// The feet of these states; empty if a page leaves them out.
+    pub(crate) feet: Vec<ModelFeet>,
+}
+
+/// A model that may be drawn.
+pub(crate) struct Candidate {
+    number: usize,
+    /// As it was named.
+    pub(crate) model: String,
+    facts: Facts,
+    pub(crate) drawn: Drawn,
+}
+
+/// The best of its kind, and its value.
+type Best = Option<(f64, Rc<Candidate>)>;
+
+/// Models that may be drawn, at most one for each reason, so that a page of any size keeps few.
+#[derive(Default)]
+pub(crate) struct Chosen {
+    models: usize,
+    most_found: Option<((usize, usize), Rc<Candidate>)>,
+    deepest: Best,
+    shallowest: Best,
+    heaviest: Best,
+    lightest: Best,
+    contacts: HashMap<String, (usize, Rc<Candidate>)>,
+    findings: BTreeMap<(FindingCode, Severity), (usize, Rc<Candidate>)>,
+}
+
+impl Chosen {
+    /// The next model, in the order of the page.
+    pub(crate) fn offer(&mut self, number: usize, model: &str, facts: &Facts, drawn: Drawn) {
+        if drawn.bodies.is_empty() && drawn.feet.is_empty() {
+            return;
+        }
+        self.models += 1;
+        let one = Rc::new(Candidate { number, model: model.to_owned(), facts: facts.clone(), drawn });
+        let found = (facts.counts.error, facts.counts.warn);
+        if found > self.most_found.as_ref().map_or((0, 0), |(most, _)| *most) {
+            self.most_found = Some((found, Rc::clone(&one)));
+        }
+        keep(&mut self.deepest, facts.indentation.now, &one, |new, old| new > old);
+        keep(&mut self.shallowest, facts.indentation.now, &one, |new, old| new < old);
+        keep(&mut self.heaviest, facts.mass_kg, &one, |new, old| new > old);
+        keep(&mut self.lightest, facts.mass_kg, &one, |new, old| new < old);
+        if let Some(contact) = &facts.contact {
+            let room = self.contacts.len() < CONTACTS;
+            match self.contacts.get_mut(contact) {
+                Some((count, _)) => *count += 1,
+                None if room => drop(self.contacts.insert(contact.clone(), (1, Rc::clone(&one)))),
+                None => {}
+            }
+        }
+        for (code, severity) in &facts.codes {
+            self.findings.entry((*code, *severity)).or_insert_with(|| (0, Rc::clone(&one))).0 += 1;
+        }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.models == 0
+    }
+
+    /// How many models could be drawn.
+    pub(crate) fn models(&self) -> usize {
+        self.models
+    }
+
+    /// The models to draw, each with the reasons why.
+    pub(crate) fn choice(&self) -> Vec<(&Candidate, Vec<String>)> {
+        let mut chosen: Vec<(&Candidate, Vec<String>)> = Vec::new();
+        for (one, why) in self.extremes() {
+            let room = chosen.len() < MOST;
+            match chosen.iter_mut().find(|(other, _)| other.number == one.number) {
+                Some((_, reasons)) => reasons.push(why),
+                None if room => chosen.push((one, vec![why])),
+                None => {}
+            }
+        }
+        // A finding that no model has yet that is drawn.
+        for severity in [Severity::Error, Severity::Warn, Severity::Info] {
+            let of_severity = self.findings.iter().filter(|((_, how_bad), _)| *how_bad == severity);
+            for ((code, _), (count, one)) in of_severity {
+                let shown = chosen.iter().any(|(other, _)| other.facts.codes.contains_key(code));
+                if !shown && chosen.len() < MOST {
+                    let why = match count {
+                        1 => format!("the only one with the finding {}", code.as_str()),
+                        count => format!("the first of {count} with the finding {}", code.as_str()),
+                    };
+                    chosen.push((one, vec![why]));
+                }
+            }
+        }
+        chosen
+    }
+
+    fn extremes(&self) -> Vec<(&Candidate, String)> {
+        let mut reasons: Vec<(&Candidate, String)> = Vec::new();
+        if let Some((_, one)) = &self.most_found {
+            reasons.push((one, format!("most errors and warnings ({})", one.facts.counts.describe("none"))));
+        }
+        pair(&mut reasons, (&self.deepest, &self.shallowest), |indentation, is_deepest| {
+            let limit = if is_too_deep(indentation) { "beyond the limit" } else { "within the limit" };
+            let which = if is_deepest { "deepest" } else { "least deep" };
+            format!("{which} at rest (x̂ = {}, {limit})", four_significant(indentation))
+        });
+        pair(&mut reasons, (&self.heaviest, &self.lightest), |mass_kg, is_heaviest| {
+            format!("{} ({} kg)", if is_heaviest { "heaviest" } else { "lightest" }, readable(mass_kg))
+        });
+        let common = self.contacts.iter().filter(|(_, (count, _))| *count > 1);
+        let common = common.max_by_key(|(_, (count, one))| (*count, std::cmp::Reverse(one.number)));
+        if let Some((contact, (count, one))) = common {
+            reasons.push((
+                one,
+                format!("the first of {count} with the most common contact without dimensions ({contact})"),
+            ));
+        }
+        reasons
+    }
+}
+
+fn keep(best: &mut Best, value: Option<f64>, one: &Rc<Candidate>, better: fn(f64, f64) -> bool) {
+    if let Some(value) = value
+        && best.as_ref().is_none_or(|(old, _)| better(value, *old))
+    {
+        *best = Some((value, Rc::clone(one)));
+    }
+}
+
+/// Both ends of a range, where it has two.
+fn pair<'c>(
+    reasons: &mut Vec<(&'c Candidate, String)>,
+    (highest, lowest): (&'c Best, &'c Best),
+    why: impl Fn(f64, bool) -> String,
+) {
+    if let (Some((high, first)), Some((low, last))) = (highest, lowest)
+        && four_significant(*high) != four_significant(*low)
+    {
+        reasons.push((first, why(*high, true)));
+        reasons.push((last, why(*low, false)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use osim_model::files::Failure;
+
+    use super::*;
+
+    fn offer(chosen: &mut Chosen, number: usize, mass_kg: f64, code: Option<FindingCode>) {
+        let why = Failure::outside("a", "plot", "not known".to_owned());
+        let body = Body::without_weight(format!("model {number}"), Vec::new(), &why);
+        let facts = Facts {
+            mass_kg: Some(mass_kg),
+            codes: code.map(|code| (code, Severity::Error)).into_iter().collect(),
+            contact: Some("x/R = 0.1".to_owned()),
+            ..Facts::default()
+        };
+        let drawn = Drawn { bodies: vec![body], ..Drawn::default() };
+        chosen.offer(number, &format!("model {number}"), &facts, drawn);
+    }
+
+    #[test]
+    fn special_models_are_drawn_and_not_the_first() {
+        let mut chosen = Chosen::default();
+        for number in 1..=40 {
+            let code = (number == 30).then_some(FindingCode::Floats);
+            #[expect(clippy::cast_precision_loss, reason = "a small number")]
+            offer(&mut chosen, number, 100.0 - number as f64, code);
+        }
+        let drawn: Vec<(usize, String)> =
+            chosen.choice().into_iter().map(|(one, why)| (one.number, why.join("; "))).collect();
+        let expected = [
+            (
+                1,
+                "heaviest (99 kg); the first of 40 with the most common contact without dimensions (x/R = 0.1)",
+            ),
+            (40, "lightest (60 kg)"),
+            (30, "the only one with the finding floats"),
+        ];
+        assert_eq!(drawn, expected.map(|(number, why)| (number, why.to_owned())));
+    }
+}

@@ -1,0 +1,341 @@
+//! What spheres do: as rows that the text and the page share, as a table, and as CSV.
+
+use std::collections::{HashMap, HashSet};
+
+use osim_inspect::{
+    Figure, Figures, InspectedForce, Inspection, LimbFigures, Quantity, Shown, SphereFigures,
+};
+use osim_model::Property;
+use osim_model::messages::{Dialect, Phrase, four_significant, listed, shortest};
+
+use crate::report::layout::{OUTSIDE, csv_text, table, wrapped};
+
+/// What the spheres of a table have in common.
+#[derive(Clone, Copy)]
+pub struct Spheres {
+    /// Whether spheres of a limb differ.
+    pub mixed: bool,
+    /// Whether some follow the smoothed law.
+    pub smooth: bool,
+}
+
+impl Spheres {
+    /// What `spheres` have in common; `mixed` says that those of a limb differ.
+    pub fn new<'s>(mixed: bool, mut spheres: impl Iterator<Item = &'s SphereFigures>) -> Self {
+        let smooth = spheres.any(|sphere| sphere.value(Figure::ConstantIndentation).is_some());
+        Self { mixed, smooth }
+    }
+
+    /// The figures that are shown for them, in their order.
+    pub fn figures(self) -> impl Iterator<Item = Figure> {
+        let shown = move |figure: &Figure| match figure.shown() {
+            Shown::Always => true,
+            Shown::Nowhere => false,
+            Shown::Smooth => self.smooth,
+            Shown::Mixed => self.mixed,
+            Shown::MixedSmooth => self.mixed && self.smooth,
+        };
+        Figure::ALL.iter().copied().filter(shown)
+    }
+}
+
+/// The first cell of a row; for restitution with the impact speed (m/s), if there is one.
+pub fn heading(figure: Figure, impact_speed_m_s: Option<f64>) -> String {
+    match (figure, impact_speed_m_s) {
+        (Figure::RestitutionExact, Some(speed)) => format!("restitution at {} m/s", four_significant(speed)),
+        _ => figure.info().heading(),
+    }
+}
+
+/// The limit, in the second cell.
+pub fn limit(figure: Figure) -> String {
+    figure.info().limit.map(ToString::to_string).unwrap_or_default()
+}
+
+/// A figure as it is shown.
+pub struct FigureText {
+    /// Its value.
+    pub text: String,
+    /// Whether it is outside its limit.
+    pub outside: bool,
+}
+
+/// The figure of a sphere as it is shown; `None` if it is not known.
+pub fn value(figure: Figure, sphere: &SphereFigures) -> Option<FigureText> {
+    let outside = sphere.is_within(figure) == Some(false);
+    match sphere.value(figure) {
+        Some(value) => Some(FigureText { text: four_significant(value), outside }),
+        // (13) has no answer below 0, and that is outside.
+        None => outside.then(|| FigureText { text: "below 0".to_owned(), outside }),
+    }
+}
+
+/// The figures that are shown.
+fn shown() -> impl Iterator<Item = Figure> {
+    Figure::ALL.iter().copied().filter(|figure| figure.shown() != Shown::Nowhere)
+}
+
+/// What is shown of a sphere: spheres with the same figures share a column.
+pub fn key(sphere: &SphereFigures) -> Vec<String> {
+    shown().map(|figure| sphere.value(figure).map(four_significant).unwrap_or_default()).collect()
+}
+
+/// The same without a text, in all digits: if this is equal, so is the key.
+pub fn exact_key(sphere: &SphereFigures) -> Vec<Option<u64>> {
+    shown().map(|figure| sphere.value(figure).map(f64::to_bits)).collect()
+}
+
+// How deep spheres are where each is at its own height, as rows: the text and the page share them.
+
+/// Spheres of a limb that are equally deep.
+pub struct EquallyDeep<'f> {
+    /// The limb.
+    pub limb: &'f str,
+    /// x/R by the Hertz law and by the model's.
+    pub indentation: [String; 2],
+    /// Names of its spheres.
+    pub spheres: Vec<&'f str>,
+}
+
+/// What it is about, in words.
+pub const CAPTION: &str =
+    "The bottoms of a limb are not level at the default pose; x/R at 1 BW with each sphere at its own height";
+
+/// The spheres of limbs that stand on all of their spheres, at different heights.
+pub fn equally_deep(figures: &Figures) -> Vec<EquallyDeep<'_>> {
+    let mut rows: Vec<EquallyDeep<'_>> = Vec::new();
+    for limb in figures.limbs.iter().filter(|limb| stands_unevenly(limb)) {
+        let first = rows.len();
+        for sphere in &limb.spheres {
+            let value = |figure| sphere.value(figure).map(four_significant).unwrap_or_default();
+            let indentation = [Figure::StandingIndentation, Figure::StandingIndentationModelLaw].map(value);
+            match rows.iter_mut().skip(first).find(|row| row.indentation == indentation) {
+                Some(row) => row.spheres.push(&sphere.sphere),
+                None => rows.push(EquallyDeep {
+                    limb: limb.limb.as_deref().unwrap_or_default(),
+                    indentation,
+                    spheres: vec![&sphere.sphere],
+                }),
+            }
+        }
+    }
+    rows
+}
+
+/// Whether depths differ by more than rounding, and no sphere hangs above the floor.
+fn stands_unevenly(limb: &LimbFigures) -> bool {
+    const ROUNDING: f64 = 1e-6;
+    let differs = |sphere: &SphereFigures| {
+        let level = sphere.value(Figure::LevelIndentation).or(sphere.value(Figure::Indentation));
+        let own = sphere.value(Figure::StandingIndentation);
+        own.zip(level).is_some_and(|(own, level)| (own - level).abs() > ROUNDING)
+    };
+    let touches =
+        |sphere: &SphereFigures| sphere.value(Figure::StandingIndentation).is_some_and(|own| own > 0.0);
+    limb.spheres.iter().all(touches) && limb.spheres.iter().any(differs)
+}
+
+// What the spheres do, with a column for each group of spheres that do the same.
+
+/// Figures of more groups of spheres than this go into a further table.
+const GROUPS_ABREAST: usize = 4;
+
+/// Names that are listed; more are counted.
+const NAMED: usize = 6;
+
+/// In place of a figure that is not known; its two blanks keep digits below digits.
+const NOTHING: &str = "-  ";
+
+/// Spheres that do the same, wherever they are.
+struct Alike<'a> {
+    names: Vec<&'a str>,
+    first: &'a SphereFigures,
+    mixed: bool,
+}
+
+/// The figures; empty if there are none and no reason is to be given.
+pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect) -> String {
+    let groups = groups(inspected);
+    let mut text = String::new();
+    if let Some(why) = &inspected.figures.why_no_body_weight {
+        text.push_str(&wrapped(&format!("no figures under body weight: {why}"), ""));
+    }
+    if !groups.is_empty() {
+        text.push_str("What the spheres do (BW: body weight, on one limb unless you say otherwise):\n");
+    }
+    for (number, chunk) in groups.chunks(GROUPS_ABREAST).enumerate() {
+        for (index, group) in chunk.iter().enumerate() {
+            let label = format!("S{}", number * GROUPS_ABREAST + index + 1);
+            text.push_str(&wrapped(&format!("{label}  {}", listed(&group.names, NAMED)), "    "));
+        }
+        text.push('\n');
+        text.push_str(&sheet(inspected, chunk, number * GROUPS_ABREAST));
+    }
+    text.push_str(&standing(inspected));
+    if text.contains(OUTSIDE) {
+        let more = Phrase::template("outside the limit: `check MODEL` says more").spelled(dialect);
+        text.push_str(&format!("  ({OUTSIDE} {more})\n"));
+    }
+    text
+}
+
+/// The spheres at their own heights, where these differ.
+fn standing(inspected: &Inspection) -> String {
+    let rows = equally_deep(&inspected.figures);
+    if rows.is_empty() {
+        return String::new();
+    }
+    let mut table = table(&["limb", "Hertz", "model's law", "spheres"]);
+    for row in rows {
+        let [hertz, model_law] = &row.indentation;
+        table.add_row([row.limb, hertz, model_law, &listed(&row.spheres, NAMED)]);
+    }
+    table.right_aligned(&[1, 2]);
+    format!("\n{}{}\n", wrapped(&format!("{CAPTION}:"), ""), table.trim_fmt())
+}
+
+fn groups(inspected: &Inspection) -> Vec<Alike<'_>> {
+    let mut groups: Vec<Alike<'_>> = Vec::new();
+    let (mut places, mut exact) = (HashMap::new(), HashMap::new());
+    for limb in &inspected.figures.limbs {
+        let mixed = limb.is_mixed();
+        for sphere in &limb.spheres {
+            let found = || *places.entry(key(sphere)).or_insert(groups.len());
+            let place = *exact.entry(exact_key(sphere)).or_insert_with(found);
+            match groups.get_mut(place) {
+                Some(group) => group.names.push(&sphere.sphere),
+                None => groups.push(Alike { names: vec![&sphere.sphere], first: sphere, mixed }),
+            }
+        }
+    }
+    groups
+}
+
+fn sheet(inspected: &Inspection, groups: &[Alike<'_>], before: usize) -> String {
+    let labels = (1..=groups.len()).map(|index| format!("S{}", before + index));
+    let header: Vec<String> = ["figure".to_owned(), "limit".to_owned()].into_iter().chain(labels).collect();
+    let mut table = table(&header.iter().map(String::as_str).collect::<Vec<_>>());
+    let mixed = groups.iter().any(|group| group.mixed);
+    for figure in Spheres::new(mixed, groups.iter().map(|group| group.first)).figures() {
+        let values: Vec<String> = groups.iter().map(|group| cell(figure, group.first)).collect();
+        if values.iter().all(|value| value == NOTHING) {
+            continue;
+        }
+        let name = heading(figure, inspected.figures.impact_speed_m_s);
+        table.add_row([vec![name, limit(figure)], values].concat());
+    }
+    table.right_aligned(&(2..2 + groups.len()).collect::<Vec<_>>());
+    format!("{}\n", table.trim_fmt())
+}
+
+fn cell(figure: Figure, sphere: &SphereFigures) -> String {
+    match value(figure, sphere) {
+        None => NOTHING.to_owned(),
+        Some(FigureText { text, outside: false }) => format!("{text}  "),
+        Some(FigureText { text, outside: true }) => format!("{text} {OUTSIDE}"),
+    }
+}
+
+// A model's spheres as CSV: one row per sphere that stands, numbers in full.
+
+/// Where a value comes from: the model, the limb, the sphere, and the force that presses it.
+struct Place<'p> {
+    model: &'p Inspection,
+    limb: &'p LimbFigures,
+    sphere: &'p SphereFigures,
+    force: Option<&'p InspectedForce>,
+    /// The codes of the model's warnings.
+    warnings: &'p str,
+}
+
+fn number_text(value: Option<f64>) -> String {
+    value.map(shortest).unwrap_or_default()
+}
+
+/// What gives a cell.
+type Cell = fn(&Place<'_>) -> String;
+
+/// What says which model, limb and sphere a row is about.
+const PLACE: [(&str, Cell); 12] = [
+    ("model_file", |p| p.model.model.clone()),
+    ("model_name", |p| p.model.name.clone()),
+    ("mass_kg", |p| number_text(p.model.mass_kg)),
+    ("mass_contacts_were_made_for_kg", |p| {
+        number_text(p.model.contacts_mass_kg.as_ref().map(|mass| mass.value))
+    }),
+    ("gravity_m_per_s2", |p| number_text(p.model.gravity_m_s2)),
+    ("impact_speed_m_per_s", |p| number_text(p.model.figures.impact_speed_m_s)),
+    ("limb", |p| p.limb.limb.clone().unwrap_or_default()),
+    ("side", |p| p.limb.side.unwrap_or_default().to_owned()),
+    ("spheres_sharing_body_weight", |p| number_text(p.limb.sphere_count)),
+    ("sphere", |p| p.sphere.sphere.clone()),
+    ("sphere_path", |p| p.sphere.path.clone()),
+    ("force_names", |p| p.sphere.forces.join(" ")),
+];
+
+/// The parameters of the first force that presses the sphere.
+const PARAMETERS: [Property; 9] = [
+    Property::Stiffness,
+    Property::Dissipation,
+    Property::StaticFriction,
+    Property::DynamicFriction,
+    Property::ViscousFriction,
+    Property::TransitionVelocity,
+    Property::ConstantContactForce,
+    Property::HertzSmoothing,
+    Property::HuntCrossleySmoothing,
+];
+
+/// After the figures: the columns of those that are beyond their limits, and the codes of warnings.
+const LAST: [&str; 2] = ["outside_limits", "warnings"];
+
+/// The names of all columns. `docs/reference/json.md` explains them.
+fn header() -> Vec<String> {
+    let place = PLACE.iter().map(|(name, _)| (*name).to_owned());
+    let parameters = PARAMETERS.iter().map(|&property| Quantity::property(property).column());
+    let figures = Figure::ALL.iter().map(|figure| figure.info().column());
+    place.chain(parameters).chain(figures).chain(LAST.map(str::to_owned)).collect()
+}
+
+fn cells(place: &Place<'_>) -> Vec<String> {
+    let parameter = |property| number_text(place.force.and_then(|force| force.parameters.get(property)));
+    let figures = Figure::ALL.iter().map(|&figure| number_text(place.sphere.value(figure)));
+    let is_outside = |figure: &&Figure| place.sphere.is_within(**figure) == Some(false);
+    let outside: Vec<String> =
+        Figure::ALL.iter().filter(is_outside).map(|figure| figure.info().column()).collect();
+    let last = [outside.join(" "), place.warnings.to_owned()];
+    let before = PLACE.iter().map(|(_, cell)| cell(place)).chain(PARAMETERS.map(parameter));
+    before.chain(figures).chain(last).collect()
+}
+
+/// The codes of a model's warnings, each once: every row repeats them.
+fn codes(inspected: &Inspection) -> String {
+    let mut seen = HashSet::new();
+    let codes = inspected.warnings.iter().map(|warning| warning.code().as_str());
+    codes.filter(|code| seen.insert(*code)).collect::<Vec<_>>().join(" ")
+}
+
+/// The rows of one model, after a header where `header`.
+///
+/// # Errors
+/// None in practice: the rows are written into memory.
+pub fn csv_rows(inspected: &Inspection, header: bool) -> Result<String, csv::Error> {
+    let header = header.then(self::header);
+    let spheres =
+        inspected.figures.limbs.iter().flat_map(|limb| limb.spheres.iter().map(move |sphere| (limb, sphere)));
+    // The first force of each name that presses a sphere of each name.
+    let mut pressing: HashMap<(&str, &str), usize> = HashMap::new();
+    for (at, force) in inspected.forces.iter().enumerate() {
+        for sphere in &force.spheres {
+            pressing.entry((&force.name, sphere)).or_insert(at);
+        }
+    }
+    let warnings = codes(inspected);
+    let rows = spheres.map(|(limb, sphere)| {
+        let presses = |force: &String| pressing.get(&(force.as_str(), sphere.sphere.as_str())).copied();
+        let first = sphere.forces.iter().filter_map(presses).min();
+        let force = first.and_then(|at| inspected.forces.get(at));
+        cells(&Place { model: inspected, limb, sphere, force, warnings: &warnings })
+    });
+    csv_text(header.into_iter().chain(rows))
+}

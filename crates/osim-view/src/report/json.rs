@@ -1,0 +1,368 @@
+//! Records for scripts: one JSON object for each model and line. `docs/reference/json.md` describes every field.
+
+use std::collections::{BTreeMap, HashMap};
+use std::io::{self, Write};
+use std::path::Path;
+
+use osim_inspect::{ContactsMass, FindingRecord, SCHEMA_VERSION};
+use osim_model::Model;
+use osim_model::files::{Failure, FileName};
+use osim_model::messages::{Dialect, Phrase, is_seen};
+use osim_patch::{Change, Deed, Move, NewSphere, ObjectChange, Plan, RecordingErrors};
+#[cfg(feature = "schemas")]
+use schemars::JsonSchema;
+use serde::Serialize;
+use serde_json::ser::{CharEscape, CompactFormatter, Formatter, Serializer};
+
+/// A value as one JSON object and a line end. Numbers that are not finite become null.
+///
+/// Letters that are not seen as they are, from names in models, are escaped as JSON has it: a terminal shows the line as it is,
+/// and a program reads back the same text.
+pub fn line(value: &impl Serialize) -> String {
+    let mut bytes = Vec::new();
+    // Serialising owned strings, numbers and lists cannot fail; an empty line would be seen at once if it did.
+    let done = value.serialize(&mut Serializer::with_formatter(&mut bytes, Seen));
+    let mut text = done.ok().and_then(|()| String::from_utf8(bytes).ok()).unwrap_or_default();
+    text.push('\n');
+    text
+}
+
+/// Writes compact JSON in which every letter is seen.
+struct Seen;
+
+impl Formatter for Seen {
+    fn write_string_fragment<W: ?Sized + Write>(&mut self, writer: &mut W, fragment: &str) -> io::Result<()> {
+        if fragment.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
+            return writer.write_all(fragment.as_bytes());
+        }
+        fragment.chars().try_for_each(|letter| match is_seen(letter) {
+            true => write!(writer, "{letter}"),
+            false => {
+                letter.encode_utf16(&mut [0; 2]).iter().try_for_each(|unit| write!(writer, "\\u{unit:04x}"))
+            }
+        })
+    }
+
+    fn write_char_escape<W: ?Sized + Write>(&mut self, writer: &mut W, escape: CharEscape) -> io::Result<()> {
+        CompactFormatter.write_char_escape(writer, escape)
+    }
+}
+
+// The JSON contract of what went wrong.
+
+/// One model that could not be done.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct FailureRecord {
+    /// Raised when a field changes its meaning or goes away.
+    pub schema_version: u32,
+    /// The file, as it was named.
+    pub model: String,
+    /// Its name in bytes, if it is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_bytes: Option<Vec<u8>>,
+    /// What went wrong.
+    pub error: ErrorRecord,
+}
+
+/// What went wrong.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct ErrorRecord {
+    /// Stable short name.
+    pub code: &'static str,
+    /// What is wrong, what was expected, and a way out.
+    pub message: String,
+    /// Line of the place, from 1.
+    pub line: Option<usize>,
+    /// Column of the place in characters, from 1.
+    pub column: Option<usize>,
+}
+
+impl FailureRecord {
+    /// A failure in the words of `dialect`.
+    #[must_use]
+    pub fn new(failure: &Failure, dialect: &dyn Dialect) -> Self {
+        let (model, model_bytes) = failure.model.clone().into_parts();
+        Self {
+            schema_version: SCHEMA_VERSION,
+            model,
+            model_bytes,
+            error: ErrorRecord {
+                code: failure.code,
+                message: failure.message.spelled(dialect),
+                line: failure.line,
+                column: failure.column,
+            },
+        }
+    }
+}
+
+// The JSON contract of a change.
+
+/// What changes in a model, and where the result went.
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct PlanRecord {
+    /// Raised when a field changes its meaning or goes away.
+    pub schema_version: u32,
+    /// The model as it was named.
+    pub model: String,
+    /// Its name in bytes, if it is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model_bytes: Option<Vec<u8>>,
+    /// The file that was written.
+    pub output: Option<String>,
+    /// Its name in bytes, if it is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub output_bytes: Option<Vec<u8>>,
+    /// The geometry set that was written with a force set.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub geometry_output: Option<String>,
+    /// Its name in bytes, if it is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub geometry_output_bytes: Option<Vec<u8>>,
+    /// The mass that the contacts were made for before; null where nobody knows.
+    pub contacts_mass_kg: Option<ContactsMass>,
+    /// The mass that the contacts are made for afterwards, kg; null where `contacts_mass_kg` is.
+    pub target_mass_kg: Option<f64>,
+    /// Whole objects that are added or removed. Numbers of objects that are added change `from` what they are made from.
+    pub objects: Vec<ObjectRecord>,
+    /// Numbers that change, then sphere centres that move.
+    pub changes: Vec<ChangeRecord>,
+    /// Of a fit to recordings: how far its forces are from the plates'.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub errors: Option<RecordingErrorsRecord>,
+    /// Of a fit of the height: how far the floor of each recording is above that of the model as it was, m. The model gets the first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub floor_up_m: Option<Vec<f64>>,
+    /// Things the user should know.
+    pub warnings: Vec<FindingRecord>,
+    /// Remarks on every change of this kind.
+    pub notes: Vec<String>,
+    /// The credits of the new model as OpenSim reads them, with the note about its contacts; null where it has none. Set them, too,
+    /// where changes are made in a model in memory.
+    pub credits: Option<String>,
+}
+
+/// One object that is added or removed.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct ObjectRecord {
+    /// `added` or `removed`.
+    pub change: &'static str,
+    /// OpenSim's class, such as `ContactSphere`.
+    pub class: &'static str,
+    /// Its name.
+    pub name: String,
+    /// Its component path.
+    pub path: String,
+    /// The body that carries it, or its sphere; null for a floor.
+    pub body: Option<String>,
+    /// Centre of a sphere that is added, in the frame of that body, m; null for all else.
+    #[cfg_attr(feature = "schemas", schemars(with = "Option<[Option<f64>; 3]>"))]
+    pub location_m: Option<[f64; 3]>,
+    /// Its radius, m; null for all else.
+    pub radius_m: Option<f64>,
+    /// OpenSim's parameters of a force that `convert` writes, by name and in OpenSim's units; null for all others.
+    pub parameters: Option<BTreeMap<&'static str, f64>>,
+}
+
+/// How far the forces of a fit are from those that plates measured: the worst foot of the first trial; vertically also all feet of each
+/// other trial.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct RecordingErrorsRecord {
+    /// Root mean square along the normal of the floor, body weights.
+    pub vertical_rms_bw: f64,
+    /// The same on what was not fitted.
+    pub held_out_vertical_rms_bw: Option<f64>,
+    /// Root mean square across the normal, body weights.
+    pub horizontal_rms_bw: f64,
+    /// Root mean square of the distance between the centres of pressure, m.
+    pub cop_rms_m: Option<f64>,
+    /// The largest x/R.
+    pub largest_relative_indentation: f64,
+}
+
+impl From<RecordingErrors> for RecordingErrorsRecord {
+    fn from(errors: RecordingErrors) -> Self {
+        let RecordingErrors {
+            vertical_rms_bw,
+            held_out_vertical_rms_bw,
+            horizontal_rms_bw,
+            cop_rms_m,
+            largest_relative_indentation,
+        } = errors;
+        Self {
+            vertical_rms_bw,
+            held_out_vertical_rms_bw,
+            horizontal_rms_bw,
+            cop_rms_m,
+            largest_relative_indentation,
+        }
+    }
+}
+
+/// One number that changes, or one centre that moves.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct ChangeRecord {
+    /// Name of the force; null for a sphere's radius and location.
+    pub force: Option<String>,
+    /// Component path of the force or sphere.
+    pub path: String,
+    /// Number of the `ContactParameters`, where there are several.
+    pub set: Option<usize>,
+    /// Name of the sphere whose radius or location changes.
+    pub sphere: Option<String>,
+    /// OpenSim's name of what changes.
+    pub property: &'static str,
+    /// Effective value now, in OpenSim's unit.
+    pub from: Amount,
+    /// Value that is written.
+    pub to: Amount,
+    /// The factor by which the value was multiplied, where it was.
+    pub factor: Option<f64>,
+    /// Number of the equation in the paper, or a word where there is none.
+    pub equation: &'static str,
+    /// Line of the number, or of the object that gets it.
+    pub line: usize,
+    /// Whether the element was absent and is inserted.
+    pub inserted: bool,
+}
+
+/// A number, or the three of a location in m.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema))]
+#[serde(untagged)]
+#[non_exhaustive]
+pub enum Amount {
+    /// A number; null where it is not finite.
+    Number(#[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))] f64),
+    /// A location in m; null where a coordinate is not finite.
+    Location(#[cfg_attr(feature = "schemas", schemars(with = "[Option<f64>; 3]"))] [f64; 3]),
+}
+
+impl PlanRecord {
+    /// The plan for `model`, whose file is `path`, with the files that were written, if any. What the plan says is taken as it is
+    /// spelled.
+    #[must_use]
+    pub fn new(
+        plan: &Plan,
+        model: &Model,
+        path: &Path,
+        output: Option<&Path>,
+        geometry_output: Option<&Path>,
+    ) -> Self {
+        let credits = plan.credits(model);
+        let numbers = plan.changes.iter().map(ChangeRecord::from);
+        let parts = |path: Option<&Path>| path.map(|path| FileName::from(path).into_parts()).unzip();
+        let (model, model_bytes) = FileName::from(path).into_parts();
+        let ((output, output_bytes), (geometry_output, geometry_output_bytes)) =
+            (parts(output), parts(geometry_output));
+        Self {
+            schema_version: SCHEMA_VERSION,
+            model,
+            model_bytes,
+            output,
+            output_bytes: output_bytes.flatten(),
+            geometry_output,
+            geometry_output_bytes: geometry_output_bytes.flatten(),
+            contacts_mass_kg: plan.masses.as_ref().map(|masses| ContactsMass::new(&masses.contacts_mass)),
+            target_mass_kg: plan.masses.as_ref().map(|masses| masses.target_mass_kg),
+            objects: ObjectRecord::all(plan),
+            changes: numbers.chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
+            errors: plan.errors.map(RecordingErrorsRecord::from),
+            floor_up_m: (!plan.floor_up_m.is_empty()).then(|| plan.floor_up_m.clone()),
+            warnings: plan.warnings.iter().map(FindingRecord::from).collect(),
+            notes: plan.remarks.iter().map(Phrase::to_string).collect(),
+            credits,
+        }
+    }
+}
+
+impl ObjectRecord {
+    fn all(plan: &Plan) -> Vec<Self> {
+        let new = plan.new_spheres();
+        let new: HashMap<&str, &NewSphere<'_>> = new.iter().map(|sphere| (sphere.path, sphere)).collect();
+        let record = |object: &ObjectChange| {
+            let is_added = object.deed == Deed::Added;
+            let sphere = new.get(object.path.as_str()).filter(|_| is_added);
+            let parameters = object.parameters.iter();
+            let parameters = parameters.map(|(property, value)| (property.name(), *value)).collect();
+            Self {
+                change: object.deed.as_str(),
+                class: object.class,
+                name: object.name.clone(),
+                path: object.path.clone(),
+                body: object.body.clone(),
+                location_m: sphere.map(|sphere| sphere.centre_m),
+                radius_m: sphere.map(|sphere| sphere.radius_m),
+                parameters: (!object.parameters.is_empty()).then_some(parameters),
+            }
+        };
+        plan.objects().iter().map(record).collect()
+    }
+}
+
+impl From<&Change> for ChangeRecord {
+    fn from(change: &Change) -> Self {
+        Self {
+            force: change.force.clone(),
+            path: change.path.clone(),
+            set: change.set,
+            sphere: change.sphere.clone(),
+            property: change.property.name(),
+            from: Amount::Number(change.from),
+            to: Amount::Number(change.to),
+            factor: change.factor,
+            equation: change.equation,
+            line: change.line,
+            inserted: change.inserted,
+        }
+    }
+}
+
+impl From<&Move> for ChangeRecord {
+    fn from(moved: &Move) -> Self {
+        Self {
+            force: None,
+            path: moved.path.clone(),
+            set: None,
+            sphere: Some(moved.sphere.clone()),
+            property: "location",
+            from: Amount::Location(moved.from),
+            to: Amount::Location(moved.to),
+            factor: None,
+            equation: moved.equation,
+            line: moved.line,
+            inserted: moved.inserted,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::line;
+
+    #[test]
+    fn a_line_has_no_letter_that_is_not_seen_and_reads_back_the_same() {
+        // A line end, ESC, C1's CSI, a mark that turns the direction, one beyond 16 bits, and letters that stay.
+        let text = "a\nb\u{1b}\u{7f}\u{9b}\u{202e}\u{e0001} Füße x\u{302} \"\\";
+        let written = line(&text);
+        assert!(
+            written.chars().all(|letter| letter == '\n' || osim_model::messages::is_seen(letter)),
+            "{written:?}"
+        );
+        assert_eq!(written.matches('\n').count(), 1);
+        assert!(written.contains("Füße x\u{302}"));
+        assert_eq!(serde_json::from_str::<String>(&written).unwrap(), text);
+    }
+}

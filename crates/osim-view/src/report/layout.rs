@@ -1,0 +1,365 @@
+//! How texts are laid out in 80 columns.
+
+use std::{fmt, io};
+
+use anstyle::{AnsiColor, Style};
+use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, Table, presets};
+use csv::{IntoInnerError, WriterBuilder};
+use osim_inspect::Sign;
+use osim_model::Severity;
+use osim_model::messages::{one_line, shown, shown_whole};
+use osim_planning::marked;
+use textwrap::core::{Word, display_width};
+use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
+use unicode_linebreak::linebreaks;
+
+/// Columns of an old terminal.
+pub const WIDTH: usize = 80;
+
+/// How text is broken into lines of at most [`WIDTH`] columns: so that they are about equally long.
+pub(crate) fn options<'o>() -> Options<'o> {
+    Options::new(WIDTH).word_separator(WordSeparator::Custom(find))
+}
+
+/// A paragraph with names from outside in it: no line ends of theirs, and none endless.
+fn paragraph(text: &str) -> String {
+    text.split(' ').map(|word| shown(word).to_string()).collect::<Vec<_>>().join(" ")
+}
+
+/// Text in lines of at most [`WIDTH`] columns. Line ends in it, which are in a name from outside, are escaped.
+pub(crate) fn filled(text: &str) -> String {
+    textwrap::fill(&paragraph(text), options())
+}
+
+/// Text in lines of at most [`WIDTH`] columns, the second and later ones after `indent`. Line ends in it are escaped.
+#[must_use]
+pub fn wrapped(text: &str, indent: &str) -> String {
+    in_lines(&paragraph(text), indent)
+}
+
+/// The same for a text about a file: the reader has to find the file again, so its path is shown whole.
+pub(crate) fn wrapped_with_path(path: &str, text: &str, indent: &str) -> String {
+    in_lines(&format!("{}: {}", shown_whole(path), paragraph(text)), indent)
+}
+
+fn in_lines(text: &str, indent: &str) -> String {
+    // Options of a command line are never broken at their hyphens.
+    let options =
+        options().subsequent_indent(indent).break_words(false).word_splitter(WordSplitter::NoHyphenation);
+    format!("{}\n", textwrap::fill(text, options))
+}
+
+// Where a line of text may end: after a blank, after the `/` of a path, and wherever else the Unicode line breaking
+// algorithm has it; never at a hyphen.
+
+const SOFT_HYPHEN: char = '\u{ad}';
+
+/// The pieces of a line between which it may be broken, each with the blanks after it.
+fn find(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
+    Box::new(behind_quotes(line).flat_map(|part| {
+        // Whether a word is broken at its hyphens is for the caller to say.
+        let ends = linebreaks(part).map(|(end, _)| end);
+        let ends = ends.filter(|&end| end == part.len() || !part[..end].ends_with(['-', SOFT_HYPHEN]));
+        cut(part, ends).map(Word::from)
+    }))
+}
+
+/// A bracket after a quoted name begins a word. The algorithm's older editions, that of the library among them, took
+/// every quotation mark for one that opens, and a bracket for what it quotes.
+fn behind_quotes(line: &str) -> impl Iterator<Item = &str> {
+    let brackets = line.match_indices(['(', '[', '{']).map(|(at, _)| at);
+    let begins = brackets.filter(|&at| {
+        let before = line[..at].trim_end_matches(' ');
+        before.len() < at && before.ends_with(['"', '\''])
+    });
+    cut(line, begins.chain([line.len()]))
+}
+
+fn cut(text: &str, ends: impl Iterator<Item = usize>) -> impl Iterator<Item = &str> {
+    ends.scan(0, move |start, end| Some(&text[std::mem::replace(start, end)..end]))
+}
+
+// Lines of text, broken where a terminal ends.
+
+/// What begins a sentence for people: its other lines are further in.
+const HEADS: [&str; 3] = ["error: ", "warning: ", "note: "];
+
+/// What begins a command, which is copied as a whole. A terminal breaks it, too, but does not copy that.
+const COMMANDS: [&str; 3] = ["$ ", "> ", "osim-contact-scale "];
+
+/// Text with each line that is too long broken at blanks. A command stays one line, and so does a row of a table, but for a sentence in
+/// its last cell: that goes on below its beginning. Names without a blank are never broken. Letters may be coloured.
+///
+/// ```
+/// let text = "error: model.osim: a sentence that is too long\n  in a table  a sentence that is too long\n";
+/// let broken = osim_view::report::layout::broken(text, 30);
+/// assert_eq!(
+///     broken,
+///     "error: model.osim: a sentence\n  that is too long\n\
+///      \x20 in a table  a sentence that\n              is too long\n"
+/// );
+/// assert_eq!(osim_view::report::layout::broken(text, 80), text);
+/// ```
+#[must_use]
+pub fn broken(text: &str, width: usize) -> String {
+    text.split_inclusive('\n').map(|line| line_broken(line, width)).collect()
+}
+
+fn line_broken(line: &str, width: usize) -> String {
+    let (text, end) = line.strip_suffix('\n').map_or((line, ""), |text| (text, "\n"));
+    let words = text.trim_start_matches(' ');
+    if display_width(text) <= width || COMMANDS.iter().any(|command| words.starts_with(command)) {
+        return line.to_owned();
+    }
+    let (head, sentence) = split(text);
+    let hang = display_width(head) + if HEADS.iter().any(|head| text.starts_with(head)) { 2 } else { 0 };
+    // Where hardly anything would fit beside the other cells, nothing is won.
+    if hang > width / 2 {
+        return line.to_owned();
+    }
+    let indent = " ".repeat(hang);
+    let options = Options::new(width)
+        .initial_indent(head)
+        .subsequent_indent(&indent)
+        .word_separator(WordSeparator::AsciiSpace)
+        .word_splitter(WordSplitter::NoHyphenation)
+        .wrap_algorithm(WrapAlgorithm::FirstFit)
+        .break_words(false);
+    format!("{}{end}", textwrap::fill(sentence, options))
+}
+
+/// What stays in front of a line, indentation and cells of a table, and the sentence after it.
+fn split(line: &str) -> (&str, &str) {
+    let gap = line.rfind("  ").map_or(0, |at| at + 2);
+    let sentence = line[gap..].trim_start_matches(' ');
+    line.split_at(line.len() - sentence.len())
+}
+
+// Tables of text.
+
+/// A table that fits a terminal of 80 columns, without lines that old consoles cannot draw. A cell is one line: what cannot
+/// be seen in it is escaped.
+#[derive(Debug)]
+pub struct TextTable(Table);
+
+/// A table with these headings.
+#[must_use]
+pub fn table(header: &[&str]) -> TextTable {
+    let mut table = Table::new();
+    table.load_style(presets::NOTHING).set_header(header.to_vec());
+    TextTable(table)
+}
+
+impl TextTable {
+    /// Adds a row.
+    pub fn add_row(&mut self, cells: impl IntoIterator<Item = impl AsRef<str>>) {
+        self.0.add_row(cells.into_iter().map(|text| one_line(text.as_ref().to_owned())));
+    }
+
+    /// Aligns these columns, counted from 0, to the right.
+    pub fn right_aligned(&mut self, columns: &[usize]) {
+        for &index in columns {
+            if let Some(column) = self.0.column_mut(index) {
+                column.set_cell_alignment(CellAlignment::Right);
+            }
+        }
+    }
+
+    /// Never breaks the texts of this column, counted from 0, into lines.
+    pub fn unbroken(&mut self, index: usize) {
+        if let Some(column) = self.0.column_mut(index) {
+            column.set_constraint(ColumnConstraint::ContentWidth);
+        }
+    }
+
+    /// The table in lines of at most [`WIDTH`] columns.
+    #[must_use]
+    pub fn fitted(mut self) -> String {
+        self.0.set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH as u16);
+        self.0.trim_fmt()
+    }
+
+    /// The table without blanks at the ends of its lines.
+    #[must_use]
+    pub fn trim_fmt(&self) -> String {
+        self.0.trim_fmt()
+    }
+}
+
+impl fmt::Display for TextTable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+/// A name in at most `width` columns: its middle is left out, since names differ at their ends; what cannot be seen in it is
+/// escaped.
+#[must_use]
+pub fn clipped(name: &str, width: usize) -> String {
+    let name = shown(name).to_string();
+    let letters: Vec<char> = name.chars().collect();
+    if letters.len() <= width || width < 3 {
+        return name;
+    }
+    let end = width / 2;
+    let start = width - end - 1;
+    let (first, last) = (letters.iter().take(start), letters.iter().skip(letters.len() - end));
+    first.chain(&['~']).chain(last).collect()
+}
+
+// Tables as CSV.
+
+/// The records as CSV, quoted where they have to be.
+///
+/// # Errors
+/// None in practice: the records are written into memory, and all of one table are equally long.
+pub(crate) fn csv_text(records: impl IntoIterator<Item = Vec<String>>) -> Result<String, csv::Error> {
+    let mut writer = WriterBuilder::new().from_writer(Vec::new());
+    for record in records {
+        // One line for each record, whatever names hold.
+        writer.write_record(record.iter().map(|text| marked(&shown_whole(text).to_string()).into_owned()))?;
+    }
+    let bytes = writer.into_inner().map_err(IntoInnerError::into_error)?;
+    String::from_utf8(bytes).map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error).into())
+}
+
+// Colours for verdicts that are readable without them.
+
+/// The mark after a figure that is outside its limit.
+pub const OUTSIDE: char = '!';
+
+const OUTSIDE_STYLE: Style = AnsiColor::Yellow.on_default().bold();
+
+/// Whether a text has colours.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[non_exhaustive]
+pub enum Colour {
+    /// None.
+    #[default]
+    Plain,
+    /// Escape sequences, as terminals read them.
+    Ansi,
+}
+
+/// A table with every figure that has an [`OUTSIDE`] mark in colour.
+pub(crate) fn painted(text: &str, colour: Colour) -> String {
+    if colour == Colour::Plain {
+        return text.to_owned();
+    }
+    let mut out = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once(" !") {
+        // The figure begins after the blanks between the columns.
+        let (skipped, figure) = before.rsplit_once("  ").unwrap_or(("", before));
+        let gap = if skipped.len() + figure.len() < before.len() { "  " } else { "" };
+        out.push_str(&format!("{skipped}{gap}{OUTSIDE_STYLE}{figure} {OUTSIDE}{OUTSIDE_STYLE:#}"));
+        rest = after;
+    }
+    out.push_str(rest);
+    out
+}
+
+/// The word for `severity`, in its colour.
+pub(crate) fn severity(severity: Severity, colour: Colour) -> String {
+    let style = match (colour, severity) {
+        (Colour::Plain, _) | (_, Severity::Info) => Style::new(),
+        (Colour::Ansi, Severity::Error) => AnsiColor::Red.on_default().bold(),
+        (Colour::Ansi, Severity::Warn) => OUTSIDE_STYLE,
+    };
+    format!("{style}{}{style:#}", severity.as_str())
+}
+
+/// The word for a verdict's `sign`, in its colour.
+pub(crate) fn sign(sign: Sign, colour: Colour) -> String {
+    match sign {
+        Sign::Info => severity(Severity::Info, colour),
+        Sign::Warn => severity(Severity::Warn, colour),
+        Sign::Error => severity(Severity::Error, colour),
+        Sign::Good | Sign::Unknown => sign.as_str().to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words(line: &str) -> Vec<String> {
+        find(line).map(|word| format!("{}{}", word.word, word.whitespace)).collect()
+    }
+
+    #[test]
+    fn lines_end_behind_blanks_and_slashes_but_not_at_hyphens() {
+        assert_eq!(words("see  --contacts-mass KG"), ["see  ", "--contacts-mass ", "KG"]);
+        assert_eq!(words("out/even/a_1.osim, 2 N/m^2"), ["out/", "even/", "a_1.osim, ", "2 ", "N/", "m^2"]);
+        assert_eq!(words("f(x) [a] 1/2"), ["f(x) ", "[a] ", "1/2"]);
+    }
+
+    #[test]
+    fn punctuation_stays_with_its_word() {
+        assert_eq!(words("really ! ( so )"), ["really ! ", "( so )"]);
+        assert_eq!(words("the 'heel' (right)"), ["the ", "'heel' ", "(right)"]);
+        assert_eq!(words("\"a b\"  [c]"), ["\"a ", "b\"  ", "[c]"]);
+    }
+
+    #[test]
+    fn letters_beyond_ascii_are_letters() {
+        assert_eq!(words("Füße x̂ = x / R"), ["Füße ", "x̂ ", "= ", "x / ", "R"]);
+        assert_eq!(words("左足"), ["左", "足"]);
+        assert!(words("").is_empty());
+    }
+
+    #[test]
+    fn commands_and_rows_of_numbers_stay_whole() {
+        for line in [
+            "  $ osim-contact-scale design 'my model.osim' --indentation 0.16\n",
+            "osim-contact-scale check model.osim --from generic.osim\n",
+            " radius                   12 spheres    0.032     0.064171583      x2.005362  (8)\n",
+            "/a/folder/with/a/long/name/and/another/one/model.osim\n",
+        ] {
+            assert_eq!(broken(line, 40), line);
+        }
+    }
+
+    #[test]
+    fn sentences_keep_their_place() {
+        assert_eq!(
+            broken("  Why: one two three four five six\n", 20),
+            "  Why: one two three\n  four five six\n"
+        );
+        assert_eq!(broken("note: one two three four", 16), "note: one two\n  three four");
+        // Two letters that fill no column, and a colour that fills none.
+        assert_eq!(
+            broken("\u{1b}[1mwarn\u{1b}[0m x̂ = x/R of the sphere", 17),
+            "\u{1b}[1mwarn\u{1b}[0m x̂ = x/R of\nthe sphere"
+        );
+    }
+
+    #[test]
+    fn every_line_fits_and_no_word_is_lost() {
+        let text = "error: a b cc ddd eeee fffff gggggg\n  good  floor  the floor leans by 0 degrees\n\n";
+        // The sentence in the table has to have room for half a line.
+        for width in 30..60 {
+            let broken = broken(text, width);
+            assert!(broken.lines().all(|line| line.len() <= width), "{width}: {broken}");
+            let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
+            assert_eq!(words(&broken), words(text));
+            assert!(broken.ends_with("\n\n"));
+        }
+    }
+
+    #[test]
+    fn names_keep_both_ends() {
+        assert_eq!(clipped("heel_r", 10), "heel_r");
+        assert_eq!(clipped("SmoothSphere_forefoot_med_r", 11), "Smoot~med_r");
+        assert_eq!(clipped("SmoothSphere_forefoot_med_r", 11).chars().count(), 11);
+    }
+
+    #[test]
+    fn only_what_is_outside_is_painted() {
+        let style = AnsiColor::Yellow.on_default().bold();
+        let text = "x/R   <= 0.16  0.12    0.35 !\nnext  1\n";
+        let expected = format!("x/R   <= 0.16  0.12    {style}0.35 !{style:#}\nnext  1\n");
+        assert_eq!(painted(text, Colour::Ansi), expected);
+        assert_eq!(painted(text, Colour::Plain), text);
+    }
+}

@@ -1,0 +1,334 @@
+//! A plan as text.
+
+use std::collections::{HashMap, HashSet};
+use std::fmt;
+
+use imara_diff::{Algorithm, Diff, InternedInput, Interner, Token, UnifiedDiffConfig, UnifiedDiffPrinter};
+use osim_model::Property;
+use osim_model::messages::{listed, one_line, readable};
+use osim_patch::{Change, Deed, Move, ObjectChange, Plan};
+
+use crate::report::layout::table;
+use crate::report::messages::warnings;
+
+// A plan as a table: equal changes share a row.
+
+/// What was taken, changed and noticed; `output` says the outcome. What the plan says is taken as it is spelled.
+#[must_use]
+pub fn text(plan: &Plan, model: &str, output: &str) -> String {
+    let mut text = format!("{}\n", one_line(format!("{model}: {}", plan.taken)));
+    if plan.is_empty() {
+        text.push_str("nothing to change\n");
+    } else {
+        text.push('\n');
+        for table in [objects(plan.objects()), changes(plan), new_spheres(plan), moves(plan)] {
+            if !table.is_empty() {
+                text.push_str(&format!("{table}\n"));
+            }
+        }
+    }
+    for remark in &plan.remarks {
+        text.push_str(&format!("note: {}\n", one_line(remark.to_string())));
+    }
+    text.push_str(&warnings(&plan.warnings));
+    text.push_str(&format!("{}\n", one_line(output.to_owned())));
+    text
+}
+
+/// The same in one line, for a run over many models.
+#[must_use]
+pub fn line(plan: &Plan, model: &str, output: &str) -> String {
+    let masses = plan.masses.as_ref().map(|masses| {
+        format!("{} -> {} kg, ", readable(masses.contacts_mass.kg), readable(masses.target_mass_kg))
+    });
+    let mut codes: Vec<&str> = plan.warnings.iter().map(|warning| warning.code().as_str()).collect();
+    codes.dedup();
+    let warnings = if codes.is_empty() { String::new() } else { format!(" [{}]", codes.join(", ")) };
+    let numbers = plan.changes.len() + plan.moves.len();
+    let changes = match (plan.objects().len(), numbers) {
+        (0, _) => format!("{numbers} changes"),
+        (objects, 0) => format!("{objects} objects"),
+        (objects, _) => format!("{objects} objects and {numbers} changes"),
+    };
+    let line = format!("{model}: {}{changes}; {output}{warnings}", masses.unwrap_or_default());
+    format!("{}\n", one_line(line))
+}
+
+/// Names of objects that are listed, before they are counted: a row is one line.
+const NAMED: usize = 3;
+/// The same in a table that has more columns.
+const NAMED_IN_ROW: usize = 2;
+
+/// Whole objects, one row for each class.
+fn objects(objects: &[ObjectChange]) -> String {
+    if objects.is_empty() {
+        return String::new();
+    }
+    let mut table = table(&["objects", "", "class", "names"]);
+    for group in object_groups(objects) {
+        let count = group.names.len().to_string();
+        table.add_row([group.deed.as_str(), &count, group.class, &listed(&group.names, NAMED)]);
+    }
+    table.right_aligned(&[1]);
+    format!("{}\n", table.trim_fmt())
+}
+
+/// Whether the numbers that change are those of new objects: what they change from is the contact that they are made from.
+pub fn is_new(plan: &Plan) -> bool {
+    plan.objects().iter().any(|object| object.deed == Deed::Added)
+}
+
+fn changes(plan: &Plan) -> String {
+    let changes: &[Change] = &plan.changes;
+    if changes.is_empty() {
+        return String::new();
+    }
+    let before = if is_new(plan) { "from" } else { "now" };
+    let mut table = table(&["property", "of", before, "new", "factor", "equation"]);
+    let groups = groups(changes);
+    let several = several_groups(&groups);
+    for group in &groups {
+        let Some(first) = group.first() else { continue };
+        let of = if several.contains(&first.property) {
+            listed(&names(group), NAMED_IN_ROW)
+        } else {
+            whose(group)
+        };
+        let factor = first.factor.map(|factor| format!("x{}", readable(factor))).unwrap_or_default();
+        let equation = if first.equation.starts_with(|c: char| c.is_ascii_digit() || c == 'A' || c == 'C') {
+            format!("({})", first.equation)
+        } else {
+            first.equation.to_owned()
+        };
+        let new = if first.inserted {
+            format!("{} +", readable(first.to))
+        } else {
+            format!("{}  ", readable(first.to))
+        };
+        table.add_row(vec![
+            first.property.name().to_owned(),
+            of,
+            readable(first.from),
+            new,
+            factor,
+            equation,
+        ]);
+    }
+    table.right_aligned(&[2, 3, 4]);
+    let mut text = table.trim_fmt();
+    text.push('\n');
+    if changes.iter().any(|change| change.inserted) {
+        text.push_str("  (+ was not in the file: OpenSim's default applied; it is written out now)\n");
+    }
+    text
+}
+
+/// Spheres that are added, one row each, as they are written.
+fn new_spheres(plan: &Plan) -> String {
+    let spheres = plan.new_spheres();
+    if spheres.is_empty() {
+        return String::new();
+    }
+    let mut table = table(&["new sphere", "on", "radius", "x", "y", "z"]);
+    for sphere in spheres {
+        let mut cells = vec![sphere.name.to_owned(), sphere.body.to_owned(), readable(sphere.radius_m)];
+        cells.extend(sphere.centre_m.map(centre));
+        table.add_row(cells);
+    }
+    table.right_aligned(&[2, 3, 4, 5]);
+    format!("{}\n  (m, in the frame of the body)\n", table.trim_fmt())
+}
+
+/// Sphere centres that move, one row each: they are rarely alike. Those of new spheres are in a table of their own.
+fn moves(plan: &Plan) -> String {
+    let moves = moves_of_others(plan);
+    if moves.is_empty() {
+        return String::new();
+    }
+    let mut table = table(&["centre of", "x", "y", "z", "new x", "new y", "new z", "by"]);
+    for moved in moves {
+        let mut cells = vec![moved.sphere.clone()];
+        cells.extend(moved.from.iter().chain(&moved.to).copied().map(centre));
+        cells.push(moved.equation.to_owned());
+        table.add_row(cells);
+    }
+    table.right_aligned(&[1, 2, 3, 4, 5, 6]);
+    format!("{}\n", table.trim_fmt())
+}
+
+/// Centres that move of spheres that were there before.
+pub fn moves_of_others(plan: &Plan) -> Vec<&Move> {
+    let new = plan.new_spheres();
+    let new: HashSet<&str> = new.iter().map(|sphere| sphere.path).collect();
+    plan.moves.iter().filter(|place| !new.contains(place.path.as_str())).collect()
+}
+
+/// A coordinate of a centre, in metres to a hundredth of a millimetre, and 0 without a minus.
+pub fn centre(metres: f64) -> String {
+    format!("{:.5}", (metres * 1e5).round() / 1e5 + 0.0)
+}
+
+// Equal changes together, so that twelve spheres are one line.
+
+/// Equal changes together, in the order of the first of each.
+pub fn groups(changes: &[Change]) -> Vec<Vec<&Change>> {
+    let mut groups: Vec<Vec<&Change>> = Vec::new();
+    let mut places = HashMap::new();
+    for change in changes {
+        // What a group has in common.
+        let key =
+            (change.property, change.from.to_bits(), change.to.to_bits(), change.equation, change.inserted);
+        let place = *places.entry(key).or_insert(groups.len());
+        match groups.get_mut(place) {
+            Some(group) => group.push(change),
+            None => groups.push(vec![change]),
+        }
+    }
+    groups
+}
+
+/// The force or sphere of a group, or how many there are.
+pub fn whose(group: &[&Change]) -> String {
+    let one = group.first().and_then(|change| change.sphere.clone().or_else(|| change.force.clone()));
+    match (group.len(), group.first().is_some_and(|change| change.sphere.is_some())) {
+        (1, _) => one.unwrap_or_default(),
+        (count, true) => format!("{count} spheres"),
+        (count, false) => format!("{count} forces"),
+    }
+}
+
+/// The properties with several groups, which need names.
+pub fn several_groups(groups: &[Vec<&Change>]) -> HashSet<Property> {
+    let mut seen = HashSet::new();
+    let properties = groups.iter().filter_map(|group| group.first()).map(|change| change.property);
+    properties.filter(|&property| !seen.insert(property)).collect()
+}
+
+/// The spheres or forces of a group.
+pub fn names<'c>(group: &[&'c Change]) -> Vec<&'c str> {
+    group.iter().filter_map(|change| change.sphere.as_deref().or(change.force.as_deref())).collect()
+}
+
+// Objects of one class together, so that twelve spheres are one line.
+
+/// Objects of one class to which the same happens.
+pub struct ObjectGroup<'p> {
+    /// What is done.
+    pub deed: Deed,
+    /// The class of the objects.
+    pub class: &'static str,
+    /// Their names, in the plan's order.
+    pub names: Vec<&'p str>,
+}
+
+/// Objects by what happens to them and by class, in the order of the first of each.
+pub fn object_groups(objects: &[ObjectChange]) -> Vec<ObjectGroup<'_>> {
+    let mut groups: Vec<ObjectGroup<'_>> = Vec::new();
+    for object in objects {
+        match groups.iter_mut().find(|group| group.deed == object.deed && group.class == object.class) {
+            Some(group) => group.names.push(&object.name),
+            None => {
+                groups.push(ObjectGroup {
+                    deed: object.deed,
+                    class: object.class,
+                    names: vec![&object.name],
+                });
+            }
+        }
+    }
+    groups
+}
+
+// The change as a unified diff, as version control shows it.
+
+/// Lines before and after each change.
+const CONTEXT: u32 = 1;
+
+/// Differences between the bytes of a model before and after, under these names.
+#[must_use]
+pub fn unified_diff(old: &[u8], new: &[u8], old_name: &str, new_name: &str) -> String {
+    // Bytes that are not UTF-8 are the same on both sides; a diff is for reading, so they may be shown as replacements.
+    let (old, new) = (String::from_utf8_lossy(old), String::from_utf8_lossy(new));
+    let input = InternedInput::new(old.as_ref(), new.as_ref());
+    let mut diff = Diff::compute(Algorithm::Myers, &input);
+    diff.postprocess_no_heuristic(&input);
+    if diff.count_additions() + diff.count_removals() == 0 {
+        return String::new();
+    }
+    let mut config = UnifiedDiffConfig::default();
+    config.context_len(CONTEXT);
+    let lines = diff.unified_diff(&Lines(&input.interner), config, &input).to_string();
+    format!("--- {old_name}\n+++ {new_name}\n{lines}")
+}
+
+/// Prints lines as `diff -u` does.
+struct Lines<'i>(&'i Interner<&'i str>);
+
+impl Lines<'_> {
+    fn line(&self, f: &mut impl fmt::Write, sign: char, token: Token) -> fmt::Result {
+        let line = self.0[token];
+        write!(f, "{sign}{line}")?;
+        if line.ends_with('\n') { Ok(()) } else { writeln!(f, "\n\\ No newline at end of file") }
+    }
+}
+
+/// Where lines begin, from 1, and how many they are. Without lines, it is the line before them.
+struct Place(u32, u32);
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self(start, 1) => write!(f, "{}", start + 1),
+            Self(start, 0) => write!(f, "{start},0"),
+            Self(start, lines) => write!(f, "{},{lines}", start + 1),
+        }
+    }
+}
+
+impl UnifiedDiffPrinter for Lines<'_> {
+    fn display_header(
+        &self,
+        mut f: impl fmt::Write,
+        start_before: u32,
+        start_after: u32,
+        len_before: u32,
+        len_after: u32,
+    ) -> fmt::Result {
+        writeln!(f, "@@ -{} +{} @@", Place(start_before, len_before), Place(start_after, len_after))
+    }
+
+    fn display_context_token(&self, mut f: impl fmt::Write, token: Token) -> fmt::Result {
+        self.line(&mut f, ' ', token)
+    }
+
+    fn display_hunk(&self, mut f: impl fmt::Write, before: &[Token], after: &[Token]) -> fmt::Result {
+        before.iter().try_for_each(|token| self.line(&mut f, '-', *token))?;
+        after.iter().try_for_each(|token| self.line(&mut f, '+', *token))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_that_change_stand_between_their_neighbours() {
+        let old = b"a\nb\nc\nd\ne\nf\ng\n";
+        let new = b"a\nB\nc\nd\ne\nF\ng\n";
+        let expected = "--- x\n+++ y\n@@ -1,3 +1,3 @@\n a\n-b\n+B\n c\n@@ -5,3 +5,3 @@\n e\n-f\n+F\n g\n";
+        assert_eq!(unified_diff(old, new, "x", "y"), expected);
+    }
+
+    #[test]
+    fn an_end_without_a_line_end_is_told_and_equal_files_say_nothing() {
+        let expected =
+            "--- x\n+++ y\n@@ -1 +1 @@\n-a\n\\ No newline at end of file\n+b\n\\ No newline at end of file\n";
+        assert_eq!(unified_diff(b"a", b"b", "x", "y"), expected);
+        assert_eq!(unified_diff(b"a\r\n", b"a\r\n", "x", "y"), "");
+    }
+
+    #[test]
+    fn a_line_that_is_added_at_the_end_of_one() {
+        assert_eq!(unified_diff(b"", b"a\n", "x", "y"), "--- x\n+++ y\n@@ -0,0 +1 @@\n+a\n");
+    }
+}

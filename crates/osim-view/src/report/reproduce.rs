@@ -1,0 +1,259 @@
+//! Table 1 of the paper beside what its equations give: as text, CSV and a record; and what Fig. 1 needs.
+
+use contact_scaling::table1::{self, Animal, Column, Compared};
+use osim_inspect::SCHEMA_VERSION;
+use osim_model::files::Failure;
+use osim_model::messages::{Dialect, counted, readable, shortest};
+use osim_requests::fig1;
+#[cfg(feature = "schemas")]
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::report::layout::{csv_text, filled, table, wrapped};
+
+// The comparison as data.
+
+/// Table 1 of the paper, printed and computed, as the JSON has it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct ReproductionRecord {
+    /// Raised when a field changes its meaning or goes away.
+    pub schema_version: u32,
+    /// The rows of Table 1, in its order.
+    pub table1: Vec<AnimalRecord>,
+    /// How many numbers were compared.
+    pub numbers: usize,
+    /// How many of them are within half a unit of the last printed digit.
+    pub within_last_digit: usize,
+    /// What Fig. 1 shows and needs, in words: it is not computed.
+    pub fig1: Vec<String>,
+}
+
+/// An animal of Table 1.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct AnimalRecord {
+    /// What it is called.
+    pub taxon: &'static str,
+    /// Its mass, kg.
+    pub mass_kg: f64,
+    /// Spheres n that share its weight.
+    pub sphere_count: f64,
+    /// Their radius, m.
+    pub radius_m: f64,
+    /// The numbers of its row.
+    pub values: Vec<NumberRecord>,
+}
+
+/// A number of Table 1.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct NumberRecord {
+    /// Its name; it ends in the unit, which is the paper's.
+    pub name: &'static str,
+    /// In words.
+    #[serde(skip)]
+    pub label: &'static str,
+    /// Its unit, for people; empty for a pure number.
+    pub unit: &'static str,
+    /// Number of the equation; empty where it is given, or the result of the drop test.
+    pub equation: &'static str,
+    /// As the paper prints it, with all its digits.
+    pub printed: &'static str,
+    /// As it is computed.
+    pub computed: f64,
+    /// Computed minus printed.
+    pub difference: f64,
+    /// The difference over the printed number.
+    pub relative_difference: f64,
+    /// Whether the computed number is within half a unit of the last printed digit.
+    pub within_last_digit: bool,
+    /// The number that gives the printed digits, computed from the rounded E* that the paper prints for the human; null where
+    /// the exact one gives them, too.
+    pub computed_from_rounded: Option<f64>,
+}
+
+impl ReproductionRecord {
+    /// Computes it.
+    ///
+    /// # Errors
+    /// None with the numbers of the table.
+    pub fn new(dialect: &dyn Dialect) -> Result<Self, Failure> {
+        let rows: Result<Vec<AnimalRecord>, Failure> =
+            table1::animals().map(|row| AnimalRecord::new(&row)).collect();
+        let table1 = rows?;
+        let numbers = || table1.iter().flat_map(|animal| &animal.values);
+        Ok(Self {
+            schema_version: SCHEMA_VERSION,
+            numbers: numbers().count(),
+            within_last_digit: numbers().filter(|number| number.within_last_digit).count(),
+            fig1: fig1().iter().map(|paragraph| paragraph.spelled(dialect)).collect(),
+            table1,
+        })
+    }
+
+    /// E* of the human as the paper prints it.
+    fn rounded_base(&self) -> Option<&'static str> {
+        let human = self.table1.first()?;
+        let base = human.values.iter().find(|number| number.name == Column::CompositeModulus.name());
+        base.map(|number| number.printed)
+    }
+}
+
+impl AnimalRecord {
+    fn new(animal: &Animal) -> Result<Self, Failure> {
+        let failed = |error: contact_scaling::drop_test::DropError| {
+            Failure::outside("Table 1", "out-of-domain", error.to_string())
+        };
+        let scale = animal.scale();
+        Ok(Self {
+            taxon: animal.taxon(),
+            mass_kg: scale.mass_kg(),
+            sphere_count: scale.sphere_count(),
+            radius_m: scale.radius_m(),
+            values: animal.compared().map_err(failed)?.iter().map(NumberRecord::from).collect(),
+        })
+    }
+}
+
+impl From<&Compared> for NumberRecord {
+    fn from(compared: &Compared) -> Self {
+        let column = compared.column;
+        Self {
+            name: column.name(),
+            label: column.label(),
+            unit: column.unit(),
+            equation: column.equation(),
+            printed: compared.printed,
+            computed: compared.computed,
+            difference: compared.difference(),
+            relative_difference: compared.relative_difference(),
+            within_last_digit: compared.is_within_last_digit(),
+            computed_from_rounded: compared.from_rounded.filter(|_| compared.is_from_rounded()),
+        }
+    }
+}
+
+// The comparison for people and for spreadsheets.
+
+/// Digits that are shown beyond those of the paper.
+const MORE_DIGITS: usize = 3;
+
+/// Table 1, number by number, and in how many the paper and its equations agree.
+#[must_use]
+pub fn reproduction_text(record: &ReproductionRecord) -> String {
+    let mut table = table(&["Table 1", "paper", "computed", "difference", "relative", "agrees"]);
+    for number in record.table1.iter().flat_map(|animal| &animal.values) {
+        table.add_row(cells(number));
+    }
+    table.right_aligned(&[1, 2, 3, 4]);
+    let formatted = table.trim_fmt();
+    let mut lines = formatted.lines();
+    let mut text = format!("{}\n", lines.next().unwrap_or_default());
+    for animal in &record.table1 {
+        text.push_str(&format!("{}\n", heading(animal)));
+        for line in lines.by_ref().take(animal.values.len()) {
+            text.push_str(&format!("{line}\n"));
+        }
+    }
+    text.push_str(&format!("\n{}", summary(record)));
+    text
+}
+
+/// What Fig. 1 shows and what it needs.
+#[must_use]
+pub fn fig1_text(record: &ReproductionRecord) -> String {
+    let paragraphs: Vec<String> = record.fig1.iter().map(|paragraph| filled(paragraph)).collect();
+    format!("{}\n", paragraphs.join("\n"))
+}
+
+/// Table 1 with a row for each number: its animal, as printed, as computed.
+///
+/// # Errors
+/// None in practice: the rows are written into memory.
+pub fn reproduction_csv(record: &ReproductionRecord) -> Result<String, csv::Error> {
+    let header = [
+        "taxon",
+        "mass_kg",
+        "sphere_count",
+        "radius_m",
+        "quantity",
+        "unit",
+        "equation",
+        "printed",
+        "computed",
+        "difference",
+        "relative_difference",
+        "within_last_digit",
+        "computed_from_rounded",
+    ];
+    let rows = record.table1.iter().flat_map(|animal| {
+        animal.values.iter().map(move |number| {
+            vec![
+                animal.taxon.to_owned(),
+                shortest(animal.mass_kg),
+                shortest(animal.sphere_count),
+                shortest(animal.radius_m),
+                number.name.to_owned(),
+                number.unit.to_owned(),
+                number.equation.to_owned(),
+                number.printed.to_owned(),
+                shortest(number.computed),
+                shortest(number.difference),
+                shortest(number.relative_difference),
+                number.within_last_digit.to_string(),
+                number.computed_from_rounded.map(shortest).unwrap_or_default(),
+            ]
+        })
+    });
+    csv_text(std::iter::once(header.map(str::to_owned).to_vec()).chain(rows))
+}
+
+fn heading(animal: &AnimalRecord) -> String {
+    let [mass, spheres, radius] = [animal.mass_kg, animal.sphere_count, animal.radius_m].map(readable);
+    format!("{}: {mass} kg on {} of R = {radius} m", animal.taxon, counted(spheres, "sphere"))
+}
+
+fn cells(number: &NumberRecord) -> Vec<String> {
+    let decimals = number.printed.split_once('.').map_or(0, |(_, decimals)| decimals.len()) + MORE_DIGITS;
+    let unit = if number.unit.is_empty() { String::new() } else { format!(", {}", number.unit) };
+    vec![
+        format!("  {}{unit}", number.label),
+        number.printed.to_owned(),
+        format!("{:.decimals$}", number.computed),
+        format!("{:+.decimals$}", number.difference),
+        format!("{:+.2} %", 100.0 * number.relative_difference),
+        if number.within_last_digit { "yes" } else { "no" }.to_owned(),
+    ]
+}
+
+/// How many agree, why others do not, and how it was computed.
+fn summary(record: &ReproductionRecord) -> String {
+    let (agree, all) = (record.within_last_digit, record.numbers);
+    let mut text = filled(&format!(
+        "{agree} of {all} numbers agree: computed and printed are within half a unit of the last printed digit of each other."
+    ));
+    text.push('\n');
+    let numbers =
+        record.table1.iter().flat_map(|animal| animal.values.iter().map(move |number| (animal, number)));
+    for (animal, number) in numbers.filter(|(_, number)| !number.within_last_digit) {
+        let why = match (number.computed_from_rounded, record.rounded_base()) {
+            (Some(value), Some(base)) => format!(
+                "the paper multiplies the rounded {base} {} of its human, which gives {}",
+                number.unit,
+                readable(value)
+            ),
+            _ => "no rounding explains it".to_owned(),
+        };
+        text.push_str(&wrapped(&format!("- {}, {}: {why}.", animal.taxon, number.label), "  "));
+    }
+    text.push_str(&filled(
+        "E1*, E* and alpha follow from the 62 kg human by (10), (A.4) and (14). The final x/R is that of a drop test by our own \
+         integrator, from a quarter of the radius and for 2 s at 9.81 m/s2 on a HuntCrossleyForce, and k is (B.2) there.",
+    ));
+    text.push('\n');
+    text
+}

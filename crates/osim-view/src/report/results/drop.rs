@@ -1,0 +1,254 @@
+//! A drop: as text, CSV, a chart of letters, and JSON.
+
+#[cfg(feature = "schemas")]
+use std::borrow::Cow;
+
+use contact_plots::{Axis, Curve, Look, Panel};
+use contact_scaling::drop_test::DropReport;
+#[cfg(feature = "schemas")]
+use osim_inspect::ObjectSchema;
+use osim_inspect::SCHEMA_VERSION;
+use osim_model::messages::{counted, readable, shortest};
+use osim_planning::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow};
+#[cfg(feature = "schemas")]
+use schemars::JsonSchema;
+#[cfg(feature = "schemas")]
+use schemars::Schema;
+#[cfg(feature = "schemas")]
+use schemars::SchemaGenerator;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
+
+use crate::report::layout::{WIDTH, table};
+
+/// Curves closer than this (in radii and body weights) differ by the rounding of the integration.
+const ROUNDING: f64 = 1e-9;
+/// Rows of a chart.
+const CHART_ROWS: usize = 16;
+
+/// The figures of a drop, whether they are within what the laws were made for, and how far it is from another drop.
+#[must_use]
+pub fn drop_text(drop: &DropResult) -> String {
+    let values = drop.values;
+    let mut text = format!(
+        "{}: {} kg on {}, {} m/s2, from {} m, {} s\n\n",
+        drop.name,
+        readable(values.mass_kg),
+        counted(readable(drop.sphere_count), "sphere"),
+        readable(values.gravity_m_s2),
+        readable(values.height_m),
+        readable(values.duration_s)
+    );
+    text.push_str(&rows(drop));
+    text.push_str(&limits(drop));
+    if drop.report.first_contact.is_none() {
+        text.push_str("\nthe body does not reach the ground in this time\n");
+    } else if DropFigure::ContactTime.value(drop).is_none() {
+        text.push_str(
+            "\nthe body does not leave the ground again: contact time and rebound speed are absent\n",
+        );
+    }
+    if let Some(compared) = &drop.compared {
+        text.push_str(&format!(
+            "\nagainst {}, dimensionless, up to t/sqrt(R/g) = {}:\n  largest difference of height/radius {}, \
+             of force/body weight {}\n",
+            compared.name,
+            readable(compared.difference.until),
+            apart(compared.difference.height),
+            apart(compared.difference.force)
+        ));
+    }
+    text
+}
+
+fn rows(drop: &DropResult) -> String {
+    let mut table = table(&["figure", "value", "unit"]);
+    for place in [DropRow::Here, DropRow::Last] {
+        for figure in DropFigure::ALL.iter().filter(|figure| figure.row() == place) {
+            let (info, value) = (figure.info(), figure.value(drop));
+            let shown = value.map_or_else(|| "absent".to_owned(), readable);
+            let unit = if value.is_some() { info.unit } else { "" };
+            table.add_row(vec![info.heading_without_unit(), shown, unit.to_owned()]);
+        }
+    }
+    table.right_aligned(&[1]);
+    format!("{}\n", table.trim_fmt())
+}
+
+/// Whether the figures are within what the laws were made for, by the equations that `check` compares with the same limits:
+/// (11) and (13).
+fn limits(drop: &DropResult) -> String {
+    let word = |within: bool| if within { "within" } else { "outside" };
+    let admits = |figure: DropFigure| {
+        let limit = figure.info().limit?;
+        Some((figure.value(drop).is_some_and(|value| limit.admits(value)), limit.in_words()))
+    };
+    let mut text = String::new();
+    if let Some((within, limit)) = admits(DropFigure::IndentationHertz) {
+        text.push_str(&format!(
+            "\nindentation/radius at rest, by (11), is {} the Hertz law ({limit})\n",
+            word(within)
+        ));
+    }
+    let restitution = admits(DropFigure::RestitutionApproximate).zip(DropFigure::ImpactSpeed.value(drop));
+    if let Some(((within, limit), speed)) = restitution {
+        text.push_str(&format!("restitution by (13) is {} the Hunt-Crossley law ({limit})\n", word(within)));
+        if DropFigure::RestitutionApproximate.value(drop).is_none() {
+            text.push_str(&format!("(13) would be below 0 at {} m/s, outside its domain\n", readable(speed)));
+        }
+    }
+    text
+}
+
+/// A difference; what rounding leaves counts as 0.
+fn apart(difference: f64) -> String {
+    if difference < ROUNDING { "below 1e-9".to_owned() } else { format!("{difference:.3e}") }
+}
+
+/// Force over body weight against time, in letters: for terminals, which can draw it.
+#[must_use]
+pub fn drop_chart(drop: &DropResult) -> String {
+    let report = &drop.report;
+    let points = report
+        .series
+        .iter()
+        .map(|sample| (DropColumn::Time.value(report, sample), DropColumn::ForceBw.value(report, sample)));
+    let mut panel = Panel::new("", Axis::new("time (s)"), Axis::new("force/body weight"));
+    panel.curves.push(Curve { label: String::new(), points: points.collect(), look: Look::series(0) });
+    // One sample alone is not a curve; the figures are enough.
+    let chart = contact_plots::text(&panel, WIDTH, CHART_ROWS);
+    chart.map_or_else(|_| String::new(), |chart| format!("\n{chart}"))
+}
+
+/// The series, one row for each moment.
+///
+/// # Errors
+/// None in practice: the rows are written into memory.
+pub fn drop_csv(drop: &DropResult) -> Result<String, csv::Error> {
+    let report = &drop.report;
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(DropColumn::ALL.iter().map(|column| column.info().name))?;
+    for sample in &report.series {
+        writer.write_record(DropColumn::ALL.iter().map(|column| shortest(column.value(report, sample))))?;
+    }
+    let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+// The JSON contract of a drop.
+
+/// A drop, as the JSON has it: each [`DropFigure`] by its name, and the motion.
+#[derive(Debug, Clone, Copy)]
+pub struct DropRecord<'d>(&'d DropResult);
+
+/// How far two drops are apart without dimensions.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[non_exhaustive]
+pub struct DropDifferenceRecord {
+    /// The other body.
+    pub other: String,
+    /// Its name in bytes, if it is not UTF-8.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub other_bytes: Option<Vec<u8>>,
+    /// Up to which t/√(R/g).
+    pub until_dimensionless_time: f64,
+    /// Largest difference of height over radius.
+    pub height_over_radius: f64,
+    /// Largest difference of force over body weight.
+    pub force_bw: f64,
+}
+
+/// The motion of a drop: each [`DropColumn`] by its name.
+#[derive(Debug, Clone, Copy)]
+pub struct DropSeriesRecord<'d>(&'d DropReport);
+
+impl<'d> From<&'d DropResult> for DropRecord<'d> {
+    fn from(drop: &'d DropResult) -> Self {
+        Self(drop)
+    }
+}
+
+impl From<&ComparedDrop> for DropDifferenceRecord {
+    fn from(compared: &ComparedDrop) -> Self {
+        let (other, other_bytes) = compared.name.clone().into_parts();
+        Self {
+            other,
+            other_bytes,
+            until_dimensionless_time: compared.difference.until,
+            height_over_radius: compared.difference.height,
+            force_bw: compared.difference.force,
+        }
+    }
+}
+
+impl Serialize for DropRecord<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(drop) = self;
+        let (model, model_bytes) = drop.name.clone().into_parts();
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("schema_version", &SCHEMA_VERSION)?;
+        map.serialize_entry("model", &model)?;
+        if let Some(bytes) = model_bytes {
+            map.serialize_entry("model_bytes", &bytes)?;
+        }
+        for figure in DropFigure::ALL {
+            map.serialize_entry(figure.info().name, &figure.value(drop))?;
+        }
+        map.serialize_entry("compare", &drop.compared.as_ref().map(DropDifferenceRecord::from))?;
+        map.serialize_entry("series", &DropSeriesRecord(&drop.report))?;
+        map.end()
+    }
+}
+
+#[cfg(feature = "schemas")]
+impl JsonSchema for DropRecord<'_> {
+    fn schema_name() -> Cow<'static, str> {
+        "DropRecord".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let mut object = ObjectSchema::new(generator);
+        object.field::<u32>("schema_version", "Raised when a field changes its meaning or goes away.");
+        object.field::<String>("model", "The model or preset.");
+        object.field_or_none::<Option<Vec<u8>>>("model_bytes", "Its name in bytes, if it is not UTF-8.");
+        for figure in DropFigure::ALL {
+            let info = figure.info();
+            match figure.is_always_known() {
+                true => object.field::<f64>(info.name, &info.described()),
+                false => object.field::<Option<f64>>(info.name, &info.described()),
+            }
+        }
+        let compare = "How far it is from another drop, where one was asked for.";
+        object.field::<Option<DropDifferenceRecord>>("compare", compare);
+        object.field::<DropSeriesRecord<'_>>("series", "The motion.");
+        object.finish("A drop, as the JSON has it.")
+    }
+}
+
+impl Serialize for DropSeriesRecord<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(report) = self;
+        let mut map = serializer.serialize_map(None)?;
+        for column in DropColumn::ALL {
+            let values = report.series.iter().map(|sample| column.value(report, sample));
+            map.serialize_entry(column.info().name, &values.collect::<Vec<f64>>())?;
+        }
+        map.end()
+    }
+}
+
+#[cfg(feature = "schemas")]
+impl JsonSchema for DropSeriesRecord<'_> {
+    fn schema_name() -> Cow<'static, str> {
+        "DropSeriesRecord".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let mut object = ObjectSchema::new(generator);
+        for info in DropColumn::ALL.iter().map(|column| column.info()) {
+            object.field::<Vec<f64>>(info.name, &info.described());
+        }
+        object.finish("The motion of a drop; entry `i` of each list is one moment.")
+    }
+}

@@ -1,0 +1,357 @@
+//! Contacts along a motion: in words, as tables, and as files of OpenSim.
+
+use osim_model::feet::dot;
+use osim_model::messages::{Dialect, readable, shortest, shown};
+use osim_model::{Side, cross};
+use osim_motion::{Comparison, ContactPair, ContactState, ON_BW, SphereSummary, Touched, Wrench};
+use osim_planning::{MotionRemark, MotionResult};
+
+use crate::report::layout::{table, wrapped};
+pub use crate::report::results::motion_record::{
+    MotionComparisonRecord, MotionFootRecord, MotionRecord, MotionRemarkRecord, MotionSphereRecord,
+    MotionStanceRecord, MotionTouchDownRecord,
+};
+
+// A motion in words, with figures of each foot and sphere.
+
+/// What the contacts do, in words first.
+#[must_use]
+pub fn motion_text(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> String {
+    let states = &result.states;
+    let (first, last) = (states.time_s.first().copied(), states.time_s.last().copied());
+    let mut text = format!(
+        "{}, {}: {} frames from {} to {} s, {} kg, {} m/s2\n\n",
+        result.opened.name(),
+        result.motion,
+        states.frames(),
+        readable(first.unwrap_or_default()),
+        readable(last.unwrap_or_default()),
+        readable(result.mass_kg),
+        readable(result.gravity_m_s2)
+    );
+    for remark in remarks {
+        let mark = if remark.code == "foot" { "" } else { "note: " };
+        text.push_str(&wrapped(&format!("{mark}{}", remark.message.spelled(dialect)), ""));
+        text.push('\n');
+    }
+    text.push_str(&feet(result));
+    text.push('\n');
+    text.push_str(&spheres(result));
+    text
+}
+
+fn feet(result: &MotionResult) -> String {
+    let (columns, rows) = motion_feet(result);
+    let mut all = table(&columns);
+    for row in rows {
+        all.add_row(row);
+    }
+    all.right_aligned(&(1..columns.len()).collect::<Vec<_>>());
+    format!("{}\n", all.trim_fmt())
+}
+
+/// The headers and the rows of the table of feet: one row each, and one for all together.
+#[must_use]
+pub fn motion_feet(result: &MotionResult) -> (Vec<&'static str>, Vec<Vec<String>>) {
+    let weight_n = result.summary.weight_n;
+    let bw = |force_n: f64| format!("{:.3}", force_n / weight_n);
+    let with_plates = result.measured.is_some();
+    let mut columns = vec!["foot", "stances", "peak, BW"];
+    if with_plates {
+        columns.extend(["plates, BW", "rms, N", "rms, BW", "COP, mm"]);
+    }
+    let mut rows = Vec::new();
+    let mut add = |name: &str, stances: Option<usize>, peak_n: f64, comparison: Option<&Comparison>| {
+        let stances = stances.map(|count| count.to_string()).unwrap_or_default();
+        let mut row = vec![shown(name).to_string(), stances, bw(peak_n)];
+        if with_plates {
+            let cell = |value: Option<String>| value.unwrap_or_else(|| "-".to_owned());
+            row.push(cell(comparison.map(|one| bw(one.measured_peak_n))));
+            row.push(cell(comparison.map(|one| format!("{:.0}", one.normal_rms_n))));
+            row.push(cell(comparison.map(|one| bw(one.normal_rms_n))));
+            row.push(cell(
+                comparison.and_then(|one| one.cop_rms_m).map(|cop_m| format!("{:.0}", 1e3 * cop_m)),
+            ));
+        }
+        rows.push(row);
+    };
+    for foot in &result.summary.feet {
+        add(&foot.foot.name, Some(foot.stances.len()), foot.peak_n, foot.comparison.as_ref());
+    }
+    add("all feet", None, result.summary.peak_n, result.summary.comparison.as_ref());
+    (columns, rows)
+}
+
+fn spheres(result: &MotionResult) -> String {
+    let mut all = table(&[
+        "sphere",
+        "peak, N",
+        "x/R",
+        "at, s",
+        "x/R > 0.16, s",
+        "slip, m/s",
+        "impact, m/s",
+        "restitution",
+    ]);
+    for foot in &result.summary.feet {
+        for sphere in &foot.spheres {
+            all.add_row(sphere_row(result, sphere));
+        }
+    }
+    all.right_aligned(&[1, 2, 3, 4, 5, 6, 7]);
+    format!("{}\n", all.trim_fmt())
+}
+
+fn sphere_row(result: &MotionResult, sphere: &SphereSummary) -> Vec<String> {
+    let pair = result.states.pairs.get(sphere.pair);
+    let name =
+        pair.and_then(|pair| result.opened.model.sphere(pair.sphere)).map(|sphere| sphere.name.as_str());
+    let fastest = sphere.touch_downs.iter().max_by(|a, b| a.impact_speed_m_s.total_cmp(&b.impact_speed_m_s));
+    let cell = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.3}"));
+    vec![
+        shown(name.unwrap_or_default()).to_string(),
+        format!("{:.0}", sphere.peak_n),
+        format!("{:.3}", sphere.largest_relative_indentation),
+        format!("{:.3}", sphere.largest_at_s),
+        format!("{:.3}", sphere.beyond_hertz_s),
+        cell(sphere.slip_m_s),
+        cell(fastest.map(|touch| touch.impact_speed_m_s)),
+        cell(fastest.and_then(|touch| touch.restitution)),
+    ]
+}
+
+// One row per frame, sphere and force: as columns, and as CSV.
+
+/// A column of the rows of a motion.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct MotionColumn {
+    /// Its name; it ends in the unit, where there is one.
+    pub name: &'static str,
+    /// One cell for each row.
+    pub cells: MotionCells,
+}
+
+/// The cells of a column.
+#[derive(Debug, Clone, PartialEq)]
+pub enum MotionCells {
+    /// Numbers.
+    Numbers(Vec<f64>),
+    /// Names.
+    Texts(Vec<String>),
+    /// Whether something holds.
+    Flags(Vec<bool>),
+}
+
+/// How to get a number of a row.
+type Number = fn(&ContactPair, &ContactState) -> f64;
+
+/// The numbers after time, sphere and body.
+const NUMBERS: [(&str, Number); 15] = [
+    ("centre_x_m", |_, state| state.centre_m[0]),
+    ("centre_y_m", |_, state| state.centre_m[1]),
+    ("centre_z_m", |_, state| state.centre_m[2]),
+    ("velocity_x_m_s", |_, state| state.velocity_m_s[0]),
+    ("velocity_y_m_s", |_, state| state.velocity_m_s[1]),
+    ("velocity_z_m_s", |_, state| state.velocity_m_s[2]),
+    ("indentation_m", |_, state| state.indentation_m),
+    ("relative_indentation", |pair, state| state.indentation_m / pair.radius_m),
+    ("force_x_n", |_, state| state.force_n[0]),
+    ("force_y_n", |_, state| state.force_n[1]),
+    ("force_z_n", |_, state| state.force_n[2]),
+    ("point_x_m", |_, state| state.point_m[0]),
+    ("point_y_m", |_, state| state.point_m[1]),
+    ("point_z_m", |_, state| state.point_m[2]),
+    ("slip_speed_m_s", |_, state| state.slip_speed_m_s()),
+];
+
+/// Each sphere on each plane in each frame, column by column.
+#[must_use]
+pub fn motion_columns(result: &MotionResult) -> Vec<MotionColumn> {
+    let (states, model) = (&result.states, &result.opened.model);
+    let sphere =
+        |pair: &ContactPair| model.sphere(pair.sphere).map(|sphere| sphere.name.clone()).unwrap_or_default();
+    let force =
+        |pair: &ContactPair| model.force(pair.force).map(|force| force.name.clone()).unwrap_or_default();
+    let touched = |pair: &ContactPair| match pair.touched {
+        Touched::Plane(plane) => states.planes.get(plane).map(|plane| plane.name.clone()).unwrap_or_default(),
+        Touched::Sphere(other) => model.sphere(other).map(|other| other.name.clone()).unwrap_or_default(),
+    };
+    let side = |pair: &ContactPair| {
+        let side = Side::of_name(&pair.body).or_else(|| Side::of_name(&sphere(pair)));
+        side.map_or("", Side::as_str).to_owned()
+    };
+    let frames = states.frames();
+    let repeated = |text: &dyn Fn(&ContactPair) -> String| {
+        let once: Vec<String> = states.pairs.iter().map(text).collect();
+        MotionCells::Texts((0..frames).flat_map(|_| once.iter().cloned()).collect())
+    };
+    let times = states.time_s.iter().flat_map(|&time_s| states.pairs.iter().map(move |_| time_s)).collect();
+    let numbers = NUMBERS.iter().map(|(name, number)| {
+        let of_frame = |frame: usize| {
+            states.pairs.iter().zip(states.frame(frame)).map(|(pair, state)| number(pair, state))
+        };
+        MotionColumn { name, cells: MotionCells::Numbers((0..frames).flat_map(of_frame).collect()) }
+    });
+    let applies = (0..frames).flat_map(|_| states.pairs.iter().map(|pair| pair.applies)).collect();
+    let column = |name, cells| MotionColumn { name, cells };
+    [
+        column("time_s", MotionCells::Numbers(times)),
+        column("sphere", repeated(&sphere)),
+        column("body", repeated(&|pair| pair.body.clone())),
+    ]
+    .into_iter()
+    .chain(numbers)
+    .chain([
+        column("side", repeated(&side)),
+        column("force", repeated(&force)),
+        column("plane", repeated(&touched)),
+        column("applies", MotionCells::Flags(applies)),
+    ])
+    .collect()
+}
+
+/// The same as CSV. Numbers are the shortest that read back exactly.
+///
+/// # Errors
+/// Never, for text in memory.
+pub fn motion_csv(result: &MotionResult) -> Result<String, csv::Error> {
+    let columns = motion_columns(result);
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(columns.iter().map(|column| column.name))?;
+    for row in 0..result.states.frames() * result.states.pairs.len() {
+        writer.write_record(columns.iter().map(|column| column.cells.text(row)))?;
+    }
+    let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+impl MotionCells {
+    /// The cell of a row.
+    fn text(&self, row: usize) -> String {
+        match self {
+            Self::Numbers(numbers) => numbers.get(row).copied().map(shortest).unwrap_or_default(),
+            Self::Texts(texts) => texts.get(row).cloned().unwrap_or_default(),
+            Self::Flags(flags) => flags.get(row).map(bool::to_string).unwrap_or_default(),
+        }
+    }
+}
+
+// The ground reactions of a model as OpenSim reads them: a table, and which of its columns act on which body.
+
+/// The contacts of one body.
+struct Load {
+    body: String,
+    /// What its columns have between `ground_force_` and `_vx`.
+    label: String,
+    pairs: Vec<usize>,
+}
+
+/// The bodies that contacts press on: a foot of one body has the name of its side.
+fn loads(result: &MotionResult) -> Vec<Load> {
+    let mut loads: Vec<Load> = Vec::new();
+    for foot in &result.summary.feet {
+        for body in &foot.foot.bodies {
+            let is_own = |pair: &usize| result.states.pairs.get(*pair).is_some_and(|pair| &pair.body == body);
+            let side = match (foot.foot.side, foot.foot.bodies.len()) {
+                (Some(Side::Right), 1) => Some("r"),
+                (Some(Side::Left), 1) => Some("l"),
+                _ => None,
+            };
+            let label = match side.filter(|side| loads.iter().all(|load| load.label != *side)) {
+                Some(side) => side.to_owned(),
+                None => body.clone(),
+            };
+            let pairs = foot.foot.pairs.iter().copied().filter(is_own).collect();
+            loads.push(Load { body: body.clone(), label, pairs });
+        }
+    }
+    loads
+}
+
+/// The ground reactions as a `.sto`: force, point and free moment of each body, in ground.
+#[must_use]
+pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
+    let loads = loads(result);
+    let mut text = format!(
+        "{}\nversion=1\nnRows={}\nnColumns={}\ninDegrees=no\nendheader\ntime",
+        name.lines().next().unwrap_or_default(),
+        result.states.frames(),
+        9 * loads.len() + 1
+    );
+    for load in &loads {
+        let label = &load.label;
+        for columns in [
+            format!("ground_force_{label}_v"),
+            format!("ground_force_{label}_p"),
+            format!("ground_torque_{label}_"),
+        ] {
+            for axis in ["x", "y", "z"] {
+                text.push_str(&format!("\t{columns}{axis}"));
+            }
+        }
+    }
+    text.push('\n');
+    let mut points = vec![None; loads.len()];
+    for (frame, time_s) in result.states.time_s.iter().enumerate() {
+        text.push_str(&shortest(*time_s));
+        for (load, last) in loads.iter().zip(&mut points) {
+            let states = result.states.frame(frame);
+            let own = || load.pairs.iter().filter_map(|&pair| states.get(pair));
+            let wrench = Wrench::of(own());
+            let point = point_of(result, own().next(), &wrench).or(*last).unwrap_or_default();
+            *last = Some(point);
+            let arm = cross(point, wrench.force_n);
+            let moment: [f64; 3] = std::array::from_fn(|i| wrench.moment_n_m[i] - arm[i]);
+            for value in wrench.force_n.iter().chain(&point).chain(&moment) {
+                text.push('\t');
+                text.push_str(&shortest(*value));
+            }
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Where the force of a body acts, where it is large enough.
+fn point_of(result: &MotionResult, first: Option<&ContactState>, wrench: &Wrench) -> Option<[f64; 3]> {
+    let state = first?;
+    let down: f64 = dot(std::array::from_fn(|i| state.centre_m[i] - state.point_m[i]), state.normal);
+    let on_plane = std::array::from_fn(|i| state.centre_m[i] - down * state.normal[i]);
+    // Below, forces act where they did last.
+    let least_n = ON_BW * result.summary.weight_n;
+    wrench.centre_of_pressure(state.normal, on_plane, least_n).map(|centre| centre.point_m)
+}
+
+/// OpenSim's `ExternalLoads` for the file of [`ground_reactions_sto`], which is beside it as `data_file`.
+#[must_use]
+pub fn external_loads_xml(result: &MotionResult, data_file: &str) -> String {
+    let mut text = String::from(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\" ?>\n<OpenSimDocument Version=\"40000\">\n\t<ExternalLoads name=\"contacts\">\n\t\t<objects>\n",
+    );
+    for load in loads(result) {
+        let (label, body) = (escaped(&load.label), escaped(&load.body));
+        text.push_str(&format!("\t\t\t<ExternalForce name=\"contacts_{body}\">\n"));
+        for (tag, value) in [
+            ("applied_to_body", body),
+            ("force_expressed_in_body", "ground".to_owned()),
+            ("point_expressed_in_body", "ground".to_owned()),
+            ("force_identifier", format!("ground_force_{label}_v")),
+            ("point_identifier", format!("ground_force_{label}_p")),
+            ("torque_identifier", format!("ground_torque_{label}_")),
+        ] {
+            text.push_str(&format!("\t\t\t\t<{tag}>{value}</{tag}>\n"));
+        }
+        text.push_str("\t\t\t</ExternalForce>\n");
+    }
+    text.push_str(&format!(
+        "\t\t</objects>\n\t\t<groups />\n\t\t<datafile>{}</datafile>\n\t</ExternalLoads>\n</OpenSimDocument>\n",
+        escaped(data_file)
+    ));
+    text
+}
+
+/// As text of XML.
+fn escaped(text: &str) -> String {
+    maud::html! { (text) }.into_string()
+}
