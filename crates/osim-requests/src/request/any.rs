@@ -1,4 +1,4 @@
-//! Any request: by its verb, as JSON, and as the note of a changed model tells it.
+//! Any request: by its verb, as JSON, and as the note of a changed model says it.
 
 use std::path::Path;
 

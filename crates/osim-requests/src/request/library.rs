@@ -72,8 +72,8 @@ pub struct SweepRequest {
     #[cfg_attr(feature = "clap", arg(long, value_name = "K", default_value_t = Positive::SOFT_STIFFNESS))]
     pub soft: Positive,
     /// Only point N of the grid, or step N of the ladder, counted from 1, for job arrays
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N", hide_short_help = true, value_parser = shard::of_word))]
-    #[serde(deserialize_with = "shard::deserialize")]
+    #[cfg_attr(feature = "clap", arg(long, value_name = "N", hide_short_help = true, value_parser = shard::point_of_word))]
+    #[serde(deserialize_with = "shard::point_of_json")]
     pub point: Option<usize>,
     /// Only share I of N of the points, for job arrays
     #[cfg_attr(feature = "clap", arg(long, value_name = "I/N", hide_short_help = true))]

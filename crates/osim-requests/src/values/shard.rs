@@ -112,12 +112,12 @@ impl FromStr for PointNumber {
 
 /// Reads one from a word of the command line.
 #[cfg(feature = "clap")]
-pub(crate) fn of_word(text: &str) -> Result<usize, String> {
+pub(crate) fn point_of_word(text: &str) -> Result<usize, String> {
     text.parse().map(|PointNumber(number)| number)
 }
 
 /// Reads one from JSON.
-pub(crate) fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<usize>, D::Error> {
+pub(crate) fn point_of_json<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<usize>, D::Error> {
     let number: Option<PointNumber> = serial::optional_from_text(deserializer)?;
     Ok(number.map(|PointNumber(number)| number))
 }

@@ -141,7 +141,7 @@ fn item(fragment: &mut Fragment, finding: &Found, lines: Lines, commands: Comman
 const NAME: &str = "Verdicts";
 
 /// Verdicts on a model that was inspected.
-pub(super) fn verdicts_of_model(verdicts: &[Verdict]) -> Markup {
+fn verdicts_of_model(verdicts: &[Verdict]) -> Markup {
     let rows: Vec<Markup> = verdicts
         .iter()
         .map(|verdict| html! { tr { (question(verdict)) td.words { (sign(verdict.sign)) } (answer(verdict)) } })
@@ -155,7 +155,7 @@ pub(super) fn verdicts_of_model(verdicts: &[Verdict]) -> Markup {
 }
 
 /// Verdicts on the model before and after a change.
-pub(super) fn verdicts_of_change(before: &[Verdict], after: &[Verdict]) -> Markup {
+fn verdicts_of_change(before: &[Verdict], after: &[Verdict]) -> Markup {
     let rows: Vec<Markup> = before
         .iter()
         .zip(after)

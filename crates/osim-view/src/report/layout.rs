@@ -18,7 +18,7 @@ pub const WIDTH: usize = 80;
 
 /// How text is broken into lines of at most [`WIDTH`] columns: so that they are about equally long.
 pub(crate) fn options<'o>() -> Options<'o> {
-    Options::new(WIDTH).word_separator(WordSeparator::Custom(find))
+    Options::new(WIDTH).word_separator(WordSeparator::Custom(breakable_words))
 }
 
 /// A paragraph with names from outside in it: no line ends of theirs, and none endless.
@@ -55,7 +55,7 @@ fn in_lines(text: &str, indent: &str) -> String {
 const SOFT_HYPHEN: char = '\u{ad}';
 
 /// The pieces of a line between which it may be broken, each with the blanks after it.
-fn find(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
+fn breakable_words(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
     Box::new(behind_quotes(line).flat_map(|part| {
         // Whether a word is broken at its hyphens is for the caller to say.
         let ends = linebreaks(part).map(|(end, _)| end);
@@ -284,7 +284,7 @@ mod tests {
     use super::*;
 
     fn words(line: &str) -> Vec<String> {
-        find(line).map(|word| format!("{}{}", word.word, word.whitespace)).collect()
+        breakable_words(line).map(|word| format!("{}{}", word.word, word.whitespace)).collect()
     }
 
     #[test]

@@ -9,13 +9,13 @@ use osim_model::messages::Phrase;
 /// Texts may name inputs and calls in backticks, as
 /// [`Phrase::template`](osim_model::messages::Phrase::template) reads them.
 pub fn equations() -> impl Iterator<Item = &'static Equation> {
-    contact_scaling::equations::all().chain(ALL)
+    contact_scaling::equations::all().chain(RULES)
 }
 
 /// The equation or rule of this name: `10`, `C.5`, `given`.
 #[must_use]
 pub fn equation(name: &str) -> Option<&'static Equation> {
-    let rule = || ALL.iter().find(|rule| rule.label.eq_ignore_ascii_case(name));
+    let rule = || RULES.iter().find(|rule| rule.label.eq_ignore_ascii_case(name));
     contact_scaling::equations::find(name).or_else(rule)
 }
 
@@ -33,7 +33,7 @@ const R_A: Symbol = symbol("R_a", "radius of the sphere before, or in the generi
 const R_B: Symbol = symbol("R_b", "radius of the sphere to be written", "m");
 
 /// Rules by the word that is printed. Inputs are in backticks.
-pub(super) const ALL: &[Equation] = &[
+const RULES: &[Equation] = &[
     Equation {
         label: "given",
         aliases: &[],

@@ -152,7 +152,7 @@ pub struct QuantityTopic {
     trap: &'static str,
 }
 
-static ALL: LazyLock<Vec<QuantityTopic>> = LazyLock::new(|| {
+static QUANTITIES: LazyLock<Vec<QuantityTopic>> = LazyLock::new(|| {
     let properties = Property::ALL.into_iter().chain([Property::Mass]).map(QuantityTopic::of_property);
     let figures = Figure::ALL.iter().map(|figure| figure.info());
     let designs = DesignQuantity::ALL.iter().map(|quantity| quantity.info());
@@ -177,7 +177,7 @@ static ALL: LazyLock<Vec<QuantityTopic>> = LazyLock::new(|| {
 
 /// Every quantity: properties first, then figures in the order of their registers.
 pub(super) fn quantities() -> impl Iterator<Item = &'static QuantityTopic> {
-    ALL.iter()
+    QUANTITIES.iter()
 }
 
 /// The quantity of this name, symbol or label.
