@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use osim_inspect::CheckResult;
 use osim_library::page::{Words, entry};
 use osim_library::run::{PlannedModel, Written};
 use osim_library::{Loaded, Source};
@@ -23,7 +24,6 @@ use serde_json::{Map, Value};
 use crate::files::{Memory, RequestFiles};
 use crate::guard::{dictionary, fields_of, guarded};
 use crate::problem::Problem;
-use crate::surveyed::remedies;
 
 /// The words of all messages.
 pub(crate) static WORDS: Words = &PythonWords;
@@ -218,4 +218,13 @@ impl Planned {
             })
         })
     }
+}
+
+/// The requests that put each finding right, one after the other, as a JSON list; `None` where nothing does.
+pub(crate) fn remedies(found: &CheckResult) -> Vec<Option<String>> {
+    let of = |finding| {
+        let steps: Vec<String> = found.steps_to(finding).iter().map(Request::to_json).collect();
+        (!steps.is_empty()).then(|| format!("[{}]", steps.join(",")))
+    };
+    found.findings.iter().map(of).collect()
 }

@@ -23,7 +23,7 @@ use pyo3::types::PyDict;
 
 use crate::files::{Memory, RequestFiles};
 use crate::guard::{Watch, dictionary, fields_of, guarded};
-use crate::planned::WORDS;
+use crate::planned::{WORDS, remedies};
 use crate::problem::Problem;
 
 /// What is known of a model; its findings also as requests that put them right.
@@ -313,15 +313,4 @@ impl Printed {
         };
         harmless(&text).into_owned()
     }
-}
-
-// Remedies as requests, for callers that apply them.
-
-/// The requests that put each finding right, one after the other, as a JSON list; `None` where nothing does.
-pub(crate) fn remedies(found: &CheckResult) -> Vec<Option<String>> {
-    let of = |finding| {
-        let steps: Vec<String> = found.steps_to(finding).iter().map(Request::to_json).collect();
-        (!steps.is_empty()).then(|| format!("[{}]", steps.join(",")))
-    };
-    found.findings.iter().map(of).collect()
 }

@@ -7,8 +7,8 @@ use osim_view::report::explain::{Letters, answer};
 use osim_view::report::results::{PresetRecord, design_sheet_text, preset_text};
 use serde::Serialize;
 
-use crate::engine::Fields;
 use crate::problem::Problem;
+use crate::question::Fields;
 use crate::shelf::Shelf;
 
 /// What `design` computes without a model.

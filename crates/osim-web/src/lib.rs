@@ -13,6 +13,8 @@ mod engine;
 mod knowledge;
 mod look;
 mod problem;
+mod question;
 mod shelf;
 
-pub use crate::engine::{Engine, Question};
+pub use crate::engine::Engine;
+pub use crate::question::Question;

@@ -3,7 +3,7 @@
 mod help;
 mod own;
 
-use clap::builder::{PossibleValuesParser, Resettable, Styles};
+use clap::builder::Resettable;
 use clap::{ArgMatches, Args, Command, CommandFactory, Error, FromArgMatches, Parser, Subcommand};
 use osim_model::messages::Verb;
 use osim_requests::command_line::{check, with_relations};
@@ -13,9 +13,8 @@ use osim_requests::{
     ReproduceRequest, RequestFault, RescaleRequest, SweepRequest, TransferRequest,
 };
 use osim_view::report::ExitStatus;
-use osim_view::report::layout::broken;
 
-use crate::args::help::{in_words_of_the_command, with_usual_first};
+use crate::args::help::{in_groups, in_words_of_the_command, with_usual_first};
 pub(crate) use help::usage_line;
 pub(crate) use own::{CompletionsArgs, HelpArgs, ManArgs, RequestArgs, SetArgs};
 
@@ -168,69 +167,6 @@ pub(crate) fn check_typed(matches: &ArgMatches) -> Result<(), RequestFault> {
     let (name, typed) = matches.subcommand().unwrap_or((Verb::Rescale.name(), matches));
     let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == name);
     verb.map_or(Ok(()), |verb| check(typed, verb))
-}
-
-// The verbs in groups, as the help of the program lists them; clap has one list for all.
-
-/// What most people come for, with what it does.
-const EXAMPLES: [(&str, &str); 3] = [
-    ("check MODEL.osim", "say what is wrong, and how to correct it"),
-    ("MODEL.osim --target-mass 80", "make its contacts right for 80 kg"),
-    ("add MODEL.osim --from OTHER.osim", "give it the contacts of another model"),
-];
-
-/// Every verb, in the group that it is looked for in.
-const GROUPS: [(&str, &[&str]); 4] = [
-    ("Change models", &["rescale", "transfer", "add", "remove", "convert", "design", "set", "note", "batch"]),
-    ("Look at models", &["check", "inspect", "plot"]),
-    ("Study", &["sweep", "drop-test", "motion", "fit", "reproduce"]),
-    ("More", &["explain", "presets", "request", "completions", "man", "help", "version"]),
-];
-
-/// The options of a call without a verb that its short help shows: rescale has them all.
-const SHOWN: [&str; 8] =
-    ["models", "target_mass", "contacts_mass", "output", "in_place", "dry_run", "report", "help"];
-
-/// Lines are no longer than clap makes them.
-const LONGEST: usize = 100;
-
-/// The parser with a help that shows examples first, and the verbs in groups.
-fn in_groups(command: Command, columns: Option<usize>) -> Command {
-    let width = columns.map_or(LONGEST, |columns| columns.min(LONGEST));
-    let header = *Styles::styled().get_header();
-    let name = command.get_name();
-    let lines: Vec<String> = EXAMPLES
-        .iter()
-        .map(|(words, what)| format!("  {:<53}  {what}\n", format!("{name} {words}")))
-        .collect();
-    let examples: String = if lines.iter().all(|line| line.trim_ascii_end().len() <= width) {
-        lines.concat()
-    } else {
-        EXAMPLES.iter().map(|(words, what)| format!("  {name} {words}\n      {what}\n")).collect()
-    };
-    let line = |verb: &str| {
-        let about = command.find_subcommand(verb).and_then(Command::get_about);
-        let about = about.map(ToString::to_string).unwrap_or_default();
-        broken(&format!("  {verb:<11}  {about}\n"), width)
-    };
-    let groups = GROUPS.map(|(group, verbs)| {
-        let lines: String = verbs.iter().map(|verb| line(verb)).collect();
-        format!("{header}{group}:{header:#}\n{lines}")
-    });
-    let template = format!(
-        "{{about-with-newline}}\n{header}Examples:{header:#}\n{examples}\n{{usage-heading}} {{usage}}\n\n{}\n{{all-args}}{{after-help}}",
-        groups.join("\n")
-    );
-    // What is hidden is in no list of clap's; it is found all the same.
-    command.help_template(template).mut_subcommands(|verb| verb.hide(true)).mut_args(|argument| {
-        let is_shown = SHOWN.contains(&argument.get_id().as_str());
-        if is_shown { argument } else { argument.hide_short_help(true) }
-    })
-}
-
-/// The names of all verbs, as values of an argument.
-fn names() -> PossibleValuesParser {
-    PossibleValuesParser::new(GROUPS.iter().flat_map(|(_, verbs)| verbs.iter().copied()))
 }
 
 // Verbs whose options are put together when the verb is called, so that no start waits for those of all others.

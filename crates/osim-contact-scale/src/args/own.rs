@@ -7,7 +7,7 @@ use anyhow::{Result, anyhow, bail};
 use clap::Args;
 use osim_requests::{SetRequest, assignment};
 
-use crate::args;
+use crate::args::help;
 use crate::session::Language;
 
 /// Models and assignments in one list of words.
@@ -80,7 +80,7 @@ pub(crate) struct CompletionsArgs {
 #[derive(Debug, Args)]
 pub(crate) struct HelpArgs {
     /// The verb [default: the help of the program]
-    #[arg(value_parser = args::names(), hide_possible_values = true)]
+    #[arg(value_parser = help::names(), hide_possible_values = true)]
     pub verb: Option<String>,
 }
 
@@ -92,7 +92,7 @@ On macOS and Linux (NAME is osim-contact-scale):
   to keep all   NAME man -d ~/.local/share/man/man1, then: man NAME-transfer")]
 pub(crate) struct ManArgs {
     /// The verb [default: the page of the command]
-    #[arg(value_parser = args::names(), hide_possible_values = true)]
+    #[arg(value_parser = help::names(), hide_possible_values = true)]
     pub verb: Option<String>,
     /// Write all pages into this folder
     #[arg(short = 'd', long, value_name = "DIR", conflicts_with = "verb")]
