@@ -11,13 +11,13 @@ use crate::compare::rules;
 use crate::messages::Phrase;
 use crate::model::{Anatomy, Fault, FaultKind, Finding, Model, Needed};
 
-/// What follows from a difference.
 /// Factors of all bodies of a model against those of a reference: new lengths over old ones.
 ///
-/// Where the model is a scaled copy of the reference ([`Factors::is_scaled_copy`]), each axis comes from the first source that has
-/// it, exactly: what the caller gives, the Scale Tool's file, meshes, joint offsets. Between different models, offsets are not
-/// factors: then a body's factors are the ratio of the mesh factors of the same bone, else one ratio of distances to a joint below
-/// it; a body at the end of a limb takes those of the body that it hangs on. Left and right take the same source.
+/// Where the model is a scaled copy of the reference, so that there is no [`difference`](Self::difference), each axis comes from
+/// the first source that has it, exactly: what the caller gives, the Scale Tool's file, meshes, joint offsets. Between different
+/// models, offsets are not factors: then a body's factors are the ratio of the mesh factors of the same bone, else one ratio of
+/// distances to a joint below it; a body at the end of a limb takes those of the body that it hangs on. Left and right take the
+/// same source.
 ///
 /// ```
 /// use std::collections::BTreeMap;
@@ -110,12 +110,6 @@ impl Factors {
         Ok(factors)
     }
 
-    /// Whether the model is the reference, scaled: factors of its bodies explain its joint offsets and its meshes.
-    #[must_use]
-    pub const fn is_scaled_copy(&self) -> bool {
-        self.difference.is_none()
-    }
-
     /// A factor that no length can have is asked about where it is needed.
     fn refuse_no_sizes(&mut self) {
         for body in &mut self.bodies {
@@ -175,7 +169,7 @@ fn carriers<'a>(scaled: &'a Anatomy, reference: &'a Anatomy) -> Vec<&'a str> {
 ///     Model::parse(text.replace("<mass>10</mass>", &format!("{mesh}<mass>10</mass>")))
 /// };
 /// let found = SphereBodies::of(&mesh("1.2 1 1.1")?, &mesh("1 1 1")?)?;
-/// assert!(found.is_scaled_copy());
+/// assert!(found.difference.is_none());
 /// assert_eq!(found.factors["foot_r"], Some([1.2, 1.0, 1.1]));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
@@ -200,11 +194,5 @@ impl SphereBodies {
         let carried = carried.filter(|body| here.has_body(body));
         let factors = carried.map(|body| (body.clone(), found.of(&body).ok())).collect();
         Ok(Self { difference: found.difference, factors })
-    }
-
-    /// Whether the model is the reference, scaled.
-    #[must_use]
-    pub const fn is_scaled_copy(&self) -> bool {
-        self.difference.is_none()
     }
 }
