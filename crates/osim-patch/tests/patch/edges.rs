@@ -73,7 +73,7 @@ fn numbers_become_text_in_one_place() {
             }
         }
     }
-    assert_eq!(spelling, ["written.rs"]);
+    assert_eq!(spelling, ["change.rs"]);
 }
 
 /// Numbers as people and programs write them, and those at the edge of a double.
