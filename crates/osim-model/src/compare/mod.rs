@@ -9,7 +9,7 @@
 //! use osim_model::compare::Factors;
 //! use osim_model::{Anatomy, Model};
 //!
-//! let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
+//! let bytes: &[u8] = include_bytes!("../../tests/data/one_foot.osim");
 //! let anatomy = Anatomy::of(&Model::parse(bytes)?)?;
 //! let given = BTreeMap::from([("foot_r".to_owned(), [1.2, 1.1, 1.0])]);
 //! let factors = Factors::find(&anatomy, &anatomy, None, &given)?;
