@@ -1,6 +1,5 @@
 //! What the page may ask.
 
-use osim_requests::options::SetFiles;
 use serde::Deserialize;
 use serde_json::{Map, Value};
 

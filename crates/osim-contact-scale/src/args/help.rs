@@ -217,7 +217,7 @@ const EXAMPLES: [(&str, &str); 3] = [
 ];
 
 /// Every verb, in the group that it is looked for in.
-const GROUPS: [(&str, &[&str]); 4] = [
+pub(super) const GROUPS: [(&str, &[&str]); 4] = [
     ("Change models", &["rescale", "transfer", "add", "remove", "convert", "design", "set", "note", "batch"]),
     ("Look at models", &["check", "inspect", "plot"]),
     ("Study", &["sweep", "drop-test", "motion", "fit", "reproduce"]),

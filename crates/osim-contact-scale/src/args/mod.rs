@@ -218,6 +218,7 @@ fn with_options<T: Args>(command: Command) -> Command {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::args::help::GROUPS;
 
     #[test]
     fn the_command_line_is_consistent() {
