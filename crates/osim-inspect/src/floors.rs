@@ -183,7 +183,6 @@ impl Lie {
 /// The part of the weight that presses the spheres of `forces` on their floor: the cosine of the angle of a slope, else 1. Where
 /// they press on several floors, that of the least steep. On a plane that is not a floor nothing presses; once it is turned as it
 /// should be, all of the weight does.
-#[must_use]
 pub fn weight_share(model: &Model, forces: &[ForceId]) -> f64 {
     weight_share_at(model, forces, &DefaultPose::of(model))
 }

@@ -32,7 +32,6 @@ const SAME: f64 = 1e-6;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct KnownContacts {
     /// Name in the table of known contacts, such as `falisse2022`.
     pub name: &'static str,
@@ -54,7 +53,6 @@ impl KnownContacts {
     /// Known contacts have the dimensionless values of an entry at that mass, whatever their radii; or at any mass with
     /// radii that follow it (R ∝ M^(1/3)). Both say every value, so one that differs by more than 1e-6 is seen. Gravity is
     /// taken to be the same.
-    #[must_use]
     pub fn find(model: &Model, forces: &[ForceId], count: Option<f64>, mass_kg: Option<f64>) -> Option<Self> {
         let held = held_contacts(model, forces)?;
         let fits =
@@ -80,7 +78,6 @@ impl KnownContacts {
     }
 
     /// How bad a finding is with these contacts, where the table says it: what was published so is a remark.
-    #[must_use]
     pub fn severity(&self, code: FindingCode) -> Option<Severity> {
         entries().iter().find(|entry| entry.name == self.name)?.severity(code)
     }
@@ -278,7 +275,6 @@ pub struct ReferenceContacts {
 
 impl ReferenceContacts {
     /// Those of `model`; `name` is what messages call it.
-    #[must_use]
     pub fn of(name: &str, model: &Model) -> Self {
         let numbers = model.forces().iter().map(|force| (force.name.clone(), numbers(force))).collect();
         Self { name: name.to_owned(), numbers }

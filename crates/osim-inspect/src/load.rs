@@ -27,7 +27,6 @@ pub struct Stance {
 
 impl Stance {
     /// Limbs that share the weight of `model`.
-    #[must_use]
     pub fn limbs_of(&self, model: &Model) -> f64 {
         self.limbs.or(model.noted_stance_limbs()).unwrap_or(1.0)
     }
@@ -100,7 +99,6 @@ pub struct LoadSharing {
 
 impl LoadSharing {
     /// For the body that the spheres of `chosen` belong to.
-    #[must_use]
     pub fn of(model: &Model, chosen: &[ForceId]) -> Self {
         let forces = model.forces_of_same_body(chosen);
         Self { limbs: model.limbs(&forces), forces }
@@ -112,13 +110,11 @@ impl LoadSharing {
     }
 
     /// The limbs, with every sphere that stands.
-    #[must_use]
     pub fn limbs(&self) -> &Limbs {
         &self.limbs
     }
 
     /// The forces through which the body stands, chosen or not.
-    #[must_use]
     pub fn forces(&self) -> &[ForceId] {
         &self.forces
     }
@@ -138,7 +134,6 @@ impl LoadSharing {
     }
 
     /// n while the body stands on limbs like `limb`: figures are given for each limb, even where limbs differ.
-    #[must_use]
     pub fn count_on(limb: &Limb, given: Option<f64>, stance_limbs: f64) -> f64 {
         given.unwrap_or_else(|| on_limbs(limb.spheres.len(), stance_limbs))
     }
@@ -158,7 +153,6 @@ pub struct MassMismatch {
 
 impl MassMismatch {
     /// `None` where they agree, or the caller says what the model weighs.
-    #[must_use]
     pub fn find(model: &Model, masses: &MassRequest) -> Option<Self> {
         if masses.model_kg.is_some() {
             return None;
@@ -170,7 +164,6 @@ impl MassMismatch {
     }
 
     /// What the contacts do is computed under their own body.
-    #[must_use]
     pub fn message(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass_kg));
         phrase![
@@ -204,13 +197,11 @@ impl MassMismatch {
 
 /// The first of the masses said that looks like a slip for `model`: neither its note nor the contacts that the selected forces are
 /// known to have say it.
-#[must_use]
 pub fn unexplained_slip(masses: &MassRequest, model: &Model, selection: &Selection) -> Option<NeedsAnswer> {
     unexplained(masses.slips(model), masses, model, selection)
 }
 
 /// The same of those that may be in pounds, and may as well not be: reason for a remark, and not for a question.
-#[must_use]
 pub fn perhaps_in_pounds(masses: &MassRequest, model: &Model, selection: &Selection) -> Option<NeedsAnswer> {
     unexplained(masses.perhaps_in_pounds(model), masses, model, selection)
 }

@@ -16,7 +16,6 @@ use osim_model::messages::Phrase;
 /// assert_eq!(stiffness.heading(), "stiffness k, N/m (B.2)");
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct Quantity {
     /// Name in JSON and in the series of a drop; it ends in the unit, where there is one. What a model has is named as OpenSim
     /// names it.
@@ -37,50 +36,42 @@ pub struct Quantity {
 
 impl Quantity {
     /// A quantity without equation and limit.
-    #[must_use]
     pub const fn new(name: &'static str, label: &'static str, unit: &'static str) -> Self {
         Self { name, label, unit, equation: "", limit: None, meaning: "", column: "" }
     }
 
     /// A number of a model, named as OpenSim names it.
-    #[must_use]
     pub const fn property(property: Property) -> Self {
         Self::new(property.name(), property.name(), property.unit())
     }
 
     /// The same, with another label.
-    #[must_use]
     pub const fn labelled(self, label: &'static str) -> Self {
         Self { label, ..self }
     }
 
     /// The same, by an equation; an empty text means none.
-    #[must_use]
     pub const fn by(self, equation: &'static str) -> Self {
         Self { equation, ..self }
     }
 
     /// The same, with a limit.
-    #[must_use]
     pub const fn within(self, limit: &'static Limit) -> Self {
         Self { limit: Some(limit), ..self }
     }
 
     /// The same, with what it is, in a sentence.
-    #[must_use]
     pub const fn meaning_that(self, meaning: &'static str) -> Self {
         Self { meaning, ..self }
     }
 
     /// The same, with the name of its column in the tables of models: in words, without the unit.
-    #[must_use]
     pub const fn in_column(self, column: &'static str) -> Self {
         Self { column, ..self }
     }
 
     /// Name of its column in the tables of models. It ends in the unit as one says it, which no other name has: `load_N`,
     /// `contact_stiffness_N_per_m`.
-    #[must_use]
     pub fn column(&self) -> String {
         let unit = match self.unit.split_once('/') {
             None => self.unit.to_owned(),
@@ -94,19 +85,16 @@ impl Quantity {
     }
 
     /// The label with unit and equation, as the first column of a table has it.
-    #[must_use]
     pub fn heading(&self) -> String {
         format!("{}{}{}", self.label, self.in_unit(), self.by_equation())
     }
 
     /// The label with the equation, for tables that have a column of units.
-    #[must_use]
     pub fn heading_without_unit(&self) -> String {
         format!("{}{}", self.label, self.by_equation())
     }
 
     /// What it is, for schemas; equation and unit stand after the first part of the sentence.
-    #[must_use]
     pub fn described(&self) -> String {
         let meaning = self.meaning.trim_ascii();
         let end = [": ", "; ", ". "].iter().filter_map(|mark| meaning.find(mark)).min();
@@ -115,13 +103,11 @@ impl Quantity {
     }
 
     /// What it is, in a sentence.
-    #[must_use]
     pub fn meaning(&self) -> Phrase {
         Phrase::template(self.meaning_text())
     }
 
     /// The same, with inputs in backticks.
-    #[must_use]
     pub fn meaning_text(&self) -> &'static str {
         self.meaning.trim_ascii()
     }
@@ -200,7 +186,6 @@ macro_rules! quantities {
     }) => {
         $(#[doc = $about])+
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        #[non_exhaustive]
         pub enum $register {
             $($(#[doc = $doc])+ $variant,)+
         }
@@ -210,7 +195,6 @@ macro_rules! quantities {
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
 
             /// Everything about it but its value.
-            #[must_use]
             pub const fn info(self) -> &'static $crate::Quantity {
                 match self {
                     $(Self::$variant => &const { $quantity.meaning_that(concat!($($doc),+)) },)+

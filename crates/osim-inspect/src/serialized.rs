@@ -16,7 +16,6 @@ pub const SCHEMA_VERSION: u32 = 1;
 /// One finding, as every JSON has it: of a model, of a check, of a change.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct FindingRecord {
     /// Stable short name.
     pub code: &'static str,
@@ -99,7 +98,6 @@ pub struct ObjectSchema<'g> {
 #[cfg(feature = "schemas")]
 impl<'g> ObjectSchema<'g> {
     /// No field yet.
-    #[must_use]
     pub fn new(generator: &'g mut SchemaGenerator) -> Self {
         Self { generator, properties: Map::new(), required: Vec::new() }
     }
@@ -118,7 +116,6 @@ impl<'g> ObjectSchema<'g> {
     }
 
     /// The schema.
-    #[must_use]
     pub fn finish(self, description: &str) -> Schema {
         json_schema!({
             "description": description,

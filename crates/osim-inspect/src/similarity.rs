@@ -10,7 +10,6 @@ use serde::Serialize;
 /// of number, and by what factor it changed. Nothing of it is ever changed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct SizeList {
     /// The mass of the original, kg; without an original that of the model.
     pub original_mass_kg: Option<f64>,
@@ -39,7 +38,6 @@ pub struct SizeList {
 /// The numbers of one kind.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct SizeRow {
     /// A short stable name.
     pub kind: &'static str,
@@ -73,7 +71,6 @@ pub struct SizeRow {
 /// Many numbers in three.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct SizeSpread {
     /// The median.
     pub median: f64,
@@ -86,7 +83,6 @@ pub struct SizeSpread {
 /// Objects with numbers that are not read.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct UnreadObjects {
     /// OpenSim's class, or the part of a file.
     pub class: String,
@@ -98,14 +94,12 @@ pub struct UnreadObjects {
 
 impl SizeList {
     /// Whether there is something to list beside bodies: models that have contacts and no muscle, spring or actuator have nothing.
-    #[must_use]
     pub fn is_worth_showing(&self) -> bool {
         let more_than_bodies = self.kinds.iter().any(|row| row.kind != SizedKind::Inertia.as_str());
         more_than_bodies || !self.not_read.is_empty()
     }
 
     /// Whether it compares two models; else it says what would follow a mass.
-    #[must_use]
     pub fn is_of_two_models(&self) -> bool {
         self.kinds.iter().any(|row| row.verdict.is_some())
     }

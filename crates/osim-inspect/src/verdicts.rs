@@ -17,7 +17,6 @@ use crate::inspection::{Inspection, StandingBody, step_in_words};
 /// The answer to one of the six questions, or to that of a recording.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct Verdict {
     /// What it is on: `floor`, `standing`, `mass`, `sides`, `sizes` or `solver`; with a recording `motion`, too.
     #[serde(serialize_with = "name")]
@@ -58,7 +57,6 @@ pub enum Sign {
 
 impl Sign {
     /// As in JSON.
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Good => "good",
@@ -82,7 +80,6 @@ impl From<Severity> for Sign {
 
 impl Verdict {
     /// The answer to the question whether contacts fit a recording.
-    #[must_use]
     pub fn on_recording(sign: Sign, text: Phrase) -> Self {
         Self { on: VerdictOn::Recording, sign, text, place: None, codes: Vec::new() }
     }

@@ -5,7 +5,6 @@ use std::ffi::OsStr;
 use sha2::{Digest, Sha256};
 
 /// SHA-256 as 64 hexadecimal digits.
-#[must_use]
 pub fn sha256(bytes: &[u8]) -> String {
     sha256_of_parts(std::iter::once(bytes))
 }

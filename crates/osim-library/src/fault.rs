@@ -61,7 +61,6 @@ impl LibraryFault {
     }
 
     /// The same, after what could not be done because of it.
-    #[must_use]
     pub fn within(self, what: impl Display) -> Self {
         let mut message = Phrase::from(format!("{what}: "));
         message.push(&self.message);
@@ -69,25 +68,21 @@ impl LibraryFault {
     }
 
     /// Whose fault it is.
-    #[must_use]
     pub fn cause(&self) -> Cause {
         self.cause
     }
 
     /// What is wrong, with inputs as data.
-    #[must_use]
     pub fn phrase(&self) -> &Phrase {
         &self.message
     }
 
     /// The same in the words of a front end.
-    #[must_use]
     pub fn spelled(&self, dialect: &dyn Dialect) -> String {
         self.message.spelled(dialect)
     }
 
     /// The failure of one model.
-    #[must_use]
     pub fn of_model(self, model: impl Into<FileName>, code: &'static str) -> Failure {
         Failure::outside(model, code, &self.message)
     }

@@ -72,7 +72,6 @@ impl Folders {
     }
 
     /// A compiled copy of the model `output`, which PredSim and OpenCap would go on using.
-    #[must_use]
     pub fn compiled_beside(&self, output: &Path) -> Option<Finding> {
         let compiled = self.compiled.get(folder_of(output)).filter(|compiled| !compiled.is_empty())?;
         let prefix = format!("F_{}.", output.file_stem()?.to_string_lossy());

@@ -190,7 +190,6 @@ pub type Words = &'static (dyn FrontEnd + Sync);
 // What a page shows of one model of a run.
 
 /// What a page shows of a model that was changed, of both its states.
-#[must_use]
 pub fn entry(changed: &ChangedModel<'_>, both: &BeforeAfter, detail: DetailLevel, words: Words) -> Entry {
     let record = changed.record;
     let names = changed.opened.files().map(|(name, _)| name.to_owned());
@@ -216,7 +215,6 @@ pub fn entry(changed: &ChangedModel<'_>, both: &BeforeAfter, detail: DetailLevel
 }
 
 /// A model with only its line in the summary.
-#[must_use]
 pub fn bare_entry(record: &Record, earlier: bool) -> Entry {
     if !earlier {
         let error = record.error_code.as_ref().zip(record.error.as_ref());

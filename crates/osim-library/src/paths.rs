@@ -4,7 +4,6 @@ use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 
 /// The absolute path without links, `.` and `..`; what does not exist yet is taken as written.
-#[must_use]
 pub fn resolved(path: &Path) -> PathBuf {
     if let Ok(real) = path.canonicalize() {
         return real;
@@ -39,7 +38,6 @@ pub(crate) fn way(from: &Path, to: &Path) -> PathBuf {
 }
 
 /// The folder of a file: `.` for a bare name.
-#[must_use]
 pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }

@@ -18,7 +18,6 @@ const WINDOW: usize = 512;
 const MANY: usize = 64;
 
 /// Threads to use: those asked for, else one per processor; never more than there are items, or than are of any use.
-#[must_use]
 pub fn threads(asked: Option<Jobs>, items: usize) -> usize {
     // To know how many processors there are, Linux reads three files.
     if items <= 1 {

@@ -24,7 +24,6 @@ pub enum AssignedBy {
 
 /// What was made of one plate.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct PlateUse {
     /// What its columns begin with.
     pub plate: String,
@@ -36,7 +35,6 @@ pub struct PlateUse {
 
 /// What the plates measured under each foot, in the frames of a recording.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Measured {
     /// For each plate, what was made of it.
     pub uses: Vec<PlateUse>,
@@ -52,7 +50,6 @@ pub struct Measured {
 
 impl Measured {
     /// What `plates` measured under `feet`. A foot is nearest to a force above a part of `weight_n`.
-    #[must_use]
     pub fn of(plates: &[Plate], feet: &[Foot], states: &ContactStates, weight_n: f64) -> Self {
         let uses: Vec<PlateUse> = plates.iter().map(|plate| used(plate, feet)).collect();
         let frames = states.frames();

@@ -10,7 +10,6 @@ use crate::wrench::Wrench;
 
 /// How far the forces of a model are from those that plates measured, over the frames in which both are known.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct Comparison {
     /// How many frames were compared.
     pub frames: usize,
@@ -43,7 +42,6 @@ pub struct ComparedOn {
 
 impl Comparison {
     /// Compares `model` with `measured` in the frames that `counts`; `None` where there are none.
-    #[must_use]
     pub fn of(
         model: &[Wrench],
         measured: &[Option<Wrench>],
@@ -88,7 +86,6 @@ impl Comparison {
 /// Pairs that OpenSim may leave out: once one pair of a `HuntCrossleyForce` would pull, Simbody leaves out those of the same force that
 /// come after it, in an order of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct LeftOut {
     /// In how many frames a pair would pull while others of its force push.
     pub frames: usize,
@@ -98,7 +95,6 @@ pub struct LeftOut {
 
 impl LeftOut {
     /// What may be left out along `states`; `None` where nothing is.
-    #[must_use]
     pub fn of(states: &ContactStates) -> Option<Self> {
         let mut found = Self { frames: 0, most_n: 0.0 };
         for frame in 0..states.frames() {

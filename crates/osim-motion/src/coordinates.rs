@@ -20,7 +20,6 @@ pub enum CoordinateKind {
 
 /// A coordinate of a model.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct ModelCoordinate {
     /// Its name.
     pub name: String,

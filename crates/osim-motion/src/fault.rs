@@ -14,19 +14,16 @@ pub struct MotionFault {
 
 impl MotionFault {
     /// Something about the whole file.
-    #[must_use]
     pub fn new(message: impl Into<String>) -> Self {
         Self { line: None, message: message.into(), needs_angles: false }
     }
 
     /// The unit of the angles is in doubt.
-    #[must_use]
     pub(crate) fn of_angles(message: impl Into<String>) -> Self {
         Self { needs_angles: true, ..Self::new(message) }
     }
 
     /// Something about one of its lines.
-    #[must_use]
     pub fn at(line: usize, message: impl Into<String>) -> Self {
         Self { line: Some(line), ..Self::new(message) }
     }

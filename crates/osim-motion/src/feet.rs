@@ -9,7 +9,6 @@ use crate::states::ContactStates;
 
 /// The contacts of one limb.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Foot {
     /// `right foot`, `left foot`, or the name of the limb's first body.
     pub name: String,
@@ -23,7 +22,6 @@ pub struct Foot {
 
 impl Foot {
     /// The feet of `model` by the limbs of its applied `forces`; where limbs are not known, by the side of the spheres' bodies.
-    #[must_use]
     pub fn all(model: &Model, states: &ContactStates, forces: &[ForceId]) -> Vec<Self> {
         let limbs = model.limbs(forces);
         let groups: Vec<(String, Option<Side>, Vec<usize>)> = match limbs.known() {
@@ -101,7 +99,6 @@ pub const OFF_BW: f64 = 0.03;
 
 /// One time on the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct Stance {
     /// The first frame.
     pub first: usize,
@@ -116,7 +113,6 @@ pub struct Stance {
 impl Stance {
     /// The stances of a foot by its force along the normal, N, with times between frames. Where the force is NaN, nobody knows it: there
     /// is no stance.
-    #[must_use]
     pub fn all(time_s: &[f64], force_n: &[f64], weight_n: f64) -> Vec<Self> {
         let (on, off) = (ON_BW * weight_n, OFF_BW * weight_n);
         let mut stances: Vec<Self> = Vec::new();
@@ -140,13 +136,11 @@ impl Stance {
     }
 
     /// How long it lasts, s, where both ends are seen.
-    #[must_use]
     pub fn duration_s(&self) -> Option<f64> {
         Some(self.off_s? - self.on_s?)
     }
 
     /// Its frames.
-    #[must_use]
     pub const fn frames(&self) -> RangeInclusive<usize> {
         self.first..=self.last
     }
@@ -162,7 +156,6 @@ fn between(time_s: &[f64], values: &[f64], frame: usize, level: f64) -> Option<f
 }
 
 /// The times of whole strides: from one touch-down of a foot to its next.
-#[must_use]
 pub fn strides(stances: &[Stance]) -> Vec<(f64, f64)> {
     let on: Vec<f64> = stances.iter().filter_map(|stance| stance.on_s).collect();
     on.windows(2).filter_map(|pair| Some((*pair.first()?, *pair.get(1)?))).collect()

@@ -17,7 +17,6 @@ pub enum Touched {
 
 /// A sphere and what one force lets it touch.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct ContactPair {
     /// The force.
     pub force: ForceId,

@@ -8,7 +8,6 @@ use crate::wrench::Wrench;
 
 /// One plate: what it measured at its own times.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Plate {
     /// What its columns begin with, as in the file.
     pub name: String,
@@ -101,7 +100,6 @@ impl Plate {
     }
 
     /// What it measured at a time; straight lines between its own times. `None` before the first and after the last.
-    #[must_use]
     pub fn at(&self, time_s: f64) -> Option<Wrench> {
         /// Times of two files that are as close are one, s: the kinematics may begin a rounding before the plates.
         const SAME: f64 = 1e-6;
@@ -138,7 +136,6 @@ impl Wrench {
 
 /// An `ExternalLoads` file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct ExternalLoads {
     /// Its loads, in order.
     pub all: Vec<Load>,
@@ -148,7 +145,6 @@ pub struct ExternalLoads {
 
 /// One `ExternalForce`.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct Load {
     /// Its name.
     pub name: String,
@@ -192,7 +188,6 @@ impl ExternalLoads {
     }
 
     /// The last part of `datafile`, whatever disk it was on.
-    #[must_use]
     pub fn data_file_name(&self) -> Option<&str> {
         self.data_file.as_deref().and_then(|path| path.rsplit(['/', '\\']).next())
     }

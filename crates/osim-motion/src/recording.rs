@@ -29,7 +29,6 @@ pub struct RecordingOptions {
 
 /// Values and speeds of all coordinates of a model in each frame.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct Recording {
     /// The time of each frame, s.
     pub time_s: Vec<f64>,
@@ -47,7 +46,6 @@ pub struct Recording {
 
 /// What a recording was made from.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct RecordingFacts {
     /// The unit of angles.
     pub angles: AngleUnit,
@@ -102,19 +100,16 @@ impl Recording {
     }
 
     /// How many frames it has.
-    #[must_use]
     pub fn frames(&self) -> usize {
         self.time_s.len()
     }
 
     /// The values of all coordinates in a frame, rad or m.
-    #[must_use]
     pub fn values(&self, frame: usize) -> &[f64] {
         row(&self.values, frame, self.coordinates.len())
     }
 
     /// Their speeds, rad/s or m/s: of the joints in `of_opensim` OpenSim's, of others their derivatives.
-    #[must_use]
     pub fn speeds(&self, frame: usize) -> &[f64] {
         row(&self.speeds, frame, self.coordinates.len())
     }

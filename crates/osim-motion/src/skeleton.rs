@@ -117,7 +117,6 @@ fn above<'m>(walk: &[Crossing<'m>], bodies: &HashSet<&str>) -> HashSet<&'m str> 
 
 /// Where bodies are in each frame of a recording, in ground.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Poses {
     /// The bodies whose place is known.
     pub bodies: Vec<String>,
@@ -127,7 +126,6 @@ pub struct Poses {
 
 impl Poses {
     /// All bodies of `model`, but for those on a joint that is not understood, in each of `frames`.
-    #[must_use]
     pub fn of(model: &Model, recording: &Recording, frames: &[usize]) -> Self {
         let names = model.bodies().iter().map(|body| body.name.as_str());
         let known: Vec<&str> =
@@ -153,7 +151,6 @@ impl Poses {
     }
 
     /// The places of all bodies in a frame, by its number among those that were asked for.
-    #[must_use]
     pub fn frame(&self, number: usize) -> &[Placement] {
         let start = number * self.bodies.len();
         self.placements.get(start..start + self.bodies.len()).unwrap_or_default()

@@ -75,7 +75,6 @@ pub(crate) fn level(direction: [f64; 3], up: [f64; 3]) -> [f64; 3] {
 /// Centres of pressure in the axes of a foot: forward and to the right, m, from the middle of its spheres, as the foot stands at the
 /// default pose.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct OnSole {
     /// Where each of its spheres is at the default pose.
     pub spheres_m: Vec<[f64; 2]>,
@@ -139,7 +138,6 @@ impl OnSole {
 
     /// By how much the model's centre of pressure is ahead and to the right of the plates', m: the mean over the frames in which both
     /// are known.
-    #[must_use]
     pub fn mean_difference_m(&self) -> Option<[f64; 2]> {
         let both = self.model_m.iter().zip(&self.measured_m);
         let differences: Vec<[f64; 2]> =

@@ -22,7 +22,6 @@ pub enum Belt {
 
 impl Belt {
     /// A belt that runs at this speed against x, under somebody who walks towards x, m/s.
-    #[must_use]
     pub const fn against_x(speed_m_s: f64) -> Self {
         Self::Constant([-speed_m_s, 0.0, 0.0])
     }
@@ -104,13 +103,11 @@ pub struct ContactState {
 
 impl ContactState {
     /// How fast it slips, m/s.
-    #[must_use]
     pub fn slip_speed_m_s(&self) -> f64 {
         libm::sqrt(dot(self.slip_m_s, self.slip_m_s))
     }
 
     /// The point of the surface that is below the centre of a sphere of this radius, m.
-    #[must_use]
     pub fn on_surface_m(&self, radius_m: f64) -> [f64; 3] {
         let height_m = radius_m - self.indentation_m;
         std::array::from_fn(|i| self.centre_m[i] - height_m * self.normal[i])
@@ -119,7 +116,6 @@ impl ContactState {
 
 /// Contacts along a recording.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct ContactStates {
     /// The time of each frame, s.
     pub time_s: Vec<f64>,
@@ -212,13 +208,11 @@ impl ContactStates {
     }
 
     /// How many frames there are.
-    #[must_use]
     pub fn frames(&self) -> usize {
         self.time_s.len()
     }
 
     /// The states of all pairs in a frame.
-    #[must_use]
     pub fn frame(&self, frame: usize) -> &[ContactState] {
         let count = self.pairs.len();
         self.states.get(frame * count..(frame + 1) * count).unwrap_or_default()

@@ -13,7 +13,6 @@ use crate::wrench::{CentreOfPressure, Wrench};
 
 /// What one sphere does on its plane.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct SphereSummary {
     /// Its pair among all.
     pub pair: usize,
@@ -35,7 +34,6 @@ pub struct SphereSummary {
 
 /// A sphere that meets its plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct TouchDown {
     /// When its bottom passes the plane, s.
     pub time_s: f64,
@@ -47,7 +45,6 @@ pub struct TouchDown {
 
 /// What one foot does.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct FootSummary {
     /// The foot.
     pub foot: Foot,
@@ -77,7 +74,6 @@ pub struct FootSummary {
 
 /// One stance, with what it does to the body.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct StanceSummary {
     /// When.
     pub stance: Stance,
@@ -91,7 +87,6 @@ pub struct StanceSummary {
 
 /// What all contacts of a model do along a recording.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Summary {
     /// Body weight, N: what forces are divided by.
     pub weight_n: f64,
@@ -115,7 +110,6 @@ pub struct Summary {
 
 impl Summary {
     /// What `states` show, with what plates measured where there are some.
-    #[must_use]
     pub fn of(states: &ContactStates, feet: &[Foot], measured: Option<&Measured>, weight_n: f64) -> Self {
         let feet: Vec<FootSummary> = feet
             .iter()
@@ -226,7 +220,6 @@ impl FootSummary {
     }
 
     /// The model's centre of pressure in a frame, where the force is above a part of body weight.
-    #[must_use]
     pub fn centre_of_pressure(
         &self,
         states: &ContactStates,
@@ -238,7 +231,6 @@ impl FootSummary {
     }
 
     /// The times of its whole strides.
-    #[must_use]
     pub fn strides(&self) -> Vec<(f64, f64)> {
         let stances: Vec<Stance> = self.stances.iter().map(|one| one.stance).collect();
         strides(&stances)

@@ -13,7 +13,6 @@ use crate::fault::MotionFault;
 /// # Ok::<(), osim_motion::MotionFault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Table {
     /// The time of each row, s, rising.
     pub time_s: Vec<f64>,
@@ -29,7 +28,6 @@ pub struct Table {
 
 /// One column of a table.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Column {
     /// Its name, as in the file.
     pub name: String,
@@ -60,13 +58,11 @@ impl Table {
     }
 
     /// The first column of this name.
-    #[must_use]
     pub fn column(&self, name: &str) -> Option<&Column> {
         self.columns.iter().find(|column| column.name == name)
     }
 
     /// How many rows it has.
-    #[must_use]
     pub fn rows(&self) -> usize {
         self.time_s.len()
     }
@@ -90,7 +86,6 @@ impl Table {
     }
 
     /// The time between rows, s, where all are equally far apart within one percent.
-    #[must_use]
     pub fn even_step_s(&self) -> Option<f64> {
         let (first, last) = (self.time_s.first()?, self.time_s.last()?);
         let mean = (last - first) / self.rows().checked_sub(1).filter(|&steps| steps > 0)? as f64;
@@ -112,7 +107,6 @@ pub enum AngleUnit {
 
 impl AngleUnit {
     /// What a number of this unit is multiplied by to be in rad.
-    #[must_use]
     pub const fn radians(self) -> f64 {
         match self {
             Self::Degrees => std::f64::consts::PI / 180.0,
@@ -121,7 +115,6 @@ impl AngleUnit {
     }
 
     /// As in messages.
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Degrees => "degrees",
@@ -296,7 +289,6 @@ const LACKS_A_ROW: f64 = 1.5;
 
 /// A time without rows, longer than the usual step from row to row.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct Gap {
     /// The time of the row before it, s.
     pub from_s: f64,
@@ -306,7 +298,6 @@ pub struct Gap {
 
 impl Gap {
     /// How long it is, s.
-    #[must_use]
     pub fn length_s(&self) -> f64 {
         self.to_s - self.from_s
     }
@@ -323,7 +314,6 @@ impl Table {
     /// assert_eq!((gaps.len(), gaps[0].from_s, gaps[0].to_s), (1, 0.02, 0.05));
     /// # Ok::<(), osim_motion::MotionFault>(())
     /// ```
-    #[must_use]
     pub fn gaps(&self) -> Vec<Gap> {
         let steps = self.time_s.windows(2).filter_map(|pair| match pair {
             [from_s, to_s] => Some(Gap { from_s: *from_s, to_s: *to_s }),

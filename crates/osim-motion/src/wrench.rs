@@ -16,13 +16,11 @@ pub struct Wrench {
 
 impl Wrench {
     /// The sum of forces at points of ground.
-    #[must_use]
     pub fn of<'s>(states: impl IntoIterator<Item = &'s ContactState>) -> Self {
         states.into_iter().fold(Self::default(), |sum, state| sum.plus(state.force_n, state.point_m))
     }
 
     /// With another force at a point, N and m.
-    #[must_use]
     pub fn plus(mut self, force_n: [f64; 3], point_m: [f64; 3]) -> Self {
         let moment = cross(point_m, force_n);
         self.force_n = std::array::from_fn(|i| self.force_n[i] + force_n[i]);
@@ -31,7 +29,6 @@ impl Wrench {
     }
 
     /// Both together.
-    #[must_use]
     pub fn and(&self, other: &Self) -> Self {
         let sum = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| a[i] + b[i]);
         Self { force_n: sum(self.force_n, other.force_n), moment_n_m: sum(self.moment_n_m, other.moment_n_m) }
@@ -40,7 +37,6 @@ impl Wrench {
     /// Where the force meets the plane through `on_plane_m` (m) with the unit `normal`, and the moment about the normal there:
     /// p = p0 + n × M0/(F·n) with M0 = M − p0 × F, and n·(M0 − (p − p0) × F). `None` where the force along the normal is not
     /// above `least_n`.
-    #[must_use]
     pub fn centre_of_pressure(
         &self,
         normal: [f64; 3],

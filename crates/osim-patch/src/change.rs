@@ -28,7 +28,6 @@ use osim_model::{Fault, FaultKind, FileId, Property, Slot, ValueKey};
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Change {
     /// Name of the force; `None` for a sphere's radius.
     pub force: Option<String>,
@@ -75,7 +74,6 @@ pub struct Change {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Move {
     /// Name of the sphere or half-space.
     pub sphere: String,
@@ -130,7 +128,6 @@ impl Change {
         }
     }
     /// The file that the number is in.
-    #[must_use]
     pub fn file(&self) -> FileId {
         self.slot.file
     }
@@ -160,7 +157,6 @@ impl Move {
     }
 
     /// The file that the sphere is in.
-    #[must_use]
     pub fn file(&self) -> FileId {
         self.slot.file
     }

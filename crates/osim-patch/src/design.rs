@@ -20,7 +20,6 @@ use crate::scaling::factor;
 
 /// How E₁* is found: see [`Design`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub enum DesignModulus {
     /// By (11): this relative indentation x̂ under the load. A smoothed force gets the modulus whose Hertz force, times what
     /// (C.9) leaves of it at rest, carries the load.
@@ -63,7 +62,6 @@ pub enum DesignModulus {
 /// # }
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Design {
     /// How E₁* (N/m²) is found.
     pub modulus: Option<DesignModulus>,

@@ -72,7 +72,6 @@ impl<'b> Patch<'b> {
     }
 
     /// The new file as one.
-    #[must_use]
     pub fn to_vec(&self) -> Vec<u8> {
         let added: usize = self.edits.iter().map(|edit| edit.text.len()).sum();
         let mut output = Vec::with_capacity(self.bytes.len() + added);

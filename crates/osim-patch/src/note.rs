@@ -50,7 +50,6 @@ pub fn note(
 
 /// Plans a note of how many `stance_limbs` share the weight. What the contacts of `model` were made for stays as the note in the file
 /// has it; without one, it says that they are made for what the bodies weigh.
-#[must_use]
 pub fn note_stance_limbs(model: &Model, stance_limbs: f64) -> Plan {
     let KeptMass { kg, scope } = KeptMass::of(model, None);
     let noted = model.note.as_ref();
@@ -82,7 +81,6 @@ fn noting(mut plan: Plan, model: &Model, stance_limbs: Option<f64>, same: Findin
 
 /// The note of `model` after an `operation` that makes it `rebuilt` and leaves what contacts were made for; `None` if it has
 /// none. If contacts were changed since the note was written, the new note says so, too.
-#[must_use]
 pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<Note> {
     let new = rebuilt.model();
     let Some(old) = &model.note else {
@@ -116,7 +114,6 @@ fn doubtful(model: &Model, new: &Model, operation: &str) -> Note {
 
 /// The note of what [`remove`](crate::objects::remove()) left of the contacts of `model`: of a part, and of what else was made for them. `None`
 /// where none is left, or the model has no note.
-#[must_use]
 pub fn note_of_rest(model: &Model, rebuilt: &Rebuilt) -> Option<Note> {
     let is_out = rebuilt.earlier_note == EarlierNote::TakenOut;
     let is_about_nothing = model.note.is_none() && !has_rest(model, rebuilt.model());

@@ -43,7 +43,7 @@ use crate::objects::{EarlierNote, ObjectChange, Rebuilt};
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
+#[must_use]
 pub struct Plan {
     /// The numbers that change, each once: radii first, then force by force.
     pub changes: Vec<Change>,
@@ -85,7 +85,6 @@ pub struct RecordingErrors {
 
 /// The mass that contacts were made for, before and after a change.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Masses {
     /// What they were made for before (in a transfer: the mass that the reference's contacts were made for).
     pub contacts_mass: Mass,
@@ -211,13 +210,11 @@ impl Plan {
     }
 
     /// The note that would be written; `None` if nothing changes.
-    #[must_use]
     pub fn note(&self) -> Option<&Note> {
         self.note.as_ref().filter(|_| !self.is_empty())
     }
 
     /// Whether the output equals the input byte for byte.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         let numbers = self.changes.is_empty() && self.moves.is_empty();
         numbers && self.objects().is_empty() && !(self.note_anyway && self.note.is_some())
@@ -268,7 +265,6 @@ impl Plan {
     }
 
     /// The same for the model from which `rebuilt` was made: this plan was made for the model with its objects.
-    #[must_use]
     pub fn on(mut self, rebuilt: Rebuilt) -> Self {
         if let Some(note) = &mut self.note {
             let model = rebuilt.model();
@@ -285,7 +281,6 @@ impl Plan {
     }
 
     /// A plan that changes objects and no numbers; `taken` says it in words.
-    #[must_use]
     pub fn of_objects(rebuilt: Rebuilt, taken: Phrase) -> Self {
         Self {
             changes: Vec::new(),
@@ -303,20 +298,17 @@ impl Plan {
     }
 
     /// The same with this note, or without one.
-    #[must_use]
     pub fn with_note(mut self, note: Option<Note>) -> Self {
         self.note = note;
         self
     }
 
     /// Whole objects that are added or taken out, in the order in which reports list them.
-    #[must_use]
     pub fn objects(&self) -> &[ObjectChange] {
         self.rebuilt.as_ref().map_or(&[], |rebuilt| &rebuilt.objects)
     }
 
     /// Whether it takes back what was added, so that the model is what it was.
-    #[must_use]
     pub fn takes_back(&self) -> bool {
         self.rebuilt.as_ref().is_some_and(|rebuilt| rebuilt.earlier_note == EarlierNote::TakenOut)
     }
@@ -346,7 +338,6 @@ impl Plan {
     }
 
     /// The first new radius that looks like a slip: a sphere larger than the bones around it. Radii that stay are not asked about.
-    #[must_use]
     pub fn radius_slip(&self, model: &Model) -> Option<Fault> {
         let mut radii = self.changes.iter().filter(|change| change.property == Property::Radius).peekable();
         radii.peek()?;
@@ -370,7 +361,6 @@ impl Plan {
     }
 
     /// Whether the note needs an element `<credits>` that the model does not have.
-    #[must_use]
     pub fn adds_credits(&self, model: &Model) -> bool {
         self.note().is_some() && note_edits::adds_credits(self.ground(model).document())
     }
@@ -378,7 +368,6 @@ impl Plan {
     /// The credits of the new model as OpenSim reads them, with the note in them; `None` where it has none, or where the file is a set
     /// by itself. Who changes a model in memory puts them there, too: without the note, the next change would begin with the mass of
     /// before.
-    #[must_use]
     pub fn credits(&self, model: &Model) -> Option<String> {
         let document = self.ground(model).document();
         note_edits::credits_after(document, &self.edits(model, FileId::MAIN).ok()?)
@@ -456,7 +445,6 @@ impl Plan {
 
     /// The same without bytes, as long as it is only looked at: numbers and note are new, places in the file are those of before
     /// ([`Model::renumbered`]). `None` where more changes than numbers of contacts.
-    #[must_use]
     pub fn renumbered(&self, model: &Model) -> Option<Model> {
         if self.rebuilt.is_some() || !self.moves.is_empty() {
             return None;

@@ -44,7 +44,6 @@ pub const TRANSFER_FOLLOWING: &str = "transfer follow-bodies";
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Rescale {
     /// The mass to scale the contacts to, kg.
     pub target_mass_kg: f64,
@@ -111,7 +110,6 @@ pub struct Rescale {
 
 impl Rescale {
     /// Everything the paper scales, with isometric radii (R ∝ M^{1/3}).
-    #[must_use]
     pub fn new(target_mass_kg: f64, contacts_mass: Mass) -> Self {
         Self {
             target_mass_kg,

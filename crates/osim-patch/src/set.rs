@@ -51,7 +51,6 @@ impl New {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
-#[non_exhaustive]
 pub struct Set {
     /// Properties and what happens to them.
     pub assignments: Vec<(Property, Assignment)>,
@@ -73,13 +72,11 @@ pub struct Set {
 
 impl Set {
     /// These assignments, if nothing is known of the mass.
-    #[must_use]
     pub fn new(assignments: Vec<(Property, Assignment)>) -> Self {
         Self { assignments, ..Self::default() }
     }
 
     /// The operation as the note records it: `set stiffness=x2 dissipation=1`, with `level` at its end where feet are made level.
-    #[must_use]
     pub fn operation(&self) -> String {
         if let Some(fitted) = &self.fitted {
             return format!("fit {fitted}");

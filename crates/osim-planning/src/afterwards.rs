@@ -71,7 +71,6 @@ impl Changed {
 
 /// What a change aims at, apart from its numbers.
 #[derive(Debug, Clone, Copy)]
-#[non_exhaustive]
 pub struct Aims {
     /// The contacts are to carry the mass that they are scaled to, whatever the bodies weigh.
     pub carries_target: bool,

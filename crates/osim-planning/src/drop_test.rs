@@ -19,7 +19,6 @@ use crate::opening::Subject;
 
 /// What a drop showed.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct DropResult {
     /// The model, the preset, or that it was given by numbers.
     pub name: FileName,
@@ -37,7 +36,6 @@ pub struct DropResult {
 
 /// A drop compared with another.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct ComparedDrop {
     /// The other body.
     pub name: FileName,
@@ -356,19 +354,16 @@ osim_inspect::quantities! {
 
 impl DropFigure {
     /// Where the table has it.
-    #[must_use]
     pub const fn row(self) -> DropRow {
         self.entry().row
     }
 
     /// Whether every drop has it; else it may be absent.
-    #[must_use]
     pub const fn is_always_known(self) -> bool {
         matches!(self.entry().value, Always(_))
     }
 
     /// Its value, where the drop showed it.
-    #[must_use]
     pub fn value(self, drop: &DropResult) -> Option<f64> {
         match self.entry().value {
             Always(value) => Some(value(drop)),
@@ -410,7 +405,6 @@ osim_inspect::quantities! {
 
 impl DropColumn {
     /// Its value at one moment.
-    #[must_use]
     pub fn value(self, report: &DropReport, sample: &Sample) -> f64 {
         (self.entry())(report, sample)
     }

@@ -11,7 +11,6 @@ use crate::sheet::Sheet;
 
 /// What a measurement says of a contact.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct FitResult {
     /// The measurement.
     pub file: PathBuf,

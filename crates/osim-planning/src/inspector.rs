@@ -92,7 +92,6 @@ fn checked_generic(
 
 impl Inspector {
     /// As `inspect` is asked; reads what is needed for all models.
-    #[must_use]
     pub fn of_inspect(request: &InspectRequest, files: &dyn Files) -> Self {
         let plain = Self::asking(&request.options);
         let read = |from: &Path| {
@@ -105,7 +104,6 @@ impl Inspector {
     }
 
     /// As `check` is asked; reads what is needed for all models.
-    #[must_use]
     pub fn of_check(request: &CheckRequest, files: &dyn Files) -> Self {
         let plain = Self { motion: CheckedMotion::of(request), ..Self::asking(&request.options) };
         let Some(from) = request.from.clone() else { return plain };
@@ -117,7 +115,6 @@ impl Inspector {
     }
 
     /// Inspects by these options, without a generic model.
-    #[must_use]
     pub fn new(options: &InspectionOptions) -> Self {
         Self {
             options: InspectOptions::from(options),
@@ -137,25 +134,21 @@ impl Inspector {
     }
 
     /// Why the generic model cannot be used, where one is named and cannot.
-    #[must_use]
     pub fn generic_failure(&self) -> Option<&Failure> {
         self.generic.as_ref()?.as_ref().err()
     }
 
     /// How models are inspected.
-    #[must_use]
     pub fn options(&self) -> &InspectOptions {
         &self.options
     }
 
     /// Files of a standalone set.
-    #[must_use]
     pub fn set_files(&self) -> &SetFiles {
         &self.set_files
     }
 
     /// Files that are read beside the models.
-    #[must_use]
     pub fn reads(&self) -> &[PathBuf] {
         &self.reads
     }
@@ -190,7 +183,6 @@ impl Inspector {
 
     /// What is wrong with a model that was inspected, with remedies that were tried; `compiled` names files that other programs would
     /// read instead of it. `files` has those that remedies name, and the meshes of feet.
-    #[must_use]
     pub fn check(
         &self,
         model: &Model,
@@ -220,7 +212,6 @@ impl Inspector {
     }
 
     /// What the contacts of the model at `path` do along the recording, where one was named and can be followed.
-    #[must_use]
     pub fn recording(&self, path: &Path, files: &dyn Files) -> Option<(MotionResult, Vec<MotionRemark>)> {
         self.motion.as_ref()?.followed(path, files).ok()
     }

@@ -15,7 +15,6 @@ use crate::opening::{open_with, read};
 
 /// What contacts do along a motion.
 #[derive(Debug)]
-#[non_exhaustive]
 pub struct MotionResult {
     /// The model.
     pub opened: OpenModel,
@@ -149,7 +148,6 @@ pub(crate) fn weight(masses: &MassRequest, model: &Model) -> Result<(f64, f64), 
 
 /// The plates of a recording.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct PlatesRead {
     /// The table that they were read from.
     pub file: PathBuf,
@@ -201,7 +199,6 @@ impl PlatesRead {
     }
 
     /// The file's name, for sentences.
-    #[must_use]
     pub fn name(&self) -> &Path {
         &self.file
     }

@@ -25,7 +25,6 @@ const LISTED: usize = 6;
 
 /// Something that a reader should know of a motion.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct MotionRemark {
     /// Stable short name.
     pub code: &'static str,
@@ -43,7 +42,6 @@ impl MotionResult {
     }
 
     /// One sentence for each foot, then what is odd.
-    #[must_use]
     pub fn remarks(&self, request: &MotionRequest) -> Vec<MotionRemark> {
         let mut remarks = Remarks::default();
         self.weights(&mut remarks);

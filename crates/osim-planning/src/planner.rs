@@ -199,7 +199,6 @@ fn judge<P: Planner + ?Sized>(
 /// }
 /// # Ok::<(), RequestError>(())
 /// ```
-#[non_exhaustive]
 pub struct Change {
     /// Files and folders.
     pub models: Vec<PathBuf>,
@@ -262,7 +261,6 @@ pub(crate) fn file_name(path: &Path) -> String {
 // Trial plans: which changes of a model would be refused, so that no remedy proposes them.
 
 /// Tries what can be changed in a model.
-#[must_use]
 pub fn changeable(options: &InspectOptions, model: &Model) -> Changeable {
     with_numbers(options, model, can_be_changed(options, model))
 }
@@ -291,7 +289,6 @@ fn can_be_changed(options: &InspectOptions, model: &Model) -> bool {
 }
 
 /// Checks a model that was inspected, after it was tried what can be changed; `beside` is what was found in files beside it.
-#[must_use]
 pub fn check_with_trials(
     options: &InspectOptions,
     model: &Model,

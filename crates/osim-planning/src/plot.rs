@@ -157,7 +157,6 @@ const MOST_BODIES: usize = 1000;
 
 /// The feet of one state of a model.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct ModelFeet {
     /// The name that figures show.
     pub name: String,
@@ -189,7 +188,6 @@ impl ModelFeet {
     }
 
     /// The same for a page: `None` without feet, or with more spheres or bodies than a page should show.
-    #[must_use]
     pub fn for_page(name: &str, opened: &OpenModel, selection: &Selection) -> Option<Self> {
         let model = &opened.model;
         let few = model.spheres().len() <= MOST_SPHERES && model.bodies().len() <= MOST_BODIES;
@@ -228,7 +226,6 @@ impl ModelFeet {
     }
 
     /// The same feet with spheres of other radii: all multiplied by `ratio`, the centres where they are.
-    #[must_use]
     pub fn with_radii(&self, name: String, ratio: f64) -> Self {
         let mut scaled = Self { name, ..self.clone() };
         for sphere in scaled.feet.iter_mut().flat_map(|foot| &mut foot.spheres) {
@@ -238,13 +235,11 @@ impl ModelFeet {
     }
 
     /// Whether there are spheres at all.
-    #[must_use]
     pub fn has_spheres(&self) -> bool {
         self.feet.iter().any(|foot| !foot.spheres.is_empty())
     }
 
     /// Whether both have the same spheres in the same places.
-    #[must_use]
     pub fn has_same_spheres(&self, other: &Self) -> bool {
         let spheres = |feet: &Self| -> Vec<_> { feet.feet.iter().map(|foot| foot.spheres.clone()).collect() };
         spheres(self) == spheres(other)
@@ -281,7 +276,6 @@ const GRID: &str = "grid_";
 
 /// A column of numbers.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct TableColumn {
     /// Its name, as the table has it.
     pub name: String,
@@ -291,7 +285,6 @@ pub struct TableColumn {
 
 /// What is drawn of a table.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct HeatTable {
     /// The file's name without its folders.
     pub name: String,

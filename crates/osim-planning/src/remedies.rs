@@ -14,7 +14,6 @@ use crate::verbs::any::prepare;
 
 /// Checks a model that was inspected, with remedies that were tried, for a model by itself: they name no other files. `beside` is
 /// what was found in files beside it.
-#[must_use]
 pub fn check_with_remedies(
     options: &InspectOptions,
     model: &Model,

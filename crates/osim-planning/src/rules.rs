@@ -14,7 +14,6 @@ use osim_model::{Anatomy, Example, Finding, FindingCode, Model, Repair, Rule, Se
 const RULES: &[&Rule] = &[&BOTTOMS_MOVED, &COMPILED_MODEL_BESIDE, &HARD_LINKED, &ODD_MESH];
 
 /// Every rule of every crate, one for each code.
-#[must_use]
 pub fn all() -> &'static [&'static Rule] {
     static ALL: LazyLock<Vec<&Rule>> = LazyLock::new(|| {
         let crates =
@@ -90,7 +89,6 @@ static COMPILED_MODEL_BESIDE: Rule = Rule {
 };
 
 /// The compiled file `compiled` would be used instead of the output.
-#[must_use]
 pub fn compiled_model_beside(compiled: &Path) -> Finding {
     let text =
         format!("{} lies beside the output: PredSim and OpenCap would go on using it", compiled.display());
@@ -113,7 +111,6 @@ static HARD_LINKED: Rule = Rule {
 };
 
 /// The file `path` has `others` more names.
-#[must_use]
 pub fn hard_linked(path: &Path, others: u64) -> Finding {
     let names = if others == 1 { "one more name".to_owned() } else { format!("{others} more names") };
     let text = format!("{} has {names} (hard links), under which the old model stays", path.display());

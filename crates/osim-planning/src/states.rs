@@ -16,7 +16,6 @@ use crate::{ModelFeet, Planner, planner};
 
 /// What is known of both states of a model, spelled.
 #[derive(Debug)]
-#[non_exhaustive]
 pub struct BeforeAfter {
     /// The model as it was.
     pub before: (Inspection, CheckResult),
@@ -146,7 +145,6 @@ pub struct States<'s> {
 
 impl States<'_> {
     /// What is drawn of both states, without their figures and findings: for pictures that follow a slider.
-    #[must_use]
     pub fn bodies(self) -> Vec<Body> {
         let before = InspectOptions::from(&self.planner.inspection());
         let old = body("before", &before, &self.opened.model, self.opened);
@@ -157,14 +155,12 @@ impl States<'_> {
     }
 
     /// The new model in space; `None` where nothing changes.
-    #[must_use]
     pub fn scene(self) -> Option<Scene> {
         let before = InspectOptions::from(&self.planner.inspection());
         Some(Scene::of(self.changed?, &self.options_after(&before)))
     }
 
     /// How the body falls on the contacts as they are, and on the new ones: the same body on both, that which the new ones are for.
-    #[must_use]
     pub fn falls(self) -> Vec<Fall> {
         let Some(changed) = self.changed else { return Vec::new() };
         let before = InspectOptions::from(&self.planner.inspection());

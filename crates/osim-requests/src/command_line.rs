@@ -10,7 +10,6 @@ use crate::request::relations_of;
 
 /// Teaches the parser of a verb which options are required and which exclude each other: the same rules as for dictionaries.
 /// What an option [needs](check) it is not taught: clap forgets that where the other one is excluded by a third.
-#[must_use]
 pub fn with_relations(command: Command, verb: Verb) -> Command {
     let all = relations_of(verb);
     command.mut_args(|argument| {

@@ -5,7 +5,6 @@ use osim_model::messages::{Dialect, Input, Phrase, phrase, shown};
 
 /// What is wrong with a request.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum RequestFault {
     /// It has no field of this name.
     UnknownField {
@@ -63,7 +62,6 @@ impl RequestFault {
     }
 
     /// The name of the field that it is about, where it is one.
-    #[must_use]
     pub fn field(&self) -> Option<&str> {
         match self {
             Self::UnknownField { field, .. } | Self::BadValue { field, .. } => Some(field),
@@ -73,7 +71,6 @@ impl RequestFault {
     }
 
     /// What is wrong, with inputs as data.
-    #[must_use]
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::UnknownField { field, nearest: Some(nearest) } => {
@@ -93,7 +90,6 @@ impl RequestFault {
     }
 
     /// The same in the words of a front end.
-    #[must_use]
     pub fn spelled(&self, dialect: &dyn Dialect) -> String {
         self.phrase().spelled(dialect)
     }
@@ -157,7 +153,6 @@ pub enum Relation {
 
 impl Relation {
     /// The field that it is about.
-    #[must_use]
     pub const fn field(self) -> &'static str {
         match self {
             Self::Required(field)

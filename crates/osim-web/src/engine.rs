@@ -49,7 +49,6 @@ pub struct Engine {
 impl Engine {
     /// An engine without files.
     #[wasm_bindgen(constructor)]
-    #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
@@ -72,13 +71,11 @@ impl Engine {
     }
 
     /// The bytes of a file, if it is there.
-    #[must_use]
     pub fn bytes(&self, name: &str) -> Option<Vec<u8>> {
         self.shelf.read(Path::new(name)).ok()
     }
 
     /// The bytes of a file that the last change makes: 0 is the model.
-    #[must_use]
     pub fn result(&self, index: usize) -> Option<Vec<u8>> {
         Some(self.last.as_ref()?.results.get(index)?.bytes.clone())
     }

@@ -9,7 +9,6 @@ pub(crate) type Fields = Map<String, Value>;
 /// A question of the page, in JSON: `{"do": "look", "model": "human.osim"}`.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "do", rename_all = "lowercase", deny_unknown_fields)]
-#[non_exhaustive]
 pub enum Question {
     /// What is in a model, and what is wrong with it.
     Look {

@@ -154,7 +154,6 @@ crate::quantities! {
 
 impl Figure {
     /// Where a table shows it.
-    #[must_use]
     pub const fn shown(self) -> Shown {
         self.entry().shown
     }
@@ -191,7 +190,6 @@ pub enum Shown {
 /// Figures of one model.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct Figures {
     /// Mass whose weight the spheres carry: what the model weighs, else the mass that its contacts are made for, kg.
     pub mass_kg: Option<f64>,
@@ -211,7 +209,6 @@ pub struct Figures {
 /// Figures of one limb.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct LimbFigures {
     /// First body below the place where left and right split; `None` where limbs are not known.
     pub limb: Option<String>,
@@ -225,7 +222,6 @@ pub struct LimbFigures {
 
 /// Figures of one sphere: a value, or none, for each [`Figure`].
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct SphereFigures {
     /// Name of the sphere.
     pub sphere: String,
@@ -240,7 +236,6 @@ pub struct SphereFigures {
 /// One figure and its limit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct LimitCheck {
     /// Name of the figure.
     pub figure: &'static str,
@@ -277,7 +272,6 @@ impl Figures {
 
 impl LimbFigures {
     /// `true` where the spheres differ, so that level figures say something of their own.
-    #[must_use]
     pub fn is_mixed(&self) -> bool {
         let pairs = [
             (Figure::Indentation, Figure::LevelIndentation),
@@ -301,13 +295,11 @@ impl SphereFigures {
     }
 
     /// The figure, where it is known.
-    #[must_use]
     pub fn value(&self, figure: Figure) -> Option<f64> {
         self.answer(figure).value()
     }
 
     /// Whether `figure` is within its limit; `None` where it is not known, or has no limit.
-    #[must_use]
     pub fn is_within(&self, figure: Figure) -> Option<bool> {
         let limit = figure.info().limit?;
         match self.answer(figure) {

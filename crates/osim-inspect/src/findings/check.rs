@@ -35,7 +35,6 @@ impl Changeable {
 }
 
 /// Everything found in a model that was inspected; `beside` is what was found in files beside it.
-#[must_use]
 pub fn check_model(
     options: &InspectOptions,
     model: &Model,
@@ -49,7 +48,6 @@ pub fn check_model(
 
 /// Findings that a change of numbers of contacts can raise or correct, in the order of [`CheckResult::findings`], without remedies: what
 /// floors and gravity show stays as it was.
-#[must_use]
 pub fn check_numbers(options: &InspectOptions, model: &Model, inspected: &Inspection) -> Vec<Found> {
     let untried = Changeable { numbers: false, radii: false };
     in_order(findings(options, model, inspected, &[], untried, Asked::OfNumbers))

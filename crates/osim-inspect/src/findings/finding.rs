@@ -9,7 +9,6 @@ use osim_requests::spell::Speller;
 
 /// Something found in a model, and the request that puts it right. It reads like its [`Finding`], which says where it applies.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Found {
     /// What was found.
     pub finding: Finding,
@@ -24,13 +23,11 @@ pub struct Found {
 
 impl Found {
     /// A finding, and what puts it right, where there is something.
-    #[must_use]
     pub fn new(finding: Finding, remedy: Option<Request>) -> Self {
         Self { finding, remedy, as_published: false, command: None }
     }
 
     /// The same, as bad as in the published state of known contacts: nothing has to be put right there.
-    #[must_use]
     pub fn as_published(self, severity: Severity) -> Self {
         Self { finding: self.finding.with_severity(severity), remedy: None, as_published: true, ..self }
     }
@@ -72,7 +69,6 @@ pub struct Kin<'f> {
 
 impl<'f> Kin<'f> {
     /// Those of one state.
-    #[must_use]
     pub fn of(findings: &'f [Found]) -> Self {
         let mut kin =
             Self { findings, of_spheres: HashMap::new(), at_place: HashMap::new(), of_code: HashMap::new() };
@@ -87,7 +83,6 @@ impl<'f> Kin<'f> {
     }
 
     /// The first finding that says the same as `one`: about spheres it is one for all, else one for each place.
-    #[must_use]
     pub fn same(&self, one: &Found) -> Option<&'f Found> {
         let of_spheres = self.of_spheres.get(&one.code()).filter(|_| !one.spheres.is_empty());
         let at =
@@ -96,7 +91,6 @@ impl<'f> Kin<'f> {
     }
 
     /// The first finding that says the same as `one`, else the first that is another step of the same ladder.
-    #[must_use]
     pub fn nearest(&self, one: &Found) -> Option<&'f Found> {
         let steps = DEPTH.iter().filter(|code| **code != one.code() && DEPTH.contains(&one.code()));
         let first = || self.findings.get(*steps.filter_map(|code| self.of_code.get(code)).min()?);

@@ -21,7 +21,6 @@ use crate::verdicts::{self, Verdict};
 /// Everything found in one model. Serialised it is the JSON contract of `check`; `docs/reference/json.md` describes it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct CheckResult {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -64,7 +63,6 @@ pub(crate) fn in_order(mut findings: Vec<Found>) -> Vec<Found> {
 /// How many findings of each severity.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct Counts {
     /// What OpenSim computes otherwise than it looks, or as nonsense.
     pub error: usize,
@@ -76,7 +74,6 @@ pub struct Counts {
 
 impl Counts {
     /// Those of the worst severity that there is, without the others.
-    #[must_use]
     pub const fn worst(self) -> Self {
         let Self { error, warn, info } = self;
         match (error, warn) {
@@ -87,7 +84,6 @@ impl Counts {
     }
 
     /// "1 error, 2 warnings"; `none` where there is nothing.
-    #[must_use]
     pub fn describe(self, none: &str) -> String {
         let all = [(self.error, "error"), (self.warn, "warning"), (self.info, "remark")];
         let parts: Vec<String> = all
@@ -101,7 +97,6 @@ impl Counts {
 
 impl CheckResult {
     /// Everything found in a model, in any order.
-    #[must_use]
     pub fn new(model: &Model, inspected: &Inspection, findings: Vec<Found>) -> Self {
         let mut findings = in_order(findings);
         // A remark is worth knowing, and no reason to change the model.
@@ -139,14 +134,12 @@ impl CheckResult {
     }
 
     /// The steps up to the one that puts a finding right, this one last; empty if no step does.
-    #[must_use]
     pub fn steps_to(&self, finding: &Found) -> &[Request] {
         let last = self.steps.iter().position(|step| finding.remedy.as_ref() == Some(step));
         last.and_then(|last| self.steps.get(..=last)).unwrap_or_default()
     }
 
     /// Whether something is as bad as `severity`, or worse.
-    #[must_use]
     pub fn reaches(&self, severity: Severity) -> bool {
         self.findings.iter().any(|finding| finding.severity >= severity)
     }

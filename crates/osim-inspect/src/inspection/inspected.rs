@@ -26,7 +26,6 @@ use crate::similarity::SizeList;
 /// A model as it was found.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct Inspection {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -97,7 +96,6 @@ pub struct Inspection {
 /// The mass that the contacts are made for.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct ContactsMass {
     /// In kg.
     pub value: f64,
@@ -114,7 +112,6 @@ pub struct ContactsMass {
 
 impl ContactsMass {
     /// The mass that contacts are made for, with its source as scripts and as people read it.
-    #[must_use]
     pub fn new(mass: &Mass) -> Self {
         Self {
             value: mass.kg,
@@ -125,7 +122,6 @@ impl ContactsMass {
     }
 
     /// What is known of it, in words: `62 kg (note in the file)`, or `not recorded (the body weighs 20 kg)`.
-    #[must_use]
     pub fn in_words(&self) -> String {
         let kg = readable(self.value);
         if self.recorded {
@@ -139,7 +135,6 @@ impl ContactsMass {
 /// A limb that stands on the ground.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct InspectedLimb {
     /// First body below the place where left and right split.
     pub name: String,
@@ -152,7 +147,6 @@ pub struct InspectedLimb {
 /// A contact sphere.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct InspectedSphere {
     /// Its name.
     pub name: String,
@@ -179,7 +173,6 @@ pub struct InspectedSphere {
 /// A contact force, or one parameter set of it.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct InspectedForce {
     /// Its name.
     pub name: String,
@@ -225,7 +218,6 @@ pub struct Origins(
 
 impl Parameters {
     /// The value of `property`, if the class has it.
-    #[must_use]
     pub fn get(&self, property: Property) -> Option<f64> {
         self.0.iter().find(|(known, _)| *known == property).map(|(_, value)| *value)
     }
@@ -233,7 +225,6 @@ impl Parameters {
 
 impl Origins {
     /// `true` where the number is not in the object itself.
-    #[must_use]
     pub fn is_default(&self, property: Property) -> bool {
         self.0.iter().any(|(known, origin)| *known == property && *origin != Origin::Element)
     }
@@ -268,7 +259,6 @@ impl Serialize for Origins {
 /// The form in which contacts of different sizes are compared.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct Dimensionless {
     /// E* R² n / (M g).
     pub modulus: f64,
@@ -307,7 +297,6 @@ impl Dimensionless {
 /// A body.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct InspectedBody {
     /// Its name.
     pub name: String,
@@ -321,7 +310,6 @@ pub struct InspectedBody {
 /// How a body was scaled.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct InspectedFactors {
     /// Name of the body.
     pub body: String,

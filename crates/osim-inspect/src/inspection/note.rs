@@ -9,7 +9,6 @@ use serde::Serialize;
 /// What the note says.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct NoteStory {
     /// Version of the tool that wrote it.
     pub version: String,
@@ -29,7 +28,6 @@ pub struct NoteStory {
 /// One change of the contacts.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct NoteStep {
     /// The verb and what it was given: `set stiffness=x2`; `others` where values changed without a note.
     pub operation: String,
@@ -47,7 +45,6 @@ pub struct NoteStep {
 
 impl NoteStory {
     /// What the note in `model` says; `None` where there is none.
-    #[must_use]
     pub fn of(model: &Model) -> Option<Self> {
         let note = model.note.as_ref()?;
         let changed_since = changes_in_words(&model.changed_since_note());

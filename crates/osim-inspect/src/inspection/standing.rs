@@ -30,7 +30,6 @@ pub(super) enum Rests {
 /// A joint tree over its floor, its joints as they are at the default pose.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct StandingBody {
     /// The body on top of the tree, which is joined to ground.
     pub body: String,
@@ -61,7 +60,6 @@ pub struct StandingBody {
 /// The lowest point of a sphere over its floor.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct Bottom {
     /// Name of the sphere.
     pub sphere: String,
@@ -78,7 +76,6 @@ pub struct Bottom {
 /// A body at rest on spheres, by the laws of the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct OnFeet {
     /// The limb whose spheres alone carry it; null for all of its limbs.
     pub limb: Option<String>,
@@ -97,7 +94,6 @@ pub struct OnFeet {
 /// A sphere of a body at rest.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct StandingSphere {
     /// Its name.
     pub sphere: String,
@@ -111,7 +107,6 @@ pub struct StandingSphere {
 
 impl StandingSphere {
     /// Whether it touches the floor.
-    #[must_use]
     pub fn touches(&self) -> bool {
         self.relative_indentation > 0.0
     }
@@ -130,7 +125,6 @@ impl OnFeet {
     }
 
     /// The sphere that is deepest, in its radius; the first of several.
-    #[must_use]
     pub fn deepest(&self) -> Option<&StandingSphere> {
         self.spheres.iter().reduce(|a, b| if b.relative_indentation > a.relative_indentation { b } else { a })
     }
@@ -138,7 +132,6 @@ impl OnFeet {
 
 impl StandingBody {
     /// Each of `standing`; `limbs` are those of its spheres; `stance_limbs` of them share the weight.
-    #[must_use]
     pub fn all(model: &Model, standing: &[Standing], limbs: &Limbs, stance_limbs: f64) -> Vec<Self> {
         Self::those(model, standing, limbs, stance_limbs, Rests::All)
     }
@@ -187,7 +180,6 @@ impl StandingBody {
     }
 
     /// Whether a sphere is inside the floor at the default pose and the body deeper than where its feet carry it.
-    #[must_use]
     pub fn is_inside_floor(&self) -> bool {
         let Some(lowest) = self.lowest() else { return false };
         let deeper = self.as_posed.as_ref().is_none_or(|rest| rest.down_m < -STANDS * lowest.radius_m);
@@ -195,13 +187,11 @@ impl StandingBody {
     }
 
     /// Whether it starts above its floor.
-    #[must_use]
     pub fn is_above_floor(&self) -> bool {
         self.lowest().is_some_and(Bottom::is_above)
     }
 
     /// The lowest of its bottoms; of equally low ones the first.
-    #[must_use]
     pub fn lowest(&self) -> Option<&Bottom> {
         lowest(&self.bottoms)
     }
@@ -270,7 +260,6 @@ fn on_feet(model: &Model, standing: &Standing, rest: &Rest, limb: Option<&Limb>)
 
 impl StandingBody {
     /// How far inside or above the floor the lowest sphere is: `945 mm inside the floor`; `on the floor` within a tenth of a millimetre.
-    #[must_use]
     pub fn place(&self) -> Option<String> {
         let height_m = self.lowest()?.height_m;
         let millimetres = readable((height_m.abs() * 1e4).round() / 10.0);
@@ -282,7 +271,6 @@ impl StandingBody {
     }
 
     /// What puts it on its feet: `pelvis_ty = 0.981 (now 0) puts it on its feet`, or why nothing does.
-    #[must_use]
     pub fn way_to_stand(&self) -> String {
         if let Some(why) = &self.why_no_coordinate {
             return format!("no coordinate puts it on its feet: {why}");
@@ -309,7 +297,6 @@ impl StandingBody {
     }
 
     /// A value of the coordinate in so many decimals that a hundredth of the smallest radius shows, m.
-    #[must_use]
     pub fn rounded(&self, value_m: f64) -> f64 {
         let smallest = self.bottoms.iter().map(|bottom| bottom.radius_m).fold(1.0, f64::min);
         let decimals = (-(smallest / 100.0).log10().floor()).clamp(2.0, 12.0);
@@ -318,7 +305,6 @@ impl StandingBody {
     }
 
     /// The coordinate at rest on `feet`: `pelvis_ty = 0.981`; `None` if no coordinate lifts it.
-    #[must_use]
     pub fn coordinate_on(&self, feet: &OnFeet) -> Option<String> {
         Some(format!("{} = {}", self.coordinate_name()?, readable(self.rounded(feet.value_m?))))
     }

@@ -47,7 +47,6 @@ pub(crate) static UNMATCHED_PATTERN: Rule = Rule {
 };
 
 /// A message for each pattern of `selection` and of `masses` that fits no name in `model`.
-#[must_use]
 pub fn unmatched_patterns(selection: &Selection, masses: &MassRequest, model: &Model) -> Vec<Phrase> {
     let said = |input: Input, pattern: &Pattern, what: &str| {
         phrase![input.being(pattern.to_string()), format!(": no {what} of the model has such a name")]
@@ -226,6 +225,6 @@ pub(crate) fn convert_moco_forces(
     let force = model.forces().iter().find(|force| Some(force.path.as_str()) == finding.place.as_deref())?;
     let select = if all { Vec::new() } else { vec![exactly(&force.name)?] };
     let choice = ForceOptions { select, ..ForceOptions::default() };
-    let to = ClassChoice::of(ForceKind::SmoothSphereHalfSpace);
+    let to = Some(ClassChoice::of(ForceKind::SmoothSphereHalfSpace));
     Some(ConvertRequest { models, to, choice, ..ConvertRequest::default() }.into())
 }

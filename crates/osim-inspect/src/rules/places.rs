@@ -26,7 +26,6 @@ fn noted_sizes(model: &Model) -> Option<ScaledSinceNote> {
 }
 
 /// What one file alone shows of spheres that are where they should not be: for changes that leave them there.
-#[must_use]
 pub fn misplaced_spheres(model: &Model) -> Option<Finding> {
     let evidence = Evidence::of(model, noted_sizes(model));
     evidence.is_wrong().then(|| evidence.finding(model)).flatten()

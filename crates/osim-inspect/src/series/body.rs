@@ -17,7 +17,6 @@ use crate::load::{InspectOptions, LoadSharing, MassMismatch, Stance};
 
 /// What a body weighs and on how many spheres it stands.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct Weight {
     /// M, kg.
     pub mass_kg: f64,
@@ -43,7 +42,6 @@ impl Weight {
 
 /// Spheres of one radius with one contact.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct SphereKind {
     /// Names of its spheres; empty where all spheres of the body are of this kind.
     pub spheres: String,
@@ -55,7 +53,6 @@ pub struct SphereKind {
 
 impl SphereKind {
     /// The only kind of a body.
-    #[must_use]
     pub fn new(radius_m: f64, contact: Contact) -> Self {
         Self { spheres: String::new(), radius_m, contact }
     }
@@ -63,7 +60,6 @@ impl SphereKind {
 
 /// One body to draw.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct Body {
     /// The name that figures show.
     pub name: String,
@@ -317,7 +313,6 @@ fn of_both_sides(names: &[String]) -> Option<Vec<&str>> {
 
 /// A reference: what its spheres do, under its own weight.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct ReferenceState {
     /// Its name.
     pub name: String,
@@ -331,7 +326,6 @@ pub struct ReferenceState {
 
 impl ReferenceState {
     /// A preset, with what the caller says of it.
-    #[must_use]
     pub fn of_preset(preset: &Preset, mass_kg: f64, spheres: f64, gravity_m_s2: Option<f64>) -> Self {
         let masses = MassRequest { model_kg: Some(mass_kg), ..MassRequest::default() };
         let stance = Stance { spheres: Some(spheres), gravity_m_s2, ..Stance::default() };
@@ -340,7 +334,6 @@ impl ReferenceState {
     }
 
     /// A model, under the weight that its contacts were made for.
-    #[must_use]
     pub fn of_model(
         name: String,
         open: &OpenModel,

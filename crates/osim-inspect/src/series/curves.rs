@@ -88,7 +88,6 @@ pub fn kinds(bodies: &[Body]) -> impl Iterator<Item = (&Body, &SphereKind)> {
 
 /// From where to where curves go that nobody limits, in radii: from half a radius above the ground to a little more than where
 /// the deepest body rests, but no deeper than a sphere's centre.
-#[must_use]
 pub fn reach(bodies: &[Body]) -> (f64, f64) {
     let rests = kinds(bodies)
         .filter_map(|(body, kind)| Some(rest(body.weight.as_ref().ok()?, kind)?.0 / kind.radius_m));
@@ -153,7 +152,6 @@ pub fn state(
 }
 
 /// Where the contact state is t and 1 − t (C.6): the state and the indentation; nothing for a law without smoothing.
-#[must_use]
 pub fn thresholds(kind: &SphereKind, units: Units) -> Vec<Point> {
     let bd = kind.contact.smoothing().map(|smoothing| smoothing.hertz_smoothing);
     let at = bd.and_then(|bd| smoothing::threshold_indentation(THRESHOLD, bd, kind.radius_m).ok());

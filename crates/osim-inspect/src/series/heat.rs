@@ -33,7 +33,6 @@ impl From<&PlotRequest> for HeatRequest {
 
 /// A quantity over stiffness (x, N/m²) and dissipation (y, s/m).
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct HeatSeries {
     /// E₁*.
     pub x: Vec<f64>,
@@ -62,7 +61,6 @@ pub enum Parameter {
 
 /// A quantity along the one parameter that changes it.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Profile {
     /// The parameter.
     pub along: Parameter,

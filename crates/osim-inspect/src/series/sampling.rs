@@ -34,7 +34,6 @@ pub struct Units {
 
 impl Units {
     /// An indentation in m, of a sphere of radius R.
-    #[must_use]
     pub fn x(self, indentation_m: f64, radius_m: f64) -> f64 {
         match self.indentation {
             IndentationUnit::Relative => indentation_m / radius_m,
@@ -43,7 +42,6 @@ impl Units {
     }
 
     /// The indentation in m that the axis shows as `value`, of a sphere of radius R.
-    #[must_use]
     pub fn metres(self, value: f64, radius_m: f64) -> f64 {
         match self.indentation {
             IndentationUnit::Relative => value * radius_m,

@@ -106,7 +106,6 @@ fn size(bytes: u64) -> String {
 }
 
 /// What the system says, with a way out where it needs one.
-#[must_use]
 pub fn reason(error: &std::io::Error) -> String {
     if system::is_out_of_files(error) {
         return "too many open files: allow more (`ulimit -n 256`), or work on fewer models at once"

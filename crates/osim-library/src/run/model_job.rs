@@ -28,7 +28,6 @@ pub(super) struct Context<'r> {
 
 /// The outcome for one model; `S` is what a front end shows of it.
 #[derive(Debug)]
-#[non_exhaustive]
 pub struct Outcome<S> {
     /// The same in one line of a summary.
     pub record: Record,
@@ -58,7 +57,6 @@ impl<S> Outcome<S> {
 
 /// How many models ended how.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct Counts {
     /// New files.
     pub written: usize,
@@ -94,7 +92,6 @@ impl Counts {
     }
 
     /// Whether the run was stopped.
-    #[must_use]
     pub fn interrupted(&self) -> bool {
         self.not_begun > 0
     }

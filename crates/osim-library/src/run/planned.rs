@@ -68,13 +68,11 @@ impl PlannedModel {
     }
 
     /// The model as it is.
-    #[must_use]
     pub fn opened(&self) -> &OpenModel {
         &self.opened
     }
 
     /// What changes, spelled.
-    #[must_use]
     pub fn plan(&self) -> &Plan {
         &self.plan
     }

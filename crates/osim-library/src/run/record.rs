@@ -16,7 +16,6 @@ use crate::run::task::Task;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
-#[non_exhaustive]
 pub enum Status {
     /// A new file is there.
     Written,
@@ -35,7 +34,6 @@ pub enum Status {
 
 impl Status {
     /// As people read it.
-    #[must_use]
     pub const fn describe(self) -> &'static str {
         match self {
             Self::Written => "written",
@@ -54,7 +52,6 @@ impl Status {
 /// rather than replace it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[non_exhaustive]
 pub struct Record {
     /// Row of the manifest, from 1.
     pub row: Option<usize>,
@@ -174,7 +171,6 @@ pub struct Record {
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[serde(expecting = "a JSON object with the outcome for a model")]
 #[cfg_attr(feature = "schemas", schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct JsonRecord {
     /// The columns of the table.
     #[serde(flatten)]
@@ -211,7 +207,6 @@ impl From<JsonRecord> for Record {
 
 impl Record {
     /// A task that is not begun.
-    #[must_use]
     pub fn of_task(task: &Task) -> Self {
         let (model, model_bytes) = FileName::from(task.source.path.as_path()).into_parts();
         let (output, output_bytes) = task.output().map(|path| FileName::from(path).into_parts()).unzip();
@@ -228,7 +223,6 @@ impl Record {
     }
 
     /// What could not even be listed.
-    #[must_use]
     pub fn of_failure(failure: &Failure) -> Self {
         let (model, model_bytes) = failure.model.clone().into_parts();
         let mut record = Self {

@@ -19,7 +19,6 @@ use crate::source::{Source, Sources};
 
 /// What is to be done in one run.
 #[derive(Default)]
-#[non_exhaustive]
 pub struct RunRequest {
     /// The verb, as reports have it.
     pub verb: &'static str,
@@ -72,7 +71,6 @@ impl RunRequest {
     }
 
     /// Whether the run is about one model.
-    #[must_use]
     pub fn is_one(&self) -> bool {
         self.tasks.len() + self.failures.len() == 1
     }
@@ -117,7 +115,6 @@ impl RunRequest {
 }
 
 /// How the run of a request that changes models goes about its work; `None` for other verbs.
-#[must_use]
 pub fn run_options(request: &Request) -> Option<&RunOptions> {
     Some(match request {
         Request::Rescale(request) => &request.run,
@@ -175,7 +172,6 @@ fn check_usage(
 
 /// What is wanted of a model beside its result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Detail {
     /// Nothing.
     Result,
@@ -208,7 +204,6 @@ pub trait FrontEnd: Sync {
 }
 
 /// A model that was changed, with everything about it.
-#[non_exhaustive]
 pub struct ChangedModel<'c> {
     /// The model and where its result goes.
     pub task: &'c Task,

@@ -42,7 +42,6 @@ impl<'r> Run<'r> {
     }
 
     /// What is to be done.
-    #[must_use]
     pub fn request(&self) -> &RunRequest {
         &self.request
     }
@@ -60,7 +59,6 @@ impl<'r> Run<'r> {
     }
 
     /// Whether the run resumes an earlier one.
-    #[must_use]
     pub fn goes_on(&self) -> bool {
         !self.context.previous.is_empty()
     }
@@ -142,19 +140,16 @@ impl<'r> Run<'r> {
     }
 
     /// What a run that was killed left of models that it changed themselves, if it had to be kept: a line for each.
-    #[must_use]
     pub fn kept(&self) -> &[String] {
         &self.kept
     }
 
     /// What could not even be listed.
-    #[must_use]
     pub fn failures(&self) -> &[Failure] {
         &self.request.failures
     }
 
     /// The report that is asked for.
-    #[must_use]
     pub fn report(&self) -> Option<&Path> {
         self.context.run.report.as_deref()
     }

@@ -19,7 +19,6 @@ use crate::paths::Resolver;
 use crate::source::{OrdinaryFiles, Source};
 
 /// One model with its settings.
-#[non_exhaustive]
 pub struct Task {
     /// The model.
     pub source: Source,
@@ -62,7 +61,6 @@ impl Task {
     }
 
     /// The file that is written.
-    #[must_use]
     pub fn output(&self) -> Option<&Path> {
         self.destination.path(&self.source)
     }
@@ -135,7 +133,6 @@ impl JobSettings {
 
 /// Where one model's result goes.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Destination {
     /// Standard output.
     Stdout,
@@ -147,7 +144,6 @@ pub enum Destination {
 
 impl Destination {
     /// The file that is written for `source`.
-    #[must_use]
     pub fn path<'p>(&'p self, source: &'p Source) -> Option<&'p Path> {
         match self {
             Self::Stdout => None,
@@ -157,7 +153,6 @@ impl Destination {
     }
 
     /// Where the result of `source` goes.
-    #[must_use]
     pub fn of(source: &Source, output: &OutputOptions) -> Self {
         if let Some(path) = &output.output {
             return if path.as_os_str() == "-" { Self::Stdout } else { Self::File(path.clone()) };
@@ -181,7 +176,6 @@ impl Destination {
 
 /// For whom a file is written.
 #[derive(Debug, Clone, Copy)]
-#[non_exhaustive]
 pub enum PathOwner<'p> {
     /// A model, with its row of the manifest.
     Model(&'p Path, Option<usize>),

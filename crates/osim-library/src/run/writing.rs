@@ -15,7 +15,6 @@ use crate::write::{InPlace, Mode, Prepared, Successor, backup};
 
 /// The bytes that a plan makes.
 #[derive(Debug)]
-#[non_exhaustive]
 pub struct Results<'m> {
     /// Of the model.
     pub model: Patch<'m>,
@@ -25,7 +24,6 @@ pub struct Results<'m> {
 
 /// The changed bytes of a standalone geometry set.
 #[derive(Debug)]
-#[non_exhaustive]
 pub struct GeometryResult<'m> {
     /// Which of the model's files.
     pub file: FileId,
@@ -58,7 +56,6 @@ impl<'m> Results<'m> {
 
 /// What was written.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Written {
     /// Nothing, and why.
     Nothing(&'static str),
@@ -75,7 +72,6 @@ pub enum Written {
 
 impl Written {
     /// In words.
-    #[must_use]
     pub fn describe(&self) -> String {
         match self {
             Self::Nothing(why) => (*why).to_owned(),
@@ -91,7 +87,6 @@ impl Written {
     }
 
     /// The files that were written.
-    #[must_use]
     pub fn paths(&self) -> &[PathBuf] {
         match self {
             Self::Files { paths, .. } => paths,

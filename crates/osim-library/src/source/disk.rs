@@ -119,7 +119,6 @@ impl Stamp {
     }
 
     /// The metadata at that moment.
-    #[must_use]
     pub fn metadata(&self) -> &Metadata {
         &self.metadata
     }
@@ -158,7 +157,6 @@ fn read(path: &Path, kinds: Kinds) -> Result<(Vec<u8>, Option<Stamp>), FileError
 
 /// Bytes of a model and of the files that belong to it, and where they come from.
 #[derive(Debug)]
-#[non_exhaustive]
 pub struct Loaded {
     /// The files.
     pub files: ModelFiles,
@@ -227,7 +225,6 @@ impl Loaded {
     }
 
     /// SHA-256 of each file, the model first, in the order of [`OpenModel::files`](osim_model::files::OpenModel::files).
-    #[must_use]
     pub fn digests(&self) -> Vec<String> {
         let companions = self.files.companions().map(|(.., bytes)| bytes);
         std::iter::once(self.files.bytes()).chain(companions).map(sha256).collect()
@@ -256,7 +253,6 @@ impl Files for MemoryFirst<'_> {
 
 impl Origin {
     /// A file of the model as it was when it was read; `None` for standard input.
-    #[must_use]
     pub fn stamp_of(&self, file: FileId) -> Option<&Stamp> {
         let path = if file == FileId::MAIN { &self.path } else { self.companions.get(&file)? };
         self.stamps.get(path)

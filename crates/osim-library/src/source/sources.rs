@@ -30,7 +30,6 @@ pub struct Source {
 
 impl Source {
     /// A model that was named itself.
-    #[must_use]
     pub fn file(path: &Path) -> Self {
         Self { path: path.to_owned(), folder: None, named: true }
     }
@@ -41,25 +40,21 @@ impl Source {
     }
 
     /// Whether the model is skipped because it has no contacts: a folder may hold such models; one that was named may not be such.
-    #[must_use]
     pub fn is_skipped(&self, failure: &Failure) -> bool {
         failure.code == "no-contacts" && self.folder.is_some()
     }
 
     /// Whether it is standard input.
-    #[must_use]
     pub fn is_stdin(&self) -> bool {
         self.path.as_os_str() == "-"
     }
 
     /// As shown to the user.
-    #[must_use]
     pub fn shown(&self) -> String {
         self.path.display().to_string()
     }
 
     /// Its name, or its path below the folder that was named.
-    #[must_use]
     pub fn below_folder(&self) -> &Path {
         let below = self.folder.as_ref().and_then(|folder| self.path.strip_prefix(folder).ok());
         below.or_else(|| self.path.file_name().map(Path::new)).unwrap_or(&self.path)
@@ -68,7 +63,6 @@ impl Source {
 
 /// What was named, with folders walked.
 #[derive(Debug, Default)]
-#[non_exhaustive]
 pub struct Sources {
     /// The models.
     pub models: Vec<Source>,
@@ -80,7 +74,6 @@ pub struct Sources {
 
 impl Sources {
     /// Expands `named`; `skip` is the output folder, which is never walked.
-    #[must_use]
     pub fn find(named: &[PathBuf], skip: Option<&Path>) -> Self {
         let mut sources = Self::default();
         let mut known = Known::default();
@@ -236,7 +229,6 @@ pub struct SplitName {
 
 impl SplitName {
     /// The first run of words that are files only together, or look like one: the last is the first with the ending of a model.
-    #[must_use]
     pub fn find(words: &[PathBuf]) -> Option<Self> {
         (0..words.len()).find_map(|start| Self::at(words, start))
     }
@@ -267,13 +259,11 @@ impl SplitName {
     }
 
     /// What is wrong, and what to write.
-    #[must_use]
     pub fn message(&self, first: &Path) -> String {
         format!("'{}' is {}", first.display(), self.reason())
     }
 
     /// The same after the name of the first word.
-    #[must_use]
     pub fn reason(&self) -> String {
         let name = self.name.display();
         let there = if self.exists { format!(", but '{name}' is") } else { String::new() };

@@ -43,7 +43,6 @@ pub struct SweepRun<'s> {
 
 /// How a sweep ended.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct SweepEnd {
     /// The table of what this run made, if it made something.
     pub manifest: Option<PathBuf>,
@@ -105,43 +104,36 @@ impl<'s> SweepRun<'s> {
     }
 
     /// How many variants this run makes: all, or those of its part.
-    #[must_use]
     pub fn count(&self) -> usize {
         self.plan.indices().len()
     }
 
     /// How many variants there are, of all points of the grid or steps of the ladder.
-    #[must_use]
     pub fn points(&self) -> usize {
         self.plan.count()
     }
 
     /// The file of the point that was asked for, by its name in the folder.
-    #[must_use]
     pub fn point_file(&self) -> Option<String> {
         self.request.point.map(|point| self.plan.file_name(point.saturating_sub(1)))
     }
 
     /// Whether there are so many that they are made only if the user confirms it.
-    #[must_use]
     pub fn is_large(&self) -> bool {
         self.request.is_large()
     }
 
     /// The model, as it was named.
-    #[must_use]
     pub fn model(&self) -> &FileName {
         self.plan.model().name()
     }
 
     /// Size of the model, in bytes.
-    #[must_use]
     pub fn model_size(&self) -> usize {
         self.plan.model().bytes().len()
     }
 
     /// The folder that variants are written into.
-    #[must_use]
     pub fn folder(&self) -> &Path {
         &self.folder
     }
@@ -352,7 +344,6 @@ fn folder(request: &SweepRequest, model: &Path) -> PathBuf {
 
 /// Variants whose contacts another one has already.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct SameContacts {
     /// How many.
     pub count: usize,
@@ -381,7 +372,6 @@ impl Seen {
 
 /// Models in the folder of a sweep that are called like its own and are none of them.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct OtherModels {
     /// How many.
     pub count: usize,

@@ -139,7 +139,6 @@ impl Prepared {
     }
 
     /// Whether a file is there whose contents are about to go.
-    #[must_use]
     pub fn replaces(&self) -> bool {
         self.replaces
     }

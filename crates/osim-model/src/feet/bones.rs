@@ -13,7 +13,6 @@ use crate::model::{AttachedMesh, Model, Side, probable_units};
 
 /// The points of one mesh that is attached to a body, in the body's frame.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Bone {
     /// Name of the body.
     pub body: String,
@@ -42,7 +41,6 @@ pub struct AttachedBones<'m> {
 
 impl<'m> AttachedBones<'m> {
     /// Those of `model`.
-    #[must_use]
     pub fn of(model: &'m Model) -> Self {
         let bodies = model.bodies().iter().map(|body| (body.name.as_str(), Vec::new()));
         let mut attached: HashMap<&str, Vec<AttachedMesh>> = bodies.collect();
@@ -183,14 +181,12 @@ impl MeshFolders {
     /// let names: Vec<_> = folders.iter().collect();
     /// assert_eq!(names, [Path::new("models"), Path::new("models/Geometry"), Path::new("bones")]);
     /// ```
-    #[must_use]
     pub fn of_model(path: &Path) -> Self {
         let folder = path.parent().unwrap_or(Path::new(""));
         Self(vec![folder.to_owned(), folder.join("Geometry")])
     }
 
     /// And another one, after those before.
-    #[must_use]
     pub fn and(mut self, folder: impl Into<PathBuf>) -> Self {
         self.0.push(folder.into());
         self
@@ -266,7 +262,6 @@ const USUAL: f64 = 0.5;
 
 /// A mesh that does not fit the skeleton.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct OddMesh {
     /// Name of the body.
     pub body: String,
@@ -278,7 +273,6 @@ pub struct OddMesh {
 
 /// Meshes of `bodies` that do not fit the skeleton, in file order: those with a broken vertex, and those that are far too long or too
 /// short. Meshes that are not there, or cannot be read, say nothing.
-#[must_use]
 pub fn odd_meshes(
     model: &Model,
     bodies: &HashSet<&str>,
@@ -307,7 +301,6 @@ pub fn odd_meshes(
 /// assert!(in_millimetres.starts_with("mesh foot.vtp on calcn_r is 250 m long"));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
-#[must_use]
 pub fn odd_size(model: &Model, bone: &Bone) -> Option<OddMesh> {
     let distances = model.joint_distances();
     let longest_m = distances.of_limb(&bone.body).or_else(|| distances.around_body(&bone.body))?;

@@ -30,7 +30,6 @@ pub const STEEPEST_RAD: f64 = std::f64::consts::FRAC_PI_4;
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct ContactPlane {
     /// The half-space: its name, path, line and body.
     pub plane: Arc<HalfSpace>,
@@ -42,7 +41,6 @@ pub struct ContactPlane {
 
 /// Where a plane is in ground at the default pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct PlaneSurface {
     /// Its outward normal, of length 1.
     pub normal: [f64; 3],
@@ -57,7 +55,6 @@ pub struct PlaneSurface {
 impl ContactPlane {
     /// The planes that moving spheres press on through an applied force among `forces`, in the order of the forces. A sphere presses
     /// on every plane of its forces, but for those of its own body and of bodies that are welded to it.
-    #[must_use]
     pub fn all(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> Vec<Self> {
         let welds = Welds::of(model.joints());
         let mut pairing = Pairing::default();
@@ -135,7 +132,6 @@ impl Pairing {
 
 /// Two spheres on different bodies that one force lets touch each other.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct SpherePair {
     /// The first in the force's order.
     pub one: SphereId,
@@ -157,7 +153,6 @@ pub struct SpherePair {
 /// assert!(sphere_pairs(&model, &DefaultPose::of(&model), &model.forces()[0]).is_empty());
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
-#[must_use]
 pub fn sphere_pairs(model: &Model, pose: &DefaultPose, force: &Force) -> Vec<SpherePair> {
     let spheres: Vec<&Sphere> = force.spheres().into_iter().filter_map(|id| model.sphere(id)).collect();
     let mut pairs = Vec::new();

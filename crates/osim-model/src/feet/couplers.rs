@@ -28,7 +28,6 @@ pub struct Coupler {
 impl Coupler {
     /// The dependent coordinate where the independent one has this value, and by how much it changes with it; `None` where the
     /// function is not known.
-    #[must_use]
     pub fn at(&self, independent: f64) -> Option<(f64, f64)> {
         let function = self.function.as_ref()?;
         Some((self.factor * function.value(independent), self.factor * function.slope(independent)))
@@ -37,7 +36,6 @@ impl Coupler {
 
 /// What the enforced constraints of a model say of its coordinates.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Couplers {
     /// Coordinates that are functions of others, in file order.
     pub all: Vec<Coupler>,
@@ -47,7 +45,6 @@ pub struct Couplers {
 
 impl Couplers {
     /// Those of `model`.
-    #[must_use]
     pub fn of(model: &Model) -> Self {
         let mut couplers = Self { all: Vec::new(), unknown: Vec::new() };
         for (document, constraint) in constraints(model) {
@@ -117,7 +114,6 @@ fn prescribed(document: &Document, coordinate: ElementId) -> Option<Option<f64>>
 }
 
 /// The function of time that sets a coordinate, if one does: `Some(None)` for a function that is not known.
-#[must_use]
 pub fn prescribed_function(document: &Document, coordinate: ElementId) -> Option<Option<CoordinateFunction>> {
     Some(CoordinateFunction::read(document, prescribing(document, coordinate)?))
 }

@@ -41,7 +41,6 @@ struct Placements {
 
 impl DefaultPose {
     /// That of `model`.
-    #[must_use]
     pub fn of(model: &Model) -> Self {
         Self(Arc::clone(model.of_bodies(|model| Arc::new(Placements::of(model)))))
     }
@@ -144,7 +143,6 @@ fn same(known: &Result<Placement, PoseFault>, other: &Result<Placement, PoseFaul
 
 /// A joint on the way from ground.
 #[derive(Debug, Clone, Copy)]
-#[non_exhaustive]
 pub struct Crossing<'j> {
     /// The joint.
     pub joint: &'j ModelJoint,
@@ -169,7 +167,6 @@ pub struct Crossing<'j> {
 /// assert!(joint_walk(model.joints()).first().is_none_or(|first| first.from.is_none()), "{reached:?}");
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
-#[must_use]
 pub fn joint_walk(joints: &[ModelJoint]) -> Vec<Crossing<'_>> {
     let mut at: HashMap<Option<&str>, Vec<usize>> = HashMap::new();
     for (index, joint) in joints.iter().enumerate() {

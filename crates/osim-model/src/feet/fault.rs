@@ -9,7 +9,6 @@ use crate::model::files::FileError;
 
 /// Why bones cannot be read or spheres not be laid.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum FeetFault {
     /// There is no body of that name.
     #[error("there is no body {body}, the model has {}", shown(.bodies))]
@@ -110,7 +109,6 @@ pub enum FeetFault {
 
 impl FeetFault {
     /// What is wrong, on one line, with names from outside escaped.
-    #[must_use]
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::Model(fault) => fault.phrase(),
@@ -119,7 +117,6 @@ impl FeetFault {
     }
 
     /// Stable short name, as in the JSON `code`.
-    #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
             Self::NoBody { .. } => "no-such-body",
@@ -163,7 +160,6 @@ fn numbers(values: &[f64; 3]) -> String {
 
 /// Why it is not known where a body is at the default pose.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
 pub enum PoseFault {
     /// No body of that name is joined to ground.
     #[error("no joints lead from ground to body {body}, so it is not known where it is at the default pose")]

@@ -16,7 +16,6 @@ const MOST_JOINTS: usize = 64;
 
 /// What is free between two bodies.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct Freedom {
     /// A coordinate turns one of them.
     pub turns: bool,
@@ -57,7 +56,6 @@ impl Freedom {
     const ALL: Self = Self { turns: true, slides: true };
 
     /// Whether anything is free.
-    #[must_use]
     pub const fn is_any(self) -> bool {
         self.turns || self.slides
     }
@@ -69,26 +67,22 @@ impl Freedom {
 
 impl Movements {
     /// Those of `model`.
-    #[must_use]
     pub fn of(model: &Model) -> Self {
         Self(Arc::clone(model.of_bodies(|model| Arc::new(Ways::of(model)))))
     }
 
     /// Whether `body` can move in ground.
-    #[must_use]
     pub fn moves(&self, body: &str) -> bool {
         // A body that hangs on nothing moves as it likes.
         self.0.ends.get(body).is_none_or(|end| end.moves)
     }
 
     /// The body above `body` that hangs on no other one; `body` itself if nothing is above it.
-    #[must_use]
     pub fn top<'b>(&'b self, body: &'b str) -> &'b str {
         self.0.ends.get(body).map_or(body, |end| end.top.as_str())
     }
 
     /// What is free between two bodies; `None` where they hang together only through ground.
-    #[must_use]
     pub fn between(&self, one: &str, other: &str) -> Option<Freedom> {
         let (one, other) = (self.0.way(one), self.0.way(other));
         let (mut here, mut there) = (one.len(), other.len());

@@ -16,7 +16,6 @@ const MOST_JOINTS: usize = 64;
 
 /// A coordinate whose default value tilts a foot.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Tilting {
     /// Its name, such as `ankle_angle_r`.
     pub name: String,
@@ -26,7 +25,6 @@ pub struct Tilting {
 
 impl Sole {
     /// The coordinates that tilt this foot or a part of it at the default pose of `model`, from the foot up.
-    #[must_use]
     pub fn tilted_by(&self, model: &Model) -> Vec<Tilting> {
         let joints = model.joints();
         let known = CoordinateValues::of(model);
@@ -57,7 +55,6 @@ impl Sole {
     }
 
     /// What is wrong with a foot that does not lie flat at the default pose, and by how much; `None` where it does.
-    #[must_use]
     pub fn not_flat(&self) -> Option<String> {
         let print = &self.footprint;
         if print.is_flat() {
@@ -102,7 +99,6 @@ impl Sole {
 
 impl Tilting {
     /// Their names and values for a sentence: `ankle_angle_r = 0.2 rad`; of many the first.
-    #[must_use]
     pub fn listed(all: &[Self]) -> String {
         let one = |own: &Self| format!("{} = {} rad", shown(&own.name), readable(own.value));
         let mut named: Vec<String> = all.iter().take(NAMED).map(one).collect();
@@ -126,7 +122,6 @@ impl Sole {
     /// By how much the poses of this foot and `other` differ from mirror images of each other at the default pose of `model`, rad: the
     /// largest angle between where one's body sees up, or the way to the other foot, and the mirror image of where the other's body
     /// sees it. `None` unless they are the feet of both sides and have a body in common.
-    #[must_use]
     pub fn posed_unlike(&self, other: &Self, model: &Model) -> Option<f64> {
         (self.side? != other.side?).then_some(())?;
         let pose = DefaultPose::of(model);

@@ -3,13 +3,11 @@
 use crate::model::cross;
 
 /// a · b.
-#[must_use]
 pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3).map(|i| a[i] * b[i]).sum()
 }
 
 /// The angle between two vectors, rad, from 0 to π: atan2(|a × b|, a · b), which is exact near 0 and π, too.
-#[must_use]
 pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
     let across = cross(a, b);
     libm::atan2(dot(across, across).sqrt(), dot(a, b))

@@ -9,7 +9,6 @@ macro_rules! inputs {
     ($($variant:ident = $name:literal, $label:literal;)+) => {
         /// Something that a caller can say, by the name of its field in a request.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[non_exhaustive]
         pub enum Input {
             $(#[doc = concat!("`", $name, "`: ", $label, ".")] $variant,)+
         }
@@ -19,13 +18,11 @@ macro_rules! inputs {
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
 
             /// Name of the field in a request, for example `contacts_mass`.
-            #[must_use]
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $name),+ }
             }
 
             /// What it is, in a few words, for forms.
-            #[must_use]
             pub const fn label(self) -> &'static str {
                 match self { $(Self::$variant => $label),+ }
             }
@@ -176,7 +173,6 @@ inputs! {
 
 impl Input {
     /// Whether it is either so or not, without a value.
-    #[must_use]
     pub const fn is_flag(self) -> bool {
         matches!(
             self,
@@ -208,7 +204,6 @@ macro_rules! verbs {
     ($($(#[doc = $doc:literal])+ $variant:ident = $name:literal;)+) => {
         /// Something that can be done with models.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[non_exhaustive]
         pub enum Verb {
             $($(#[doc = $doc])+ $variant,)+
         }
@@ -218,7 +213,6 @@ macro_rules! verbs {
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
 
             /// Its name, for example `drop-test`.
-            #[must_use]
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $name),+ }
             }
@@ -271,7 +265,6 @@ verbs! {
 
 /// A part of a [`Phrase`](crate::messages::Phrase).
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Part {
     /// Plain words.
     Text(Cow<'static, str>),
@@ -285,7 +278,6 @@ pub enum Part {
 
 /// An example of the value of an input.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Example {
     /// A word for a value that the reader knows, such as `KG`.
     Placeholder(Cow<'static, str>),
@@ -306,13 +298,11 @@ pub struct Call {
 
 impl Verb {
     /// The verb alone, for a sentence.
-    #[must_use]
     pub const fn call(self) -> Call {
         Call { verb: self, with_model: false, inputs: Vec::new() }
     }
 
     /// The verb with a model.
-    #[must_use]
     pub const fn of_model(self) -> Call {
         Call { verb: self, with_model: true, inputs: Vec::new() }
     }
@@ -320,21 +310,18 @@ impl Verb {
 
 impl Call {
     /// With an input and a placeholder for its value.
-    #[must_use]
     pub fn with(mut self, input: Input, placeholder: &'static str) -> Self {
         self.inputs.push((input, Some(Example::Placeholder(placeholder.into()))));
         self
     }
 
     /// With an input and a value.
-    #[must_use]
     pub fn saying(mut self, input: Input, value: impl Into<String>) -> Self {
         self.inputs.push((input, Some(Example::Value(value.into()))));
         self
     }
 
     /// With an input that has no value.
-    #[must_use]
     pub fn and(mut self, input: Input) -> Self {
         self.inputs.push((input, None));
         self
@@ -343,13 +330,11 @@ impl Call {
 
 impl Input {
     /// The input with a placeholder for its value: `--mass KG`.
-    #[must_use]
     pub const fn like(self, placeholder: &'static str) -> Part {
         Part::Input(self, Some(Example::Placeholder(Cow::Borrowed(placeholder))))
     }
 
     /// The input with a value: `--radius keep`.
-    #[must_use]
     pub fn being(self, value: impl Into<String>) -> Part {
         Part::Input(self, Some(Example::Value(value.into())))
     }

@@ -24,7 +24,6 @@ pub struct Phrase(Vec<Part>);
 impl Phrase {
     /// A text in which inputs and calls are in backticks: `` `mass` ``, `` `contacts_mass=KG` ``,
     /// `` `design MODEL indentation=0.16` ``. What stands there and is neither stays as it is.
-    #[must_use]
     pub fn template(text: &str) -> Self {
         let mut phrase = Self::default();
         for (index, piece) in text.split('`').enumerate() {
@@ -39,7 +38,6 @@ impl Phrase {
     }
 
     /// Several phrases as one, with `mark` between them; `None` where there are none.
-    #[must_use]
     pub fn joined(phrases: impl IntoIterator<Item = Self>, mark: &'static str) -> Option<Self> {
         phrases.into_iter().reduce(|mut all, next| {
             all.push(mark);
@@ -54,13 +52,11 @@ impl Phrase {
     }
 
     /// The parts, in order.
-    #[must_use]
     pub fn parts(&self) -> &[Part] {
         &self.0
     }
 
     /// The inputs it names, each once, in order.
-    #[must_use]
     pub fn inputs(&self) -> Vec<Input> {
         let mut named = Vec::new();
         name_inputs(&self.0, &mut named);
@@ -68,7 +64,6 @@ impl Phrase {
     }
 
     /// The phrase in the words of a front end.
-    #[must_use]
     pub fn spelled(&self, dialect: &dyn Dialect) -> String {
         let mut text = String::new();
         spell_into(&mut text, &self.0, dialect);
@@ -103,7 +98,6 @@ impl Phrase {
 
 impl Input {
     /// Words for a verb that takes this input, and those for one that does not: see [`Phrase::keep_for`].
-    #[must_use]
     pub fn either(self, taken: impl Into<Phrase>, otherwise: impl Into<Phrase>) -> Part {
         Part::Either(self, Box::new([taken.into().0, otherwise.into().0]))
     }

@@ -35,26 +35,22 @@ pub struct Shown<'t> {
 }
 
 /// The text as it may be shown in a message: on one line, and short.
-#[must_use]
 pub const fn shown(text: &str) -> Shown<'_> {
     Shown { text, most: SHOWN_LETTERS }
 }
 
 /// The text on one line, however long it is: paths that the reader has to find again.
-#[must_use]
 pub const fn shown_whole(text: &str) -> Shown<'_> {
     Shown { text, most: usize::MAX }
 }
 
 /// A text with names from outside in it, as a sentence has it: on one line, and not endless.
-#[must_use]
 pub fn one_line(text: String) -> String {
     let plain = text.len() <= SENTENCE_LETTERS && text.bytes().all(|byte| matches!(byte, b' '..=b'~'));
     if plain { text } else { Shown { text: &text, most: SENTENCE_LETTERS }.to_string() }
 }
 
 /// A path as it may be shown, whole. What is not UTF-8 in it is shown as `�`.
-#[must_use]
 pub fn shown_path(path: &Path) -> String {
     shown_whole(&path.to_string_lossy()).to_string()
 }
@@ -94,7 +90,6 @@ fn visible(text: &str, f: &mut impl Write) -> fmt::Result {
 
 /// Whether a letter is seen as it is, and steers nothing. An accent that stands alone is: it may belong to the letter
 /// before it.
-#[must_use]
 pub fn is_seen(letter: char) -> bool {
     if letter.is_ascii() {
         return matches!(letter, ' '..='~');
@@ -116,7 +111,6 @@ pub fn is_seen(letter: char) -> bool {
 /// assert_eq!(harmless("a\tb\r\nc\n"), "a\tb\r\nc\n");
 /// assert_eq!(harmless("\u{1b}]0;title\u{7}"), r"\u{1b}]0;title\u{7}");
 /// ```
-#[must_use]
 pub fn harmless(text: &str) -> Cow<'_, str> {
     if text.bytes().all(|byte| matches!(byte, b' '..=b'~' | b'\n' | b'\t')) {
         return Cow::Borrowed(text);
@@ -141,7 +135,6 @@ pub fn harmless(text: &str) -> Cow<'_, str> {
 /// Plain digits between 1e-5 and 1e15 (`0.0641715826`, `2005361.956`), an exponent outside (`4e-6`), no `.0`.
 /// The layout is frozen: the same value has the same bytes on every platform and in every version. Not-finite values
 /// are spelled `NaN`, `inf`, `-inf`; they are never written into a model.
-#[must_use]
 pub fn shortest(value: f64) -> String {
     if !value.is_finite() {
         return if value.is_nan() {
@@ -170,7 +163,6 @@ fn text_of(number: fmt::Arguments<'_>) -> String {
 }
 
 /// A number for people: exact if the exact text is short, else eight significant digits.
-#[must_use]
 pub fn readable(value: f64) -> String {
     const SHORT: usize = 10;
     let exact = shortest(value);
@@ -181,7 +173,6 @@ pub fn readable(value: f64) -> String {
 }
 
 /// `1 sphere`, `2 spheres`: a count, or a number as it is to be read, and what is counted.
-#[must_use]
 pub fn counted(count: impl Display, what: &str) -> String {
     let count = count.to_string();
     let ending = if count == "1" { "" } else { "s" };
@@ -189,13 +180,11 @@ pub fn counted(count: impl Display, what: &str) -> String {
 }
 
 /// Four significant digits, to compare by eye.
-#[must_use]
 pub fn four_significant(value: f64) -> String {
     significant(value, 4)
 }
 
 /// Three significant digits, for columns that are narrow.
-#[must_use]
 pub fn three_significant(value: f64) -> String {
     significant(value, 3)
 }
@@ -219,7 +208,6 @@ fn rounded(value: f64, decimals: usize) -> f64 {
 /// assert_eq!(listed(&["heel_r", "heel_l", "toe_r"], 2), "heel_r, heel_l and 1 more");
 /// assert_eq!(listed(&["heel_r", "heel_l"], 2), "heel_r, heel_l");
 /// ```
-#[must_use]
 pub fn listed<S: AsRef<str>>(names: &[S], most: usize) -> String {
     let first = names.iter().take(most).map(AsRef::as_ref).collect::<Vec<_>>().join(", ");
     match names.len().saturating_sub(most) {

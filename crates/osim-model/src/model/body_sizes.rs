@@ -22,7 +22,6 @@ const LAST_GEOMETRY: u32 = 30505;
 
 /// A mesh file that is attached to a body.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct AttachedMesh {
     /// Name of the body.
     pub body: String,
@@ -36,7 +35,6 @@ pub struct AttachedMesh {
 
 impl AttachedMesh {
     /// A point of the file on the body, m.
-    #[must_use]
     pub fn on_body(&self, point: [f64; 3]) -> [f64; 3] {
         self.placement.point(times(self.factors, point))
     }
@@ -45,7 +43,6 @@ impl AttachedMesh {
 impl Model {
     /// Mesh files that are attached to bodies or to frames on them, in file order; those on ground are left out, and geometry
     /// that has no file.
-    #[must_use]
     pub fn attached_meshes(&self) -> Vec<AttachedMesh> {
         let components = self.components();
         let frames = components.tree.iter().filter(|(id, _)| {
@@ -197,7 +194,6 @@ const SAME_SIZE: f64 = 1e-6;
 
 impl BodySize {
     /// Whether the body is as large as `other`.
-    #[must_use]
     pub fn is_as_large_as(&self, other: &Self) -> bool {
         let close = |(a, b): (f64, f64)| (a - b).abs() <= SAME_SIZE * b.abs();
         self.factors.into_iter().zip(other.factors).all(close)
@@ -207,7 +203,6 @@ impl BodySize {
 /// How the bodies changed since the note was written, where the spheres are still where they were then: from
 /// [`Model::scaled_since_note`].
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct ScaledSinceNote {
     /// Mesh factors now over those in the note, along x, y and z, by body. Exactly 1 where they are equal.
     pub factors: BTreeMap<String, [f64; 3]>,
@@ -216,13 +211,11 @@ pub struct ScaledSinceNote {
 
 impl ScaledSinceNote {
     /// Whether some body has another size now, and a sphere of it belongs elsewhere.
-    #[must_use]
     pub const fn is_scaled(&self) -> bool {
         self.left_behind
     }
 
     /// Whether every body that carries spheres of `model` has factors.
-    #[must_use]
     pub fn has_all_carriers(&self, model: &Model) -> bool {
         let carriers = model.loaded_spheres(&model.force_ids());
         let mut bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_ref());
@@ -233,7 +226,6 @@ impl ScaledSinceNote {
 impl Model {
     /// What OpenSim's scaling did to the bodies that carry spheres, from the note alone. `None` if there is no note with sizes,
     /// or spheres were moved since it was written.
-    #[must_use]
     pub fn scaled_since_note(&self) -> Option<ScaledSinceNote> {
         let note = self.note.as_ref().filter(|note| !note.sizes.is_empty())?;
         if self.has_places_of(note) != Some(true) {
@@ -272,7 +264,6 @@ impl Model {
 
     /// Mesh scale factors of the bodies that carry moving spheres of contact forces, by name; bodies without meshes, or with a
     /// name that a note cannot hold, are left out. Of several meshes the first counts, in the order of their names.
-    #[must_use]
     pub fn body_sizes(&self) -> Vec<BodySize> {
         let spheres = moving_spheres(self, &self.force_ids()).into_iter();
         let carrying: BTreeSet<&str> = spheres

@@ -37,27 +37,23 @@ impl Default for PropertySet {
 
 impl PropertySet {
     /// The friction speeds too: `transition_velocity` ∝ √(g R) and `viscous_friction` ∝ 1/√(g R), beyond the paper.
-    #[must_use]
     pub fn with_friction(mut self) -> Self {
         self.0.extend([Property::TransitionVelocity, Property::ViscousFriction]);
         self
     }
 
     /// Restricts the set to those of `only` (all, if it is empty) without those of `keep`.
-    #[must_use]
     pub fn restricted(mut self, only: &[Property], keep: &[Property]) -> Self {
         self.0.retain(|property| (only.is_empty() || only.contains(property)) && !keep.contains(property));
         self
     }
 
     /// Whether `property` may change.
-    #[must_use]
     pub fn contains(&self, property: Property) -> bool {
         self.0.contains(&property)
     }
 
     /// Whether everything that the paper scales is in it (a radius may stay: the others then follow from that).
-    #[must_use]
     pub fn is_complete(&self) -> bool {
         Self::default().0.iter().all(|&property| property == Property::Radius || self.contains(property))
     }
@@ -118,7 +114,6 @@ pub enum DissipationBy {
 
 /// How a radius follows from three factors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
 pub enum RadiusAxis {
     /// The factor along x.
     X,
@@ -137,7 +132,6 @@ pub enum RadiusAxis {
 
 impl RadiusAxis {
     /// The ratio of radii, of the factors along x, y and z.
-    #[must_use]
     pub fn of(self, [x, y, z]: [f64; 3]) -> f64 {
         match self {
             Self::X => x,
@@ -154,7 +148,6 @@ impl RadiusAxis {
 
 /// What to do with spheres of the scaled model that were moved or resized already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
 pub enum MovedSpheres {
     /// Refuse, so that the caller decides ([`Needed::MovedSpheres`](crate::model::Needed::MovedSpheres)).
     #[default]

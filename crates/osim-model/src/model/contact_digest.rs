@@ -40,7 +40,6 @@ impl Model {
     ///
     /// `changed` gives the new value of those that a plan changes. The same numbers have the same digest whatever their
     /// spelling, wherever they are in the file, and whatever the spheres and forces are called.
-    #[must_use]
     pub fn contact_digest(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> String {
         let mut hash = Sha256::new();
         let mut feed = |set: usize, property: Property, number: f64| {
@@ -68,7 +67,6 @@ impl Model {
 
     /// Digest of the radii of all spheres of contact forces, in whatever order. `changed` gives the new value of those that a plan
     /// changes.
-    #[must_use]
     pub fn radii_digest(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> String {
         let radius = |sphere: &Sphere| {
             let key = ValueKey::new(sphere.file, sphere.element, Property::Radius);
@@ -83,7 +81,6 @@ impl Model {
 
     /// Digest of the locations of all spheres of contact forces, in their frames, with the bodies that carry them, in whatever
     /// order. `moved` gives the new location of those that a plan moves, m.
-    #[must_use]
     pub fn places_digest(&self, moved: impl Fn(&Sphere) -> Option<[f64; 3]>) -> String {
         let mut places: Vec<(&str, [u64; 3])> = Vec::new();
         for sphere in self.spheres_of_forces() {
@@ -108,7 +105,6 @@ impl Model {
     }
 
     /// Whether all contact values are those that `note` records.
-    #[must_use]
     pub fn has_values_of(&self, note: &Note) -> bool {
         note.digest == self.contact_digest(|_| None)
     }
@@ -119,7 +115,6 @@ impl Model {
     }
 
     /// Whether all spheres are where `note` records them; `None` where it records no places.
-    #[must_use]
     pub fn has_places_of(&self, note: &Note) -> Option<bool> {
         note.places.as_ref().map(|places| *places == self.places_digest(|_| None))
     }
@@ -128,7 +123,6 @@ impl Model {
     ///
     /// A note of [`Scope::All`] that gives no mass can be relied on: nobody said one, and the contacts are taken as made for what the
     /// bodies weigh, as without a note. Once OpenSim has scaled the bodies, they no longer weigh that.
-    #[must_use]
     pub fn doubt_about_note(&self) -> Option<NoteDoubt> {
         if self.note_fault.is_some() {
             return self.note_fault;
@@ -147,7 +141,6 @@ impl Model {
 }
 
 /// The first 16 digits of the SHA-256 of `bytes`, by which a note knows a reference again.
-#[must_use]
 pub fn short_digest(bytes: &[u8]) -> String {
     first_digits(Sha256::new_with_prefix(bytes))
 }
@@ -169,7 +162,6 @@ const BYTES_OF_PROPERTY: usize = 4;
 impl Model {
     /// What a note records of the contacts beside the digests of all numbers. `changed` gives the new value of those that a plan
     /// changes.
-    #[must_use]
     pub fn noted_parts(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> NotedParts {
         let mut seen: HashSet<SphereId> = HashSet::default();
         let spheres = self.forces().iter().flat_map(Force::spheres).filter(|&sphere| seen.insert(sphere));
@@ -219,7 +211,6 @@ fn names(mut names: Vec<&str>) -> NotedNames {
 
 impl Note {
     /// This note of `before`, with the record of `after`. What others changed before stays recorded as it was, so that it is found.
-    #[must_use]
     pub fn recorded_again(&self, before: &Model, after: &Model) -> Self {
         let mut note = self.clone();
         let parts = after.noted_parts(|_| None);

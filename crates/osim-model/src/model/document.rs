@@ -77,43 +77,36 @@ impl Document {
     }
 
     /// The file, untouched.
-    #[must_use]
     pub fn bytes(&self) -> &[u8] {
         self.tree.bytes()
     }
 
     /// The file, untouched, without a copy.
-    #[must_use]
     pub fn into_bytes(self) -> Vec<u8> {
         self.tree.into_bytes()
     }
 
     /// The elements and their spans.
-    #[must_use]
     pub fn tree(&self) -> &Tree {
         &self.tree
     }
 
     /// `Version` of the document, for example 40000.
-    #[must_use]
     pub fn version(&self) -> u32 {
         self.version
     }
 
     /// The element that holds everything: `Model`, `ForceSet` or `ContactGeometrySet`.
-    #[must_use]
     pub fn data_root(&self) -> ElementId {
         self.data_root
     }
 
     /// Whether it holds a whole model, and no set that stands alone.
-    #[must_use]
     pub fn is_model(&self) -> bool {
         self.tree.name(self.data_root()) == "Model"
     }
 
     /// The `<defaults>` of the document, if it has any.
-    #[must_use]
     pub fn defaults(&self) -> Option<ElementId> {
         self.defaults
     }
@@ -123,13 +116,11 @@ impl Document {
     }
 
     /// Line (from 1) of the byte `offset` (from 0).
-    #[must_use]
     pub fn line(&self, offset: usize) -> usize {
         self.lines().line(self.bytes(), offset)
     }
 
     /// Line and column (from 1) of the byte `offset` (from 0).
-    #[must_use]
     pub fn position(&self, offset: usize) -> Position {
         self.lines().position(self.bytes(), offset)
     }
@@ -184,7 +175,6 @@ impl Document {
     }
 
     /// Elements whose contents are in another file, and that file as written: `<ForceSet file="x.xml"/>`.
-    #[must_use]
     pub fn included_files(&self) -> Vec<(ElementId, String)> {
         if !self.may_include() {
             return Vec::new();
@@ -254,7 +244,6 @@ impl Document {
 
     /// The three numbers of `tag`, such as a location, as OpenSim reads them: from `<defaults>` where `object` has none; `None` where
     /// neither can be read. They need not be finite.
-    #[must_use]
     pub fn triple(&self, object: ElementId, tag: &str) -> Option<[f64; 3]> {
         self.whole_triple(object, tag).ok()?
     }
@@ -333,7 +322,6 @@ fn version_and_data_root(tree: &Tree) -> Result<(u32, ElementId), Fault> {
 /// Whether `file="…"` may be somewhere in `bytes`: cheap, and never `false` if it is there.
 ///
 /// Most models include nothing; finding that out must not cost a scan.
-#[must_use]
 pub fn may_include(bytes: &[u8]) -> bool {
     memchr::memmem::find_iter(bytes, b"file").any(|at| {
         let before = at.checked_sub(1).and_then(|at| bytes.get(at));

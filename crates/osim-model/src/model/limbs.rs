@@ -13,7 +13,6 @@ use crate::model::typed_model::Model;
 
 /// One limb that stands on the ground, from [`Model::limbs`].
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct Limb {
     /// First body below the place where left and right separate.
     pub name: String,
@@ -48,7 +47,6 @@ pub enum Limbs {
 
 impl Limbs {
     /// The limbs, if known.
-    #[must_use]
     pub fn known(&self) -> Option<&[Limb]> {
         match self {
             Self::Known(limbs) => Some(limbs),
@@ -57,7 +55,6 @@ impl Limbs {
     }
 
     /// Why they are not known, where they are not.
-    #[must_use]
     pub fn unknown(&self) -> Option<&Phrase> {
         match self {
             Self::Known(_) => None,
@@ -86,7 +83,6 @@ impl Limbs {
 
 impl Model {
     /// Groups the moving spheres of the applied forces among `forces` that meet a half-space.
-    #[must_use]
     pub fn limbs(&self, forces: &[ForceId]) -> Limbs {
         let footings = match self.footings(forces) {
             Ok(footings) => footings,
@@ -100,7 +96,6 @@ impl Model {
     }
 
     /// Moving spheres that touch a half-space through an applied force among `forces`, each once.
-    #[must_use]
     pub fn loaded_spheres(&self, forces: &[ForceId]) -> Vec<SphereId> {
         let mut seen = HashSet::new();
         let mut spheres: Vec<SphereId> = Vec::new();
@@ -117,7 +112,6 @@ impl Model {
 
     /// The forces whose moving spheres hang on the same body on top of the joint tree as those of `forces`: a ball is joined
     /// to its player only through ground.
-    #[must_use]
     pub fn forces_of_same_body(&self, forces: &[ForceId]) -> Vec<ForceId> {
         let own: HashSet<ForceId> = forces.iter().copied().collect();
         let tops = |id: ForceId| -> HashSet<ComponentId> {
@@ -135,7 +129,6 @@ impl Model {
     }
 
     /// Whether a moving sphere of `force` can touch a half-space on another body.
-    #[must_use]
     pub fn meets_half_space(&self, force: &Force) -> bool {
         let spheres = force.sets.iter().flat_map(|set| &set.spheres);
         spheres.filter_map(|&id| self.sphere(id)).any(|sphere| {

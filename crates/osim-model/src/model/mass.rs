@@ -51,7 +51,6 @@ pub struct MassRequest {
 
 /// The source of a mass.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum MassSource {
     /// The caller, of the contacts.
     ContactsMass,
@@ -71,7 +70,6 @@ pub enum MassSource {
 
 impl MassSource {
     /// As in the JSON.
-    #[must_use]
     pub const fn as_str(&self) -> &'static str {
         match self {
             Self::ContactsMass => "contacts-mass",
@@ -85,13 +83,11 @@ impl MassSource {
     }
 
     /// Whether the source is about the contacts, and not only about the body that carries them.
-    #[must_use]
     pub const fn is_of_contacts(&self) -> bool {
         !matches!(self, Self::Mass | Self::Bodies(_))
     }
 
     /// In words: `sum of 21 bodies`.
-    #[must_use]
     pub fn describe(&self) -> Phrase {
         match self {
             Self::ContactsMass => Input::ContactsMass.into(),
@@ -117,7 +113,6 @@ pub struct Mass {
 
 impl Mass {
     /// As the mass that contacts were made for, in words. If no source is about the contacts, it is taken.
-    #[must_use]
     pub fn made_for(&self) -> Phrase {
         let taken =
             if self.source.is_of_contacts() { "contacts made for" } else { "contacts taken as made for" };
@@ -178,7 +173,6 @@ impl MassRequest {
     }
 
     /// A warning for each other source that disagrees with the mass that was `taken`.
-    #[must_use]
     pub fn disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
         let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
         let noted = noted.filter(|_| taken.source != MassSource::Note);
@@ -186,7 +180,6 @@ impl MassRequest {
     }
 
     /// A warning where the note in `model` can be relied on and gives another mass than the caller.
-    #[must_use]
     pub fn noted_otherwise(&self, model: &Model) -> Option<Finding> {
         let kg = self.contacts_mass_kg?;
         let noted = self.otherwise_noted_kg(model)?;
@@ -198,7 +191,6 @@ impl MassRequest {
     }
 
     /// What the note in `model` gives, kg, where it can be relied on and the caller gave another mass.
-    #[must_use]
     pub fn otherwise_noted_kg(&self, model: &Model) -> Option<f64> {
         let said = self.contacts_mass_kg?;
         let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg)?;
@@ -206,7 +198,6 @@ impl MassRequest {
     }
 
     /// The same for what a model weighs that gets other contacts: what its own were made for does not matter.
-    #[must_use]
     pub fn disagreements_of_weight(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
         self.disagreements_with(model, taken, None)
     }
@@ -234,13 +225,11 @@ impl MassRequest {
 }
 
 /// Whether two masses count as one: `a` is within [`SAME_MASS`] of `b` (relative to `b`).
-#[must_use]
 pub fn same_mass(a: f64, b: f64) -> bool {
     (a - b).abs() <= SAME_MASS * b.abs()
 }
 
 /// Whether two gravities count as one: `noted` is within a thousandth of `own`.
-#[must_use]
 pub fn same_gravity(noted: f64, own: f64) -> bool {
     (noted - own).abs() <= SAME_GRAVITY * own
 }
@@ -272,7 +261,6 @@ const HEAVIEST_KG: f64 = 200e3;
 const GRAMS_OF_A_TARGET: std::ops::RangeInclusive<f64> = 200.0..=5000.0;
 
 /// Whether `kg`, which the caller gave as `input`, looks like a slip for a model whose bodies weigh `bodies_kg` together.
-#[must_use]
 pub fn mass_slip(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<NeedsAnswer> {
     within(input, kg, bodies_kg, NEAR_POUNDS)
 }
@@ -322,7 +310,6 @@ fn far_off(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<MassSlip> {
 
 impl MassRequest {
     /// The sum of the bodies, whatever the caller says that the model weighs; `None` where it is not known.
-    #[must_use]
     pub fn bodies_kg(&self, model: &Model) -> Option<f64> {
         let bodies = Self { model_kg: None, ..self.clone() };
         bodies.of_model(model).ok().map(|mass| mass.kg)
@@ -330,14 +317,12 @@ impl MassRequest {
 
     /// The masses said that look like slips for this model. What its note says is not a slip; and a caller who gives the target
     /// in the unit of the bodies gives the other masses in it, too.
-    #[must_use]
     pub fn slips(&self, model: &Model) -> Vec<NeedsAnswer> {
         self.odd(model, NEAR_POUNDS)
     }
 
     /// Those among the masses said that may be in pounds, and may as well not be: too far from it for a question. The rows of a
     /// table are judged by each other instead. Of lighter ones, such as a child's, nothing is said: bodies in pounds are rare.
-    #[must_use]
     pub fn perhaps_in_pounds(&self, model: &Model) -> Vec<NeedsAnswer> {
         let loosely = self.odd(model, PERHAPS_POUNDS);
         let asked = self.odd(model, NEAR_POUNDS);

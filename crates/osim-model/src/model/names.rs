@@ -87,13 +87,11 @@ pub struct PatternError(String);
 
 impl Pattern {
     /// Whether `name` is as the pattern says.
-    #[must_use]
     pub fn matches(&self, name: &str) -> bool {
         self.matcher.is_match(name)
     }
 
     /// The pattern as it was written.
-    #[must_use]
     pub fn as_str(&self) -> &str {
         &self.text
     }
@@ -149,7 +147,6 @@ pub enum Side {
 
 impl Side {
     /// As in the JSON.
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Right => "right",
@@ -158,7 +155,6 @@ impl Side {
     }
 
     /// The opposite one.
-    #[must_use]
     pub const fn other(self) -> Self {
         match self {
             Self::Right => Self::Left,
@@ -167,7 +163,6 @@ impl Side {
     }
 
     /// Reads a side from a name such as `calcn_r`, `RFoot`, `left_toe` or `footL`; `None` where it has none or both.
-    #[must_use]
     pub fn of_name(name: &str) -> Option<Self> {
         let lower = in_lower_case(name);
         let word = |long: &str, short: &str| {
@@ -217,7 +212,6 @@ fn has(text: &str, word: &str) -> bool {
 /// assert_eq!(without_side("calcn_r"), without_side("calcn_l"));
 /// assert_ne!(without_side("calcn_r"), without_side("toes_r"));
 /// ```
-#[must_use]
 pub fn without_side(name: &str) -> String {
     let mut lower = in_lower_case(name);
     for side in ["right", "left"] {

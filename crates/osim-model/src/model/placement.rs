@@ -26,20 +26,17 @@ impl Placement {
     pub const IDENTITY: Self = Self { rotation: Rotation::IDENTITY, translation_m: [0.0; 3] };
 
     /// From OpenSim's `orientation` (body-fixed angles about x, y, z, rad) and `translation` (m).
-    #[must_use]
     pub fn of_triples(orientation: [f64; 3], translation_m: [f64; 3]) -> Self {
         Self { rotation: Rotation::body_fixed_xyz(orientation), translation_m }
     }
 
     /// A point of the frame, seen from the other one, m.
-    #[must_use]
     pub fn point(&self, point_m: [f64; 3]) -> [f64; 3] {
         let turned = self.rotation.to_body(point_m);
         std::array::from_fn(|i| self.translation_m[i] + turned[i])
     }
 
     /// A frame in this one, seen from where this one is seen.
-    #[must_use]
     pub fn then(&self, inner: &Self) -> Self {
         Self {
             rotation: self.rotation.after(&inner.rotation),
@@ -48,7 +45,6 @@ impl Placement {
     }
 
     /// The other frame, seen from this one.
-    #[must_use]
     pub fn inverse(&self) -> Self {
         let rotation = self.rotation.inverse();
         let translation_m = rotation.to_body(self.translation_m).map(|value| -value);
@@ -91,19 +87,16 @@ pub struct MovingPlacement {
 
 impl MovingPlacement {
     /// A frame that does not move.
-    #[must_use]
     pub const fn still(at: Placement) -> Self {
         Self { at, angular_velocity: [0.0; 3], velocity_m_s: [0.0; 3] }
     }
 
     /// How a point of the frame moves, m/s, seen from the other one.
-    #[must_use]
     pub fn velocity_of(&self, point_m: [f64; 3]) -> [f64; 3] {
         self.velocity_at_offset(self.at.rotation.to_body(point_m))
     }
 
     /// How a point of the frame moves (m/s) that is now at `point_m` of the other one.
-    #[must_use]
     pub fn velocity_at(&self, point_m: [f64; 3]) -> [f64; 3] {
         self.velocity_at_offset(std::array::from_fn(|i| point_m[i] - self.at.translation_m[i]))
     }
@@ -115,7 +108,6 @@ impl MovingPlacement {
     }
 
     /// A frame that moves in this one, seen from where this one is seen.
-    #[must_use]
     pub fn then(&self, inner: &Self) -> Self {
         let turned = self.at.rotation.to_body(inner.angular_velocity);
         let carried = self.velocity_of(inner.at.translation_m);
@@ -128,7 +120,6 @@ impl MovingPlacement {
     }
 
     /// The other frame, seen from this one.
-    #[must_use]
     pub fn inverse(&self) -> Self {
         let back = self.at.rotation.inverse();
         // d/dt(-Rt p) = Rt (w x p - v).

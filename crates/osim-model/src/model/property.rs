@@ -16,7 +16,6 @@ use crate::xml::opensim_text::NumberFault;
 /// assert_eq!((property, property.unit()), (Property::ConstantContactForce, "m2"));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
 pub enum Property {
     /// `stiffness`, the plane strain modulus E₁* in N/m².
     Stiffness,
@@ -58,7 +57,6 @@ impl Property {
     ];
 
     /// OpenSim's name.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Stiffness => "stiffness",
@@ -76,7 +74,6 @@ impl Property {
     }
 
     /// SI unit, for tables, spelled as in all of them: `N/m2`.
-    #[must_use]
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Stiffness => "N/m2",
@@ -91,13 +88,11 @@ impl Property {
     }
 
     /// Whether `value` is in the domain in which the contact laws hold; checked before anything is scaled.
-    #[must_use]
     pub fn allows(self, value: f64) -> bool {
         value.is_finite() && if self.may_be_zero() { value >= 0.0 } else { value > 0.0 }
     }
 
     /// [`Property::allows`] in words.
-    #[must_use]
     pub const fn domain(self) -> &'static str {
         if self.may_be_zero() { "a finite number, 0 or more" } else { "a finite number above 0" }
     }
@@ -161,7 +156,6 @@ fn near(text: &str) -> Vec<&'static str> {
 
 /// An OpenSim class whose numbers are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
 pub enum Class {
     /// `HuntCrossleyForce`
     HuntCrossleyForce,
@@ -179,7 +173,6 @@ pub enum Class {
 
 impl Class {
     /// The tag of its elements.
-    #[must_use]
     pub const fn tag(self) -> &'static str {
         match self {
             Self::HuntCrossleyForce => "HuntCrossleyForce",
@@ -192,7 +185,6 @@ impl Class {
     }
 
     /// What OpenSim uses where neither the element nor `<defaults>` says anything (seen in OpenSim 4.6).
-    #[must_use]
     pub const fn default(self, property: Property) -> f64 {
         match (self, property) {
             (Self::SmoothSphereHalfSpaceForce, Property::Stiffness) => 1.0,
@@ -206,7 +198,6 @@ impl Class {
     }
 
     /// All child elements in the order in which OpenSim writes them; an absent one is inserted at its place.
-    #[must_use]
     pub const fn order(self) -> &'static [&'static str] {
         match self {
             Self::HuntCrossleyForce => &[
@@ -276,7 +267,6 @@ impl Class {
     }
 
     /// Numeric properties of a contact force of this class, in OpenSim's order.
-    #[must_use]
     pub const fn parameters(self) -> &'static [Property] {
         match self {
             Self::HuntCrossleyForce => &[Property::TransitionVelocity],
@@ -307,7 +297,6 @@ impl Class {
 
 /// Where an effective value comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Origin {
     /// The object's own element.
     Element,
@@ -319,7 +308,6 @@ pub enum Origin {
 
 impl Origin {
     /// As in the JSON.
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Element => "element",
@@ -347,7 +335,6 @@ impl Origin {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Value {
     /// Which property.
     pub property: Property,

@@ -9,7 +9,6 @@ impl Rotation {
     pub const IDENTITY: Self = Self([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
 
     /// From OpenSim's `orientation`: body-fixed angles about x, then y, then z, in rad.
-    #[must_use]
     pub fn body_fixed_xyz([x, y, z]: [f64; 3]) -> Self {
         let (sx, cx) = (libm::sin(x), libm::cos(x));
         let (sy, cy) = (libm::sin(y), libm::cos(y));
@@ -23,7 +22,6 @@ impl Rotation {
 
     /// The angular velocity (rad/s) of a frame whose body-fixed `angles` about x, y and z (rad) change at `rates` (rad/s), seen from
     /// the body.
-    #[must_use]
     pub fn body_fixed_velocity([x, y, _]: [f64; 3], rates: [f64; 3]) -> [f64; 3] {
         let (sx, cx) = (libm::sin(x), libm::cos(x));
         let (sy, cy) = (libm::sin(y), libm::cos(y));
@@ -32,7 +30,6 @@ impl Rotation {
     }
 
     /// The angles about x, then y, then z (rad) that make this rotation, as OpenSim's `orientation` has them.
-    #[must_use]
     pub fn to_body_fixed_xyz(&self) -> [f64; 3] {
         let [[xx, xy, xz], [_, _, yz], [_, _, zz]] = self.0;
         let cosine = libm::sqrt(xx * xx + xy * xy);
@@ -40,21 +37,18 @@ impl Rotation {
     }
 
     /// `first`, then this rotation: the product of their matrices.
-    #[must_use]
     pub fn after(&self, first: &Self) -> Self {
         let cell = |i: usize, j: usize| (0..3).map(|k| self.0[i][k] * first.0[k][j]).sum();
         Self(std::array::from_fn(|i| std::array::from_fn(|j| cell(i, j))))
     }
 
     /// R v: a vector of the frame, seen from the body.
-    #[must_use]
     pub fn to_body(&self, vector: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|i| (0..3).map(|k| self.0[i][k] * vector[k]).sum())
     }
 
     /// Rotation by `angle` (rad) about `axis`, which need not have length 1: Rodrigues' formula, R v = v cos a + (u × v) sin a +
     /// u (u · v)(1 − cos a) with u = axis/|axis|. An axis without length or an angle of 0 turns nothing.
-    #[must_use]
     pub fn about([x, y, z]: [f64; 3], angle: f64) -> Self {
         let length = libm::sqrt(x * x + y * y + z * z);
         if angle == 0.0 || length == 0.0 {
@@ -71,13 +65,11 @@ impl Rotation {
     }
 
     /// Rᵀ: back from the body to the frame.
-    #[must_use]
     pub fn inverse(&self) -> Self {
         Self(std::array::from_fn(|i| std::array::from_fn(|j| self.0[j][i])))
     }
 
     /// RᵀSR v: `vector` of a frame that is turned by R, after a scaling by `factors` (S) along the axes of the body.
-    #[must_use]
     pub fn scaled_in_frame(&self, factors: [f64; 3], vector: [f64; 3]) -> [f64; 3] {
         if *self == Self::IDENTITY {
             return times(factors, vector);
@@ -88,7 +80,6 @@ impl Rotation {
 }
 
 /// a × b.
-#[must_use]
 pub fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
     [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
 }
@@ -153,7 +144,6 @@ pub struct LevelAxis {
 
 impl LevelAxis {
     /// The axis of the body nearest to −`gravity` (m/s², in ground); y where a model has no gravity.
-    #[must_use]
     pub fn of_gravity(gravity: Option<[f64; 3]>) -> Self {
         let gravity = gravity.unwrap_or([0.0, -1.0, 0.0]);
         let axis = Axis::largest(gravity, Axis::Y, 0.0);
@@ -161,7 +151,6 @@ impl LevelAxis {
     }
 
     /// The same as an axis of a frame that is turned by `rotation` in its body.
-    #[must_use]
     pub fn in_frame(self, rotation: &Rotation) -> Self {
         if !self.of_body {
             return self;
@@ -183,7 +172,6 @@ impl LevelAxis {
 
     /// Where the centre goes (m) so that the bottom stays on the sole: the bottom point is `scaled` with the body, and the new
     /// radius is added again. All lengths are in m, all places in the sphere's frame.
-    #[must_use]
     pub fn centre(
         self,
         centre: [f64; 3],

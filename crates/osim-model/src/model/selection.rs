@@ -41,7 +41,6 @@ pub struct Selection {
 
 /// The forces chosen by [`Selection::apply`]; none by default.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct Selected {
     /// Their handles, in file order.
     pub forces: Vec<ForceId>,
@@ -51,7 +50,6 @@ pub struct Selected {
 
 impl Selected {
     /// The forces of `model` for which `wanted` holds.
-    #[must_use]
     pub fn those(model: &Model, wanted: impl Fn(&Force) -> bool) -> Self {
         let forces = ids(model, wanted);
         Self { complete: is_complete(model, &forces), forces }
@@ -86,7 +84,6 @@ impl Selection {
     }
 
     /// Patterns by which no contact force of `model` is called, each with the input that it was given as: probably a slip.
-    #[must_use]
     pub fn unmatched(&self, model: &Model) -> Vec<(Input, &Pattern)> {
         let selected = self.select.iter().map(|pattern| (Input::Select, pattern));
         let given = selected.chain(self.exclude.iter().map(|pattern| (Input::Exclude, pattern)));
@@ -134,7 +131,6 @@ fn is_complete(model: &Model, forces: &[ForceId]) -> bool {
 
 impl Model {
     /// Up to six names of forces, so that a message stays readable.
-    #[must_use]
     pub fn names_of(&self, forces: &[ForceId]) -> String {
         const SHOWN: usize = 6;
         let named: Vec<&str> =

@@ -8,7 +8,6 @@ use crate::model::property::{Class, Origin, Property, Value};
 
 /// One body of the model, ground left out.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct Body {
     /// Name as in the file.
     pub name: String,

@@ -55,25 +55,21 @@ impl Model {
     pub(crate) const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
 
     /// Contact spheres, in file order.
-    #[must_use]
     pub fn spheres(&self) -> &[Sphere] {
         &self.spheres
     }
 
     /// Contact forces, in file order.
-    #[must_use]
     pub fn forces(&self) -> &[Force] {
         &self.forces
     }
 
     /// A contact sphere; `None` where there is none: the handle is another model's.
-    #[must_use]
     pub fn sphere(&self, id: SphereId) -> Option<&Sphere> {
         self.spheres.get(id.index())
     }
 
     /// A contact force; `None` where there is none: the handle is another model's.
-    #[must_use]
     pub fn force(&self, id: ForceId) -> Option<&Force> {
         self.forces.get(id.index())
     }
@@ -98,7 +94,6 @@ impl Model {
     }
 
     /// How far apart the joints of each body are.
-    #[must_use]
     pub fn joint_distances(&self) -> &JointDistances {
         self.body_facts.joint_distances(&self.components)
     }
@@ -110,25 +105,21 @@ impl Model {
     }
 
     /// Handles of all contact forces, in file order.
-    #[must_use]
     pub fn force_ids(&self) -> Vec<ForceId> {
         self.forces.iter().map(|force| force.id).collect()
     }
 
     /// The name under which the model includes `file`, if it does.
-    #[must_use]
     pub fn included_file(&self, file: FileId) -> Option<&str> {
         self.included.get(file.companion_index()?)?.as_deref()
     }
 
     /// The main file.
-    #[must_use]
     pub fn document(&self) -> &Document {
         self.components.main()
     }
 
     /// One of the files; the main one where the handle is another model's.
-    #[must_use]
     pub fn file(&self, file: FileId) -> &Document {
         self.components.document(file)
     }
@@ -140,7 +131,6 @@ impl Model {
     }
 
     /// Bodies in file order, ground left out.
-    #[must_use]
     pub fn bodies(&self) -> &[Body] {
         &self.skeleton.bodies
     }
@@ -152,7 +142,6 @@ impl Model {
     }
 
     /// Line of `gravity` in its file, from 1; `None` where OpenSim's default counts.
-    #[must_use]
     pub fn gravity_line(&self) -> Option<usize> {
         let (file, object) = self.gravity_object()?;
         let document = self.file(file);
@@ -160,13 +149,11 @@ impl Model {
     }
 
     /// Magnitude of gravity, m/s², where it is a number; 0 or `None` makes figures by body weight meaningless.
-    #[must_use]
     pub fn gravity(&self) -> Option<f64> {
         self.gravity_m_s2.map(|[x, y, z]| (x * x + y * y + z * z).sqrt()).filter(|size| size.is_finite())
     }
 
     /// Gravity that the contacts were made for, m/s²: the note's, else the model's.
-    #[must_use]
     pub fn contacts_gravity(&self) -> Option<f64> {
         self.note.as_ref().and_then(|note| note.gravity_m_s2).or(self.gravity())
     }

@@ -97,7 +97,6 @@ pub fn number(raw: &RawText) -> Result<f64, NumberFault> {
 }
 
 /// All numbers of `text`; `None` where OpenSim can read none and takes its default.
-#[must_use]
 pub fn numbers(text: &str) -> Option<Vec<f64>> {
     let all: Vec<f64> =
         list(text).map(|word| number_at_start(word).map(|(value, _)| value)).collect::<Option<_>>()?;
@@ -114,7 +113,6 @@ pub fn numbers(text: &str) -> Option<Vec<f64>> {
 ///     assert_eq!(triple(text), None);
 /// }
 /// ```
-#[must_use]
 pub fn triple(text: &str) -> Option<[f64; 3]> {
     let (mut first, mut count) = ([0.0; 3], 0_usize);
     for word in list(text) {
@@ -137,7 +135,6 @@ pub fn triple(text: &str) -> Option<[f64; 3]> {
 ///     assert!(!is_plain_triple(text), "{text}");
 /// }
 /// ```
-#[must_use]
 pub fn is_plain_triple(text: &str) -> bool {
     let is_number = |word: &str| number_at_start(word).is_some_and(|(_, length)| length == word.len());
     let before_comma = |word: &str| is_number(word.strip_suffix(',').unwrap_or(word));
@@ -153,7 +150,6 @@ pub fn is_plain_triple(text: &str) -> bool {
 /// assert_eq!((flag("FALSE"), flag("0abc"), flag("1.0")), (Some(false), Some(false), Some(true)));
 /// assert_eq!((flag("2"), flag("yes"), flag("true yes")), (None, None, None));
 /// ```
-#[must_use]
 pub fn flag(text: &str) -> Option<bool> {
     let all: Vec<bool> = list(text).map(flag_of_word).collect::<Option<_>>()?;
     all.first().copied()
@@ -177,7 +173,6 @@ fn flag_of_word(word: &str) -> Option<bool> {
 ///
 /// assert!(is_disabled(" True ") && is_disabled("2") && !is_disabled("true false") && !is_disabled("yes"));
 /// ```
-#[must_use]
 pub fn is_disabled(text: &str) -> bool {
     let text = trimmed(text);
     spelled_flag(text).unwrap_or_else(|| whole_number_at_start(text).is_some_and(|digits| !digits.is_empty()))
@@ -199,7 +194,6 @@ fn whole_number_at_start(word: &str) -> Option<&str> {
 /// What a C++ stream reads from the start of `token`, and how many bytes of it.
 ///
 /// `None` where the stream fails (no digits, an exponent without digits, out of the range of a double).
-#[must_use]
 pub fn number_at_start(token: &str) -> Option<(f64, usize)> {
     let bytes = token.as_bytes();
     let sign = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));

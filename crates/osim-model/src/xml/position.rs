@@ -25,7 +25,6 @@ const BLOCK: usize = 1 << 11;
 
 impl LineIndex {
     /// Counts the line ends of `bytes` (LF and CRLF alike; a lone CR does not end a line).
-    #[must_use]
     pub fn new(bytes: &[u8]) -> Self {
         let mut lines = 0;
         let counted = bytes.chunks(BLOCK).map(|block| {
@@ -37,7 +36,6 @@ impl LineIndex {
     }
 
     /// The line (from 1) on which byte `offset` of `bytes` stands, the same bytes this index was built from.
-    #[must_use]
     pub fn line(&self, bytes: &[u8], offset: usize) -> usize {
         let offset = offset.min(bytes.len());
         // The end of a file of whole blocks is in none of them.
@@ -47,7 +45,6 @@ impl LineIndex {
     }
 
     /// Line and column of byte `offset` of `bytes`, the same bytes this index was built from.
-    #[must_use]
     pub fn position(&self, bytes: &[u8], offset: usize) -> Position {
         let offset = offset.min(bytes.len());
         let line = self.line(bytes, offset);

@@ -7,7 +7,6 @@ use super::tree::{ElementId, PieceKind, Tree, decode};
 
 /// The text between an element's tags.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct RawText {
     /// Entities and CDATA resolved, comments left out, and the white space around it, as OpenSim does: white space that comes from
     /// CDATA or a reference stays.
@@ -22,7 +21,6 @@ pub struct RawText {
 
 impl Tree {
     /// Reads the text of `id`.
-    #[must_use]
     pub fn raw_text(&self, id: ElementId) -> RawText {
         if let Some((text, span)) = self.plain_text(id) {
             return RawText { text: text.to_owned(), span, whole: true };
@@ -102,14 +100,12 @@ impl Tree {
     }
 
     /// The text of `id`; for names and paths.
-    #[must_use]
     pub fn text_of(&self, id: ElementId) -> Cow<'_, str> {
         self.plain_text(id)
             .map_or_else(|| Cow::Owned(self.raw_text(id).text), |(text, _)| Cow::Borrowed(text))
     }
 
     /// The text of `id` without a copy where that is possible; `None` if it is not in one piece.
-    #[must_use]
     pub fn whole_text(&self, id: ElementId) -> Option<Cow<'_, str>> {
         if let Some((text, _)) = self.plain_text(id) {
             return Some(Cow::Borrowed(text));
@@ -122,7 +118,6 @@ impl Tree {
 // White space as C has it, which models are read with.
 
 /// Whether C calls `letter` white space.
-#[must_use]
 pub const fn is_white(letter: char) -> bool {
     matches!(letter, ' ' | '\t'..='\r')
 }
@@ -133,7 +128,6 @@ pub(super) const fn is_white_byte(byte: u8) -> bool {
 }
 
 /// `text` without the white space around it.
-#[must_use]
 pub fn trimmed(text: &str) -> &str {
     let is_letter = |byte: &u8| !is_white_byte(*byte);
     let start = text.as_bytes().iter().position(is_letter);

@@ -10,7 +10,6 @@ use super::tree::{FileText, PieceKind, StoredElement, StoredPiece, Tree};
 
 /// Ways of not being one well-formed document.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
 pub enum SyntaxFault {
     /// No element at all, or text before the first one.
     #[error(
@@ -96,7 +95,6 @@ pub struct SyntaxError {
 
 impl SyntaxError {
     /// The file.
-    #[must_use]
     pub fn bytes(&self) -> &[u8] {
         self.file.bytes()
     }

@@ -6,7 +6,6 @@ use std::ops::Range;
 /// What a piece of the file is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
-#[non_exhaustive]
 pub enum PieceKind {
     /// The byte order mark.
     ByteOrderMark,
@@ -30,7 +29,6 @@ pub enum PieceKind {
 
 /// One piece of the file; pieces tile it without gaps or overlaps.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct Piece<'t> {
     /// What stands there.
     pub kind: PieceKind,
@@ -56,7 +54,6 @@ impl ElementId {
     pub const ROOT: Self = Self(0);
 
     /// Its place among all elements of the file, from 0: to count and to print, the handle itself is for the tree.
-    #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
     }
@@ -103,13 +100,11 @@ impl Tree {
     }
 
     /// The file, untouched.
-    #[must_use]
     pub fn bytes(&self) -> &[u8] {
         self.text.bytes()
     }
 
     /// The file, untouched, without a copy.
-    #[must_use]
     pub fn into_bytes(self) -> Vec<u8> {
         self.text.into_bytes()
     }
@@ -139,7 +134,6 @@ impl Tree {
     }
 
     /// Number of elements.
-    #[must_use]
     pub fn element_count(&self) -> usize {
         self.elements.len()
     }
@@ -152,7 +146,6 @@ impl Tree {
     }
 
     /// The text of the bytes `span`; empty where they do not begin and end with a character of the file.
-    #[must_use]
     #[inline]
     pub fn slice(&self, span: Range<usize>) -> &str {
         self.text.as_str().get(span).unwrap_or_default()
@@ -170,33 +163,28 @@ impl Tree {
     }
 
     /// Whether it is written as `<tag/>`.
-    #[must_use]
     pub fn is_empty_tag(&self, id: ElementId) -> bool {
         let element = self.element(id);
         element.open == element.close
     }
 
     /// From the `<` of the start tag to the `>` of the end tag.
-    #[must_use]
     pub fn span(&self, id: ElementId) -> Range<usize> {
         let element = self.element(id);
         self.piece_span(element.open as usize).start..self.piece_span(element.close as usize).end
     }
 
     /// The start tag.
-    #[must_use]
     pub fn open_span(&self, id: ElementId) -> Range<usize> {
         self.piece_span(self.element(id).open as usize)
     }
 
     /// The end tag (the whole tag for `<tag/>`).
-    #[must_use]
     pub fn close_span(&self, id: ElementId) -> Range<usize> {
         self.piece_span(self.element(id).close as usize)
     }
 
     /// The tag name, as written.
-    #[must_use]
     #[inline]
     pub fn name(&self, id: ElementId) -> &str {
         let element = self.element(id);
@@ -205,7 +193,6 @@ impl Tree {
     }
 
     /// The decoded value of attribute `key`, if the start tag has it.
-    #[must_use]
     pub fn attribute(&self, id: ElementId, key: &str) -> Option<Cow<'_, str>> {
         let tag = self.slice(self.open_span(id));
         let name = self.name(id);
@@ -227,14 +214,12 @@ impl Tree {
     }
 
     /// The parent element; `None` for the root.
-    #[must_use]
     #[inline]
     pub fn parent(&self, id: ElementId) -> Option<ElementId> {
         (id != ElementId::ROOT).then(|| ElementId(self.element(id).parent))
     }
 
     /// Child elements in file order.
-    #[must_use]
     #[inline]
     pub fn children(&self, id: ElementId) -> Children<'_> {
         let element = self.element(id);
@@ -251,7 +236,6 @@ impl Tree {
     }
 
     /// The first child element with this tag name: OpenSim reads the first of duplicates.
-    #[must_use]
     #[inline]
     pub fn child(&self, id: ElementId, name: &str) -> Option<ElementId> {
         self.children(id).find(|&child| self.name(child) == name)

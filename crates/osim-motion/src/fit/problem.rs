@@ -7,7 +7,6 @@ use super::trial::{Deeper, FitTrial, FootForces};
 
 /// One fitted number.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct FittedParameter {
     /// Its value.
     pub value: f64,
@@ -21,7 +20,6 @@ pub struct FittedParameter {
 
 /// How far the forces of a fit are from the plates.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-#[non_exhaustive]
 pub struct FitErrors {
     /// Root mean square per foot along the normal, body weights.
     pub vertical_rms_bw: f64,
@@ -31,7 +29,6 @@ pub struct FitErrors {
 
 /// A fit of a part, tried on the rest.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct HeldOut {
     /// What was fitted, in words.
     pub fitted: String,
@@ -43,7 +40,6 @@ pub struct HeldOut {
 
 /// Contact parameters that make the forces of a model those of the plates.
 #[derive(Debug, Clone, Default, PartialEq)]
-#[non_exhaustive]
 pub struct MotionFit {
     /// What all stiffnesses are multiplied by; `None` where they stay.
     pub stiffness_factor: Option<FittedParameter>,
@@ -71,7 +67,6 @@ pub struct MotionFit {
 
 impl MotionFit {
     /// The worst of the errors on what was not fitted, body weights.
-    #[must_use]
     pub fn held_out_rms_bw(&self) -> Option<f64> {
         self.held_out.iter().map(|one| one.vertical_rms_bw).reduce(f64::max)
     }

@@ -30,7 +30,6 @@ pub struct FitBounds {
 
 /// Why there is no fit.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
 pub enum FitError {
     /// Nothing to fit to.
     #[error("the plates measured no force under a foot while it was recorded: there is nothing to fit to")]

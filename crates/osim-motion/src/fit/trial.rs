@@ -54,7 +54,6 @@ pub(super) struct Deeper {
 
 impl FitTrial {
     /// What `states` and `measured` say, over the frames in which all plates of a foot are there.
-    #[must_use]
     pub fn of(states: &ContactStates, feet: &[Foot], measured: &Measured, weight_n: f64) -> Self {
         Self::with(states, feet, measured, weight_n, None)
     }
@@ -148,19 +147,16 @@ impl FootForces {
     }
 
     /// Whether the plates measured a force under it.
-    #[must_use]
     pub fn has_force(&self, weight_n: f64) -> bool {
         self.measured_n.iter().any(|&force_n| force_n > ON_BW * weight_n)
     }
 
     /// How many frames there are.
-    #[must_use]
     pub fn frames(&self) -> usize {
         self.measured_n.len()
     }
 
     /// The frames from `first` up to `end`, alone.
-    #[must_use]
     pub(crate) fn part(&self, first: usize, end: usize) -> Self {
         let count = self.laws.len();
         Self {

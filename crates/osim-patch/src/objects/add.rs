@@ -145,7 +145,6 @@ fn added(class: &'static str, name: &str, path: &str, body: Option<&str>) -> Obj
 
 /// A sphere that a plan adds.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct NewSphere<'p> {
     /// Its name.
     pub name: &'p str,
@@ -161,7 +160,6 @@ pub struct NewSphere<'p> {
 
 impl Plan {
     /// The spheres that are added, with the places and radii that are written.
-    #[must_use]
     pub fn new_spheres(&self) -> Vec<NewSphere<'_>> {
         let Some(rebuilt) = &self.rebuilt else { return Vec::new() };
         let built = rebuilt.model();

@@ -23,7 +23,6 @@ const SMOOTHING: [Property; 3] =
 
 /// What is wanted of a conversion.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Convert {
     /// The class that forces get.
     pub to: ForceKind,
@@ -40,7 +39,6 @@ pub struct Convert {
 
 impl Convert {
     /// Into forces of the class `to`.
-    #[must_use]
     pub const fn new(to: ForceKind) -> Self {
         Self {
             to,
@@ -54,7 +52,6 @@ impl Convert {
 
 /// A model whose forces are of another class, with remarks.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Converted {
     /// The model.
     pub rebuilt: Rebuilt,

@@ -9,7 +9,6 @@ use osim_model::{
 
 /// One contact that a model is to get: a sphere, and the force that presses it on the floor.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct NewContact {
     /// Name of the force.
     pub force: String,
@@ -44,7 +43,6 @@ impl NewContact {
 
 /// Contacts that a model is to get.
 #[derive(Debug, Clone, PartialEq, Default)]
-#[non_exhaustive]
 pub struct Layout {
     /// The contacts, in the order in which they are written.
     pub contacts: Vec<NewContact>,
@@ -100,7 +98,6 @@ impl Layout {
     }
 
     /// `anatomy` with the spheres of this layout in the place of its own.
-    #[must_use]
     pub fn anatomy(&self, anatomy: Anatomy) -> Anatomy {
         let spheres = self.contacts.iter().map(|contact| {
             AnatomySphere::new(
@@ -141,7 +138,6 @@ impl Layout {
     }
 
     /// `anatomy` with the bodies of this layout that it lacks: each the mirror image of that of the other side.
-    #[must_use]
     pub fn mirrored_anatomy(&self, mut anatomy: Anatomy) -> Anatomy {
         for contact in &self.contacts {
             let other = other_side(&contact.body).filter(|other| anatomy.has_body(other));
@@ -318,7 +314,6 @@ const MODELS: [(&str, &str); 2] = [
 /// assert_eq!((model.spheres().len(), model.spheres()[0].radius_m()?), (12, 0.032));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
-#[must_use]
 pub fn preset_model(name: &str) -> Option<&'static str> {
     MODELS.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }

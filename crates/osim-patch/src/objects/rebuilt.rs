@@ -6,7 +6,6 @@ use osim_model::{FileId, Model, Property};
 
 /// What happens to a whole object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Deed {
     /// It is new.
     Added,
@@ -16,7 +15,6 @@ pub enum Deed {
 
 impl Deed {
     /// In a word.
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Added => "added",
@@ -27,7 +25,6 @@ impl Deed {
 
 /// One object that a plan adds or takes out.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct ObjectChange {
     /// What happens to it.
     pub deed: Deed,
@@ -75,7 +72,6 @@ impl Rebuilt {
     }
 
     /// The same, made from the model of `first`.
-    #[must_use]
     pub fn after(mut self, first: &Self) -> Self {
         self.objects.splice(0..0, first.objects.iter().cloned());
         // A part is left of what the earlier note is about: the new one takes its place.
@@ -86,7 +82,6 @@ impl Rebuilt {
     }
 
     /// The model as it is then, before numbers change.
-    #[must_use]
     pub fn model(&self) -> &Model {
         &self.model
     }

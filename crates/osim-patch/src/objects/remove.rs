@@ -101,7 +101,6 @@ fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Faul
 }
 
 /// The forces of `model` that were added to it, by the record in its note; `None` where it has no such record.
-#[must_use]
 pub fn added_forces(model: &Model) -> Option<Vec<ForceId>> {
     let note = model.note.as_ref()?;
     let all = note.made.contains(Note::ALL_ADDED);
@@ -184,7 +183,6 @@ fn in_use(document: &Document, element: ElementId, name: &str) -> FaultKind {
 
 /// An object of a model that names others which the model does not have any more.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct Leftover {
     /// Its class and its name, such as `ObjectGroup feet`.
     pub object: String,
@@ -193,7 +191,6 @@ pub struct Leftover {
 }
 
 /// Objects of `rebuilt` that name what went with it: groups by names, reporters and others by paths.
-#[must_use]
 pub fn leftovers(rebuilt: &Rebuilt) -> Vec<Leftover> {
     let paths = |deed: Deed| {
         let own = rebuilt.objects.iter().filter(move |object| object.deed == deed);

@@ -11,7 +11,6 @@ use crate::objects::{Layout, NewContact};
 
 /// One contact of a reference, and the spheres that have it.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct ReferenceContact {
     /// Names of the spheres that have it, and their radii, m.
     pub spheres: Vec<String>,
@@ -46,7 +45,6 @@ pub struct ReferenceContact {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Reference {
     /// Name of the model or preset, for reports.
     pub name: String,
@@ -62,7 +60,6 @@ pub struct Reference {
 
 impl Reference {
     /// The refusal of a reference that has no contacts.
-    #[must_use]
     pub fn without_contacts(&self) -> Fault {
         Fault::refused(format!("the reference {} has no contacts to take", self.name))
     }
@@ -116,7 +113,6 @@ impl From<&Preset> for Reference {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Transfer {
     /// Where the contacts come from.
     pub reference: Reference,
@@ -151,7 +147,6 @@ pub struct Transfer {
 
 impl Transfer {
     /// Everything the paper scales, with radii as they are: `target_mass` and `sphere_count` are those of the model that is changed.
-    #[must_use]
     pub fn new(reference: Reference, target_mass: Mass, sphere_count: f64) -> Self {
         Self {
             reference,
@@ -173,7 +168,6 @@ impl Transfer {
 
 /// How E₁* and α follow from the reference.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[non_exhaustive]
 pub enum ScalingRule {
     /// (10) and (14).
     #[default]

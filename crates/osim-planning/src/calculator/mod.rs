@@ -25,7 +25,6 @@ use given::{AtRest, Given, ModulusFrom, refused, solve_at_rest};
 /// `docs/reference/json.md` describes it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct DesignSheet {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -38,7 +37,6 @@ pub struct DesignSheet {
 /// One figure.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct DesignFigure {
     /// What it is.
     #[serde(skip)]
@@ -62,7 +60,6 @@ pub struct DesignFigure {
 /// The limit of a figure.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct DesignLimit {
     /// In words.
     pub text: String,

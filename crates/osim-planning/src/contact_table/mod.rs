@@ -12,7 +12,6 @@ pub use place::{PlaceFault, PlaceOnBody, TablePlace};
 
 /// What is wrong with a table, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct TableFault {
     /// Line in the file, where it is about one.
     pub line: Option<u64>,
@@ -57,7 +56,6 @@ const NO_BODY: &str = "not_assigned";
 /// # Ok::<(), osim_planning::contact_table::TableFault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct ContactTable {
     /// One contact each.
     pub rows: Vec<ContactRow>,
@@ -67,7 +65,6 @@ pub struct ContactTable {
 
 /// One contact.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct ContactRow {
     /// Line in the file; the header is line 1.
     pub line: u64,

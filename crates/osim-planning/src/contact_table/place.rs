@@ -10,7 +10,6 @@ const SAME_PLACE: f64 = 1e-3;
 
 /// Where a table says that a contact is, m.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum TablePlace {
     /// In the frame of its body.
     OfBody([f64; 3]),
@@ -25,7 +24,6 @@ pub enum TablePlace {
 
 /// Where a contact is in the frame of its body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct PlaceOnBody {
     /// Its centre, m.
     pub location_m: [f64; 3],

@@ -204,7 +204,6 @@ pub(crate) struct Distance {
 
 impl Bones {
     /// Those of `model`.
-    #[must_use]
     pub(crate) fn of(model: &Model) -> Self {
         Self { anatomy: Anatomy::of(model).ok(), distances: model.joint_distances().clone() }
     }

@@ -17,7 +17,6 @@ const TIMES: f64 = 12.0;
 
 /// A body that falls on its contacts.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
 pub struct Fall {
     /// Whose contacts.
     pub name: String,
@@ -35,7 +34,6 @@ pub struct Fall {
 
 impl Fall {
     /// The falls of `bodies`, followed for the same time.
-    #[must_use]
     pub fn all(bodies: &[Body]) -> Vec<Self> {
         let radii = bodies.iter().filter_map(|body| {
             let weight = body.weight().ok()?;
@@ -85,7 +83,6 @@ const SHOWN: [&str; 3] = ["mouse", "human", "giraffe"];
 
 /// An animal that falls twice. Heights are those of its spheres' bottoms over the ground in radii, at equal times in √(R/g).
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
 pub struct AnimalFall {
     /// What it is called.
     pub name: &'static str,

@@ -21,7 +21,6 @@ pub use falls::{AnimalFall, Fall};
 
 /// A model at its default pose, in ground, m.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
 pub struct Scene {
     /// Forward, up (against gravity) and to the right, of length 1.
     pub axes: [[f64; 3]; 3],
@@ -39,7 +38,6 @@ pub struct Scene {
 
 /// Where a body is.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
 pub struct PlacedBody {
     /// Its name.
     pub name: String,
@@ -49,7 +47,6 @@ pub struct PlacedBody {
 
 /// A contact sphere.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
 pub struct PlacedSphere {
     /// Its name.
     pub name: String,
@@ -71,7 +68,6 @@ pub struct PlacedSphere {
 
 /// A plane.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[non_exhaustive]
 pub struct PlacedPlane {
     /// A point of it, m.
     pub point_m: [f64; 3],
@@ -81,7 +77,6 @@ pub struct PlacedPlane {
 
 impl Scene {
     /// A model as it is inspected by `options`, which say what its contacts carry.
-    #[must_use]
     pub fn of(model: &Model, options: &InspectOptions) -> Self {
         let pose = DefaultPose::of(model);
         let forces = options.selection.apply(model).map(|selected| selected.forces);
@@ -172,7 +167,6 @@ fn spheres(
 
 /// A line on a body, from the joint above it to one below it, in the frame of the body, m.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
 pub struct BodyLine {
     /// The body.
     pub body: String,
@@ -201,7 +195,6 @@ const MOST_TRIANGLES: usize = 600_000;
 
 /// The bones of a model whose meshes are there.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-#[non_exhaustive]
 pub struct Bones {
     /// Those that could be read.
     pub surfaces: Vec<BoneSurface>,
@@ -213,7 +206,6 @@ pub struct Bones {
 
 /// The surface of a bone.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
 pub struct BoneSurface {
     /// The body.
     pub body: String,
@@ -227,7 +219,6 @@ pub struct BoneSurface {
 
 impl Bones {
     /// The bones of `model`, which was read from `path`.
-    #[must_use]
     pub fn of(model: &Model, path: &Path, files: &dyn Files) -> Self {
         let folders = MeshFolders::of_model(path);
         let mut bones = Self::default();
@@ -273,7 +264,6 @@ const MOST_FRAMES: usize = 600;
 
 /// A model along a recording.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
 pub struct Played {
     /// The time of each frame, s.
     pub time_s: Vec<f64>,
@@ -289,7 +279,6 @@ pub struct Played {
 
 /// A foot along a recording.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
 pub struct PlayedFoot {
     /// Its name.
     pub name: String,
@@ -303,7 +292,6 @@ pub struct PlayedFoot {
 
 /// A force along a recording.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[non_exhaustive]
 pub struct PlayedForce {
     /// In each frame, body weights, in ground; `None` where it is not known.
     pub forces_bw: Vec<Option<[f64; 3]>>,
@@ -313,7 +301,6 @@ pub struct PlayedForce {
 
 impl Played {
     /// What `result` shows of what `request` asked for, its words spelled by `dialect`.
-    #[must_use]
     pub fn of(result: &MotionResult, request: &MotionRequest, dialect: &dyn Dialect) -> Self {
         let states = &result.states;
         let step = states.frames().div_ceil(MOST_FRAMES).max(1);

@@ -24,7 +24,6 @@ const ESCAPE: &str = "\\u{";
 /// assert_eq!(from_cell("'=HYPERLINK(\"http://a.example\")"), "=HYPERLINK(\"http://a.example\")");
 /// assert_eq!(cell(r"C:\models\heel_r.osim"), r"C:\models\heel_r.osim");
 /// ```
-#[must_use]
 pub fn cell(text: &str) -> Cow<'_, str> {
     match escaped(text) {
         Cow::Borrowed(text) => marked(text),
@@ -41,7 +40,6 @@ pub fn cell(text: &str) -> Cow<'_, str> {
 /// assert_eq!(marked("=1+1"), "'=1+1");
 /// assert_eq!(marked("-0.05"), "-0.05");
 /// ```
-#[must_use]
 pub fn marked(text: &str) -> Cow<'_, str> {
     match is_formula(text) && text.parse::<f64>().is_err() {
         true => format!("{TEXT_MARK}{text}").into(),
@@ -50,13 +48,11 @@ pub fn marked(text: &str) -> Cow<'_, str> {
 }
 
 /// The text of a cell that [`marked`] wrote.
-#[must_use]
 pub fn unmarked(cell: &str) -> &str {
     cell.strip_prefix(TEXT_MARK).filter(|text| is_formula(text)).unwrap_or(cell)
 }
 
 /// The text of a cell that [`cell`] wrote.
-#[must_use]
 pub fn from_cell(cell: &str) -> Cow<'_, str> {
     let text = unmarked(cell);
     let mut pieces = text.split(ESCAPE);

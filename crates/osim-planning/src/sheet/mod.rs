@@ -23,7 +23,6 @@ const PACKED: &[u8] = b"PK\x03\x04";
 /// # Ok::<(), String>(())
 /// ```
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct Sheet {
     /// Names of the columns.
     pub header: Vec<String>,
@@ -37,7 +36,6 @@ pub struct Sheet {
 
 /// One row of cells, as many as the header has.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct Row {
     /// Line in the file; the header is line 1.
     pub line: u64,
@@ -131,7 +129,6 @@ impl Sheet {
     }
 
     /// The names of the columns, for messages.
-    #[must_use]
     pub fn columns(&self) -> String {
         let known: Vec<_> = self.header.iter().map(|cell| format!("'{cell}'")).collect();
         if known.is_empty() { "nothing".to_owned() } else { known.join(", ") }
@@ -175,7 +172,6 @@ pub const BROKEN_FORMULA: &str =
     "is a broken formula of the spreadsheet: repair it there, and save the table again";
 
 /// Whether a spreadsheet wrote into the cell that its formula has no value, such as `#REF!` and `#N/A`.
-#[must_use]
 pub(crate) fn is_broken_formula(cell: &str) -> bool {
     const ERRORS: [&str; 12] = [
         "#REF!",

@@ -38,7 +38,6 @@ struct Job {
 }
 
 /// A variant that was made, in memory.
-#[non_exhaustive]
 pub struct VariantMade {
     /// The model.
     pub bytes: Vec<u8>,
@@ -54,19 +53,16 @@ pub struct VariantMade {
 
 impl VariantMade {
     /// Its row in the table; `sha256` is that of its bytes.
-    #[must_use]
     pub fn row(self, sha256: String) -> Vec<String> {
         row(self.number, self.file, self.asked, &self.variant, (&self.worse, sha256))
     }
 
     /// The same for variants whose contacts have the same numbers, however they were asked for.
-    #[must_use]
     pub fn contact_digest(&self) -> &str {
         &self.variant.digest
     }
 
     /// Whether something is wrong with it that is not with the model itself.
-    #[must_use]
     pub fn is_worse(&self) -> bool {
         !self.worse.is_empty()
     }
@@ -88,7 +84,6 @@ impl<'s> SweepPlan<'s> {
     }
 
     /// How many variants, of all points or steps.
-    #[must_use]
     pub fn count(&self) -> usize {
         self.count
     }
@@ -99,13 +94,11 @@ impl<'s> SweepPlan<'s> {
     }
 
     /// The model that they are made from.
-    #[must_use]
     pub fn model(&self) -> &ModelFiles {
         &self.model
     }
 
     /// Name of the file of variant `index`.
-    #[must_use]
     pub fn file_name(&self, index: usize) -> String {
         let part = match &self.ladder {
             Some(ladder) => ladder.file_part(index),
@@ -118,27 +111,23 @@ impl<'s> SweepPlan<'s> {
     }
 
     /// Name of the table that says what is in which file, of all.
-    #[must_use]
     pub fn table_name(&self) -> String {
         self.named(self.kind(), "csv")
     }
 
     /// Name of the table of what this call makes, if it is a part of all.
-    #[must_use]
     pub fn part_table_name(&self) -> Option<String> {
         let part = grid::part_name(self.request)?;
         Some(self.named(self.kind(), &format!("{part}.csv")))
     }
 
     /// Whether the table of some part of this sweep, or of one with other points, has this name.
-    #[must_use]
     pub fn is_part_table_name(&self, name: &str) -> bool {
         let part = name.strip_prefix(&self.named(self.kind(), "")).and_then(|end| end.strip_suffix(".csv"));
         part.is_some_and(grid::is_part_name)
     }
 
     /// Whether a variant of this model could have this name, in this sweep or in one with other points.
-    #[must_use]
     pub fn is_like_file_name(&self, name: &str) -> bool {
         let own = || name.strip_prefix(&*self.model_name())?.strip_prefix('_')?.strip_suffix(".osim");
         own().is_some_and(|part| match self.ladder {
@@ -161,7 +150,6 @@ impl<'s> SweepPlan<'s> {
     }
 
     /// The first row of the table.
-    #[must_use]
     pub fn table_header(&self) -> Vec<String> {
         header(match self.ladder {
             Some(_) => LADDER.map(str::to_owned).to_vec(),
@@ -170,7 +158,6 @@ impl<'s> SweepPlan<'s> {
     }
 
     /// Whether these are the columns of a sweep's table, also of one that asked something else.
-    #[must_use]
     pub fn is_table_header<C: AsRef<str>>(columns: &[C]) -> bool {
         is_header(columns)
     }

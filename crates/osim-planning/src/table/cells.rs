@@ -17,7 +17,6 @@ use crate::verbs::any::{CHANGING, changing_verbs};
 
 /// What is wrong with a row, and in which column.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct RowFault {
     /// Header of the column, where it is about one.
     pub column: Option<String>,

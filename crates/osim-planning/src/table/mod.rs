@@ -33,7 +33,6 @@ pub struct Table {
 
 /// What one row asks for.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct RowRequest {
     /// Line of the row in the table; the first row, which names the columns, is line 1.
     pub line: u64,
@@ -51,7 +50,6 @@ pub struct RowRequest {
 
 impl RowRequest {
     /// Rows with the same text plan the same for any model and are written in the same way.
-    #[must_use]
     pub fn settings(&self) -> String {
         let mut output = self.output.clone();
         (output.output, output.geometry_output, output.output_dir) = (None, None, None);
@@ -72,7 +70,6 @@ impl Table {
     }
 
     /// The same with answers to questions of all rows, beside those that rows give themselves.
-    #[must_use]
     pub fn answering(self, yes: Vec<Question>) -> Self {
         Self { yes, ..self }
     }
@@ -155,7 +152,6 @@ impl Table {
     }
 
     /// What is wrong with a row, as the failure of the table `shown`.
-    #[must_use]
     pub fn failure(&self, shown: &str, line: u64, fault: &RowFault) -> Failure {
         let place = match &fault.column {
             Some(column) => format!("row {line}, column '{column}': "),
@@ -172,13 +168,11 @@ impl Table {
     }
 
     /// Header of the column that says `input`.
-    #[must_use]
     pub fn header_of(&self, input: Input) -> Option<&str> {
         self.columns.header_of(input.name())
     }
 
     /// Header of the column that names the models.
-    #[must_use]
     pub fn model_column(&self) -> &str {
         &self.columns.model
     }

@@ -72,7 +72,6 @@ fn change(request: Request, files: &dyn Files) -> Result<Change, RequestError> {
 // Plans for several models, for which one mass was said.
 
 /// The same change for several models: a mass that was said for all of them is not taken for one whose note says another without asking.
-#[must_use]
 pub fn of_many(change: Change) -> Change {
     Change { planner: Arc::new(OfMany(change.planner)), ..change }
 }

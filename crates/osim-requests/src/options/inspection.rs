@@ -44,7 +44,6 @@ pub struct InspectionOptions {
 
 impl InspectionOptions {
     /// These groups.
-    #[must_use]
     pub fn new(
         stance: StanceOptions,
         masses: MassOptions,
@@ -78,7 +77,6 @@ pub struct ForceOptions {
 
 impl ForceOptions {
     /// The same, as models take it.
-    #[must_use]
     pub fn selection(&self) -> Selection {
         Selection {
             select: self.select.clone(),
@@ -114,7 +112,6 @@ pub struct MassOptions {
 
 impl MassOptions {
     /// The same, as models are asked for it.
-    #[must_use]
     pub fn request(&self) -> MassRequest {
         MassRequest {
             contacts_mass_kg: self.contacts_mass.map(Kilograms::get),
@@ -158,7 +155,6 @@ impl CountOptions {
     }
 
     /// The same, with what else figures are made for.
-    #[must_use]
     pub fn stance_options(
         &self,
         impact_speed: Option<Positive>,
@@ -244,7 +240,6 @@ pub struct SetFiles {
 
 impl SetFiles {
     /// The same, as a model is read with them.
-    #[must_use]
     pub fn beside(&self) -> Beside<'_> {
         Beside { geometry: self.geometry.as_deref(), model: self.model.as_deref() }
     }

@@ -109,7 +109,6 @@ impl RunOptions {
     pub(crate) const OF_MANY: [&'static str; 4] = ["jobs", "summary", "resume", "shard"];
 
     /// Whether results are shown as JSON.
-    #[must_use]
     pub fn is_json(&self) -> bool {
         self.format == Some(RunFormat::Json)
     }
@@ -196,7 +195,6 @@ impl OutputOptions {
     }
 
     /// Where a result goes by default: `NAME.scaled.osim` beside the model.
-    #[must_use]
     pub fn beside(model: &Path) -> PathBuf {
         let mut name = model.file_stem().unwrap_or_default().to_owned();
         name.push(Self::MARK);
@@ -208,7 +206,6 @@ impl OutputOptions {
     }
 
     /// Where the changed geometry set of a standalone force set goes.
-    #[must_use]
     pub fn of_geometry(&self, geometry: &Path) -> PathBuf {
         match (&self.geometry_output, &self.output_dir) {
             _ if self.in_place => geometry.to_owned(),
@@ -234,13 +231,11 @@ pub struct AnswerOptions {
 
 impl AnswerOptions {
     /// These answers.
-    #[must_use]
     pub fn new(yes: Vec<Question>) -> Self {
         Self { yes }
     }
 
     /// Whether this question is answered.
-    #[must_use]
     pub fn has(&self, question: Question) -> bool {
         self.yes.contains(&question)
     }

@@ -126,7 +126,6 @@ impl ScalingOptions {
     }
 
     /// The properties that change.
-    #[must_use]
     pub fn properties(&self) -> PropertySet {
         // Naming a friction property among those that change asks for it.
         let friction = self.friction
@@ -146,7 +145,6 @@ impl ScalingOptions {
     }
 
     /// What dissipation follows.
-    #[must_use]
     pub fn dissipation(&self) -> DissipationBy {
         match self.dissipation_by {
             DissipationChoice::Radius => DissipationBy::Radius,
@@ -250,7 +248,6 @@ impl FollowOptions {
     }
 
     /// What happens to spheres that were moved already.
-    #[must_use]
     pub fn moved(&self) -> MovedSpheres {
         match self.moved_spheres {
             None => MovedSpheres::Refuse,
@@ -260,7 +257,6 @@ impl FollowOptions {
     }
 
     /// How a radius follows from three factors.
-    #[must_use]
     pub fn radius_axis(&self) -> RadiusAxis {
         match self.radius_axis {
             RadiusAxisChoice::X => RadiusAxis::X,
@@ -292,13 +288,11 @@ choices! {
 }
 
 impl ClassChoice {
-    /// That of OpenSim's class; `None` for one that cannot be chosen.
-    #[must_use]
-    pub const fn of(kind: ForceKind) -> Option<Self> {
+    /// That of OpenSim's class.
+    pub const fn of(kind: ForceKind) -> Self {
         match kind {
-            ForceKind::SmoothSphereHalfSpace => Some(Self::Smooth),
-            ForceKind::HuntCrossley => Some(Self::HuntCrossley),
-            _ => None,
+            ForceKind::SmoothSphereHalfSpace => Self::Smooth,
+            ForceKind::HuntCrossley => Self::HuntCrossley,
         }
     }
 

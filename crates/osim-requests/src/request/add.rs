@@ -120,7 +120,6 @@ pub struct AddRequest {
 
 impl AddRequest {
     /// Whether it says itself where the spheres are, in a table or by feet.
-    #[must_use]
     pub fn has_places(&self) -> bool {
         self.contacts.is_some() || !self.feet.is_empty()
     }

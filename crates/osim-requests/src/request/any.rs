@@ -33,14 +33,12 @@ macro_rules! requests {
     ($($variant:ident($type:ty) = $relations:expr;)+) => {
         /// A request, whatever its verb.
         #[derive(Debug, Clone, PartialEq)]
-        #[non_exhaustive]
         pub enum Request {
             $(#[doc = concat!("[`Verb::", stringify!($variant), "`].")] $variant(Box<$type>),)+
         }
 
         impl Request {
             /// What it asks for.
-            #[must_use]
             pub const fn verb(&self) -> Verb {
                 match self { $(Self::$variant(_) => Verb::$variant),+ }
             }
@@ -54,12 +52,10 @@ macro_rules! requests {
                     $(Verb::$variant => {
                         dictionary::read::<$type>(fields, $relations).map(|request| Self::$variant(Box::new(request)))
                     })+
-                    _ => Err(RequestFault::general(format!("'{}' takes no request", verb.name()))),
                 }
             }
 
             /// The fields that say something, as [`Request::read`] takes them; the verb among them.
-            #[must_use]
             pub fn to_map(&self) -> Map<String, Value> {
                 let fields = match self { $(Self::$variant(request) => dictionary::said(request.as_ref())),+ };
                 std::iter::once((VERB.to_owned(), self.verb().name().into())).chain(fields).collect()
@@ -74,21 +70,18 @@ macro_rules! requests {
             }
         }
 
-        /// The schema of the requests for `verb`, where it takes some.
+        /// The schema of the requests for `verb`.
         #[cfg(feature = "schemas")]
-        #[must_use]
-        pub fn schema_of(verb: Verb) -> Option<Schema> {
-            match verb { $(Verb::$variant => Some(schema::<$type>(verb, $relations)),)+ _ => None }
+        pub fn schema_of(verb: Verb) -> Schema {
+            match verb { $(Verb::$variant => schema::<$type>(verb, $relations)),+ }
         }
 
         /// The fields of a request for `verb` with their defaults.
-        #[must_use]
         pub fn silent_fields(verb: Verb) -> Map<String, Value> {
-            match verb { $(Verb::$variant => dictionary::map(&<$type>::default()),)+ _ => Map::new() }
+            match verb { $(Verb::$variant => dictionary::map(&<$type>::default())),+ }
         }
 
         /// Whether requests for `verb` have a field for `input`.
-        #[must_use]
         pub fn takes(verb: Verb, input: Input) -> bool {
             silent_fields(verb).contains_key(input.name())
         }
@@ -96,7 +89,7 @@ macro_rules! requests {
         /// How the fields of requests for `verb` depend on each other.
         #[cfg(feature = "clap")]
         pub(crate) const fn relations_of(verb: Verb) -> &'static [&'static [Relation]] {
-            match verb { $(Verb::$variant => $relations,)+ _ => &[] }
+            match verb { $(Verb::$variant => $relations),+ }
         }
 
         $(impl From<$type> for Request {
@@ -153,7 +146,6 @@ impl Request {
     }
 
     /// How to go about the work, of a verb that changes models.
-    #[must_use]
     pub fn run_options(&self) -> Option<&RunOptions> {
         Some(match self {
             Self::Rescale(request) => &request.run,
@@ -253,13 +245,11 @@ impl Request {
     }
 
     /// The request as a JSON object, without fields that have their defaults.
-    #[must_use]
     pub fn to_json(&self) -> String {
         Value::Object(self.to_map()).to_string()
     }
 
     /// The field that names `file` as one to be read, if any does: standard input, for one, cannot be read twice.
-    #[must_use]
     pub fn field_that_reads(&self, file: &Path) -> Option<&'static str> {
         let fields = self.to_map();
         let file = path::to_value(file);
@@ -288,7 +278,6 @@ pub struct NoteDetails {
 
 impl Request {
     /// What the note of a model that it changes says of it.
-    #[must_use]
     pub fn noted(&self) -> NoteDetails {
         let others = [
             map(&AnswerOptions::default()),

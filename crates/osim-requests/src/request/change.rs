@@ -83,7 +83,6 @@ impl RescaleRequest {
     ];
 
     /// Whether something is given that makes sense for a change only.
-    #[must_use]
     pub fn asks_for_change(&self) -> bool {
         let (scaling, output, run) = (&self.scaling, &self.output, &self.run);
         scaling.radius.is_some()

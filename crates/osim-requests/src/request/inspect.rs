@@ -74,7 +74,6 @@ choices! {
 
 impl Deny {
     /// The severity.
-    #[must_use]
     pub const fn severity(self) -> Severity {
         match self {
             Self::Warn => Severity::Warn,

@@ -76,13 +76,11 @@ impl ReproduceRequest {
 // Fig. 1 of the paper, which no equation gives: what it shows and what it needs.
 
 /// Why Fig. 1 is not drawn, what it needs, and how its models are made: a paragraph each.
-#[must_use]
 pub fn fig1() -> [Phrase; 3] {
     [WHY, NEEDS, MODELS].map(Phrase::template)
 }
 
 /// The same as the answer to somebody who wants it drawn.
-#[must_use]
 pub fn no_fig1() -> Phrase {
     Phrase::joined([WHY, MODELS].map(Phrase::template), " ").unwrap_or_default()
 }

@@ -211,7 +211,6 @@ impl SweepRequest {
     }
 
     /// Whether there are so many models that they are made only if the caller confirms it.
-    #[must_use]
     pub fn is_large(&self) -> bool {
         self.count().is_ok_and(|count| count > MANY)
     }

@@ -108,7 +108,6 @@ choices! {
 
 impl BranchChoice {
     /// The branch.
-    #[must_use]
     pub const fn branch(self) -> Branch {
         match self {
             Self::Both => Branch::Both,
@@ -291,7 +290,6 @@ impl FitRequest {
     ];
 
     /// Whether a model is fitted to recordings, and not a contact to one curve.
-    #[must_use]
     pub fn is_of_motion(&self) -> bool {
         !self.motion.is_empty()
     }

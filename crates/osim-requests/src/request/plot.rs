@@ -71,7 +71,6 @@ pub enum HeatQuantity {
 
 impl QuantityChoice {
     /// The quantity.
-    #[must_use]
     pub const fn quantity(self) -> HeatQuantity {
         match self {
             Self::Indentation => HeatQuantity::Indentation,
@@ -283,7 +282,6 @@ impl PlotRequest {
 
 impl PlotRequest {
     /// Whether it is a figure of the paper, which shows its own animals.
-    #[must_use]
     pub fn is_of_paper(&self) -> bool {
         matches!(self.kind, Some(PlotKind::Fig4 | PlotKind::FigC5))
     }
@@ -336,19 +334,16 @@ impl PlotRequest {
     }
 
     /// Whether it is a figure of a recorded motion.
-    #[must_use]
     pub fn is_of_motion(&self) -> bool {
         self.kind == Some(PlotKind::Motion)
     }
 
     /// Whether it is a figure of feet, which shows where spheres are and not what they do.
-    #[must_use]
     pub fn is_of_feet(&self) -> bool {
         self.kind == Some(PlotKind::Feet)
     }
 
     /// The mass to which contacts are drawn scaled, kg.
-    #[must_use]
     pub fn target_mass_kg(&self) -> Option<f64> {
         self.target_mass.map(Kilograms::get)
     }

@@ -139,7 +139,6 @@ fn option(field: &str) -> String {
 
 /// `word` as shells take it: without quotation marks where all shells agree on it, else in double ones, which cmd and PowerShell know,
 /// too; in single ones where a POSIX shell would find something to expand. cmd puts a variable in for `%NAME%` whatever is around it.
-#[must_use]
 pub fn shell_quoted(word: &str) -> String {
     // PowerShell makes a list of what has commas, and zsh looks for a program after an equals sign.
     let plain = |letter: char| letter.is_alphanumeric() || "_-./:+=%".contains(letter);

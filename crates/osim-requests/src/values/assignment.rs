@@ -80,13 +80,11 @@ impl Assignments {
     }
 
     /// All of them.
-    #[must_use]
     pub fn as_slice(&self) -> &[(Property, Assignment)] {
         &self.0
     }
 
     /// Whether nothing is set.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

@@ -23,7 +23,6 @@ const MOST: u32 = 100_000;
 
 /// What varies along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum AxisName {
     /// A property, by OpenSim's name.
     Property(Property),
@@ -38,7 +37,6 @@ pub enum AxisName {
 impl AxisName {
     /// The axis that was probably meant where an option or a word has its name: `NAME=FROM..TO/COUNT`. `None` for what is not a range
     /// of an axis.
-    #[must_use]
     pub fn meant(name: &str, values: &str) -> Option<String> {
         let name: Self = name.replace('-', "_").parse().ok()?;
         let is_axis = Range::is_meant(values) || values.contains(',');
@@ -48,7 +46,6 @@ impl AxisName {
     }
 
     /// The name.
-    #[must_use]
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Property(property) => property.name(),
@@ -77,7 +74,6 @@ impl FromStr for AxisName {
 
 /// One value of an axis.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct GridValue {
     /// In names of files and in notes: as typed, or to six digits.
     pub label: String,
@@ -89,7 +85,6 @@ pub struct GridValue {
 
 impl GridValue {
     /// The exact number, with `x` before a factor.
-    #[must_use]
     pub fn exact(&self) -> String {
         format!("{}{}", if self.is_factor { "x" } else { "" }, shortest(self.number))
     }
@@ -97,7 +92,6 @@ impl GridValue {
 
 /// An axis of a grid: `NAME=V,V,...`, each a value, a factor or a range `FROM..TO/COUNT`.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Axis {
     /// What varies.
     pub name: AxisName,

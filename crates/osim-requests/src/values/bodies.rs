@@ -25,7 +25,6 @@ use crate::values::typed::{positive_number, trimmed};
 
 /// `BODY=BODY`: a body of the reference, and the body of the model that takes its spheres.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct BodyMap {
     /// Name of the body of the reference.
     pub reference: String,
@@ -56,7 +55,6 @@ impl fmt::Display for BodyMap {
 
 /// `BODY=x,y,z`: three factors above 0; `BODY=f` is the same one along all axes.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct BodyScale {
     /// Name of the body.
     pub body: String,

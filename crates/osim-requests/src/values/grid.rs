@@ -32,7 +32,6 @@ impl Grid {
     }
 
     /// The values; factors are multiplied by `now`.
-    #[must_use]
     pub fn values(self, now: f64) -> Vec<f64> {
         let unit = if self.factors { now } else { 1.0 };
         spaced(self.from, self.to, self.count).map(|value| unit * value).collect()
@@ -93,7 +92,6 @@ pub struct Span {
 
 impl Span {
     /// Both ends, the smaller one first.
-    #[must_use]
     pub const fn ends(self) -> (f64, f64) {
         (self.from, self.to)
     }

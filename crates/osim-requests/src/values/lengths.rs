@@ -36,7 +36,6 @@ fn radius_schema(_generator: &mut SchemaGenerator) -> Schema {
 
 impl Radius {
     /// The rule.
-    #[must_use]
     pub const fn rule(self) -> RadiusRule {
         self.0
     }
@@ -96,7 +95,6 @@ const LARGEST: f64 = 1e9;
 
 /// `isometric`, `follow` or metres.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[non_exhaustive]
 pub enum NewRadius {
     /// The reference's times the cube root of the masses' ratio (8).
     #[default]
@@ -176,7 +174,6 @@ pub enum DropHeight {
 
 impl DropHeight {
     /// In m, for a sphere of this radius.
-    #[must_use]
     pub fn metres(self, radius_m: f64) -> f64 {
         match self {
             Self::Metres(metres) => metres,
@@ -185,7 +182,6 @@ impl DropHeight {
     }
 
     /// For people: the number, and what it counts.
-    #[must_use]
     pub fn describe(self, metre: &str, radius: &str) -> String {
         match self {
             Self::Metres(metres) => format!("{} {metre}", readable(metres)),
@@ -209,7 +205,6 @@ fn height_schema(_generator: &mut SchemaGenerator) -> Schema {
 
 impl Height {
     /// The height.
-    #[must_use]
     pub const fn get(self) -> DropHeight {
         self.0
     }
@@ -272,7 +267,6 @@ fn number_or_word(_generator: &mut SchemaGenerator) -> Schema {
 
 impl ContactOnset {
     /// The onset.
-    #[must_use]
     pub const fn get(self) -> Onset {
         self.0
     }

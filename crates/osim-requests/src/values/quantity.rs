@@ -31,7 +31,6 @@ macro_rules! quantities {
 
         impl $name {
             /// The number.
-            #[must_use]
             pub const fn get(self) -> f64 {
                 self.0
             }
@@ -173,7 +172,6 @@ quantities! {
 
 impl Kilograms {
     /// A number, with its unit or without, such as `20`, `20kg` or `20g`.
-    #[must_use]
     pub fn with_unit(text: &str) -> Option<Self> {
         converted(text, MASSES).map(Self).or_else(|| text.parse().ok())
     }
@@ -214,7 +212,6 @@ macro_rules! whole_numbers {
 
         impl $name {
             /// The number.
-            #[must_use]
             pub const fn get(self) -> $type {
                 self.0
             }

@@ -105,7 +105,6 @@ macro_rules! choices {
     ($(#[doc = $doc:literal])+ $name:ident $(: $default:ident)? { $($(#[doc = $variant_doc:literal])+ $variant:ident = $word:literal $(, $help:literal)?;)+ }) => {
         $(#[doc = $doc])+
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-        #[non_exhaustive]
         pub enum $name {
             $($(#[doc = $variant_doc])+ $variant,)+
         }
@@ -115,7 +114,6 @@ macro_rules! choices {
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
 
             /// The word.
-            #[must_use]
             pub const fn as_str(self) -> &'static str {
                 match self { $(Self::$variant => $word),+ }
             }

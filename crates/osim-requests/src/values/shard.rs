@@ -27,7 +27,6 @@ pub struct Shard {
 
 impl Shard {
     /// Whether number `number` is in this share.
-    #[must_use]
     pub const fn has_number(self, number: u64) -> bool {
         number % self.count == self.index - 1
     }
@@ -41,7 +40,6 @@ impl Shard {
     }
 
     /// The share as a part of a file's name: names of all shares sort as the shares do.
-    #[must_use]
     pub fn file_part(self) -> String {
         let count = self.count.to_string();
         format!("shard-{:0width$}-of-{count}", self.index, width = count.len())
@@ -51,7 +49,6 @@ impl Shard {
     ///
     /// It belongs to the share of its name, so that it stays there when other models come or go while the shares are at
     /// work.
-    #[must_use]
     pub fn has_name(self, name: &Path) -> bool {
         self.has_number(of_name(name.as_os_str().as_encoded_bytes()))
     }

@@ -4,7 +4,6 @@ use osim_model::messages::shortest;
 
 /// `text` without white space around it, of whatever kind: what is typed or pasted may have a no-break space there, and it means
 /// nothing. The texts of models are OpenSim's, see `osim_model::xml::opensim_text`.
-#[must_use]
 #[expect(clippy::disallowed_methods, reason = "the one place for texts of people, not of models")]
 pub fn trimmed(text: &str) -> &str {
     text.trim()
@@ -70,7 +69,6 @@ pub fn positive(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f6
 }
 
 /// What a number with a unit is in the unit that is expected, to the digits that a conversion leaves right.
-#[must_use]
 pub fn converted(text: &str, units: &[UnitSpelling]) -> Option<f64> {
     let small = text.to_ascii_lowercase();
     // A capital M is another unit, a million times as large or more.
@@ -85,7 +83,6 @@ pub fn converted(text: &str, units: &[UnitSpelling]) -> Option<f64> {
 }
 
 /// A decimal number without words such as `inf` or `nan`.
-#[must_use]
 pub fn plain(text: &str) -> Option<f64> {
     let digits = text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
     if digits { text.parse().ok() } else { None }
@@ -130,7 +127,6 @@ pub fn not_negative(text: &str, expected: &str, units: &[UnitSpelling]) -> Resul
 }
 
 /// What is after the `x` of a factor such as `x1.5`.
-#[must_use]
 pub fn factor(text: &str) -> Option<&str> {
     text.strip_prefix(['x', 'X'])
 }
@@ -150,13 +146,11 @@ pub struct Range<'t> {
 
 impl<'t> Range<'t> {
     /// Whether `text` is meant as a range.
-    #[must_use]
     pub fn is_meant(text: &str) -> bool {
         text.contains("..")
     }
 
     /// Reads a range of 2 to `most` values; `None` if it is not a range.
-    #[must_use]
     pub fn read(text: &'t str, most: u32) -> Option<Self> {
         let (first, rest) = text.split_once("..")?;
         let (last, count) = rest.split_once('/')?;
@@ -165,7 +159,6 @@ impl<'t> Range<'t> {
     }
 
     /// Whether both ends are factors, or both numbers; `None` where they are unlike.
-    #[must_use]
     pub fn are_factors(&self) -> Option<bool> {
         let is_factor = factor(self.first).is_some();
         (is_factor == factor(self.last).is_some()).then_some(is_factor)
@@ -173,14 +166,12 @@ impl<'t> Range<'t> {
 }
 
 /// The range with colons as it is written here; `None` if there are no colons between numbers, or it is empty.
-#[must_use]
 pub fn respelled(text: &str) -> Option<String> {
     Colons::read(text)?.range
 }
 
 /// What to write for a range with colons, as MATLAB has it: FROM:STEP:TO, or FROM:TO with steps of 1. `None` where there are no
 /// colons between numbers.
-#[must_use]
 pub fn with_colons(text: &str) -> Option<String> {
     let here = "ranges are FROM..TO/COUNT here, equally spaced in their logarithm";
     Some(match Colons::read(text)? {

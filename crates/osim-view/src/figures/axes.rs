@@ -8,7 +8,6 @@ use osim_model::messages::{Dialect, Phrase, counted, readable};
 
 /// Which units are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Axes {
     /// x/R, and force over the weight's share of one sphere.
     Dimensionless,
@@ -17,7 +16,6 @@ pub enum Axes {
 }
 
 /// The units wanted, else those that compare well: x/R, and newtons for one contact, shares of the weight for several.
-#[must_use]
 pub fn units(bodies: &[Body], wanted: Option<Axes>) -> Units {
     let single = kinds(bodies).count() == 1;
     let indentation = match wanted {
@@ -84,7 +82,6 @@ pub(super) fn thresholds(kind: &SphereKind, units: Units) -> Vec<Limit> {
 }
 
 /// What each body is taken to weigh and to stand on, one line each; or why it is not known, if it is not needed.
-#[must_use]
 pub fn weights(bodies: &[Body], dialect: &dyn Dialect) -> String {
     let line = |body: &Body| match &body.weight {
         Ok(weight) => format!(

@@ -97,7 +97,6 @@ pub fn draw_motion(request: &PlotRequest, result: &MotionResult) -> Result<Drawi
 }
 
 /// The paper that is wanted.
-#[must_use]
 pub fn paper(looks: &FigureOptions) -> Paper {
     Paper { width_mm: looks.width.map(osim_requests::FigureWidth::get), text_pt: looks.font_size.get() }
 }
@@ -113,7 +112,6 @@ pub fn svg(drawing: &Drawing, paper: Paper, bodies: &[Body]) -> Result<String, F
 }
 
 /// Why a figure of `bodies` was not drawn, with a way out where there is one.
-#[must_use]
 pub fn not_drawn(error: PlotError, bodies: &[Body]) -> Failure {
     let why: Phrase = match error {
         PlotError::TooMany { .. } => {

@@ -11,7 +11,6 @@ use osim_model::messages::{Dialect, Input, four_significant, harmless, listed, p
 use osim_planning::ModelFeet;
 
 /// The last of `states` with its bones and names, and the spheres of the first where they are others.
-#[must_use]
 pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
     let (Some(now), before) = (states.last(), earlier(states)) else { return Scene::default() };
     let mut others: HashMap<&str, &Foot> = HashMap::new();
@@ -270,7 +269,6 @@ fn levels(foot: &Foot, up: &str) -> Vec<Level> {
 }
 
 /// What is drawn of each state, one line each; what was not available, and what is wrong with the places of spheres.
-#[must_use]
 pub fn feet_notes(states: &[ModelFeet], dialect: &dyn Dialect) -> String {
     states.iter().map(|state| of_state(state, dialect)).collect()
 }
@@ -319,7 +317,6 @@ fn missing(state: &ModelFeet, dialect: &dyn Dialect) -> Option<String> {
 }
 
 /// Meshes that were not found, each once, as the model spells them.
-#[must_use]
 pub fn missing_meshes(state: &ModelFeet) -> Vec<String> {
     let mut known = HashSet::new();
     let missing = state.missing.iter().filter_map(|fault| match fault {

@@ -18,7 +18,6 @@ pub struct State<'s> {
 
 /// x̂ of models in one state or several, each state from the smallest value to the largest, with the limit of the Hertz law.
 /// `None` where no state has two models.
-#[must_use]
 pub fn indentations(states: &[State<'_>]) -> Option<String> {
     let models = states.iter().map(|state| state.indentations.len()).max().filter(|models| *models > 1)?;
     let limit = limits::INDENTATION.value;
@@ -50,7 +49,6 @@ pub fn indentations(states: &[State<'_>]) -> Option<String> {
 }
 
 /// How many values are drawn at the top of the axis because they are above it.
-#[must_use]
 pub fn above_the_axis(indentations: &[f64]) -> usize {
     indentations.iter().filter(|value| **value > TOP).count()
 }

@@ -20,7 +20,6 @@ use crate::report::plan::{
 
 /// A change and what it does. What the plan, the inspections and the checks say is taken as it is spelled.
 #[derive(Debug)]
-#[non_exhaustive]
 pub struct Changed<'c> {
     /// What changes.
     pub plan: &'c Plan,
@@ -48,7 +47,6 @@ pub struct Changed<'c> {
 
 impl<'c> Changed<'c> {
     /// A plan for a model as it was, not written yet.
-    #[must_use]
     pub fn new(plan: &'c Plan, before: Examined<'c>, files: Files) -> Self {
         Self {
             plan,
@@ -66,7 +64,6 @@ impl<'c> Changed<'c> {
     }
 
     /// A plan with all that is known of both states of its model; its caller says whether that is in a file.
-    #[must_use]
     pub fn of_states(plan: &'c Plan, states: &'c BeforeAfter, files: Files) -> Self {
         Self {
             before_under_new_weight: states.before_under_new_weight.as_ref(),
@@ -81,7 +78,6 @@ impl<'c> Changed<'c> {
 }
 
 /// Everything about one model that was changed; `row` is in the table of models.
-#[must_use]
 pub fn changed(row: &RunRow, changed: Changed<'_>, detail: DetailLevel, dialect: &dyn Dialect) -> Entry {
     let mut fragment = Fragment::new(detail);
     let (facts, plan) = (facts(&changed), changed.plan);

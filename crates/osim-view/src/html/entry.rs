@@ -94,13 +94,11 @@ impl Entry {
     }
 
     /// The same of a model that an earlier run has done.
-    #[must_use]
     pub fn of_earlier_run(self) -> Self {
         Self { earlier: true, ..self }
     }
 
     /// A model that an earlier run has done, with only what that run has left.
-    #[must_use]
     pub fn left_by_earlier_run(row: &RunRow, earlier: &EarlierRun) -> Self {
         let factor = |factor: Option<f64>, property: Property| {
             let below = match factor {
@@ -124,7 +122,6 @@ impl Entry {
     }
 
     /// A model that was to be changed, with only its row, and what was wrong if it failed.
-    #[must_use]
     pub fn of_row(row: &RunRow, failed: Option<&RowError>) -> Self {
         let became = match failed {
             Some(failed) => {
@@ -137,7 +134,6 @@ impl Entry {
     }
 
     /// A model that could not be read.
-    #[must_use]
     pub fn failed(failure: &Failure, dialect: &dyn Dialect) -> Self {
         let message = failure.message.spelled(dialect);
         let became = format!("failed: {}{message}", place(failure.line, failure.column));
@@ -145,7 +141,6 @@ impl Entry {
     }
 
     /// A model of a folder that has no contacts.
-    #[must_use]
     pub fn without_contacts(model: &str) -> Self {
         Self::not_done(model, "skipped: no contacts".to_owned())
     }
@@ -250,7 +245,6 @@ impl From<String> for Cell {
 
 /// The outcome for one model in a run.
 #[derive(Debug, Clone, Default, PartialEq)]
-#[non_exhaustive]
 pub struct RunRow {
     /// Row of the manifest, from 1.
     pub row: Option<usize>,
@@ -270,7 +264,6 @@ pub struct RunRow {
 
 /// What an earlier run has left of a model that it did.
 #[derive(Debug, Clone, Default, PartialEq)]
-#[non_exhaustive]
 pub struct EarlierRun {
     /// New over old radius, where it is the same everywhere.
     pub radius_factor: Option<f64>,
@@ -286,7 +279,6 @@ pub struct EarlierRun {
 
 /// What was wrong with a model that could not be done.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct RowError {
     /// Stable short name.
     pub code: String,
@@ -334,7 +326,6 @@ impl RowError {
     }
 
     /// The same at a place.
-    #[must_use]
     pub fn at(self, line: Option<usize>, column: Option<usize>) -> Self {
         Self { line, column, ..self }
     }

@@ -90,7 +90,6 @@ pub(super) fn header_cell(header: &str) -> Markup {
 
 /// One section, without its heading.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[non_exhaustive]
 pub struct Section {
     /// Its name, such as `plots`.
     pub id: &'static str,
@@ -105,7 +104,6 @@ const FEW: usize = 20;
 
 /// How much of a model a page shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum DetailLevel {
     /// The page is about this model alone.
     Alone,
@@ -117,7 +115,6 @@ pub enum DetailLevel {
 
 impl DetailLevel {
     /// The level for each model on a page about this many.
-    #[must_use]
     pub const fn of(models: usize) -> Self {
         match models {
             0 | 1 => Self::Alone,
@@ -127,7 +124,6 @@ impl DetailLevel {
     }
 
     /// Whether feet may be drawn.
-    #[must_use]
     pub const fn has_feet(self) -> bool {
         !matches!(self, Self::OneOfMany)
     }

@@ -33,7 +33,6 @@ pub struct Inspected<'m> {
 }
 
 /// Everything about one model that was inspected.
-#[must_use]
 pub fn inspected(inspected: Inspected<'_>, detail: DetailLevel, dialect: &dyn Dialect) -> Entry {
     let mut fragment = Fragment::new(detail);
     let Examined { inspection, check } = inspected.examined;

@@ -21,7 +21,6 @@ pub(super) const SECTION_END: &str = "</section>\n";
 
 /// Which table the models are in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Columns {
     /// What changed.
     Changes,

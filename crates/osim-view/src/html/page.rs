@@ -230,7 +230,6 @@ impl<'d, S: DeferredText> Page<'d, S> {
 
 /// What a page is about.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct About {
     /// What was done.
     pub verb: Verb,

@@ -147,7 +147,6 @@ pub(super) fn feet_figure(states: &[ModelFeet]) -> Option<Markup> {
 // What contacts do along a recording: words, one row for each foot, and the figure.
 
 /// The section, made where a recording is compared: a page that never compares one does without all that it needs.
-#[must_use]
 pub fn recording(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> Section {
     let body = html! {
         p.note {

@@ -13,7 +13,6 @@ use crate::html::{explained, plots};
 
 /// What a link in a section leads to.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[non_exhaustive]
 pub struct Explained {
     /// The anchor.
     pub id: String,
@@ -23,7 +22,6 @@ pub struct Explained {
 
 /// Sections about one model, and everything that their links lead to.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
-#[non_exhaustive]
 pub struct Sections {
     /// In the order of a report.
     pub sections: Vec<Section>,
@@ -43,7 +41,6 @@ impl Sections {
 
     /// What changes, from the plan alone, and those plots that are `wanted` of `bodies`: both states of the model, and what the
     /// contacts are taken from, if it is another body. Nothing else of the model is computed: for pictures that follow a slider.
-    #[must_use]
     pub fn of_plan(
         plan: &Plan,
         bodies: &[Body],
@@ -63,7 +60,6 @@ impl Sections {
     }
 
     /// Those sections of a change whose names are `wanted`; `None` for all.
-    #[must_use]
     pub fn of_change(changed: Changed<'_>, wanted: Option<&[String]>, dialect: &dyn Dialect) -> Self {
         let mut fragment = Fragment::of_some(wanted);
         fill(&mut fragment, changed, dialect);
@@ -71,7 +67,6 @@ impl Sections {
     }
 
     /// Those sections about a model that was inspected whose names are `wanted`; `None` for all.
-    #[must_use]
     pub fn of_model(inspected: Inspected<'_>, wanted: Option<&[String]>, dialect: &dyn Dialect) -> Self {
         let mut fragment = Fragment::of_some(wanted);
         inspected::fill(&mut fragment, inspected, dialect);

@@ -35,7 +35,6 @@ fn line(verdict: &Verdict, colour: Colour) -> String {
 /// The verdicts, then every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` is before each remedy.
 ///
 /// What was published so with known contacts is named once, and not explained, except that they may be for another mass.
-#[must_use]
 pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
     let known = found.findings.iter().find(|finding| finding.code() == FindingCode::KnownContacts);
     let clean = known.filter(|_| found.counts.error + found.counts.warn == 0);
@@ -172,7 +171,6 @@ impl LibraryTable {
     /// One row for each model, then one for each code, then the commands that put them right.
     ///
     /// Names are clipped where a line has an end; in a file or a pipe they are whole.
-    #[must_use]
     pub fn text(mut self, whole_names: bool, words: &dyn FrontEnd, colour: Colour) -> String {
         let shown = |name: &str, width| if whole_names { name.to_owned() } else { clipped(name, width) };
         let mut models = table(&["model", "errors", "warnings", "remarks"]);

@@ -53,7 +53,6 @@ impl Formatter for Seen {
 /// One model that could not be done.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct FailureRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -69,7 +68,6 @@ pub struct FailureRecord {
 /// What went wrong.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct ErrorRecord {
     /// Stable short name.
     pub code: &'static str,
@@ -83,7 +81,6 @@ pub struct ErrorRecord {
 
 impl FailureRecord {
     /// A failure in the words of `dialect`.
-    #[must_use]
     pub fn new(failure: &Failure, dialect: &dyn Dialect) -> Self {
         let (model, model_bytes) = failure.model.clone().into_parts();
         Self {
@@ -105,7 +102,6 @@ impl FailureRecord {
 /// What changes in a model, and where the result went.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct PlanRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -151,7 +147,6 @@ pub struct PlanRecord {
 /// One object that is added or removed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct ObjectRecord {
     /// `added` or `removed`.
     pub change: &'static str,
@@ -176,7 +171,6 @@ pub struct ObjectRecord {
 /// other trial.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct RecordingErrorsRecord {
     /// Root mean square along the normal of the floor, body weights.
     pub vertical_rms_bw: f64,
@@ -212,7 +206,6 @@ impl From<RecordingErrors> for RecordingErrorsRecord {
 /// One number that changes, or one centre that moves.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct ChangeRecord {
     /// Name of the force; null for a sphere's radius and location.
     pub force: Option<String>,
@@ -242,7 +235,6 @@ pub struct ChangeRecord {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[serde(untagged)]
-#[non_exhaustive]
 pub enum Amount {
     /// A number; null where it is not finite.
     Number(#[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))] f64),
@@ -253,7 +245,6 @@ pub enum Amount {
 impl PlanRecord {
     /// The plan for `model`, whose file is `path`, with the files that were written, if any. What the plan says is taken as it is
     /// spelled.
-    #[must_use]
     pub fn new(
         plan: &Plan,
         model: &Model,

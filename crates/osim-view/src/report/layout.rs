@@ -32,7 +32,6 @@ pub(crate) fn filled(text: &str) -> String {
 }
 
 /// Text in lines of at most [`WIDTH`] columns, the second and later ones after `indent`. Line ends in it are escaped.
-#[must_use]
 pub fn wrapped(text: &str, indent: &str) -> String {
     in_lines(&paragraph(text), indent)
 }
@@ -100,7 +99,6 @@ const COMMANDS: [&str; 3] = ["$ ", "> ", "osim-contact-scale "];
 /// );
 /// assert_eq!(osim_view::report::layout::broken(text, 80), text);
 /// ```
-#[must_use]
 pub fn broken(text: &str, width: usize) -> String {
     text.split_inclusive('\n').map(|line| line_broken(line, width)).collect()
 }
@@ -143,7 +141,6 @@ fn split(line: &str) -> (&str, &str) {
 pub struct TextTable(Table);
 
 /// A table with these headings.
-#[must_use]
 pub fn table(header: &[&str]) -> TextTable {
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_header(header.to_vec());
@@ -173,14 +170,12 @@ impl TextTable {
     }
 
     /// The table in lines of at most [`WIDTH`] columns.
-    #[must_use]
     pub fn fitted(mut self) -> String {
         self.0.set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH as u16);
         self.0.trim_fmt()
     }
 
     /// The table without blanks at the ends of its lines.
-    #[must_use]
     pub fn trim_fmt(&self) -> String {
         self.0.trim_fmt()
     }
@@ -194,7 +189,6 @@ impl fmt::Display for TextTable {
 
 /// A name in at most `width` columns: its middle is left out, since names differ at their ends; what cannot be seen in it is
 /// escaped.
-#[must_use]
 pub fn clipped(name: &str, width: usize) -> String {
     let name = shown(name).to_string();
     let letters: Vec<char> = name.chars().collect();
@@ -232,7 +226,6 @@ const OUTSIDE_STYLE: Style = AnsiColor::Yellow.on_default().bold();
 
 /// Whether a text has colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
 pub enum Colour {
     /// None.
     #[default]

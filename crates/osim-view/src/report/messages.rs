@@ -5,7 +5,6 @@ use osim_model::messages::{Dialect, one_line};
 use osim_model::{Finding, FindingCode, Severity};
 
 /// Warnings, one line each: `warning: line 12: message [code]`. What is a remark in `check` is a note.
-#[must_use]
 pub fn warnings(warnings: &[Finding]) -> String {
     let mut text = String::new();
     for warning in warnings {
@@ -17,7 +16,6 @@ pub fn warnings(warnings: &[Finding]) -> String {
 }
 
 /// A line about a model, called `name`, whose contacts carry a body of another mass.
-#[must_use]
 pub fn mass_mismatch(name: &str, mismatch: &MassMismatch, dialect: &dyn Dialect) -> String {
     let message = mismatch.message().spelled(dialect);
     let line = format!("warning: {name}: {message} [{}]", FindingCode::MassSourcesDisagree);
@@ -46,7 +44,6 @@ pub(crate) fn in_a_cell(code: &str) -> &'static str {
 /// assert_eq!(ExitStatus::Done.and(ExitStatus::Failed).and(ExitStatus::Done), ExitStatus::Failed);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum ExitStatus {
     /// All done.
     Done,
@@ -65,7 +62,6 @@ impl ExitStatus {
     pub const ALL: [Self; 5] = [Self::Done, Self::Failed, Self::Usage, Self::Busy, Self::Interrupted];
 
     /// The number.
-    #[must_use]
     pub const fn code(self) -> u8 {
         match self {
             Self::Done => 0,
@@ -78,7 +74,6 @@ impl ExitStatus {
     }
 
     /// What it says.
-    #[must_use]
     pub const fn meaning(self) -> &'static str {
         match self {
             Self::Done => "all done, and check found no error",
@@ -94,7 +89,6 @@ impl ExitStatus {
     }
 
     /// The status of a run whose other part ended with `other`.
-    #[must_use]
     pub fn and(self, other: Self) -> Self {
         if self == Self::Done || other == Self::Interrupted { other } else { self }
     }

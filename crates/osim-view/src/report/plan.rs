@@ -14,7 +14,6 @@ use crate::report::messages::warnings;
 // A plan as a table: equal changes share a row.
 
 /// What was taken, changed and noticed; `output` says the outcome. What the plan says is taken as it is spelled.
-#[must_use]
 pub fn text(plan: &Plan, model: &str, output: &str) -> String {
     let mut text = format!("{}\n", one_line(format!("{model}: {}", plan.taken)));
     if plan.is_empty() {
@@ -36,7 +35,6 @@ pub fn text(plan: &Plan, model: &str, output: &str) -> String {
 }
 
 /// The same in one line, for a run over many models.
-#[must_use]
 pub fn line(plan: &Plan, model: &str, output: &str) -> String {
     let masses = plan.masses.as_ref().map(|masses| {
         format!("{} -> {} kg, ", readable(masses.contacts_mass.kg), readable(masses.target_mass_kg))
@@ -245,7 +243,6 @@ pub fn object_groups(objects: &[ObjectChange]) -> Vec<ObjectGroup<'_>> {
 const CONTEXT: u32 = 1;
 
 /// Differences between the bytes of a model before and after, under these names.
-#[must_use]
 pub fn unified_diff(old: &[u8], new: &[u8], old_name: &str, new_name: &str) -> String {
     // Bytes that are not UTF-8 are the same on both sides; a diff is for reading, so they may be shown as replacements.
     let (old, new) = (String::from_utf8_lossy(old), String::from_utf8_lossy(new));

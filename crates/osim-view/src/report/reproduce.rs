@@ -16,7 +16,6 @@ use crate::report::layout::{csv_text, filled, table, wrapped};
 /// Table 1 of the paper, printed and computed, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct ReproductionRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -33,7 +32,6 @@ pub struct ReproductionRecord {
 /// An animal of Table 1.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct AnimalRecord {
     /// What it is called.
     pub taxon: &'static str,
@@ -50,7 +48,6 @@ pub struct AnimalRecord {
 /// A number of Table 1.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct NumberRecord {
     /// Its name; it ends in the unit, which is the paper's.
     pub name: &'static str,
@@ -143,7 +140,6 @@ impl From<&Compared> for NumberRecord {
 const MORE_DIGITS: usize = 3;
 
 /// Table 1, number by number, and in how many the paper and its equations agree.
-#[must_use]
 pub fn reproduction_text(record: &ReproductionRecord) -> String {
     let mut table = table(&["Table 1", "paper", "computed", "difference", "relative", "agrees"]);
     for number in record.table1.iter().flat_map(|animal| &animal.values) {
@@ -164,7 +160,6 @@ pub fn reproduction_text(record: &ReproductionRecord) -> String {
 }
 
 /// What Fig. 1 shows and what it needs.
-#[must_use]
 pub fn fig1_text(record: &ReproductionRecord) -> String {
     let paragraphs: Vec<String> = record.fig1.iter().map(|paragraph| filled(paragraph)).collect();
     format!("{}\n", paragraphs.join("\n"))

@@ -9,7 +9,6 @@ use crate::report::layout::{table, wrapped};
 const NAMED: usize = 6;
 
 /// What the list is, in sentences for any page.
-#[must_use]
 pub fn about(list: &SizeList) -> Vec<String> {
     let mut sentences = vec![ratios(list)];
     sentences.push(
@@ -25,7 +24,6 @@ pub fn about(list: &SizeList) -> Vec<String> {
 }
 
 /// What the list leaves out, in sentences for any page.
-#[must_use]
 pub fn gaps(list: &SizeList) -> Vec<String> {
     let mut sentences = Vec::new();
     let pairs = [(&list.only_in_model, "the original"), (&list.only_in_original, "the model")];
@@ -39,7 +37,6 @@ pub fn gaps(list: &SizeList) -> Vec<String> {
 }
 
 /// The list, a line a kind.
-#[must_use]
 pub fn text(list: &SizeList) -> String {
     let mut text = "What else follows size:\n".to_owned();
     for sentence in about(list) {
@@ -59,7 +56,6 @@ pub fn text(list: &SizeList) -> String {
 }
 
 /// The headings of the list.
-#[must_use]
 pub fn headings(list: &SizeList) -> [&'static str; 5] {
     if list.is_of_two_models() {
         ["property", "count", "found", "similar", "verdict"]
@@ -69,7 +65,6 @@ pub fn headings(list: &SizeList) -> [&'static str; 5] {
 }
 
 /// The cells of a row of it.
-#[must_use]
 pub fn cells(list: &SizeList, row: &SizeRow) -> [String; 5] {
     let similar = row.similarity_factor.map_or_else(|| "?".to_owned(), three_significant);
     let (name, count) = (row.description.to_owned(), row.count.to_string());

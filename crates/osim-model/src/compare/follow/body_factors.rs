@@ -11,7 +11,6 @@ pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Where a factor comes from, in the order in which sources are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-#[non_exhaustive]
 pub enum FactorSource {
     /// The caller.
     Given,
@@ -29,7 +28,6 @@ pub enum FactorSource {
 
 impl FactorSource {
     /// As in reports and JSON.
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Given => "given",
@@ -44,7 +42,6 @@ impl FactorSource {
 
 /// The factor of one axis of one body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct AxisFactor {
     /// New length over old length.
     pub factor: f64,
@@ -54,7 +51,6 @@ pub struct AxisFactor {
 
 /// The factors of one body.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct BodyFactors {
     /// Name of the body.
     pub body: String,
@@ -226,7 +222,6 @@ impl<'a> Bones<'a> {
 /// ```
 /// assert_eq!(osim_model::compare::bone_of_mesh("Geometry/R_Foot.VTP"), osim_model::compare::bone_of_mesh("foot_lv.obj"));
 /// ```
-#[must_use]
 pub fn bone_of_mesh(file: &str) -> String {
     let name = bare(file);
     let name = SIDE_BEFORE.iter().find_map(|mark| name.strip_prefix(mark)).unwrap_or(&name);

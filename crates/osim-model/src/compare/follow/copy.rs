@@ -17,7 +17,6 @@ pub(super) const SHORTEST_OFFSET_M: f64 = 1e-6;
 
 /// What shows that a model is not a scaled copy of another one.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum Difference {
     /// The reference has too few bodies to say: one joint is always explained by some factors.
     Fragment,
@@ -54,7 +53,6 @@ pub enum Difference {
 
 impl Difference {
     /// In words, as the beginning of a sentence.
-    #[must_use]
     pub fn phrase(&self) -> Phrase {
         let text = match self {
             Self::Fragment => "the reference has some bodies only: ".to_owned(),
@@ -188,7 +186,6 @@ pub struct ScaleFile(BTreeMap<String, [f64; 3]>);
 
 impl ScaleFile {
     /// Factors along x, y and z by body, where they are known without a file.
-    #[must_use]
     pub fn of_factors(factors: BTreeMap<String, [f64; 3]>) -> Self {
         Self(factors)
     }

@@ -39,7 +39,6 @@ use crate::model::{Anatomy, Fault, FaultKind, Finding, Model, Needed};
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Factors {
     /// In file order of the scaled model.
     pub bodies: Vec<BodyFactors>,
@@ -174,7 +173,6 @@ fn carriers<'a>(scaled: &'a Anatomy, reference: &'a Anatomy) -> Vec<&'a str> {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct SphereBodies {
     /// What shows that the model is not a scaled copy of the reference; `None` where it is one.
     pub difference: Option<Difference>,

@@ -26,7 +26,6 @@ const UNTOUCHED: f64 = 1e-6;
 
 /// Radii that do not follow from the factors of bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub enum OwnRadii {
     /// As large against the body as in the reference (8): its radii times this.
     Isometric(f64),
@@ -36,7 +35,6 @@ pub enum OwnRadii {
 
 /// How spheres follow their bodies: see [`Follow`] for an example.
 #[derive(Debug, Clone, Default, PartialEq)]
-#[non_exhaustive]
 pub struct FollowRequest {
     /// How a radius follows from the three factors of its body.
     pub radius_axis: RadiusAxis,
@@ -52,7 +50,6 @@ pub struct FollowRequest {
 
 /// The new place and radius of one sphere: from [`Follow::of`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct Followed {
     /// Radius in the reference, m.
     pub old_radius_m: f64,
@@ -92,7 +89,6 @@ pub struct Followed {
 ///
 /// A transfer writes them.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Follow {
     spheres: BTreeMap<SphereId, Followed>,
     /// Geometric mean of the factors of the bodies that carry spheres: the ratio of sizes, new over old.
@@ -101,7 +97,6 @@ pub struct Follow {
 
 impl Follow {
     /// Radius of `sphere` in the reference, m; `None` where it does not follow a body.
-    #[must_use]
     pub fn old_radius(&self, sphere: SphereId) -> Option<f64> {
         self.spheres.get(&sphere).map(|followed| followed.old_radius_m)
     }
@@ -112,7 +107,6 @@ impl Follow {
     }
 
     /// The new place of `sphere`; `None` where it does not follow a body.
-    #[must_use]
     pub fn of(&self, sphere: SphereId) -> Option<&Followed> {
         self.spheres.get(&sphere)
     }

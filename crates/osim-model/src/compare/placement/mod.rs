@@ -24,7 +24,6 @@ const LARGEST_STRETCH: f64 = 0.2;
 
 /// The spheres of a model, compared with those of the model from which OpenSim scaled it: from [`Placement::compare`].
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Placement {
     /// The model that was scaled, as it was named.
     pub from: PathBuf,
@@ -44,7 +43,6 @@ pub struct Placement {
 
 /// A sphere, where it is and where it belongs, in its frame, m.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct PlacedSphere {
     /// Its name.
     pub name: String,
@@ -71,7 +69,6 @@ fn factors_between(scaled: &Anatomy, original: &Anatomy, file: Option<&ScaleFile
 
 impl Placement {
     /// Compares `model` with the `original` that OpenSim scaled and with what the ScaleSet `file` says; both as they were named.
-    #[must_use]
     pub fn compare(
         model: &Model,
         from: &Path,
@@ -114,7 +111,6 @@ impl Placement {
     }
 
     /// Whether each sphere is where it belongs.
-    #[must_use]
     pub fn is_right(&self) -> bool {
         self.unknown.is_none()
             && self.unmatched.is_empty()

@@ -7,7 +7,6 @@ use crate::model::{Document, ElementId, Fault, Model, NotRead, SizedKind, SizedV
 
 /// The bounds in a setup file of Moco (`.omoco`): of time, and of values and speeds of coordinates, which `model` says to be angles or
 /// lengths. Activations, controls and normalised tendon forces have no unit.
-#[must_use]
 pub fn moco_bounds(setup: &Document, model: &Model) -> SizedValues {
     let tree = setup.tree();
     let turns = model.turning_coordinates();

@@ -13,7 +13,6 @@ pub use ratios::{SizeRatios, SizeVerdict, Spread, formula};
 
 /// Where the ratio of lengths comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum LengthFrom {
     /// The distances between the joints of so many bodies, summed.
     Joints(usize),
@@ -23,7 +22,6 @@ pub enum LengthFrom {
 
 /// By what factor numbers of one kind changed.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct ComparedFactors {
     /// Numbers that are in both models.
     pub pairs: usize,
@@ -35,7 +33,6 @@ pub struct ComparedFactors {
 
 /// The numbers of one kind.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct SimilarityRow {
     /// What they are.
     pub kind: SizedKind,
@@ -53,7 +50,6 @@ pub struct SimilarityRow {
 
 /// What else follows the size of a body, and what was made of it.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Similarity {
     /// The masses of the original (or of the model) and of the model (or of the body that is wanted), kg.
     pub masses_kg: [Option<f64>; 2],
@@ -73,7 +69,6 @@ pub struct Similarity {
 
 impl Similarity {
     /// `model` compared with its `original`: numbers of one kind belong together where the names of their objects are the same.
-    #[must_use]
     pub fn between(model: &ModelSize, original: &ModelSize) -> Self {
         let (length, length_from) = lengths(model, original);
         let ratio = |new: Option<f64>, old: Option<f64>| {
@@ -103,7 +98,6 @@ impl Similarity {
     }
 
     /// What would follow if a body of the same shape had `target_mass_kg`: lengths go with its cube root.
-    #[must_use]
     pub fn at_mass(model: &ModelSize, target_mass_kg: f64) -> Self {
         let mass =
             model.mass_kg.map(|kg| target_mass_kg / kg).filter(|ratio| ratio.is_finite() && *ratio > 0.0);
@@ -217,7 +211,6 @@ pub struct ModelSize {
 
 impl ModelSize {
     /// That of `model`, which weighs what `masses` say.
-    #[must_use]
     pub fn of(model: &Model, masses: &MassRequest) -> Self {
         let distances = model.joint_distances();
         let of_body = |name: &str| Some((name.to_owned(), distances.of_body(name)?));
@@ -230,7 +223,6 @@ impl ModelSize {
     }
 
     /// The same with numbers of a file beside the model.
-    #[must_use]
     pub fn with(mut self, more: SizedValues) -> Self {
         self.values.values.extend(more.values);
         self.values.not_read.extend(more.not_read);

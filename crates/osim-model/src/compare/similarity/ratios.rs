@@ -30,7 +30,6 @@ impl SizeRatios {
     /// assert_eq!(ratios.factor(SizedKind::ActivationTime.dimension()), 2.0);
     /// assert_eq!(ratios.factor(SizedKind::ActuatorTorque.dimension()), 256.0);
     /// ```
-    #[must_use]
     pub fn factor(&self, dimension: Dimension) -> f64 {
         let Dimension { mass, length, time } = dimension;
         let power = |base: f64, halves: i8| libm::pow(base, f64::from(halves) / 2.0);
@@ -39,7 +38,6 @@ impl SizeRatios {
 }
 
 /// The same at equal gravity as a formula of M and L: `M L^(3/2)`, `1 / L^(1/2)`.
-#[must_use]
 pub fn formula(dimension: Dimension) -> String {
     let powers = [("M", 2 * dimension.mass), ("L", 2 * dimension.length + dimension.time)];
     let part = |wanted: fn(i8) -> bool| {
@@ -83,7 +81,6 @@ impl Spread {
     /// let spread = Spread::of([3.0, 1.0, 2.0, 6.0]);
     /// assert_eq!(spread, Some(Spread { median: 2.5, min: 1.0, max: 6.0 }));
     /// ```
-    #[must_use]
     pub fn of(numbers: impl IntoIterator<Item = f64>) -> Option<Self> {
         let mut sorted: Vec<f64> = numbers.into_iter().collect();
         sorted.sort_unstable_by(f64::total_cmp);
@@ -105,7 +102,6 @@ const QUARTER: f64 = 0.25;
 
 /// What was made of the numbers of one kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum SizeVerdict {
     /// They changed as similarity has it: their median is near that factor, or the factor is in their range.
     Follows,
@@ -123,7 +119,6 @@ pub enum SizeVerdict {
 
 impl SizeVerdict {
     /// As a word for scripts.
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Follows => "follows",
@@ -136,7 +131,6 @@ impl SizeVerdict {
     }
 
     /// For people.
-    #[must_use]
     pub const fn words(self) -> &'static str {
         match self {
             Self::Follows => "follows",

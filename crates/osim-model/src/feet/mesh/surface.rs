@@ -2,7 +2,6 @@
 
 /// Why a mesh cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
 pub enum MeshFault {
     /// The name ends in something that is not read.
     #[error("files of this kind are not read, expected .vtp, .stl or .obj")]
@@ -64,7 +63,6 @@ const MOST_TRIANGLES: usize = 400_000;
 
 /// The surface of a mesh, to be looked at.
 #[derive(Debug, Clone, Default, PartialEq)]
-#[non_exhaustive]
 pub struct Surface {
     /// Its points, in the order of the file.
     pub points: Vec<[f64; 3]>,

@@ -14,7 +14,6 @@ const NAMES: [&str; 10] =
 
 /// A foot: bodies that hang on each other, and the spheres on them.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct FootBodies {
     /// Its bodies, the one on which the others hang first.
     pub bodies: Vec<String>,
@@ -28,7 +27,6 @@ impl FootBodies {
     /// The feet of a model: where its spheres are, limb by limb; spheres on other bodies are a foot for each body.
     /// A model without chosen spheres has its feet where bodies with a side in their names are near the ground at the
     /// default pose.
-    #[must_use]
     pub fn find(
         model: &Model,
         anatomy: &Anatomy,
@@ -49,7 +47,6 @@ impl FootBodies {
     }
 
     /// The body on which the others hang.
-    #[must_use]
     pub fn top(&self) -> &str {
         self.bodies.first().map_or("", String::as_str)
     }

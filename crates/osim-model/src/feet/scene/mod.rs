@@ -22,7 +22,6 @@ const SHOWN: f64 = 0.8;
 
 /// The frame in which a foot is drawn.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum FootFrame {
     /// Ground, at the default pose.
     Ground,
@@ -37,7 +36,6 @@ pub enum FootFrame {
 
 /// A joint of a foot.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct FootJoint {
     /// Its name.
     pub name: String,
@@ -47,7 +45,6 @@ pub struct FootJoint {
 
 /// A contact sphere.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct FootSphere {
     /// Its name.
     pub name: String,
@@ -63,7 +60,6 @@ pub struct FootSphere {
 
 /// A bone, from its mesh.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct FootBone {
     /// The body.
     pub body: String,
@@ -75,7 +71,6 @@ pub struct FootBone {
 
 /// A foot, as a picture of it needs it.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Foot {
     /// The body on which its others hang.
     pub name: String,
@@ -101,7 +96,6 @@ pub struct Foot {
 
 impl Foot {
     /// Where everything on each foot is: in ground where the default pose is understood, else in the frame of its first body.
-    #[must_use]
     pub fn all(model: &Model, anatomy: &Anatomy, feet: &[FootBodies], pose: &DefaultPose) -> Vec<Self> {
         let shared = Shared::of(model);
         feet.iter().map(|bodies| Self::of(&shared, anatomy, bodies, pose)).collect()
@@ -134,7 +128,6 @@ impl Foot {
     }
 
     /// The bodies whose bones belong to the picture: its own, and those whose joints above are near.
-    #[must_use]
     pub fn bodies_with_bones(&self, anatomy: &Anatomy, bodies: &FootBodies) -> Vec<String> {
         let mut with_bones = bodies.bodies.clone();
         let above = anatomy.joint_above(bodies.top());
@@ -170,7 +163,6 @@ impl Foot {
     }
 
     /// The height of the lowest sphere, m; without spheres that of the bones, else that of the joints.
-    #[must_use]
     pub fn lowest_m(&self) -> Option<f64> {
         let up = |point: [f64; 3]| dot(self.axes.up, point);
         let spheres =
@@ -181,7 +173,6 @@ impl Foot {
     }
 
     /// How far it reaches forward, m.
-    #[must_use]
     pub fn length_m(&self) -> f64 {
         let along = |point: [f64; 3]| dot(self.axes.forward, point);
         let spheres = self.spheres.iter().flat_map(|sphere| {
@@ -196,13 +187,11 @@ impl Foot {
     }
 
     /// Whether a height (m) is within the length of the foot from its lowest place.
-    #[must_use]
     pub fn is_near(&self, height_m: f64) -> bool {
         self.lowest_m().is_some_and(|lowest| (height_m - lowest).abs() <= self.length_m())
     }
 
     /// The share of the bones' length at which the first and the last centre are, from the heel; `None` without bones.
-    #[must_use]
     pub fn reach(&self) -> Option<(f64, f64)> {
         let along = |point: [f64; 3]| dot(self.axes.forward, point);
         let carriers: HashSet<&str> = self.spheres.iter().map(|sphere| sphere.body.as_str()).collect();
@@ -332,7 +321,6 @@ const SAME_M: f64 = 1e-9;
 
 /// Where the floor is.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum FloorPlace {
     /// The model has no level half-space on ground.
     None,
@@ -346,7 +334,6 @@ pub enum FloorPlace {
 
 impl FloorPlace {
     /// The floor of a model.
-    #[must_use]
     pub fn of(model: &Model) -> Self {
         let up = model.up();
         let mut heights: Vec<f64> = model.floors().iter().map(|plane| dot(plane.point_m, up)).collect();

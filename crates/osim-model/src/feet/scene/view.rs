@@ -10,7 +10,6 @@ const NAMES: [[&str; 2]; 3] = [["x", "−x"], ["y", "−y"], ["z", "−z"]];
 
 /// Three directions of length 1 in ground (or in the frame of a body that is drawn in its own).
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct ViewAxes {
     /// x, level; y where x is up or down.
     pub forward: [f64; 3],
@@ -22,13 +21,11 @@ pub struct ViewAxes {
 
 impl ViewAxes {
     /// The axes of a model: up is against its gravity.
-    #[must_use]
     pub fn of(model: &Model) -> Self {
         Self::with_up(model.up())
     }
 
     /// The axes with this direction up, which has length 1.
-    #[must_use]
     pub fn with_up(up: [f64; 3]) -> Self {
         let forward = if up[0].abs() > 0.9 { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] };
         let rises = dot(forward, up);
@@ -41,13 +38,11 @@ impl ViewAxes {
     }
 
     /// How far a point is forward, up and to the right, m.
-    #[must_use]
     pub fn seen(&self, point_m: [f64; 3]) -> [f64; 3] {
         [dot(self.forward, point_m), dot(self.up, point_m), dot(self.right, point_m)]
     }
 
     /// What the three directions are called: `x`, `y` and `z` where gravity points along −y; words where none is an axis.
-    #[must_use]
     pub fn names(&self) -> [&'static str; 3] {
         let axis = |direction: [f64; 3], word| {
             let of = |(i, [along, against]): (usize, [&'static str; 2])| match direction[i] {
@@ -80,7 +75,6 @@ const MOST: usize = 600;
 /// and the line does not cross itself.
 ///
 /// Fewer than three points, or points in a line, have no line around them.
-#[must_use]
 pub fn silhouette(points: &[Point]) -> Vec<Point> {
     if points.iter().any(|point| !point.0.is_finite() || !point.1.is_finite()) {
         return Vec::new();

@@ -13,7 +13,6 @@ const MOST_TILT: f64 = 0.175;
 
 /// How much of a foot is near the ground at the default pose, seen from above.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct Footprint {
     /// The whole foot's length, m.
     pub length_m: f64,
@@ -29,7 +28,6 @@ pub struct Footprint {
 
 impl Footprint {
     /// Whether the foot lies flat: points near the ground cover most of it, or it is round, and it is not tilted.
-    #[must_use]
     pub fn is_flat(&self) -> bool {
         let flat = |share: f64, tilt: f64| {
             let most = if share >= COVERED { MOST_TILT } else { LEAST_TILT };

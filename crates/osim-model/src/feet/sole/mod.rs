@@ -34,7 +34,6 @@ pub struct SoleRequest {
 
 /// The sole of one limb at the default pose, and the spheres that stand on it.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Sole {
     /// The bodies of the foot, in the order in which they were listed.
     pub bodies: Vec<String>,
@@ -54,7 +53,6 @@ pub struct Sole {
 
 /// A sphere that stands on a sole.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct SoleSphere {
     /// The body that carries it: that of the bone point nearest to its bottom.
     pub body: String,

@@ -14,7 +14,6 @@ use crate::model::{ForceId, LoadedSphere, Model, Placement, SphereId};
 
 /// A sphere over a floor.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct OverFloor {
     /// The sphere.
     pub sphere: SphereId,
@@ -129,7 +128,6 @@ pub enum ByLaw {
 
 /// A joint tree at rest on some of its spheres.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Rest {
     /// How far the spheres move down along the normal from the default pose to this rest, m; below 0 if they move up.
     pub down_m: f64,
@@ -141,7 +139,6 @@ pub struct Rest {
 
 /// A sphere of a joint tree at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub struct RestingSphere {
     /// The sphere.
     pub sphere: SphereId,
@@ -162,7 +159,6 @@ impl ByLaw {
 
 impl RestingSphere {
     /// Whether it touches the floor: what a smoothed law does before that is not counted.
-    #[must_use]
     pub fn touches(&self) -> bool {
         self.relative_indentation > 0.0
     }
@@ -170,7 +166,6 @@ impl RestingSphere {
 
 impl Rest {
     /// The sphere that is deepest, in its radius.
-    #[must_use]
     pub fn deepest(&self) -> Option<&RestingSphere> {
         let deeper = |a: &RestingSphere, b: &RestingSphere| {
             a.relative_indentation.total_cmp(&b.relative_indentation).then(b.sphere.cmp(&a.sphere))
@@ -179,7 +174,6 @@ impl Rest {
     }
 
     /// Whether the spheres carry the load with each of them less deep than its radius: beyond that no law knows the sphere.
-    #[must_use]
     pub fn is_carried(&self) -> bool {
         self.deepest().is_some_and(|deepest| deepest.relative_indentation < 1.0)
     }

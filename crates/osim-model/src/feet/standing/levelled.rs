@@ -13,7 +13,6 @@ const ROUNDING_M: f64 = 1e-12;
 
 /// A sphere that has to move for the bottoms of its foot to be level.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct LevelledSphere {
     /// The sphere.
     pub sphere: SphereId,
@@ -23,7 +22,6 @@ pub struct LevelledSphere {
 
 /// Why the bottoms of feet cannot be made level.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum NotLevelled {
     /// Which spheres are one foot's.
     #[error("the bottoms of a foot cannot be made level, because limbs are not known: {why}")]

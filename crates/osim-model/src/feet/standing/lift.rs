@@ -14,7 +14,6 @@ const LEAST_RISE: f64 = 0.5;
 
 /// The free coordinate that moves all spheres of a joint tree alike along the normal of their floor.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Lift {
     /// Its name, such as `pelvis_ty`.
     pub coordinate: String,
@@ -28,7 +27,6 @@ pub struct Lift {
 
 /// Why no coordinate lifts the spheres of a joint tree from their floor.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
 pub enum NotLifted {
     /// No joint above all spheres moves.
     #[error("it is welded to what its floor is on")]

@@ -26,7 +26,6 @@ const SAME_DIRECTION: f64 = 1e-6;
 
 /// A joint tree on its floor, its joints as they are at the default pose.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Standing {
     /// The body on top of the tree, which is joined to ground.
     pub top: String,
@@ -69,7 +68,6 @@ impl Standing {
     ///
     /// # Errors
     /// No indentation carries the load.
-    #[must_use]
     pub fn rest(&self, chosen: &[SphereId], share: f64) -> Option<Result<Rest, DomainError>> {
         self.rest_under(chosen, share * self.load_n?, ByLaw::OfFile)
     }
@@ -78,7 +76,6 @@ impl Standing {
     ///
     /// # Errors
     /// No indentation carries the load.
-    #[must_use]
     pub fn rest_under(
         &self,
         chosen: &[SphereId],
@@ -99,14 +96,12 @@ impl Standing {
     }
 
     /// The value of the coordinate at which the tree is `down_m` lower than at the default pose; `None` if no coordinate lifts it.
-    #[must_use]
     pub fn value(&self, down_m: f64) -> Option<f64> {
         let lift = self.lift.as_ref().ok()?;
         Some(lift.default_m - down_m / lift.rise)
     }
 
     /// The sphere whose bottom is lowest.
-    #[must_use]
     pub fn lowest(&self) -> Option<&OverFloor> {
         self.spheres.iter().min_by(|a, b| a.gap_m.total_cmp(&b.gap_m))
     }

@@ -176,7 +176,6 @@ pub struct JointDistances {
 
 impl JointDistances {
     /// The distances between these joints of bodies, such as [`Anatomy::joints`](crate::model::Anatomy::joints).
-    #[must_use]
     pub fn of_joints(joints: &[AnatomyJoint]) -> Self {
         let mut neighbours: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         let mut places: BTreeMap<String, Vec<[f64; 3]>> = BTreeMap::new();
@@ -201,34 +200,29 @@ impl JointDistances {
     }
 
     /// The longest distance between two joints of `body`; `None` if it has no two that are apart.
-    #[must_use]
     pub fn of_body(&self, body: &str) -> Option<f64> {
         self.own_m.get(body).copied()
     }
 
     /// The longest bone of the limb: the longest distance between two joints of `body`, or of one above it up to where the limb
     /// leaves the trunk. `None` if none of these has two joints that are apart.
-    #[must_use]
     pub fn of_limb(&self, body: &str) -> Option<f64> {
         self.of_limb_m.get(body).copied().flatten()
     }
 
     /// The longest distance between two joints of one body: of the body that carries `sphere` and of those that it is joined to.
     /// If none of these has two joints that are apart, all bodies count; `None` if no body has any.
-    #[must_use]
     pub fn around(&self, sphere: &Sphere) -> Option<f64> {
         self.around_body(sphere.body.as_ref()?)
     }
 
     /// The same of a body.
-    #[must_use]
     pub fn around_body(&self, body: &str) -> Option<f64> {
         self.around_m.get(body).copied().or(self.longest_of_all_m)
     }
 
     /// Whether `sphere` would be larger than the bones around it with this radius. `said` if the caller gave it as a length,
     /// which may be in another unit.
-    #[must_use]
     pub fn radius_slip(&self, sphere: &Sphere, radius_m: f64, said: bool) -> Option<NeedsAnswer> {
         let longest_m = self.around(sphere)?;
         // A sphere that is new has the radius that the caller gave.

@@ -24,19 +24,16 @@ impl CoordinateFunction {
     pub(crate) const ZERO: Self = Self(Kind::Polynomial(Vec::new()));
 
     /// The function at `element`; `None` for one that is not known.
-    #[must_use]
     pub fn read(document: &Document, element: ElementId) -> Option<Self> {
         Kind::read(document, element).map(Self)
     }
 
     /// Its value at `x`.
-    #[must_use]
     pub fn value(&self, x: f64) -> f64 {
         self.0.value(x)
     }
 
     /// Its derivative at `x`.
-    #[must_use]
     pub fn slope(&self, x: f64) -> f64 {
         self.0.slope(x)
     }

@@ -14,7 +14,6 @@ use crate::xml::ElementId;
 
 /// A joint between two bodies.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct AnatomyJoint {
     /// Its name.
     pub name: String,
@@ -32,7 +31,6 @@ pub struct AnatomyJoint {
 
 impl AnatomyJoint {
     /// A point of the child, seen from the parent at the default pose, m.
-    #[must_use]
     pub fn in_parent(&self, point_m: [f64; 3]) -> Option<[f64; 3]> {
         Some(self.placement?.point(point_m))
     }
@@ -40,7 +38,6 @@ impl AnatomyJoint {
 
 /// A joint, to ground or between bodies, and what it takes to place one by the other.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct ModelJoint {
     /// Its name.
     pub name: String,
@@ -67,7 +64,6 @@ pub struct ModelJoint {
 
 /// A coordinate of a joint.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct JointCoordinate {
     /// Its name.
     pub name: String,
@@ -79,7 +75,6 @@ pub struct JointCoordinate {
 
 impl ModelJoint {
     /// Where it is on its parent (or in ground), m.
-    #[must_use]
     pub fn in_parent_m(&self) -> [f64; 3] {
         self.in_parent.translation_m
     }

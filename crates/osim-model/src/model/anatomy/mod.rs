@@ -20,7 +20,6 @@ pub use pose::Speeds;
 
 /// The part of a model that scaling changes (or should have changed), by body name.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Anatomy {
     /// Names of the bodies, in file order.
     pub bodies: Vec<String>,
@@ -68,7 +67,6 @@ impl AnatomyIndex {
 
 /// A contact sphere and where it is.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct AnatomySphere {
     /// Name as in the file.
     pub name: String,
@@ -84,7 +82,6 @@ pub struct AnatomySphere {
 
 impl AnatomySphere {
     /// A sphere called `name` with its centre and radius, m, in a frame that is turned by `rotation` in `body`.
-    #[must_use]
     pub fn new(
         name: String,
         body: Option<String>,
@@ -97,7 +94,6 @@ impl AnatomySphere {
 
 impl Anatomy {
     /// The same bones with other spheres.
-    #[must_use]
     pub fn with_spheres(mut self, spheres: Vec<AnatomySphere>) -> Self {
         self.spheres = spheres;
         self.index = AnatomyIndex::new(&self);
@@ -105,7 +101,6 @@ impl Anatomy {
     }
 
     /// The bodies of `model`, their meshes and the joints between them, without spheres and frames.
-    #[must_use]
     pub fn bones_of(model: &Model) -> Self {
         let mut anatomy = Self::without_index(model);
         anatomy.index = AnatomyIndex::new(&anatomy);
@@ -149,7 +144,6 @@ impl Anatomy {
     }
 
     /// The joint by which `body` hangs on another one.
-    #[must_use]
     pub fn joint_above(&self, body: &str) -> Option<&AnatomyJoint> {
         self.joints.get(*self.index.joints_by_child.get(body)?)
     }
@@ -161,20 +155,17 @@ impl Anatomy {
     }
 
     /// The first joint of that name.
-    #[must_use]
     pub fn joint(&self, name: &str) -> Option<&AnatomyJoint> {
         self.joints.get(*self.index.joints.get(name)?)
     }
 
     /// Whether there is a body of that name.
-    #[must_use]
     pub fn has_body(&self, name: &str) -> bool {
         self.index.bodies.contains(name)
     }
 
     /// Where `joint` is, seen from the origin of `body` at the default pose, m; `None` unless it lies below that body, with at
     /// most 64 joints between: each joint of a long chain would walk all of it.
-    #[must_use]
     pub fn place_below(&self, body: &str, joint: &AnatomyJoint) -> Option<[f64; 3]> {
         let (mut at, mut point) = (joint.parent.as_str(), joint.in_parent_m);
         for _ in 0..=MAX_FRAME_CHAIN {
@@ -190,7 +181,6 @@ impl Anatomy {
 
     /// A point of the body `from`, seen from the body `above` at the default pose, m; `None` unless `from` hangs on that body, with
     /// at most 64 joints between.
-    #[must_use]
     pub fn seen_from(&self, above: &str, from: &str, point_m: [f64; 3]) -> Option<[f64; 3]> {
         let (mut at, mut point) = (from, point_m);
         for _ in 0..=MAX_FRAME_CHAIN {
@@ -205,7 +195,6 @@ impl Anatomy {
     }
 
     /// The same bones, with `name` as the name of `body`.
-    #[must_use]
     pub fn with_name(mut self, body: &str, name: &str) -> Self {
         let renamed = |known: &mut String| {
             if known == body {
@@ -229,13 +218,11 @@ impl Anatomy {
     }
 
     /// The first sphere of that name.
-    #[must_use]
     pub fn sphere(&self, name: &str) -> Option<&AnatomySphere> {
         self.spheres.get(*self.index.spheres.get(name)?)
     }
 
     /// Whether several spheres have that name.
-    #[must_use]
     pub fn has_twins(&self, name: &str) -> bool {
         self.index.twins.contains(name)
     }
@@ -244,14 +231,12 @@ impl Anatomy {
 impl Model {
     /// All joints whose frames lead to bodies or to ground, in file order, without those that OpenSim ignores. Frames of joints in
     /// bodies are as OpenSim converts them, with six digits.
-    #[must_use]
     pub fn joints(&self) -> &[ModelJoint] {
         self.body_facts.joints.converted(self.components(), self.skeleton().ignored_joints())
     }
 
     /// For the name of each coordinate, whether it is an angle (else it is a length); `None` where it is neither. Of several of one
     /// name the first counts.
-    #[must_use]
     pub fn turning_coordinates(&self) -> collections::HashMap<&str, Option<bool>> {
         let mut found = collections::HashMap::new();
         for joint in self.joints() {
@@ -268,20 +253,17 @@ impl Model {
 impl ModelJoint {
     /// The child's frame in the parent's where the coordinates have these `values` (rad, m; 0 where there are fewer); `None`
     /// where a function of the joint, or the joint itself, is not understood.
-    #[must_use]
     pub fn placement(&self, model: &Model, values: &[f64]) -> Option<Placement> {
         self.placed(model.components(), values)
     }
 
     /// The same while its coordinates change with these `speeds`.
-    #[must_use]
     pub fn moving(&self, model: &Model, values: &[f64], speeds: Speeds<'_>) -> Option<MovingPlacement> {
         self.moved(model.components(), values, speeds)
     }
 
     /// Whether the coordinate number `index` of a CustomJoint turns about an axis by its own value (else it shifts along one); `None`
     /// where it is neither an angle nor a length.
-    #[must_use]
     pub fn pure_axis(&self, model: &Model, index: usize) -> Option<bool> {
         self.motion(model.components())?.pure_axis(index)
     }

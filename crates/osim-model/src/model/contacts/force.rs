@@ -23,7 +23,6 @@ pub struct SetId(pub(crate) usize);
 
 impl SphereId {
     /// Its place among the spheres of the model, from 0.
-    #[must_use]
     pub const fn index(self) -> usize {
         self.0
     }
@@ -31,7 +30,6 @@ impl SphereId {
 
 impl ForceId {
     /// Its place among the forces of the model, from 0.
-    #[must_use]
     pub const fn index(self) -> usize {
         self.0
     }
@@ -42,7 +40,6 @@ impl SetId {
     pub const FIRST: Self = Self(0);
 
     /// Its place among the sets of the force, from 0.
-    #[must_use]
     pub const fn index(self) -> usize {
         self.0
     }
@@ -50,7 +47,6 @@ impl SetId {
 
 /// Where the text of a property is, or the object that would get it.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct Slot {
     /// Which of the files.
     pub file: FileId,
@@ -68,7 +64,6 @@ pub struct Slot {
 
 /// A `ContactSphere` (or, in Moco 0.1 to 0.3 models, the sphere a force keeps inside itself).
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct Sphere {
     /// Its handle in the model.
     pub id: SphereId,
@@ -111,25 +106,21 @@ impl Sphere {
     }
 
     /// Its element in its [`file`](Self::file).
-    #[must_use]
     pub const fn element(&self) -> ElementId {
         self.element
     }
 
     /// Whether the sphere is inside its force, as in Moco 0.1 to 0.3.
-    #[must_use]
     pub fn is_inside_force(&self) -> bool {
         self.spelling == SphereSpelling::InsideForce
     }
 
     /// Where its radius is in the file.
-    #[must_use]
     pub fn radius_slot(&self) -> Slot {
         self.slot(self.spelling.radius_tag(), self.radius.span.clone(), self.radius.offset)
     }
 
     /// Where its location is in the file.
-    #[must_use]
     pub fn location_slot(&self) -> Slot {
         let offset = self.location_span.as_ref().map_or(self.start, |span| span.start);
         self.slot(self.spelling.location_tag(), self.location_span.clone(), offset)
@@ -174,7 +165,6 @@ impl SphereSpelling {
 
 /// Which contact force class.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
 pub enum ForceKind {
     /// `HuntCrossleyForce`
     HuntCrossley,
@@ -184,7 +174,6 @@ pub enum ForceKind {
 
 impl ForceKind {
     /// OpenSim's class name.
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::HuntCrossley => "HuntCrossleyForce",
@@ -195,7 +184,6 @@ impl ForceKind {
 
 /// One contact force.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct Force {
     /// Its handle in the model.
     pub id: ForceId,
@@ -220,7 +208,6 @@ pub struct Force {
 
 /// Parameters and the surfaces they belong to.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct ParameterSet {
     /// Its handle in the force.
     pub id: SetId,
@@ -249,7 +236,6 @@ pub struct ParameterSet {
 
 impl ParameterSet {
     /// The value of `property`, if this class has it.
-    #[must_use]
     pub fn value(&self, property: Property) -> Option<&Value> {
         self.values.iter().find(|value| value.property == property)
     }
@@ -260,13 +246,11 @@ const FEW_SPHERES: usize = 16;
 
 impl Force {
     /// Its element in its [`file`](Self::file).
-    #[must_use]
     pub const fn element(&self) -> ElementId {
         self.element
     }
 
     /// All spheres of the force, each once, in order.
-    #[must_use]
     pub fn spheres(&self) -> Vec<SphereId> {
         let all = || self.sets.iter().flat_map(|set| &set.spheres).copied();
         if all().take(FEW_SPHERES + 1).count() > FEW_SPHERES {
@@ -283,13 +267,11 @@ impl Force {
     }
 
     /// A parameter set; `None` if there is none: then the handle is another force's.
-    #[must_use]
     pub fn set(&self, set: SetId) -> Option<&ParameterSet> {
         self.sets.get(set.0)
     }
 
     /// The value of `property` in parameter set `set`, or of the force itself; `None` where the class has no such property.
-    #[must_use]
     pub fn value(&self, set: SetId, property: Property) -> Option<&Value> {
         self.set(set)
             .and_then(|set| set.value(property))
@@ -306,7 +288,6 @@ impl Force {
     }
 
     /// Where `property` of parameter set `set`, or of the force itself, is; `None` where the class has no such property.
-    #[must_use]
     pub fn slot(&self, set: SetId, property: Property) -> Option<Slot> {
         let own = self.set(set).and_then(|set| Some((set, set.value(property)?)));
         let (value, object, class) = match own {

@@ -12,7 +12,6 @@ const NOISE: f64 = 1e-12;
 
 /// A `ContactHalfSpace`.
 #[derive(Debug, Clone)]
-#[non_exhaustive]
 pub struct HalfSpace {
     /// Name as in the file.
     pub name: String,
@@ -49,7 +48,6 @@ pub struct HalfSpace {
 
 /// The property that names a frame.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct FrameProperty {
     /// Its name, such as `socket_frame`.
     pub tag: String,
@@ -116,13 +114,11 @@ impl HalfSpace {
 
 impl HalfSpace {
     /// Where its place is in the file.
-    #[must_use]
     pub fn location_slot(&self) -> Slot {
         self.location_slot.clone()
     }
 
     /// Its own place in its frame (m) where it moves by `up_m` along its normal; `None` where its place cannot be read.
-    #[must_use]
     pub fn location_moved_up(&self, up_m: f64) -> Option<[f64; 3]> {
         let (place, normal) = (self.location_m?, self.normal?);
         let in_frame = self.frame_rotation?.inverse().to_body(normal);
@@ -134,7 +130,6 @@ impl HalfSpace {
     }
 
     /// Its own orientation, rad, with which its normal would have this `direction` of ground or of the body that carries it.
-    #[must_use]
     pub fn orientation_facing(&self, direction: [f64; 3]) -> Option<[f64; 3]> {
         let in_frame = self.frame_rotation?.inverse().to_body(direction);
         // What rounding left would turn it about y by any angle.
@@ -169,7 +164,6 @@ impl PartialEq for HalfSpace {
 
 /// An orientation, as a file has it.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Orientation {
     /// Component path of the half-space, or of the frame that has it.
     pub path: String,
@@ -188,14 +182,12 @@ const WHOLE_TURN: f64 = std::f64::consts::TAU + 0.01;
 
 impl Orientation {
     /// Whether its angles are degrees: one of them is more than a whole turn in radians.
-    #[must_use]
     pub fn is_in_degrees(&self) -> bool {
         self.angles_rad.is_some_and(|angles| angles.iter().any(|angle| angle.abs() > WHOLE_TURN))
     }
 
     /// The angles of a half-space whose surface faces `direction` (of length 1) of its frame: a turn about y, then one about z. Its
     /// solid side is the +x of its own frame, and R x̂ = (cos β cos γ, sin γ, −sin β cos γ) is to be −`direction`.
-    #[must_use]
     pub fn facing([x, y, z]: [f64; 3]) -> [f64; 3] {
         let level = libm::sqrt(x * x + z * z);
         let about_y = if level > 0.0 { libm::atan2(z, -x) } else { 0.0 };

@@ -35,7 +35,6 @@ pub(crate) use read::ContactReader;
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct LoadedSphere {
     /// The sphere.
     pub sphere: SphereId,
@@ -115,7 +114,6 @@ fn contact_of_values(force: &Force, values: SurfaceValues, set: SetId) -> Result
 // Surfaces with parameters of their own, and what they make together (A.3).
 
 /// Parameter sets that hold moving spheres, with those spheres.
-#[must_use]
 pub fn sphere_sets(model: &Model, force: &Force) -> Vec<(SetId, Vec<SphereId>)> {
     let moving = |sphere: &SphereId| model.sphere(*sphere).is_some_and(|sphere| !sphere.fixed);
     let sets = force.sets.iter();
@@ -177,7 +175,6 @@ impl Surfaces {
 // Spheres that move, and their radii.
 
 /// Root of the mean of squared radii; exactly the common value where all are equal.
-#[must_use]
 pub fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
     let mut others = radii.clone();
     match others.next() {
@@ -193,7 +190,6 @@ pub fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
 
 /// The spheres of `forces` that are neither on ground nor on a body welded to it, each once, in file order: those whose radii
 /// may change.
-#[must_use]
 pub fn moving_spheres(model: &Model, forces: &[ForceId]) -> Vec<SphereId> {
     let mut spheres: Vec<SphereId> =
         forces.iter().filter_map(|&id| model.force(id)).flat_map(Force::spheres).collect();
@@ -209,7 +205,6 @@ const ELASTIC_FOUNDATION_PARAMETERS: &str = "ElasticFoundationForce::ContactPara
 
 impl Model {
     /// For each sphere name, the forces of other contact classes whose geometry lists it.
-    #[must_use]
     pub fn users_of_other_classes(&self) -> HashMap<String, Vec<String>> {
         let components = self.components();
         let mut users: HashMap<String, Vec<String>> = HashMap::new();

@@ -18,7 +18,6 @@ const FLOOR: [f64; 3] = [0.0, 0.0, -std::f64::consts::FRAC_PI_2];
 
 impl Model {
     /// All half-spaces whose frame can be found, in file order.
-    #[must_use]
     pub fn half_spaces(&self) -> Vec<HalfSpace> {
         self.planes().values().map(|plane| HalfSpace::clone(plane)).collect()
     }
@@ -34,7 +33,6 @@ impl Model {
 
     /// The half-spaces on which `force` presses its spheres, each once: those among its surfaces, and the one that a force of Moco
     /// 0.1 to 0.3 keeps inside itself.
-    #[must_use]
     pub fn planes_of(&self, force: &Force) -> Vec<Arc<HalfSpace>> {
         let mut planes: Vec<Arc<HalfSpace>> = Vec::new();
         for set in &force.sets {
@@ -48,7 +46,6 @@ impl Model {
     }
 
     /// The half-spaces among the surfaces of a parameter set, in its order, and the one that its force keeps inside itself.
-    #[must_use]
     pub fn planes_of_set(&self, set: &ParameterSet) -> Vec<HalfSpace> {
         self.shared_planes_of_set(set).map(|plane| HalfSpace::clone(&plane)).collect()
     }
@@ -66,7 +63,6 @@ impl Model {
     }
 
     /// The half-spaces among the surfaces of a parameter set, in its order; not one that its force keeps inside itself.
-    #[must_use]
     pub fn half_spaces_of(&self, set: &ParameterSet) -> Vec<HalfSpace> {
         let planes = set.half_space_components.iter().filter_map(|id| self.planes().get(id));
         planes.map(|plane| HalfSpace::clone(plane)).collect()
@@ -93,7 +89,6 @@ const LEVEL: f64 = 1e-6;
 
 /// A half-space that is fixed to ground.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct GroundPlane {
     /// Its name; in Moco 0.1 to 0.3 the name of the force that it is in.
     pub name: String,
@@ -105,7 +100,6 @@ pub struct GroundPlane {
 
 impl Model {
     /// The half-spaces on ground, in file order.
-    #[must_use]
     pub fn ground_planes(&self) -> Vec<GroundPlane> {
         let all = self.half_spaces().into_iter().chain(self.half_spaces_inside());
         let planes = all.filter(|plane| plane.on_ground);
@@ -117,7 +111,6 @@ impl Model {
     }
 
     /// The planes whose normal is up, against gravity: floors.
-    #[must_use]
     pub fn floors(&self) -> Vec<GroundPlane> {
         let up = self.up();
         let off = |plane: &GroundPlane| (0..3).map(|i| (plane.normal[i] - up[i]).powi(2)).sum::<f64>();
@@ -125,7 +118,6 @@ impl Model {
     }
 
     /// The direction against gravity in ground, of length 1; y without gravity.
-    #[must_use]
     pub fn up(&self) -> [f64; 3] {
         let gravity = self.gravity_m_s2.unwrap_or_default();
         match self.gravity().filter(|&gravity| gravity > 0.0) {
@@ -154,7 +146,6 @@ impl Model {
     /// along the body's axis that is nearest to −gravity, as when the body is not turned.
     ///
     /// `None` where the frame is in a file that was not given, a number is not finite or the radius not above 0.
-    #[must_use]
     pub fn lowest_point_m(&self, sphere: SphereId) -> Option<[f64; 3]> {
         let radius = &self.sphere(sphere)?.radius;
         let mut point = self.centre_m(sphere).filter(|_| radius.property.allows(radius.number))?;
@@ -166,7 +157,6 @@ impl Model {
     /// The centre of a sphere in the frame of the body that carries it (or of ground), m.
     ///
     /// `None` where the frame is in a file that was not given, or a number is not finite.
-    #[must_use]
     pub fn centre_m(&self, sphere: SphereId) -> Option<[f64; 3]> {
         let sphere = self.sphere(sphere).filter(|sphere| !matches!(sphere.base, Base::Unknown))?;
         let point = self.components().in_body(sphere.frame_component, sphere.location_m)?;

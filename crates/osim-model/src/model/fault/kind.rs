@@ -26,7 +26,6 @@ use super::needs_answer::NeedsAnswer;
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum FaultKind {
     /// Not one well-formed document.
     Syntax(SyntaxFault),
@@ -181,7 +180,6 @@ pub enum FaultKind {
 
 impl FaultKind {
     /// Stable short name, as in the JSON `code`.
-    #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
             Self::Syntax(SyntaxFault::NotXml | SyntaxFault::Empty) => "not-xml",
@@ -214,7 +212,6 @@ impl FaultKind {
     }
 
     /// What is wrong and what was expected.
-    #[must_use]
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::Needed(needed) => needed.phrase(),

@@ -28,7 +28,7 @@ pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusFrom};
 /// assert_eq!(fault.position.map(|place| (place.line, place.column)), Some((1, 1)));
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
+#[must_use]
 pub struct Fault {
     /// What is wrong.
     pub kind: FaultKind,
@@ -70,7 +70,6 @@ impl FileId {
 
 impl Fault {
     /// A fault without a place.
-    #[must_use]
     pub fn new(kind: impl Into<FaultKind>) -> Self {
         Self {
             kind: kind.into(),
@@ -84,39 +83,33 @@ impl Fault {
     }
 
     /// A fault at the byte `offset`, from 0.
-    #[must_use]
     pub fn at(kind: impl Into<FaultKind>, offset: usize) -> Self {
         Self { offset: Some(offset), ..Self::new(kind) }
     }
 
     /// A fault over the bytes `span`.
-    #[must_use]
     pub fn over(kind: impl Into<FaultKind>, span: Range<usize>) -> Self {
         Self { offset: Some(span.start), span: Some(span), ..Self::new(kind) }
     }
 
     /// A request that makes no sense for this model. `text` names no input.
-    #[must_use]
     pub fn refused(text: impl Into<String>) -> Self {
         Self::new(FaultKind::Refused(text.into()))
     }
 
     /// The same in file `file`.
-    #[must_use]
     pub fn in_file(mut self, file: FileId) -> Self {
         self.file = file;
         self
     }
 
     /// The same about the component or element `element`.
-    #[must_use]
     pub fn of(mut self, element: impl Into<String>) -> Self {
         self.element = Some(element.into());
         self
     }
 
     /// Fills in line, column and the line's text from the bytes the fault is about.
-    #[must_use]
     pub fn located(mut self, bytes: &[u8]) -> Self {
         if self.position.is_none() {
             self.position = self.offset.map(|offset| LineIndex::new(bytes).position(bytes, offset));
@@ -127,20 +120,17 @@ impl Fault {
     }
 
     /// The same with the bytes of whichever file the fault is about.
-    #[must_use]
     pub fn located_in<'b>(self, bytes_of: impl FnOnce(FileId) -> &'b [u8]) -> Self {
         let file = self.file;
         self.located(bytes_of(file))
     }
 
     /// Stable short name of the kind of fault.
-    #[must_use]
     pub fn code(&self) -> &'static str {
         self.kind.code()
     }
 
     /// What is wrong, with inputs as data.
-    #[must_use]
     pub fn phrase(&self) -> Phrase {
         self.kind.phrase()
     }
@@ -159,7 +149,6 @@ const BESIDE_MARK: usize = 200;
 
 /// One line of a file, and what to underline in it; of a long line the part around that.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct Excerpt {
     /// Number of the line, from 1.
     pub line: usize,
@@ -171,7 +160,6 @@ pub struct Excerpt {
 
 impl Excerpt {
     /// The line of `span` in `bytes`; `None` where there is nothing to show: no text (UTF-16, an image), or only white space.
-    #[must_use]
     pub fn of(bytes: &[u8], span: Range<usize>) -> Option<Self> {
         let start = bytes.get(..span.start)?.iter().rposition(|&byte| byte == b'\n').map_or(0, |at| at + 1);
         let end = bytes

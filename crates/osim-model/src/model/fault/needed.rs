@@ -27,7 +27,6 @@ const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on 
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum Needed {
     /// The mass of the model: a body has none.
     BodyMass {
@@ -165,7 +164,6 @@ pub struct TreeOfForces {
 
 /// Whose spheres are to be counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum CountOf {
     /// The model's.
     Model,
@@ -177,7 +175,6 @@ pub enum CountOf {
 
 impl CountOf {
     /// The field that says it.
-    #[must_use]
     pub const fn input(self) -> Input {
         match self {
             Self::Model => Input::Spheres,
@@ -189,7 +186,6 @@ impl CountOf {
 
 impl Needed {
     /// Stable short name, as in the JSON `code`.
-    #[must_use]
     pub const fn code(&self) -> &'static str {
         match self {
             Self::BodyMass { .. }
@@ -213,7 +209,6 @@ impl Needed {
     }
 
     /// The fields that answer it, the usual one first.
-    #[must_use]
     pub fn inputs(&self) -> Vec<Input> {
         match self {
             // The message begins with what was asked for.
@@ -223,7 +218,6 @@ impl Needed {
     }
 
     /// What is not known, and how to say it.
-    #[must_use]
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::BodyMass { body } => phrase![

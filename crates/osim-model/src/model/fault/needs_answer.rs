@@ -10,7 +10,6 @@ pub(crate) const POUND_KG: f64 = 0.453_592_37;
 
 /// What makes a mass look like a slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub enum MassSlip {
     /// As many grams as the bodies have kilograms.
     Grams,
@@ -66,7 +65,6 @@ pub struct MassesBeside {
 impl MassesBeside {
     /// What is usual among the masses of a column but one, `own_kg`. `sorted` are all of them in kg, from the lightest to the
     /// heaviest. `None` where the others are too few to say, or of several kinds.
-    #[must_use]
     pub fn of(sorted: &[f64], own_kg: f64) -> Option<Self> {
         let count = sorted.len().checked_sub(1).filter(|&count| count >= FEWEST)?;
         let own = sorted.partition_point(|&kg| kg < own_kg);
@@ -77,7 +75,6 @@ impl MassesBeside {
     }
 
     /// What would bring `kg` among them, where it is out of line.
-    #[must_use]
     pub fn slip(&self, kg: f64) -> Option<MassSlip> {
         let usual = self.lightest_kg..=self.heaviest_kg;
         if (self.lightest_kg / MARGIN..=self.heaviest_kg * MARGIN).contains(&kg) {
@@ -97,7 +94,6 @@ impl MassesBeside {
 
 /// A question that is answered with yes, by its code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[non_exhaustive]
 pub enum Question {
     /// A mass that may be in grams or tonnes, or has a figure too many or too few.
     ImplausibleMass,
@@ -137,7 +133,6 @@ impl Question {
     ];
 
     /// Stable short name, which answers it.
-    #[must_use]
     pub fn code(&self) -> &'static str {
         match self {
             Self::ImplausibleMass => "implausible-mass",
@@ -154,7 +149,6 @@ impl Question {
     }
 
     /// The answer: `yes=CODE`.
-    #[must_use]
     pub fn answer(self) -> Phrase {
         phrase![Input::Yes.being(self.code())]
     }
@@ -188,7 +182,6 @@ impl FromStr for Question {
 /// assert_eq!(fault.code(), "implausible-mass");
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum NeedsAnswer {
     /// A mass.
     Mass {
@@ -226,7 +219,6 @@ pub enum NeedsAnswer {
 
 impl NeedsAnswer {
     /// Which question it is.
-    #[must_use]
     pub const fn question(&self) -> Question {
         match self {
             Self::Mass { .. } if self.is_about_pounds() => Question::MassInPounds,
@@ -237,14 +229,12 @@ impl NeedsAnswer {
     }
 
     /// Whether it is about pounds.
-    #[must_use]
     pub(crate) const fn is_about_pounds(&self) -> bool {
         use MassSlip::{BodiesInPounds, OthersInPounds, Pounds};
         matches!(self, Self::Mass { slip: Pounds | BodiesInPounds | OthersInPounds, .. })
     }
 
     /// What looks wrong, and what was probably meant.
-    #[must_use]
     pub fn doubt(&self) -> Phrase {
         match self {
             Self::Mass { input, kg, bodies_kg, beside, slip } => {
@@ -259,7 +249,6 @@ impl NeedsAnswer {
     }
 
     /// The same, and how to say that it is right.
-    #[must_use]
     pub fn phrase(&self) -> Phrase {
         let mut text = self.doubt();
         text.push("; if it is meant, say ");
@@ -320,7 +309,6 @@ fn mass(input: Input, kg: f64, of: (Option<f64>, Option<MassesBeside>), slip: Ma
 /// assert_eq!(probable_units(300.0), [("mm", 1000.0), ("cm", 100.0)]);
 /// assert!(probable_units(10.0).is_empty());
 /// ```
-#[must_use]
 pub fn probable_units(times: f64) -> &'static [(&'static str, f64)] {
     const UNITS: [(&str, f64); 2] = [("mm", 1000.0), ("cm", 100.0)];
     let of = match times {

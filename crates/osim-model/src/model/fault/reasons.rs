@@ -4,7 +4,6 @@ use crate::messages::{Input, Part, Phrase, phrase, readable};
 
 /// What a gravity is needed for that the file does not have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum GravityFor {
     /// The weight of the body.
     Weight,
@@ -69,7 +68,6 @@ const NO_GRAVITY: &str = " has no gravity";
 
 /// Why a radius is about to change, which decides how it can stay.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum RadiusFrom {
     /// The rule of radii.
     Rule,
@@ -149,7 +147,6 @@ fn contacts_are(input: Input) -> &'static str {
 
 /// Why the note in a file no longer describes its contacts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum NoteDoubt {
     /// There is none, and the sum of the bodies is not the mass: they were scaled.
     Absent,
@@ -169,7 +166,6 @@ pub enum NoteDoubt {
 
 impl NoteDoubt {
     /// In words.
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Absent => "the bodies were scaled, and the file has no note of this program",
@@ -187,7 +183,6 @@ impl NoteDoubt {
 
 /// What has to be answered about the factors of a body.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub enum FactorQuestion {
     /// Two meshes of one body have different factors.
     Meshes {

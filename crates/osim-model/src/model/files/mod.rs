@@ -14,7 +14,6 @@ pub use source::{FileError, FileName, Files, InMemory};
 
 /// One model that could not be read or changed, or a file that it needs.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct Failure {
     /// The file, as it was named.
     pub model: FileName,
@@ -34,7 +33,6 @@ pub struct Failure {
 
 impl Failure {
     /// `fault` in the file `model`, with the place that it has once it is [`located`](Fault::located).
-    #[must_use]
     pub fn of_fault(model: impl Into<FileName>, fault: Fault) -> Self {
         Self {
             model: model.into(),
@@ -152,19 +150,16 @@ impl ModelFiles {
     }
 
     /// The model as it was named.
-    #[must_use]
     pub fn name(&self) -> &FileName {
         &self.name
     }
 
     /// The same under another name.
-    #[must_use]
     pub fn named(self, name: impl Into<FileName>) -> Self {
         Self { name: name.into(), ..self }
     }
 
     /// Bytes of the model itself.
-    #[must_use]
     pub fn bytes(&self) -> &[u8] {
         match &self.main {
             Main::Bytes(bytes) | Main::Alone(bytes) => bytes,
@@ -185,7 +180,6 @@ impl ModelFiles {
     }
 
     /// The same model with other bytes of its own; included files stay.
-    #[must_use]
     pub fn with_bytes(&self, bytes: Vec<u8>) -> Self {
         Self { name: self.name.clone(), main: Main::Bytes(bytes), companions: self.companions.clone() }
     }
@@ -244,7 +238,6 @@ fn companion(
 
 /// A model that was read, with the names of its files: from [`ModelFiles::open`].
 #[derive(Debug)]
-#[non_exhaustive]
 pub struct OpenModel {
     /// The model.
     pub model: Model,
@@ -266,7 +259,6 @@ impl Names {
 
 impl OpenModel {
     /// The model as it was named.
-    #[must_use]
     pub fn name(&self) -> &FileName {
         &self.names.main
     }
@@ -279,13 +271,11 @@ impl OpenModel {
     }
 
     /// The name of one of the files.
-    #[must_use]
     pub fn name_of(&self, file: FileId) -> &str {
         self.names.of(file)
     }
 
     /// `fault`, which is about this model, with the name of its file and its place.
-    #[must_use]
     pub fn failure(&self, fault: Fault) -> Failure {
         let located = fault.located_in(|file| self.model.file(file).bytes());
         Failure::of_fault(self.names.of(located.file), located)

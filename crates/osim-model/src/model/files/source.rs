@@ -25,19 +25,16 @@ pub struct FileName {
 
 impl FileName {
     /// The bytes of the name as the system has them, where they are not UTF-8.
-    #[must_use]
     pub fn bytes(&self) -> Option<&[u8]> {
         self.bytes.as_deref()
     }
 
     /// The name with the bytes that [`into_parts`](Self::into_parts) gave.
-    #[must_use]
     pub fn from_parts(text: String, bytes: Option<Vec<u8>>) -> Self {
         Self { text, bytes: bytes.map(Into::into) }
     }
 
     /// The name as the system has it, where the system has names of bytes; elsewhere the text.
-    #[must_use]
     pub fn to_path(&self) -> PathBuf {
         #[cfg(unix)]
         if let Some(bytes) = &self.bytes {
@@ -47,7 +44,6 @@ impl FileName {
     }
 
     /// The text, and the bytes where they are not UTF-8: as JSON has them, side by side.
-    #[must_use]
     pub fn into_parts(self) -> (String, Option<Vec<u8>>) {
         (self.text, self.bytes.map(Into::into))
     }
@@ -160,7 +156,6 @@ impl FileError {
     }
 
     /// The error that there is no such file.
-    #[must_use]
     pub fn not_found() -> Self {
         Self::new("there is no such file: check the name and the folder")
     }

@@ -6,7 +6,6 @@ macro_rules! codes {
     ($($variant:ident = $code:literal,)+) => {
         /// Kinds of finding, about models and about changes. What each means is in its [`Rule`](crate::model::finding::Rule).
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[non_exhaustive]
         pub enum FindingCode {
             $(#[doc = $code] $variant,)+
         }
@@ -16,7 +15,6 @@ macro_rules! codes {
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
 
             /// Stable short name, as in the JSON `code`.
-            #[must_use]
             pub const fn as_str(self) -> &'static str {
                 match self { $(Self::$variant => $code),+ }
             }
@@ -126,7 +124,6 @@ pub enum Severity {
 
 impl Severity {
     /// As in the JSON and on the command line.
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Info => "info",
@@ -138,7 +135,6 @@ impl Severity {
 
 /// Where something shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
 pub enum Seen {
     /// In a model that is only looked at.
     Model,
@@ -173,7 +169,6 @@ impl VerdictOn {
         [Self::Floor, Self::Standing, Self::Mass, Self::Sides, Self::Sizes, Self::Solver];
 
     /// As in JSON and tables.
-    #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Floor => "floor",
@@ -187,7 +182,6 @@ impl VerdictOn {
     }
 
     /// The question that it answers.
-    #[must_use]
     pub const fn question(self) -> &'static str {
         match self {
             Self::Floor => "Is the floor a floor?",

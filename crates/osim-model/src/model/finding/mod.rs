@@ -24,7 +24,7 @@ pub use code::{FindingCode, Seen, Severity, VerdictOn};
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
+#[must_use]
 pub struct Finding {
     /// Which kind.
     pub rule: &'static Rule,
@@ -65,43 +65,36 @@ impl Finding {
     }
 
     /// The code of its rule.
-    #[must_use]
     pub fn code(&self) -> FindingCode {
         self.rule.code
     }
 
     /// The same, about the component at `path`.
-    #[must_use]
     pub fn about(self, path: &str) -> Self {
         Self { place: Some(path.to_owned()), ..self }
     }
 
     /// The same, about a line of the model, from 1, where there is one.
-    #[must_use]
     pub fn on_line(self, line: Option<usize>) -> Self {
         Self { line, ..self }
     }
 
     /// The same about these spheres, by name.
-    #[must_use]
     pub fn of_spheres(self, spheres: Vec<String>) -> Self {
         Self { spheres, ..self }
     }
 
     /// The same in other words.
-    #[must_use]
     pub fn with_message(self, message: impl Into<Phrase>) -> Self {
         Self { message: message.into(), ..self }
     }
 
     /// The same with other advice than its rule's.
-    #[must_use]
     pub fn with_advice(self, advice: impl Into<Phrase>) -> Self {
         Self { advice: advice.into(), ..self }
     }
 
     /// The same, as bad as `severity`.
-    #[must_use]
     pub fn with_severity(self, severity: Severity) -> Self {
         Self { severity, ..self }
     }
@@ -152,7 +145,6 @@ pub enum Repair {
 
 /// What raises a finding, and what does not. Models are those of `fixtures/`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Example {
     /// A piece of a model: it has `good`, and raises the finding with `bad` in its place.
     Piece {
@@ -188,19 +180,16 @@ pub enum Example {
 
 impl Rule {
     /// What it is, in a sentence.
-    #[must_use]
     pub fn what(&self) -> Phrase {
         template(self.what)
     }
 
     /// Why it matters.
-    #[must_use]
     pub fn why(&self) -> Phrase {
         template(self.why)
     }
 
     /// What to do about it.
-    #[must_use]
     pub fn advice(&self) -> Phrase {
         template(self.advice)
     }
@@ -208,7 +197,6 @@ impl Rule {
 
 impl Repair {
     /// In a sentence without its full stop.
-    #[must_use]
     pub fn sentence(self) -> String {
         match self {
             Self::Command(what) => format!("check proposes a command that {what}"),

@@ -63,7 +63,6 @@ pub struct Note {
 
 impl Note {
     /// What was done last.
-    #[must_use]
     pub fn operation(&self) -> &str {
         self.steps.last().map_or("", |step| step.operation.as_str())
     }
@@ -121,7 +120,6 @@ pub struct Source {
 
 impl Step {
     /// A step of which nothing else is known.
-    #[must_use]
     pub fn new(operation: &str) -> Self {
         Self { operation: plain(operation), ..Self::default() }
     }

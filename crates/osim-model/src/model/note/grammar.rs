@@ -29,7 +29,6 @@ const ADDED: &str = "added ";
 
 impl Note {
     /// The note as it is in the file.
-    #[must_use]
     pub fn text(&self) -> String {
         let known = |value: Option<f64>, unit: &str| {
             value.map_or(UNKNOWN.to_owned(), |value| format!("{} {unit}", shortest(value)))
@@ -115,7 +114,6 @@ impl Note {
 
     /// `operation` in the letters that a note can hold: what would end a field, or is written otherwise when OpenSim saves the
     /// file, becomes `_`.
-    #[must_use]
     pub fn operation_text(operation: &str) -> String {
         plain(operation)
     }
@@ -124,7 +122,6 @@ impl Note {
     pub const PLACED: char = 'p';
 
     /// Whether all spheres were placed with their bodies when it was written, or before and not moved since.
-    #[must_use]
     pub fn placed(&self) -> bool {
         self.made.contains(Self::PLACED)
     }
@@ -133,13 +130,11 @@ impl Note {
     pub const ALL_ADDED: char = 'n';
 
     /// Whether `force` is one of those that were added, by its name.
-    #[must_use]
     pub fn has_added(&self, force: &str) -> bool {
         self.added.contains(&plain(force))
     }
 
     /// `made` of a note of a file to which nothing was added.
-    #[must_use]
     pub fn nothing_made() -> String {
         NOTHING.to_owned()
     }

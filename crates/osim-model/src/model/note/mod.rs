@@ -70,7 +70,6 @@ impl<'d> Credits<'d> {
     }
 
     /// The text as OpenSim reads it: entities resolved, white space condensed.
-    #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
@@ -84,7 +83,6 @@ impl<'d> Credits<'d> {
 
     /// The bytes to replace, each with its text, so that `note` ends the credits instead of the note that is there. What
     /// others wrote is not among them, because its bytes need not be UTF-8.
-    #[must_use]
     pub fn edits(&self, note: Option<&Note>) -> Vec<(Range<usize>, String)> {
         let mut edits = Vec::new();
         let mut end = self.span.start;
@@ -102,14 +100,12 @@ impl<'d> Credits<'d> {
     }
 
     /// The same so that `note` comes after everything that is there, another note too.
-    #[must_use]
     pub fn edits_for_another(&self, note: &Note) -> Vec<(Range<usize>, String)> {
         let and = if self.raw.is_empty() { "" } else { AND };
         vec![(self.span.end..self.span.end, format!("{and}{}", note.text()))]
     }
 
     /// Whether nothing is left of the text without the note.
-    #[must_use]
     pub fn is_note_only(&self) -> bool {
         self.kept().is_empty()
     }
@@ -163,14 +159,12 @@ fn condensed(text: &str) -> String {
 
 impl Note {
     /// The comment that holds the note in a document without credits: one line, no `--` inside.
-    #[must_use]
     pub fn comment(&self) -> String {
         format!("<!-- {} -->", self.text())
     }
 
     /// The note of `document`: of a model in its credits, else in a comment before the first child of the data root. `None` where
     /// there is none or it cannot be read.
-    #[must_use]
     pub fn find(document: &Document) -> Option<Self> {
         Self::look_for(document).ok()??.ok()
     }

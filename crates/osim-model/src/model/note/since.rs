@@ -7,7 +7,6 @@ use crate::model::typed_model::Model;
 
 /// What is no longer as it was when the note was written.
 #[derive(Debug, Clone, Default, PartialEq)]
-#[non_exhaustive]
 pub struct ChangedSinceNote {
     /// What is different about the contacts themselves.
     pub contacts: ChangedContacts,
@@ -40,13 +39,11 @@ pub struct ChangedContacts {
 
 impl Model {
     /// Limbs that share the body weight, where the note says how many.
-    #[must_use]
     pub fn noted_stance_limbs(&self) -> Option<f64> {
         self.note.as_ref().and_then(|note| note.stance_limbs)
     }
 
     /// What changed since the note was written; nothing where there is no note.
-    #[must_use]
     pub fn changed_since_note(&self) -> ChangedSinceNote {
         let Some(note) = &self.note else { return ChangedSinceNote::default() };
         let weighs = MassRequest::default().bodies_kg(self);

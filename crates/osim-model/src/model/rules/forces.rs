@@ -10,7 +10,6 @@ use crate::model::typed_model::Model;
 
 impl Model {
     /// What is special about `forces` without being wrong, in the order of the codes.
-    #[must_use]
     pub fn remarks_on(&self, forces: &[ForceId]) -> Vec<Finding> {
         let forces = || forces.iter().filter_map(|&id| self.force(id));
         let mut found: Vec<Finding> = forces().filter_map(|force| find_mixed_radii(self, force)).collect();

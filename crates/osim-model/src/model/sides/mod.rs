@@ -47,7 +47,6 @@ pub struct BothSides<'m> {
 
 impl Model {
     /// The contacts of both sides, paired.
-    #[must_use]
     pub fn both_sides(&self) -> BothSides<'_> {
         BothSides::of(self)
     }
@@ -77,26 +76,22 @@ impl<'m> BothSides<'m> {
     }
 
     /// The force with this component path.
-    #[must_use]
     pub fn force(&self, path: &str) -> Option<&'m Force> {
         self.by_path.get(path).copied()
     }
 
     /// The force on the right whose spheres are the mirror images of those of `left`.
-    #[must_use]
     pub fn right_of(&self, left: &Force) -> Option<&'m Force> {
         self.sets_of(left).first().map(|pair| pair.right.0)
     }
 
     /// The forces of one side that have counterparts, in file order.
-    #[must_use]
     pub fn forces_on(&self, side: Side) -> Vec<ForceId> {
         let of = |pair: &SetPair<'_>| if side == Side::Right { pair.right.0.id } else { pair.left.0.id };
         self.sets.iter().map(of).collect::<BTreeSet<ForceId>>().into_iter().collect()
     }
 
     /// Whether the bones under the spheres of `left` are of another size than those under `right`.
-    #[must_use]
     pub fn bones_differ(&self, left: &Force, right: &Force) -> bool {
         let sets = self.sets_of(left).iter().filter(|pair| pair.right.0.id == right.id);
         let spheres = sets.flat_map(|pair| &pair.spheres);
@@ -109,7 +104,6 @@ impl<'m> BothSides<'m> {
 
     /// The side whose numbers are unlike those of most other contacts of the model, where `left` and its counterpart differ;
     /// `None` if the majority does not show it.
-    #[must_use]
     pub fn odd_side(&self, left: &Force) -> Option<Side> {
         let all = self.sets_of(left).iter().flat_map(|pair| self.differences_of(pair));
         let mut odd = all.filter(|difference| !difference.is_small).map(|difference| difference.odd);

@@ -28,7 +28,6 @@ macro_rules! kinds {
     ($($(#[$doc:meta])* $name:ident, $code:literal, $words:literal, $unit:literal, $mass:literal $length:literal $time:literal;)*) => {
         /// What a number is, in the order in which lists have them.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-        #[non_exhaustive]
         pub enum SizedKind {
             $($(#[$doc])* $name,)*
         }
@@ -38,25 +37,21 @@ macro_rules! kinds {
             pub const ALL: &'static [Self] = &[$(Self::$name,)*];
 
             /// As a word for scripts.
-            #[must_use]
             pub const fn as_str(self) -> &'static str {
                 match self { $(Self::$name => $code,)* }
             }
 
             /// For people.
-            #[must_use]
             pub const fn words(self) -> &'static str {
                 match self { $(Self::$name => $words,)* }
             }
 
             /// Its unit in OpenSim; an angle counts as 1.
-            #[must_use]
             pub const fn unit(self) -> &'static str {
                 match self { $(Self::$name => $unit,)* }
             }
 
             /// Its dimension.
-            #[must_use]
             pub const fn dimension(self) -> Dimension {
                 match self { $(Self::$name => powers($mass, $length, $time),)* }
             }
@@ -141,13 +136,11 @@ kinds! {
 
 impl SizedKind {
     /// Whether it is a bound of a Moco problem, which is in a file beside the model.
-    #[must_use]
     pub const fn is_of_moco(self) -> bool {
         matches!(self, Self::MocoTime | Self::MocoTranslation | Self::MocoSpeed | Self::MocoAngularSpeed)
     }
 
     /// Its place in lists.
-    #[must_use]
     pub const fn order(self) -> usize {
         self as usize
     }

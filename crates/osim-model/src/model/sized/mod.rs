@@ -14,7 +14,6 @@ pub use kind::{Dimension, SizedKind};
 
 /// One number.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct SizedValue {
     /// What it is.
     pub kind: SizedKind,
@@ -28,7 +27,6 @@ pub struct SizedValue {
 
 impl SizedValue {
     /// A number of a file beside the model.
-    #[must_use]
     pub const fn new(kind: SizedKind, owner: String, part: (&'static str, usize), value: f64) -> Self {
         Self { kind, owner, part, value }
     }
@@ -36,7 +34,6 @@ impl SizedValue {
 
 /// Objects of one class with numbers that are not read.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct NotRead {
     /// OpenSim's class, or the part of a file.
     pub class: String,
@@ -48,7 +45,6 @@ pub struct NotRead {
 
 impl NotRead {
     /// `count` parts of a file.
-    #[must_use]
     pub fn new(class: &str, count: usize, why: &'static str) -> Self {
         Self { class: class.to_owned(), count, why }
     }
@@ -78,7 +74,6 @@ impl SizedValues {
     /// assert_eq!((first.kind, first.owner.as_str(), first.value), (SizedKind::MaxIsometricForce, "soleus_r", 3549.0));
     /// # Ok::<(), osim_model::Fault>(())
     /// ```
-    #[must_use]
     pub fn of(model: &Model) -> Self {
         let mut reader = Reader { model, turns: None, not_read: BTreeMap::new() };
         let components = model.components();

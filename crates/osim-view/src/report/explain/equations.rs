@@ -13,7 +13,6 @@ pub fn equations() -> impl Iterator<Item = &'static Equation> {
 }
 
 /// The equation or rule of this name: `10`, `C.5`, `given`.
-#[must_use]
 pub fn equation(name: &str) -> Option<&'static Equation> {
     let rule = || RULES.iter().find(|rule| rule.label.eq_ignore_ascii_case(name));
     contact_scaling::equations::find(name).or_else(rule)
@@ -100,7 +99,6 @@ const RULES: &[Equation] = &[
 ];
 
 /// Where the equation called `label` meets the user; empty for a label that is not known.
-#[must_use]
 pub fn uses(label: &str) -> Phrase {
     Phrase::template(template(label))
 }

@@ -6,7 +6,6 @@ use osim_model::messages::Phrase;
 
 /// One kind of failure.
 #[derive(Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct ErrorCode {
     /// As in the JSON `error.code`.
     pub code: &'static str,
@@ -16,13 +15,11 @@ pub struct ErrorCode {
 
 impl ErrorCode {
     /// What is wrong.
-    #[must_use]
     pub fn means(&self) -> Phrase {
         Phrase::template(self.means)
     }
 
     /// What to do about it.
-    #[must_use]
     pub fn way_out(&self) -> Phrase {
         Phrase::template(self.way_out)
     }
@@ -30,7 +27,6 @@ impl ErrorCode {
 
 /// What failures are about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum ErrorGroup {
     /// The file, before anything in it.
     File,
@@ -47,7 +43,6 @@ impl ErrorGroup {
     pub const ALL: [Self; 4] = [Self::File, Self::Model, Self::Question, Self::Request];
 
     /// Its failures.
-    #[must_use]
     pub const fn errors(self) -> &'static [ErrorCode] {
         match self {
             Self::File => FILE,
@@ -64,7 +59,6 @@ pub fn errors() -> impl Iterator<Item = &'static ErrorCode> {
 }
 
 /// The failure of this code.
-#[must_use]
 pub fn error(code: &str) -> Option<&'static ErrorCode> {
     errors().find(|error| error.code == code)
 }

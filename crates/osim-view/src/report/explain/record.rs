@@ -23,10 +23,8 @@ use crate::report::json::line;
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[serde(tag = "kind", rename_all = "lowercase")]
 #[cfg_attr(feature = "schemas", schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub enum TopicRecord {
     /// An equation, or a rule of this project.
-    #[non_exhaustive]
     Equation {
         /// Raised when a field changes its meaning or goes away.
         schema_version: u32,
@@ -44,7 +42,6 @@ pub enum TopicRecord {
         used: String,
     },
     /// A property of a contact, or a figure.
-    #[non_exhaustive]
     Quantity {
         /// Raised when a field changes its meaning or goes away.
         schema_version: u32,
@@ -64,7 +61,6 @@ pub enum TopicRecord {
         trap: String,
     },
     /// A finding, of a model or of a change.
-    #[non_exhaustive]
     Finding {
         /// Raised when a field changes its meaning or goes away.
         schema_version: u32,
@@ -86,7 +82,6 @@ pub enum TopicRecord {
         why_no_fix: Option<String>,
     },
     /// An error.
-    #[non_exhaustive]
     Error {
         /// Raised when a field changes its meaning or goes away.
         schema_version: u32,
@@ -102,7 +97,6 @@ pub enum TopicRecord {
 /// One way to write an equation.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct FormulaRecord {
     /// What sets it apart, such as `for x`; empty for the first form.
     pub note: &'static str,
@@ -117,7 +111,6 @@ pub struct FormulaRecord {
 /// One symbol of a formula.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct SymbolRecord {
     /// The symbol in Unicode.
     pub symbol: &'static str,
@@ -131,7 +124,6 @@ pub struct SymbolRecord {
 
 impl TopicRecord {
     /// A topic in the words of `dialect`.
-    #[must_use]
     pub fn new(topic: Topic, dialect: &dyn Dialect) -> Self {
         match topic {
             Topic::Equation(equation) => Self::of_equation(equation, dialect),

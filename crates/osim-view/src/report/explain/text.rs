@@ -11,7 +11,6 @@ use crate::report::explain::topic::{QuantityTopic, Topic};
 use crate::report::layout::{options, table};
 
 /// One topic in full.
-#[must_use]
 pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters) -> String {
     match topic {
         Topic::Equation(equation) => of_equation(equation, dialect, letters),
@@ -75,7 +74,6 @@ fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> String {
 }
 
 /// Topics by kind, one line each.
-#[must_use]
 pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String {
     let (mut equations, mut quantities, mut findings, mut errors) = (
         table(&["equation", "what it says"]),
@@ -120,7 +118,6 @@ fn paragraph(label: &str, body: &str) -> String {
 
 /// Which letters a text may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[non_exhaustive]
 pub enum Letters {
     /// All of them.
     #[default]

@@ -15,7 +15,6 @@ use crate::report::explain::traps;
 
 /// Something that can be explained.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 pub enum Topic {
     /// An equation, or a rule of this project.
     Equation(&'static Equation),
@@ -29,7 +28,6 @@ pub enum Topic {
 
 /// A name that nothing has.
 #[derive(Debug, Clone, PartialEq, Eq)]
-#[non_exhaustive]
 pub struct UnknownTopic {
     /// The name.
     pub name: String,
@@ -39,7 +37,6 @@ pub struct UnknownTopic {
 
 impl Topic {
     /// Everything that can be explained.
-    #[must_use]
     pub fn all() -> Vec<Self> {
         let findings = rules::all().iter().copied().map(Self::Finding);
         let numbers = equations().map(Self::Equation).chain(quantities().map(Self::Quantity));
@@ -65,7 +62,6 @@ impl Topic {
     }
 
     /// The label of an equation, or a code.
-    #[must_use]
     pub fn name(self) -> &'static str {
         match self {
             Self::Equation(equation) => equation.label,
@@ -122,7 +118,6 @@ impl UnknownTopic {
     }
 
     /// What is wrong, and a way out.
-    #[must_use]
     pub fn message(&self, front_end: &dyn FrontEnd) -> String {
         let near: Vec<String> = self.near.iter().map(|near| format!("'{near}'")).collect();
         let near =
@@ -136,7 +131,6 @@ impl UnknownTopic {
 
 /// A quantity, as it is explained.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct QuantityTopic {
     /// OpenSim's name of a property, or the name in JSON and CSV.
     pub name: &'static str,
@@ -210,19 +204,16 @@ impl QuantityTopic {
     }
 
     /// What it is.
-    #[must_use]
     pub fn what(&self) -> Phrase {
         Phrase::template(&self.what)
     }
 
     /// What is easily misunderstood about it.
-    #[must_use]
     pub fn trap(&self) -> Phrase {
         Phrase::template(self.trap)
     }
 
     /// The unit, in words.
-    #[must_use]
     pub fn unit_in_words(&self) -> &'static str {
         if self.unit.is_empty() { "none, it is a pure number" } else { self.unit }
     }

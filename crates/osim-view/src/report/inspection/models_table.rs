@@ -116,7 +116,6 @@ struct Fitting {
 
 impl ModelsTable {
     /// For a front end in which several models cannot be asked for in full: the text does not name the option.
-    #[must_use]
     pub fn without_full(self) -> Self {
         Self { has_no_full: true, ..self }
     }
@@ -140,7 +139,6 @@ impl ModelsTable {
     /// One row for each model in lines of at most `width` columns, then what the headings mean, and how many there are.
     ///
     /// Names are whole and no column is left out where lines have no end, in a file or a pipe.
-    #[must_use]
     pub fn text(&self, width: Option<usize>, dialect: &dyn Dialect, colour: Colour) -> String {
         // A line with an end has no room for the folder that they are all in.
         let folder = width.map(|_| self.common_folder()).unwrap_or_default();

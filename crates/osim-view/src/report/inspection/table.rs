@@ -14,7 +14,6 @@ use crate::report::messages::warnings;
 use crate::report::similarity;
 
 /// Masses, limbs, spheres, forces, and what they do. What the inspection says is taken as it is spelled.
-#[must_use]
 pub fn text(inspected: &Inspection, dialect: &dyn Dialect, colour: Colour) -> String {
     let mut text = head(inspected);
     if !inspected.spheres.is_empty() {

@@ -27,7 +27,6 @@ const ROUNDING: f64 = 1e-9;
 const CHART_ROWS: usize = 16;
 
 /// The figures of a drop, whether they are within what the laws were made for, and how far it is from another drop.
-#[must_use]
 pub fn drop_text(drop: &DropResult) -> String {
     let values = drop.values;
     let mut text = format!(
@@ -106,7 +105,6 @@ fn apart(difference: f64) -> String {
 }
 
 /// Force over body weight against time, in letters: for terminals, which can draw it.
-#[must_use]
 pub fn drop_chart(drop: &DropResult) -> String {
     let report = &drop.report;
     let points = report
@@ -144,7 +142,6 @@ pub struct DropRecord<'d>(&'d DropResult);
 /// How far two drops are apart without dimensions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct DropDifferenceRecord {
     /// The other body.
     pub other: String,

@@ -13,7 +13,6 @@ use serde::Serialize;
 use crate::report::layout::table;
 
 /// The parameters with their confidence intervals, and whether the laws were made for this measurement.
-#[must_use]
 pub fn fit_text(result: &FitResult, dialect: &dyn Dialect) -> String {
     let fit = &result.fit;
     let mut text = format!(
@@ -119,7 +118,6 @@ fn restitution(fit: &Fit) -> String {
 /// A fit, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct FitRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -171,7 +169,6 @@ pub struct FitRecord {
 /// Why a result must not be taken as it is.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct FitWarningRecord {
     /// Stable short name.
     pub code: &'static str,
@@ -182,7 +179,6 @@ pub struct FitWarningRecord {
 /// One parameter.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct EstimateRecord {
     /// Its value.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
@@ -201,7 +197,6 @@ pub struct EstimateRecord {
 /// What a fit leaves over, row by row.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct ResidualsRecord {
     /// Line in the file.
     pub line: Vec<u64>,

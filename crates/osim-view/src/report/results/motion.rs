@@ -15,7 +15,6 @@ pub use crate::report::results::motion_record::{
 // A motion in words, with figures of each foot and sphere.
 
 /// What the contacts do, in words first.
-#[must_use]
 pub fn motion_text(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> String {
     let states = &result.states;
     let (first, last) = (states.time_s.first().copied(), states.time_s.last().copied());
@@ -51,7 +50,6 @@ fn feet(result: &MotionResult) -> String {
 }
 
 /// The headers and the rows of the table of feet: one row each, and one for all together.
-#[must_use]
 pub fn motion_feet(result: &MotionResult) -> (Vec<&'static str>, Vec<Vec<String>>) {
     let weight_n = result.summary.weight_n;
     let bw = |force_n: f64| format!("{:.3}", force_n / weight_n);
@@ -124,7 +122,6 @@ fn sphere_row(result: &MotionResult, sphere: &SphereSummary) -> Vec<String> {
 
 /// A column of the rows of a motion.
 #[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
 pub struct MotionColumn {
     /// Its name; it ends in the unit, where there is one.
     pub name: &'static str,
@@ -166,7 +163,6 @@ const NUMBERS: [(&str, Number); 15] = [
 ];
 
 /// Each sphere on each plane in each frame, column by column.
-#[must_use]
 pub fn motion_columns(result: &MotionResult) -> Vec<MotionColumn> {
     let (states, model) = (&result.states, &result.opened.model);
     let sphere =
@@ -270,7 +266,6 @@ fn loads(result: &MotionResult) -> Vec<Load> {
 }
 
 /// The ground reactions as a `.sto`: force, point and free moment of each body, in ground.
-#[must_use]
 pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
     let loads = loads(result);
     let mut text = format!(
@@ -324,7 +319,6 @@ fn point_of(result: &MotionResult, first: Option<&ContactState>, wrench: &Wrench
 }
 
 /// OpenSim's `ExternalLoads` for the file of [`ground_reactions_sto`], which is beside it as `data_file`.
-#[must_use]
 pub fn external_loads_xml(result: &MotionResult, data_file: &str) -> String {
     let mut text = String::from(
         "<?xml version=\"1.0\" encoding=\"UTF-8\" ?>\n<OpenSimDocument Version=\"40000\">\n\t<ExternalLoads name=\"contacts\">\n\t\t<objects>\n",

@@ -11,7 +11,6 @@ use serde::Serialize;
 /// A motion, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct MotionRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -56,7 +55,6 @@ pub struct MotionRecord {
 /// Something that a reader should know of a motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct MotionRemarkRecord {
     /// Stable short name.
     pub code: String,
@@ -67,7 +65,6 @@ pub struct MotionRemarkRecord {
 /// One foot of a motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct MotionFootRecord {
     /// `right foot`, `left foot`, or the name of the limb's first body.
     pub name: String,
@@ -104,7 +101,6 @@ pub struct MotionFootRecord {
 /// One stance of a foot.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct MotionStanceRecord {
     /// When it touches down, s; absent where the recording begins in it.
     pub on_s: Option<f64>,
@@ -121,7 +117,6 @@ pub struct MotionStanceRecord {
 /// One sphere of a foot.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct MotionSphereRecord {
     /// Its name.
     pub sphere: String,
@@ -146,7 +141,6 @@ pub struct MotionSphereRecord {
 /// A sphere that meets its plane.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct MotionTouchDownRecord {
     /// When, s.
     pub time_s: f64,
@@ -159,7 +153,6 @@ pub struct MotionTouchDownRecord {
 /// Forces of the model beside those that plates measured.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct MotionComparisonRecord {
     /// How many frames were compared.
     pub frames: usize,
@@ -183,7 +176,6 @@ pub struct MotionComparisonRecord {
 
 impl MotionRecord {
     /// What `result` and its `remarks` are in JSON.
-    #[must_use]
     pub fn new(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> Self {
         let (model, model_bytes) = result.opened.name().clone().into_parts();
         let (motion, motion_bytes) = result.motion.clone().into_parts();

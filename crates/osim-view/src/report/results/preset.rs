@@ -16,7 +16,6 @@ use crate::report::layout::{filled, table};
 /// A preset, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct PresetRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -49,7 +48,6 @@ pub struct PresetRecord {
 /// A contact without dimensions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct DimensionlessRecord {
     /// E* R² n / (M g).
     pub modulus: f64,
@@ -96,7 +94,6 @@ impl From<&Preset> for PresetRecord {
 }
 
 /// A preset with its source and its figures, with and without dimensions.
-#[must_use]
 pub fn preset_text(preset: &Preset) -> String {
     let (scale, contact) = (&preset.scale, &preset.contact);
     let dimensionless = DimensionlessContact::of(contact, scale);
@@ -130,7 +127,6 @@ pub fn preset_text(preset: &Preset) -> String {
 // A design without a model, as text.
 
 /// Every figure with its equation and its limit.
-#[must_use]
 pub fn design_sheet_text(sheet: &DesignSheet) -> String {
     let mut table = table(&["quantity", "value", "unit", "equation", ""]);
     for figure in &sheet.figures {
@@ -171,7 +167,6 @@ pub fn design_sheet_text(sheet: &DesignSheet) -> String {
 /// The end of a sweep, for scripts.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-#[non_exhaustive]
 pub struct SweepRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -204,7 +199,6 @@ pub struct SweepRecord {
 
 impl SweepRecord {
     /// A sweep of `model` into `folder`.
-    #[must_use]
     pub fn new(model: &FileName, folder: &Path, manifest: Option<&Path>) -> Self {
         let (model, model_bytes) = model.clone().into_parts();
         let (folder, folder_bytes) = FileName::from(folder).into_parts();
@@ -226,19 +220,16 @@ impl SweepRecord {
     }
 
     /// The same with how many points there are, and the file of the one that was asked for.
-    #[must_use]
     pub fn of_points(self, points: usize, file: Option<String>) -> Self {
         Self { points, file, ..self }
     }
 
     /// The same with how many models were made and failed.
-    #[must_use]
     pub fn counted(self, models: usize, failed: usize) -> Self {
         Self { models, failed, ..self }
     }
 
     /// The same with how many of its models an earlier sweep had made.
-    #[must_use]
     pub fn of_which_before(self, done_before: usize) -> Self {
         Self { done_before, ..self }
     }
