@@ -223,12 +223,13 @@ pub fn bare_entry(record: &Record, earlier: bool) -> Entry {
         });
         return Entry::of_row(&row(record), error.as_ref());
     }
-    let mut left = EarlierRun::default();
-    left.radius_factor = record.radius_factor;
-    left.stiffness_factor = record.stiffness_factor;
-    left.dissipation_factor = record.dissipation_factor;
-    left.unequal_factors = record.unequal_factors.split(' ').map(str::to_owned).collect();
-    left.warnings = record.warnings.split_ascii_whitespace().count();
+    let left = EarlierRun {
+        radius_factor: record.radius_factor,
+        stiffness_factor: record.stiffness_factor,
+        dissipation_factor: record.dissipation_factor,
+        unequal_factors: record.unequal_factors.split(' ').map(str::to_owned).collect(),
+        warnings: record.warnings.split_ascii_whitespace().count(),
+    };
     Entry::left_by_earlier_run(&row(record), &left)
 }
 

@@ -83,10 +83,10 @@ pub(super) fn search(trials: &[FitTrial], bounds: &FitBounds, own: &Unknowns) ->
 }
 
 /// The heights of floors as one in the spheres: floors that go up are spheres that go down, and the first floor stays.
-fn in_spheres(floors: Unknowns) -> Unknowns {
-    let spheres_down_m = floors.floor_up_m.first().copied().unwrap_or_default();
-    let floor_up_m = floors.floor_up_m.iter().map(|up_m| up_m - spheres_down_m).collect();
-    Unknowns { spheres_down_m, floor_up_m, ..floors }
+fn in_spheres(mut floors: Unknowns) -> Unknowns {
+    floors.spheres_down_m = floors.floor_up_m.first().copied().unwrap_or_default();
+    floors.floor_up_m.iter_mut().for_each(|up_m| *up_m -= floors.spheres_down_m);
+    floors
 }
 
 /// How many of the deviates count: neighbouring frames have their errors in common.

@@ -117,10 +117,12 @@ fn plans(model: &Model, a: f64, b: f64) -> Vec<Plan> {
             made.push(set(model, &selected, &Set::new(vec![(property, value)])));
         }
     }
-    let mut wanted = Design::default();
-    wanted.modulus = Some(DesignModulus::Young { young_n_m2: a, poisson: 0.3 });
-    wanted.constant_indentation = Some(b);
-    wanted.speed_width = Some((0.1, a));
+    let wanted = Design {
+        modulus: Some(DesignModulus::Young { young_n_m2: a, poisson: 0.3 }),
+        constant_indentation: Some(b),
+        speed_width: Some((0.1, a)),
+        ..Design::default()
+    };
     made.push(design(model, &selected, &wanted));
     for to in [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley] {
         let converted = convert(model, &selected, &Convert::new(to));

@@ -80,8 +80,7 @@ fn a_constant_contact_force_of_0_is_never_written() {
         assert_eq!((fault.code(), &fault.kind), ("out-of-domain", &FaultKind::ZeroConstantContactForce));
         assert!(fault.to_string().contains("NaN"), "{fault}");
     }
-    let mut wanted = Design::default();
-    wanted.constant_indentation = Some(1e-200);
+    let wanted = Design { constant_indentation: Some(1e-200), ..Design::default() };
     assert_eq!(design(&model, &selected, &wanted).unwrap_err().kind, FaultKind::ZeroConstantContactForce);
     // What is 0 already and stays 0 is not written.
     let zero =

@@ -185,25 +185,26 @@ impl Designing {
         let (load, target_mass) = self.load(model, selected)?;
         let young = asked.young.map(Positive::get).zip(asked.poisson.map(PoissonRatio::get));
         let width = |width: Option<Positive>| width.map(|width| (asked.threshold.get(), width.get()));
-        let mut wanted = Design::default();
-        wanted.modulus = match (asked.indentation.map(RelativeIndentation::get), young) {
-            (Some(x), _) => Some(DesignModulus::Indentation(x)),
-            (None, Some((young_n_m2, poisson))) => Some(DesignModulus::Young { young_n_m2, poisson }),
-            (None, None) => None,
+        let wanted = Design {
+            modulus: match (asked.indentation.map(RelativeIndentation::get), young) {
+                (Some(x), _) => Some(DesignModulus::Indentation(x)),
+                (None, Some((young_n_m2, poisson))) => Some(DesignModulus::Young { young_n_m2, poisson }),
+                (None, None) => None,
+            },
+            load,
+            restitution: asked
+                .restitution
+                .map(RestitutionCoefficient::get)
+                .map(|restitution| (restitution, asked.impact_speed.map(Positive::get))),
+            constant_indentation: asked.constant_indentation.map(ConstantIndentation::get),
+            state_width: width(asked.state_width),
+            speed_width: width(asked.speed_width),
+            radius: asked.radius().unwrap_or(RadiusRule::Keep),
+            contact_stiffness_n_m: asked.contact_stiffness.map(Positive::get),
+            contacts_mass: self.contacts_mass(model, selected),
+            target_mass,
+            gravity_m_s2: self.load.gravity(),
         };
-        wanted.load = load;
-        wanted.restitution = asked
-            .restitution
-            .map(RestitutionCoefficient::get)
-            .map(|restitution| (restitution, asked.impact_speed.map(Positive::get)));
-        wanted.constant_indentation = asked.constant_indentation.map(ConstantIndentation::get);
-        wanted.state_width = width(asked.state_width);
-        wanted.speed_width = width(asked.speed_width);
-        wanted.radius = asked.radius().unwrap_or(RadiusRule::Keep);
-        wanted.contact_stiffness_n_m = asked.contact_stiffness.map(Positive::get);
-        wanted.contacts_mass = self.contacts_mass(model, selected);
-        wanted.target_mass = target_mass;
-        wanted.gravity_m_s2 = self.load.gravity();
         let mut plan = design(model, selected, &wanted)?;
         plan.remarks.extend(wanted.load.and(noted_limbs(&self.counts, model)));
         Ok(plan)

@@ -325,10 +325,12 @@ impl Transferring {
     ) -> Result<(Follow, Factors), Fault> {
         let scaled = Anatomy::of(model)?;
         let factors = Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.given())?;
-        let mut wanted = FollowRequest::default();
-        wanted.radius_axis = self.follow.radius_axis();
-        wanted.level = self.scaling.level_axis(model.gravity_m_s2);
-        wanted.moved = self.follow.moved();
+        let mut wanted = FollowRequest {
+            radius_axis: self.follow.radius_axis(),
+            level: self.scaling.level_axis(model.gravity_m_s2),
+            moved: self.follow.moved(),
+            ..FollowRequest::default()
+        };
         let rule = self.scaling.radius.map(Radius::rule);
         wanted.keep_radii =
             !self.scaling.properties().contains(Property::Radius) || rule == Some(RadiusRule::Keep);

@@ -101,10 +101,12 @@ fn what_a_remedy_says_puts_the_finding_right() {
     let deep = wanted(&result, FindingCode::SunkIn);
     let model = Model::parse(human()).unwrap();
     let selected = Selection::default().apply(&model).unwrap();
-    let mut request = Design::default();
-    request.modulus = deep.indentation.map(|x| DesignModulus::Indentation(x.get()));
-    request.load = SharedLoad::new(62.0 * 9.81, 6.0).ok();
-    request.constant_indentation = deep.constant_indentation.map(ConstantIndentation::get);
+    let request = Design {
+        modulus: deep.indentation.map(|x| DesignModulus::Indentation(x.get())),
+        load: SharedLoad::new(62.0 * 9.81, 6.0).ok(),
+        constant_indentation: deep.constant_indentation.map(ConstantIndentation::get),
+        ..Design::default()
+    };
     let plan = design(&model, &selected, &request).unwrap();
     let stiffness = plan.changes.iter().find(|change| change.property == Property::Stiffness).unwrap();
     // (11) and (A.4): E₁* = 2^{3/2} 3 F / (4 R² x̂^{3/2} n), and 0.16^{3/2} is 0.064.

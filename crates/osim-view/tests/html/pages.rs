@@ -188,9 +188,11 @@ fn rows_say_what_became_of_models_that_are_not_shown() {
     let mut row = RunRow::new("a.osim", "written");
     row.row = Some(3);
     row.output = Some("b.osim".to_owned());
-    let mut earlier = EarlierRun::default();
-    earlier.stiffness_factor = Some(2.0);
-    earlier.unequal_factors = vec!["radius".to_owned()];
+    let earlier = EarlierRun {
+        stiffness_factor: Some(2.0),
+        unequal_factors: vec!["radius".to_owned()],
+        ..EarlierRun::default()
+    };
     let error = RowError::new("no-mass", "body 'a' has no mass").at(Some(4), Some(2));
     let entries = [
         Entry::left_by_earlier_run(&row, &earlier),
