@@ -18,18 +18,6 @@ use serde::{Deserialize, Serialize};
 const SAME: f64 = 1e-6;
 
 /// Contacts that were recognised: from [`KnownContacts::find`].
-///
-/// ```
-/// use osim_inspect::KnownContacts;
-/// use osim_model::{Model, Selection};
-///
-/// # let text = include_str!("../../osim-model/tests/data/one_foot.osim");
-/// let model = Model::parse(text)?;
-/// let selected = Selection::default().apply(&model)?;
-/// // One sphere of 30 mm with 1 MPa under 10 kg is nobody's published contact.
-/// assert_eq!(KnownContacts::find(&model, &selected.forces, Some(1.0), Some(10.0)), None);
-/// # Ok::<(), osim_model::Fault>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct KnownContacts {
@@ -53,6 +41,18 @@ impl KnownContacts {
     /// Known contacts have the dimensionless values of an entry at that mass, whatever their radii; or at any mass with
     /// radii that follow it (R ∝ M^(1/3)). Both say every value, so one that differs by more than 1e-6 is seen. Gravity is
     /// taken to be the same.
+    ///
+    /// ```
+    /// use osim_inspect::KnownContacts;
+    /// use osim_model::{Model, Selection};
+    ///
+    /// # let text = include_str!("../../osim-model/tests/data/one_foot.osim");
+    /// let model = Model::parse(text)?;
+    /// let selected = Selection::default().apply(&model)?;
+    /// // One sphere of 30 mm with 1 MPa under 10 kg is nobody's published contact.
+    /// assert_eq!(KnownContacts::find(&model, &selected.forces, Some(1.0), Some(10.0)), None);
+    /// # Ok::<(), osim_model::Fault>(())
+    /// ```
     pub fn find(model: &Model, forces: &[ForceId], count: Option<f64>, mass_kg: Option<f64>) -> Option<Self> {
         let held = held_contacts(model, forces)?;
         let fits =

@@ -14,15 +14,6 @@ use crate::options::{
 use crate::values::{Assignments, Kilograms, Positive, path};
 
 /// Rescales a model's own contacts to another mass.
-///
-/// ```
-/// use osim_requests::{Kilograms, RescaleRequest};
-///
-/// let mut request = RescaleRequest::default();
-/// request.models = vec!["human.osim".into()];
-/// request.target_mass = Some(Kilograms::new(1190.0)?);
-/// # Ok::<(), String>(())
-/// ```
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
@@ -83,6 +74,13 @@ impl RescaleRequest {
     ];
 
     /// Whether something is given that makes sense for a change only.
+    ///
+    /// ```
+    /// use osim_requests::RescaleRequest;
+    ///
+    /// let request = RescaleRequest { models: vec!["human.osim".into()], ..RescaleRequest::default() };
+    /// assert!(!request.asks_for_change());
+    /// ```
     pub fn asks_for_change(&self) -> bool {
         let (scaling, output, run) = (&self.scaling, &self.output, &self.run);
         scaling.radius.is_some()
