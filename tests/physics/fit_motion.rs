@@ -154,6 +154,26 @@ fn a_height_may_be_in_the_spheres() {
     assert!(plan["errors"]["vertical_rms_bw"].as_f64().unwrap() < 0.01, "{plan}");
 }
 
+/// Where the floor is farther away than spheres may go, they end where they may go.
+#[test]
+fn spheres_go_down_by_a_quarter_of_a_metre_at_most() {
+    let bench = Bench::with(&FILES);
+    let text = bench.text("walk.mot");
+    let (head, rows) = text.split_once("endheader\n").unwrap();
+    let (names, rows) = rows.split_once('\n').unwrap();
+    let height = names.split('\t').position(|name| name == "pelvis_ty").unwrap();
+    let raised = |row: &str| {
+        let mut cells: Vec<String> = row.split('\t').map(str::to_owned).collect();
+        cells[height] = (cells[height].parse::<f64>().unwrap() + 0.4).to_string();
+        cells.join("\t")
+    };
+    let rows: Vec<String> = rows.lines().map(raised).collect();
+    bench.write("walk.mot", format!("{head}endheader\n{names}\n{}\n", rows.join("\n")));
+    let plan = object(&bench.run(&format!("{FIT} --height-in spheres --dry-run --format json")).done());
+    let [_, y, _] = new_centre(&plan, "heel_r");
+    assert!((y - (-0.02 - 0.25)).abs() < 1e-3, "{y}");
+}
+
 /// Slip against a belt, at which alone the horizontal error looks: feet with friction that step in place slip over one.
 #[test]
 fn a_belt_counts_in_a_fit() {

@@ -74,6 +74,10 @@ pub(super) fn search(trials: &[FitTrial], bounds: &FitBounds, own: &Unknowns) ->
     let start = if bounds.wanted.height == Some(FittedHeight::Spheres) { in_spheres(start) } else { start };
     let mut problem = Problem::new(trials, bounds.wanted, &start, &limits);
     let mut vector = problem.to_vector(&start);
+    // What the solver refuses: a start beyond a limit.
+    for (value, (low, high)) in vector.iter_mut().zip(problem.limits()) {
+        *value = value.max(low).min(high);
+    }
     let status = problem.mpfit(&mut vector).map_err(|_| FitError::NotConverged)?;
     if matches!(status.success, MPSuccess::NotDone) {
         return Err(FitError::NotConverged);
