@@ -1,4 +1,4 @@
-//! Six questions about every model, each answered in one line: what was found decides, else what is right about it.
+//! Six questions about every model, and one about a recording, each answered in one line: what was found decides, else what is right about it.
 
 use std::cmp::Reverse;
 
@@ -264,15 +264,11 @@ fn describe_sides(known: &Known<'_>) -> Result<Phrase, Phrase> {
     };
     Ok(match (on("right"), on("left")) {
         (0, some) | (some, 0) => format!("there is one side only, with {}", spheres(some)),
-        (describe_sides, left) if describe_sides == left => {
-            format!("they agree: {} on each side", spheres(describe_sides))
+        (right, left) if right == left => {
+            format!("they agree: {} on each side", spheres(right))
         }
-        (describe_sides, left) => {
-            format!(
-                "what both have agrees: {} on the right, {} on the left",
-                spheres(describe_sides),
-                spheres(left)
-            )
+        (right, left) => {
+            format!("what both have agrees: {} on the right, {} on the left", spheres(right), spheres(left))
         }
     }
     .into())

@@ -8,8 +8,3 @@
 pub mod figures;
 pub mod html;
 pub mod report;
-
-/// The example of the README compiles.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;

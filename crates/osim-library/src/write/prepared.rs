@@ -1,6 +1,4 @@
-//! Writing without ever leaving a file half written or losing one.
-//!
-//! A successor is complete under a temporary name in the target's folder before it takes the target's name.
+//! The successor of a file: it is complete under a temporary name in the target's folder before it takes the target's name.
 
 use std::fs::{File, Metadata};
 use std::io::{ErrorKind, IoSlice, Write};

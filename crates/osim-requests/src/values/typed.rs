@@ -9,8 +9,6 @@ pub fn trimmed(text: &str) -> &str {
     text.trim()
 }
 
-// Numbers as people type them, read strictly: a wrong one is refused with what to type instead.
-
 /// A spelling of a unit, and its size in the unit that is expected.
 pub type UnitSpelling = (&'static str, f64);
 

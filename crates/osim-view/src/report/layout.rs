@@ -1,4 +1,4 @@
-//! How texts are laid out in 80 columns.
+//! How texts are laid out: lines of 80 columns, columns of a table, rows of CSV, colours.
 
 use std::{fmt, io};
 

@@ -1,4 +1,4 @@
-//! What is known of the contacts of an OpenSim model, for people and for scripts.
+//! Tables, CSV, JSON records and explanations, for people and for scripts.
 //!
 //! Data goes in, text comes out: [`inspection`], [`check`] and [`plan`] make tables, [`json`] records, and [`explain`] what an equation
 //! or a code means. What the reader can say or do is

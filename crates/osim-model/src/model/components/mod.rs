@@ -1,4 +1,4 @@
-//! The components of a model: which elements OpenSim turns into objects, what they are called, and what their sockets mean.
+//! The files that make up one model, and what sockets mean: read as one tree of components.
 //!
 //! Usually one file makes up a model. A model whose sets are in other files (`file="…"`), or a `ForceSet` with the
 //! `ContactGeometrySet` and the model it belongs to, are several, read as one tree.

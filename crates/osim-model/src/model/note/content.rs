@@ -97,7 +97,7 @@ const ON: &str = " on ";
 /// One change of the contacts, as the note records it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Step {
-    /// What was done, for example `rescale` or `set stiffness=x2`: from [`Note::operation_text`](Note::operation_text).
+    /// What was done, for example `rescale` or `set stiffness=x2`: from [`Note::operation_text`].
     pub operation: String,
     /// Options that mattered, for example `level=true only=radius`; empty where there were none.
     pub options: String,
