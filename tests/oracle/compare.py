@@ -176,9 +176,9 @@ def differing_lines(before, after):
 
 
 def only_the_note(old, new):
-    """Whether credits differ by the note at their end; where there were none it is all of them."""
+    """Whether credits differ by the note at their end, which replaces an earlier one; where there were none it is all of them."""
     rest = NOTE.sub("", new)
-    return rest != new and rest in (old, "" if old == NO_CREDITS else old)
+    return rest != new and rest in (NOTE.sub("", old), "" if old == NO_CREDITS else old)
 
 
 def moving_spheres(reading, force_path):
