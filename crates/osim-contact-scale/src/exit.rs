@@ -126,9 +126,9 @@ mod tests {
     /// Elsewhere whole runs are stopped in `tests/library/stopped.rs`.
     #[test]
     fn ctrl_c_is_a_wish() {
-        listen();
-        assert!(!came());
-        signal_hook::low_level::raise(consts::SIGINT).unwrap();
-        assert!(came());
+        super::listen();
+        assert!(!super::came());
+        signal_hook::low_level::raise(super::consts::SIGINT).unwrap();
+        assert!(super::came());
     }
 }

@@ -256,8 +256,9 @@ fn parent_of(process: u32) -> Option<String> {
 }
 
 #[cfg(test)]
-#[cfg(all(test, windows))]
 mod tests {
+    use super::harmless_but_colours;
+
     #[test]
     fn colours_are_all_that_reaches_a_terminal() {
         let painted = "\u{1b}[1m\u{1b}[33m0.35 !\u{1b}[0m\nnext\n";
@@ -268,7 +269,10 @@ mod tests {
             "a\\u{1b}[2J\\u{1b}]0;t\\u{7}\u{1b}[31mred\\u{9b}2J\\u{1b}["
         );
     }
+}
 
+#[cfg(all(test, windows))]
+mod tests_of_windows {
     #[test]
     fn the_parent_of_a_child_is_this_program() {
         let mut child = std::process::Command::new("cmd")
@@ -277,7 +281,7 @@ mod tests {
             .stdout(std::process::Stdio::null())
             .spawn()
             .unwrap();
-        let parent = parent_of(child.id());
+        let parent = super::parent_of(child.id());
         child.kill().unwrap();
         child.wait().unwrap();
         let this = std::env::current_exe().unwrap();
