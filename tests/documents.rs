@@ -5,13 +5,7 @@
 //! run may be wrong for years. To take over what the command prints now: `TRYCMD=overwrite cargo test --test documents`, then
 //! read the difference.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::path::{Path, PathBuf};
 

@@ -10,7 +10,6 @@
     clippy::panic,
     clippy::print_stderr,
     dead_code,
-    missing_docs,
     reason = "a test fails by panicking; the shared bench has more than this file uses"
 )]
 

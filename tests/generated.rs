@@ -2,7 +2,7 @@
 //! Such a part is between `<!-- begin NAME -->` and `<!-- end NAME -->`. To write them again: `UPDATE_DOCS=1 cargo test --test generated`.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,6 +1,6 @@
 //! `schemas/` holds what the types say. To write it anew: `UPDATE_SCHEMAS=1 cargo test --test schemas`.
 
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -5,13 +5,7 @@
 //! expected value is the command's: both are to be one logic behind two front ends.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod before_after;
 mod changes;

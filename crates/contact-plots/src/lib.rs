@@ -38,6 +38,7 @@
 //! own is more than 6 % wider, names may come closer to each other than they should. PDF and PNG bring their font along.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+#![warn(missing_docs)]
 
 mod axis;
 mod document;

@@ -1,6 +1,6 @@
 //! `cargo bench -p contact-scaling`: a drop test takes at most 2 ms, closed forms take nanoseconds.
 
-#![allow(missing_docs, clippy::unwrap_used)]
+#![allow(clippy::unwrap_used)]
 
 use std::hint::black_box;
 

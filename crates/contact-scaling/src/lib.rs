@@ -30,6 +30,7 @@
 //! gait models stand outside both.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
+#![warn(missing_docs)]
 
 mod contact;
 pub mod continuation;

@@ -1,13 +1,7 @@
 //! A run over a folder, asked for as any front end asks: through the crate's own trait, without the command.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};

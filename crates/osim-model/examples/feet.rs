@@ -4,7 +4,6 @@
 //! `feet soles MODEL FOLDER BODIES COUNT RADIUS PAD` gives one for each sole.
 
 #![allow(
-    missing_docs,
     clippy::print_stdout,
     clippy::unwrap_used,
     clippy::panic,

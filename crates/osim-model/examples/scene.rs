@@ -3,7 +3,6 @@
 //! `scene MODEL` gives a line of JSON for each foot, in the frame in which it is drawn.
 
 #![allow(
-    missing_docs,
     clippy::print_stdout,
     clippy::unwrap_used,
     clippy::panic,

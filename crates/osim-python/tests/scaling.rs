@@ -3,13 +3,7 @@
 //! The library itself is for Python and cannot be linked to a test, so its module is part of this one.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
-#![allow(
-    missing_docs,
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::collections::{BTreeMap, BTreeSet};
 

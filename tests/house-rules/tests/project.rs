@@ -1,12 +1,6 @@
 //! The structure of this project; `src/lib.rs` says what each rule means, `src/floors.rs` has the table of crates.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::fs;
 use std::io::{Write, stderr};

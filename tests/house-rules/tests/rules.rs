@@ -1,12 +1,6 @@
 //! That each rule can fail, and what must pass: small crates in one string, a file after each `// name` line.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use house_rules::module::{Sources, Tree, trees};
 use house_rules::tokens::{tokens, without_tests};

@@ -1,13 +1,7 @@
 //! What is asked of a figure's layout: its size, its names, the limits of its axes; and the numbers in it.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use crate::document::Svg;
 use contact_plots::{

@@ -1,12 +1,6 @@
 //! The tests of `contact-plots` from outside, in one program: each that is linked takes a second.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking, and has a name that says what it is about"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 #[allow(dead_code, reason = "tests/plots.rs of the project has it, too")]
 mod document;

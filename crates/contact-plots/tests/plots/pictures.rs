@@ -1,13 +1,7 @@
 //! Pixels and pages made of figures.
 
 #![cfg(any(feature = "png", feature = "pdf"))]
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use contact_plots::{Axis, Curve, Drawing, Figure, Look, Panel, Paper, Width};
 

@@ -1,6 +1,6 @@
 //! Drop tests against another integrator, exact results, and each other (Fig. 4).
 
-#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use contact_scaling::drop_test::{DropReport, DropTest, DropValues, compare};
 use contact_scaling::{

@@ -4,7 +4,7 @@
 //! mass and time these and the output have. The values are in `data/reference.csv` (mpmath, 50 digits).
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
-#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! Fits against high-precision least squares, in other units, and on seeded noise.
 
-#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use contact_scaling::fit::{
     Branch, Doubt, Estimate, Fit, FitError, FitValues, Measurement, Onset, Parameter, Rate, fit,

@@ -1,7 +1,7 @@
 //! The register of equations says what `docs/reference/equations.md` says, row by row.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
-#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use std::path::Path;
 

@@ -1,6 +1,6 @@
 //! Table 1 of the paper, every row and column, at the digits it prints.
 
-#![allow(missing_docs, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use contact_scaling::table1::{self, Animal, Column, Compared};
 use contact_scaling::{

@@ -1,12 +1,6 @@
 //! n, the spheres that share the weight, is the same whichever forces were chosen.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_inspect::series::Body;
 use osim_inspect::{Figure, InspectOptions, LoadSharing, Stance};

@@ -1,12 +1,6 @@
 //! Which bodies make feet, and where everything on them is.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::feet::{Bone, DefaultPose, FloorPlace, Foot, FootBodies, FootFrame};
 use osim_model::{Anatomy, Model, Side, SphereId};

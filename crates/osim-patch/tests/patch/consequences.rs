@@ -1,12 +1,6 @@
 //! What a change carries with it and says about itself: equations, factors, remarks, warnings, refusals.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::{
     Axis, Companion, Document, Fault, FindingCode, LevelAxis, Mass, MassSource, Model, Property, PropertySet,

@@ -1,6 +1,6 @@
 //! Forces as forces of the other class, one for each sphere.
 
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::{Force, ForceKind, Model, Property, Selection, SetId};
 use osim_patch::{Convert, Converted, convert};

@@ -1,12 +1,6 @@
 //! The tests of `osim-patch` from outside, in one program: each that is linked takes a second.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking, and has a name that says what it is about"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod changed_since;
 mod choices;

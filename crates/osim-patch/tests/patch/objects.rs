@@ -1,6 +1,6 @@
 //! Whole contacts: added, and taken out again.
 
-#![allow(clippy::unwrap_used, clippy::panic, missing_docs, reason = "a test fails by panicking")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::{FileId, ForceKind, Model, Property, Scope, Selected, Selection};
 use osim_patch::{Layout, NewContact, Plan, add_contacts, note_of_rest, remove};

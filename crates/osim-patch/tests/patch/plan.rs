@@ -1,12 +1,6 @@
 //! The plan and its edits: lines, scopes, notes, and files that belong together.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::{
     Companion, Document, FileId, Mass, MassRequest, MassSource, Model, Origin, Property, PropertySet,

@@ -1,13 +1,7 @@
 //! What is refused, and where the fault points.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use crate::given::{fixture, fixtures, given_fixture};
 use osim_model::{Assignment, Fault, FaultKind, FindingCode, Model, Property, Selection};

@@ -1,13 +1,7 @@
 //! The crate's texts, on models of the project's fixtures.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    missing_docs,
-    reason = "a test fails by panicking"
-)]
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod explained;
 mod needed;
