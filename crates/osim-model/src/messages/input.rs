@@ -263,10 +263,8 @@ verbs! {
 
 // Inputs and calls as they are in a sentence.
 
-/// A part of a [`Phrase`](crate::messages::Phrase).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Part {
-    /// Plain words.
     Text(Cow<'static, str>),
     /// Something that the reader can say.
     Input(Input, Option<Example>),
@@ -276,7 +274,6 @@ pub enum Part {
     Either(Input, Box<[Vec<Part>; 2]>),
 }
 
-/// An example of the value of an input.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Example {
     /// A word for a value that the reader knows, such as `KG`.
@@ -285,24 +282,18 @@ pub enum Example {
     Value(String),
 }
 
-/// A verb with some of its inputs.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Call {
-    /// What is done.
     pub verb: Verb,
-    /// Whether it names the model: as `MODEL`.
     pub with_model: bool,
-    /// The inputs that the call gives, in this order.
     pub inputs: Vec<(Input, Option<Example>)>,
 }
 
 impl Verb {
-    /// The verb alone, for a sentence.
     pub const fn call(self) -> Call {
         Call { verb: self, with_model: false, inputs: Vec::new() }
     }
 
-    /// The verb with a model.
     pub const fn of_model(self) -> Call {
         Call { verb: self, with_model: true, inputs: Vec::new() }
     }
@@ -315,7 +306,6 @@ impl Call {
         self
     }
 
-    /// With an input and a value.
     pub fn saying(mut self, input: Input, value: impl Into<String>) -> Self {
         self.inputs.push((input, Some(Example::Value(value.into()))));
         self

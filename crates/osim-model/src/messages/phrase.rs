@@ -46,12 +46,10 @@ impl Phrase {
         })
     }
 
-    /// Adds a part, or all of another phrase.
     pub fn push(&mut self, part: impl IntoParts) {
         self.0.extend(part.into_parts());
     }
 
-    /// The parts, in order.
     pub fn parts(&self) -> &[Part] {
         &self.0
     }
@@ -192,7 +190,6 @@ impl<T: IntoParts> From<T> for Phrase {
 
 /// What a [`Phrase`] can be put together from.
 pub trait IntoParts {
-    /// The parts, in order.
     fn into_parts(self) -> Vec<Part>;
 }
 
@@ -282,7 +279,6 @@ pub trait Dialect {
     /// An input with an example of its value, as the reader types it.
     fn input(&self, input: Input, example: Option<&Example>) -> String;
 
-    /// A call, as the reader types it.
     fn call(&self, call: &Call) -> String;
 }
 

@@ -20,12 +20,9 @@ const GEOMETRY: u32 = 30502;
 /// From then on, OpenSim reads no list of this name.
 const LAST_GEOMETRY: u32 = 30505;
 
-/// A mesh file that is attached to a body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AttachedMesh {
-    /// Name of the body.
     pub body: String,
-    /// The file, as the model spells it.
     pub file: String,
     /// Scale factors of its points along their own x, y and z; NaN where they are not numbers.
     pub factors: [f64; 3],
@@ -123,7 +120,6 @@ fn mesh_placement(document: &Document, element: ElementId) -> Placement {
     }
 }
 
-/// Where the mass of a body is, and its joints.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct BodyShape {
     /// Its centre of mass, m.
@@ -193,7 +189,6 @@ const SAME_PLACE_M: f64 = 1e-9;
 const SAME_SIZE: f64 = 1e-6;
 
 impl BodySize {
-    /// Whether the body is as large as `other`.
     pub fn is_as_large_as(&self, other: &Self) -> bool {
         let close = |(a, b): (f64, f64)| (a - b).abs() <= SAME_SIZE * b.abs();
         self.factors.into_iter().zip(other.factors).all(close)

@@ -92,7 +92,6 @@ impl std::fmt::Display for Assignment {
 pub enum RadiusRule {
     /// R ∝ M^{1/3}, with the linear dimensions of the body (8). In a transfer, as large against the body as the reference's.
     Isometric,
-    /// They stay.
     Keep,
     /// All become this, in m.
     Metres(f64),
@@ -124,9 +123,7 @@ pub enum RadiusAxis {
     /// The cube root of the product of all three.
     #[default]
     GeometricMean,
-    /// The smallest.
     Min,
-    /// The largest.
     Max,
 }
 

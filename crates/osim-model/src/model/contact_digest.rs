@@ -99,7 +99,6 @@ impl Model {
         first_digits(hash)
     }
 
-    /// The spheres of each contact force.
     fn spheres_of_forces(&self) -> impl Iterator<Item = &Sphere> {
         self.forces().iter().flat_map(Force::spheres).filter_map(|sphere| self.sphere(sphere))
     }

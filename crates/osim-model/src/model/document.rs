@@ -71,7 +71,7 @@ impl Document {
         })
     }
 
-    /// The same, where it is known that there is no `file="…"` in it.
+    /// Says that there is no `file="…"` in it, where that is known.
     pub(crate) fn including_nothing(self) -> Self {
         Self { may_include: OnceLock::from(false), ..self }
     }
@@ -106,7 +106,6 @@ impl Document {
         self.tree.name(self.data_root()) == "Model"
     }
 
-    /// The `<defaults>` of the document, if it has any.
     pub fn defaults(&self) -> Option<ElementId> {
         self.defaults
     }
@@ -235,9 +234,6 @@ impl Document {
     }
 
     /// The flag `tag` of `object` as OpenSim reads it, else what `<defaults>` say; `None` where neither is a flag.
-    ///
-    /// # Errors
-    /// Something in the middle of it, which OpenSim refuses.
     pub fn flag(&self, object: ElementId, tag: &str) -> Result<Option<bool>, Fault> {
         self.first_readable(object, tag, |element| Ok(flag(&self.whole_text(element)?)))
     }
@@ -248,10 +244,6 @@ impl Document {
         self.whole_triple(object, tag).ok()?
     }
 
-    /// The same.
-    ///
-    /// # Errors
-    /// Something in the middle of it, which OpenSim refuses.
     pub(crate) fn whole_triple(&self, object: ElementId, tag: &str) -> Result<Option<[f64; 3]>, Fault> {
         self.first_readable(object, tag, |element| Ok(triple(&self.whole_text(element)?)))
     }

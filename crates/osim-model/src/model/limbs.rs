@@ -16,7 +16,6 @@ use crate::model::typed_model::Model;
 pub struct Limb {
     /// First body below the place where left and right separate.
     pub name: String,
-    /// Its side.
     pub side: Side,
     /// Its spheres, in file order.
     pub spheres: Vec<SphereId>,
@@ -46,7 +45,6 @@ pub enum Limbs {
 }
 
 impl Limbs {
-    /// The limbs, if known.
     pub fn known(&self) -> Option<&[Limb]> {
         match self {
             Self::Known(limbs) => Some(limbs),
@@ -311,7 +309,6 @@ impl<'f> FootingTree<'f> {
         self.nodes.get(&body).map(|node| node.sides).unwrap_or_default()
     }
 
-    /// The sides of all footings.
     fn all_sides(&self) -> Sides {
         let mut all = Sides::default();
         self.tops.iter().for_each(|&top| all.add(self.sides(top)));

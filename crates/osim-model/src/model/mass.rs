@@ -49,18 +49,15 @@ pub struct MassRequest {
     pub beside: BTreeMap<Input, MassesBeside>,
 }
 
-/// The source of a mass.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum MassSource {
     /// The caller, of the contacts.
     ContactsMass,
-    /// The note in the file.
     Note,
     /// The caller, of the model.
     Mass,
     /// The sum of the bodies, with their number.
     Bodies(usize),
-    /// A preset of this name.
     Preset(String),
     /// The caller, of the reference.
     ReferenceMass,
@@ -69,7 +66,6 @@ pub enum MassSource {
 }
 
 impl MassSource {
-    /// As in the JSON.
     pub const fn as_str(&self) -> &'static str {
         match self {
             Self::ContactsMass => "contacts-mass",
@@ -102,12 +98,9 @@ impl MassSource {
     }
 }
 
-/// A mass and where it comes from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mass {
-    /// In kg.
     pub kg: f64,
-    /// Who said so.
     pub source: MassSource,
 }
 
@@ -197,7 +190,7 @@ impl MassRequest {
         (!same_mass(noted, said) && model.doubt_about_note().is_none()).then_some(noted)
     }
 
-    /// The same for what a model weighs that gets other contacts: what its own were made for does not matter.
+    /// What disagrees about the weight of a model that gets other contacts: what its own were made for does not matter.
     pub fn disagreements_of_weight(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
         self.disagreements_with(model, taken, None)
     }
@@ -235,9 +228,6 @@ pub fn same_gravity(noted: f64, own: f64) -> bool {
 }
 
 /// `kg`, if it is a mass. The caller said it as `input`, which a refusal names.
-///
-/// # Errors
-/// It is not finite or not above 0.
 pub fn positive_mass(input: Input, kg: f64) -> Result<f64, Fault> {
     if kg.is_finite() && kg > 0.0 {
         return Ok(kg);
@@ -249,9 +239,9 @@ pub fn positive_mass(input: Input, kg: f64) -> Result<f64, Fault> {
 
 /// How near to a factor of 1000 a ratio of masses counts as that factor.
 const NEAR: f64 = 0.15;
-/// The same of pounds, for a question: the same body weighs the same in both units, but for what scales and people round.
+/// How near to a mass in pounds asks for an answer: a body weighs the same in both units, but for what scales and people round.
 const NEAR_POUNDS: f64 = 0.01;
-/// The same, for a remark: in between are heavy people.
+/// How near to a mass in pounds is a remark: in between are heavy people.
 const PERHAPS_POUNDS: f64 = 0.15;
 /// Lighter than any animal that contacts are made for, kg: 1 mg.
 const LIGHTEST_KG: f64 = 1e-6;
@@ -265,7 +255,7 @@ pub fn mass_slip(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<NeedsA
     within(input, kg, bodies_kg, NEAR_POUNDS)
 }
 
-/// The same, where a mass counts as one in pounds that is so near to it.
+/// The question about a mass, where one counts as in pounds that is so near to it.
 fn within(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f64) -> Option<NeedsAnswer> {
     // What the bodies weigh is the right unit.
     if is_of_bodies(input, kg, bodies_kg) {
@@ -279,7 +269,8 @@ fn within(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f64) -> Op
     Some(NeedsAnswer::Mass { input, kg, bodies_kg, beside: None, slip })
 }
 
-/// The same of a row of a table, whose other rows have the masses `beside`: many bodies of half the size or twice are meant, one is not.
+/// The question about the mass in a row of a table, whose other rows have the masses `beside`: many bodies of half the size or twice are
+/// meant, one is not.
 fn among(input: Input, kg: f64, bodies_kg: Option<f64>, beside: MassesBeside) -> Option<NeedsAnswer> {
     if is_of_bodies(input, kg, bodies_kg) {
         return None;

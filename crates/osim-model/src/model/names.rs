@@ -36,9 +36,6 @@ pub fn refuse_name(name: &str) -> Result<(), Fault> {
 }
 
 /// Refuses a name that cannot be in a path of OpenSim.
-///
-/// # Errors
-/// An empty name, one that is a step in OpenSim's paths, or one with a letter that OpenSim refuses.
 pub fn refuse_name_in_paths(name: &str) -> Result<(), Fault> {
     if name.is_empty() {
         return Err(Fault::refused(
@@ -80,18 +77,15 @@ pub struct Pattern {
     matcher: GlobSet,
 }
 
-/// Why a text is not a pattern, in words.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct PatternError(String);
 
 impl Pattern {
-    /// Whether `name` is as the pattern says.
     pub fn matches(&self, name: &str) -> bool {
         self.matcher.is_match(name)
     }
 
-    /// The pattern as it was written.
     pub fn as_str(&self) -> &str {
         &self.text
     }
@@ -146,7 +140,6 @@ pub enum Side {
 }
 
 impl Side {
-    /// As in the JSON.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Right => "right",
@@ -154,7 +147,6 @@ impl Side {
         }
     }
 
-    /// The opposite one.
     pub const fn other(self) -> Self {
         match self {
             Self::Right => Self::Left,

@@ -15,14 +15,12 @@ use crate::model::rotation::{Rotation, cross};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placement {
-    /// How it is turned.
     pub rotation: Rotation,
     /// Where its origin is, m.
     pub translation_m: [f64; 3],
 }
 
 impl Placement {
-    /// The same frame.
     pub const IDENTITY: Self = Self { rotation: Rotation::IDENTITY, translation_m: [0.0; 3] };
 
     /// From OpenSim's `orientation` (body-fixed angles about x, y, z, rad) and `translation` (m).
@@ -77,7 +75,6 @@ pub(crate) fn six_digits(value: f64) -> f64 {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MovingPlacement {
-    /// Where it is.
     pub at: Placement,
     /// How it turns, rad/s, seen from the other one.
     pub angular_velocity: [f64; 3],
@@ -146,7 +143,7 @@ mod tests {
         }
     }
 
-    /// The same with its velocities at time 0, by the rates of its angles.
+    /// Where it is, with its velocities at time 0, by the rates of its angles.
     fn moving() -> MovingPlacement {
         let angular_velocity = Rotation::body_fixed_velocity([0.3, 0.0, 1.1], [0.5, -0.7, -0.2]);
         MovingPlacement { at: at(0.0), angular_velocity, velocity_m_s: [1.0, -2.0, -0.3] }

@@ -92,7 +92,6 @@ impl Property {
         value.is_finite() && if self.may_be_zero() { value >= 0.0 } else { value > 0.0 }
     }
 
-    /// [`Property::allows`] in words.
     pub const fn domain(self) -> &'static str {
         if self.may_be_zero() { "a finite number, 0 or more" } else { "a finite number above 0" }
     }
@@ -157,22 +156,16 @@ fn near(text: &str) -> Vec<&'static str> {
 /// An OpenSim class whose numbers are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Class {
-    /// `HuntCrossleyForce`
     HuntCrossleyForce,
     /// `HuntCrossleyForce::ContactParameters`
     ContactParameters,
-    /// `SmoothSphereHalfSpaceForce`
     SmoothSphereHalfSpaceForce,
-    /// `ContactSphere`
     ContactSphere,
-    /// `ContactHalfSpace`
     ContactHalfSpace,
-    /// `Body`
     Body,
 }
 
 impl Class {
-    /// The tag of its elements.
     pub const fn tag(self) -> &'static str {
         match self {
             Self::HuntCrossleyForce => "HuntCrossleyForce",
@@ -307,7 +300,6 @@ pub enum Origin {
 }
 
 impl Origin {
-    /// As in the JSON.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Element => "element",
@@ -336,11 +328,9 @@ impl Origin {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Value {
-    /// Which property.
     pub property: Property,
     /// What OpenSim reads, in the unit of `property`.
     pub number: f64,
-    /// Where it comes from.
     pub origin: Origin,
     /// The number's bytes in its file, where the object's own element has it.
     pub span: Option<Range<usize>>,
@@ -354,9 +344,6 @@ pub struct Value {
 
 impl Value {
     /// The number, if it can be scaled: one plain number within its domain.
-    ///
-    /// # Errors
-    /// The fault, over the bytes of the number.
     pub fn checked(&self) -> Result<f64, Fault> {
         let over = |kind: FaultKind| match &self.span {
             Some(span) => Fault::over(kind, span.clone()),

@@ -15,18 +15,11 @@ use crate::model::skeleton::Skeleton;
 use crate::model::typed_model::Model;
 
 impl Model {
-    /// Reads a model from the bytes of one file.
-    ///
-    /// # Errors
-    /// Those of [`Document::parse`] and of [`Model::read_with`].
     pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {
         Self::read(Document::parse(bytes)?)
     }
 
     /// Reads a model from one file.
-    ///
-    /// # Errors
-    /// See [`Model::read_with`].
     pub fn read(document: Document) -> Result<Self, Fault> {
         Self::read_with(document, vec![])
     }
@@ -88,9 +81,6 @@ impl Model {
 
     /// Reads the model again after a change: from new `bytes` of its main file, and of the `others`. Files that are not among
     /// these are as they were.
-    ///
-    /// # Errors
-    /// Those of [`Document::parse`] and of [`Model::read_with`].
     pub fn read_again(&self, bytes: Vec<u8>, others: &[(FileId, Vec<u8>)]) -> Result<Self, Fault> {
         let document = Document::parse(bytes)?;
         let mut named = document.included_files().into_iter();

@@ -5,7 +5,6 @@
 pub struct Rotation([[f64; 3]; 3]);
 
 impl Rotation {
-    /// No rotation.
     pub const IDENTITY: Self = Self([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
 
     /// From OpenSim's `orientation`: body-fixed angles about x, then y, then z, in rad.
@@ -79,7 +78,6 @@ impl Rotation {
     }
 }
 
-/// a × b.
 pub fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
     [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
 }
@@ -92,21 +90,16 @@ pub(crate) fn times(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 /// Two axes this close to up (difference of their cosines) are equally near.
 const TIE: f64 = 1e-9;
 
-/// An axis of a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Axis {
-    /// x.
     X,
-    /// y.
     Y,
-    /// z.
     Z,
 }
 
 impl Axis {
     const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
 
-    /// Its place in a vector.
     pub const fn index(self) -> usize {
         self as usize
     }
@@ -150,7 +143,7 @@ impl LevelAxis {
         Self { axis, down: gravity[axis.index()] > 0.0, of_body: true }
     }
 
-    /// The same as an axis of a frame that is turned by `rotation` in its body.
+    /// The axis in a frame that is turned by `rotation` in its body.
     pub fn in_frame(self, rotation: &Rotation) -> Self {
         if !self.of_body {
             return self;

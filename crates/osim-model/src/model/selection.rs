@@ -49,7 +49,6 @@ pub struct Selected {
 }
 
 impl Selected {
-    /// The forces of `model` for which `wanted` holds.
     pub fn those(model: &Model, wanted: impl Fn(&Force) -> bool) -> Self {
         let forces = ids(model, wanted);
         Self { complete: is_complete(model, &forces), forces }
@@ -76,9 +75,6 @@ impl Selection {
 
     /// Applies the choice to all contact forces of `model`, whatever meets in them: for changes that are the same for every
     /// animal.
-    ///
-    /// # Errors
-    /// No force at all, or no force that matches.
     pub fn apply_to_all(&self, model: &Model) -> Result<Selected, Fault> {
         self.chosen_of(model, &ids(model, |_| true))
     }
@@ -92,9 +88,6 @@ impl Selection {
     }
 
     /// Applies the choice to those of `candidates`: they are known, so nothing is asked about several animals.
-    ///
-    /// # Errors
-    /// No force that matches.
     pub fn apply_among(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
         self.chosen_of(model, candidates)
     }

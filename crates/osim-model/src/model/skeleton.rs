@@ -9,13 +9,11 @@ use crate::model::property::{Class, Origin, Property, Value};
 /// One body of the model, ground left out.
 #[derive(Debug, Clone)]
 pub struct Body {
-    /// Name as in the file.
     pub name: String,
     /// Component path.
     pub path: String,
     /// `mass` in kg; NaN where the file gives none. [`Body::mass_kg`] checks it.
     pub mass: Value,
-    /// The file it is in.
     pub file: FileId,
     /// Whether only WeldJoints are between it and ground: spheres on it are scenery.
     pub fixed: bool,
@@ -26,9 +24,6 @@ pub struct Body {
 
 impl Body {
     /// The mass, if it is one plain number that is not negative.
-    ///
-    /// # Errors
-    /// No mass, or a text that is not a plain number, with its place.
     pub fn mass_kg(&self) -> Result<f64, Fault> {
         let missing = self.mass.origin == Origin::ClassDefault && self.mass.fault.is_none();
         let fault = if missing {
@@ -84,7 +79,6 @@ impl Skeleton {
         Self { bodies: bodies.collect(), joined }
     }
 
-    /// The loops that joints form.
     pub(crate) fn loops(&self) -> &Loops {
         &self.joined.loops
     }
@@ -247,7 +241,6 @@ fn scenery(welded: &HashSet<ComponentId>, links: &[JointLink]) -> HashSet<Compon
 struct JointLink {
     pub joint: ComponentId,
     pub ends: [Base; 2],
-    /// Whether it is a WeldJoint.
     pub weld: bool,
     /// Whether it is a WeldJoint or a FreeJoint: with one of these in a loop, OpenSim counts a body twice.
     pub counts_twice: bool,

@@ -27,7 +27,7 @@ use crate::xml::ElementId;
 /// ```
 #[derive(Debug)]
 pub struct Model {
-    /// The same in a model with other numbers of its contacts.
+    /// Shared with models that have other numbers of the contacts.
     pub(crate) components: Arc<Components>,
     pub(crate) skeleton: Arc<Skeleton>,
     pub(crate) body_facts: Arc<BodyFacts>,
@@ -38,7 +38,6 @@ pub struct Model {
     pub(crate) note_fault: Option<NoteDoubt>,
     /// For each companion, the `file="…"` that names it, where one does.
     pub(crate) included: Vec<Option<String>>,
-    /// Name of the model.
     pub name: String,
     /// Gravity vector, m/s²; `None` where its text is not three numbers.
     pub gravity_m_s2: Option<[f64; 3]>,
@@ -75,17 +74,11 @@ impl Model {
     }
 
     /// The effective value of a force's property, where it can be scaled; `None` where the class has none.
-    ///
-    /// # Errors
-    /// A value that is not a plain number or outside its domain, with its place.
     pub fn parameter(&self, force: ForceId, set: SetId, property: Property) -> Result<Option<f64>, Fault> {
         self.force(force).map_or(Ok(None), |force| force.checked(set, property))
     }
 
     /// The effective radius of a sphere, m, where it can be scaled.
-    ///
-    /// # Errors
-    /// A radius that is not a plain number or outside its domain; a handle that is another model's.
     pub fn radius_m(&self, sphere: SphereId) -> Result<f64, Fault> {
         match self.sphere(sphere) {
             Some(sphere) => sphere.radius_m(),
@@ -114,7 +107,6 @@ impl Model {
         self.included.get(file.companion_index()?)?.as_deref()
     }
 
-    /// The main file.
     pub fn document(&self) -> &Document {
         self.components.main()
     }
@@ -181,17 +173,14 @@ pub(crate) struct BodyFacts {
 }
 
 impl BodyFacts {
-    /// Factors of meshes.
     pub(crate) fn mesh_factors(&self, components: &Components) -> &ByBody {
         self.mesh_factors.get_or_init(|| mesh_factors(components))
     }
 
-    /// Translations of frames.
     pub(crate) fn frame_offsets(&self, components: &Components) -> &ByBody {
         self.frame_offsets.get_or_init(|| frame_offsets(components))
     }
 
-    /// How far apart the joints of each body are.
     pub(crate) fn joint_distances(&self, components: &Components) -> &JointDistances {
         self.distances.get_or_init(|| JointDistances::of_joints(self.joints.between_bodies(components)))
     }

@@ -34,12 +34,10 @@ pub enum NumberFault {
     Empty,
     /// OpenSim reads a number from the start of the text and ignores the rest.
     Prefix {
-        /// What OpenSim makes of it.
         opensim_reads: f64,
     },
     /// OpenSim cannot read the text either and silently takes its default.
     Unreadable,
-    /// A comment or element interrupts the number.
     Interrupted,
 }
 
@@ -70,9 +68,6 @@ pub fn list(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Reads one number strictly; where OpenSim reads something else, says what.
-///
-/// # Errors
-/// The text is not one plain number.
 pub fn number(raw: &RawText) -> Result<f64, NumberFault> {
     if !raw.whole {
         return Err(NumberFault::Interrupted);

@@ -14,7 +14,6 @@ const BYTES_PER_PIECE: usize = 8;
 const BYTES_PER_ELEMENT: usize = 20;
 /// Bytes of a text that are looked at eight by eight.
 const SHORT_TEXT: usize = 16;
-/// 1 in each byte.
 const EACH_BYTE: u64 = u64::from_ne_bytes([1; 8]);
 
 /// Pieces and elements of `text` from byte `base` on; `None` for anything that is not plain.

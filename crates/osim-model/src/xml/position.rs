@@ -1,6 +1,5 @@
 //! Byte offset → line and column, as an editor shows them.
 
-/// A place in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Position {
     /// Bytes before this place.

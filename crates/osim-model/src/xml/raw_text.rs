@@ -20,7 +20,6 @@ pub struct RawText {
 }
 
 impl Tree {
-    /// Reads the text of `id`.
     pub fn raw_text(&self, id: ElementId) -> RawText {
         if let Some((text, span)) = self.plain_text(id) {
             return RawText { text: text.to_owned(), span, whole: true };
@@ -122,7 +121,7 @@ pub const fn is_white(letter: char) -> bool {
     matches!(letter, ' ' | '\t'..='\r')
 }
 
-/// The same of a byte: white space is ASCII, so that what lies between its bytes are whole letters.
+/// White space of XML is ASCII, so that what lies between its bytes are whole letters.
 pub(super) const fn is_white_byte(byte: u8) -> bool {
     is_white(byte as char)
 }

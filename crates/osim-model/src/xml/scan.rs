@@ -28,7 +28,6 @@ pub enum SyntaxFault {
     /// `<!DOCTYPE x […]>`
     #[error("the DOCTYPE has an internal subset [...], which OpenSim cannot read: remove it")]
     DoctypeSubset,
-    /// A second element beside the root.
     #[error("a second outermost element starts here, expected the end of the file")]
     SecondRoot,
     /// Text before or after the root element.
@@ -42,39 +41,18 @@ pub enum SyntaxFault {
     },
     /// An end tag of another name.
     #[error("</{found}> closes <{expected}>, expected </{expected}>")]
-    MismatchedEnd {
-        /// Tag that is open.
-        expected: String,
-        /// Tag of the end tag.
-        found: String,
-    },
+    MismatchedEnd { expected: String, found: String },
     /// An end tag without a start.
     #[error("</{found}> closes nothing")]
-    UnexpectedEnd {
-        /// Tag of the end tag.
-        found: String,
-    },
-    /// A bad attribute.
+    UnexpectedEnd { found: String },
     #[error("<{tag}>: {what}")]
-    Attribute {
-        /// Tag of the element.
-        tag: String,
-        /// What the parser says.
-        what: String,
-    },
+    Attribute { tag: String, what: String },
     /// Anything else the parser refuses.
     #[error("{what}")]
-    Malformed {
-        /// What the parser says.
-        what: String,
-    },
+    Malformed { what: String },
     /// The file ends inside a tag, comment or instruction.
     #[error("the file ends inside a tag or a comment: it looks truncated, copy it again from where it came")]
-    Truncated {
-        /// What the parser says.
-        what: String,
-    },
-    /// A zero byte.
+    Truncated { what: String },
     #[error("a zero byte is here: the file is damaged or not text, copy it again from where it came")]
     Nul,
     /// More than 4 GiB.
@@ -85,7 +63,6 @@ pub enum SyntaxFault {
 /// A file that is not one document, and where that shows.
 #[derive(Debug)]
 pub struct SyntaxError {
-    /// What is wrong.
     pub fault: SyntaxFault,
     /// Byte of the file.
     pub offset: usize,
@@ -94,7 +71,6 @@ pub struct SyntaxError {
 }
 
 impl SyntaxError {
-    /// The file.
     pub fn bytes(&self) -> &[u8] {
         self.file.bytes()
     }
@@ -108,7 +84,6 @@ const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
 /// Up to this many attributes are compared pairwise; more go through a hash set.
 const FEW_ATTRIBUTES: usize = 8;
 
-/// A fault and the byte at which it was noticed.
 type Fault = (SyntaxFault, usize);
 
 impl Tree {

@@ -3,11 +3,9 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// What a piece of the file is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum PieceKind {
-    /// The byte order mark.
     ByteOrderMark,
     /// `<tag …>`
     Open,
@@ -15,7 +13,6 @@ pub enum PieceKind {
     Close,
     /// `<tag …/>`
     Empty,
-    /// Character data.
     Text,
     /// `<![CDATA[…]]>`
     CData,
@@ -30,7 +27,6 @@ pub enum PieceKind {
 /// One piece of the file; pieces tile it without gaps or overlaps.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Piece<'t> {
-    /// What stands there.
     pub kind: PieceKind,
     /// Its bytes in the file, from 0.
     pub span: Range<usize>,
@@ -133,7 +129,6 @@ impl Tree {
         (0..u32::try_from(self.elements.len()).unwrap_or(u32::MAX)).map(ElementId)
     }
 
-    /// Number of elements.
     pub fn element_count(&self) -> usize {
         self.elements.len()
     }
@@ -162,7 +157,6 @@ impl Tree {
         })
     }
 
-    /// Whether it is written as `<tag/>`.
     pub fn is_empty_tag(&self, id: ElementId) -> bool {
         let element = self.element(id);
         element.open == element.close
@@ -184,7 +178,6 @@ impl Tree {
         self.piece_span(self.element(id).close as usize)
     }
 
-    /// The tag name, as written.
     #[inline]
     pub fn name(&self, id: ElementId) -> &str {
         let element = self.element(id);

@@ -27,7 +27,6 @@ pub enum FactorSource {
 }
 
 impl FactorSource {
-    /// As in reports and JSON.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Given => "given",
@@ -40,19 +39,15 @@ impl FactorSource {
     }
 }
 
-/// The factor of one axis of one body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisFactor {
     /// New length over old length.
     pub factor: f64,
-    /// Where it comes from.
     pub source: FactorSource,
 }
 
-/// The factors of one body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyFactors {
-    /// Name of the body.
     pub body: String,
     /// Along x, y and z of the body; `None` where no source says it.
     pub axes: [Option<AxisFactor>; 3],
@@ -80,14 +75,12 @@ impl ByName {
         self.0.get(body).copied()
     }
 
-    /// The factors of the body called `body` among `bodies`.
     pub(super) fn axes(&self, bodies: &[BodyFactors], body: &str) -> [Option<AxisFactor>; 3] {
         let found = self.place(body).and_then(|at| bodies.get(at));
         found.map(|factors| factors.axes).unwrap_or([None; 3])
     }
 }
 
-/// Length of a vector.
 pub(super) fn length([x, y, z]: [f64; 3]) -> f64 {
     libm::sqrt(x * x + y * y + z * z)
 }
@@ -164,10 +157,8 @@ impl Distance<'_> {
 const SIDE_BEFORE: [&str; 2] = ["r_", "l_"];
 const SIDE_AFTER: [&str; 4] = ["_rv", "_lv", "_r", "_l"];
 
-/// Two meshes of one bone.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct BonePair {
-    /// The mesh of the scaled model.
     pub(super) mesh: String,
     /// New over old factors along x, y and z.
     pub(super) factors: [Option<f64>; 3],
@@ -210,7 +201,8 @@ impl<'a> Bones<'a> {
         bones
     }
 
-    /// The same file says more than the same bone, and a mesh of the same side more than its mirror.
+    /// The factors of a mesh that shows the same bone: the same file says more than the same bone, and a mesh of the same side more than
+    /// its mirror.
     fn alike(&self, mesh: &str) -> Option<&'a [f64; 3]> {
         let sided = (bone_of_mesh(mesh), side(mesh));
         self.by_side.get(&sided).or_else(|| self.by_bone.get(&sided.0)).copied()

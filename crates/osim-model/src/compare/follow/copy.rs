@@ -22,7 +22,6 @@ pub enum Difference {
     Fragment,
     /// A joint is between other bodies.
     Joint {
-        /// Its name.
         joint: String,
         /// The bodies that it joins in the model.
         here: [String; 2],
@@ -33,7 +32,6 @@ pub enum Difference {
     Offset {
         /// The body on which the joint is.
         body: String,
-        /// Its name.
         joint: String,
         /// x, y or z.
         axis: &'static str,
@@ -44,7 +42,6 @@ pub enum Difference {
     },
     /// Meshes of one body have factors that are not the same.
     Meshes {
-        /// The body.
         body: String,
         /// x, y or z.
         axis: &'static str,

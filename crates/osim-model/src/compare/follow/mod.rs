@@ -112,9 +112,6 @@ impl Follow {
     }
 
     /// Checks that every contact sphere of the `reference`, by name, is in the scaled model.
-    ///
-    /// # Errors
-    /// Some are not: their names.
     pub fn refuse_missing<'n>(
         scaled: &Anatomy,
         reference: impl Iterator<Item = &'n String>,

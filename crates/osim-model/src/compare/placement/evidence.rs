@@ -70,7 +70,6 @@ impl Evidence {
         matches!(self, Self::Right)
     }
 
-    /// The finding that it is.
     pub fn finding(&self, model: &Model) -> Option<Finding> {
         match self {
             Self::Note(noted) => Some(rules::left_behind_since_note(noted)),
@@ -121,7 +120,6 @@ pub(super) struct Layout {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub(super) struct Place(String, f64, f64, f64);
 
-/// A place in a model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Centre<'m> {
     body: &'m str,
@@ -132,7 +130,7 @@ struct Centre<'m> {
 struct Places<'m> {
     list: Vec<Centre<'m>>,
     digest: OnceCell<String>,
-    /// The same seen from bones of other sizes, those of which somebody asked for the digest.
+    /// Centres seen from bones of other sizes, each with the digest for which it was asked.
     grown: RefCell<Vec<(Vec<Centre<'m>>, String)>>,
 }
 
@@ -151,11 +149,9 @@ pub enum LayoutAnswer {
     OtherSize {
         /// As people cite the layout.
         title: &'static str,
-        /// A body whose bones have another size.
         body: String,
         /// The factors of its meshes along x, y and z.
         here: [f64; 3],
-        /// Those with which the layout was published.
         published: [f64; 3],
     },
 }
@@ -286,7 +282,7 @@ impl<'m> Places<'m> {
 }
 
 impl Centre<'_> {
-    /// The same place on the other foot, in its frame.
+    /// The place on the other foot that mirrors this one, in its frame.
     fn mirrored(&self) -> Self {
         let [x, y, z] = self.at_m;
         Self { at_m: [x, y, -z], ..*self }

@@ -44,13 +44,11 @@ pub struct Placement {
 /// A sphere, where it is and where it belongs, in its frame, m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedSphere {
-    /// Its name.
     pub name: String,
     /// Its component path.
     pub path: String,
     /// Line of the element, from 1.
     pub line: usize,
-    /// Where it is.
     pub here_m: [f64; 3],
     /// Where it was in the model that was scaled.
     pub was_m: [f64; 3],

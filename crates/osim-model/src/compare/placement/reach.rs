@@ -22,7 +22,6 @@ const LARGEST_L: f64 = 1.05;
 /// One J or L, and the sphere of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reach {
-    /// The sphere.
     pub sphere: SphereId,
     /// J or L.
     pub value: f64,

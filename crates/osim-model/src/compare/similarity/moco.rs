@@ -52,8 +52,6 @@ pub fn moco_bounds(setup: &Document, model: &Model) -> SizedValues {
     found
 }
 
-/// # Errors
-/// The document is not a setup of Moco.
 pub fn refuse_without_moco_phase(setup: &Document) -> Result<(), Fault> {
     let tree = setup.tree();
     if tree.elements().any(|id| tree.name(id) == "MocoPhase") {

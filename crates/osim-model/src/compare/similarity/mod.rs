@@ -11,7 +11,6 @@ pub use moco::{moco_bounds, refuse_without_moco_phase};
 use ratios::SAME;
 pub use ratios::{SizeRatios, SizeVerdict, Spread, formula};
 
-/// Where the ratio of lengths comes from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LengthFrom {
     /// The distances between the joints of so many bodies, summed.
@@ -34,9 +33,7 @@ pub struct ComparedFactors {
 /// The numbers of one kind.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SimilarityRow {
-    /// What they are.
     pub kind: SizedKind,
-    /// How many the model has.
     pub count: usize,
     /// The numbers, in the unit of the kind.
     pub values: Spread,
@@ -55,15 +52,12 @@ pub struct Similarity {
     pub masses_kg: [Option<f64>; 2],
     /// How much larger the second is; `None` where a mass is not known.
     pub ratios: Option<SizeRatios>,
-    /// Where the ratio of lengths comes from.
     pub length_from: LengthFrom,
     /// By kind, those that the model has.
     pub rows: Vec<SimilarityRow>,
     /// Names of objects that have numbers in the model and none in the original.
     pub only_in_model: Vec<String>,
-    /// The same the other way round.
     pub only_in_original: Vec<String>,
-    /// What is not read of the model.
     pub not_read: Vec<NotRead>,
 }
 
@@ -205,12 +199,10 @@ pub struct ModelSize {
     pub gravity_m_s2: Option<f64>,
     /// The longest distance between two joints of each body that has two, m.
     joint_distances_m: BTreeMap<String, f64>,
-    /// The numbers.
     values: SizedValues,
 }
 
 impl ModelSize {
-    /// That of `model`, which weighs what `masses` say.
     pub fn of(model: &Model, masses: &MassRequest) -> Self {
         let distances = model.joint_distances();
         let of_body = |name: &str| Some((name.to_owned(), distances.of_body(name)?));
@@ -222,7 +214,6 @@ impl ModelSize {
         }
     }
 
-    /// The same with numbers of a file beside the model.
     pub fn with(mut self, more: SizedValues) -> Self {
         self.values.values.extend(more.values);
         self.values.not_read.extend(more.not_read);

@@ -5,11 +5,8 @@ use crate::model::Dimension;
 /// How much larger one body is than another one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SizeRatios {
-    /// Mass over mass.
     pub mass: f64,
-    /// Length over length.
     pub length: f64,
-    /// Gravity over gravity.
     pub gravity: f64,
 }
 
@@ -37,7 +34,7 @@ impl SizeRatios {
     }
 }
 
-/// The same at equal gravity as a formula of M and L: `M L^(3/2)`, `1 / L^(1/2)`.
+/// The power law at equal gravity as a formula of M and L: `M L^(3/2)`, `1 / L^(1/2)`.
 pub fn formula(dimension: Dimension) -> String {
     let powers = [("M", 2 * dimension.mass), ("L", 2 * dimension.length + dimension.time)];
     let part = |wanted: fn(i8) -> bool| {
@@ -66,9 +63,7 @@ fn power(name: &str, halves: u8) -> String {
 pub struct Spread {
     /// The middle one; the mean of both where their number is even.
     pub median: f64,
-    /// The least.
     pub min: f64,
-    /// The greatest.
     pub max: f64,
 }
 
@@ -130,7 +125,6 @@ impl SizeVerdict {
         }
     }
 
-    /// For people.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Follows => "follows",

@@ -17,7 +17,6 @@ use crate::xml::{ElementId, opensim_text};
 /// By body: three numbers for each of its meshes or frames, as in [`Anatomy`](crate::model::anatomy::Anatomy).
 pub(crate) type ByBody = BTreeMap<String, BTreeMap<String, [f64; 3]>>;
 
-/// The factors of the meshes of all bodies.
 pub(crate) fn mesh_factors(components: &Components) -> ByBody {
     let mut found = ByBody::new();
     for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
@@ -53,7 +52,7 @@ impl Offsets {
         self.offsets.entry(body).or_default().insert(components.tree.path(frame), translation);
     }
 
-    /// The same offsets under the joint's name, which a document of version 3 has too.
+    /// Offsets of a joint's frames under the joint's name, which a document of version 3 has too.
     fn read_joint(&mut self, components: &Components, joint: ComponentId) {
         for end in ["parent", "child"] {
             let frame = components
@@ -167,9 +166,9 @@ const BONES: f64 = 13.0;
 pub struct JointDistances {
     /// The longest distance between two joints of one body, m: of the body of this name and of those that it is joined to.
     around_m: BTreeMap<String, f64>,
-    /// The same, of the body alone.
+    /// Without the bodies below it.
     own_m: BTreeMap<String, f64>,
-    /// The same, of the body and those above it on its limb.
+    /// Of the body and those above it on its limb.
     of_limb_m: HashMap<String, Option<f64>>,
     longest_of_all_m: Option<f64>,
 }
@@ -216,7 +215,6 @@ impl JointDistances {
         self.around_body(sphere.body.as_ref()?)
     }
 
-    /// The same of a body.
     pub fn around_body(&self, body: &str) -> Option<f64> {
         self.around_m.get(body).copied().or(self.longest_of_all_m)
     }

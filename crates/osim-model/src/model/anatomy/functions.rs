@@ -23,17 +23,14 @@ impl CoordinateFunction {
     /// 0 everywhere.
     pub(crate) const ZERO: Self = Self(Kind::Polynomial(Vec::new()));
 
-    /// The function at `element`; `None` for one that is not known.
     pub fn read(document: &Document, element: ElementId) -> Option<Self> {
         Kind::read(document, element).map(Self)
     }
 
-    /// Its value at `x`.
     pub fn value(&self, x: f64) -> f64 {
         self.0.value(x)
     }
 
-    /// Its derivative at `x`.
     pub fn slope(&self, x: f64) -> f64 {
         self.0.slope(x)
     }
@@ -138,7 +135,6 @@ impl SimmSpline {
         Self { xs, ys, width, rise, third }
     }
 
-    /// Value and slope at `x`.
     #[allow(clippy::indexing_slicing, reason = "all indices are below the number of knots")]
     fn at(&self, x: f64) -> (f64, f64) {
         let Self { xs, ys, width, rise, third } = self;

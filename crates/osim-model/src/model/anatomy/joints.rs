@@ -15,15 +15,12 @@ use crate::xml::ElementId;
 /// A joint between two bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AnatomyJoint {
-    /// Its name.
     pub name: String,
     /// The body it hangs on.
     pub parent: String,
     /// The body that hangs on it.
     pub child: String,
-    /// Where it is on its parent, m.
     pub in_parent_m: [f64; 3],
-    /// Where it is on its child, m.
     pub in_child_m: [f64; 3],
     /// The child's frame in the parent's at the default pose; `None` where a function of the joint is not understood.
     placement: Option<Placement>,
@@ -39,7 +36,6 @@ impl AnatomyJoint {
 /// A joint, to ground or between bodies, and what it takes to place one by the other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModelJoint {
-    /// Its name.
     pub name: String,
     /// Its class, such as `CustomJoint`.
     pub class: String,
@@ -47,9 +43,7 @@ pub struct ModelJoint {
     pub parent: Option<String>,
     /// The body that hangs on it; `None` is ground.
     pub child: Option<String>,
-    /// The file it is in.
     pub file: FileId,
-    /// Its coordinates, in order.
     pub coordinates: Vec<JointCoordinate>,
     element: ElementId,
     in_parent: Placement,
@@ -62,10 +56,8 @@ pub struct ModelJoint {
     motion: OnceLock<Option<Motion>>,
 }
 
-/// A coordinate of a joint.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointCoordinate {
-    /// Its name.
     pub name: String,
     /// Where it is in the joint's file; the joint itself if only OpenSim makes it.
     pub element: ElementId,
@@ -105,7 +97,7 @@ impl ModelJoint {
         self.motion.get_or_init(read).as_ref()
     }
 
-    /// The same with its frames as OpenSim converts those of a joint in a body: with six digits.
+    /// With its frames as OpenSim converts those of a joint in a body: with six digits.
     pub(crate) fn converted(mut self) -> Self {
         if self.in_body {
             self.in_parent = self.in_parent.in_six_digits();
@@ -139,7 +131,6 @@ impl Joints {
         })
     }
 
-    /// Each body at an end of a joint, and where the joint is on it, m.
     pub(crate) fn ends(&self, components: &Components) -> impl Iterator<Item = (&str, [f64; 3])> {
         self.read(components).iter().flat_map(|(_, joint)| {
             let parent = joint.parent.as_deref().map(|body| (body, joint.in_parent.translation_m));
@@ -148,7 +139,6 @@ impl Joints {
         })
     }
 
-    /// Those between bodies.
     pub(crate) fn between_bodies(&self, components: &Components) -> &[AnatomyJoint] {
         let all = self.read(components).iter();
         self.between_bodies

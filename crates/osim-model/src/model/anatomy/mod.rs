@@ -27,7 +27,6 @@ pub struct Anatomy {
     pub meshes: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
     /// Per body: translations of frames that are fixed to it, m, by the name of the joint or frame.
     pub offsets: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
-    /// Contact spheres.
     pub spheres: Vec<AnatomySphere>,
     /// Joints between bodies of the files, in file order; those to ground are not among them.
     pub joints: Vec<AnatomyJoint>,
@@ -65,18 +64,14 @@ impl AnatomyIndex {
     }
 }
 
-/// A contact sphere and where it is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AnatomySphere {
-    /// Name as in the file.
     pub name: String,
     /// Body that carries it; `None` is ground.
     pub body: Option<String>,
     /// Location of its centre in its frame, m.
     pub location_m: [f64; 3],
-    /// Radius, m.
     pub radius_m: f64,
-    /// Rotation of its frame in the body.
     pub rotation: Rotation,
 }
 
@@ -93,7 +88,6 @@ impl AnatomySphere {
 }
 
 impl Anatomy {
-    /// The same bones with other spheres.
     pub fn with_spheres(mut self, spheres: Vec<AnatomySphere>) -> Self {
         self.spheres = spheres;
         self.index = AnatomyIndex::new(&self);
@@ -159,7 +153,6 @@ impl Anatomy {
         self.joints.get(*self.index.joints.get(name)?)
     }
 
-    /// Whether there is a body of that name.
     pub fn has_body(&self, name: &str) -> bool {
         self.index.bodies.contains(name)
     }
@@ -194,7 +187,6 @@ impl Anatomy {
         None
     }
 
-    /// The same bones, with `name` as the name of `body`.
     pub fn with_name(mut self, body: &str, name: &str) -> Self {
         let renamed = |known: &mut String| {
             if known == body {
@@ -257,7 +249,7 @@ impl ModelJoint {
         self.placed(model.components(), values)
     }
 
-    /// The same while its coordinates change with these `speeds`.
+    /// Where a body is, and how it moves, while its coordinates change with these `speeds`.
     pub fn moving(&self, model: &Model, values: &[f64], speeds: Speeds<'_>) -> Option<MovingPlacement> {
         self.moved(model.components(), values, speeds)
     }

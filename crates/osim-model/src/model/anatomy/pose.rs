@@ -19,7 +19,6 @@ pub enum Speeds<'s> {
 }
 
 impl Speeds<'_> {
-    /// One of them.
     pub(crate) fn get(&self, index: usize) -> f64 {
         let (Self::Rates(all) | Self::OfOpenSim(all)) = self;
         all.get(index).copied().unwrap_or(0.0)
@@ -49,7 +48,6 @@ pub(crate) enum Motion {
     Pin,
     Slider,
     Universal,
-    /// Three angles.
     Gimbal,
     /// Three angles, whose speeds are an angular velocity in OpenSim.
     Ball,
@@ -128,7 +126,7 @@ impl Motion {
         axes.iter().rfind(|axis| axis.coordinate == Some(index) && axis.is_pure).map(|axis| axis.turns)
     }
 
-    /// The same of the coordinates of any joint.
+    /// Whether a coordinate of any joint turns something.
     pub(crate) fn turns(&self, index: usize) -> Option<bool> {
         match self {
             Self::Weld => None,

@@ -20,13 +20,11 @@ pub(crate) use tree::{Component, ComponentId};
 /// [`ModelFiles`](crate::model::files::ModelFiles) finds and reads them.
 #[derive(Debug, Clone)]
 pub struct Companion {
-    /// Its contents.
     pub document: Document,
     /// The element of the main file whose `file="…"` names it; `None` for a set or model given beside a set.
     pub included_by: Option<ElementId>,
 }
 
-/// Documents and their components.
 #[derive(Debug)]
 pub(crate) struct Components {
     main: Document,
@@ -43,7 +41,6 @@ pub(crate) struct Connectee {
     pub legacy: bool,
 }
 
-/// Where a frame leads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Base {
     Ground,
@@ -52,7 +49,6 @@ pub(crate) enum Base {
     Unknown,
 }
 
-/// A resolved connectee.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Found {
     /// `None` is ground, which no file spells out.
@@ -211,7 +207,6 @@ impl Components {
         tag == "Body" || tag == "Ground" || tag.ends_with("Frame")
     }
 
-    /// The frame that a socket of `owner` means.
     pub(crate) fn frame(&self, owner: ComponentId, connectee: &Connectee) -> Option<Found> {
         let text = connectee.text.as_str();
         let exact = self.tree.at_path(owner, text).filter(|&id| self.is_frame(id));

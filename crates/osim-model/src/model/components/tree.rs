@@ -26,10 +26,8 @@ const CONTACT_PARAMETERS_SETS: [&str; 2] =
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct ComponentId(u32);
 
-/// One component.
 #[derive(Debug)]
 pub(crate) struct Component {
-    /// Which of the files.
     pub file: FileId,
     pub element: ElementId,
     pub parent: Option<ComponentId>,
@@ -40,7 +38,6 @@ pub(crate) struct Component {
     /// Whether it is in `<components>`, which OpenSim reads before all other properties.
     is_member: bool,
     children: Children,
-    /// The next child of its parent.
     next: Option<ComponentId>,
 }
 

@@ -48,7 +48,6 @@ impl SetId {
 /// Where the text of a property is, or the object that would get it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Slot {
-    /// Which of the files.
     pub file: FileId,
     /// The object that has the property.
     pub object: ElementId,
@@ -65,9 +64,7 @@ pub struct Slot {
 /// A `ContactSphere` (or, in Moco 0.1 to 0.3 models, the sphere a force keeps inside itself).
 #[derive(Debug, Clone)]
 pub struct Sphere {
-    /// Its handle in the model.
     pub id: SphereId,
-    /// Name as in the file.
     pub name: String,
     /// Component path.
     pub path: String,
@@ -75,7 +72,6 @@ pub struct Sphere {
     pub radius: Value,
     /// Location of the centre in `frame`, m.
     pub location_m: [f64; 3],
-    /// Path of the frame it is attached to.
     pub frame: String,
     /// Name of the body that carries the frame; `None` is ground or a body in a file that was not given.
     pub body: Option<String>,
@@ -83,7 +79,6 @@ pub struct Sphere {
     pub fixed: bool,
     /// Line of its element, from 1.
     pub line: usize,
-    /// The file it is in.
     pub file: FileId,
     pub(crate) element: ElementId,
     /// First byte of its element.
@@ -105,7 +100,6 @@ impl Sphere {
         self.radius.checked().map_err(|fault| fault.of(self.path.clone()).in_file(self.file))
     }
 
-    /// Its element in its [`file`](Self::file).
     pub const fn element(&self) -> ElementId {
         self.element
     }
@@ -115,12 +109,10 @@ impl Sphere {
         self.spelling == SphereSpelling::InsideForce
     }
 
-    /// Where its radius is in the file.
     pub fn radius_slot(&self) -> Slot {
         self.slot(self.spelling.radius_tag(), self.radius.span.clone(), self.radius.offset)
     }
 
-    /// Where its location is in the file.
     pub fn location_slot(&self) -> Slot {
         let offset = self.location_span.as_ref().map_or(self.start, |span| span.start);
         self.slot(self.spelling.location_tag(), self.location_span.clone(), offset)
@@ -131,7 +123,6 @@ impl Sphere {
     }
 }
 
-/// How a sphere is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum SphereSpelling {
     /// A `ContactSphere` with a `radius`.
@@ -163,12 +154,9 @@ impl SphereSpelling {
     }
 }
 
-/// Which contact force class.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ForceKind {
-    /// `HuntCrossleyForce`
     HuntCrossley,
-    /// `SmoothSphereHalfSpaceForce`
     SmoothSphereHalfSpace,
 }
 
@@ -182,16 +170,12 @@ impl ForceKind {
     }
 }
 
-/// One contact force.
 #[derive(Debug, Clone)]
 pub struct Force {
-    /// Its handle in the model.
     pub id: ForceId,
-    /// Name as in the file.
     pub name: String,
     /// Component path.
     pub path: String,
-    /// Class.
     pub kind: ForceKind,
     /// Whether it is switched on (`appliesForce`, or `isDisabled` in old documents).
     pub applies: bool,
@@ -201,19 +185,15 @@ pub struct Force {
     pub transition_velocity: Value,
     /// Line of its element, from 1.
     pub line: usize,
-    /// The file it is in.
     pub file: FileId,
     pub(crate) element: ElementId,
 }
 
-/// Parameters and the surfaces they belong to.
 #[derive(Debug, Clone)]
 pub struct ParameterSet {
-    /// Its handle in the force.
     pub id: SetId,
     /// Number of the `ContactParameters` for reports, from 0; `None` for a `SmoothSphereHalfSpaceForce`, which has one set.
     pub number: Option<usize>,
-    /// Its spheres.
     pub spheres: Vec<SphereId>,
     /// Number of half-spaces among the surfaces.
     pub half_spaces: usize,
@@ -228,7 +208,6 @@ pub struct ParameterSet {
     pub(crate) element: ElementId,
     pub(crate) class: Class,
     pub(crate) half_space_bases: Vec<Base>,
-    /// Those of its half-spaces that are components of their own.
     pub(crate) half_space_components: Vec<ComponentId>,
     /// The force, where it keeps its half-space inside itself (Moco 0.1 to 0.3).
     pub(crate) half_space_inside: Option<ComponentId>,
@@ -245,7 +224,6 @@ impl ParameterSet {
 const FEW_SPHERES: usize = 16;
 
 impl Force {
-    /// Its element in its [`file`](Self::file).
     pub const fn element(&self) -> ElementId {
         self.element
     }
@@ -279,9 +257,6 @@ impl Force {
     }
 
     /// The number of `property` in its own unit, if it can be scaled; `None` where the class has no such property.
-    ///
-    /// # Errors
-    /// A text that is not a plain number, or a number outside its domain, with its place.
     pub fn checked(&self, set: SetId, property: Property) -> Result<Option<f64>, Fault> {
         let Some(value) = self.value(set, property) else { return Ok(None) };
         value.checked().map(Some).map_err(|fault| fault.of(self.path.clone()).in_file(self.file))

@@ -10,10 +10,8 @@ use crate::xml::ElementId;
 /// Components of a unit vector below this are what rounding left.
 const NOISE: f64 = 1e-12;
 
-/// A `ContactHalfSpace`.
 #[derive(Debug, Clone)]
 pub struct HalfSpace {
-    /// Name as in the file.
     pub name: String,
     /// Component path.
     pub path: String,
@@ -35,18 +33,15 @@ pub struct HalfSpace {
     pub orientations: Vec<Orientation>,
     /// The property that names its frame.
     pub frame: FrameProperty,
-    /// The file it is in.
     pub file: FileId,
     /// Line of its element, from 1.
     pub line: usize,
-    /// Its element in that file.
     pub element: ElementId,
     /// Where its place is in that file.
     pub(crate) location_slot: Slot,
     component: ComponentId,
 }
 
-/// The property that names a frame.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FrameProperty {
     /// Its name, such as `socket_frame`.
@@ -162,16 +157,13 @@ impl PartialEq for HalfSpace {
 
 // How half-spaces and frames are turned, as files say it.
 
-/// An orientation, as a file has it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Orientation {
     /// Component path of the half-space, or of the frame that has it.
     pub path: String,
-    /// Name of the property.
     pub tag: &'static str,
     /// Line of the property, or of the object where it has none, from 1.
     pub line: usize,
-    /// The file it is in.
     pub file: FileId,
     /// Its body-fixed angles about x, y and z, rad; `None` where a number cannot be read.
     pub angles_rad: Option<[f64; 3]>,

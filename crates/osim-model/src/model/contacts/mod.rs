@@ -36,13 +36,11 @@ pub(crate) use read::ContactReader;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadedSphere {
-    /// The sphere.
     pub sphere: SphereId,
     /// The force that presses it.
     pub force: ForceId,
     /// Its parameter set in the force.
     pub set: SetId,
-    /// Its radius, m.
     pub radius_m: f64,
     /// E₁* (N/m²) of two equal surfaces that are as stiff together as sphere and plane are (A.3, A.4), α (s/m), and the
     /// smoothing where the class has it.
@@ -51,9 +49,6 @@ pub struct LoadedSphere {
 
 /// Every moving sphere that an applied force among `forces` presses on a half-space; one that two forces press appears
 /// twice.
-///
-/// # Errors
-/// A value that is not a plain number or outside its domain, with its place.
 pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>, Fault> {
     let mut loaded = Vec::new();
     for &id in forces {
@@ -81,10 +76,7 @@ pub fn contact_of_set(force: &Force, surfaces: &Surfaces, set: SetId) -> Result<
     contact_of_values(force, surfaces.with_plane(set)?, set)
 }
 
-/// The same with a plane that has its own parameters in the set `plane`.
-///
-/// # Errors
-/// A value that is not a plain number or outside its domain, with its place.
+/// The contact with a plane that has its own parameters in the set `plane`.
 pub fn contact_of_pair(
     force: &Force,
     surfaces: &Surfaces,
@@ -131,9 +123,6 @@ pub struct Surfaces {
 
 impl Surfaces {
     /// Reads them.
-    ///
-    /// # Errors
-    /// A value that is not a plain number or outside its domain.
     pub fn of(force: &Force) -> Result<Self, Fault> {
         let mut sets = Vec::new();
         for set in force.sets.iter().map(|set| set.id) {
@@ -145,17 +134,11 @@ impl Surfaces {
     }
 
     /// E₁* of two equal surfaces that would touch as set `set` and the plane do, and the mixed α; (A.3), (A.4).
-    ///
-    /// # Errors
-    /// A modulus that no material has.
     pub fn with_plane(&self, set: SetId) -> Result<SurfaceValues, Fault> {
         self.together(set, self.plane.unwrap_or(set))
     }
 
-    /// The same for the sets `set` and `plane`.
-    ///
-    /// # Errors
-    /// A modulus that no material has.
+    /// The values for the sets `set` and `plane`.
     pub fn together(&self, set: SetId, plane: SetId) -> Result<SurfaceValues, Fault> {
         const NONE: SurfaceValues = SurfaceValues { plane_strain_modulus: f64::NAN, dissipation: 0.0 };
         let own = self.sets.get(set.index()).copied().unwrap_or(NONE);

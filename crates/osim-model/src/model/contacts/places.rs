@@ -22,7 +22,7 @@ impl Model {
         self.planes().values().map(|plane| HalfSpace::clone(plane)).collect()
     }
 
-    /// The same by component, read when somebody first asks: many forces press on one floor.
+    /// Planes by component, read when somebody first asks: many forces press on one floor.
     fn planes(&self) -> &BTreeMap<ComponentId, Arc<HalfSpace>> {
         self.half_spaces.get_or_init(|| {
             let components = self.components();
@@ -131,9 +131,6 @@ impl Model {
 
 impl Model {
     /// Rotation of a sphere's frame in the body that carries it: the product of those of its chain of offset frames.
-    ///
-    /// # Errors
-    /// A frame that leads nowhere.
     pub fn rotation_of(&self, sphere: &Sphere) -> Result<Rotation, Fault> {
         let components = self.components();
         if !matches!(components.base(sphere.frame_component)?, Base::Body(_)) {

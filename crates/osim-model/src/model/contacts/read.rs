@@ -20,7 +20,6 @@ struct Attachment {
     component: Option<ComponentId>,
 }
 
-/// A surface named by a force.
 #[derive(Clone, Copy)]
 enum Surface {
     Sphere(SphereId),

@@ -31,31 +31,25 @@ pub enum FaultKind {
     Syntax(SyntaxFault),
     /// XML, but not an OpenSim document.
     NotOpenSim {
-        /// Tag of the root element.
         root: String,
     },
     /// The `Version` attribute is missing or no number.
     NoVersion {
-        /// The attribute as written.
         found: String,
     },
     /// An OpenSim document of another kind.
     WrongDataRoot {
-        /// Tag of the data root.
         tag: String,
     },
     /// A number that a strict reader and OpenSim do not read alike.
     Number {
         /// OpenSim's property name.
         property: String,
-        /// As written.
         text: String,
-        /// Why it is not a plain number.
         fault: NumberFault,
     },
     /// A text that OpenSim refuses because something is in the middle of it.
     BrokenText {
-        /// Tag of the element.
         property: String,
     },
     /// A number outside the domain in which the equations hold.
@@ -64,7 +58,6 @@ pub enum FaultKind {
         property: String,
         /// As OpenSim reads it.
         value: f64,
-        /// The domain, in words.
         expected: &'static str,
     },
     /// A number that would be written, and is not finite or outside the domain in which the equations hold.
@@ -78,20 +71,16 @@ pub enum FaultKind {
         /// What it comes from: the value before, the factor, the equation.
         origin: String,
     },
-    /// A `constant_contact_force` that would become 0.
     ZeroConstantContactForce,
-    /// No contact forces in the model.
     NoContacts {
         /// What was looked for and what was found instead.
         detail: String,
     },
     /// A path or name that leads nowhere.
     Unresolved {
-        /// The component that points there.
         owner: String,
         /// The path or name as written.
         connectee: String,
-        /// What should be there.
         wanted: &'static str,
     },
     /// Something that only the caller can know.
@@ -100,64 +89,51 @@ pub enum FaultKind {
     NeedsAnswer(NeedsAnswer),
     /// A model that is to get contacts has some.
     ContactsExist {
-        /// Names of their forces.
         forces: String,
     },
     /// Bodies that carry spheres in the reference and are not in the model.
     MissingCarriers {
-        /// Their names.
         bodies: Vec<String>,
     },
     /// What should change is in another file, which the model names.
     IncludedFile {
         /// Component path.
         path: String,
-        /// The file, as the model names it.
         file: String,
     },
-    /// What should change is in `<defaults>`.
     ParametersInDefaults {
         /// Component path of the force.
         force: String,
     },
     /// A number that the caller said is outside its domain.
     BadInput {
-        /// Which.
         input: Input,
         /// The number that the caller gave.
         value: f64,
         /// The domain, in words.
         expected: &'static str,
     },
-    /// Scale factors for a body that is not there.
     UnknownBody {
         /// The name that the caller gave.
         body: String,
     },
-    /// A sphere that is not in the reference.
     UnknownReferenceSphere {
         /// The name that the caller gave.
         sphere: String,
-        /// Name of the reference.
         reference: String,
-        /// The spheres it has.
         known: Vec<String>,
     },
     /// The choice of forces leaves none.
     NothingSelected {
-        /// Names of the forces there are, shortened.
         forces: String,
     },
     /// Something that a change warns of, and that was to be refused.
     StrictlyRefused {
-        /// What it is.
         text: String,
     },
     /// A force for which a change cannot be made, and that can be left out of it.
     LeaveOut {
-        /// What is wrong with it.
         text: String,
-        /// Its name.
         force: String,
         /// Another way out, where there is one: a clause.
         otherwise: &'static str,
@@ -168,7 +144,6 @@ pub enum FaultKind {
     Quantity(DomainError),
     /// A force that keeps its sphere inside itself, as Moco 0.1 to 0.3 wrote it, and that is to get the contacts of others.
     OldDialect {
-        /// Its component path.
         force: String,
     },
     /// Edits that overlap: a defect of this program, never of the file.
@@ -211,7 +186,6 @@ impl FaultKind {
         }
     }
 
-    /// What is wrong and what was expected.
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::Needed(needed) => needed.phrase(),

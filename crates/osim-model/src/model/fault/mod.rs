@@ -30,7 +30,6 @@ pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusFrom};
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct Fault {
-    /// What is wrong.
     pub kind: FaultKind,
     /// First byte of the place, from 0, in the file `file`.
     pub offset: Option<usize>,
@@ -54,7 +53,6 @@ pub struct Fault {
 pub struct FileId(usize);
 
 impl FileId {
-    /// The model itself.
     pub const MAIN: Self = Self(0);
 
     /// Companion number `index`, from 0, in the order in which they were given.
@@ -69,7 +67,6 @@ impl FileId {
 }
 
 impl Fault {
-    /// A fault without a place.
     pub fn new(kind: impl Into<FaultKind>) -> Self {
         Self {
             kind: kind.into(),
@@ -97,13 +94,11 @@ impl Fault {
         Self::new(FaultKind::Refused(text.into()))
     }
 
-    /// The same in file `file`.
     pub fn in_file(mut self, file: FileId) -> Self {
         self.file = file;
         self
     }
 
-    /// The same about the component or element `element`.
     pub fn of(mut self, element: impl Into<String>) -> Self {
         self.element = Some(element.into());
         self
@@ -119,7 +114,7 @@ impl Fault {
         self
     }
 
-    /// The same with the bytes of whichever file the fault is about.
+    /// Gets its line and column from the bytes of whichever file it is about.
     pub fn located_in<'b>(self, bytes_of: impl FnOnce(FileId) -> &'b [u8]) -> Self {
         let file = self.file;
         self.located(bytes_of(file))

@@ -28,14 +28,11 @@ const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on 
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Needed {
-    /// The mass of the model: a body has none.
     BodyMass {
-        /// Name of the body.
         body: String,
     },
     /// The mass of the model: its bodies have none together.
     ModelMass {
-        /// How many bodies were summed.
         bodies: usize,
         /// Their sum, kg.
         kg: f64,
@@ -44,16 +41,13 @@ pub enum Needed {
     MassOfLoop,
     /// What the contacts were made for: the note in the file cannot be relied on.
     ContactsMass {
-        /// What the note says, kg.
         noted_kg: Option<f64>,
-        /// Why it is in doubt.
         doubt: NoteDoubt,
         /// The field that answers it: [`Input::ReferenceMass`] for contacts that others are made from.
         input: Input,
     },
     /// The gravity that the contacts were made for: the note in the file cannot be relied on.
     ContactsGravity {
-        /// Why it is in doubt.
         doubt: NoteDoubt,
     },
     /// Which forces are meant: they belong to several animals.
@@ -65,9 +59,7 @@ pub enum Needed {
     },
     /// How many spheres share the weight.
     SphereCount {
-        /// Of which body.
         of: CountOf,
-        /// Why it is not known.
         why: Phrase,
     },
     /// A choice of forces that leaves no sphere in two worlds.
@@ -83,9 +75,7 @@ pub enum Needed {
         /// Why its radius would change.
         radius: RadiusFrom,
     },
-    /// Whose contact to take: those of the reference differ.
     ReferenceContact {
-        /// Name of the reference.
         reference: String,
         /// Spheres without one of the same name there.
         unmatched: Vec<String>,
@@ -97,30 +87,24 @@ pub enum Needed {
     },
     /// The radius: those of the reference differ.
     ReferenceRadius {
-        /// Name of the reference.
         reference: String,
         /// Spheres without one of the same name there.
         unmatched: Vec<String>,
     },
     /// How a body was scaled.
     BodyFactors {
-        /// Name of the body.
         body: String,
         /// Axes whose factor is not known.
         axes: Vec<&'static str>,
     },
     /// How large a body is against that of another model.
     Factors(FactorQuestion),
-    /// What to do with spheres that were moved already.
     MovedSpheres {
-        /// Name of the model.
         model: String,
-        /// Their names.
         spheres: Vec<String>,
     },
     /// Whether a factor should be applied once more.
     Repetition {
-        /// The operation, as the note has it.
         operation: String,
     },
     /// No ScaleSet: by the note, spheres followed it already.
@@ -133,18 +117,14 @@ pub enum Needed {
     Load,
     /// A gravity: the file has none.
     Gravity {
-        /// What it is needed for.
         purpose: GravityFor,
     },
     /// What the contacts were made for: they are known ones, made for another mass than the bodies weigh.
     KnownContactsMass {
-        /// As people cite them.
         title: String,
-        /// The mass that they were made for, kg.
         made_for_kg: f64,
         /// What the bodies weigh, kg.
         bodies_kg: f64,
-        /// As of [`Needed::ContactsMass`].
         input: Input,
     },
     /// How bodies were scaled, which the note was to say: it has no sizes, or spheres were moved since.
@@ -165,16 +145,12 @@ pub struct TreeOfForces {
 /// Whose spheres are to be counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CountOf {
-    /// The model's.
     Model,
-    /// The reference's.
     Reference,
-    /// Those of the body that a drop is compared with.
     Compared,
 }
 
 impl CountOf {
-    /// The field that says it.
     pub const fn input(self) -> Input {
         match self {
             Self::Model => Input::Spheres,
@@ -217,7 +193,6 @@ impl Needed {
         }
     }
 
-    /// What is not known, and how to say it.
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::BodyMass { body } => phrase![
@@ -265,7 +240,6 @@ impl Needed {
         }
     }
 
-    /// Questions about spheres of the model.
     fn about_spheres(&self) -> Phrase {
         match self {
             Self::SphereCount { of, why } => phrase![
@@ -283,7 +257,6 @@ impl Needed {
         }
     }
 
-    /// Questions of transfers.
     fn about_reference(&self) -> Phrase {
         match self {
             Self::ReferenceContact { reference, unmatched } => phrase![

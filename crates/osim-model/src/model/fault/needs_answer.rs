@@ -17,15 +17,12 @@ pub enum MassSlip {
     Tonnes,
     /// As many pounds.
     Pounds,
-    /// The bodies have as many pounds as this has kilograms.
     BodiesInPounds,
     /// The other rows of its table have.
     OthersInPounds,
     /// Ten times what the other rows of its table have.
     TenTimes,
-    /// A tenth of it.
     Tenth,
-    /// No animal weighs that.
     NoAnimal,
 }
 
@@ -56,9 +53,7 @@ const MANY: usize = 20;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MassesBeside {
-    /// The lightest of them, kg.
     pub lightest_kg: f64,
-    /// The heaviest, kg.
     pub heaviest_kg: f64,
 }
 
@@ -97,7 +92,6 @@ impl MassesBeside {
 pub enum Question {
     /// A mass that may be in grams or tonnes, or has a figure too many or too few.
     ImplausibleMass,
-    /// A mass that may be in pounds.
     MassInPounds,
     /// A mass for many models that contradicts the note in one of them.
     AgainstNote,
@@ -118,7 +112,6 @@ pub enum Question {
 }
 
 impl Question {
-    /// Every question.
     pub const ALL: [Self; 10] = [
         Self::ImplausibleMass,
         Self::MassInPounds,
@@ -148,7 +141,6 @@ impl Question {
         }
     }
 
-    /// The answer: `yes=CODE`.
     pub fn answer(self) -> Phrase {
         phrase![Input::Yes.being(self.code())]
     }
@@ -183,11 +175,8 @@ impl FromStr for Question {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum NeedsAnswer {
-    /// A mass.
     Mass {
-        /// Which.
         input: Input,
-        /// The mass that the caller gave, kg.
         kg: f64,
         /// What the bodies of its model weigh together, kg, if known.
         bodies_kg: Option<f64>,
@@ -196,9 +185,7 @@ pub enum NeedsAnswer {
         /// Why it looks like a slip.
         slip: MassSlip,
     },
-    /// The new radius of a sphere.
     Radius {
-        /// Name of the sphere.
         sphere: String,
         /// What it would be, m.
         radius_m: f64,
@@ -210,7 +197,6 @@ pub enum NeedsAnswer {
     },
     /// Something else, in words.
     Other {
-        /// Which question it is.
         question: Question,
         /// What looks wrong, and what was probably meant.
         text: Phrase,
@@ -218,7 +204,6 @@ pub enum NeedsAnswer {
 }
 
 impl NeedsAnswer {
-    /// Which question it is.
     pub const fn question(&self) -> Question {
         match self {
             Self::Mass { .. } if self.is_about_pounds() => Question::MassInPounds,
@@ -228,7 +213,6 @@ impl NeedsAnswer {
         }
     }
 
-    /// Whether it is about pounds.
     pub(crate) const fn is_about_pounds(&self) -> bool {
         use MassSlip::{BodiesInPounds, OthersInPounds, Pounds};
         matches!(self, Self::Mass { slip: Pounds | BodiesInPounds | OthersInPounds, .. })
@@ -248,7 +232,7 @@ impl NeedsAnswer {
         }
     }
 
-    /// The same, and how to say that it is right.
+    /// The question, and how to say that it is right.
     pub fn phrase(&self) -> Phrase {
         let mut text = self.doubt();
         text.push("; if it is meant, say ");

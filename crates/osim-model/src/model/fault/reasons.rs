@@ -5,15 +5,12 @@ use crate::messages::{Input, Part, Phrase, phrase, readable};
 /// What a gravity is needed for that the file does not have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GravityFor {
-    /// The weight of the body.
     Weight,
-    /// The load that an indentation is about.
     Load,
     /// The speed with which contacts begin.
     ImpactSpeed,
     /// Contacts that were made for it, and are scaled to another.
     Contacts,
-    /// The same contacts in a reference.
     Reference,
     /// The model that gets the contacts of another gravity.
     Target,
@@ -24,7 +21,6 @@ pub enum GravityFor {
 }
 
 impl GravityFor {
-    /// Every purpose.
     pub const ALL: [Self; 8] = [
         Self::Weight,
         Self::Load,
@@ -69,13 +65,10 @@ const NO_GRAVITY: &str = " has no gravity";
 /// Why a radius is about to change, which decides how it can stay.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RadiusFrom {
-    /// The rule of radii.
     Rule,
     /// The bodies that spheres follow.
     Bodies,
-    /// A wanted stiffness of the contact.
     ContactStiffness,
-    /// A value that is set.
     Assignment,
     /// The foot, whose bottoms are made level: the centre changes then, and not the radius.
     Level,
@@ -84,7 +77,6 @@ pub enum RadiusFrom {
 }
 
 impl RadiusFrom {
-    /// How the radius stays.
     pub(super) fn phrase(self) -> Phrase {
         match self {
             Self::Rule => phrase!["leave radii as they are with ", Input::Radius.being("keep")],
@@ -154,7 +146,6 @@ pub enum NoteDoubt {
     Unreadable,
     /// Force set and geometry set carry notes of different runs.
     MixedPair,
-    /// Values were changed since.
     ValuesChanged,
     /// The run that left it changed only some values.
     Partial,
@@ -165,7 +156,6 @@ pub enum NoteDoubt {
 }
 
 impl NoteDoubt {
-    /// In words.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Absent => "the bodies were scaled, and the file has no note of this program",
@@ -186,35 +176,27 @@ impl NoteDoubt {
 pub enum FactorQuestion {
     /// Two meshes of one body have different factors.
     Meshes {
-        /// Name of the body.
         body: String,
         /// The meshes, and what each says along x, y and z.
         meshes: [(String, [f64; 3]); 2],
     },
     /// Left and right have different factors in models that are not scaled copies of each other.
     Sides {
-        /// Names of both bodies.
         bodies: [String; 2],
         /// What each would get along x, y and z; NaN where it is not known.
         factors: [[f64; 3]; 2],
     },
     /// A mesh of one name shows another animal's bone: what its factors say of a distance, and the distance itself, are far apart.
     OtherBone {
-        /// Name of the body.
         body: String,
-        /// The joint that the distance goes to.
         joint: String,
         /// The distance against the reference's, by the mesh and by the joint.
         ratios: [f64; 2],
     },
     /// Two different models have nothing in common that says how large a body is.
-    Nothing {
-        /// Name of the body.
-        body: String,
-    },
+    Nothing { body: String },
     /// The factors of the Scale Tool's file do not lead from the reference to the model.
     OtherReference {
-        /// Name of the body.
         body: String,
         /// A joint on it that is somewhere else.
         joint: String,

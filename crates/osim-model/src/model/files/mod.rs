@@ -15,7 +15,6 @@ pub use source::{FileError, FileName, Files, InMemory};
 /// One model that could not be read or changed, or a file that it needs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Failure {
-    /// The file, as it was named.
     pub model: FileName,
     /// Stable short name, as in the JSON `code`.
     pub code: &'static str,
@@ -25,7 +24,6 @@ pub struct Failure {
     pub line: Option<usize>,
     /// Column of the place in characters, from 1.
     pub column: Option<usize>,
-    /// The line itself.
     pub excerpt: Option<Excerpt>,
     /// Whether it could be done if the caller answered something that must not be guessed.
     pub needs_answer: bool,
@@ -92,7 +90,6 @@ pub struct Beside<'p> {
 /// ```
 #[derive(Debug, Clone)]
 pub struct ModelFiles {
-    /// As it was named.
     name: FileName,
     main: Main,
     companions: Vec<CompanionFile>,
@@ -102,7 +99,7 @@ pub struct ModelFiles {
 #[derive(Debug, Clone)]
 enum Main {
     Bytes(Vec<u8>),
-    /// The same, which include no file.
+    /// They include no file.
     Alone(Vec<u8>),
     Parsed(Box<Document>),
 }
@@ -149,12 +146,10 @@ impl ModelFiles {
         Ok(Self { name, main: Main::Parsed(Box::new(document)), companions })
     }
 
-    /// The model as it was named.
     pub fn name(&self) -> &FileName {
         &self.name
     }
 
-    /// The same under another name.
     pub fn named(self, name: impl Into<FileName>) -> Self {
         Self { name: name.into(), ..self }
     }
@@ -179,7 +174,7 @@ impl ModelFiles {
         self.companions.iter().filter_map(|companion| companion.named.as_deref())
     }
 
-    /// The same model with other bytes of its own; included files stay.
+    /// With other bytes of the model's own; included files stay.
     pub fn with_bytes(&self, bytes: Vec<u8>) -> Self {
         Self { name: self.name.clone(), main: Main::Bytes(bytes), companions: self.companions.clone() }
     }
@@ -192,9 +187,6 @@ impl ModelFiles {
     }
 
     /// Parses all files and reads the model.
-    ///
-    /// # Errors
-    /// Those of [`Document::parse`] and of [`Model::read_with`], with the name of the file.
     pub fn open(self) -> Result<OpenModel, Failure> {
         let names = self.companions.iter().map(|companion| companion.path.as_path().into()).collect();
         let document = match self.main {
@@ -239,7 +231,6 @@ fn companion(
 /// A model that was read, with the names of its files: from [`ModelFiles::open`].
 #[derive(Debug)]
 pub struct OpenModel {
-    /// The model.
     pub model: Model,
     names: Names,
 }
@@ -258,7 +249,6 @@ impl Names {
 }
 
 impl OpenModel {
-    /// The model as it was named.
     pub fn name(&self) -> &FileName {
         &self.names.main
     }
@@ -270,7 +260,6 @@ impl OpenModel {
         all.map(|file| (&**self.names.of(file), self.model.file(file).bytes()))
     }
 
-    /// The name of one of the files.
     pub fn name_of(&self, file: FileId) -> &str {
         self.names.of(file)
     }

@@ -155,7 +155,6 @@ impl FileError {
         Self(why.into())
     }
 
-    /// The error that there is no such file.
     pub fn not_found() -> Self {
         Self::new("there is no such file: check the name and the folder")
     }

@@ -133,7 +133,6 @@ impl Severity {
     }
 }
 
-/// Where something shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Seen {
     /// In a model that is only looked at.
@@ -168,7 +167,6 @@ impl VerdictOn {
     pub const ALL: [Self; 6] =
         [Self::Floor, Self::Standing, Self::Mass, Self::Sides, Self::Sizes, Self::Solver];
 
-    /// As in JSON and tables.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Floor => "floor",
@@ -181,7 +179,6 @@ impl VerdictOn {
         }
     }
 
-    /// The question that it answers.
     pub const fn question(self) -> &'static str {
         match self {
             Self::Floor => "Is the floor a floor?",

@@ -26,13 +26,10 @@ pub use code::{FindingCode, Seen, Severity, VerdictOn};
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct Finding {
-    /// Which kind.
     pub rule: &'static Rule,
     /// How bad it is: as the rule says, but for the published state of known contacts.
     pub severity: Severity,
-    /// This case, in words.
     pub message: Phrase,
-    /// Why it matters, from the rule.
     pub why: Phrase,
     /// What to do about it, from the rule.
     pub advice: Phrase,
@@ -45,7 +42,6 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// A finding without a place.
     pub fn new(rule: &'static Rule, message: impl Into<Phrase>) -> Self {
         Self {
             rule,
@@ -59,42 +55,34 @@ impl Finding {
         }
     }
 
-    /// A finding about a line of the model, from 1.
     pub fn at(rule: &'static Rule, line: usize, message: impl Into<Phrase>) -> Self {
         Self { line: Some(line), ..Self::new(rule, message) }
     }
 
-    /// The code of its rule.
     pub fn code(&self) -> FindingCode {
         self.rule.code
     }
 
-    /// The same, about the component at `path`.
     pub fn about(self, path: &str) -> Self {
         Self { place: Some(path.to_owned()), ..self }
     }
 
-    /// The same, about a line of the model, from 1, where there is one.
     pub fn on_line(self, line: Option<usize>) -> Self {
         Self { line, ..self }
     }
 
-    /// The same about these spheres, by name.
     pub fn of_spheres(self, spheres: Vec<String>) -> Self {
         Self { spheres, ..self }
     }
 
-    /// The same in other words.
     pub fn with_message(self, message: impl Into<Phrase>) -> Self {
         Self { message: message.into(), ..self }
     }
 
-    /// The same with other advice than its rule's.
     pub fn with_advice(self, advice: impl Into<Phrase>) -> Self {
         Self { advice: advice.into(), ..self }
     }
 
-    /// The same, as bad as `severity`.
     pub fn with_severity(self, severity: Severity) -> Self {
         Self { severity, ..self }
     }
@@ -112,23 +100,15 @@ impl Finding {
 #[derive(Debug, PartialEq, Eq)]
 #[expect(clippy::exhaustive_structs, reason = "every rule is written out in full")]
 pub struct Rule {
-    /// Its name.
     pub code: FindingCode,
-    /// How bad it is.
     pub severity: Severity,
-    /// Where it shows.
     pub seen: Seen,
-    /// The verdict that it decides, if one.
     pub verdict: Option<VerdictOn>,
-    /// What it is, in a sentence.
     pub what: &'static str,
-    /// Why it matters.
     pub why: &'static str,
-    /// What to do about it.
     pub advice: &'static str,
     /// The command that puts it right, or why there is none.
     pub repair: Repair,
-    /// What raises it, and what does not.
     pub example: Example,
 }
 
@@ -139,7 +119,6 @@ pub struct Rule {
 pub enum Repair {
     /// Yes, where the model can be changed: what it does.
     Command(&'static str),
-    /// No, and why.
     NotPossible(&'static str),
 }
 
@@ -148,48 +127,35 @@ pub enum Repair {
 pub enum Example {
     /// A piece of a model: it has `good`, and raises the finding with `bad` in its place.
     Piece {
-        /// The model.
         model: &'static str,
-        /// As it is there.
         good: &'static str,
-        /// What raises the finding.
         bad: &'static str,
     },
-    /// Whole models.
     Models {
-        /// One without the finding.
         good: &'static str,
-        /// One that has it.
         bad: &'static str,
     },
     /// Requests, as JSON.
     Request {
-        /// One that raises nothing.
         good: &'static str,
-        /// What raises the finding.
         bad: &'static str,
     },
     /// Files beside each other, in words: a test of its own makes them.
     InWords {
-        /// Where nothing is wrong.
         good: &'static str,
-        /// Where it is.
         bad: &'static str,
     },
 }
 
 impl Rule {
-    /// What it is, in a sentence.
     pub fn what(&self) -> Phrase {
         template(self.what)
     }
 
-    /// Why it matters.
     pub fn why(&self) -> Phrase {
         template(self.why)
     }
 
-    /// What to do about it.
     pub fn advice(&self) -> Phrase {
         template(self.advice)
     }

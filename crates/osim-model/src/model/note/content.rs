@@ -31,13 +31,11 @@ pub enum Scope {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Note {
-    /// Version of the tool that wrote it.
     pub version: String,
     /// Mass the contacts were made for, kg; `None` where nobody knew.
     pub contacts_mass_kg: Option<f64>,
     /// Gravity the contacts were made for, m/s²; `None` where the model has none.
     pub gravity_m_s2: Option<f64>,
-    /// All contacts or only some.
     pub scope: Scope,
     /// What was done to the contacts, the oldest step first: at least one.
     pub steps: Vec<Step>,
@@ -49,11 +47,11 @@ pub struct Note {
     pub sizes: Vec<BodySize>,
     /// Digest of all contact values as written: the first 16 digits of their SHA-256.
     pub digest: String,
-    /// The same of the radii alone.
+    /// Digest of the radii alone.
     pub radii: String,
     /// Names of the contacts and digests of their properties.
     pub parts: NotedParts,
-    /// The same of the spheres' locations; `None` where the note before could not be read.
+    /// Digest of the spheres' locations; `None` where the note before could not be read.
     pub places: Option<String>,
     /// What was added to the file for the note, one letter each; `-` for nothing.
     pub made: String,
@@ -62,7 +60,6 @@ pub struct Note {
 }
 
 impl Note {
-    /// What was done last.
     pub fn operation(&self) -> &str {
         self.steps.last().map_or("", |step| step.operation.as_str())
     }
@@ -71,7 +68,6 @@ impl Note {
 /// The mesh scale factors of one body along x, y and z.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodySize {
-    /// Name of the body.
     pub body: String,
     /// Factors along x, y and z of the body, above 0.
     pub factors: [f64; 3],
@@ -202,23 +198,19 @@ const PROPERTY_DIGITS: usize = 8;
 pub struct NotedParts {
     /// The spheres of contact forces.
     pub spheres: NotedNames,
-    /// The contact forces.
     pub forces: NotedNames,
     /// The first 8 digits of the SHA-256 of the values of each property of the forces.
     pub properties: BTreeMap<Property, String>,
 }
 
-/// How many there were, and what they were called.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NotedNames {
-    /// How many.
     pub count: usize,
     /// The first 16 digits of the SHA-256 of their names.
     pub digest: String,
 }
 
 impl NotedParts {
-    /// As a note has it.
     pub(super) fn text(&self) -> String {
         let properties =
             self.properties.iter().map(|(property, digest)| format!("{}={digest}", property.name()));

@@ -12,9 +12,7 @@ use crate::model::note::content::{
     positive,
 };
 
-/// How every note begins.
 pub(super) const BEGINS: &str = "[contacts made for ";
-/// How every note ends.
 pub(super) const ENDS: &str = ")]";
 /// What follows mass and gravity in every note; text in square brackets without it is not a note.
 pub(super) const NAMES: &str = " (osim-contact-scale ";
@@ -28,7 +26,6 @@ const WEIGHED: &str = "weighed ";
 const ADDED: &str = "added ";
 
 impl Note {
-    /// The note as it is in the file.
     pub fn text(&self) -> String {
         let known = |value: Option<f64>, unit: &str| {
             value.map_or(UNKNOWN.to_owned(), |value| format!("{} {unit}", shortest(value)))
@@ -134,7 +131,6 @@ impl Note {
         self.added.contains(&plain(force))
     }
 
-    /// `made` of a note of a file to which nothing was added.
     pub fn nothing_made() -> String {
         NOTHING.to_owned()
     }

@@ -28,11 +28,9 @@ const CDATA: (&str, &str) = ("<![CDATA[", "]]>");
 /// OpenSim takes one text or one CDATA section there, with comments before or after it, and refuses the model otherwise.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Credits<'d> {
-    /// The element.
     pub element: ElementId,
     /// Where the text is; empty where there is none. Of an element `<credits/>` the place after it.
     pub span: Range<usize>,
-    /// Its bytes.
     raw: &'d str,
     /// As OpenSim reads it: entities resolved, white space condensed.
     text: String,
@@ -99,7 +97,7 @@ impl<'d> Credits<'d> {
         edits
     }
 
-    /// The same so that `note` comes after everything that is there, another note too.
+    /// Edits after which `note` comes after everything that is there, another note too.
     pub fn edits_for_another(&self, note: &Note) -> Vec<(Range<usize>, String)> {
         let and = if self.raw.is_empty() { "" } else { AND };
         vec![(self.span.end..self.span.end, format!("{and}{}", note.text()))]
@@ -169,10 +167,7 @@ impl Note {
         Self::look_for(document).ok()??.ok()
     }
 
-    /// The same, with `Err` where something begins like a note and cannot be read, or does not end the credits.
-    ///
-    /// # Errors
-    /// Credits that OpenSim refuses.
+    /// The credits with a note, with `Err` where something begins like a note and cannot be read, or does not end the credits.
     pub(crate) fn look_for(document: &Document) -> Result<Option<Result<Self, Unreadable>>, Fault> {
         if document.is_model() {
             return Ok(Credits::of(document)?.and_then(|credits| credits.note()));

@@ -21,13 +21,9 @@ pub struct ChangedSinceNote {
 pub struct ChangedContacts {
     /// How many spheres there were and are, where that is different. Then nothing else can be compared.
     pub sphere_count: Option<(usize, usize)>,
-    /// The same of the forces.
     pub force_count: Option<(usize, usize)>,
-    /// Whether spheres have other names.
     pub sphere_names: bool,
-    /// Whether forces have other names.
     pub force_names: bool,
-    /// Whether radii are others.
     pub radii: bool,
     /// Whether spheres have other places or bodies.
     pub places: bool,

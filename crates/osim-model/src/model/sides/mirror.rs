@@ -33,7 +33,7 @@ impl<'m> Bones<'m> {
         })
     }
 
-    /// The same by meshes; `None` where no mesh shows the same bone, or these do not agree.
+    /// The reflection that meshes show; `None` where no mesh shows the same bone, or these do not agree.
     fn of_meshes(&self, left: &str, right: &str) -> Option<[f64; 3]> {
         let meshes = self.model.body_facts.mesh_factors(self.model.components());
         let (left, right) = (meshes.get(left)?, meshes.get(right)?);
@@ -149,7 +149,6 @@ fn times(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|axis| a[axis] * b[axis])
 }
 
-/// The bodies of a model that have a side.
 #[derive(Debug)]
 pub(crate) struct BodyPairs {
     /// By the name without its side; in order, so that sums have the same last bit in each run.
@@ -196,7 +195,6 @@ impl BodyPairs {
         Self { usual: usual(&named), named }
     }
 
-    /// Whether some body is on `side`.
     pub(crate) fn has(&self, side: Side) -> bool {
         let mut all = self.named.values();
         all.any(|names| if side == Side::Right { &names.right } else { &names.left }.is_some())

@@ -75,7 +75,6 @@ impl<'m> BothSides<'m> {
         Self { model, by_path, users, bones, bodies, usual, pairs, alone, one_side, sets }
     }
 
-    /// The force with this component path.
     pub fn force(&self, path: &str) -> Option<&'m Force> {
         self.by_path.get(path).copied()
     }

@@ -117,7 +117,7 @@ impl<'m> OnBody<'m> {
         self.paired_within(self.within_m())
     }
 
-    /// The same, however far apart.
+    /// Pairs however far apart.
     fn by_distance(&mut self) -> Vec<(Placed<'m>, Placed<'m>)> {
         let all = self.right.iter().chain(&self.left).flat_map(|placed| placed.place_m);
         let farthest_m = all.map(f64::abs).fold(0.0, f64::max);

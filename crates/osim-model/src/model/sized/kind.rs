@@ -150,10 +150,8 @@ impl SizedKind {
 //
 // The defaults are those that `OpenSimObject.newInstanceOfType` of OpenSim 4.6 has.
 
-/// What a property is.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Is {
-    /// This kind.
     Always(SizedKind),
     /// It acts on a coordinate: the kind where that is an angle (`None` is without dimension), and where it is a translation.
     ByCoordinate(Option<SizedKind>, SizedKind),
@@ -166,7 +164,6 @@ pub(super) struct Listed {
     pub(super) is: Is,
     /// What OpenSim takes where the file says nothing.
     pub(super) default: f64,
-    /// How many numbers it has.
     pub(super) count: usize,
 }
 
@@ -279,7 +276,6 @@ pub(super) fn listed(class: &str) -> &'static [Listed] {
     }
 }
 
-/// Why some numbers of `class` are not read.
 pub(super) fn why_not_read(class: &str) -> Option<&'static str> {
     match class {
         "ExpressionBasedBushingForce"

@@ -12,10 +12,8 @@ use crate::model::typed_model::Model;
 use crate::xml::{ElementId, opensim_text};
 pub use kind::{Dimension, SizedKind};
 
-/// One number.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SizedValue {
-    /// What it is.
     pub kind: SizedKind,
     /// The name of the object that has it.
     pub owner: String,
@@ -37,14 +35,11 @@ impl SizedValue {
 pub struct NotRead {
     /// OpenSim's class, or the part of a file.
     pub class: String,
-    /// How many objects.
     pub count: usize,
-    /// What is not read of them.
     pub why: &'static str,
 }
 
 impl NotRead {
-    /// `count` parts of a file.
     pub fn new(class: &str, count: usize, why: &'static str) -> Self {
         Self { class: class.to_owned(), count, why }
     }
@@ -55,7 +50,6 @@ impl NotRead {
 pub struct SizedValues {
     /// In file order.
     pub values: Vec<SizedValue>,
-    /// By class.
     pub not_read: Vec<NotRead>,
 }
 
