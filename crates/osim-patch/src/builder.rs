@@ -13,7 +13,6 @@ use crate::change::{Change, Move};
 /// Rounding of a few multiplications (relative).
 const SAME_VALUE: f64 = 1e-14;
 
-/// A new value and why.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct New {
     pub(crate) to: f64,
@@ -28,7 +27,6 @@ impl New {
     }
 }
 
-/// A plan that is being made.
 pub(crate) struct PlanBuilder<'m> {
     pub(crate) model: &'m Model,
     pub(crate) changes: Vec<Change>,
@@ -83,7 +81,6 @@ impl<'m> PlanBuilder<'m> {
         })
     }
 
-    /// Plans a change of a sphere's radius.
     pub(crate) fn radius(&mut self, sphere: SphereId, new: New) -> Result<(), Fault> {
         let from = self.model.radius_m(sphere)?;
         let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };

@@ -37,7 +37,6 @@ pub struct Change {
     pub set: Option<usize>,
     /// Name of the sphere whose radius changes.
     pub sphere: Option<String>,
-    /// What changes.
     pub property: Property,
     /// Effective value now, as OpenSim reads it.
     pub from: f64,
@@ -107,9 +106,6 @@ impl Change {
     }
 
     /// The new number as it is written.
-    ///
-    /// # Errors
-    /// As [`check`](Self::check).
     pub(crate) fn text(&self) -> Result<String, Fault> {
         number_text(self.to, self.property, || self.origin()).map_err(|fault| self.at(fault))
     }
@@ -127,7 +123,6 @@ impl Change {
             None => format!("{}, in the place of {}", by(self.equation), readable(self.from)),
         }
     }
-    /// The file that the number is in.
     pub fn file(&self) -> FileId {
         self.slot.file
     }
@@ -156,7 +151,6 @@ impl Move {
         })
     }
 
-    /// The file that the sphere is in.
     pub fn file(&self) -> FileId {
         self.slot.file
     }
@@ -178,9 +172,6 @@ pub(crate) fn number_text(
 }
 
 /// Whether the new `value` of `property` may be written.
-///
-/// # Errors
-/// As [`number_text`].
 fn check_number(value: f64, property: Property, origin: impl FnOnce() -> String) -> Result<(), Fault> {
     if property.allows(value) {
         return Ok(());

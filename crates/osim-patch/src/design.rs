@@ -28,7 +28,6 @@ pub enum DesignModulus {
     Young {
         /// E, N/m².
         young_n_m2: f64,
-        /// ν.
         poisson: f64,
     },
 }
@@ -90,7 +89,6 @@ pub struct Design {
 }
 
 impl Default for Design {
-    /// Nothing is wanted.
     fn default() -> Self {
         Self {
             modulus: None,
@@ -163,10 +161,8 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     ))
 }
 
-/// A force with its new radius.
 struct DesignedForce<'f> {
     force: &'f Force,
-    /// New, m.
     radius_m: f64,
     /// Ratios of its radii, new to old.
     own: Ratios,

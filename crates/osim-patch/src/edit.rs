@@ -71,7 +71,6 @@ impl<'b> Patch<'b> {
         parts.flat_map(|(start, (end, text))| [self.bytes.get(start..end).unwrap_or_default(), text])
     }
 
-    /// The new file as one.
     pub fn to_vec(&self) -> Vec<u8> {
         let added: usize = self.edits.iter().map(|edit| edit.text.len()).sum();
         let mut output = Vec::with_capacity(self.bytes.len() + added);
@@ -81,25 +80,16 @@ impl<'b> Patch<'b> {
 }
 
 /// Applies `edits` to `bytes`, all or nothing: see [`Edit`] for an example.
-///
-/// # Errors
-/// As [`Patch::new`].
 pub fn splice(bytes: &[u8], edits: &[Edit]) -> Result<Vec<u8>, Fault> {
     Patch::new(bytes, edits.to_vec()).map(|patch| patch.to_vec())
 }
 
 /// `model` with `edits` in its main file, read again; all or nothing.
-///
-/// # Errors
-/// As [`Patch::new`], and those of [`Model::read_again`].
 pub(crate) fn edited(model: &Model, edits: Vec<Edit>) -> Result<Model, Fault> {
     edited_with(model, edits, &[])
 }
 
-/// The same with new bytes of other files of the model.
-///
-/// # Errors
-/// As [`edited`].
+/// The model after `edits`, with new bytes of other files of the model.
 pub(crate) fn edited_with(
     model: &Model,
     edits: Vec<Edit>,

@@ -26,12 +26,10 @@ impl Node {
         Self { tag: tag.into(), name: None, content: Content::Text(text.into()) }
     }
 
-    /// An element with children.
     pub(crate) fn parent(tag: impl Into<String>, children: Vec<Self>) -> Self {
         Self { tag: tag.into(), name: None, content: Content::Children(children) }
     }
 
-    /// An object with a name and children.
     pub(crate) fn object(tag: impl Into<String>, name: &str, children: Vec<Self>) -> Self {
         Self { name: Some(escaped(name)), ..Self::parent(tag, children) }
     }
@@ -68,7 +66,6 @@ impl Node {
     }
 }
 
-/// A name as the value of an attribute.
 pub(crate) fn escaped(name: &str) -> String {
     name.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }

@@ -24,9 +24,6 @@ use crate::{note_edits, rules};
 /// assert_eq!((mass.kg, mass.source), (62.0, MassSource::Note));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
-///
-/// # Errors
-/// A mass that is not above 0.
 pub fn note(
     model: &Model,
     contacts_mass_kg: f64,

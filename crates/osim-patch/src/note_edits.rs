@@ -182,7 +182,6 @@ fn with_edits(document: &Document, span: Range<usize>, edits: &[Edit]) -> Option
     splice(document.bytes().get(span.clone())?, &shifted.collect::<Vec<_>>()).ok()
 }
 
-/// `credits` with these edits of its text.
 fn filled(tree: &Tree, credits: &Credits<'_>, edits: Vec<(Range<usize>, String)>) -> Vec<Edit> {
     if !tree.is_empty_tag(credits.element) {
         let edits = edits.into_iter().map(|(span, text)| Edit { span, text });
@@ -251,7 +250,6 @@ pub(crate) fn steps_after(mut steps: Vec<Step>, step: Step) -> Vec<Step> {
     steps
 }
 
-/// `2 stance limbs`.
 pub(crate) fn limbs_in_words(stance_limbs: f64) -> String {
     format!("{} stance limb{}", readable(stance_limbs), if stance_limbs == 1.0 { "" } else { "s" })
 }

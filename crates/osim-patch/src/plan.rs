@@ -47,7 +47,6 @@ use crate::objects::{EarlierNote, ObjectChange, Rebuilt};
 pub struct Plan {
     /// The numbers that change, each once: radii first, then force by force.
     pub changes: Vec<Change>,
-    /// Sphere centres that move.
     pub moves: Vec<Move>,
     /// The mass that the contacts were made for, before and afterwards; `None` where nobody knows and nothing follows from it.
     pub masses: Option<Masses>,
@@ -73,7 +72,7 @@ pub struct Plan {
 pub struct RecordingErrors {
     /// Root mean square along the normal of the floor, body weights.
     pub vertical_rms_bw: f64,
-    /// The same on what was not fitted; `None` where there was nothing to hold out.
+    /// Root mean square along the normal, of what was not fitted; `None` where there was nothing to hold out.
     pub held_out_vertical_rms_bw: Option<f64>,
     /// Root mean square across the normal, body weights.
     pub horizontal_rms_bw: f64,
@@ -220,7 +219,6 @@ impl Plan {
         numbers && self.objects().is_empty() && !(self.note_anyway && self.note.is_some())
     }
 
-    /// A plan with the note that goes with it.
     pub(crate) fn new(model: &Model, contents: Contents, facts: &NoteFacts<'_>) -> Self {
         let Contents { changes, moves, masses, taken, warnings, remarks } = contents;
         let changed: BTreeMap<ValueKey, f64> = changes.iter().map(Change::number).collect();
@@ -264,7 +262,7 @@ impl Plan {
         }
     }
 
-    /// The same for the model from which `rebuilt` was made: this plan was made for the model with its objects.
+    /// Attaches the plan to the model from which `rebuilt` was made: the plan was made for the model with its objects.
     pub fn on(mut self, rebuilt: Rebuilt) -> Self {
         if let Some(note) = &mut self.note {
             let model = rebuilt.model();
@@ -297,7 +295,6 @@ impl Plan {
         }
     }
 
-    /// The same with this note, or without one.
     pub fn with_note(mut self, note: Option<Note>) -> Self {
         self.note = note;
         self
@@ -432,10 +429,6 @@ impl Plan {
         Ok(edits)
     }
 
-    /// The model as it will be, with all of its files.
-    ///
-    /// # Errors
-    /// As [`patched`](Self::patched), and those of [`Model::read_again`].
     pub fn changed(&self, model: &Model) -> Result<Model, Fault> {
         let others = self.files(model).filter(|&file| file != FileId::MAIN);
         let others =
@@ -461,10 +454,7 @@ impl Plan {
         self.patch(model, file).map(|patch| patch.to_vec())
     }
 
-    /// The same without a copy: slices of the original and new text by turns.
-    ///
-    /// # Errors
-    /// As [`patched`](Self::patched).
+    /// The new file without a copy: slices of the original and new text by turns.
     pub fn patch<'m>(&'m self, model: &'m Model, file: FileId) -> Result<Patch<'m>, Fault> {
         Patch::new(self.ground(model).file(file).bytes(), self.edits(model, file)?)
     }

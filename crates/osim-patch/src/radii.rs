@@ -133,7 +133,6 @@ impl Radii {
     }
 }
 
-/// What happens to the radius of one sphere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum SphereRule {
     /// As for all spheres.
@@ -164,7 +163,6 @@ impl SphereRule {
         }
     }
 
-    /// Why the radius changes.
     fn source(self) -> RadiusFrom {
         match self {
             Self::Rule(_) | Self::Like(_) => RadiusFrom::Rule,

@@ -46,7 +46,7 @@ pub(crate) fn bottoms_remark(radii: &Radii) -> Option<Phrase> {
     Some(format!("the lowest points of spheres move {moves}, because radii change and centres stay").into())
 }
 
-/// The same where centres can move, too.
+/// The remark about bottoms where centres can move, too.
 pub(crate) fn bottoms_remark_and_level(radii: &Radii) -> Option<Phrase> {
     Some(phrase![&bottoms_remark(radii)?, "; ", Input::Level, " keeps them where they are"])
 }

@@ -17,7 +17,7 @@ use crate::scaling::{GravityChange, factor};
 
 /// The operation, as the note has it, of a rescaling that moved spheres with their bodies by a ScaleSet.
 pub const FOLLOWING: &str = "rescale body-scale-file";
-/// The same by the sizes in the note.
+/// By the sizes in the note.
 pub const FOLLOWING_NOTE: &str = "rescale follow-bodies";
 /// The operation, as the note has it, of a transfer whose spheres follow their bodies.
 pub const TRANSFER_FOLLOWING: &str = "transfer follow-bodies";
@@ -47,7 +47,6 @@ pub const TRANSFER_FOLLOWING: &str = "transfer follow-bodies";
 pub struct Rescale {
     /// The mass to scale the contacts to, kg.
     pub target_mass_kg: f64,
-    /// The mass they were made for.
     pub contacts_mass: Mass,
     /// What happens to the radii.
     ///
@@ -75,7 +74,6 @@ pub struct Rescale {
     /// # Ok::<(), osim_model::Fault>(())
     /// ```
     pub radius: RadiusRule,
-    /// Which properties may change.
     pub properties: PropertySet,
     /// Which size α follows (14).
     ///

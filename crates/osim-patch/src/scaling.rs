@@ -4,7 +4,6 @@ use contact_scaling::Ratios;
 use osim_model::messages::{Input, readable};
 use osim_model::{DissipationBy, Fault, FaultKind, GravityFor, Needed, Property};
 
-/// The factor and equation of each property.
 pub(crate) fn factor(property: Property, ratios: &Ratios, by: DissipationBy) -> Option<(f64, &'static str)> {
     Some(match property {
         Property::Stiffness => (ratios.plane_strain_modulus(), "10"),

@@ -52,7 +52,6 @@ impl New {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Set {
-    /// Properties and what happens to them.
     pub assignments: Vec<(Property, Assignment)>,
     /// Where the centres of spheres are to be for level feet, in their own frames, m; `None` where they stay.
     pub level: Option<Vec<(SphereId, [f64; 3])>>,
@@ -85,7 +84,7 @@ impl Set {
         format!("{}{level}", self.assigned())
     }
 
-    /// The same without `level`.
+    /// The operation without `level`.
     fn assigned(&self) -> String {
         let each = self.assignments.iter().map(|(property, value)| format!(" {property}={value}"));
         format!("set{}", each.collect::<String>())

@@ -143,10 +143,8 @@ fn added(class: &'static str, name: &str, path: &str, body: Option<&str>) -> Obj
     }
 }
 
-/// A sphere that a plan adds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NewSphere<'p> {
-    /// Its name.
     pub name: &'p str,
     /// Its component path.
     pub path: &'p str,
@@ -154,7 +152,6 @@ pub struct NewSphere<'p> {
     pub body: &'p str,
     /// Its centre in the frame of that body, m.
     pub centre_m: [f64; 3],
-    /// Its radius, m.
     pub radius_m: f64,
 }
 
@@ -187,9 +184,6 @@ impl Plan {
 }
 
 /// The floor of `model`: the one half-space on ground that faces straight up; `None` where there is none.
-///
-/// # Errors
-/// Several could be it: their names.
 pub(super) fn floor(model: &Model) -> Result<Option<HalfSpace>, Fault> {
     let mut floors = model.floors().into_iter();
     let Some(first) = floors.next() else { return Ok(None) };

@@ -21,24 +21,21 @@ use crate::rules;
 const SMOOTHING: [Property; 3] =
     [Property::ConstantContactForce, Property::HertzSmoothing, Property::HuntCrossleySmoothing];
 
-/// What is wanted of a conversion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Convert {
-    /// The class that forces get.
     pub to: ForceKind,
     /// The smoothing of forces that had none; what is not given comes from Falisse et al. (2022), without dimensions, at the radius
     /// of each sphere: (C.2), (C.5), (C.10).
     pub constant_contact_force: Option<f64>,
-    /// The same of `hertz_smoothing`, 1/m.
+    /// 1/m.
     pub hertz_smoothing: Option<f64>,
-    /// The same of `hunt_crossley_smoothing`, s/m.
+    /// s/m.
     pub hunt_crossley_smoothing: Option<f64>,
     /// Whether to refuse, instead of warning, if sphere and half-space have parameters of their own that differ.
     pub strict: bool,
 }
 
 impl Convert {
-    /// Into forces of the class `to`.
     pub const fn new(to: ForceKind) -> Self {
         Self {
             to,
@@ -53,7 +50,6 @@ impl Convert {
 /// A model whose forces are of another class, with remarks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Converted {
-    /// The model.
     pub rebuilt: Rebuilt,
     /// What the user should know.
     pub warnings: Vec<Finding>,
@@ -130,7 +126,6 @@ fn has_half_space(force: &Force) -> bool {
     force.sets.iter().any(|set| set.half_spaces > 0)
 }
 
-/// The pairs of `force`.
 fn pairs_of(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
     let leave_out = |text: String, otherwise: &'static str| {
         let kind = FaultKind::LeaveOut { text, force: force.name.clone(), otherwise };
@@ -323,7 +318,7 @@ fn object(deed: Deed, kind: ForceKind, name: &str, path: &str, body: Option<Stri
 }
 
 impl Layout {
-    /// The same contacts with forces of the class `kind`, as [`convert`](crate::objects::convert()) makes them: what a class does not have goes,
+    /// The contacts with forces of the class `kind`, as [`convert`](crate::objects::convert()) makes them: what a class does not have goes,
     /// and what the other had not comes from Falisse et al. (2022), without dimensions, at the radius of each sphere.
     ///
     /// # Errors
@@ -337,7 +332,6 @@ impl Layout {
 }
 
 impl NewContact {
-    /// Gives the force the class `kind`.
     fn set_class(&mut self, kind: ForceKind) -> Result<(), Fault> {
         self.kind = kind;
         if kind == ForceKind::SmoothSphereHalfSpace {
@@ -362,9 +356,6 @@ impl NewContact {
     /// assert_eq!(of(Property::HertzSmoothing), Some(300.0));
     /// # Ok::<(), osim_model::Fault>(())
     /// ```
-    ///
-    /// # Errors
-    /// A radius outside its domain.
     pub fn with_defaults(mut self) -> Result<Self, Fault> {
         self.set_class(self.kind)?;
         let classes: &[Class] = match self.kind {
@@ -381,7 +372,6 @@ impl NewContact {
         Ok(self)
     }
 
-    /// Gives a parameter this value.
     pub fn set_value(&mut self, property: Property, value: f64) {
         match self.values.iter_mut().find(|(known, _)| *known == property) {
             Some((_, old)) => *old = value,

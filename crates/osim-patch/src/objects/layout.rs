@@ -10,17 +10,13 @@ use osim_model::{
 /// One contact that a model is to get: a sphere, and the force that presses it on the floor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NewContact {
-    /// Name of the force.
     pub force: String,
-    /// Name of the sphere.
     pub sphere: String,
     /// Name of the body that carries it.
     pub body: String,
     /// Its centre in the frame of that body, m.
     pub location_m: [f64; 3],
-    /// Its radius, m.
     pub radius_m: f64,
-    /// Class of the force.
     pub kind: ForceKind,
     /// Parameters of the force in their own units; what is missing is OpenSim's default.
     pub values: Vec<(Property, f64)>,
@@ -114,8 +110,8 @@ impl Layout {
 // Contacts of one side, on the other side too.
 
 impl Layout {
-    /// The same contacts and their mirror images in z: names and bodies with `_l` for `_r`, or the other way round. What has no side
-    /// in its body's name stays alone.
+    /// The contacts and their mirror images in z: names and bodies with `_l` for `_r`, or the other way round. What has no side in its
+    /// body's name stays alone.
     ///
     /// # Errors
     /// Contacts on both sides, or on none.

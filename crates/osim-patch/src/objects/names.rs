@@ -24,9 +24,6 @@ impl Names {
     }
 
     /// `name`, or followed by a number where it is taken.
-    ///
-    /// # Errors
-    /// OpenSim refuses models in which something is called so.
     pub(super) fn take(&mut self, name: &str) -> Result<String, Fault> {
         refuse_name_in_paths(name)?;
         let free = |name: &String| !self.0.contains(name);
@@ -97,13 +94,11 @@ impl Covered {
         Self(spans)
     }
 
-    /// Whether all of `span` goes.
     pub(super) fn covers(&self, span: &Range<usize>) -> bool {
         let behind = self.0.partition_point(|own| own.start <= span.start);
         self.0[..behind].last().is_some_and(|own| span.end <= own.end)
     }
 
-    /// The spans, in order.
     pub(super) fn spans(&self) -> &[Range<usize>] {
         &self.0
     }

@@ -7,14 +7,11 @@ use osim_model::{FileId, Model, Property};
 /// What happens to a whole object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Deed {
-    /// It is new.
     Added,
-    /// It goes.
     Removed,
 }
 
 impl Deed {
-    /// In a word.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Added => "added",
@@ -26,11 +23,9 @@ impl Deed {
 /// One object that a plan adds or takes out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectChange {
-    /// What happens to it.
     pub deed: Deed,
     /// OpenSim's class, such as `ContactSphere`.
     pub class: &'static str,
-    /// Its name.
     pub name: String,
     /// Its component path: where it will be, or was.
     pub path: String,
@@ -54,14 +49,13 @@ pub struct Rebuilt {
     pub(crate) earlier_note: EarlierNote,
 }
 
-/// What a note that is in the model is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum EarlierNote {
     /// Its contacts: a new note takes its place.
     OfContacts,
     /// Other contacts, which went before these were added: it stays beside a new one.
     OfOthers,
-    /// The same, and the note of those that went now is out already.
+    /// The contacts are of others, and the note of those that went now is out already.
     TakenOut,
 }
 
@@ -71,7 +65,6 @@ impl Rebuilt {
         Self { model, objects, made, added, earlier_note: EarlierNote::OfContacts }
     }
 
-    /// The same, made from the model of `first`.
     pub fn after(mut self, first: &Self) -> Self {
         self.objects.splice(0..0, first.objects.iter().cloned());
         // A part is left of what the earlier note is about: the new one takes its place.

@@ -43,7 +43,6 @@ pub(super) struct Set {
     pub(super) letters: Letters,
 }
 
-/// The set of forces.
 pub(super) const FORCE_SET: Set = Set {
     tag: FORCES,
     letters: Letters {
@@ -55,7 +54,6 @@ pub(super) const FORCE_SET: Set = Set {
         ],
     },
 };
-/// The set of contact geometry.
 pub(super) const GEOMETRY_SET: Set = Set {
     tag: GEOMETRY,
     letters: Letters {
@@ -163,9 +161,6 @@ pub(super) const FORCES: &str = "ForceSet";
 const GEOMETRY: &str = "ContactGeometrySet";
 
 /// Objects are changed in models that are one file: a set in another file belongs to other models, too.
-///
-/// # Errors
-/// A set that stands alone, or one that is in another file.
 pub(super) fn refuse_parts(model: &Model) -> Result<(), Fault> {
     let document = model.document();
     let (tree, root) = (document.tree(), document.data_root());

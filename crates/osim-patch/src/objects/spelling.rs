@@ -14,7 +14,6 @@ use crate::objects::rebuilt::{Deed, ObjectChange};
 /// The first version in which geometry has a `socket_frame`; before, OpenSim refuses it, and afterwards `body_name`.
 const FIRST_WITH_SOCKET_FRAME: u32 = 30505;
 
-/// Where a geometry is attached to.
 pub(super) struct Carrier<'c> {
     /// Name of the body, or `ground`.
     pub(super) name: &'c str,
@@ -22,7 +21,6 @@ pub(super) struct Carrier<'c> {
     pub(super) path: &'c str,
 }
 
-/// Ground.
 const GROUND: Carrier<'static> = Carrier { name: "ground", path: "/ground" };
 
 impl Carrier<'_> {
@@ -44,9 +42,6 @@ fn triple(tag: &str, values: [f64; 3], name: &str) -> Result<Node, Fault> {
 }
 
 /// A `ContactSphere`.
-///
-/// # Errors
-/// A place that is not finite, or a radius that is not above 0.
 pub(super) fn sphere_node(version: u32, carrier: &Carrier<'_>, contact: &NewContact) -> Result<Node, Fault> {
     let name = contact.sphere.as_str();
     let place = triple("location", contact.location_m, name)?;
@@ -58,9 +53,6 @@ pub(super) fn sphere_node(version: u32, carrier: &Carrier<'_>, contact: &NewCont
 }
 
 /// A `ContactHalfSpace` with this place and these angles.
-///
-/// # Errors
-/// A number that is not finite.
 fn half_space_node(
     version: u32,
     carrier: &Carrier<'_>,
@@ -73,9 +65,6 @@ fn half_space_node(
 }
 
 /// A `ContactHalfSpace` on ground through its origin, that faces `up`.
-///
-/// # Errors
-/// A direction that is not finite.
 pub(super) fn floor(version: u32, name: &str, up: [f64; 3]) -> Result<Node, Fault> {
     half_space_node(version, &GROUND, name, [[0.0; 3], Orientation::facing(up)])
 }
@@ -86,7 +75,6 @@ pub(super) struct Values<'v> {
     pub(super) origin: &'v dyn Fn(Property) -> String,
 }
 
-/// The two surfaces of a force.
 pub(super) struct Surfaces<'s> {
     /// Component path of the sphere.
     pub(super) sphere: &'s str,

@@ -32,7 +32,6 @@ pub(crate) enum Choice<'t> {
     },
 }
 
-/// The radii of a reference.
 pub(crate) struct ReferenceRadii<'t> {
     /// By sphere name; of several spheres of one name the first counts.
     by_name: HashMap<&'t str, f64>,

@@ -48,18 +48,15 @@ pub struct ReferenceContact {
 pub struct Reference {
     /// Name of the model or preset, for reports.
     pub name: String,
-    /// Mass its contacts were made for.
     pub mass: Mass,
     /// Spheres n that share its body weight.
     pub sphere_count: f64,
     /// Gravity its contacts were made for, m/s², where known.
     pub gravity_m_s2: Option<f64>,
-    /// Its contacts.
     pub contacts: Vec<ReferenceContact>,
 }
 
 impl Reference {
-    /// The refusal of a reference that has no contacts.
     pub fn without_contacts(&self) -> Fault {
         Fault::refused(format!("the reference {} has no contacts to take", self.name))
     }
@@ -128,7 +125,6 @@ pub struct Transfer {
     pub counts_cancel: bool,
     /// What happens to the radii.
     pub radius: RadiusRule,
-    /// Which properties may change.
     pub properties: PropertySet,
     /// Which size α follows (14).
     pub dissipation_by: DissipationBy,
@@ -183,9 +179,6 @@ pub enum ScalingRule {
 
 /// Reads the contacts of the forces `selected` of a reference model, which were made for `mass` and for `sphere_count` spheres
 /// that share its weight: see [`Reference`] for an example.
-///
-/// # Errors
-/// A value that is not a plain number or outside its domain, with its place.
 pub fn reference_of_model(
     model: &Model,
     selected: &Selected,
@@ -237,9 +230,6 @@ pub fn reference_of_model(
 /// assert_eq!(reference.contacts[0].radius_m, 0.03);
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
-///
-/// # Errors
-/// A value outside its domain.
 pub fn reference_of_layout(
     name: &str,
     layout: &Layout,
