@@ -18,11 +18,9 @@ pub enum AssignedBy {
     Name,
     /// The foot that is nearest to its centre of pressure, frame by frame, of those that it may be under.
     Nearest,
-    /// There is one foot.
     OnlyFoot,
 }
 
-/// What was made of one plate.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlateUse {
     /// What its columns begin with.

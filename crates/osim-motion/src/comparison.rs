@@ -30,13 +30,10 @@ pub struct Comparison {
 /// Where forces are compared.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ComparedOn {
-    /// The plane's normal.
     pub normal: [f64; 3],
-    /// A point of it, m.
     pub point_m: [f64; 3],
     /// A centre of pressure counts above this force, N.
     pub least_n: f64,
-    /// Whether the plates have points.
     pub has_points: bool,
 }
 

@@ -18,14 +18,10 @@ pub enum CoordinateKind {
     Coupled,
 }
 
-/// A coordinate of a model.
 #[derive(Debug, Clone)]
 pub struct ModelCoordinate {
-    /// Its name.
     pub name: String,
-    /// Its joint's name.
     pub joint: String,
-    /// What it means.
     pub kind: CoordinateKind,
     /// Its value where nothing else says it.
     pub(crate) default: Option<f64>,
@@ -33,7 +29,6 @@ pub struct ModelCoordinate {
     pub(crate) prescribed: Option<Option<CoordinateFunction>>,
 }
 
-/// The coordinates of all `joints`, joint by joint.
 pub(crate) fn coordinates_of(model: &Model, joints: &[ModelJoint]) -> Vec<ModelCoordinate> {
     let mut all = Vec::new();
     for joint in joints {

@@ -7,16 +7,13 @@ use osim_model::{ForceId, Model, Side, SphereId};
 
 use crate::states::ContactStates;
 
-/// The contacts of one limb.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Foot {
     /// `right foot`, `left foot`, or the name of the limb's first body.
     pub name: String,
-    /// Its side, where its names say one.
     pub side: Option<Side>,
     /// Its pairs among all.
     pub pairs: Vec<usize>,
-    /// Its bodies with spheres, in their order.
     pub bodies: Vec<String>,
 }
 
@@ -97,12 +94,9 @@ pub const ON_BW: f64 = 0.05;
 /// and lifts off where it falls below this one.
 pub const OFF_BW: f64 = 0.03;
 
-/// One time on the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stance {
-    /// The first frame.
     pub first: usize,
-    /// The last frame.
     pub last: usize,
     /// When it touches down, s; `None` where the recording begins in it, or the force before is not known.
     pub on_s: Option<f64>,
@@ -140,7 +134,6 @@ impl Stance {
         Some(self.off_s? - self.on_s?)
     }
 
-    /// Its frames.
     pub const fn frames(&self) -> RangeInclusive<usize> {
         self.first..=self.last
     }

@@ -6,7 +6,6 @@ use osim_model::{
     contact_of_pair,
 };
 
-/// What a sphere touches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Touched {
     /// A plane, by its place among all planes of the forces.
@@ -18,13 +17,10 @@ pub enum Touched {
 /// A sphere and what one force lets it touch.
 #[derive(Debug, Clone)]
 pub struct ContactPair {
-    /// The force.
     pub force: ForceId,
-    /// The sphere.
     pub sphere: SphereId,
     /// The sphere's parameter set.
     pub set: SetId,
-    /// What it touches.
     pub touched: Touched,
     /// Whether that is the ground: a plane, or a sphere that cannot move.
     pub is_ground: bool,
@@ -32,9 +28,7 @@ pub struct ContactPair {
     pub applies: bool,
     /// The sphere's radius, m.
     pub radius_m: f64,
-    /// The law of its normal force.
     pub law: Law,
-    /// Its friction.
     pub friction: Friction,
     /// `constant_contact_force`, which the smooth class adds to the squared slip speed; `None` for the other class.
     pub smoothing: Option<f64>,
@@ -47,9 +41,6 @@ pub struct ContactPair {
 }
 
 /// All pairs of moving spheres and what `forces` let them touch, and the planes, each once. Two spheres that both move are two pairs.
-///
-/// # Errors
-/// A value that is not a plain number or outside its domain, or a place that cannot be read.
 pub(crate) fn pairs_of(
     model: &Model,
     forces: &[ForceId],

@@ -6,7 +6,6 @@ use crate::fault::MotionFault;
 use crate::table::{Column, Table};
 use crate::wrench::Wrench;
 
-/// One plate: what it measured at its own times.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plate {
     /// What its columns begin with, as in the file.
@@ -15,7 +14,6 @@ pub struct Plate {
     pub body: Option<String>,
     /// Whether it has a centre of pressure; a file whose points are all 0 has none, and its moments mean nothing.
     pub has_points: bool,
-    /// Its times, s.
     time_s: Vec<f64>,
     /// What it measured at each of them.
     wrenches: Vec<Wrench>,
@@ -137,24 +135,19 @@ impl Wrench {
 /// An `ExternalLoads` file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExternalLoads {
-    /// Its loads, in order.
     pub all: Vec<Load>,
     /// What it says in `datafile`, as it stands.
     pub data_file: Option<String>,
 }
 
-/// One `ExternalForce`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Load {
-    /// Its name.
     pub name: String,
-    /// Whether it acts at all.
     pub applies: bool,
     /// The body that it acts on.
     pub body: Option<String>,
     /// The frame of the force; ground where nothing is said.
     pub force_frame: String,
-    /// The frame of the point.
     pub point_frame: String,
     /// What the columns of the force begin with.
     pub force: Option<String>,

@@ -16,7 +16,6 @@ const PASSES: usize = 8;
 /// An angle beyond this is not one in radians, rad.
 const FULL_TURN: f64 = std::f64::consts::TAU;
 
-/// How a table is taken.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct RecordingOptions {
     /// The unit of its angles; `None` where the file says it.
@@ -30,11 +29,9 @@ pub struct RecordingOptions {
 /// Values and speeds of all coordinates of a model in each frame.
 #[derive(Debug, Clone)]
 pub struct Recording {
-    /// The time of each frame, s.
     pub time_s: Vec<f64>,
     /// All coordinates, joint by joint.
     pub coordinates: Vec<ModelCoordinate>,
-    /// What was taken from where.
     pub facts: RecordingFacts,
     /// Frame by frame, rad or m.
     values: Vec<f64>,
@@ -44,10 +41,8 @@ pub struct Recording {
     pub(crate) of_opensim: Vec<bool>,
 }
 
-/// What a recording was made from.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordingFacts {
-    /// The unit of angles.
     pub angles: AngleUnit,
     /// Whether the file says so itself, or the caller.
     pub declared: bool,
@@ -99,7 +94,6 @@ impl Recording {
         Ok(recording)
     }
 
-    /// How many frames it has.
     pub fn frames(&self) -> usize {
         self.time_s.len()
     }

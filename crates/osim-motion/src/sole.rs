@@ -13,9 +13,6 @@ use crate::wrench::Wrench;
 const APART_M: f64 = 1e-3;
 
 /// Down for the sphere of each pair of `states`, as bodies stand at the default pose: a direction of length 1 in its body, into the floor.
-///
-/// # Errors
-/// It is not known where a body is at the default pose.
 pub(crate) fn down_at_default_pose(
     model: &Model,
     states: &ContactStates,
@@ -33,9 +30,6 @@ pub(crate) fn down_at_default_pose(
 }
 
 /// From the middle of the left spheres to that of the right ones at the default pose, m; not finite where a side has none.
-///
-/// # Errors
-/// It is not known where a body is at the default pose.
 pub(crate) fn across(states: &ContactStates, pose: &DefaultPose) -> Result<[f64; 3], PoseFault> {
     let (mut sums, mut counts) = ([[0.0; 3]; 2], [0.0; 2]);
     for pair in &states.pairs {

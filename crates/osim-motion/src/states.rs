@@ -14,7 +14,7 @@ use crate::table::Table;
 /// The velocity of the belt in ground, m/s.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Belt {
-    /// The same in all frames; 0 for a floor.
+    /// In all frames; 0 for a floor.
     Constant([f64; 3]),
     /// Frame by frame.
     Each(Vec<[f64; 3]>),
@@ -26,7 +26,7 @@ impl Belt {
         Self::Constant([-speed_m_s, 0.0, 0.0])
     }
 
-    /// The same with the speed in a column of the recording, m/s.
+    /// A belt with the speed in a column of the recording, m/s.
     ///
     /// # Errors
     /// No such column, or a row without a number.
@@ -58,7 +58,6 @@ impl From<[f64; 3]> for Belt {
     }
 }
 
-/// Why there are no forces.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StatesError {
     /// Something in the model.
@@ -67,7 +66,6 @@ pub enum StatesError {
     /// It is not known where a body is.
     #[error(transparent)]
     Pose(#[from] PoseFault),
-    /// Something in the recording.
     #[error(transparent)]
     Motion(#[from] MotionFault),
 }
@@ -81,7 +79,6 @@ impl From<Fault> for StatesError {
 /// One sphere on a plane (or another sphere) in one frame; everything is seen from ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactState {
-    /// The centre of the sphere, m.
     pub centre_m: [f64; 3],
     /// How it moves, m/s.
     pub velocity_m_s: [f64; 3],
@@ -102,7 +99,6 @@ pub struct ContactState {
 }
 
 impl ContactState {
-    /// How fast it slips, m/s.
     pub fn slip_speed_m_s(&self) -> f64 {
         libm::sqrt(dot(self.slip_m_s, self.slip_m_s))
     }
@@ -114,14 +110,11 @@ impl ContactState {
     }
 }
 
-/// Contacts along a recording.
 #[derive(Debug, Clone)]
 pub struct ContactStates {
-    /// The time of each frame, s.
     pub time_s: Vec<f64>,
     /// Which sphere on what.
     pub pairs: Vec<ContactPair>,
-    /// The planes.
     pub planes: Vec<HalfSpace>,
     /// Joints that close a loop, which nothing keeps closed here.
     pub loops: Vec<String>,
@@ -142,7 +135,7 @@ impl ContactStates {
         Self::of_pairs(model, recording, pairs_of(model, forces)?, &belt.into())
     }
 
-    /// The same contacts with the centre of each sphere moved in its body, m.
+    /// The contacts with the centre of each sphere moved in its body, m.
     pub(crate) fn displaced(
         &self,
         model: &Model,
@@ -207,18 +200,15 @@ impl ContactStates {
         Ok(Self { time_s: recording.time_s.clone(), pairs, planes, loops, states })
     }
 
-    /// How many frames there are.
     pub fn frames(&self) -> usize {
         self.time_s.len()
     }
 
-    /// The states of all pairs in a frame.
     pub fn frame(&self, frame: usize) -> &[ContactState] {
         let count = self.pairs.len();
         self.states.get(frame * count..(frame + 1) * count).unwrap_or_default()
     }
 
-    /// The states of one pair in all frames.
     pub fn pair(&self, pair: usize) -> impl Iterator<Item = &ContactState> {
         self.states.iter().skip(pair).step_by(self.pairs.len().max(1))
     }

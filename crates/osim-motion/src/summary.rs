@@ -11,7 +11,6 @@ use crate::feet::{Foot, ON_BW, Stance, strides};
 use crate::states::{ContactState, ContactStates};
 use crate::wrench::{CentreOfPressure, Wrench};
 
-/// What one sphere does on its plane.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SphereSummary {
     /// Its pair among all.
@@ -46,7 +45,6 @@ pub struct TouchDown {
 /// What one foot does.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootSummary {
-    /// The foot.
     pub foot: Foot,
     /// The model's forces on it, frame by frame.
     pub wrenches: Vec<Wrench>,
@@ -66,13 +64,10 @@ pub struct FootSummary {
     pub deepest_m: f64,
     /// How it slips in stance: the median velocity of its deepest sphere along the plane, m/s.
     pub stance_slip_m_s: Option<[f64; 3]>,
-    /// Its spheres.
     pub spheres: Vec<SphereSummary>,
-    /// Beside the plates.
     pub comparison: Option<Comparison>,
 }
 
-/// One stance, with what it does to the body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StanceSummary {
     /// When.
@@ -90,7 +85,6 @@ pub struct StanceSummary {
 pub struct Summary {
     /// Body weight, N: what forces are divided by.
     pub weight_n: f64,
-    /// Each foot.
     pub feet: Vec<FootSummary>,
     /// All feet together, frame by frame.
     pub total: Vec<Wrench>,
@@ -98,18 +92,16 @@ pub struct Summary {
     pub peak_n: f64,
     /// All plates beside all feet.
     pub comparison: Option<Comparison>,
-    /// The smallest radius of their spheres, m.
     pub smallest_radius_m: Option<f64>,
     /// The mean force along the normal over whole strides, N, of the model.
     pub stride_mean_n: Option<f64>,
-    /// The same of the plates, which is what the subject weighs.
+    /// What the plates measured, which is what the subject weighs.
     pub measured_stride_mean_n: Option<f64>,
     /// The part of whole strides in which more than one foot stands; `None` of one foot, or without a whole stride.
     pub double_support: Option<f64>,
 }
 
 impl Summary {
-    /// What `states` show, with what plates measured where there are some.
     pub fn of(states: &ContactStates, feet: &[Foot], measured: Option<&Measured>, weight_n: f64) -> Self {
         let feet: Vec<FootSummary> = feet
             .iter()

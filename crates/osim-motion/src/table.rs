@@ -18,7 +18,6 @@ pub struct Table {
     pub time_s: Vec<f64>,
     /// All other columns, in the order of the file.
     pub columns: Vec<Column>,
-    /// The unit of its angles, where the header says it.
     pub declared: Option<AngleUnit>,
     /// Whether the header has a `version`: then OpenSim takes angles of an undeclared unit for radians.
     pub has_version: bool,
@@ -26,10 +25,8 @@ pub struct Table {
     pub lines: Vec<usize>,
 }
 
-/// One column of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
-    /// Its name, as in the file.
     pub name: String,
     /// One number for each row; NaN where the file says so.
     pub values: Vec<f64>,
@@ -62,7 +59,6 @@ impl Table {
         self.columns.iter().find(|column| column.name == name)
     }
 
-    /// How many rows it has.
     pub fn rows(&self) -> usize {
         self.time_s.len()
     }
@@ -99,9 +95,7 @@ impl Table {
 /// The unit of the angles of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AngleUnit {
-    /// Degrees.
     Degrees,
-    /// Radians.
     Radians,
 }
 
@@ -114,7 +108,6 @@ impl AngleUnit {
         }
     }
 
-    /// As in messages.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Degrees => "degrees",
@@ -123,7 +116,6 @@ impl AngleUnit {
     }
 }
 
-/// What a header says.
 struct Header {
     declared: Option<AngleUnit>,
     has_version: bool,
@@ -297,7 +289,6 @@ pub struct Gap {
 }
 
 impl Gap {
-    /// How long it is, s.
     pub fn length_s(&self) -> f64 {
         self.to_s - self.from_s
     }

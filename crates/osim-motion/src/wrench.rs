@@ -28,7 +28,6 @@ impl Wrench {
         self
     }
 
-    /// Both together.
     pub fn and(&self, other: &Self) -> Self {
         let sum = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| a[i] + b[i]);
         Self { force_n: sum(self.force_n, other.force_n), moment_n_m: sum(self.moment_n_m, other.moment_n_m) }
@@ -62,7 +61,6 @@ impl Wrench {
 /// Where a ground reaction acts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CentreOfPressure {
-    /// The point, m.
     pub point_m: [f64; 3],
     /// The moment about the normal there, N m.
     pub free_moment_n_m: f64,

@@ -8,13 +8,11 @@ use super::trial::{Deeper, FitTrial, FootForces};
 /// One fitted number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedParameter {
-    /// Its value.
     pub value: f64,
     /// Its standard error, with what neighbouring frames have in common taken into account; NaN where nothing is left over.
     pub standard_error: f64,
     /// The lowest and the highest value with which the rest can be fitted nearly as well (rms within 5 %, or 0.005 body weights).
     pub nearly_as_good: (f64, f64),
-    /// Whether it is at a bound.
     pub at_bound: bool,
 }
 
@@ -32,7 +30,6 @@ pub struct FitErrors {
 pub struct HeldOut {
     /// What was fitted, in words.
     pub fitted: String,
-    /// What was not.
     pub tested: String,
     /// Its errors, body weights.
     pub vertical_rms_bw: f64,
@@ -51,9 +48,7 @@ pub struct MotionFit {
     pub spheres_down_m: Option<FittedParameter>,
     /// Correlation of stiffness and height of the first trial, where both were fitted.
     pub stiffness_height_correlation: Option<f64>,
-    /// Errors before.
     pub before: FitErrors,
-    /// Errors after.
     pub after: FitErrors,
     /// The error of each trial, with a floor of its own where the height is fitted, body weights.
     pub trials_rms_bw: Vec<f64>,
@@ -75,7 +70,6 @@ impl MotionFit {
 /// What a sphere costs that is deeper than allowed by its radius, body weights.
 const TOO_DEEP_BW: f64 = 200.0;
 
-/// The unknowns of a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Unknowns {
     /// The logarithm of the factor of all stiffnesses.
@@ -104,7 +98,6 @@ impl Unknowns {
         heights_m
     }
 
-    /// With these heights.
     pub(super) fn with_heights(self, height: FittedHeight, mut heights_m: Vec<f64>) -> Self {
         match (height, heights_m.first_mut()) {
             (FittedHeight::Spheres, Some(first)) => {
@@ -134,9 +127,7 @@ pub enum FittedHeight {
 /// Which of them are fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FitWanted {
-    /// The stiffness.
     pub stiffness: bool,
-    /// The dissipation.
     pub dissipation: bool,
     /// The height, and what it moves; `None` where neither floor nor spheres move.
     pub height: Option<FittedHeight>,
@@ -187,7 +178,6 @@ pub(super) fn errors(trials: &[FitTrial], unknowns: &Unknowns) -> FitErrors {
     }
 }
 
-/// The problem as rmpfit takes it.
 pub(super) struct Problem<'t> {
     pub(super) trials: &'t [FitTrial],
     pub(super) wanted: FitWanted,

@@ -19,19 +19,15 @@ const UNBOUNDED_M: f64 = 0.25;
 /// Spheres go at most this far up or down in their bodies, and the floors of other trials from the first, m.
 const MOST_IN_SPHERES_M: f64 = 0.25;
 
-/// What is fitted, and between which bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitBounds {
-    /// What is fitted.
     pub wanted: FitWanted,
     /// x/R goes up to this in frames with a force; `None` for no bound.
     pub most_relative_indentation: Option<f64>,
 }
 
-/// Why there is no fit.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum FitError {
-    /// Nothing to fit to.
     #[error("the plates measured no force under a foot while it was recorded: there is nothing to fit to")]
     NoForce,
     /// Nothing is wanted.
@@ -51,7 +47,6 @@ pub(super) fn own(trials: &[FitTrial]) -> Unknowns {
     Unknowns { stiffness_log: 0.0, dissipation: None, floor_up_m, spheres_down_m: 0.0 }
 }
 
-/// The best unknowns, and how sure they are.
 pub(super) struct Best {
     pub(super) unknowns: Unknowns,
     pub(super) standard_error: Vec<f64>,
@@ -134,7 +129,7 @@ pub(super) fn limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, 
     Ok(Limits { heights_m, sphere_depth: bounds.most_relative_indentation, ..limits })
 }
 
-/// The same of floors: heights at which something touches and nothing is deeper than allowed.
+/// Limits of floors: heights at which something touches and nothing is deeper than allowed.
 fn floor_limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitError> {
     let largest = STIFFNESS_FACTOR.ln();
     let mut heights_m = Vec::new();

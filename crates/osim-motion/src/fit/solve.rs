@@ -9,9 +9,6 @@ use super::search::{FitBounds, FitError, limits, own, search};
 use super::trial::{FitTrial, FootForces};
 
 /// Fits the unknowns to all `trials` together.
-///
-/// # Errors
-/// [`FitError`].
 pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, FitError> {
     let FitWanted { stiffness, dissipation, height } = bounds.wanted;
     if !(stiffness || dissipation || height.is_some()) {
@@ -182,7 +179,6 @@ impl<'b> Ranges<'b> {
         (low, edge(value, 0.5, self.rms_bw, &tried).min(most))
     }
 
-    /// Heights of one trial, m.
     pub(super) fn height(&self, height: FittedHeight, trial: usize) -> (f64, f64) {
         let heights_m = self.best.heights_m(height);
         let value = heights_m.get(trial).copied().unwrap_or_default();

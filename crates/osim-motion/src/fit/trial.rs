@@ -14,9 +14,7 @@ use crate::wrench::Wrench;
 /// One trial: the contacts of each foot where the plates say what its force is.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FitTrial {
-    /// Each foot.
     pub feet: Vec<FootForces>,
-    /// Body weight, N.
     pub weight_n: f64,
     /// How many frames were left out, because a foot seems to stand beside the plates.
     pub beside: usize,
@@ -26,12 +24,9 @@ pub struct FitTrial {
     pub down: Vec<[f64; 3]>,
 }
 
-/// One foot of a trial.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootForces {
-    /// Its name.
     pub name: String,
-    /// Each of its spheres.
     pub spheres: Vec<SphereId>,
     /// The law and the radius (m) of each of its spheres.
     pub laws: Vec<(Law, f64)>,
@@ -43,7 +38,6 @@ pub struct FootForces {
     down: Vec<PerMetre>,
 }
 
-/// What makes contacts deeper.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Deeper {
     /// A floor that goes up, m.
@@ -59,9 +53,6 @@ impl FitTrial {
     }
 
     /// What they say where spheres go down in their bodies. The first trial finds which way is `down`, and the others take it from there.
-    ///
-    /// # Errors
-    /// It is not known where a body is.
     pub fn of_lowered(
         model: &Model,
         recording: &Recording,
@@ -100,7 +91,7 @@ impl FitTrial {
 }
 
 impl FitTrial {
-    /// The same with some of its frames, evenly chosen: at most about `most` of each foot.
+    /// With some of its frames, evenly chosen: at most about `most` of each foot.
     pub(super) fn thinned(&self, most: usize) -> Self {
         let of = |foot: &FootForces| {
             let kept = || (0..foot.frames()).step_by(foot.frames().div_ceil(most).max(1));
@@ -151,7 +142,6 @@ impl FootForces {
         self.measured_n.iter().any(|&force_n| force_n > ON_BW * weight_n)
     }
 
-    /// How many frames there are.
     pub fn frames(&self) -> usize {
         self.measured_n.len()
     }
