@@ -9,7 +9,7 @@ pub fn sha256(bytes: &[u8]) -> String {
     sha256_of_parts(std::iter::once(bytes))
 }
 
-/// The same of bytes that are in several places.
+/// The SHA-256 of bytes that are in several places.
 pub fn sha256_of_parts<'p>(parts: impl Iterator<Item = &'p [u8]>) -> String {
     let mut hash = Sha256::new();
     parts.for_each(|part| hash.update(part));

@@ -13,7 +13,6 @@ pub struct LibraryFault {
     cause: Cause,
 }
 
-/// Whose fault it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cause {
     /// The call's: it asks for what is not done.
@@ -60,14 +59,12 @@ impl LibraryFault {
         ])
     }
 
-    /// The same, after what could not be done because of it.
     pub fn within(self, what: impl Display) -> Self {
         let mut message = Phrase::from(format!("{what}: "));
         message.push(&self.message);
         Self { message, cause: self.cause }
     }
 
-    /// Whose fault it is.
     pub fn cause(&self) -> Cause {
         self.cause
     }
@@ -77,12 +74,10 @@ impl LibraryFault {
         &self.message
     }
 
-    /// The same in the words of a front end.
     pub fn spelled(&self, dialect: &dyn Dialect) -> String {
         self.message.spelled(dialect)
     }
 
-    /// The failure of one model.
     pub fn of_model(self, model: impl Into<FileName>, code: &'static str) -> Failure {
         Failure::outside(model, code, &self.message)
     }

@@ -83,9 +83,6 @@ impl Folders {
 }
 
 /// Makes the folder of `path`, with those above it.
-///
-/// # Errors
-/// A file has that name, or the folder above cannot be written.
 pub fn make_folder_of(path: &Path) -> Result<(), LibraryFault> {
     if folder_of(path).is_dir() {
         return Ok(());

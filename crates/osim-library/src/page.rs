@@ -34,11 +34,9 @@ const HEAD: usize = 1024;
 /// What a page may take the place of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Replace {
-    /// Nothing.
     Never,
     /// Pages of this program: a resumed run writes its page again.
     Pages,
-    /// Any file.
     Files,
 }
 
@@ -82,9 +80,6 @@ impl ReportPage {
 
     /// Begins the page about a run, the call `asked`; what could not even be listed is on it already. `None` if no page is asked
     /// for.
-    ///
-    /// # Errors
-    /// Those of [`begin`](Self::begin).
     pub fn of_run(
         run: &Run<'_>,
         options: &RunOptions,
@@ -110,7 +105,6 @@ impl ReportPage {
         Ok(Some(page))
     }
 
-    /// The next model.
     pub fn add(&mut self, entry: Entry) {
         self.page.add(entry);
     }
@@ -151,9 +145,6 @@ struct NamelessFile(BufWriter<File>);
 
 impl NamelessFile {
     /// On the disk that will hold `path`; the system removes the file, whatever happens.
-    ///
-    /// # Errors
-    /// The folder cannot be written.
     pub(crate) fn beside(path: &Path) -> Result<Self, LibraryFault> {
         let target = resolved(path);
         let folder = folder_of(&target);
@@ -245,23 +236,16 @@ fn row(record: &Record) -> RunRow {
 
 // Models inspected and checked one by one, with their entry on a page.
 
-/// Models and how they are looked at.
 pub struct Survey<'s> {
     /// `inspect` or `check`.
     pub verb: Verb,
-    /// The models.
     pub sources: &'s Sources,
-    /// How they are inspected.
     pub inspector: &'s Inspector,
-    /// The page that is asked for.
     pub report: &'s ReportOptions,
-    /// The words of messages.
     pub words: Words,
 }
 
-/// A model that was inspected.
 pub struct Inspected {
-    /// The model.
     pub opened: OpenModel,
     /// What is known of it, not spelled yet.
     pub inspection: Inspection,
@@ -291,18 +275,11 @@ impl Survey<'_> {
         Ok(Some(page))
     }
 
-    /// Reads and inspects a model.
-    ///
-    /// # Errors
-    /// It cannot be read.
     pub fn inspect(&self, source: &Source) -> Result<Inspected, Failure> {
         self.inspect_loaded(Loaded::read(source, self.inspector.set_files())?)
     }
 
     /// Inspects a model that was loaded.
-    ///
-    /// # Errors
-    /// It cannot be read.
     pub fn inspect_loaded(&self, loaded: Loaded) -> Result<Inspected, Failure> {
         let opened = loaded.files.open()?;
         let inspection = self.inspector.inspect(&opened)?;

@@ -25,7 +25,6 @@ impl Partial {
     /// What its name has after that of the whole file.
     pub(crate) const ENDING: &'static str = ".partial";
 
-    /// The partial file of `whole`.
     pub(crate) fn path_of(whole: &Path) -> PathBuf {
         let mut name = OsString::from(whole.as_os_str());
         name.push(Self::ENDING);
@@ -104,9 +103,6 @@ impl Partial {
     }
 
     /// Removes it, once the whole file is there.
-    ///
-    /// # Errors
-    /// The folder cannot be changed.
     pub(crate) fn remove(self) -> Result<(), LibraryFault> {
         let Self { path, file, .. } = self;
         drop(file);

@@ -48,7 +48,6 @@ pub(crate) enum Kinds {
 pub(crate) enum Refusal {
     /// The system says so.
     System(std::io::Error),
-    /// It is not a file, in words.
     Kind(&'static str),
     /// It is larger than this.
     Large(u64),
@@ -126,10 +125,6 @@ pub(crate) fn read(path: &Path, kinds: Kinds) -> Result<(Vec<u8>, Metadata), Ref
     Ok((until_end(file, most_of(&metadata))?, metadata))
 }
 
-/// Reads an ordinary file.
-///
-/// # Errors
-/// As [`read`].
 pub(crate) fn ordinary(path: &Path) -> Result<Vec<u8>, Refusal> {
     read(path, Kinds::Ordinary).map(|(bytes, _)| bytes)
 }
@@ -146,9 +141,6 @@ pub fn head(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
 }
 
 /// An ordinary file to be read piece by piece, and its length.
-///
-/// # Errors
-/// It is not there, cannot be read, or is not an ordinary file.
 pub(crate) fn to_read(path: &Path) -> std::io::Result<(File, u64)> {
     let (file, metadata) = open(path, Kinds::Ordinary).map_err(as_error)?;
     Ok((file, metadata.len()))
@@ -165,9 +157,6 @@ pub(crate) fn standard_input() -> Result<Vec<u8>, Refusal> {
 
 /// An ordinary file that this process alone writes and may shorten; a new one is made if there is none. `None` if another
 /// process has it. Others may read it.
-///
-/// # Errors
-/// It cannot be written, or is not an ordinary file.
 pub(crate) fn alone(path: &Path) -> std::io::Result<Option<File>> {
     let file = system::alone(path)?;
     if let Some(file) = &file {
@@ -178,9 +167,6 @@ pub(crate) fn alone(path: &Path) -> std::io::Result<Option<File>> {
 
 /// Whether another process has a file [`alone`]. Asking keeps others from opening it so only for that moment, and does not keep
 /// them from asking.
-///
-/// # Errors
-/// It is there and cannot be opened.
 pub(crate) fn is_taken(path: &Path) -> std::io::Result<bool> {
     match system::is_taken(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
@@ -189,9 +175,6 @@ pub(crate) fn is_taken(path: &Path) -> std::io::Result<bool> {
 }
 
 /// An ordinary file, open to be locked: for writing, which network file systems ask for, or as it can be.
-///
-/// # Errors
-/// It cannot be opened, or is not an ordinary file.
 pub(crate) fn to_lock(path: &Path) -> std::io::Result<File> {
     let mut options = File::options();
     options.write(true);
@@ -206,9 +189,6 @@ pub(crate) fn to_lock(path: &Path) -> std::io::Result<File> {
 }
 
 /// A folder, open to be synchronised; Windows opens none.
-///
-/// # Errors
-/// It is not there, or cannot be read.
 pub(crate) fn folder(path: &Path) -> std::io::Result<File> {
     system::without_waiting(File::options().read(true)).open(path)
 }
@@ -242,7 +222,6 @@ fn open(path: &Path, kinds: Kinds) -> Result<(File, Metadata), Refusal> {
     Ok((file, metadata))
 }
 
-/// Refuses what may not be read.
 fn check(metadata: &Metadata, kinds: Kinds) -> Result<(), Refusal> {
     let is_stream = system::is_pipe(metadata) || system::is_device(metadata);
     if metadata.is_file() || (kinds == Kinds::Streams && is_stream) {

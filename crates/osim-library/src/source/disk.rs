@@ -158,19 +158,15 @@ fn read(path: &Path, kinds: Kinds) -> Result<(Vec<u8>, Option<Stamp>), FileError
 /// Bytes of a model and of the files that belong to it, and where they come from.
 #[derive(Debug)]
 pub struct Loaded {
-    /// The files.
     pub files: ModelFiles,
-    /// Where they come from.
     pub origin: Origin,
 }
 
-/// Where a model comes from.
 #[derive(Debug)]
 pub struct Origin {
     path: PathBuf,
     /// Files as they were when they were read; standard input and a model in memory are none.
     stamps: HashMap<PathBuf, Stamp>,
-    /// The other files.
     companions: HashMap<FileId, PathBuf>,
     /// Files that the model includes, as it names them.
     included: Vec<String>,
@@ -178,18 +174,12 @@ pub struct Origin {
 
 impl Loaded {
     /// Reads `source`, the files it includes and those given beside it.
-    ///
-    /// # Errors
-    /// One of them cannot be read.
     pub fn read(source: &Source, set_files: &SetFiles) -> Result<Self, Failure> {
         Self::read_beside(source, set_files, &BTreeMap::new())
     }
 
     /// Reads `source` and the files that belong to it. Those that are in `memory` are taken from there, also where the disk has
     /// others of the same name.
-    ///
-    /// # Errors
-    /// One of them cannot be read.
     pub fn read_beside(
         source: &Source,
         set_files: &SetFiles,
@@ -205,9 +195,6 @@ impl Loaded {
     }
 
     /// A model whose bytes are known, at `path`, with the files that `files` has beside it.
-    ///
-    /// # Errors
-    /// One of those cannot be read.
     pub fn in_memory(
         path: &Path,
         bytes: Vec<u8>,

@@ -17,7 +17,6 @@ use crate::paths::{Resolver, resolved};
 /// End of the name of the folder that variants are written into by default. Walks over folders leave it out.
 pub const FOLDER_MARK: &str = ".sweep";
 
-/// One model to read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
     /// Where it is; `-` is standard input.
@@ -49,7 +48,6 @@ impl Source {
         self.path.as_os_str() == "-"
     }
 
-    /// As shown to the user.
     pub fn shown(&self) -> String {
         self.path.display().to_string()
     }
@@ -64,7 +62,6 @@ impl Source {
 /// What was named, with folders walked.
 #[derive(Debug, Default)]
 pub struct Sources {
-    /// The models.
     pub models: Vec<Source>,
     /// What could not even be listed.
     pub failures: Vec<Failure>,
@@ -219,11 +216,9 @@ const MOST_WORDS: usize = 12;
 /// Words that are one name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SplitName {
-    /// Which of the words.
     pub words: Range<usize>,
     /// The name that they make with blanks between them.
     pub name: PathBuf,
-    /// Whether it is there.
     pub exists: bool,
 }
 
@@ -233,7 +228,7 @@ impl SplitName {
         (0..words.len()).find_map(|start| Self::at(words, start))
     }
 
-    /// The same where it begins with word `start`.
+    /// A name that begins with word `start`.
     pub(super) fn at(words: &[PathBuf], start: usize) -> Option<Self> {
         let rest = words.get(start..)?;
         let parts =
@@ -263,7 +258,6 @@ impl SplitName {
         format!("'{}' is {}", first.display(), self.reason())
     }
 
-    /// The same after the name of the first word.
     pub fn reason(&self) -> String {
         let name = self.name.display();
         let there = if self.exists { format!(", but '{name}' is") } else { String::new() };

@@ -41,12 +41,10 @@ pub struct SweepRun<'s> {
     folder: PathBuf,
 }
 
-/// How a sweep ended.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct SweepEnd {
     /// The table of what this run made, if it made something.
     pub manifest: Option<PathBuf>,
-    /// Variants that were made.
     pub made: usize,
     /// Variants that an earlier sweep had made already.
     pub earlier: usize,
@@ -58,11 +56,9 @@ pub struct SweepEnd {
     pub others: OtherModels,
     /// Variants that could not be made.
     pub failed: usize,
-    /// Variants that were not begun.
     pub not_begun: usize,
 }
 
-/// The outcome for a variant.
 enum Made {
     /// Its row in the table, whether an earlier sweep made it, and whether it is worse than the model.
     Row {
@@ -123,12 +119,10 @@ impl<'s> SweepRun<'s> {
         self.request.is_large()
     }
 
-    /// The model, as it was named.
     pub fn model(&self) -> &FileName {
         self.plan.model().name()
     }
 
-    /// Size of the model, in bytes.
     pub fn model_size(&self) -> usize {
         self.plan.model().bytes().len()
     }
@@ -345,7 +339,6 @@ fn folder(request: &SweepRequest, model: &Path) -> PathBuf {
 /// Variants whose contacts another one has already.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct SameContacts {
-    /// How many.
     pub count: usize,
     /// The first of them and the one that it is the same as, by their numbers from 1.
     pub first: Option<(usize, usize)>,
@@ -373,14 +366,12 @@ impl Seen {
 /// Models in the folder of a sweep that are called like its own and are none of them.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct OtherModels {
-    /// How many.
     pub count: usize,
     /// The first of them by name.
     pub first: Option<String>,
 }
 
 impl OtherModels {
-    /// Those in `folder`.
     fn find(folder: &Path, plan: &SweepPlan<'_>) -> Self {
         let is_like = |name: &OsString| name.to_str().is_some_and(|name| plan.is_like_file_name(name));
         let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();

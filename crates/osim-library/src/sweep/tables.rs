@@ -14,7 +14,6 @@ use crate::fault::{Context, LibraryFault};
 use crate::folders::make_folder_of;
 use crate::partial::{Partial, end_of_lines};
 
-/// Where the tables of a sweep are.
 pub(super) struct Tables<'p> {
     folder: &'p Path,
     plan: &'p SweepPlan<'p>,
@@ -31,7 +30,6 @@ impl<'p> Tables<'p> {
         Self { folder, plan, whole: folder.join(plan.table_name()), part, parts: OnceLock::new() }
     }
 
-    /// The table that this run writes.
     pub(super) fn own(&self) -> &Path {
         self.part.as_deref().unwrap_or(&self.whole)
     }
@@ -79,9 +77,6 @@ impl<'p> Tables<'p> {
 
     /// The table of the whole has its name: those of parts that were there when this run began are no longer needed. What another
     /// program saved is not ours to remove.
-    ///
-    /// # Errors
-    /// The folder cannot be changed.
     fn remove_parts(&self) -> Result<(), LibraryFault> {
         for part in self.replaced().filter(|part| is_of_sweep(part)) {
             let partial = Partial::path_of(part);
@@ -100,7 +95,6 @@ impl<'p> Tables<'p> {
 // They are in the tables of the last sweep that came to its end, and, name and digest alone, in `TABLE.partial`, which stays
 // until every variant is made. That a file is as it should be needs neither: its bytes say it.
 
-/// What was made, and the table that records it.
 pub(super) struct MadeFiles<'t> {
     tables: &'t Tables<'t>,
     /// By the table of this run.
@@ -168,9 +162,6 @@ impl<'t> MadeFiles<'t> {
 
     /// The sweep is at its end. The partial table stays where something is left to do, and so do tables of parts, which the whole
     /// one else replaces.
-    ///
-    /// # Errors
-    /// The folder cannot be changed.
     pub(super) fn finish(self, all: bool) -> Result<(), LibraryFault> {
         let partial = self.partial.into_inner().map_err(|_| ended_early())?;
         if all {
@@ -187,7 +178,6 @@ fn known_by(tables: &Tables<'_>) -> Result<KnownFiles, LibraryFault> {
     Ok(known)
 }
 
-/// Adds lines, after the header.
 fn add_lines(partial: &mut Partial, lines: &[u8]) -> Result<(), LibraryFault> {
     let mut whole = Vec::new();
     if partial.is_empty() {
@@ -206,7 +196,6 @@ fn ended_early() -> LibraryFault {
 /// Columns of every table, and all of a partial one.
 const COLUMNS: [&str; 2] = ["file", "sha256"];
 
-/// Files that sweeps made.
 #[derive(Debug, Default)]
 struct KnownFiles(HashSet<NameDigest>);
 

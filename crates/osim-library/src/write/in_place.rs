@@ -40,7 +40,6 @@ pub(crate) struct Successor<'b> {
     pub(crate) backup: Option<PathBuf>,
 }
 
-/// A successor in its place.
 pub(crate) struct InPlace<'b> {
     /// Under its name is what it displaced; `None` if that is gone, because files cannot be exchanged here.
     displaced: Option<NamedTempFile>,
@@ -62,7 +61,6 @@ pub(crate) enum Undone {
 }
 
 impl Undone {
-    /// What the user has to know of it.
     pub(crate) fn remark(&self) -> Option<String> {
         match self {
             Self::Whole => None,

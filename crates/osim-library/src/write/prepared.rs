@@ -60,10 +60,7 @@ impl Prepared {
         Self::of_parts(target, std::iter::once(bytes), like, mode)
     }
 
-    /// The same of bytes that are in several places.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new).
+    /// Prepares a file whose bytes are in several places.
     pub fn of_parts<'p>(
         target: &Path,
         parts: impl Iterator<Item = &'p [u8]>,
@@ -77,9 +74,6 @@ impl Prepared {
     }
 
     /// An empty successor of `target`, for [`add`](Self::add).
-    ///
-    /// # Errors
-    /// As [`new`](Self::new).
     pub fn begin(target: &Path, like: Option<&Metadata>, mode: Mode) -> Result<Self, LibraryFault> {
         let (target, shown) = (real(target)?, target.to_owned());
         let existing = std::fs::metadata(&target).ok();
@@ -142,9 +136,6 @@ impl Prepared {
     }
 
     /// Makes sure the bytes are on the disk, not only on their way there.
-    ///
-    /// # Errors
-    /// The disk is full.
     pub fn sync(&self) -> Result<(), LibraryFault> {
         self.temporary.as_file().sync_all().context(|| self.cannot_write())
     }
@@ -263,9 +254,6 @@ fn keep_permissions(_file: &NamedTempFile, _like: Option<&Metadata>, _replaces: 
 
 /// A backup of `path` as it is: `NAME.bak`. An older backup is never replaced, the next is `NAME.bak2`; one that holds
 /// these bytes already, left by a run that was stopped, is as good as a new one.
-///
-/// # Errors
-/// The folder cannot be written.
 pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<Prepared>, PathBuf), LibraryFault> {
     let path = resolved(path);
     let metadata = std::fs::metadata(&path).ok();

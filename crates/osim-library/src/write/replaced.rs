@@ -18,7 +18,6 @@ use crate::door;
 use crate::write::prepared::backup_names;
 use crate::write::temporary;
 
-/// The outcome of an exchange.
 #[derive(Debug)]
 #[cfg_attr(
     not(any(target_os = "linux", target_vendor = "apple")),
@@ -59,9 +58,6 @@ const INFIX: &str = ".replaced-";
 const LONGEST: usize = 255;
 
 /// Gives a complete successor of `target` its name for the exchange. From here on nothing removes it by itself.
-///
-/// # Errors
-/// The folder cannot be changed.
 pub(super) fn renamed(
     successor: NamedTempFile,
     target: &Path,

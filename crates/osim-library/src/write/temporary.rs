@@ -23,9 +23,6 @@ const SUFFIX: &str = ".tmp";
 ///
 /// It is locked as long as it is open, so that under this name it counts as alive also where processes of several containers share a
 /// folder and a host name, and cannot see each other.
-///
-/// # Errors
-/// The folder cannot be written.
 pub(crate) fn file(folder: &Path, like: Option<&Metadata>) -> std::io::Result<NamedTempFile> {
     let prefix = format!("{PREFIX}{}-{}-", host(), std::process::id());
     let mut builder = tempfile::Builder::new();
