@@ -6,7 +6,6 @@ use osim_model::{ForceId, Model, Orientation, Side, Sphere, SphereId};
 
 // Each plane that spheres press on, judged.
 
-/// What kind of plane it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum PlaneKind {
     /// A level floor, or a plane that is meant to be none, such as the net of a goal; or nothing is known.
@@ -21,7 +20,6 @@ pub(crate) enum PlaneKind {
     OnLimb,
 }
 
-/// A plane and what it is.
 #[derive(Debug)]
 pub(crate) struct JudgedPlane {
     pub(crate) plane: ContactPlane,
@@ -187,7 +185,7 @@ pub fn weight_share(model: &Model, forces: &[ForceId]) -> f64 {
     weight_share_at(model, forces, &DefaultPose::of(model))
 }
 
-/// The same where the default pose is known.
+/// The share where the default pose is known.
 pub(crate) fn weight_share_at(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> f64 {
     let share = |plane: &ContactPlane| match Lie::of(model, plane) {
         Some(Lie::Slope(degrees)) => degrees.to_radians().cos(),
@@ -202,7 +200,6 @@ pub(crate) fn weight_share_at(model: &Model, forces: &[ForceId], pose: &DefaultP
 /// lean on a wall are above.
 const FOOT_HEIGHT: f64 = 0.25;
 
-/// What stands on planes.
 struct Stance<'m> {
     model: &'m Model,
     pose: &'m DefaultPose,
@@ -214,7 +211,6 @@ struct Stance<'m> {
 /// The bodies of one tree, as far as they are known.
 #[derive(Default)]
 struct Tree {
-    /// How many bodies it has.
     count: usize,
     /// Mass (kg) and origin (m, in ground) of each.
     bodies: Vec<(f64, [f64; 3])>,
@@ -275,7 +271,6 @@ impl<'m> Stance<'m> {
         Some(std::array::from_fn(|i| body[i] - below[i]))
     }
 
-    /// The tree that `body` is in.
     fn tree(&self, body: &str) -> Option<&Tree> {
         self.trees.get(self.movements.top(body))
     }

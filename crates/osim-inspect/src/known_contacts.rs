@@ -127,7 +127,6 @@ fn held_contact(model: &Model, of_set: &[LoadedSphere]) -> Option<HeldContact> {
     })
 }
 
-/// An entry at a mass.
 struct Fit<'e> {
     entry: &'e Entry,
     mass: f64,
@@ -193,7 +192,6 @@ fn close(value: f64, expected: f64) -> bool {
 
 // The table of known contacts, `known_contacts.json`: published numbers, and which findings are their published state.
 
-/// A published contact.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Entry {
@@ -214,11 +212,9 @@ struct Entry {
     severity: BTreeMap<String, Level>,
 }
 
-/// Spheres of a limb that have one contact.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct PublishedContact {
-    /// How many on a limb.
     pub spheres: usize,
     /// Of spheres that share one parameter set the root of the mean square.
     pub radius_m: f64,
@@ -258,7 +254,6 @@ impl Entry {
     }
 }
 
-/// Every known contact.
 fn entries() -> &'static [Entry] {
     static ENTRIES: OnceLock<Vec<Entry>> = OnceLock::new();
     // A test reads the table strictly; a program that could not would know none.
@@ -280,7 +275,6 @@ impl ReferenceContacts {
         Self { name: name.to_owned(), numbers }
     }
 
-    /// What messages call the reference.
     pub(crate) fn title(&self) -> String {
         shown(&self.name).to_string()
     }

@@ -35,11 +35,8 @@ impl Stance {
 /// Whose weight, by which forces, on how many spheres.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct InspectOptions {
-    /// What the caller says of masses.
     pub masses: MassRequest,
-    /// Which forces.
     pub selection: Selection,
-    /// Under which load.
     pub stance: Stance,
     /// The geometry set of a force set that stands alone; remedies name it again.
     pub geometry: Option<PathBuf>,
@@ -109,7 +106,6 @@ impl LoadSharing {
         Self { limbs: Limbs::Unknown(why), forces: Vec::new() }
     }
 
-    /// The limbs, with every sphere that stands.
     pub fn limbs(&self) -> &Limbs {
         &self.limbs
     }
@@ -176,7 +172,7 @@ impl MassMismatch {
         ]
     }
 
-    /// The same after a finding.
+    /// The mismatch as a clause after a finding.
     pub(crate) fn aside(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass_kg));
         phrase![
@@ -201,7 +197,7 @@ pub fn unexplained_slip(masses: &MassRequest, model: &Model, selection: &Selecti
     unexplained(masses.slips(model), masses, model, selection)
 }
 
-/// The same of those that may be in pounds, and may as well not be: reason for a remark, and not for a question.
+/// Masses that may be in pounds, and may as well not be: reason for a remark, and not for a question.
 pub fn perhaps_in_pounds(masses: &MassRequest, model: &Model, selection: &Selection) -> Option<NeedsAnswer> {
     unexplained(masses.perhaps_in_pounds(model), masses, model, selection)
 }

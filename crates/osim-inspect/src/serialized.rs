@@ -60,25 +60,16 @@ impl From<&Found> for FindingRecord {
 }
 
 /// Serialises findings as their records.
-///
-/// # Errors
-/// Those of the serialiser.
 pub(crate) fn records<S: Serializer>(findings: &[Finding], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(findings.iter().map(FindingRecord::from))
 }
 
 /// Serialises what was found as records.
-///
-/// # Errors
-/// Those of the serialiser.
 pub(crate) fn found_records<S: Serializer>(found: &[Found], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(found.iter().map(FindingRecord::from))
 }
 
 /// Serialises a phrase that may be absent as its text.
-///
-/// # Errors
-/// Those of the serialiser.
 pub(crate) fn optional_phrase<S: Serializer>(
     phrase: &Option<Phrase>,
     serializer: S,
@@ -102,7 +93,6 @@ impl<'g> ObjectSchema<'g> {
         Self { generator, properties: Map::new(), required: Vec::new() }
     }
 
-    /// A field that is always there.
     pub fn field<T: JsonSchema>(&mut self, name: &str, description: &str) {
         self.required.push(name.to_owned());
         self.field_or_none::<T>(name, description);

@@ -45,18 +45,14 @@ pub struct Verdict {
 pub enum Sign {
     /// Nothing was found.
     Good,
-    /// A remark.
     Info,
-    /// A warning.
     Warn,
-    /// An error.
     Error,
     /// Something that decides is not known.
     Unknown,
 }
 
 impl Sign {
-    /// As in JSON.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Good => "good",
@@ -96,7 +92,6 @@ impl Verdict {
         Self { on, sign, text, place: worst.place.clone(), codes }
     }
 
-    /// The same with something more that is known.
     fn and(mut self, more: Option<Phrase>) -> Self {
         if let Some(more) = more {
             self.text.push("; ");
@@ -253,7 +248,6 @@ fn made_for(known: &Known<'_>) -> Option<Phrase> {
     ])
 }
 
-/// How many spheres each side has.
 fn describe_sides(known: &Known<'_>) -> Result<Phrase, Phrase> {
     let inspected = known.inspected;
     let Some(limbs) = inspected.limbs.as_deref().filter(|limbs| !limbs.is_empty()) else {

@@ -197,7 +197,6 @@ impl LoadedLimb<'_> {
         figures
     }
 
-    /// The limb under `body_weights`, all its spheres level.
     fn level(&self, body_weights: f64) -> Option<Level> {
         let load_n = self.load(body_weights)?.per_sphere_n();
         let Some(all) = &self.all else {
@@ -268,7 +267,6 @@ fn under(one: &SphereLoads, level: &Level) -> Rest {
 /// The joint tree of each sphere on a floor, which all its limb is on.
 type Trees<'s> = HashMap<SphereId, &'s Standing>;
 
-/// By sphere, the tree that it is on.
 fn by_sphere(standing: &[Standing]) -> Trees<'_> {
     standing.iter().flat_map(|tree| tree.spheres.iter().map(move |over| (over.sphere, tree))).collect()
 }

@@ -29,7 +29,6 @@ impl Answer {
     }
 }
 
-/// Whose weight the spheres carry.
 #[derive(Clone, Copy)]
 pub(super) struct Weight {
     pub(super) mass_kg: f64,
@@ -54,7 +53,6 @@ pub(super) struct OnFloor<'s> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Rest {
     pub(super) body_weights: f64,
-    /// Its share, N.
     pub(super) load_n: f64,
     /// x̂ under its share, by the Hertz law and by the model's.
     pub(super) hertz: Option<f64>,
@@ -126,7 +124,6 @@ impl OnFloor<'_> {
 
 // Spheres with all the contact laws that press them.
 
-/// One sphere with all laws that press it.
 pub(super) struct SphereLoads {
     pub(super) sphere: SphereId,
     pub(super) forces: Vec<ForceId>,

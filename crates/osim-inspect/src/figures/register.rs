@@ -28,7 +28,6 @@ const fn entry(shown: Shown, answer: fn(&OnFloor<'_>) -> Answer) -> Entry {
     Entry { shown, answer }
 }
 
-/// A relative indentation.
 const fn indentation(name: &'static str, label: &'static str) -> Quantity {
     Quantity::new(name, label, "").within(&limits::INDENTATION)
 }
@@ -153,7 +152,6 @@ crate::quantities! {
 }
 
 impl Figure {
-    /// Where a table shows it.
     pub const fn shown(self) -> Shown {
         self.entry().shown
     }
@@ -173,7 +171,6 @@ fn contact_stiffness(on_floor: &OnFloor<'_>) -> Option<f64> {
 /// Where a table or page shows a figure; JSON and CSV have all of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Shown {
-    /// Always.
     Always,
     /// Nowhere: the tables have it in another place.
     Nowhere,
@@ -223,7 +220,6 @@ pub struct LimbFigures {
 /// Figures of one sphere: a value, or none, for each [`Figure`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct SphereFigures {
-    /// Name of the sphere.
     pub sphere: String,
     /// Its component path.
     pub path: String,
@@ -248,7 +244,6 @@ pub struct LimitCheck {
 }
 
 impl Figures {
-    /// No figures, and why.
     pub(crate) fn absent(why: Phrase) -> Self {
         Self {
             mass_kg: None,
@@ -259,7 +254,6 @@ impl Figures {
         }
     }
 
-    /// Every sphere.
     pub fn spheres(&self) -> impl Iterator<Item = &SphereFigures> {
         self.limbs.iter().flat_map(|limb| &limb.spheres)
     }
@@ -294,7 +288,6 @@ impl SphereFigures {
         self.answers.get(figure as usize).copied().unwrap_or(Answer::Unknown)
     }
 
-    /// The figure, where it is known.
     pub fn value(&self, figure: Figure) -> Option<f64> {
         self.answer(figure).value()
     }

@@ -29,7 +29,7 @@ impl InspectOptions {
         Inspection { note, ..self.inspect_with(name, model, factors, Rests::All) }
     }
 
-    /// The same without what only people read: what the note says, and how bodies rest that no rule has anything to say of.
+    /// An inspection without what only people read: what the note says, and how bodies rest that no rule has anything to say of.
     pub fn inspect_for_rules(&self, name: impl Into<FileName>, model: &Model) -> Inspection {
         self.inspect_with(name, model, None, Rests::OfOdd)
     }
@@ -143,7 +143,6 @@ pub(super) struct Found<'f> {
 /// The contacts of all parameter sets.
 type SetContacts = HashMap<(ForceId, SetId), SetContact>;
 
-/// The contact of one parameter set with the floor.
 pub(super) struct SetContact {
     pub composite_modulus_n_m2: f64,
     /// `None` where mass, limbs or gravity are not known.

@@ -217,7 +217,6 @@ pub struct Origins(
 );
 
 impl Parameters {
-    /// The value of `property`, if the class has it.
     pub fn get(&self, property: Property) -> Option<f64> {
         self.0.iter().find(|(known, _)| *known == property).map(|(_, value)| *value)
     }

@@ -106,7 +106,6 @@ pub struct StandingSphere {
 }
 
 impl StandingSphere {
-    /// Whether it touches the floor.
     pub fn touches(&self) -> bool {
         self.relative_indentation > 0.0
     }
@@ -119,7 +118,6 @@ impl OnFeet {
         spheres.chain([self.down_m, self.load_n]).all(f64::is_finite)
     }
 
-    /// The spheres that touch the floor.
     pub fn touching(&self) -> impl Iterator<Item = &StandingSphere> {
         self.spheres.iter().filter(|one| one.touches())
     }
@@ -136,7 +134,7 @@ impl StandingBody {
         Self::those(model, standing, limbs, stance_limbs, Rests::All)
     }
 
-    /// The same with these rests.
+    /// Bodies that stand with these rests.
     pub(super) fn those(
         model: &Model,
         standing: &[Standing],
@@ -186,7 +184,6 @@ impl StandingBody {
         deeper && self.bottoms.iter().any(Bottom::is_inside)
     }
 
-    /// Whether it starts above its floor.
     pub fn is_above_floor(&self) -> bool {
         self.lowest().is_some_and(Bottom::is_above)
     }

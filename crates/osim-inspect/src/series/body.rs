@@ -47,7 +47,6 @@ pub struct SphereKind {
     pub spheres: String,
     /// R, m.
     pub radius_m: f64,
-    /// Its contact parameters.
     pub contact: Contact,
 }
 
@@ -58,14 +57,11 @@ impl SphereKind {
     }
 }
 
-/// One body to draw.
 #[derive(Debug, Clone)]
 pub struct Body {
-    /// The name that figures show.
     pub name: String,
     /// Its kinds of spheres, in the order of the file.
     pub kinds: Vec<SphereKind>,
-    /// What it weighs, or what is missing to know it.
     pub weight: Result<Weight, Failure>,
     /// The mass its contacts are made for, likewise.
     contacts_mass_kg: Result<f64, Failure>,
@@ -94,9 +90,6 @@ impl Body {
     }
 
     /// A model as it is inspected.
-    ///
-    /// # Errors
-    /// As [`of_model`](Self::of_model).
     pub fn inspected(
         name: String,
         model: &Model,
@@ -108,9 +101,6 @@ impl Body {
     }
 
     /// A preset; masses, spheres and gravity that are given count instead of its own. It stands on as many limbs as are given, else on one.
-    ///
-    /// # Errors
-    /// A quantity outside its domain.
     pub fn of_preset(preset: &Preset, masses: &MassRequest, stance: &Stance) -> Result<Self, DomainError> {
         let scale = &preset.scale;
         let law = Law::of(&preset.contact, scale.radius_m())?;
@@ -138,7 +128,7 @@ impl Body {
         Self { name, kinds, weight: Err(why.clone()), contacts_mass_kg: Err(why.clone()), mismatch: None }
     }
 
-    /// The same body scaled to another mass: radii isometric, every parameter by its equation.
+    /// The body scaled to another mass: radii isometric, every parameter by its equation.
     ///
     /// # Errors
     /// The mass its contacts are made for is not known, or the ratio leaves the range of numbers.
@@ -256,9 +246,6 @@ fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stan
 
 /// The chosen spheres, each with its share of the n that stand: 1/2 where one of two limbs does. Where only some are chosen,
 /// the n that stand are all like these.
-///
-/// # Errors
-/// A value that is not a plain number or outside its domain, with its place.
 pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result<Vec<Spheres>, Fault> {
     let loaded = loaded_spheres(model, forces)?;
     #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
@@ -314,13 +301,11 @@ fn of_both_sides(names: &[String]) -> Option<Vec<&str>> {
 /// A reference: what its spheres do, under its own weight.
 #[derive(Debug, Clone)]
 pub struct ReferenceState {
-    /// Its name.
     pub name: String,
     /// The first 16 digits of the SHA-256 of its file; `None` of a preset.
     pub digest: Option<String>,
     /// It, to be drawn; `None` if it cannot be.
     pub body: Option<Body>,
-    /// Figures of its spheres, where it is a model.
     pub figures: Option<Figures>,
 }
 

@@ -24,18 +24,14 @@ pub struct ForceSeries {
 /// Force while a sphere goes in and out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoopSeries {
-    /// Speed and restitution.
     pub name: String,
-    /// The curve.
     pub points: Vec<Point>,
 }
 
 /// Force over body weight in a fall, against time in s.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DropSeries {
-    /// Whose.
     pub name: String,
-    /// The curve.
     pub points: Vec<Point>,
     /// √(R/g), s.
     pub time_unit_s: f64,
@@ -81,7 +77,6 @@ pub fn name_of(body: &Body, kind: &SphereKind, alone: bool) -> String {
     }
 }
 
-/// Every kind of sphere of every body.
 pub fn kinds(bodies: &[Body]) -> impl Iterator<Item = (&Body, &SphereKind)> {
     bodies.iter().flat_map(|body| body.kinds.iter().map(move |kind| (body, kind)))
 }
@@ -243,7 +238,6 @@ fn samples(report: &DropReport, weight: &Weight, duration_s: f64) -> usize {
     samples
 }
 
-/// The drop of a body.
 pub fn dropped(
     body: &Body,
     height: DropHeight,

@@ -10,10 +10,8 @@ use crate::series::body::{Body, SphereKind};
 use crate::series::curves::impact_speed;
 use crate::series::sampling::Point;
 
-/// What is wanted.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatRequest {
-    /// What is computed.
     pub quantity: HeatQuantity,
     /// From how high the body falls.
     pub height: DropHeight,
@@ -62,7 +60,6 @@ pub enum Parameter {
 /// A quantity along the one parameter that changes it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
-    /// The parameter.
     pub along: Parameter,
     /// The quantity over it, at more values than the grid has.
     pub points: Vec<Point>,
@@ -214,7 +211,6 @@ impl<'s> Swept<'s> {
         Profile { along, points: finer(grid).into_iter().filter_map(point).collect(), now: point(own) }
     }
 
-    /// Where the law ends.
     fn limit(&self) -> Option<f64> {
         let speed = self.impact_speed_m_s;
         match self.quantity {

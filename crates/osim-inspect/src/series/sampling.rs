@@ -10,25 +10,20 @@ pub type Point = (f64, f64);
 pub enum IndentationUnit {
     /// x/R.
     Relative,
-    /// mm.
     Millimetre,
 }
 
 /// How forces are counted. Exhaustive, as [`IndentationUnit`] is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ForceUnit {
-    /// N.
     Newton,
     /// Shares of the body weight that one sphere carries, M g / n.
     WeightShare,
 }
 
-/// The units of a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Units {
-    /// Of the indentation.
     pub indentation: IndentationUnit,
-    /// Of the force.
     pub force: ForceUnit,
 }
 
