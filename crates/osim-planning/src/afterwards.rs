@@ -31,18 +31,11 @@ pub(crate) enum Changed {
 
 impl Changed {
     /// That of `plan`, which was made for `opened`, without its bytes if that can be.
-    ///
-    /// # Errors
-    /// Those of [`Plan::changed`].
     pub(crate) fn of(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
         plan.renumbered(&opened.model)
             .map_or_else(|| Self::read(plan, opened), |model| Ok(Self::InNumbers(model)))
     }
 
-    /// The same from its bytes.
-    ///
-    /// # Errors
-    /// Those of [`Plan::changed`].
     pub(crate) fn read(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
         plan.changed(&opened.model).map(Self::Read).map_err(|fault| opened.failure(fault))
     }
@@ -311,9 +304,6 @@ fn spread(values: &[f64]) -> f64 {
 }
 
 /// Each joint tree with spheres over a floor, one limb carrying it alone, and its limbs.
-///
-/// # Errors
-/// It is not known where a body is at the default pose.
 pub(crate) fn standing_bodies(model: &Model) -> Result<(Vec<StandingBody>, LoadSharing), PoseFault> {
     let forces = model.force_ids();
     let standing = Standing::all(model, &forces)?;

@@ -22,11 +22,9 @@ use crate::opening::Subject;
 pub struct DropResult {
     /// The model, the preset, or that it was given by numbers.
     pub name: FileName,
-    /// The conditions.
     pub values: DropValues,
     /// n, spheres that share the weight.
     pub sphere_count: f64,
-    /// Motion and force.
     pub report: DropReport,
     /// How far it is from another drop, where one was asked for.
     pub compared: Option<ComparedDrop>,
@@ -34,10 +32,8 @@ pub struct DropResult {
     pub mismatches: Vec<(String, MassMismatch)>,
 }
 
-/// A drop compared with another.
 #[derive(Debug, Clone)]
 pub struct ComparedDrop {
-    /// The other body.
     pub name: FileName,
     /// How far apart they are without dimensions.
     pub difference: Difference,
@@ -220,7 +216,6 @@ struct Weight {
     sphere_count: f64,
 }
 
-/// A body of this weight.
 fn falling(
     request: &DropTestRequest,
     name: impl Into<FileName>,
@@ -353,7 +348,6 @@ osim_inspect::quantities! {
 }
 
 impl DropFigure {
-    /// Where the table has it.
     pub const fn row(self) -> DropRow {
         self.entry().row
     }
@@ -363,7 +357,6 @@ impl DropFigure {
         matches!(self.entry().value, Always(_))
     }
 
-    /// Its value, where the drop showed it.
     pub fn value(self, drop: &DropResult) -> Option<f64> {
         match self.entry().value {
             Always(value) => Some(value(drop)),
@@ -404,7 +397,6 @@ osim_inspect::quantities! {
 }
 
 impl DropColumn {
-    /// Its value at one moment.
     pub fn value(self, report: &DropReport, sample: &Sample) -> f64 {
         (self.entry())(report, sample)
     }

@@ -16,7 +16,6 @@ pub struct FitResult {
     pub file: PathBuf,
     /// Spheres that shared the force.
     pub sphere_count: f64,
-    /// Their radius, m.
     pub radius_m: f64,
     /// The parameters, with what is left over.
     pub fit: Fit,

@@ -17,7 +17,6 @@ use crate::planner::check_with_trials;
 use crate::remedies::Trials;
 use crate::rules;
 
-/// Inspects models, on any thread.
 #[derive(Debug)]
 pub struct Inspector {
     options: InspectOptions,
@@ -36,7 +35,6 @@ pub struct Inspector {
     answers: Option<AnswerOptions>,
 }
 
-/// What is known of the generic model.
 #[derive(Debug)]
 struct Generic {
     anatomy: Anatomy,
@@ -128,7 +126,7 @@ impl Inspector {
         }
     }
 
-    /// The same, which asks if a mass that the caller gave looks like a slip.
+    /// An inspector that asks if a mass that the caller gave looks like a slip.
     fn asking(options: &InspectionOptions) -> Self {
         Self { answers: Some(options.answers.clone()), ..Self::new(options) }
     }
@@ -138,12 +136,10 @@ impl Inspector {
         self.generic.as_ref()?.as_ref().err()
     }
 
-    /// How models are inspected.
     pub fn options(&self) -> &InspectOptions {
         &self.options
     }
 
-    /// Files of a standalone set.
     pub fn set_files(&self) -> &SetFiles {
         &self.set_files
     }
@@ -233,9 +229,6 @@ impl Inspector {
     }
 
     /// Refuses a model that has no contacts and nothing else that is wrong with it, so that one in a folder is skipped.
-    ///
-    /// # Errors
-    /// It has none.
     pub fn refuse_without_contacts(&self, opened: &OpenModel, inspected: &Inspection) -> Result<(), Failure> {
         match self.options.selection.apply(&opened.model) {
             Err(fault)

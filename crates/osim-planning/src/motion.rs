@@ -16,25 +16,19 @@ use crate::opening::{open_with, read};
 /// What contacts do along a motion.
 #[derive(Debug)]
 pub struct MotionResult {
-    /// The model.
     pub opened: OpenModel,
-    /// The motion, as it was named.
     pub motion: FileName,
     /// The coordinates of the model in each frame.
     pub recording: Recording,
     /// Each sphere on each plane in each frame.
     pub states: ContactStates,
-    /// The plates, where the request names some.
     pub plates: Option<PlatesRead>,
-    /// What they measured under each foot.
     pub measured: Option<Measured>,
-    /// Each foot, and all together.
     pub summary: Summary,
     /// Where forces act on the sole of each foot; `None` where the default pose is not known.
     pub on_soles: Vec<Option<OnSole>>,
     /// What the model weighs, kg.
     pub mass_kg: f64,
-    /// Gravity, m/s².
     pub gravity_m_s2: f64,
     /// How the belt moves, where there is one.
     pub belt: Option<Belt>,
@@ -146,7 +140,6 @@ pub(crate) fn weight(masses: &MassRequest, model: &Model) -> Result<(f64, f64), 
 
 // What force plates measured, as files say it.
 
-/// The plates of a recording.
 #[derive(Debug, Clone)]
 pub struct PlatesRead {
     /// The table that they were read from.
@@ -155,7 +148,6 @@ pub struct PlatesRead {
     pub loads: Option<PathBuf>,
     /// What the ExternalLoads name as their table, where its last part is another name than that of the table.
     pub other_data_file: Option<String>,
-    /// The plates.
     pub plates: Vec<Plate>,
     /// Where rows of the table are missing.
     pub gaps: Vec<Gap>,
@@ -214,7 +206,6 @@ pub(crate) fn table(path: &Path, files: &dyn Files) -> Result<Table, Failure> {
     Table::read(&read(path, files)?).map_err(|fault| failure(path, &fault))
 }
 
-/// What `fault` says of the file at `path`.
 fn failure(path: &Path, fault: &MotionFault) -> Failure {
     let place = fault.line.map(|line| format!("line {line}: ")).unwrap_or_default();
     let mut message = Phrase::from(format!("{place}{}", fault.message));
@@ -248,7 +239,6 @@ pub(crate) fn belt(
     }
 }
 
-/// How the motion at `path` is taken.
 pub(crate) fn recording_options(
     path: &Path,
     angles: Option<AngleChoice>,

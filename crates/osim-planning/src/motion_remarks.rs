@@ -28,7 +28,6 @@ const LISTED: usize = 6;
 pub struct MotionRemark {
     /// Stable short name.
     pub code: &'static str,
-    /// In words.
     pub message: Phrase,
 }
 
@@ -156,7 +155,6 @@ impl MotionResult {
         }
     }
 
-    /// What was taken from the motion, and what was not.
     fn taken(&self, remarks: &mut Remarks) {
         let facts = &self.recording.facts;
         if !facts.kept.is_empty() {
@@ -317,9 +315,6 @@ impl CheckedMotion {
     }
 
     /// What the contacts of the model at `path` do, and what should be known of it.
-    ///
-    /// # Errors
-    /// As [`run_motion`].
     pub(crate) fn followed(
         &self,
         path: &Path,

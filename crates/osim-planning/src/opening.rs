@@ -14,17 +14,11 @@ use serde::Deserialize;
 use toml::Spanned;
 
 /// Opens a model that stands alone.
-///
-/// # Errors
-/// It cannot be read.
 pub(crate) fn open(path: &Path, files: &dyn Files) -> Result<OpenModel, Failure> {
     open_with(path, Beside::default(), files)
 }
 
 /// Opens a model with the files that are given beside it.
-///
-/// # Errors
-/// It cannot be read.
 pub fn open_with(path: &Path, beside: Beside<'_>, files: &dyn Files) -> Result<OpenModel, Failure> {
     let bytes = read(path, files)?;
     ModelFiles::read(path, bytes, beside, files)?.open()
@@ -65,7 +59,6 @@ pub(crate) enum Named {
     Preset(Preset),
     /// A preset whose spheres differ in their numbers: a model of ours, which nothing but a model can say.
     Placed(Box<OpenModel>),
-    /// A file, which may be missing.
     File,
 }
 
@@ -129,7 +122,6 @@ pub(crate) fn looks_like_file(word: &Path) -> bool {
     word.as_os_str() == "-" || word.components().count() > 1 || word.extension().is_some()
 }
 
-/// A model, or a preset.
 pub(crate) enum Subject {
     Model(Box<OpenModel>),
     Preset(Preset),
@@ -213,9 +205,6 @@ pub fn presets(file: Option<&Path>, files: &dyn Files) -> Result<Vec<Preset>, Re
 }
 
 /// The preset called `name`, if there is one.
-///
-/// # Errors
-/// As [`presets`].
 pub(crate) fn find_preset(
     name: &Path,
     file: Option<&Path>,
@@ -225,7 +214,6 @@ pub(crate) fn find_preset(
     Ok(presets(file, files)?.into_iter().find(|preset| preset.name == name))
 }
 
-/// The names of all presets, for messages.
 fn preset_names(file: Option<&Path>, files: &dyn Files) -> Vec<String> {
     let presets = presets(file, files).unwrap_or_default();
     presets.iter().map(|preset| preset.name.to_string()).collect()

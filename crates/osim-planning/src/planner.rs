@@ -26,21 +26,15 @@ pub trait Planner: Send + Sync {
     /// What only the caller can know, or what cannot be done with this model.
     fn plan(&self, model: &Model) -> Result<Plan, Fault>;
 
-    /// The same where files beside the model say something, such as the meshes of its bones.
-    ///
-    /// # Errors
-    /// Those of [`plan`](Self::plan), with the name of the file and the place; a file that is missing or broken.
+    /// The plan where files beside the model say something, such as the meshes of its bones.
     fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         // Most plans follow from the model alone.
         let _ = files;
         self.plan(&opened.model).map_err(|fault| opened.failure(fault))
     }
 
-    /// The same for a model that was opened: what is odd about the model itself is among the warnings, and what the change makes
-    /// worse. Without `details` it gets no note.
-    ///
-    /// # Errors
-    /// Those of [`plan_beside`](Self::plan_beside); a change after which the model is wrong, unless the caller means it.
+    /// The plan for a model that was opened: what is odd about the model itself is among the warnings, and what the change makes worse.
+    /// Without `details` it gets no note.
     fn plan_opened(
         &self,
         opened: &OpenModel,
@@ -55,10 +49,7 @@ pub trait Planner: Send + Sync {
         Ok(plan)
     }
 
-    /// The same with the model as it will be, which was read from its new bytes; `None` where nothing changes.
-    ///
-    /// # Errors
-    /// Those of [`plan_opened`](Self::plan_opened).
+    /// The plan with the model as it will be, which was read from its new bytes; `None` where nothing changes.
     fn plan_with_result(
         &self,
         opened: &OpenModel,
@@ -79,7 +70,6 @@ pub trait Planner: Send + Sync {
         Vec::new()
     }
 
-    /// Name of the verb, as notes and reports have it.
     fn name(&self) -> &'static str;
 
     /// How a model would be inspected with the same options.
@@ -200,15 +190,12 @@ fn judge<P: Planner + ?Sized>(
 /// # Ok::<(), RequestError>(())
 /// ```
 pub struct Change {
-    /// Files and folders.
     pub models: Vec<PathBuf>,
-    /// Where results go.
     pub output: OutputOptions,
     /// Files of a standalone set.
     pub set_files: SetFiles,
     /// What is planned for each model.
     pub planner: Arc<dyn Planner>,
-    /// What notes say of the request.
     pub details: NoteDetails,
 }
 
@@ -230,19 +217,12 @@ impl Change {
         open_with(path, self.set_files.beside(), files)
     }
 
-    /// Plans for a model that was [opened](Self::open), as the request says.
-    ///
-    /// # Errors
-    /// Those of [`Planner::plan_opened`].
     pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         let details = Some(&self.details).filter(|_| !self.output.no_note);
         self.planner.plan_opened(opened, details, files)
     }
 
-    /// The same with the model as it will be; `None` where nothing changes.
-    ///
-    /// # Errors
-    /// Those of [`Planner::plan_opened`].
+    /// The plan with the model as it will be; `None` where nothing changes.
     pub fn plan_with_result(
         &self,
         opened: &OpenModel,

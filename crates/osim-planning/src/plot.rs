@@ -17,9 +17,6 @@ use crate::opening::Subject;
 use crate::sheet::Sheet;
 
 /// The table that a column is drawn from, if the request names one.
-///
-/// # Errors
-/// As [`HeatTable::read`].
 pub fn plot_table(request: &PlotRequest, files: &dyn Files) -> Result<Option<HeatTable>, RequestError> {
     let Some(path) = request.heat.table.as_deref() else { return Ok(None) };
     Ok(Some(HeatTable::read(path, &request.heat, files)?))
@@ -158,9 +155,7 @@ const MOST_BODIES: usize = 1000;
 /// The feet of one state of a model.
 #[derive(Debug, Clone)]
 pub struct ModelFeet {
-    /// The name that figures show.
     pub name: String,
-    /// Its feet.
     pub feet: Vec<Foot>,
     /// What says that spheres are where they should not be.
     pub misplaced: Option<Finding>,
@@ -187,7 +182,7 @@ impl ModelFeet {
         Ok(found)
     }
 
-    /// The same for a page: `None` without feet, or with more spheres or bodies than a page should show.
+    /// The feet for a page: `None` without feet, or with more spheres or bodies than a page should show.
     pub fn for_page(name: &str, opened: &OpenModel, selection: &Selection) -> Option<Self> {
         let model = &opened.model;
         let few = model.spheres().len() <= MOST_SPHERES && model.bodies().len() <= MOST_BODIES;
@@ -225,7 +220,7 @@ impl ModelFeet {
         }
     }
 
-    /// The same feet with spheres of other radii: all multiplied by `ratio`, the centres where they are.
+    /// The feet with spheres of other radii: all multiplied by `ratio`, the centres where they are.
     pub fn with_radii(&self, name: String, ratio: f64) -> Self {
         let mut scaled = Self { name, ..self.clone() };
         for sphere in scaled.feet.iter_mut().flat_map(|foot| &mut foot.spheres) {
@@ -234,7 +229,6 @@ impl ModelFeet {
         scaled
     }
 
-    /// Whether there are spheres at all.
     pub fn has_spheres(&self) -> bool {
         self.feet.iter().any(|foot| !foot.spheres.is_empty())
     }
@@ -274,10 +268,8 @@ fn mark(feet: &mut [Foot], finding: Option<&Finding>) {
 /// Columns that say what a sweep was asked for begin with this.
 const GRID: &str = "grid_";
 
-/// A column of numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableColumn {
-    /// Its name, as the table has it.
     pub name: String,
     /// A number for each row; `None` for an empty cell.
     pub values: Vec<Option<f64>>,

@@ -35,7 +35,6 @@ pub(crate) struct Trials<'t> {
     pub(crate) options: &'t InspectOptions,
     /// What requests name beside the model.
     pub(crate) files: &'t dyn Files,
-    /// How a model of this name is inspected.
     pub(crate) inspect: &'t dyn Fn(&FileName, &Model) -> Inspection,
 }
 
@@ -45,7 +44,6 @@ struct State {
     found: CheckResult,
 }
 
-/// A remedy that held.
 struct Step {
     request: Request,
     /// What is found afterwards.
@@ -213,7 +211,6 @@ fn with_forces(one: &Request, other: &Request) -> Option<Request> {
     Some(all)
 }
 
-/// The forces that a request chooses, of a request that can be for some.
 fn forces(request: &mut Request) -> Option<&mut Vec<Pattern>> {
     match request {
         Request::Set(request) => Some(&mut request.choice.select),

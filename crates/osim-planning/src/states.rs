@@ -133,11 +133,8 @@ fn shown_by(plan: &Plan, options: &InspectOptions, opened: &OpenModel) -> bool {
 /// A model for which a change was planned.
 #[derive(Clone, Copy)]
 pub struct States<'s> {
-    /// What planned it.
     pub planner: &'s dyn Planner,
-    /// The model as it is.
     pub opened: &'s OpenModel,
-    /// What changes.
     pub plan: &'s Plan,
     /// The model as it will be; `None` where nothing changes.
     pub changed: Option<&'s Model>,

@@ -10,7 +10,6 @@ use osim_requests::{
     RestitutionCoefficient,
 };
 
-/// What is known.
 pub(super) struct Given {
     pub(super) mass_kg: Option<f64>,
     pub(super) spheres: Option<f64>,
@@ -25,7 +24,6 @@ pub(super) struct Given {
     pub(super) is_body_weight: bool,
 }
 
-/// Where the composite modulus comes from.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum ModulusFrom {
     Young,

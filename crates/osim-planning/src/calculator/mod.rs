@@ -72,7 +72,6 @@ impl DesignSheet {
         Self { schema_version: SCHEMA_VERSION, figures: Vec::new(), notes: Vec::new() }
     }
 
-    /// A figure by the equation of its quantity.
     fn add(&mut self, quantity: DesignQuantity, value: f64, given: bool) {
         self.add_by(quantity.info().equation, quantity, value, given);
     }

@@ -57,13 +57,11 @@ const NO_BODY: &str = "not_assigned";
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactTable {
-    /// One contact each.
     pub rows: Vec<ContactRow>,
     /// Whether it has radii; then each row has one.
     pub has_radii: bool,
 }
 
-/// One contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactRow {
     /// Line in the file; the header is line 1.
@@ -72,7 +70,6 @@ pub struct ContactRow {
     pub name: String,
     /// Name of the body that carries it.
     pub body: String,
-    /// Where it is.
     pub place: TablePlace,
     /// Its radius, m, where the table has radii.
     pub radius_m: Option<f64>,
@@ -107,7 +104,6 @@ impl ContactTable {
     }
 }
 
-/// One row as text.
 struct Cells<'s> {
     sheet: &'s Sheet,
     row: &'s Row,
@@ -192,7 +188,7 @@ enum Kind {
     Radius,
     /// A coordinate in the frame of the body.
     OfBody(usize),
-    /// The same, as MuSkeMo exports it: a number only where a local frame was assigned.
+    /// As MuSkeMo exports it: a number only where a local frame was assigned.
     Local(usize),
     /// A coordinate in MuSkeMo's global frame.
     Global(usize),
@@ -220,7 +216,6 @@ const KNOWN: [(&str, Kind); 15] = [
 ];
 const EXPECTED: &str = "name, body, x, y, z and radius (remarks begin with #), or MuSkeMo's own";
 
-/// Where each thing is in a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Columns {
     name: usize,

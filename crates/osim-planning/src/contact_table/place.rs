@@ -14,15 +14,9 @@ pub enum TablePlace {
     /// In the frame of its body.
     OfBody([f64; 3]),
     /// As MuSkeMo exports it: in its global frame, in a local one, or in both.
-    Exported {
-        /// In the global frame.
-        global_m: Option<[f64; 3]>,
-        /// In the local frame.
-        local_m: Option<[f64; 3]>,
-    },
+    Exported { global_m: Option<[f64; 3]>, local_m: Option<[f64; 3]> },
 }
 
-/// Where a contact is in the frame of its body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlaceOnBody {
     /// Its centre, m.

@@ -203,7 +203,6 @@ pub(crate) struct Distance {
 }
 
 impl Bones {
-    /// Those of `model`.
     pub(crate) fn of(model: &Model) -> Self {
         Self { anatomy: Anatomy::of(model).ok(), distances: model.joint_distances().clone() }
     }

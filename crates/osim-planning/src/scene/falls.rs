@@ -15,7 +15,6 @@ const MOMENTS: usize = 361;
 /// More than enough for a body to come to rest that bounces as feet do, in √(R/g).
 const TIMES: f64 = 12.0;
 
-/// A body that falls on its contacts.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Fall {
     /// Whose contacts.
@@ -77,16 +76,13 @@ impl Fall {
 const HEIGHT_RADII: f64 = 0.25;
 /// How long they are followed, in √(R/g): bodies of all sizes fall alike in it.
 const TIMES_OF_ANIMALS: f64 = 12.0;
-/// Moments that are shown.
 const MOMENTS_OF_ANIMALS: usize = 181;
 const SHOWN: [&str; 3] = ["mouse", "human", "giraffe"];
 
 /// An animal that falls twice. Heights are those of its spheres' bottoms over the ground in radii, at equal times in √(R/g).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AnimalFall {
-    /// What it is called.
     pub name: &'static str,
-    /// What it weighs, kg.
     pub mass_kg: f64,
     /// On the contacts of the paper's human, left as they are.
     pub left_behind: Vec<f64>,

@@ -24,7 +24,6 @@ pub use falls::{AnimalFall, Fall};
 pub struct Scene {
     /// Forward, up (against gravity) and to the right, of length 1.
     pub axes: [[f64; 3]; 3],
-    /// Bodies that have a place.
     pub bodies: Vec<PlacedBody>,
     /// Contact spheres that move and whose bodies have a place, in file order.
     pub spheres: Vec<PlacedSphere>,
@@ -32,23 +31,18 @@ pub struct Scene {
     pub planes: Vec<PlacedPlane>,
     /// Lines from joint to joint, for bodies without bones.
     pub lines: Vec<BodyLine>,
-    /// Why bodies have no place, where one has none.
     pub why_not_placed: Option<String>,
 }
 
-/// Where a body is.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlacedBody {
-    /// Its name.
     pub name: String,
     /// Its axes x, y and z, and its origin.
     pub frame: [[f64; 3]; 4],
 }
 
-/// A contact sphere.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlacedSphere {
-    /// Its name.
     pub name: String,
     /// Its component path.
     pub path: String,
@@ -56,9 +50,7 @@ pub struct PlacedSphere {
     pub body: String,
     /// `right` or `left`.
     pub side: Option<&'static str>,
-    /// Its centre, m.
     pub centre_m: [f64; 3],
-    /// Its radius, m.
     pub radius_m: f64,
     /// What it carries, in body weights, where the body stands on all its spheres with the weight that they are to carry.
     pub force_bw: Option<f64>,
@@ -66,10 +58,8 @@ pub struct PlacedSphere {
     pub relative_indentation: Option<f64>,
 }
 
-/// A plane.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PlacedPlane {
-    /// A point of it, m.
     pub point_m: [f64; 3],
     /// Its outward normal.
     pub normal: [f64; 3],
@@ -107,7 +97,6 @@ fn frame(placement: &Placement) -> [[f64; 3]; 4] {
     [axis([1.0, 0.0, 0.0]), axis([0.0, 1.0, 0.0]), axis([0.0, 0.0, 1.0]), placement.translation_m]
 }
 
-/// What a sphere carries.
 struct Load {
     force_bw: f64,
     relative_indentation: f64,
@@ -168,7 +157,6 @@ fn spheres(
 /// A line on a body, from the joint above it to one below it, in the frame of the body, m.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BodyLine {
-    /// The body.
     pub body: String,
     /// Where the joint above is.
     pub from_m: [f64; 3],
@@ -193,21 +181,16 @@ fn lines(model: &Model) -> Vec<BodyLine> {
 /// Triangles of all bones together: more is too slow to turn.
 const MOST_TRIANGLES: usize = 600_000;
 
-/// The bones of a model whose meshes are there.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct Bones {
-    /// Those that could be read.
     pub surfaces: Vec<BoneSurface>,
     /// Meshes that are not there, as the model spells them, each once.
     pub missing: Vec<String>,
-    /// What is wrong with others.
     pub broken: Vec<String>,
 }
 
-/// The surface of a bone.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BoneSurface {
-    /// The body.
     pub body: String,
     /// The mesh, as the model spells it.
     pub mesh: String,
@@ -265,32 +248,26 @@ const MOST_FRAMES: usize = 600;
 /// A model along a recording.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Played {
-    /// The time of each frame, s.
     pub time_s: Vec<f64>,
     /// Bodies that have a place.
     pub bodies: Vec<String>,
     /// For each frame, of each body axes x, y and z and the origin in ground, in hundred-thousandths.
     pub poses: Vec<i32>,
-    /// Each foot.
     pub feet: Vec<PlayedFoot>,
     /// What the recording shows, and what is odd, in words.
     pub remarks: Vec<String>,
 }
 
-/// A foot along a recording.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlayedFoot {
-    /// Its name.
     pub name: String,
     /// `right` or `left`.
     pub side: Option<&'static str>,
-    /// What the contacts of the model do.
     pub model: PlayedForce,
     /// What plates measured; `None` without plates.
     pub plates: Option<PlayedForce>,
 }
 
-/// A force along a recording.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlayedForce {
     /// In each frame, body weights, in ground; `None` where it is not known.

@@ -24,9 +24,7 @@ const PACKED: &[u8] = b"PK\x03\x04";
 /// ```
 #[derive(Debug, Clone)]
 pub struct Sheet {
-    /// Names of the columns.
     pub header: Vec<String>,
-    /// What follows.
     pub rows: Vec<Row>,
     delimiter: u8,
     /// Whether a spreadsheet wrote it in a country whose decimal mark is the comma: semicolons separate the cells, or some number
@@ -128,7 +126,6 @@ impl Sheet {
         }
     }
 
-    /// The names of the columns, for messages.
     pub fn columns(&self) -> String {
         let known: Vec<_> = self.header.iter().map(|cell| format!("'{cell}'")).collect();
         if known.is_empty() { "nothing".to_owned() } else { known.join(", ") }
@@ -206,7 +203,6 @@ fn with_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {
     }
 }
 
-/// What the CSV reader refuses.
 fn in_words(error: &csv::Error, bytes: &[u8]) -> String {
     match error.kind() {
         csv::ErrorKind::Utf8 { pos: Some(place), .. } => {

@@ -7,7 +7,6 @@ use std::ops::Range;
 use osim_model::messages::{Input, phrase};
 use osim_requests::{Axis, AxisName, GridValue, RequestFault, SweepRequest};
 
-/// One combination of values.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Point<'g> {
     pub values: Vec<(AxisName, &'g GridValue)>,
@@ -22,13 +21,11 @@ impl fmt::Display for Point<'_> {
 }
 
 impl Point<'_> {
-    /// The point in a file's name.
     pub(super) fn file_part(&self) -> String {
         let each = self.values.iter().map(|(name, value)| format!("{}-{}", in_files(*name), value.label));
         each.collect::<Vec<_>>().join("_")
     }
 
-    /// The value of an axis.
     pub(super) fn number(&self, wanted: AxisName) -> Option<f64> {
         self.values.iter().find(|(name, _)| *name == wanted).map(|(_, value)| value.number)
     }

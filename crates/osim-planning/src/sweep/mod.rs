@@ -17,7 +17,6 @@ use osim_requests::{AxisName, RequestError, RequestFault, SweepRequest};
 use grid::{Point, along, ends, padded, point};
 use variant::{Ladder, Stages, Variant};
 
-/// A sweep over one model.
 pub struct SweepPlan<'s> {
     request: &'s SweepRequest,
     model: ModelFiles,
@@ -26,11 +25,9 @@ pub struct SweepPlan<'s> {
     count: usize,
 }
 
-/// One file to make.
 struct Job {
     /// What was asked, in the columns of the table.
     asked: Vec<String>,
-    /// As the note has it.
     operation: String,
     /// The mass that the contacts are made for then, if it changes.
     target_mass_kg: Option<f64>,
@@ -52,12 +49,11 @@ pub struct VariantMade {
 }
 
 impl VariantMade {
-    /// Its row in the table; `sha256` is that of its bytes.
     pub fn row(self, sha256: String) -> Vec<String> {
         row(self.number, self.file, self.asked, &self.variant, (&self.worse, sha256))
     }
 
-    /// The same for variants whose contacts have the same numbers, however they were asked for.
+    /// A digest that is equal for variants whose contacts have the same numbers, however they were asked for.
     pub fn contact_digest(&self) -> &str {
         &self.variant.digest
     }
@@ -98,7 +94,6 @@ impl<'s> SweepPlan<'s> {
         &self.model
     }
 
-    /// Name of the file of variant `index`.
     pub fn file_name(&self, index: usize) -> String {
         let part = match &self.ladder {
             Some(ladder) => ladder.file_part(index),
@@ -149,7 +144,6 @@ impl<'s> SweepPlan<'s> {
         self.request.model.as_deref().and_then(Path::file_stem).unwrap_or_default().to_string_lossy()
     }
 
-    /// The first row of the table.
     pub fn table_header(&self) -> Vec<String> {
         header(match self.ladder {
             Some(_) => LADDER.map(str::to_owned).to_vec(),
@@ -234,7 +228,6 @@ impl<'s> SweepPlan<'s> {
         Variant::of(self.request, &self.model, &job.stages, &job.operation, job.target_mass_kg)
     }
 
-    /// What makes variant `index`.
     fn job(&self, index: usize) -> Result<Job, RequestFault> {
         match &self.ladder {
             Some(ladder) => self.step(ladder, index),
@@ -272,7 +265,6 @@ fn at(failure: &Failure, job: &Job) -> Phrase {
 
 // The table that says what is in which file.
 
-/// Properties that a manifest shows.
 const PROPERTIES: [Property; 6] = [
     Property::Radius,
     Property::Stiffness,

@@ -26,7 +26,7 @@ pub(super) struct Variant {
     pub bytes: Vec<u8>,
     values: Vec<(Property, f64)>,
     figures: Option<Figures>,
-    /// The same for variants whose contacts have the same numbers.
+    /// Equal for variants whose contacts have the same numbers.
     pub digest: String,
     /// Codes of its errors and warnings.
     wrong: BTreeSet<FindingCode>,
@@ -69,9 +69,6 @@ impl Variant {
     }
 
     /// The model as it is.
-    ///
-    /// # Errors
-    /// It cannot be read, or the choice of forces is not clear.
     pub(super) fn unchanged(request: &SweepRequest, model: &ModelFiles) -> Result<Self, Failure> {
         Self::read(request, model.clone(), None)
     }
@@ -226,7 +223,6 @@ pub(super) fn stages_at(request: &SweepRequest, point: &Point<'_>) -> Result<Sta
     Ok(stages)
 }
 
-/// `design` with what the point and the request want.
 fn design(
     request: &SweepRequest,
     indentation: Option<f64>,

@@ -15,28 +15,23 @@ use crate::opening::{find_preset, looks_like_file};
 use crate::sheet::{BROKEN_FORMULA, Row, Sheet, is_broken_formula};
 use crate::verbs::any::{CHANGING, changing_verbs};
 
-/// What is wrong with a row, and in which column.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowFault {
     /// Header of the column, where it is about one.
     pub column: Option<String>,
-    /// What is wrong, and what to do.
     pub message: Phrase,
 }
 
 impl RowFault {
-    /// A fault in a column.
     pub fn of(column: &str, message: impl Into<Phrase>) -> Self {
         Self { column: Some(column.to_owned()), message: message.into() }
     }
 
-    /// A fault of the whole row.
     pub fn general(message: impl Into<Phrase>) -> Self {
         Self { column: None, message: message.into() }
     }
 }
 
-/// What a row says.
 #[derive(Debug)]
 pub(super) struct Cells {
     pub verb: Verb,
@@ -44,7 +39,6 @@ pub(super) struct Cells {
     pub output: Option<PathBuf>,
     pub output_dir: Option<PathBuf>,
     pub geometry_output: Option<PathBuf>,
-    /// Everything else.
     pub fields: Map<String, Value>,
 }
 
@@ -105,7 +99,6 @@ impl Cells {
         Ok(cells)
     }
 
-    /// Whether the row has the flag.
     pub(super) fn has(&self, flag: &str) -> bool {
         self.fields.get(flag) == Some(&Value::Bool(true))
     }
@@ -124,7 +117,6 @@ impl Cells {
     }
 }
 
-/// The cells that are not empty.
 fn filled<'r>(row: &'r Row, columns: &'r Columns) -> impl Iterator<Item = (&'r Column, &'r str)> {
     let cells = row.cells.iter().map(String::as_str);
     columns.columns.iter().zip(cells).filter(|(_, cell)| !cell.is_empty())
@@ -154,7 +146,6 @@ fn verb(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
     Err(RowFault::general(message))
 }
 
-/// The row's own file of presets.
 fn presets(row: &Row, columns: &Columns, folder: &Path) -> Option<PathBuf> {
     let (_, cell) = filled(row, columns).find(|(column, _)| column.field == "presets")?;
     Some(below(folder, cell))

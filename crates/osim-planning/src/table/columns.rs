@@ -25,7 +25,7 @@ const PATHS: [&str; 9] = [
     "model",
 ];
 
-/// The same with several paths in one cell.
+/// Fields with several paths in one cell.
 const PATH_LISTS: [&str; 3] = ["motion", "plates", "loads"];
 
 /// The field of `fit` that names its model.
@@ -37,25 +37,19 @@ const WITH_COMMAS: [&str; 2] = ["only", "keep"];
 /// How a cell becomes a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
-    /// The model itself.
     Model,
     /// The verb, where the row's fields do not say.
     Verb,
     /// Assignments of `set`.
     Set,
-    /// One value.
     Value,
-    /// One path.
     Path,
     /// A model or the name of a preset.
     From,
-    /// Several values.
     List,
     /// Several paths.
     Paths,
-    /// yes or no.
     Flag,
-    /// A remark of the user.
     Remark,
 }
 
@@ -64,17 +58,14 @@ pub(super) fn model_field(verb: Verb) -> &'static str {
     if verb == Verb::Fit { FIT_MODEL } else { "models" }
 }
 
-/// One column.
 #[derive(Debug)]
 pub(super) struct Column {
     /// As in the first row.
     pub header: String,
-    /// Name of the field.
     pub field: String,
     pub kind: Kind,
 }
 
-/// All columns of a table, in its order.
 #[derive(Debug)]
 pub(super) struct Columns {
     pub columns: Vec<Column>,
@@ -120,7 +111,6 @@ impl Columns {
         own.map(|(at, column)| (column.header.clone(), cells.get(at).cloned().unwrap_or_default())).collect()
     }
 
-    /// The column of a field.
     pub(super) fn header_of(&self, field: &str) -> Option<&str> {
         let column =
             self.columns.iter().find(|column| column.field == field && column.kind != Kind::Model)?;

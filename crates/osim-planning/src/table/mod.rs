@@ -20,14 +20,12 @@ pub use cells::RowFault;
 use cells::{Cells, Masses};
 use columns::{Columns, model_field};
 
-/// A table of models and what is done with each.
 pub struct Table {
     sheet: Sheet,
     columns: Columns,
     masses: Masses,
     /// Paths of the table begin here.
     folder: PathBuf,
-    /// Answers to questions of all rows.
     yes: Vec<Question>,
 }
 
@@ -36,15 +34,12 @@ pub struct Table {
 pub struct RowRequest {
     /// Line of the row in the table; the first row, which names the columns, is line 1.
     pub line: u64,
-    /// What is done.
     pub verb: Verb,
-    /// The model.
     pub model: PathBuf,
     /// Where its result goes: as the row says, else as the call says.
     pub output: OutputOptions,
     /// Columns of the user's own, whose names begin with #: name and text, empty where the cell is.
     pub remarks: Vec<(String, String)>,
-    /// Everything else.
     fields: Map<String, Value>,
 }
 
@@ -69,7 +64,7 @@ impl Table {
         Ok(Self { sheet, columns, masses, folder: folder.to_owned(), yes: Vec::new() })
     }
 
-    /// The same with answers to questions of all rows, beside those that rows give themselves.
+    /// With answers to questions of all rows, beside those that rows give themselves.
     pub fn answering(self, yes: Vec<Question>) -> Self {
         Self { yes, ..self }
     }
@@ -128,7 +123,6 @@ impl Table {
         Ok(Change { output: row.output.clone(), ..change })
     }
 
-    /// The column that a fault is about.
     fn placed(&self, fault: &RequestFault, verb: Verb) -> RowFault {
         let column = fault
             .field()
@@ -167,12 +161,10 @@ impl Table {
         failure
     }
 
-    /// Header of the column that says `input`.
     pub fn header_of(&self, input: Input) -> Option<&str> {
         self.columns.header_of(input.name())
     }
 
-    /// Header of the column that names the models.
     pub fn model_column(&self) -> &str {
         &self.columns.model
     }
