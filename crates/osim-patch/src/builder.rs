@@ -8,7 +8,7 @@ use osim_model::{
     Surfaces, ValueKey, sphere_sets,
 };
 
-use crate::change::{Change, Move};
+use crate::change::{Change, ChangedBy, Move};
 
 /// Rounding of a few multiplications (relative).
 const SAME_VALUE: f64 = 1e-14;
@@ -17,13 +17,13 @@ const SAME_VALUE: f64 = 1e-14;
 pub(crate) struct New {
     pub(crate) to: f64,
     pub(crate) factor: Option<f64>,
-    pub(crate) equation: &'static str,
+    pub(crate) by: ChangedBy,
 }
 
 impl New {
     /// `from` times `factor`: multiplied once, and not at all where the factor is exactly 1.
-    pub(crate) fn times(from: f64, factor: f64, equation: &'static str) -> Self {
-        Self { to: if factor == 1.0 { from } else { from * factor }, factor: Some(factor), equation }
+    pub(crate) fn times(from: f64, factor: f64, by: ChangedBy) -> Self {
+        Self { to: if factor == 1.0 { from } else { from * factor }, factor: Some(factor), by }
     }
 }
 
@@ -74,7 +74,7 @@ impl<'m> PlanBuilder<'m> {
             from,
             to: new.to,
             factor: new.factor,
-            equation: new.equation,
+            by: new.by,
             line: self.model.file(force.file).line(slot.offset),
             inserted: slot.span.is_none(),
             slot,
@@ -94,7 +94,7 @@ impl<'m> PlanBuilder<'m> {
             from,
             to: new.to,
             factor: new.factor,
-            equation: new.equation,
+            by: new.by,
             line: self.line(&slot),
             inserted: slot.span.is_none(),
             slot,
@@ -102,12 +102,7 @@ impl<'m> PlanBuilder<'m> {
     }
 
     /// Plans a new location of a sphere's centre.
-    pub(crate) fn location(
-        &mut self,
-        sphere: SphereId,
-        to: [f64; 3],
-        equation: &'static str,
-    ) -> Result<(), Fault> {
+    pub(crate) fn location(&mut self, sphere: SphereId, to: [f64; 3], by: ChangedBy) -> Result<(), Fault> {
         let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };
         let from = sphere.location_m;
         let close = |(a, b): (f64, f64)| (a - b).abs() <= SAME_VALUE * a.abs().max(b.abs());
@@ -121,7 +116,7 @@ impl<'m> PlanBuilder<'m> {
             path: sphere.path.clone(),
             from,
             to,
-            equation,
+            by,
             line: self.line(&slot),
             inserted: slot.span.is_none(),
             slot,
@@ -136,7 +131,7 @@ impl<'m> PlanBuilder<'m> {
         &mut self,
         plane: &HalfSpace,
         to: [f64; 3],
-        equation: &'static str,
+        by: ChangedBy,
     ) -> Result<(), Fault> {
         let from = plane.location_m.unwrap_or_default();
         if from == to {
@@ -149,7 +144,7 @@ impl<'m> PlanBuilder<'m> {
             path: plane.path.clone(),
             from,
             to,
-            equation,
+            by,
             line: self.line(&slot),
             inserted: slot.span.is_none(),
             slot,
@@ -172,7 +167,7 @@ impl<'m> PlanBuilder<'m> {
     fn push(&mut self, change: Change) -> Result<(), Fault> {
         change.check()?;
         // A value that is computed again may differ in its last bits and mean the same; a given one is taken exactly.
-        let computed = change.factor.is_none() && change.equation != "given";
+        let computed = change.factor.is_none() && change.by != ChangedBy::Given;
         let same = computed && (change.to - change.from).abs() <= SAME_VALUE * change.from.abs();
         if same || change.to.to_bits() == change.from.to_bits() {
             return Ok(());
@@ -201,14 +196,14 @@ pub(crate) fn write_composite(
     id: ForceId,
     property: Property,
     to: f64,
-    equation: &'static str,
+    by: ChangedBy,
 ) -> Result<(), Fault> {
     let Some(force) = plan.model.force(id) else { return Ok(()) };
     let sets: Vec<SetId> = force.sets.iter().map(|set| set.id).collect();
     let mixes = matches!(property, Property::Stiffness | Property::Dissipation);
     if sets.len() < 2 || !mixes {
         for set in sets {
-            plan.parameter(id, set, property, New { to, factor: None, equation })?;
+            plan.parameter(id, set, property, New { to, factor: None, by })?;
         }
         return Ok(());
     }
@@ -216,11 +211,7 @@ pub(crate) fn write_composite(
     let now = composite_now(plan, force, &surfaces, property)?;
     for set in sets {
         let Some(from) = force.checked(set, property)? else { continue };
-        let new = if now == 0.0 {
-            New { to, factor: None, equation }
-        } else {
-            New::times(from, to / now, equation)
-        };
+        let new = if now == 0.0 { New { to, factor: None, by } } else { New::times(from, to / now, by) };
         plan.parameter(id, set, property, new)?;
     }
     Ok(())

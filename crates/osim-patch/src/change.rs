@@ -7,7 +7,7 @@ use osim_model::{Fault, FaultKind, FileId, Property, Slot, ValueKey};
 ///
 /// ```
 /// # use osim_model::{MassRequest, Model, Property, Selection};
-/// # use osim_patch::{Change, Plan, Rescale, rescale};
+/// # use osim_patch::{Change, ChangedBy, Plan, Rescale, rescale};
 /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
 /// # let model = Model::parse(bytes)?;
 /// # let selected = Selection::default().apply(&model)?;
@@ -21,7 +21,7 @@ use osim_model::{Fault, FaultKind, FileId, Property, Slot, ValueKey};
 /// assert_eq!((radius.sphere.as_deref(), radius.line), (Some("heel_r"), 21));
 /// // (10): 8 times the mass on 4 times R².
 /// let stiffness = find(Property::Stiffness);
-/// assert_eq!((stiffness.from, stiffness.to, stiffness.equation), (1e6, 2e6, "10"));
+/// assert_eq!((stiffness.from, stiffness.to, stiffness.by), (1e6, 2e6, ChangedBy::Equation("10")));
 /// // The file has no <constant_contact_force>: OpenSim's 1e-5 m² is scaled by R² (C.2) and written as a new element.
 /// let constant = find(Property::ConstantContactForce);
 /// assert_eq!((constant.from, constant.to, constant.inserted), (1e-5, 4e-5, true));
@@ -44,9 +44,7 @@ pub struct Change {
     pub to: f64,
     /// The factor by which the value was multiplied, where it was.
     pub factor: Option<f64>,
-    /// Number of the equation in the paper, such as `10` or `C.2`; else `friction`, `predsim`, `follow`, or `given` by the
-    /// caller.
-    pub equation: &'static str,
+    pub by: ChangedBy,
     /// Line of the number, from 1, or of the object that gets it.
     pub line: usize,
     /// Whether the element is absent and is inserted.
@@ -82,13 +80,53 @@ pub struct Move {
     pub from: [f64; 3],
     /// Location to be written, m.
     pub to: [f64; 3],
-    /// Why: `follow` (its body was scaled), `fit` (a floor that was fitted to a recording) or `level` (its bottom stays, or comes to the height of its foot's lowest one).
-    pub equation: &'static str,
+    pub by: ChangedBy,
     /// Line of the location, from 1, or of the sphere that gets one.
     pub line: usize,
     /// Whether the element is absent and is inserted.
     pub inserted: bool,
     pub(crate) slot: Slot,
+}
+
+/// What the new value of a number or a place follows from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ChangedBy {
+    /// Equations of the paper, by their numbers: `10`, `C.2`, `11, B.2`.
+    Equation(&'static str),
+    /// What the caller gave.
+    Given,
+    /// The size of a body that was scaled.
+    Follow,
+    /// A fit to a recording.
+    Fit,
+    /// The bottom of a sphere stays, or comes to the height of its foot's lowest one.
+    Level,
+    Friction,
+    PredSim,
+}
+
+impl ChangedBy {
+    /// As in reports and JSON, in the column `equation`.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Equation(numbers) => numbers,
+            Self::Given => "given",
+            Self::Follow => "follow",
+            Self::Fit => "fit",
+            Self::Level => "level",
+            Self::Friction => "friction",
+            Self::PredSim => "predsim",
+        }
+    }
+
+    fn in_words(self) -> String {
+        match self {
+            Self::Equation(numbers) => format!("equation ({numbers})"),
+            Self::Given => "what the request says".to_owned(),
+            Self::Follow => "the sizes of the bodies".to_owned(),
+            rule => format!("the rule '{}'", rule.as_str()),
+        }
+    }
 }
 
 impl Change {
@@ -118,23 +156,13 @@ impl Change {
     fn origin(&self) -> String {
         match self.factor {
             Some(factor) => {
-                format!("{} times {}, {}", readable(self.from), readable(factor), by(self.equation))
+                format!("{} times {}, {}", readable(self.from), readable(factor), self.by.in_words())
             }
-            None => format!("{}, in the place of {}", by(self.equation), readable(self.from)),
+            None => format!("{}, in the place of {}", self.by.in_words(), readable(self.from)),
         }
     }
     pub fn file(&self) -> FileId {
         self.slot.file
-    }
-}
-
-/// Why a number changes: its [`Change::equation`] in words.
-fn by(equation: &str) -> String {
-    match equation {
-        "given" => "what the request says".to_owned(),
-        "follow" => "the sizes of the bodies".to_owned(),
-        word if word.starts_with(|first: char| first.is_ascii_lowercase()) => format!("the rule '{word}'"),
-        number => format!("equation ({number})"),
     }
 }
 
@@ -145,7 +173,7 @@ impl Move {
     /// It is not finite: with its place and what it comes from.
     pub(crate) fn text(&self) -> Result<String, Fault> {
         let from = || self.from.map(readable).join(" ");
-        let origin = || format!("{}, in the place of {}", by(self.equation), from());
+        let origin = || format!("{}, in the place of {}", self.by.in_words(), from());
         triple_text(self.to, self.slot.tag, origin).map_err(|fault| {
             Fault::at(fault.kind, self.slot.offset).of(self.path.clone()).in_file(self.slot.file)
         })

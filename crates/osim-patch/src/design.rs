@@ -11,6 +11,7 @@ use osim_model::{
 };
 
 use crate::builder::{New, PlanBuilder, write_composite};
+use crate::change::ChangedBy;
 use crate::note::KeptMass;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRule};
@@ -130,7 +131,9 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
         rests.extend(wanted.rest(&plan, &sphere)?.filter(|_| !shared));
         for property in Property::ALL.into_iter().filter(|&property| properties.contains(property)) {
             match wanted.value(&plan, &sphere, property)? {
-                Some((to, equation)) => write_composite(&mut plan, force.id, property, to, equation)?,
+                Some((to, equation)) => {
+                    write_composite(&mut plan, force.id, property, to, ChangedBy::Equation(equation))?;
+                }
                 None => carry(&mut plan, force, property, &sphere.own)?,
             }
         }
@@ -180,10 +183,10 @@ fn is_smooth(force: &Force) -> bool {
 
 /// A changed radius carries along what is not designed.
 fn carry(plan: &mut PlanBuilder<'_>, force: &Force, property: Property, own: &Ratios) -> Result<(), Fault> {
-    let Some((factor, equation)) = factor(property, own, DissipationBy::Radius) else { return Ok(()) };
+    let Some((factor, by)) = factor(property, own, DissipationBy::Radius) else { return Ok(()) };
     for set in &force.sets {
         if let Some(from) = force.checked(set.id, property)? {
-            plan.parameter(force.id, set.id, property, New::times(from, factor, equation))?;
+            plan.parameter(force.id, set.id, property, New::times(from, factor, by))?;
         }
     }
     Ok(())
@@ -289,7 +292,7 @@ impl Design {
         }
         let from = sphere.force.checked(SetId::FIRST, property)?;
         let carried = from.zip(factor(property, &sphere.own, DissipationBy::Radius));
-        Ok(carried.map(|(from, (factor, equation))| New::times(from, factor, equation).to))
+        Ok(carried.map(|(from, (factor, by))| New::times(from, factor, by).to))
     }
 
     /// The share of the Hertz force that the law of the file has at rest, the second factor of (C.9); 1 without smoothing.

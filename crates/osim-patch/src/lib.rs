@@ -54,7 +54,7 @@ mod scaling;
 mod set;
 mod transfer;
 
-pub use change::{Change, Move};
+pub use change::{Change, ChangedBy, Move};
 pub use design::{Design, DesignModulus, design};
 pub use edit::{Edit, Patch, splice};
 pub use note::{kept_note, note, note_of_rest, note_stance_limbs};

@@ -11,7 +11,7 @@ use osim_model::{
     SphereId, Step, ValueKey, same_mass,
 };
 
-use crate::change::{Change, Move};
+use crate::change::{Change, ChangedBy, Move};
 use crate::edit::{Edit, Patch, edited_with};
 use crate::insert::{Node, insert};
 use crate::note_edits::{self, StepDetails};
@@ -97,11 +97,6 @@ impl Masses {
         Self { target_mass_kg: contacts_mass.kg, contacts_mass }
     }
 }
-
-/// Why a sphere moves that follows its body.
-pub(crate) const FOLLOW: &str = "follow";
-/// Why a sphere moves whose bottom stays on the sole, or comes to the height of its foot's lowest one.
-pub(crate) const LEVEL: &str = "level";
 
 /// Elements that an object lacks and gets.
 struct Absent {
@@ -344,7 +339,7 @@ impl Plan {
             model.spheres().iter().map(|sphere| (sphere.path.as_str(), sphere)).collect();
         radii.find_map(|change| {
             let sphere = spheres.get(change.path.as_str())?;
-            let said = change.equation == "given" && change.factor.is_none();
+            let said = change.by == ChangedBy::Given && change.factor.is_none();
             let asks = distances.radius_slip(sphere, change.to, said)?;
             Some(Fault::at(asks, sphere.radius.offset).of(change.path.clone()).in_file(change.file()))
         })

@@ -10,7 +10,7 @@ use osim_model::{
 };
 
 use crate::builder::{New, PlanBuilder};
-use crate::plan::{FOLLOW, LEVEL};
+use crate::change::ChangedBy;
 
 /// Old and new radius of each moving sphere of the chosen forces.
 pub(crate) struct Radii(BTreeMap<SphereId, RadiusPair>);
@@ -39,7 +39,7 @@ impl Radii {
                 users.refuse(model, forces, sphere, rule.source())?;
             }
             let factor = rule.is_relative().then_some(pair.ratio);
-            plan.radius(sphere, New { to: pair.new, factor, equation: rule.equation() })?;
+            plan.radius(sphere, New { to: pair.new, factor, by: rule.by() })?;
             radii.insert(sphere, pair);
         }
         Ok(Self(radii))
@@ -88,7 +88,11 @@ impl Radii {
             let Some(found) = plan.model.sphere(sphere) else { continue };
             let location = found.location_m;
             let axis = axis.in_frame(&plan.model.rotation_of(found)?);
-            plan.location(sphere, axis.centre(location, pair.old, pair.new, |vector| vector), LEVEL)?;
+            plan.location(
+                sphere,
+                axis.centre(location, pair.old, pair.new, |vector| vector),
+                ChangedBy::Level,
+            )?;
         }
         Ok(())
     }
@@ -115,7 +119,7 @@ impl Radii {
             if place != location {
                 users.refuse(plan.model, forces, sphere, RadiusFrom::Bodies)?;
             }
-            plan.location(sphere, place, FOLLOW)?;
+            plan.location(sphere, place, ChangedBy::Follow)?;
         }
         Ok(())
     }
@@ -154,12 +158,12 @@ struct RadiusPair {
 }
 
 impl SphereRule {
-    fn equation(self) -> &'static str {
+    fn by(self) -> ChangedBy {
         match self {
-            Self::Rule(RadiusRule::Isometric) | Self::Like(_) => "8",
-            Self::Followed(_) => "follow",
-            Self::Designed(_) => "11, B.2",
-            Self::Rule(_) => "given",
+            Self::Rule(RadiusRule::Isometric) | Self::Like(_) => ChangedBy::Equation("8"),
+            Self::Followed(_) => ChangedBy::Follow,
+            Self::Designed(_) => ChangedBy::Equation("11, B.2"),
+            Self::Rule(_) => ChangedBy::Given,
         }
     }
 

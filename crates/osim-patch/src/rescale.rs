@@ -182,9 +182,9 @@ fn scale_set(
     wanted: &Rescale,
 ) -> Result<(), Fault> {
     for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
-        let Some((factor, equation)) = factor(property, ratios, wanted.dissipation_by) else { continue };
+        let Some((factor, by)) = factor(property, ratios, wanted.dissipation_by) else { continue };
         if let Some(from) = plan.model.parameter(force, set, property)? {
-            plan.parameter(force, set, property, New::times(from, factor, equation))?;
+            plan.parameter(force, set, property, New::times(from, factor, by))?;
         }
     }
     Ok(())

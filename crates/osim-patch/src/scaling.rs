@@ -4,18 +4,20 @@ use contact_scaling::Ratios;
 use osim_model::messages::{Input, readable};
 use osim_model::{DissipationBy, Fault, FaultKind, GravityFor, Needed, Property};
 
-pub(crate) fn factor(property: Property, ratios: &Ratios, by: DissipationBy) -> Option<(f64, &'static str)> {
+use crate::change::ChangedBy;
+
+pub(crate) fn factor(property: Property, ratios: &Ratios, by: DissipationBy) -> Option<(f64, ChangedBy)> {
     Some(match property {
-        Property::Stiffness => (ratios.plane_strain_modulus(), "10"),
+        Property::Stiffness => (ratios.plane_strain_modulus(), ChangedBy::Equation("10")),
         Property::Dissipation => match by {
-            DissipationBy::Radius => (ratios.dissipation(), "14"),
-            DissipationBy::Mass => (ratios.dissipation_by_mass(), "14"),
+            DissipationBy::Radius => (ratios.dissipation(), ChangedBy::Equation("14")),
+            DissipationBy::Mass => (ratios.dissipation_by_mass(), ChangedBy::Equation("14")),
         },
-        Property::ConstantContactForce => (ratios.constant_contact_force(), "C.2"),
-        Property::HertzSmoothing => (ratios.hertz_smoothing(), "C.5"),
-        Property::HuntCrossleySmoothing => (ratios.hunt_crossley_smoothing(), "C.10"),
-        Property::TransitionVelocity => (ratios.transition_velocity(), "friction"),
-        Property::ViscousFriction => (ratios.viscous_friction(), "friction"),
+        Property::ConstantContactForce => (ratios.constant_contact_force(), ChangedBy::Equation("C.2")),
+        Property::HertzSmoothing => (ratios.hertz_smoothing(), ChangedBy::Equation("C.5")),
+        Property::HuntCrossleySmoothing => (ratios.hunt_crossley_smoothing(), ChangedBy::Equation("C.10")),
+        Property::TransitionVelocity => (ratios.transition_velocity(), ChangedBy::Friction),
+        Property::ViscousFriction => (ratios.viscous_friction(), ChangedBy::Friction),
         _ => return None,
     })
 }
@@ -64,12 +66,12 @@ impl GravityChange {
 }
 
 /// PredSim's rule, for users who compare; what it does not scale is the reference's.
-pub(crate) fn predsim(property: Property, ratios: &Ratios, height_ratio: f64) -> Option<(f64, &'static str)> {
+pub(crate) fn predsim(property: Property, ratios: &Ratios, height_ratio: f64) -> Option<(f64, ChangedBy)> {
     Some(match property {
-        Property::Stiffness => (ratios.mass() / (height_ratio * height_ratio), "predsim"),
-        Property::Dissipation => (1.0 / height_ratio, "predsim"),
+        Property::Stiffness => (ratios.mass() / (height_ratio * height_ratio), ChangedBy::PredSim),
+        Property::Dissipation => (1.0 / height_ratio, ChangedBy::PredSim),
         Property::ConstantContactForce | Property::HertzSmoothing | Property::HuntCrossleySmoothing => {
-            (1.0, "predsim")
+            (1.0, ChangedBy::PredSim)
         }
         _ => return None,
     })

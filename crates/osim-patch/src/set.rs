@@ -1,31 +1,29 @@
 //! Plain changes: a property becomes a value, or is multiplied by a factor. Nothing else follows.
 
 use foldhash::HashMap;
-use osim_model::messages::phrase;
+use osim_model::messages::{Verb, phrase};
 use osim_model::{
     Assignment, Fault, HalfSpace, Mass, Model, Needed, Property, RadiusFrom, Selected, SphereId,
     moving_spheres,
 };
 
 use crate::builder::{New, PlanBuilder};
-use crate::change::Move;
+use crate::change::{ChangedBy, Move};
 use crate::note::KeptMass;
-use crate::plan::{Contents, LEVEL, Masses, NoteFacts, Plan};
+use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::Users;
 use crate::remarks::LEVEL_FEET;
 use crate::rules;
 
-/// Why a value changes, or a floor moves, that was fitted to a recording.
-const FIT: &str = "fit";
 /// What follows an operation that made feet level as well.
 const AND_LEVEL: &str = " level";
 
 impl New {
     /// What `assignment` makes of a value.
-    fn assigned(assignment: Assignment, from: f64, equation: &'static str) -> Self {
+    fn assigned(assignment: Assignment, from: f64, by: ChangedBy) -> Self {
         match assignment {
-            Assignment::Value(to) => Self { to, factor: None, equation },
-            Assignment::Factor(factor) => Self::times(from, factor, equation),
+            Assignment::Value(to) => Self { to, factor: None, by },
+            Assignment::Factor(factor) => Self::times(from, factor, by),
         }
     }
 }
@@ -95,7 +93,7 @@ impl Set {
 /// be applied twice without a question. Feet that are level stay so.
 fn is_done(model: &Model, wanted: &Set) -> bool {
     let steps = model.note.iter().flat_map(|note| note.steps.iter().rev());
-    let mut of_set = steps.map(|step| step.operation.as_str()).take_while(|done| done.starts_with("set "));
+    let mut of_set = steps.take_while(|step| step.verb() == Some(Verb::Set)).map(|step| &*step.operation);
     of_set.any(|one| one.strip_suffix(AND_LEVEL).unwrap_or(one) == wanted.assigned())
 }
 
@@ -113,23 +111,23 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     let users = Users::outside(model, &selected.forces);
     let mut plan = PlanBuilder::new(model);
-    let equation = if wanted.fitted.is_some() { FIT } else { "given" };
+    let by = if wanted.fitted.is_some() { ChangedBy::Fit } else { ChangedBy::Given };
     for &(property, value) in &wanted.assignments {
         let mut found = false;
         if property == Property::Radius {
             for sphere in moving_spheres(model, &selected.forces) {
                 let from = plan.model.radius_m(sphere)?;
-                if New::assigned(value, from, equation).to != from {
+                if New::assigned(value, from, by).to != from {
                     users.refuse(model, &selected.forces, sphere, RadiusFrom::Assignment)?;
                 }
-                plan.radius(sphere, New::assigned(value, from, equation))?;
+                plan.radius(sphere, New::assigned(value, from, by))?;
                 found = true;
             }
         } else {
             for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
                 for set in &force.sets {
                     if let Some(from) = force.checked(set.id, property)? {
-                        plan.parameter(force.id, set.id, property, New::assigned(value, from, equation))?;
+                        plan.parameter(force.id, set.id, property, New::assigned(value, from, by))?;
                         found = true;
                     }
                 }
@@ -141,15 +139,15 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     for &(sphere, location_m) in wanted.level.iter().flatten() {
         users.refuse(model, &selected.forces, sphere, RadiusFrom::Level)?;
-        plan.location(sphere, location_m, LEVEL)?;
+        plan.location(sphere, location_m, ChangedBy::Level)?;
     }
     let is_level = !plan.moves.is_empty();
     for &(sphere, location_m) in &wanted.centres {
         users.refuse(model, &selected.forces, sphere, RadiusFrom::Fit)?;
-        plan.location(sphere, location_m, FIT)?;
+        plan.location(sphere, location_m, ChangedBy::Fit)?;
     }
     for (plane, location_m) in &wanted.planes {
-        plan.plane_location(plane, *location_m, FIT)?;
+        plan.plane_location(plane, *location_m, ChangedBy::Fit)?;
     }
     let PlanBuilder { changes, moves, mut warnings, .. } = plan;
     if changes.is_empty() && moves.is_empty() {
@@ -195,7 +193,7 @@ impl Plan {
         let paths: Vec<String> = places.iter().filter_map(|&(sphere, _)| path(sphere)).collect();
         let mut builder = PlanBuilder::new(ground);
         for &(sphere, location_m) in places {
-            builder.location(sphere, location_m, LEVEL)?;
+            builder.location(sphere, location_m, ChangedBy::Level)?;
         }
         let new: Vec<Move> = builder.moves;
         let mut moves: Vec<Move> =

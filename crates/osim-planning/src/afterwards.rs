@@ -12,7 +12,7 @@ use osim_model::messages::{Phrase, phrase};
 use osim_model::{
     Fault, Finding, FindingCode, Limb, Model, NeedsAnswer, Property, Question, Severity, same_mass,
 };
-use osim_patch::Plan;
+use osim_patch::{ChangedBy, Plan};
 use osim_requests::options::AnswerOptions;
 
 use crate::rules;
@@ -219,7 +219,7 @@ const STANDS: f64 = 0.5;
 /// comparison. New spheres did not stand anywhere, and `add` says where they are.
 fn moved_bottoms(plan: &Plan, before: &Model, now: &Model, said: &[Finding]) -> Vec<Finding> {
     let radii = plan.changes.iter().any(|change| change.property == Property::Radius);
-    let follow = plan.moves.iter().any(|one| one.equation == "follow");
+    let follow = plan.moves.iter().any(|one| one.by == ChangedBy::Follow);
     if (!radii && plan.moves.is_empty()) || follow || !plan.objects().is_empty() {
         return Vec::new();
     }

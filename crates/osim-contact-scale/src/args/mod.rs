@@ -165,8 +165,7 @@ fn exit_statuses() -> String {
 /// The first option that has no effect without another one.
 pub(crate) fn check_typed(matches: &ArgMatches) -> Result<(), RequestFault> {
     let (name, typed) = matches.subcommand().unwrap_or((Verb::Rescale.name(), matches));
-    let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == name);
-    verb.map_or(Ok(()), |verb| check(typed, verb))
+    Verb::named(name).map_or(Ok(()), |verb| check(typed, verb))
 }
 
 // Verbs whose options are put together when the verb is called, so that no start waits for those of all others.
@@ -205,9 +204,8 @@ fn with_options<T: Args>(command: Command) -> Command {
     let about = Resettable::from(command.get_about().cloned());
     let long_about = Resettable::from(command.get_long_about().cloned());
     let command = T::augment_args(command).about(about).long_about(long_about);
-    let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == command.get_name());
     let has_help = !command.is_disable_help_flag_set();
-    let command = match verb {
+    let command = match Verb::named(command.get_name()) {
         Some(verb) if has_help => with_usual_first(with_relations(command, verb), verb),
         Some(verb) => with_relations(command, verb),
         None => command,

@@ -216,6 +216,11 @@ macro_rules! verbs {
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $name),+ }
             }
+
+            /// The verb whose name this is, exactly.
+            pub fn named(name: &str) -> Option<Self> {
+                Self::ALL.iter().copied().find(|verb| verb.name() == name)
+            }
         }
     };
 }

@@ -150,7 +150,7 @@ fn keep(parts: Vec<Part>, takes: &dyn Fn(Input) -> bool, kept: &mut Vec<Part>) {
 fn reference(text: &str) -> Option<Part> {
     let mut words = text.split(' ');
     let first = words.next()?;
-    let Some(verb) = Verb::ALL.iter().find(|verb| verb.name() == first) else {
+    let Some(verb) = Verb::named(first) else {
         let (input, example) = input(first)?;
         return words.next().is_none().then_some(Part::Input(input, example));
     };

@@ -222,11 +222,11 @@ pub(crate) fn plan_several_sets(
             ScalingRule::Paper => factor(property, &ratios, wanted.dissipation_by),
             ScalingRule::PredSim { height_ratio } => predsim(property, &ratios, height_ratio),
         };
-        let Some((factor, equation)) = scaled else { continue };
+        let Some((factor, by)) = scaled else { continue };
         let factor = factor * against_reference(plan, force, chosen, property)?;
         for set in &force.sets {
             if let Some(from) = force.checked(set.id, property)? {
-                plan.parameter(force.id, set.id, property, New::times(from, factor, equation))?;
+                plan.parameter(force.id, set.id, property, New::times(from, factor, by))?;
             }
         }
     }

@@ -9,8 +9,9 @@ use osim_model::{
 };
 
 use crate::builder::{New, PlanBuilder, write_composite};
+use crate::change::ChangedBy;
 use crate::objects::keeps_inside;
-use crate::plan::{Contents, FOLLOW, Masses, NoteFacts, Plan, TRANSFER};
+use crate::plan::{Contents, Masses, NoteFacts, Plan, TRANSFER};
 use crate::radii::{Radii, SphereRule};
 use crate::remarks::{GRAVITY_STAYS, PLACES_STAY, bottoms_remark_and_level, warn_forces};
 use crate::rules;
@@ -59,7 +60,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     }
     let radii = Radii::plan(&mut plan, &selected.forces, rule_of, isometric, &wanted.properties)?;
     for (sphere, place) in wanted.follow.iter().flat_map(Follow::spheres) {
-        plan.location(sphere, place.location_m, FOLLOW)?;
+        plan.location(sphere, place.location_m, ChangedBy::Follow)?;
     }
     if let Some(axis) = wanted.level.filter(|_| wanted.follow.is_none()) {
         radii.level(&mut plan, axis)?;
@@ -131,11 +132,11 @@ impl Target<'_> {
                 ScalingRule::Paper => factor(property, &self.ratios, wanted.dissipation_by),
                 ScalingRule::PredSim { height_ratio } => predsim(property, &self.ratios, height_ratio),
             };
-            let Some((factor, equation)) = scaled else { continue };
+            let Some((factor, by)) = scaled else { continue };
             match self.of_reference(property) {
                 Some(value) => {
                     let to = if factor == 1.0 { value } else { value * factor };
-                    write_composite(plan, self.force.id, property, to, equation)?;
+                    write_composite(plan, self.force.id, property, to, by)?;
                 }
                 None => self.carry(plan, property, wanted.dissipation_by)?,
             }
@@ -159,10 +160,10 @@ impl Target<'_> {
 
     /// A changed radius carries along what the reference does not give.
     fn carry(&self, plan: &mut PlanBuilder<'_>, property: Property, by: DissipationBy) -> Result<(), Fault> {
-        let Some((factor, equation)) = factor(property, &self.own, by) else { return Ok(()) };
+        let Some((factor, by)) = factor(property, &self.own, by) else { return Ok(()) };
         for set in &self.force.sets {
             if let Some(from) = self.force.checked(set.id, property)? {
-                plan.parameter(self.force.id, set.id, property, New::times(from, factor, equation))?;
+                plan.parameter(self.force.id, set.id, property, New::times(from, factor, by))?;
             }
         }
         Ok(())

@@ -6,7 +6,7 @@ use osim_model::{
     Axis, Companion, Document, Fault, FindingCode, LevelAxis, Mass, MassSource, Model, Property, PropertySet,
     RadiusRule, Selection,
 };
-use osim_patch::{Plan, Rescale, Transfer, reference_of_model, rescale, transfer};
+use osim_patch::{ChangedBy, Plan, Rescale, Transfer, reference_of_model, rescale, transfer};
 
 const ONE_FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
 
@@ -43,7 +43,7 @@ fn a_radius_says_where_it_comes_from() {
     let radius = |rule| {
         let plan = rescaled(ONE_FOOT, |wanted| wanted.radius = rule);
         let change = change(&plan, Property::Radius);
-        (change.equation, change.factor, change.to)
+        (change.by.as_str(), change.factor, change.to)
     };
     assert_eq!(radius(RadiusRule::Isometric), ("8", Some(2.0), 0.06));
     assert_eq!(radius(RadiusRule::Factor(3.0)), ("given", Some(3.0), 0.09));
@@ -95,7 +95,7 @@ fn level_spheres_keep_their_bottoms() {
     let plan = rescaled(&text, |wanted| wanted.level = Some(LevelAxis::of_gravity(Some([0.0, -9.81, 0.0]))));
     let place = &plan.moves[0];
     // R grows from 0.03 to 0.06: the centre rises by 0.03.
-    assert_eq!((place.from, place.equation), ([0.1, -0.02, 0.3], "level"));
+    assert_eq!((place.from, place.by), ([0.1, -0.02, 0.3], ChangedBy::Level));
     assert!((place.to[1] - 0.01).abs() < 1e-15 && place.to[0] == 0.1 && place.to[2] == 0.3);
     assert!(!place.inserted);
     // A sphere without a location stands at the origin, and gets one.

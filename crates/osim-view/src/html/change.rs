@@ -256,7 +256,7 @@ fn change(topics: &mut Topics, group: &[&Change], with_names: bool) -> Markup {
             td { (readable(first.from)) }
             td { b { (readable(first.to)) } @if first.inserted { " +" } }
             td { @if let Some(factor) = first.factor { "×" (readable(factor)) } }
-            td { (topics.equations(first.equation)) }
+            td { (topics.equations(first.by.as_str())) }
         }
     }
 }
@@ -295,7 +295,7 @@ fn moves(topics: &mut Topics, moves: &[&Move]) -> Markup {
                 tr {
                     th scope="row" { (moved.sphere) }
                     @for value in moved.from.iter().chain(&moved.to) { td { (centre(*value)) } }
-                    td { (topics.equations(moved.equation)) }
+                    td { (topics.equations(moved.by.as_str())) }
                 }
             }
         })

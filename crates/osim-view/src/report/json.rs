@@ -314,7 +314,7 @@ impl From<&Change> for ChangeRecord {
             from: Amount::Number(change.from),
             to: Amount::Number(change.to),
             factor: change.factor,
-            equation: change.equation,
+            equation: change.by.as_str(),
             line: change.line,
             inserted: change.inserted,
         }
@@ -332,7 +332,7 @@ impl From<&Move> for ChangeRecord {
             from: Amount::Location(moved.from),
             to: Amount::Location(moved.to),
             factor: None,
-            equation: moved.equation,
+            equation: moved.by.as_str(),
             line: moved.line,
             inserted: moved.inserted,
         }

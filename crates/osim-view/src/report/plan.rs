@@ -6,7 +6,7 @@ use std::fmt;
 use imara_diff::{Algorithm, Diff, InternedInput, Interner, Token, UnifiedDiffConfig, UnifiedDiffPrinter};
 use osim_model::Property;
 use osim_model::messages::{listed, one_line, readable};
-use osim_patch::{Change, Deed, Move, ObjectChange, Plan};
+use osim_patch::{Change, ChangedBy, Deed, Move, ObjectChange, Plan};
 
 use crate::report::layout::table;
 use crate::report::messages::warnings;
@@ -93,10 +93,9 @@ fn changes(plan: &Plan) -> String {
             whose(group)
         };
         let factor = first.factor.map(|factor| format!("x{}", readable(factor))).unwrap_or_default();
-        let equation = if first.equation.starts_with(|c: char| c.is_ascii_digit() || c == 'A' || c == 'C') {
-            format!("({})", first.equation)
-        } else {
-            first.equation.to_owned()
+        let equation = match first.by {
+            ChangedBy::Equation(numbers) => format!("({numbers})"),
+            rule => rule.as_str().to_owned(),
         };
         let new = if first.inserted {
             format!("{} +", readable(first.to))
@@ -147,7 +146,7 @@ fn moves(plan: &Plan) -> String {
     for moved in moves {
         let mut cells = vec![moved.sphere.clone()];
         cells.extend(moved.from.iter().chain(&moved.to).copied().map(centre));
-        cells.push(moved.equation.to_owned());
+        cells.push(moved.by.as_str().to_owned());
         table.add_row(cells);
     }
     table.right_aligned(&[1, 2, 3, 4, 5, 6]);
@@ -174,8 +173,7 @@ pub fn groups(changes: &[Change]) -> Vec<Vec<&Change>> {
     let mut places = HashMap::new();
     for change in changes {
         // What a group has in common.
-        let key =
-            (change.property, change.from.to_bits(), change.to.to_bits(), change.equation, change.inserted);
+        let key = (change.property, change.from.to_bits(), change.to.to_bits(), change.by, change.inserted);
         let place = *places.entry(key).or_insert(groups.len());
         match groups.get_mut(place) {
             Some(group) => group.push(change),

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use super::follow::{Factors, ScaleFile};
 use super::rules;
 use crate::messages::{Input, Phrase, Verb};
-use crate::model::{Anatomy, AnatomySphere, Fault, Finding, LevelAxis, Model, Note};
+use crate::model::{Anatomy, AnatomySphere, Fault, Finding, LevelAxis, Model, Note, Step};
 pub use evidence::{Evidence, LayoutAnswer};
 pub use reach::Reach;
 
@@ -165,7 +165,7 @@ impl PlacedSphere {
 
 /// Whether the note says that this program scaled the radii, and they are as it wrote them.
 fn noted_radii(model: &Model) -> bool {
-    let rescaled = |note: &Note| note.operation().starts_with(Verb::Rescale.name());
+    let rescaled = |note: &Note| note.steps.last().and_then(Step::verb) == Some(Verb::Rescale);
     model.note.as_ref().is_some_and(rescaled) && model.doubt_about_note().is_none()
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::messages::shortest;
+use crate::messages::{Verb, shortest};
 use crate::model::property::Property;
 
 /// Whether all contacts are made for one mass.
@@ -118,6 +118,11 @@ impl Step {
     /// A step of which nothing else is known.
     pub fn new(operation: &str) -> Self {
         Self { operation: plain(operation), ..Self::default() }
+    }
+
+    /// The verb that did it.
+    pub fn verb(&self) -> Option<Verb> {
+        Verb::named(self.operation.split(' ').next()?)
     }
 
     /// As a note has it, without `by`.
