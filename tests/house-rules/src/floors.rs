@@ -89,26 +89,6 @@ mod tests {
     }
 
     #[test]
-    fn the_layout_passes() {
-        let arrows: &[(&str, &[&str])] = &[
-            ("contact-plots", &["plotters"]),
-            ("contact-scaling", &[]),
-            ("osim-model", &["contact-scaling", "quick-xml"]),
-            ("osim-requests", &["osim-model"]),
-            ("osim-inspect", &["osim-requests"]),
-            ("osim-patch", &["osim-model"]),
-            ("osim-motion", &["osim-model", "gcv_spline"]),
-            ("osim-planning", &["osim-inspect", "osim-motion", "osim-patch"]),
-            ("osim-view", &["osim-planning", "contact-plots"]),
-            ("osim-library", &["osim-view"]),
-            ("osim-contact-scale", &["osim-library", "clap"]),
-            ("osim-python", &["osim-library"]),
-            ("osim-web", &["osim-view"]),
-        ];
-        assert_eq!(faults(FLOORS, &crates(arrows)), Vec::<String>::new());
-    }
-
-    #[test]
     fn arrows_upwards_and_sideways_and_names_without_a_crate() {
         let floors: &[&[&str]] = &[&["a"], &["b", "c"], &["gone"]];
         let found =

@@ -1,6 +1,10 @@
 //! What code must not write: options below the front ends, and the world outside of the program.
 
-use crate::module::{Module, Tree};
+use std::sync::LazyLock;
+
+use regex::Regex;
+
+use crate::source::{Module, Text, Tree, pattern};
 
 /// Files, processes and streams of the system, by their paths in the standard library. Printing by macros is clippy's.
 pub const OUTSIDE: &[&str] = &[
@@ -13,32 +17,20 @@ pub const OUTSIDE: &[&str] = &[
     "std::io::stdout",
 ];
 
-/// The options that the texts of a crate name, each with its place.
+/// An option, which no word or comment of a page is before.
+static OPTION: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"(?:^|[^\w!-])(--[a-z](?:-?[[:alnum:]])*)"]));
+
+/// The options that the strings of a crate name, each with its place.
 #[must_use]
 pub fn options(tree: &Tree) -> Vec<String> {
     let mut found = Vec::new();
     for module in tree.values() {
-        for token in module.texts.iter().filter(|token| token.is_string()) {
-            let named = options_in(&token.text).into_iter();
-            found.extend(
-                named.map(|(lines, option)| format!("{}:{}: {option}", module.file, token.line + lines)),
-            );
+        for Text { text, line, .. } in module.texts.iter().filter(|text| !text.is_doc) {
+            found.extend(OPTION.captures_iter(text).filter_map(|option| option.get(1)).map(|option| {
+                let line = line + text[..option.start()].matches('\n').count();
+                format!("{}:{line}: {}", module.file, option.as_str())
+            }));
         }
-    }
-    found
-}
-
-/// The options in a text, each with the lines before it.
-fn options_in(text: &str) -> Vec<(usize, String)> {
-    let mut found = Vec::new();
-    for (at, dashes) in text.match_indices("--") {
-        let (before, after) = (&text[..at], &text[at + dashes.len()..]);
-        let in_word = before.ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == '-');
-        if in_word || before.ends_with("<!") || !after.starts_with(|c: char| c.is_ascii_lowercase()) {
-            continue;
-        }
-        let end = after.find(|c: char| !c.is_ascii_alphanumeric() && c != '-').unwrap_or(after.len());
-        found.push((before.matches('\n').count(), format!("--{}", after[..end].trim_end_matches('-'))));
     }
     found
 }

@@ -1,10 +1,12 @@
 //! Words that texts must not use, and what to write instead.
 
-use regex::Regex;
+use std::sync::LazyLock;
+
+use regex::{Captures, Regex};
 use serde::Deserialize;
 use serde::de::{Deserializer, Error};
 
-use crate::module::Tree;
+use crate::source::{self, Tree, blank};
 
 /// A list of words that texts must not use: `words.toml`.
 #[derive(Debug, Default, Deserialize)]
@@ -15,9 +17,6 @@ pub struct Words {
     /// Words of README.md and docs/ alone.
     #[serde(default)]
     pub book: Vec<Word>,
-    /// Names of fields in JSON Schemas.
-    #[serde(default)]
-    pub field: Vec<Word>,
 }
 
 /// One of them, with examples that are refused, and that pass.
@@ -43,51 +42,48 @@ impl Words {
     /// What must not be written in a text that people read, which begins on a line.
     #[must_use]
     pub fn in_text(&self, file: &str, line: usize, text: &str) -> Vec<String> {
-        self.word.iter().flat_map(|word| word.in_text(file, line, text, |_| true)).collect()
+        self.word.iter().flat_map(|word| word.in_text(file, line, text)).collect()
     }
 
     /// What must not be written in a page of the book, beside the words of any text.
     #[must_use]
     pub fn in_page(&self, file: &str, text: &str) -> Vec<String> {
-        let only_here = self.book.iter().flat_map(|word| word.in_text(file, 1, text, |_| true));
+        let only_here = self.book.iter().flat_map(|word| word.in_text(file, 1, text));
         self.in_text(file, 1, text).into_iter().chain(only_here).collect()
-    }
-
-    /// What must not be written in a JSON Schema. In names, `_` separates the words.
-    #[must_use]
-    pub fn in_schema(&self, file: &str, text: &str) -> Vec<String> {
-        let of_field = |field: &Word| field.in_text(file, 1, text, |rest| rest.starts_with("\":"));
-        let in_names = self.in_text(file, 1, &text.replace('_', " "));
-        in_names.into_iter().chain(self.field.iter().flat_map(of_field)).collect()
     }
 
     /// What must not be written in the strings and doc comments of a crate: names in `{}` and code in backticks aside.
     #[must_use]
     pub fn in_code(&self, tree: &Tree) -> Vec<String> {
-        let is_name = |inside: &str| !inside.contains(|c: char| c.is_ascii_whitespace());
         let mut found = Vec::new();
         for module in tree.values() {
-            for token in &module.texts {
-                let text = match token.is_doc() {
-                    true => without(&token.text, ['`', '`'], |_| true),
-                    false => without(&token.text, ['{', '}'], is_name),
-                };
-                found.extend(self.in_text(&module.file, token.line, &text));
+            for text in &module.texts {
+                let blank_inside =
+                    |name: &Captures<'_>| format!("{}{}{}", &name[1], blank(&name[2]), &name[3]);
+                let named = if text.is_doc { &CODE } else { &VALUE };
+                found.extend(self.in_text(
+                    &module.file,
+                    text.line,
+                    &named.replace_all(&text.text, blank_inside),
+                ));
             }
         }
         found
     }
 }
 
+static CODE: LazyLock<Regex> = LazyLock::new(|| source::pattern(&["(`)([^`]*)(`)"]));
+static VALUE: LazyLock<Regex> = LazyLock::new(|| source::pattern(&[r"(\{)([^\s}]*)(\})"]));
+
 impl Word {
-    /// Every place of the word in a text that begins on `line`, where `fits` holds for what comes after it.
+    /// Every place of the word in a text that begins on `line`.
     #[must_use]
-    pub fn in_text(&self, file: &str, line: usize, text: &str, fits: impl Fn(&str) -> bool) -> Vec<String> {
+    pub fn in_text(&self, file: &str, line: usize, text: &str) -> Vec<String> {
         let allowed: Vec<_> = self.unless.iter().flat_map(|unless| unless.find_iter(text)).collect();
         let is_allowed = |found: &regex::Match<'_>| {
             allowed.iter().any(|around| around.start() <= found.start() && found.end() <= around.end())
         };
-        let found = self.not.find_iter(text).filter(|found| !is_allowed(found) && fits(&text[found.end()..]));
+        let found = self.not.find_iter(text).filter(|found| !is_allowed(found));
         let in_words = |found: regex::Match<'_>| {
             let line = line + text[..found.start()].matches('\n').count();
             let written = found.as_str().split_ascii_whitespace().collect::<Vec<_>>().join(" ");
@@ -95,22 +91,6 @@ impl Word {
         };
         found.map(in_words).collect()
     }
-}
-
-/// A text with blanks in the place of what is between two marks, where it `fits`. Lines stay.
-fn without(text: &str, [open, close]: [char; 2], fits: impl Fn(&str) -> bool) -> String {
-    let (mut left, mut rest) = (String::with_capacity(text.len()), text);
-    while let Some((before, after)) = rest.split_once(open) {
-        left.push_str(before);
-        left.push(open);
-        rest = after;
-        if let Some((inside, after)) = after.split_once(close).filter(|(inside, _)| fits(inside)) {
-            left.extend(inside.chars().map(|c| if c == '\n' { c } else { ' ' }));
-            left.push(close);
-            rest = after;
-        }
-    }
-    left + rest
 }
 
 fn pattern<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Regex, D::Error> {

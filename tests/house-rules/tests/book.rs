@@ -1,11 +1,11 @@
-//! The book is short: the words of its pages together, and of each sentence.
+//! The book is short: the words of its pages together, and of each sentence. Its map of the code leads somewhere.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use house_rules::book::sentences;
+use regex::Regex;
 use walkdir::WalkDir;
 
 /// Words of `README.md` and `docs/` together, as `wc -w` counts them, without the pages of `LOOKED_UP`.
@@ -16,13 +16,19 @@ const LOOKED_UP: [&str; 3] = ["docs/glossary.md", "docs/reference/errors.md", "d
 const MEAN: usize = 22;
 /// Words of the longest sentence: lists in a sentence are lists.
 const LONGEST: usize = 40;
+/// The map of the code.
+const MAP: &str = "docs/developers/architecture.md";
 
-fn pages(root: &Path) -> Vec<(String, String)> {
-    let docs = WalkDir::new(root.join("docs")).sort_by_file_name().into_iter().map(Result::unwrap);
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn pages() -> Vec<(String, String)> {
+    let docs = WalkDir::new(root().join("docs")).sort_by_file_name().into_iter().map(Result::unwrap);
     let docs =
         docs.map(walkdir::DirEntry::into_path).filter(|path| path.extension().is_some_and(|end| end == "md"));
-    let named = |path: &Path| path.strip_prefix(root).unwrap().to_str().unwrap().replace('\\', "/");
-    [root.join("README.md")]
+    let named = |path: &Path| path.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/");
+    [root().join("README.md")]
         .into_iter()
         .chain(docs)
         .map(|path| (named(&path), fs::read_to_string(path).unwrap()))
@@ -31,16 +37,32 @@ fn pages(root: &Path) -> Vec<(String, String)> {
 
 #[test]
 fn the_book_is_short() {
-    let pages = pages(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../.."));
+    let pages = pages();
     assert!(LOOKED_UP.iter().all(|name| pages.iter().any(|(page, _)| page == name)), "{LOOKED_UP:?}");
     let counted = pages.iter().filter(|(name, _)| !LOOKED_UP.contains(&name.as_str()));
     let sum: usize = counted.map(|(_, text)| text.split_whitespace().count()).sum();
     assert!(sum <= WORDS, "{sum} words, at most {WORDS}");
 }
 
+/// Words of each sentence of the prose of a page. Code, tables and headings are no prose; a code span is one word.
+fn sentences(page: &str) -> Vec<usize> {
+    let replaced =
+        |text: &str, pattern: &str, by: &str| Regex::new(pattern).unwrap().replace_all(text, by).into_owned();
+    let prose = replaced(page, r"(?ms)^ *```.*?^ *```|^ *[|#<!][^\n]*", "\n");
+    let prose = replaced(&prose, r"`[^`]*`", "code");
+    // Addresses of links are no words; neither abbreviations nor initials end a sentence.
+    let prose = replaced(&prose, r"\]\([^)]*(?:\.md|://|#)[^)]*\)", "]");
+    let prose = replaced(&prose, r"\b(Figs?|e\.g|i\.e|al|Eq|No|[A-Z])\.", "$1");
+    let end = Regex::new(r#"(?m)[.!?][)*_"'\]]*(?:\s|$)|\n\s*\n|^\s*(?:[-*>]|\d+\.) "#).unwrap();
+    let words = |sentence: &str| {
+        sentence.split_whitespace().filter(|word| word.contains(char::is_alphanumeric)).count()
+    };
+    end.split(&prose).map(words).filter(|count| *count > 0).collect()
+}
+
 #[test]
 fn sentences_are_short() {
-    for (name, text) in pages(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")) {
+    for (name, text) in pages() {
         let lengths = sentences(&text);
         let (sum, longest) = (lengths.iter().sum::<usize>(), lengths.iter().max().copied().unwrap_or(0));
         assert!(
@@ -49,5 +71,36 @@ fn sentences_are_short() {
             lengths.len()
         );
         assert!(longest <= LONGEST, "{name}: a sentence of {longest} words, at most {LONGEST}");
+    }
+}
+
+#[test]
+fn what_a_sentence_is() {
+    assert_eq!(sentences("One two. Three (four)? Five"), [2, 2, 1]);
+    assert_eq!(sentences("One\ntwo.\n\nThree"), [2, 1]);
+    assert_eq!(sentences("- one two\n- three\n  four\n1. five"), [2, 2, 1]);
+    assert_eq!(sentences("# Title\n\n|a b|\n\n```text\nc d. e.\n```\n<!-- f -->"), Vec::<usize>::new());
+    assert_eq!(sentences("See `a b c. d`, Fig. 4 of P. A. Writer."), [8]);
+    assert_eq!(sentences("A 1.5 [link here](../a.md#b) and [b](https://c.org/d.)."), [6]);
+    assert_eq!(sentences("one - two = three"), [3]);
+}
+
+/// Code spans that begin with a folder of the project are paths in it, but for examples such as `docs/*.md`.
+#[test]
+fn the_map_leads_somewhere() {
+    let text = fs::read_to_string(root().join(MAP)).unwrap();
+    let folders: Vec<String> = fs::read_dir(root())
+        .unwrap()
+        .map(|entry| format!("{}/", entry.unwrap().file_name().to_string_lossy()))
+        .collect();
+    let spans = text.split('`').skip(1).step_by(2).filter(|span| !span.contains([' ', '*', '<', '{']));
+    let paths: Vec<&str> =
+        spans.filter(|span| folders.iter().any(|folder| span.starts_with(folder))).collect();
+    assert!(paths.len() > 10, "{MAP}: {} paths", paths.len());
+    let lost: Vec<_> = paths.into_iter().filter(|path| !root().join(path).exists()).collect();
+    assert!(lost.is_empty(), "{MAP} names paths that are not there: {lost:?}");
+    for entry in fs::read_dir(root().join("crates")).unwrap() {
+        let name = entry.unwrap().file_name().into_string().unwrap();
+        assert!(text.contains(&format!("\n- `crates/{name}`: ")), "{MAP}: no paragraph on {name}");
     }
 }

@@ -1,15 +1,17 @@
-//! The structure of this project; `src/lib.rs` says what each rule means, `src/floors.rs` has the table of crates.
+//! The structure and the words of this project; `src/lib.rs` says what each rule means.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+use std::collections::BTreeMap;
 use std::fs;
-use std::io::{Write, stderr};
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use house_rules::floors::FLOORS;
-use house_rules::project::Project;
-use house_rules::{circles, floors, sizes, texts};
+use house_rules::source::{Tree, project};
+use house_rules::words::Words;
+use house_rules::{circles, floors, texts};
+use walkdir::WalkDir;
 
 /// The one place below the front ends that spells options: a file, or a folder with `/` at its end.
 const SPELLER: &str = "crates/osim-requests/src/spell/";
@@ -20,11 +22,28 @@ const OUTSIDE: &[&str] = &["osim-contact-scale", "osim-library"];
 /// osim-python names it only so that Cargo compiles their libraries once for the wheel, which has both.
 const BUILT_TOGETHER: &str = "osim-contact-scale";
 
-static PROJECT: LazyLock<Project> =
-    LazyLock::new(|| Project::read(&root()).unwrap_or_else(|error| panic!("{error}")));
+/// The heading of what is not released yet: only there can a change log be corrected.
+const UNRELEASED: &str = "## [Unreleased]";
+
+static PROJECT: LazyLock<BTreeMap<String, Vec<Tree>>> =
+    LazyLock::new(|| project(&root()).unwrap_or_else(|error| panic!("{error}")));
+
+static WORDS: LazyLock<Words> = LazyLock::new(|| {
+    let list = fs::read_to_string(root().join("tests/house-rules/words.toml")).unwrap();
+    toml::from_str(&list).unwrap_or_else(|error| panic!("words.toml: {error}"))
+});
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// What a rule finds in all crates but some, each once: a module of a library and a program is read for both.
+fn found(rule: impl Fn(&Tree) -> Vec<String>, but: &[&str]) -> Vec<String> {
+    let crates = PROJECT.iter().filter(|(name, _)| !but.contains(&name.as_str()));
+    let mut found: Vec<String> = crates.flat_map(|(_, trees)| trees).flat_map(rule).collect();
+    found.sort();
+    found.dedup();
+    found
 }
 
 #[track_caller]
@@ -34,40 +53,103 @@ fn nothing(found: &[String], what: &str) {
 
 #[test]
 fn modules_go_round_in_no_circle() {
-    nothing(&PROJECT.found(circles::circles, &[]), "circles");
+    nothing(&found(circles::circles, &[]), "circles");
 }
 
 #[test]
 fn crates_point_downwards() {
     let mut crates = floors::crates(&root().join("crates")).unwrap();
     crates.get_mut("osim-python").unwrap().retain(|name| name != BUILT_TOGETHER);
-    let calls =
-        |file: &&String| fs::read_to_string(root().join(file)).unwrap().contains("osim_contact_scale::");
-    let of_python = PROJECT.lines.keys().filter(|file| file.starts_with("crates/osim-python/"));
+    nothing(&floors::faults(FLOORS, &crates), "faults in the arrows between crates");
+    let of_python = PROJECT["osim-python"].iter().flat_map(BTreeMap::values);
+    let calls = of_python.filter(|module| {
+        let imports = module.imports.iter().map(|import| &import.path);
+        imports
+            .chain(module.mentions.iter().map(|(path, _)| path))
+            .any(|path| path[0] == "osim_contact_scale")
+    });
     nothing(
-        &of_python.filter(calls).cloned().collect::<Vec<_>>(),
+        &calls.map(|module| module.file.clone()).collect::<Vec<_>>(),
         "files of osim-python that call the command",
     );
-    nothing(&floors::faults(FLOORS, &crates), "faults in the arrows between crates");
 }
 
 #[test]
 fn options_are_spelled_by_the_front_ends() {
     assert!(root().join(SPELLER).exists(), "{SPELLER}");
-    let mut named = PROJECT.found(texts::options, FLOORS.last().unwrap());
+    let mut named = found(texts::options, FLOORS.last().unwrap());
     named.retain(|option| !option.starts_with(SPELLER));
     nothing(&named, "options below the front ends");
 }
 
 #[test]
 fn only_the_library_and_the_command_know_the_system() {
-    nothing(&PROJECT.found(texts::outside, OUTSIDE), "uses of files, processes or streams");
+    nothing(&found(texts::outside, OUTSIDE), "uses of files, processes or streams");
 }
 
-/// Fails never; straight to standard error, which tests that pass do not hide.
+/// Files in a folder of the project with this ending, with their texts.
+fn files(folder: &str, ending: &str) -> Vec<(String, String)> {
+    let entries = WalkDir::new(root().join(folder)).sort_by_file_name().into_iter().map(Result::unwrap);
+    let files = entries.filter(|entry| entry.path().extension().is_some_and(|found| found == ending));
+    files
+        .map(|entry| {
+            (
+                entry.path().strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/"),
+                fs::read_to_string(entry.path()).unwrap(),
+            )
+        })
+        .collect()
+}
+
 #[test]
-fn what_has_grown_large() {
-    let large = sizes::large(&PROJECT.lines);
-    writeln!(stderr(), "places to look, since they are large: {}\n  {}", large.len(), large.join("\n  "))
-        .unwrap();
+fn words_of_the_code() {
+    nothing(&found(|tree| WORDS.in_code(tree), &[]), "words that words.toml forbids");
+}
+
+#[test]
+fn words_of_the_docs() {
+    let mut pages = [files("docs", "md"), files("crates", "md")].concat();
+    assert!(pages.len() > 20, "{}", pages.len());
+    for name in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"] {
+        let text = fs::read_to_string(root().join(name)).unwrap();
+        let begin = text.find(UNRELEASED).unwrap_or(0);
+        let end = text[begin + 1..].find("\n## ").filter(|_| name == "CHANGELOG.md");
+        pages.push((name.to_owned(), text[..end.map_or(text.len(), |end| begin + 1 + end)].to_owned()));
+    }
+    let is_of_the_book = |file: &str| file == "README.md" || file.starts_with("docs/");
+    let found = pages.iter().flat_map(|(file, text)| match is_of_the_book(file) {
+        true => WORDS.in_page(file, text),
+        false => WORDS.in_text(file, 1, text),
+    });
+    nothing(&found.collect::<Vec<_>>(), "words that words.toml forbids");
+}
+
+#[test]
+fn words_of_the_schemas() {
+    let schemas = files("schemas", "json");
+    assert!(schemas.len() > 20, "{}", schemas.len());
+    // In names, `_` separates the words.
+    let found = schemas.iter().flat_map(|(file, text)| WORDS.in_text(file, 1, &text.replace('_', " ")));
+    nothing(&found.collect::<Vec<_>>(), "words that words.toml forbids");
+}
+
+/// Each word of the list is refused in its examples, and passes where the list says so.
+#[test]
+fn words_are_refused_in_their_examples() {
+    type Refused = fn(&str) -> Vec<String>;
+    let kinds: [(_, Refused); 2] = [
+        (&WORDS.word, |text| WORDS.in_text("file", 1, text)),
+        (&WORDS.book, |text| WORDS.in_page("file", text)),
+    ];
+    for (words, refused) in kinds {
+        for word in words {
+            assert!(!word.wrong.is_empty(), "no example: {}", word.not);
+            for text in &word.wrong {
+                assert!(refused(text).iter().any(|found| found.ends_with(&word.say)), "passes: {text}");
+            }
+            for text in &word.right {
+                assert_eq!(refused(text), Vec::<String>::new());
+            }
+        }
+    }
 }

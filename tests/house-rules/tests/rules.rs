@@ -2,8 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use house_rules::module::{Sources, Tree, trees};
-use house_rules::tokens::{tokens, without_tests};
+use house_rules::source::{Sources, Tree, trees};
 use house_rules::{circles, texts, words::Words};
 
 /// The library of a crate.
@@ -11,7 +10,7 @@ fn library(files: &str) -> Tree {
     let mut sources = Sources::new();
     for file in files.split("\n// ").skip(1) {
         let (name, code) = file.split_once('\n').unwrap();
-        sources.insert(format!("src/{name}"), without_tests(&tokens(code)).0);
+        sources.insert(format!("src/{name}"), code.to_owned());
     }
     trees(&sources).unwrap().remove(0)
 }
@@ -79,14 +78,13 @@ fn circles_through_facades() {
 }
 
 #[test]
-fn circles_of_three_of_macros_and_within_a_file() {
+fn circles_of_three_and_of_macros() {
     circle(
         "\n// lib.rs\nmod a; mod b; mod c;\n// a.rs\nuse crate::b::f; pub fn a() {}\n// b.rs\nuse crate::c::g; pub fn f() {}\n// c.rs\nuse crate::a::a; pub fn g() {}\n",
     );
     circle(
         "\n// lib.rs\nmod a; mod b;\n// a.rs\nuse crate::b::B; #[macro_export] macro_rules! four { () => { 4 } }\n// b.rs\npub struct B; fn f() { crate::four!() }\n",
     );
-    circle("\n// lib.rs\nmod a { pub fn f() { super::b::f() } } mod b { pub fn f() { super::a::f() } }\n");
     // A function and a module of one name.
     circle(
         "\n// lib.rs\nmod a; mod run;\n// a.rs\nuse super::run; pub fn run() { run::run() }\n// run.rs\npub fn run() { crate::a::run() }\n",
@@ -128,8 +126,33 @@ fn a_circle_says_where_it_is() {
 
 #[test]
 fn a_module_without_a_file_is_an_error() {
-    let sources = Sources::from([("src/lib.rs".to_owned(), tokens("mod a;"))]);
+    let sources = Sources::from([("src/lib.rs".to_owned(), "mod a;".to_owned())]);
     assert_eq!(trees(&sources).unwrap_err(), "src/lib.rs: no file for `mod a`");
+}
+
+#[test]
+fn only_code_is_code() {
+    let code = r####"
+// lib.rs
+/// one::two
+/// three
+fn f<'a>(x: &'a str) { g('"', '\'', b'\x00', b"b\n", r#"r"#, "x\
+  y", a::b) } // not "this::that" /* nor */
+/* nor "that::this" */ const Z: &str = r##"a"#b"##;
+#[cfg(test)]
+#[rustfmt::skip]
+mod tests { fn f() -> [u8; 2] { c::d("e") } }
+#[cfg(not(test))] h::i; #[cfg(all(test, unix))] use j::{k, l}; #[test] fn m(x: [u8; 3]) { n::o() } #[cfg(any(test, unix))] p::q;
+"####;
+    let tree = library(code);
+    let module = &tree[&Vec::new()];
+    let texts: Vec<(&str, usize)> = module.texts.iter().map(|text| (text.text.as_str(), text.line)).collect();
+    let strings = [("b\"b  \"", 3), ("r#\"r\"#", 3), ("\"x\\\n  y\"", 3), ("r##\"a\"#b\"##", 5)];
+    assert_eq!(texts, [&[(" one::two\n three", 1)], &strings[..]].concat());
+    let mentions: Vec<String> =
+        module.mentions.iter().map(|(path, line)| format!("{}:{line}", path.join("::"))).collect();
+    assert_eq!(mentions, ["a::b:4", "h::i:9", "p::q:9"]);
+    assert!(module.imports.is_empty(), "{:?}", module.imports);
 }
 
 #[test]

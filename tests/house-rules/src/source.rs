@@ -1,0 +1,280 @@
+//! The modules of all crates: what each defines, imports, names and says, without what only tests compile.
+//!
+//! A module is a file; the code in `mod a { … }` is not looked at. The text is searched, not parsed: nothing is expanded, and a method
+//! that is called on a value names no module.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+use std::sync::LazyLock;
+
+use regex::{Captures, Regex};
+
+/// The text of each file of a crate, by its path from the root of the crate: `src/lib.rs`.
+pub type Sources = BTreeMap<String, String>;
+
+/// One leaf of a `use`.
+#[derive(Debug)]
+pub struct Import {
+    /// The path as it is written.
+    pub path: Vec<String>,
+    /// The name by which it is known here; `*` if that is all names.
+    pub name: String,
+    /// Whether other modules see it.
+    pub is_passed_on: bool,
+    /// Where it is; 0 if nobody wrote it, but the root knows an exported macro so.
+    pub line: usize,
+}
+
+/// A string, or doc comments that follow each other.
+#[derive(Debug)]
+pub struct Text {
+    /// What it says; escapes are blanks.
+    pub text: String,
+    /// The line on which it begins, from 1.
+    pub line: usize,
+    /// Whether it is documentation.
+    pub is_doc: bool,
+}
+
+/// A module.
+#[derive(Debug, Default)]
+pub struct Module {
+    /// `crate::a::b`, as names without `crate`.
+    pub path: Vec<String>,
+    /// Its file.
+    pub file: String,
+    /// Modules in files below it.
+    pub children: Vec<String>,
+    /// Names that it defines.
+    pub items: BTreeSet<String>,
+    /// Those of macros among them.
+    pub macros: Vec<String>,
+    /// What it imports.
+    pub imports: Vec<Import>,
+    /// Paths of two names or more in its code, with their lines.
+    pub mentions: Vec<(Vec<String>, usize)>,
+    /// Its strings and doc comments.
+    pub texts: Vec<Text>,
+}
+
+/// A tree of modules by their paths: a library, or a program.
+pub type Tree = BTreeMap<Vec<String>, Module>;
+
+/// Keys of serde's attributes whose text is a path.
+const KEYS: &[&str] = &["with", "default", "skip_serializing_if", "from"];
+
+#[expect(clippy::expect_used, reason = "constants, which each test of this crate uses")]
+pub(crate) fn pattern(parts: &[&str]) -> Regex {
+    Regex::new(&format!("(?s){}", parts.join("|"))).expect("a regular expression")
+}
+
+/// Comments, strings and characters. A lifetime is one, too, so that its mark begins no character.
+static NO_CODE: LazyLock<Regex> = LazyLock::new(|| {
+    pattern(&[
+        r"//[^\n]*|/\*.*?\*/",
+        r####"[bc]?r"[^"]*"|[bc]?r#".*?"#|[bc]?r##".*?"##|[bc]?r###".*?"###"####,
+        r#"[bc]?"(?:[^"\\]|\\.)*""#,
+        r"b?'(?:[^'\\]|\\[^u]|\\x..|\\u\{\w+\})'|'\w+",
+    ])
+});
+static ESCAPE: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"\\[^\n]"]));
+static TEST: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"#\[(?:test|cfg\([^\]]*\btest\b[^\]]*\))\]"]));
+static MOD: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"\bmod\s+(\w+)\s*([;{])"]));
+static USE: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"\b(pub(?:\([^)]*\))?\s+)?use\s([^;]+);"]));
+static ITEM: LazyLock<Regex> = LazyLock::new(|| {
+    pattern(&[
+        r"\b((?:const\s+)?fn|struct|enum|union|trait|type|const|static|macro_rules!)\s+(?:mut\s+)?(\w+)",
+    ])
+});
+/// A path, or `pub(in …)`, which uses nothing.
+static PATH: LazyLock<Regex> =
+    LazyLock::new(|| pattern(&[r"pub\([^)]*\)|(?:\$crate|\b[[:alpha:]_]\w*)(?:::[[:alpha:]_]\w*)+"]));
+
+/// The trees of each crate of a project, those of its library and its program.
+///
+/// # Errors
+/// A file that cannot be read, or a module without one.
+pub fn project(root: &Path) -> Result<BTreeMap<String, Vec<Tree>>, String> {
+    let entries = fs::read_dir(root.join("crates")).map_err(|error| error.to_string())?;
+    let mut project = BTreeMap::new();
+    for folder in entries.flatten().map(|entry| entry.path()).filter(|folder| folder.join("src").is_dir()) {
+        let name = folder.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let mut sources = Sources::new();
+        for entry in walkdir::WalkDir::new(folder.join("src")) {
+            let path = entry.map_err(|error| error.to_string())?.into_path();
+            if path.extension().is_some_and(|ending| ending == "rs") {
+                let file = path.strip_prefix(&folder).unwrap_or(&path).to_string_lossy().replace('\\', "/");
+                let text =
+                    fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
+                sources.insert(file, text);
+            }
+        }
+        let mut trees = trees(&sources).map_err(|error| format!("crates/{name}/{error}"))?;
+        for module in trees.iter_mut().flat_map(BTreeMap::values_mut) {
+            module.file = format!("crates/{name}/{}", module.file);
+        }
+        project.insert(name, trees);
+    }
+    Ok(project)
+}
+
+/// The trees of modules in a crate: that of its library and that of its program.
+///
+/// # Errors
+/// A module without a file.
+pub fn trees(sources: &Sources) -> Result<Vec<Tree>, String> {
+    let mut found = Vec::new();
+    for root in ["src/lib.rs", "src/main.rs"].into_iter().filter(|root| sources.contains_key(*root)) {
+        let mut tree = Tree::new();
+        let mut open = vec![(Vec::new(), root.to_owned(), "src".to_owned())];
+        let mut macros = Vec::new();
+        while let Some((path, file, folder)) = open.pop() {
+            let module = module(path, &file, &sources[&file]);
+            for name in &module.macros {
+                let path =
+                    [&["crate".to_owned()], module.path.as_slice(), std::slice::from_ref(name)].concat();
+                macros.push(Import { path, name: name.clone(), is_passed_on: false, line: 0 });
+            }
+            for child in &module.children {
+                let inside = format!("{folder}/{child}");
+                let mut files = [format!("{inside}.rs"), format!("{inside}/mod.rs")].into_iter();
+                let file = files.find(|file| sources.contains_key(file));
+                let file = file.ok_or_else(|| format!("{}: no file for `mod {child}`", module.file))?;
+                open.push(([module.path.as_slice(), std::slice::from_ref(child)].concat(), file, inside));
+            }
+            tree.insert(module.path.clone(), module);
+        }
+        tree.entry(Vec::new()).or_default().imports.append(&mut macros);
+        found.push(tree);
+    }
+    Ok(found)
+}
+
+/// Reads a module from the text of its file.
+fn module(path: Vec<String>, file: &str, source: &str) -> Module {
+    let breaks: Vec<usize> = source.match_indices('\n').map(|(at, _)| at).collect();
+    let line = |at: usize| 1 + breaks.partition_point(|end| *end < at);
+    let mut module = Module { path, file: file.to_owned(), ..Module::default() };
+    let mut code = NO_CODE.replace_all(source, |part: &Captures<'_>| blank(&part[0])).into_owned();
+    let mut tests = Vec::new();
+    for test in TEST.find_iter(&code.clone()) {
+        let is_for_more = ["not", "any"].iter().any(|word| test.as_str().contains(word));
+        if !is_for_more && code[test.range()].starts_with('#') {
+            tests.push(test.start()..hide(&mut code, test.start(), test.end()));
+        }
+    }
+    for part in
+        NO_CODE.find_iter(source).filter(|part| !tests.iter().any(|test| test.contains(&part.start())))
+    {
+        module.add_text(part.as_str(), line(part.start()), &code[..part.start()]);
+    }
+    for (whole, name, sign) in MOD
+        .captures_iter(&code.clone())
+        .map(|found| (found.get_match().range(), found[1].to_owned(), found[2].to_owned()))
+    {
+        if sign == "{" {
+            hide(&mut code, whole.start, whole.end - 1);
+        } else if code[whole].starts_with('m') {
+            module.children.push(name);
+        }
+    }
+    for found in USE.captures_iter(&code) {
+        let (is_passed_on, line) = (found.get(1).is_some(), line(found.get_match().start()));
+        let add = &mut |path, name| module.imports.push(Import { path, name, is_passed_on, line });
+        leaves(&found[2], &[], add);
+    }
+    let code = USE.replace_all(&code, |found: &Captures<'_>| blank(&found[0]));
+    for found in ITEM.captures_iter(&code) {
+        module.items.insert(found[2].to_owned());
+        module.macros.extend((&found[1] == "macro_rules!").then(|| found[2].to_owned()));
+    }
+    for found in PATH.find_iter(&code).filter(|found| !found.as_str().starts_with("pub")) {
+        // A path that goes on from a value, a variable of a macro or a type begins elsewhere.
+        let before = code[..found.start()].trim_end();
+        if !["::", ".", "$"].iter().any(|sign| before.ends_with(sign)) {
+            module.mentions.push((names(found.as_str()), line(found.start())));
+        }
+    }
+    module
+}
+
+impl Module {
+    /// Keeps what a string or a doc comment says. `before` is the code before it.
+    fn add_text(&mut self, part: &str, line: usize, before: &str) {
+        let is_doc = part.starts_with("///") && !part.starts_with("////") || part.starts_with("//!");
+        match self.texts.last_mut() {
+            Some(last)
+                if is_doc && last.is_doc && last.line + last.text.matches('\n').count() + 1 == line =>
+            {
+                last.text.push('\n');
+                last.text.push_str(&part[3..]);
+            }
+            _ if is_doc => self.texts.push(Text { text: part[3..].to_owned(), line, is_doc }),
+            _ if part.ends_with(['"', '#']) && !part.starts_with('/') => {
+                let text = ESCAPE.replace_all(part, "  ").into_owned();
+                let key = before.trim_end().trim_end_matches('=').trim_end();
+                if text.contains("::") && KEYS.iter().any(|known| key.ends_with(known)) {
+                    self.mentions.push((names(text.trim_matches('"')), line));
+                }
+                self.texts.push(Text { text, line, is_doc });
+            }
+            _ => {}
+        }
+    }
+}
+
+/// As many blanks; lines stay.
+pub(crate) fn blank(text: &str) -> String {
+    text.bytes().map(|byte| if byte == b'\n' { '\n' } else { ' ' }).collect()
+}
+
+/// Blanks in the place of an item that begins at `begin`; `at` is after its attribute or its name. Gives its end.
+fn hide(code: &mut String, begin: usize, at: usize) -> usize {
+    let (mut depth, mut end) = (0_usize, code.len());
+    for (place, sign) in code[at..].char_indices() {
+        depth += usize::from("([{".contains(sign));
+        if ")]}".contains(sign) && depth == 0 {
+            end = at + place;
+            break;
+        }
+        depth -= usize::from(")]}".contains(sign));
+        if depth == 0 && (sign == ';' || sign == '}') {
+            end = at + place + 1;
+            break;
+        }
+    }
+    code.replace_range(begin..end, &blank(&code[begin..end]));
+    end
+}
+
+fn names(path: &str) -> Vec<String> {
+    let names = path.trim_start_matches('$').split("::").map(str::trim);
+    names.filter(|name| !name.is_empty()).map(str::to_owned).collect()
+}
+
+/// The leaves of a tree of imports: the path and the name of each.
+fn leaves(tree: &str, before: &[String], add: &mut impl FnMut(Vec<String>, String)) {
+    if let Some((begin, inside)) = tree.split_once('{') {
+        let path = [before, &names(begin)].concat();
+        let mut depth = 0_usize;
+        let parts = inside[..inside.rfind('}').unwrap_or(inside.len())].split(|sign| {
+            depth += usize::from(sign == '{');
+            depth -= usize::from(sign == '}').min(depth);
+            depth == 0 && sign == ','
+        });
+        return parts.for_each(|part| leaves(part, &path, add));
+    }
+    let (written, name) =
+        tree.split_once(" as ").map_or((tree, None), |(path, name)| (path, Some(name.trim())));
+    let mut path = [before, &names(written)].concat();
+    let last = path.last().cloned().unwrap_or_default();
+    if last == "*" || last == "self" && path.len() > 1 {
+        path.pop();
+    }
+    let name =
+        name.map(str::to_owned).or_else(|| if last == "*" { Some(last) } else { path.last().cloned() });
+    if let Some(name) = name.filter(|_| !written.trim().is_empty()) {
+        add(path, name);
+    }
+}
