@@ -9,10 +9,8 @@ Needs Python 3.9 and Rust; writes NAME.tar.gz (Windows: NAME.zip) and NAME.tar.g
 
 import argparse
 import gzip
-import hashlib
 import io
 import json
-import os
 import shutil
 import subprocess
 import sys
@@ -111,25 +109,15 @@ def main():
     arguments = parser.parse_args()
     target = arguments.target or building.host()
     metadata = json.loads(output_of("cargo", "metadata", "--format-version", "1", "--locked", "--filter-platform", target))
-    version = next(p["version"] for p in metadata["packages"] if p["name"] == COMMAND)
-    folder = f"{COMMAND}-{version}-{target}"
-    # The time of the sources, not of the build.
-    when = int(os.environ.get("SOURCE_DATE_EPOCH") or output_of("git", "log", "-1", "--format=%ct"))
+    folder = f"{COMMAND}-{building.version()}-{target}"
     if arguments.names:
         kept(building.program(target, metadata["target_directory"], static=True, names=True), arguments.names)
     program = building.program(target, metadata["target_directory"], static=True)
-    files = contents(program, target, metadata)
-    windows = "windows" in target
-    archive = arguments.out / f"{folder}{'.zip' if windows else '.tar.gz'}"
-    data = (zipped if windows else tar_gz)(files, folder, when)
-    arguments.out.mkdir(parents=True, exist_ok=True)
-    archive.write_bytes(data)
-    digest = hashlib.sha256(data).hexdigest()
-    # Bytes, not text: sha256sum reads a carriage return as part of the name.
-    archive.with_name(archive.name + ".sha256").write_bytes(f"{digest}  {archive.name}\n".encode())
+    pack, ending = (zipped, ".zip") if "windows" in target else (tar_gz, ".tar.gz")
+    data = pack(contents(program, target, metadata), folder, building.time_of_sources())
+    building.write(arguments.out / f"{folder}{ending}", data)
     if arguments.program:
         kept(program, arguments.program)
-    print(f"{archive}: {len(files)} files, {len(data)} bytes, SHA-256 {digest}")
 
 
 if __name__ == "__main__":

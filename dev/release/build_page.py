@@ -7,12 +7,11 @@ page that `node web/build.mjs` made last.
 """
 
 import argparse
-import hashlib
-import re
 import subprocess
 import sys
 from pathlib import Path
 
+import building
 from building import COMMAND, ROOT
 
 PAGE = ROOT / "target/web" / f"{COMMAND}.html"
@@ -25,16 +24,11 @@ def main():
     words = parser.parse_args()
     if not words.skip_build:
         subprocess.run(["node", "web/build.mjs"], cwd=ROOT, check=True)
-    version = re.search(r'^version = "(.*)"', (ROOT / "Cargo.toml").read_text(encoding="utf-8"), re.M)[1]
+    version = building.version()
     data = PAGE.read_bytes()
     if f'<span id="version">{version}</span>'.encode() not in data:
         raise SystemExit(f"{PAGE} is not of version {version}: build it without --skip-build")
-    words.out.mkdir(parents=True, exist_ok=True)
-    file = words.out / f"{COMMAND}-page-{version}.html"
-    file.write_bytes(data)
-    digest = hashlib.sha256(data).hexdigest()
-    file.with_name(file.name + ".sha256").write_bytes(f"{digest}  {file.name}\n".encode())
-    print(f"{file}: {len(data)} bytes, SHA-256 {digest}")
+    building.write(words.out / f"{COMMAND}-page-{version}.html", data)
 
 
 if __name__ == "__main__":

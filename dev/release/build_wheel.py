@@ -8,7 +8,6 @@ Needs Python 3.10, pip and Rust.
 """
 
 import argparse
-import hashlib
 import os
 import subprocess
 import sys
@@ -16,7 +15,9 @@ import tempfile
 import venv
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+import building
+from building import ROOT
+
 MATURIN = "maturin==1.16.0"
 ZIG = "ziglang==0.15.2"
 
@@ -30,7 +31,6 @@ def main():
     arguments = parser.parse_args()
     if bool(arguments.program) == arguments.sdist:
         parser.error("say either --program PATH or --sdist")
-    arguments.out.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as folder:
         venv.create(folder, with_pip=True)
         scripts = Path(folder) / ("Scripts" if os.name == "nt" else "bin")
@@ -48,13 +48,7 @@ def main():
             command = [python, "-m", "build", "--no-isolation", kind, *settings, "--outdir", made, ROOT]
             subprocess.run(command, check=True, env=environment)
             (path,) = Path(made).iterdir()
-            data = path.read_bytes()
-    built = arguments.out / path.name
-    built.write_bytes(data)
-    digest = hashlib.sha256(data).hexdigest()
-    # Bytes, not text: sha256sum reads a carriage return as part of the name.
-    built.with_name(built.name + ".sha256").write_bytes(f"{digest}  {built.name}\n".encode())
-    print(f"{built}: {len(data)} bytes, SHA-256 {digest}")
+            building.write(arguments.out / path.name, path.read_bytes())
 
 
 if __name__ == "__main__":

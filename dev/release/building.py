@@ -1,6 +1,8 @@
-"""How the command is built for what people download: archives and wheels share what the compiler makes."""
+"""What the builders in this folder share: how the command is built, and how a file that people download is written."""
 
+import hashlib
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -15,6 +17,27 @@ def host():
     except FileNotFoundError:
         raise SystemExit("this is compiled with Rust, which is not on the PATH: see https://rustup.rs") from None
     return next(line.removeprefix("host: ") for line in lines if line.startswith("host: "))
+
+
+def version():
+    """The version of the project."""
+    return re.search(r'^version = "(.*)"', (ROOT / "Cargo.toml").read_text(encoding="utf-8"), re.M)[1]
+
+
+def time_of_sources():
+    """In seconds since 1970. With it, not with the time of the build, the same sources give the same bytes."""
+    last = ["git", "log", "-1", "--format=%ct"]
+    return int(os.environ.get("SOURCE_DATE_EPOCH") or subprocess.run(last, cwd=ROOT, check=True, stdout=subprocess.PIPE).stdout)
+
+
+def write(path, data):
+    """Writes a file that people download, and its checksum beside it."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(data)
+    digest = hashlib.sha256(data).hexdigest()
+    # Bytes, not text: sha256sum reads a carriage return as part of the name.
+    path.with_name(path.name + ".sha256").write_bytes(f"{digest}  {path.name}\n".encode())
+    print(f"{path}: {len(data)} bytes, SHA-256 {digest}")
 
 
 def environment(target):
