@@ -1,10 +1,14 @@
-//! The direction of arrows between crates.
+//! The direction of arrows between crates, and between the modules of two large ones.
 //!
 //! To add, move or rename a crate, change [`FLOORS`]; a crate that is missing there fails the test, and so does a name without a crate.
+//! [`INSIDE`] does the same for modules.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+
+use crate::circles::uses;
+use crate::source::Tree;
 
 /// The crates from the lowest floor to the highest. Each depends only on lower floors, and not on its neighbours.
 pub const FLOORS: &[&[&str]] = &[
@@ -17,6 +21,12 @@ pub const FLOORS: &[&[&str]] = &[
     &["osim-library"],
     // The front ends.
     &["osim-contact-scale", "osim-python", "osim-web"],
+];
+
+/// Crates that have floors of modules: each module uses only those on lower floors. The root of the crate may use all.
+pub const INSIDE: &[(&str, &[&[&str]])] = &[
+    ("osim-model", &[&["messages", "xml"], &["model"], &["compare", "feet"]]),
+    ("osim-view", &[&["figures", "report"], &["html"]]),
 ];
 
 /// The crates of a workspace, each with the crates that it depends on.
@@ -74,6 +84,22 @@ pub fn faults(floors: &[&[&str]], crates: &Crates) -> Vec<String> {
         };
         let upwards = dependencies.iter().filter(|to| floor(to).is_some_and(|other| other >= own));
         found.extend(upwards.map(|to| format!("{from} depends on {to}, which is not on a lower floor")));
+    }
+    found
+}
+
+/// Arrows between the modules of a crate that do not point down, and modules without a floor.
+#[must_use]
+pub fn faults_inside(floors: &[&[&str]], tree: &Tree) -> Vec<String> {
+    let floor = |path: &[String]| floors.iter().position(|floor| floor.contains(&path[0].as_str()));
+    let modules = tree.keys().filter(|path| path.len() == 1 && floor(path).is_none());
+    let mut found: Vec<String> =
+        modules.map(|path| format!("{} is missing from the table of floors", path[0])).collect();
+    for ((from, to), place) in uses(tree).iter().filter(|((from, to), _)| !from.is_empty() && !to.is_empty())
+    {
+        if from[0] != to[0] && floor(to) >= floor(from) {
+            found.push(format!("{} uses {}, which is not on a lower floor: {place}", from[0], to[0]));
+        }
     }
     found
 }

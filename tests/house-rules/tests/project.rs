@@ -57,6 +57,15 @@ fn modules_go_round_in_no_circle() {
 }
 
 #[test]
+fn modules_point_downwards() {
+    for (name, floors) in floors::INSIDE {
+        let faults: Vec<String> =
+            PROJECT[*name].iter().flat_map(|tree| floors::faults_inside(floors, tree)).collect();
+        nothing(&faults, &format!("faults in the arrows between modules of {name}"));
+    }
+}
+
+#[test]
 fn crates_point_downwards() {
     let mut crates = floors::crates(&root().join("crates")).unwrap();
     crates.get_mut("osim-python").unwrap().retain(|name| name != BUILT_TOGETHER);

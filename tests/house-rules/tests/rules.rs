@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+use house_rules::floors::faults_inside;
 use house_rules::source::{Sources, Tree, trees};
 use house_rules::{circles, texts, words::Words};
 
@@ -89,6 +90,20 @@ fn circles_of_three_and_of_macros() {
     circle(
         "\n// lib.rs\nmod a; mod run;\n// a.rs\nuse super::run; pub fn run() { run::run() }\n// run.rs\npub fn run() { crate::a::run() }\n",
     );
+}
+
+#[test]
+fn modules_on_floors() {
+    let tree = library(
+        "\n// lib.rs\nmod a; mod b; mod c; mod new; use c::C;\n// a.rs\nuse crate::b::B; pub struct A;\n// b.rs\npub struct B; fn f() { crate::c::C; }\n// c.rs\nuse crate::a::A; pub struct C;\n// new.rs\n",
+    );
+    let found = faults_inside(&[&["a", "b"], &["c"]], &tree);
+    let expected = [
+        "new is missing from the table of floors",
+        "a uses b, which is not on a lower floor: crate::b::B (src/a.rs:1)",
+        "b uses c, which is not on a lower floor: crate::c::C (src/b.rs:1)",
+    ];
+    assert_eq!(found, expected);
 }
 
 #[test]
