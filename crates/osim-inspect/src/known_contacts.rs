@@ -7,12 +7,13 @@ use contact_scaling::EQUAL_SURFACES;
 use foldhash::HashMap;
 use osim_model::messages::shown;
 use osim_model::{
-    BothSides, FindingCode, Force, ForceId, LoadedSphere, Model, Property, Severity, Side, Value,
-    loaded_spheres,
+    FindingCode, Force, ForceId, LoadedSphere, Model, Property, Severity, Side, Value, loaded_spheres,
 };
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+
+use crate::sides::BothSides;
 
 /// Values that differ by no more than this, relatively, are the same.
 const SAME: f64 = 1e-6;

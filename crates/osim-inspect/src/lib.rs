@@ -22,6 +22,7 @@
 //! end prints or runs.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
+mod evidence;
 mod figures;
 mod findings;
 mod floors;
@@ -29,9 +30,11 @@ mod inspection;
 mod known_contacts;
 mod load;
 mod quantity;
+mod reach;
 mod rules;
 mod serialized;
 pub mod series;
+mod sides;
 mod similarity;
 mod verdicts;
 
@@ -46,10 +49,11 @@ pub use inspection::{
 pub use known_contacts::{KnownContacts, ReferenceContacts};
 pub use load::{InspectOptions, LoadSharing, MassMismatch, Stance, perhaps_in_pounds, unexplained_slip};
 pub use quantity::Quantity;
-pub use rules::{RULES, misplaced_spheres, unmatched_patterns};
+pub use rules::{misplaced_spheres, model_findings, rules, unmatched_patterns};
 #[cfg(feature = "schemas")]
 pub use serialized::ObjectSchema;
 pub use serialized::{FindingRecord, SCHEMA_VERSION};
 pub use series::ReferenceState;
+pub use sides::BothSides;
 pub use similarity::{SizeList, SizeRow, SizeSpread, UnreadObjects};
 pub use verdicts::{Sign, Verdict};

@@ -6,8 +6,8 @@ use contact_scaling::{
 };
 use osim_model::messages::{Phrase, counted, phrase, readable};
 use osim_model::{
-    DissipationBy, Fault, FindingCode, Force, ForceKind, GravityFor, Mass, Model, Needed, Note, Property,
-    PropertySet, RadiusRule, Scope, Selected, SetId, same_gravity, same_mass,
+    DissipationBy, Fault, Force, ForceKind, GravityFor, Mass, Model, Needed, Note, Property, PropertySet,
+    RadiusRule, Scope, Selected, SetId, same_gravity, same_mass,
 };
 
 use crate::builder::{New, PlanBuilder, write_composite};
@@ -122,7 +122,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let radii = Radii::plan(&mut plan, &selected.forces, |_| rule, 1.0, &properties)?;
     plan.warnings.extend(model.remarks_on(&selected.forces));
     let mut rests = Vec::new();
-    let shared = model.warnings.iter().any(|known| known.code() == FindingCode::SphereInTwoForces);
+    let shared = !model.spheres_in_several_forces().is_empty();
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         let own = RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 };
         let own = Ratios::new(own).map_err(Fault::new)?;

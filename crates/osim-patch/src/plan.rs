@@ -305,18 +305,6 @@ impl Plan {
         self.rebuilt.as_ref().is_some_and(|rebuilt| rebuilt.earlier_note == EarlierNote::TakenOut)
     }
 
-    /// What is odd about `model` itself and stays so: a warning about an object that goes, or that becomes another one, is no
-    /// longer one.
-    pub fn standing_warnings<'m>(&'m self, model: &'m Model) -> impl Iterator<Item = &'m Finding> {
-        let still = self.rebuilt.as_ref().map(|rebuilt| {
-            let found = rebuilt.model().warnings.iter();
-            found.map(|warning| (warning.code(), warning.place.as_deref())).collect::<HashSet<_>>()
-        });
-        model.warnings.iter().filter(move |warning| {
-            still.as_ref().is_none_or(|still| still.contains(&(warning.code(), warning.place.as_deref())))
-        })
-    }
-
     /// Records in the note where spheres are, by the digest of their places.
     pub(crate) fn note_places(&mut self, places: String) {
         if let Some(note) = &mut self.note {
@@ -325,7 +313,7 @@ impl Plan {
     }
 
     /// The model in which numbers change: `model`, or that with other objects.
-    pub(crate) fn ground<'m>(&'m self, model: &'m Model) -> &'m Model {
+    pub fn ground<'m>(&'m self, model: &'m Model) -> &'m Model {
         self.rebuilt.as_ref().map_or(model, Rebuilt::model)
     }
 

@@ -1,10 +1,12 @@
 //! What a request plans for each of its models, and trial plans: which changes would be refused.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use osim_inspect::{
-    Changeable, CheckResult, InspectOptions, Inspection, ReferenceState, check_model, unmatched_patterns,
+    Changeable, CheckResult, InspectOptions, Inspection, ReferenceState, check_model, model_findings,
+    unmatched_patterns,
 };
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Phrase, Verb};
@@ -145,11 +147,18 @@ fn unjudged<P: Planner + ?Sized>(
         let text = "the model has no <credits>: they are added for the note, because OpenSim drops comments when it saves";
         plan.remarks.push(text.into());
     }
-    let standing: Vec<_> = plan.standing_warnings(model).cloned().collect();
+    let standing = standing_findings(&plan, model);
     plan.warnings.splice(0..0, standing);
     let InspectOptions { selection, masses, .. } = InspectOptions::from(&planner.inspection());
     plan.remarks.extend(unmatched_patterns(&selection, &masses, model));
     Ok(plan)
+}
+
+/// What is odd about `model` itself and stays so: a finding about an object that goes, or that becomes another one, is no longer one.
+fn standing_findings(plan: &Plan, model: &Model) -> Vec<Finding> {
+    let key = |finding: &Finding| (finding.code(), finding.place.clone());
+    let still: HashSet<_> = model_findings(plan.ground(model)).iter().map(key).collect();
+    model_findings(model).iter().filter(|finding| still.contains(&key(finding))).cloned().collect()
 }
 
 /// Adds to `plan` what it makes worse.

@@ -16,9 +16,8 @@ const RULES: &[&Rule] = &[&BOTTOMS_MOVED, &COMPILED_MODEL_BESIDE, &HARD_LINKED, 
 /// Every rule of every crate, one for each code.
 pub fn all() -> &'static [&'static Rule] {
     static ALL: LazyLock<Vec<&Rule>> = LazyLock::new(|| {
-        let crates =
-            [osim_model::RULES, osim_model::compare::RULES, osim_inspect::RULES, osim_patch::RULES, RULES];
-        let mut all = crates.concat();
+        let below = [osim_model::RULES, osim_patch::RULES, RULES].concat();
+        let mut all: Vec<&Rule> = osim_inspect::rules().chain(below).collect();
         all.sort_by_key(|rule| rule.code);
         all
     });

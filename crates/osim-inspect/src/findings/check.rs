@@ -4,9 +4,7 @@
 
 use std::cell::LazyCell;
 
-use osim_model::{
-    BothSides, Finding, FindingCode, ForceId, MassRequest, Model, NeedsAnswer, Question, Selection,
-};
+use osim_model::{Finding, FindingCode, ForceId, MassRequest, Model, NeedsAnswer, Question, Selection};
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
@@ -17,8 +15,9 @@ use crate::floors::Floors;
 use crate::inspection::Inspection;
 use crate::load::{InspectOptions, MassMismatch, unexplained_slip};
 use crate::rules::places::Places;
-use crate::rules::sides::{KnownSide, odd_side};
-use crate::rules::{Limits, contacts, gravity, of_figures, of_floors, sides, smoothing};
+use crate::rules::sides::KnownSide;
+use crate::rules::{Limits, contacts, gravity, model_findings, of_figures, of_floors, remedy_of, sides};
+use crate::sides::BothSides;
 
 /// What trial plans show of a model: remedies are proposed only where they would not be refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -115,7 +114,7 @@ fn are_spheres_odd(model: &Model) -> bool {
         FindingCode::CrowdedSpheres,
         FindingCode::DoubledSpheres,
     ];
-    model.warnings.iter().any(|finding| codes.contains(&finding.code()))
+    model_findings(model).iter().any(|finding| codes.contains(&finding.code()))
 }
 
 // Findings from the model itself: what reading it showed, and what only matters once it is asked.
@@ -131,13 +130,13 @@ enum Asked {
 /// Everything that the model shows apart from its figures; what floors and gravity show alone only where it is `asked` for.
 fn find_in_model(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>, asked: Asked) -> Vec<Found> {
     let floors = LazyCell::new(|| Floors::of(model));
-    let sides = LazyCell::new(|| model.both_sides());
+    let sides = LazyCell::new(|| BothSides::of(model));
     let known = LazyCell::new(|| KnownSide::of(model, &sides, inspected));
     let with_remedy = |finding: &Finding| {
         if finding.code() == FindingCode::LeftRightDiffer {
-            return find_differing_sides(model, &sides, known.as_ref(), finding, remedies);
+            return sides::with_odd_side(model, &sides, known.as_ref(), finding, remedies);
         }
-        Found::new(finding.clone(), remedy_for(model, finding, remedies))
+        Found::new(finding.clone(), remedy_of(model, finding, remedies))
     };
     let mut found: Vec<Found> = inspected.warnings.iter().map(with_remedy).collect();
     found.extend(model.remarks_on(&meeting_half_space(model)).into_iter().map(Found::from));
@@ -156,40 +155,6 @@ fn find_in_model(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>,
 fn meeting_half_space(model: &Model) -> Vec<ForceId> {
     let forces = model.forces().iter().filter(|force| model.meets_half_space(force));
     forces.map(|force| force.id).collect()
-}
-
-/// A difference of the sides, with the side that is the slip, if it is known.
-fn find_differing_sides(
-    model: &Model,
-    sides: &BothSides<'_>,
-    known: Option<&KnownSide>,
-    finding: &Finding,
-    remedies: &Remedies<'_>,
-) -> Found {
-    let remedy = sides::copy_other_side(remedies, model, sides, known, finding);
-    let mut named = finding.clone();
-    name_the_odd_side(&mut named, sides, known);
-    Found::new(named, remedy)
-}
-
-/// Says which side is the slip, and why, if it is known. A majority is in the message already.
-fn name_the_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<&KnownSide>) {
-    let left = finding.place.as_deref().and_then(|path| sides.force(path));
-    let Some(odd) = left.and_then(|left| odd_side(known, sides, left)) else { return };
-    finding.message.push(format!("; the one on the {} is the odd one", odd.as_str()));
-    if let Some(known) = known {
-        let (side, title) = (known.side.as_str(), &known.title);
-        finding.message.push(format!(", since the contacts on the {side} are those of {title}"));
-    }
-}
-
-fn remedy_for(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Option<Request> {
-    match finding.code() {
-        FindingCode::DefaultStiffness => contacts::take_published_contacts(remedies),
-        FindingCode::ZeroConstantContactForce => smoothing::set_suggested_constant_indentation(remedies),
-        FindingCode::MocoDialect => contacts::convert_moco_forces(remedies, model, finding),
-        _ => None,
-    }
 }
 
 /// The findings as bad as they are with these contacts, and a remark that these are known.

@@ -19,7 +19,7 @@ use crate::inspection::note::NoteStory;
 use crate::inspection::standing::{Rests, StandingBody};
 use crate::known_contacts::KnownContacts;
 use crate::load::{InspectOptions, LoadSharing};
-use crate::rules::contacts;
+use crate::rules::{contacts, model_findings};
 use crate::serialized::SCHEMA_VERSION;
 
 impl InspectOptions {
@@ -41,7 +41,7 @@ impl InspectOptions {
         factors: Option<&Factors>,
         rests: Rests,
     ) -> Inspection {
-        let mut warnings = model.warnings.clone();
+        let mut warnings = model_findings(model).to_vec();
         let mass = self.masses.of_model(model);
         let contacts_mass = self.masses.of_contacts(model).map(|(mass, disagreements)| {
             warnings.extend(disagreements);

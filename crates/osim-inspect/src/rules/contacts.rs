@@ -2,13 +2,13 @@
 
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable};
 use osim_model::{
-    Example, Fault, Finding, FindingCode, Force, ForceKind, MassRequest, Model, Pattern, Repair, Rule, Seen,
-    Selection, Severity, Sphere, VerdictOn, same_mass,
+    Example, Fault, Finding, FindingCode, MassRequest, Model, Pattern, Repair, Rule, Seen, Selection,
+    Severity, VerdictOn, same_mass,
 };
-use osim_requests::options::{ClassChoice, ForceOptions, MassOptions};
-use osim_requests::{ConvertRequest, Kilograms, Request, RescaleRequest};
+use osim_requests::options::MassOptions;
+use osim_requests::{Kilograms, Request, RescaleRequest};
 
-use crate::findings::{Found, Remedies, exactly, rounded};
+use crate::findings::{Found, Remedies, rounded};
 use crate::inspection::Inspection;
 use crate::known_contacts::KnownContacts;
 use crate::load::InspectOptions;
@@ -204,27 +204,4 @@ fn scale_to_body(remedies: &Remedies<'_>, contacts_mass_kg: f64, target_mass_kg:
         }
         .into(),
     )
-}
-
-/// The remedy of a rule about models, `default-stiffness`: a published model has a stiffness.
-pub(crate) fn take_published_contacts(remedies: &Remedies<'_>) -> Option<Request> {
-    remedies.published(None).map(Request::from)
-}
-
-/// The remedy of a rule about models, `moco-dialect`: the force that `finding` is about as OpenSim reads it today; all forces, where all are such and nobody chose among them.
-pub(crate) fn convert_moco_forces(
-    remedies: &Remedies<'_>,
-    model: &Model,
-    finding: &Finding,
-) -> Option<Request> {
-    let models = remedies.models(false)?;
-    let keeps_inside = |force: &Force| {
-        force.spheres().into_iter().any(|id| model.sphere(id).is_some_and(Sphere::is_inside_force))
-    };
-    let all = remedies.options.selection == Selection::default() && model.forces().iter().all(keeps_inside);
-    let force = model.forces().iter().find(|force| Some(force.path.as_str()) == finding.place.as_deref())?;
-    let select = if all { Vec::new() } else { vec![exactly(&force.name)?] };
-    let choice = ForceOptions { select, ..ForceOptions::default() };
-    let to = Some(ClassChoice::of(ForceKind::SmoothSphereHalfSpace));
-    Some(ConvertRequest { models, to, choice, ..ConvertRequest::default() }.into())
 }

@@ -9,7 +9,7 @@ use crate::figures::{Figure, SphereFigures};
 use crate::findings::Found;
 use crate::rules::limits::{CENTRE, Limits, beyond};
 
-pub(crate) static SUNK_IN: Rule = Rule {
+pub(super) static SUNK_IN: Rule = Rule {
     code: FindingCode::SunkIn,
     severity: Severity::Error,
     seen: Seen::Model,
@@ -27,7 +27,7 @@ pub(crate) static SUNK_IN: Rule = Rule {
     },
 };
 
-pub(crate) fn find_sunk_in(limits: &Limits<'_>) -> Option<Found> {
+pub(super) fn find_sunk_in(limits: &Limits<'_>) -> Option<Found> {
     sunk_in_level(limits).or_else(|| sunk_in_at_own_heights(limits))
 }
 
@@ -154,7 +154,7 @@ fn of_another_body(carriers: f64) -> Phrase {
     ]
 }
 
-pub(crate) static BEYOND_HERTZ: Rule = Rule {
+pub(super) static BEYOND_HERTZ: Rule = Rule {
     code: FindingCode::BeyondHertz,
     severity: Severity::Info,
     seen: Seen::Model,
@@ -170,14 +170,14 @@ pub(crate) static BEYOND_HERTZ: Rule = Rule {
     },
 };
 
-pub(crate) fn find_beyond_hertz(limits: &Limits<'_>) -> Option<Found> {
+pub(super) fn find_beyond_hertz(limits: &Limits<'_>) -> Option<Found> {
     let found = limits.concerned(|sphere| beyond(sphere, Figure::Indentation).filter(|&x| x < CENTRE))?;
     let (x, limit) = (four_significant(found.most), INDENTATION.in_words());
     let text = format!("at body weight on one limb x/R is {x} by Hertz, {limit}");
     Some(limits.about(&BEYOND_HERTZ, &text, &found).into())
 }
 
-pub(crate) static BEYOND_HERTZ_AT_TWO: Rule = Rule {
+pub(super) static BEYOND_HERTZ_AT_TWO: Rule = Rule {
     code: FindingCode::BeyondHertzAtTwo,
     severity: Severity::Info,
     seen: Seen::Model,
@@ -193,7 +193,7 @@ pub(crate) static BEYOND_HERTZ_AT_TWO: Rule = Rule {
     },
 };
 
-pub(crate) fn find_beyond_hertz_at_two(limits: &Limits<'_>) -> Option<Found> {
+pub(super) fn find_beyond_hertz_at_two(limits: &Limits<'_>) -> Option<Found> {
     let only_at_two = |sphere: &SphereFigures| {
         beyond(sphere, Figure::IndentationAtTwo)
             .filter(|_| sphere.is_within(Figure::Indentation) == Some(true))

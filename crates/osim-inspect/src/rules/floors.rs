@@ -31,7 +31,7 @@ fn turned_finding(judged: &JudgedPlane, rule: &'static Rule, degrees: f64) -> Op
     Some(Finding::at(rule, own.line, text).about(&plane.path))
 }
 
-pub(crate) static FLOOR_UPSIDE_DOWN: Rule = Rule {
+pub(super) static FLOOR_UPSIDE_DOWN: Rule = Rule {
     code: FindingCode::FloorUpsideDown,
     severity: Severity::Error,
     seen: Seen::Model,
@@ -49,11 +49,11 @@ pub(crate) static FLOOR_UPSIDE_DOWN: Rule = Rule {
     },
 };
 
-pub(crate) fn find_upside_down(floors: &Floors) -> Vec<Finding> {
+pub(super) fn find_upside_down(floors: &Floors) -> Vec<Finding> {
     find_turned(floors, &FLOOR_UPSIDE_DOWN, |degrees| degrees > UPSIDE_DOWN_DEGREES)
 }
 
-pub(crate) static FLOOR_UPRIGHT: Rule = Rule {
+pub(super) static FLOOR_UPRIGHT: Rule = Rule {
     code: FindingCode::FloorUpright,
     severity: Severity::Error,
     seen: Seen::Model,
@@ -71,11 +71,11 @@ pub(crate) static FLOOR_UPRIGHT: Rule = Rule {
     },
 };
 
-pub(crate) fn find_upright(floors: &Floors) -> Vec<Finding> {
+pub(super) fn find_upright(floors: &Floors) -> Vec<Finding> {
     find_turned(floors, &FLOOR_UPRIGHT, |degrees| degrees <= UPSIDE_DOWN_DEGREES)
 }
 
-pub(crate) static FLOOR_ON_LIMB: Rule = Rule {
+pub(super) static FLOOR_ON_LIMB: Rule = Rule {
     code: FindingCode::FloorOnLimb,
     severity: Severity::Error,
     seen: Seen::Model,
@@ -89,7 +89,7 @@ pub(crate) static FLOOR_ON_LIMB: Rule = Rule {
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/floor_on_limb.osim" },
 };
 
-pub(crate) fn find_on_limb(floors: &Floors) -> Vec<Finding> {
+pub(super) fn find_on_limb(floors: &Floors) -> Vec<Finding> {
     floors.iter().filter_map(on_limb_finding).collect()
 }
 
@@ -107,7 +107,7 @@ fn on_limb_finding(judged: &JudgedPlane) -> Option<Finding> {
     Some(Finding::at(&FLOOR_ON_LIMB, frame.line, text).about(&plane.path))
 }
 
-pub(crate) static FLOOR_SLOPES: Rule = Rule {
+pub(super) static FLOOR_SLOPES: Rule = Rule {
     code: FindingCode::FloorSlopes,
     severity: Severity::Info,
     seen: Seen::Model,
@@ -123,7 +123,7 @@ pub(crate) static FLOOR_SLOPES: Rule = Rule {
     },
 };
 
-pub(crate) fn find_slopes(floors: &Floors) -> Vec<Finding> {
+pub(super) fn find_slopes(floors: &Floors) -> Vec<Finding> {
     floors.iter().filter_map(slope_finding).collect()
 }
 

@@ -1,79 +1,166 @@
-//! Rules about what contacts do: a file for each topic. Four rules about models and one about places have no more than their remedy
-//! here: it is a request, which the crates that raise them do not know.
+//! What one model shows: a file for each topic, with the texts of its rules, what raises them, and their remedies. A new rule is a static
+//! there and a line in one of the tables here.
 
+mod components;
 pub(crate) mod contacts;
-pub(crate) mod depth;
-pub(crate) mod floors;
+mod depth;
+mod floors;
+mod forces;
 pub(crate) mod gravity;
 mod limits;
+mod numbers;
 pub(crate) mod places;
 pub(crate) mod sides;
-pub(crate) mod smoothing;
-pub(crate) mod standing;
+mod smoothing;
+mod spheres;
+mod standing;
 
-use osim_model::{Finding, Model, Rule};
+use osim_model::{Finding, FindingCode, Model, Rule};
+use osim_requests::Request;
 
-use crate::findings::Found;
+use crate::findings::{Found, Remedies};
 use crate::floors::Floors;
+use crate::sides::BothSides;
 pub use contacts::unmatched_patterns;
 pub(crate) use limits::Limits;
 pub use places::misplaced_spheres;
 
-/// The rules of this crate.
-pub const RULES: &[&Rule] = &[
+/// Rules, one or several whose findings are listed by turns, and what tries them.
+type Table<F> = &'static [(&'static [&'static Rule], F)];
+
+/// What one model shows by itself, in the order in which reports list it.
+static OF_MODEL: Table<fn(&Model) -> Vec<Finding>> = &[
+    (&[&components::CONNECTEE_BY_NAME, &components::MISNAMED_PARAMETER_SET], components::find_irregularities),
+    (&[&numbers::ODD_NUMBER, &numbers::NOT_FINITE, &numbers::OUT_OF_DOMAIN], numbers::find_odd_numbers),
+    (&[&numbers::ANGLE_IN_DEGREES], numbers::find_angle_in_degrees),
+    (&[&components::INCLUDED_FILE], components::find_included_file),
+    (&[&forces::DEAD_DERIVATIVE_SMOOTHING], forces::find_dead_derivative_smoothing),
+    (&[&forces::SEVERAL_SPHERES_ONE_FORCE], forces::find_several_spheres_one_force),
+    (&[&forces::SPHERE_IN_TWO_FORCES], forces::find_sphere_in_two_forces),
+    (&[&numbers::DEFAULT_STIFFNESS], numbers::find_default_stiffness),
+    (&[&numbers::ZERO_CONSTANT_CONTACT_FORCE], numbers::find_zero_constant_contact_force),
+    // And those of `OF_SIDES`.
+    (&[&sides::LEFT_RIGHT_DIFFER, &sides::LEFT_RIGHT_CLOSE], find_on_sides),
+    (&[&numbers::LARGE_FRICTION], numbers::find_large_friction),
+    (&[&components::CONTACT_DEFAULTS], components::find_contact_defaults),
+    (&[&forces::MOCO_DIALECT], forces::find_moco_dialect),
+    (&[&forces::TERRAIN], forces::find_terrain),
+    (&[&components::UNKNOWN_CLASS], components::find_unknown_class),
+    (
+        &[&components::NOT_HERTZ, &components::DUPLICATE_NAMES, &components::REFUSED_NAME],
+        components::find_in_components,
+    ),
+    (&[&components::LOOP_OF_JOINTS], components::find_loop_of_joints),
+    (&[&components::MIXED_PAIR], components::find_mixed_pair),
+];
+
+/// What the two sides of the body show, and places and sizes of spheres on it.
+static OF_SIDES: Table<fn(&BothSides<'_>) -> Option<Finding>> = &[
+    (&[&sides::LEFT_RIGHT_PLACES], sides::find_left_right_places),
+    (&[&sides::LEFT_RIGHT_MISSING], sides::find_left_right_missing),
+    (&[&sides::LEFT_RIGHT_OFF], sides::find_left_right_off),
+    (&[&sides::ONE_SIDE_ONLY], sides::find_one_side_only),
+    (&[&sides::LEFT_RIGHT_SWAPPED], sides::find_left_right_swapped),
+    (&[&spheres::DOUBLED_SPHERES], spheres::find_doubled_spheres),
+    (&[&spheres::CROWDED_SPHERES], spheres::find_crowded_spheres),
+    (&[&spheres::ODD_RADIUS], spheres::find_odd_radius),
+    (&[&spheres::ODD_PLACE], spheres::find_odd_place),
+];
+
+/// What is wrong with the floors that spheres press on.
+static OF_FLOORS: Table<fn(&Floors) -> Vec<Finding>> = &[
+    (&[&floors::FLOOR_UPSIDE_DOWN], floors::find_upside_down),
+    (&[&floors::FLOOR_UPRIGHT], floors::find_upright),
+    (&[&floors::FLOOR_ON_LIMB], floors::find_on_limb),
+    (&[&floors::FLOOR_SLOPES], floors::find_slopes),
+];
+
+/// What figures show.
+static OF_FIGURES: Table<fn(&Limits<'_>) -> Option<Found>> = &[
+    (&[&depth::SUNK_IN], depth::find_sunk_in),
+    (&[&depth::BEYOND_HERTZ], depth::find_beyond_hertz),
+    (&[&depth::BEYOND_HERTZ_AT_TWO], depth::find_beyond_hertz_at_two),
+    (&[&smoothing::BEYOND_HUNT_CROSSLEY], smoothing::find_beyond_hunt_crossley),
+    (&[&smoothing::LARGE_CONSTANT_INDENTATION], smoothing::find_large_constant_indentation),
+    (&[&smoothing::WIDE_TRANSITION], smoothing::find_wide_transition),
+    (&[&smoothing::FORCE_BEFORE_CONTACT], smoothing::find_force_before_contact),
+    (&[&smoothing::FLOATS], smoothing::find_floats),
+    (&[&standing::UNEVEN_BOTTOMS], standing::find_uneven_bottoms),
+    (&[&standing::UNLEVEL_FOOT], standing::find_unlevel_foot),
+];
+
+/// Rules that look at something else, or at what the caller says, too.
+static OTHERS: [&Rule; 15] = [
     &contacts::BARE_MODEL,
-    &depth::BEYOND_HERTZ,
-    &depth::BEYOND_HERTZ_AT_TWO,
-    &smoothing::BEYOND_HUNT_CROSSLEY,
     &contacts::CONTACTS_OF_ANOTHER_MASS,
-    &smoothing::FLOATS,
-    &floors::FLOOR_ON_LIMB,
-    &floors::FLOOR_SLOPES,
-    &floors::FLOOR_UPRIGHT,
-    &floors::FLOOR_UPSIDE_DOWN,
-    &smoothing::FORCE_BEFORE_CONTACT,
+    &contacts::COUNT_UNKNOWN,
+    &contacts::KNOWN_CONTACTS,
+    &contacts::MASS_UNKNOWN,
+    &contacts::STALE_NOTE,
+    &contacts::UNMATCHED_PATTERN,
     &gravity::GRAVITY_NOT_DOWN,
     &gravity::GRAVITY_SOURCES_DISAGREE,
     &gravity::GRAVITY_TOO_LARGE,
-    &contacts::KNOWN_CONTACTS,
-    &smoothing::LARGE_CONSTANT_INDENTATION,
-    &contacts::MASS_UNKNOWN,
     &gravity::NO_GRAVITY,
+    &places::SPHERES_LEFT_BEHIND,
+    &places::SPHERES_MISPLACED,
+    &places::SPHERES_NOT_COMPARED,
     &standing::NOT_ON_FLOOR,
-    &contacts::COUNT_UNKNOWN,
-    &contacts::STALE_NOTE,
-    &depth::SUNK_IN,
-    &standing::UNEVEN_BOTTOMS,
-    &standing::UNLEVEL_FOOT,
-    &contacts::UNMATCHED_PATTERN,
-    &smoothing::WIDE_TRANSITION,
 ];
 
-/// What is wrong with the floors that spheres press on, and with gravity towards them.
+/// The rules of this crate.
+pub fn rules() -> impl Iterator<Item = &'static Rule> {
+    let of_tables = rules_of(OF_MODEL).chain(rules_of(OF_SIDES)).chain(rules_of(OF_FLOORS));
+    of_tables.chain(rules_of(OF_FIGURES)).chain(OTHERS)
+}
+
+fn rules_of<F>(table: Table<F>) -> impl Iterator<Item = &'static Rule> {
+    table.iter().flat_map(|(rules, _)| rules.iter().copied())
+}
+
+/// What is odd about a model itself. Its rules are tried once.
+///
+/// ```
+/// use osim_inspect::model_findings;
+/// use osim_model::{FindingCode, Model};
+///
+/// # let text = include_str!("../../../osim-model/tests/data/one_foot.osim");
+/// // A force without a stiffness has OpenSim's default, 1 N/m², which carries nothing.
+/// let model = Model::parse(text.replace("<stiffness>1000000</stiffness>", ""))?;
+/// let finding = &model_findings(&model)[0];
+/// assert_eq!(finding.code(), FindingCode::DefaultStiffness);
+/// assert!(finding.advice.to_string().starts_with("Set a stiffness"));
+/// # Ok::<(), osim_model::Fault>(())
+/// ```
+pub fn model_findings(model: &Model) -> &[Finding] {
+    model.findings(|model| OF_MODEL.iter().flat_map(|(_, find)| find(model)).collect())
+}
+
+fn find_on_sides(model: &Model) -> Vec<Finding> {
+    let sides = BothSides::of(model);
+    let mut found = sides::find_differences(&sides);
+    found.extend(OF_SIDES.iter().filter_map(|(_, find)| find(&sides)));
+    found
+}
+
+/// What is wrong with floors, and with gravity towards them.
 pub(crate) fn of_floors(model: &Model, floors: &Floors) -> Vec<Finding> {
     let of_gravity = [gravity::find_too_large(model), gravity::find_not_down(model, floors)];
-    let of_planes = [
-        floors::find_upside_down(floors),
-        floors::find_upright(floors),
-        floors::find_on_limb(floors),
-        floors::find_slopes(floors),
-    ];
-    of_gravity.into_iter().flatten().chain(of_planes.into_iter().flatten()).collect()
+    of_gravity.into_iter().flatten().chain(OF_FLOORS.iter().flat_map(|(_, find)| find(floors))).collect()
 }
 
 /// Everything that figures show.
 pub(crate) fn of_figures(limits: &Limits<'_>) -> Vec<Found> {
-    let found = [
-        depth::find_sunk_in(limits),
-        depth::find_beyond_hertz(limits),
-        depth::find_beyond_hertz_at_two(limits),
-        smoothing::find_beyond_hunt_crossley(limits),
-        smoothing::find_large_constant_indentation(limits),
-        smoothing::find_wide_transition(limits),
-        smoothing::find_force_before_contact(limits),
-        smoothing::find_floats(limits),
-        standing::find_uneven_bottoms(limits),
-        standing::find_unlevel_foot(limits),
-    ];
-    found.into_iter().flatten().chain(standing::find_not_on_floor(limits)).collect()
+    let found = OF_FIGURES.iter().filter_map(|(_, find)| find(limits));
+    found.chain(standing::find_not_on_floor(limits)).collect()
+}
+
+/// What puts right what [`model_findings`] found.
+pub(crate) fn remedy_of(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Option<Request> {
+    match finding.code() {
+        FindingCode::DefaultStiffness => numbers::take_published_contacts(remedies),
+        FindingCode::ZeroConstantContactForce => numbers::set_suggested_constant_indentation(remedies),
+        FindingCode::MocoDialect => forces::convert_moco_forces(remedies, model, finding),
+        _ => None,
+    }
 }

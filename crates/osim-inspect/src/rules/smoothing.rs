@@ -1,8 +1,7 @@
 //! Smoothing and dissipation: what a solver feels before and during contact.
 
 use contact_scaling::limits::{
-    CONSTANT_INDENTATION, RESTITUTION, SUGGESTED_CONSTANT_INDENTATION, SUGGESTED_TRANSITION_WIDTH,
-    TOUCHING_SHARE, TRANSITION_WIDTH,
+    CONSTANT_INDENTATION, RESTITUTION, SUGGESTED_TRANSITION_WIDTH, TOUCHING_SHARE, TRANSITION_WIDTH,
 };
 use osim_model::messages::four_significant;
 use osim_model::{Example, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
@@ -13,7 +12,7 @@ use crate::figures::{Figure, SphereFigures};
 use crate::findings::{Found, Remedies, standing_width, touching_indentation};
 use crate::rules::limits::{Limits, beyond};
 
-pub(crate) static FLOATS: Rule = Rule {
+pub(super) static FLOATS: Rule = Rule {
     code: FindingCode::Floats,
     severity: Severity::Error,
     seen: Seen::Model,
@@ -29,7 +28,7 @@ pub(crate) static FLOATS: Rule = Rule {
     },
 };
 
-pub(crate) fn find_floats(limits: &Limits<'_>) -> Option<Found> {
+pub(super) fn find_floats(limits: &Limits<'_>) -> Option<Found> {
     let above =
         |sphere: &SphereFigures| sphere.value(Figure::IndentationModelLaw).filter(|&x| x <= 0.0).map(|x| -x);
     let found = limits.concerned(above)?;
@@ -55,7 +54,7 @@ fn bring_to_floor(remedies: &Remedies<'_>, spheres: &[&SphereFigures]) -> Option
     remedies.design(wanted).map(Request::from)
 }
 
-pub(crate) static FORCE_BEFORE_CONTACT: Rule = Rule {
+pub(super) static FORCE_BEFORE_CONTACT: Rule = Rule {
     code: FindingCode::ForceBeforeContact,
     severity: Severity::Warn,
     seen: Seen::Model,
@@ -71,7 +70,7 @@ pub(crate) static FORCE_BEFORE_CONTACT: Rule = Rule {
     },
 };
 
-pub(crate) fn find_force_before_contact(limits: &Limits<'_>) -> Option<Found> {
+pub(super) fn find_force_before_contact(limits: &Limits<'_>) -> Option<Found> {
     let found = limits.concerned(|sphere| beyond(sphere, Figure::TouchingShare))?;
     let force = found.worst.value(Figure::ForceJustTouching).map(four_significant).unwrap_or_default();
     let share = four_significant(found.most);
@@ -82,7 +81,7 @@ pub(crate) fn find_force_before_contact(limits: &Limits<'_>) -> Option<Found> {
     Some(Found::new(finding, below.and_then(|below| limits.remedies.constant_indentation(below))))
 }
 
-pub(crate) static LARGE_CONSTANT_INDENTATION: Rule = Rule {
+pub(super) static LARGE_CONSTANT_INDENTATION: Rule = Rule {
     code: FindingCode::LargeConstantIndentation,
     severity: Severity::Warn,
     seen: Seen::Model,
@@ -98,7 +97,7 @@ pub(crate) static LARGE_CONSTANT_INDENTATION: Rule = Rule {
     },
 };
 
-pub(crate) fn find_large_constant_indentation(limits: &Limits<'_>) -> Option<Found> {
+pub(super) fn find_large_constant_indentation(limits: &Limits<'_>) -> Option<Found> {
     let found = limits.concerned(|sphere| beyond(sphere, Figure::ConstantIndentation))?;
     let x = four_significant(found.most);
     let text = format!("sqrt(constant_contact_force)/R is {x}, {}", CONSTANT_INDENTATION.in_words());
@@ -106,12 +105,7 @@ pub(crate) fn find_large_constant_indentation(limits: &Limits<'_>) -> Option<Fou
     Some(Found::new(limits.about_force(&LARGE_CONSTANT_INDENTATION, &text, &found), remedy))
 }
 
-/// The remedy of a rule about models, `zero-constant-contact-force`: a small constant indentation.
-pub(crate) fn set_suggested_constant_indentation(remedies: &Remedies<'_>) -> Option<Request> {
-    remedies.constant_indentation(SUGGESTED_CONSTANT_INDENTATION)
-}
-
-pub(crate) static WIDE_TRANSITION: Rule = Rule {
+pub(super) static WIDE_TRANSITION: Rule = Rule {
     code: FindingCode::WideTransition,
     severity: Severity::Warn,
     seen: Seen::Model,
@@ -127,7 +121,7 @@ pub(crate) static WIDE_TRANSITION: Rule = Rule {
     },
 };
 
-pub(crate) fn find_wide_transition(limits: &Limits<'_>) -> Option<Found> {
+pub(super) fn find_wide_transition(limits: &Limits<'_>) -> Option<Found> {
     let found = limits.concerned(|sphere| beyond(sphere, Figure::TransitionWidth))?;
     let (width, limit) = (four_significant(found.most), TRANSITION_WIDTH.in_words());
     let text = format!("contact sets in over {width} R, {limit}");
@@ -139,7 +133,7 @@ fn narrow_transition(remedies: &Remedies<'_>) -> Option<Request> {
     remedies.design(WantedOptions { state_width, ..WantedOptions::default() }).map(Request::from)
 }
 
-pub(crate) static BEYOND_HUNT_CROSSLEY: Rule = Rule {
+pub(super) static BEYOND_HUNT_CROSSLEY: Rule = Rule {
     code: FindingCode::BeyondHuntCrossley,
     severity: Severity::Info,
     seen: Seen::Model,
@@ -155,7 +149,7 @@ pub(crate) static BEYOND_HUNT_CROSSLEY: Rule = Rule {
     },
 };
 
-pub(crate) fn find_beyond_hunt_crossley(limits: &Limits<'_>) -> Option<Found> {
+pub(super) fn find_beyond_hunt_crossley(limits: &Limits<'_>) -> Option<Found> {
     let speed = limits.inspected.figures.impact_speed_m_s?;
     // The largest dissipation has the least restitution.
     let found = limits.concerned(|sphere| {

@@ -10,7 +10,7 @@ use crate::findings::Found;
 use crate::inspection::{Bottom, StandingBody};
 use crate::rules::limits::Limits;
 
-pub(crate) static NOT_ON_FLOOR: Rule = Rule {
+pub(super) static NOT_ON_FLOOR: Rule = Rule {
     code: FindingCode::NotOnFloor,
     severity: Severity::Info,
     seen: Seen::Model,
@@ -27,7 +27,7 @@ pub(crate) static NOT_ON_FLOOR: Rule = Rule {
 };
 
 /// A finding for each body that does not start on its floor.
-pub(crate) fn find_not_on_floor(limits: &Limits<'_>) -> Vec<Found> {
+pub(super) fn find_not_on_floor(limits: &Limits<'_>) -> Vec<Found> {
     let bodies = &limits.inspected.standing;
     let found = bodies
         .iter()
@@ -53,7 +53,7 @@ const TOO_MUCH: f64 = 0.5;
 /// Heights have rounding errors.
 const ROUNDING: f64 = 1e-9;
 
-pub(crate) static UNEVEN_BOTTOMS: Rule = Rule {
+pub(super) static UNEVEN_BOTTOMS: Rule = Rule {
     code: FindingCode::UnevenBottoms,
     severity: Severity::Warn,
     seen: Seen::Model,
@@ -68,7 +68,7 @@ pub(crate) static UNEVEN_BOTTOMS: Rule = Rule {
 };
 
 /// The limb whose bottoms differ most.
-pub(crate) fn find_uneven_bottoms(limits: &Limits<'_>) -> Option<Found> {
+pub(super) fn find_uneven_bottoms(limits: &Limits<'_>) -> Option<Found> {
     let worst = Uneven::worst(limits)?;
     worst.is_too_much().then(|| Found::new(worst.finding(&UNEVEN_BOTTOMS), limits.remedies.level()))
 }
@@ -152,7 +152,7 @@ impl<'i> Uneven<'i> {
 /// Bottoms that differ by more than this, in the radius of the lowest sphere, are a remark.
 const REMARK: f64 = 0.3;
 
-pub(crate) static UNLEVEL_FOOT: Rule = Rule {
+pub(super) static UNLEVEL_FOOT: Rule = Rule {
     code: FindingCode::UnlevelFoot,
     severity: Severity::Info,
     seen: Seen::Model,
@@ -165,7 +165,7 @@ pub(crate) static UNLEVEL_FOOT: Rule = Rule {
 };
 
 /// The limb whose bottoms differ most, unless that is a warning.
-pub(crate) fn find_unlevel_foot(limits: &Limits<'_>) -> Option<Found> {
+pub(super) fn find_unlevel_foot(limits: &Limits<'_>) -> Option<Found> {
     let worst = Uneven::worst(limits).filter(|worst| worst.is_beyond(REMARK) && !worst.is_too_much())?;
     Some(worst.finding(&UNLEVEL_FOOT).into())
 }

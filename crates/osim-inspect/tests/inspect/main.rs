@@ -6,4 +6,13 @@
 mod feet;
 mod figures;
 mod load_sharing;
+mod loops;
+mod names;
+mod places;
+#[allow(dead_code, reason = "other tests need more of it")]
+#[path = "../../../osim-planning/tests/planning/random.rs"]
+mod random;
 mod register;
+mod rules;
+mod scenery;
+mod sides;

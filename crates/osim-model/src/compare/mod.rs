@@ -23,15 +23,13 @@
 
 mod follow;
 mod placement;
-pub(crate) mod rules;
 mod similarity;
 
 pub use follow::{
     AxisFactor, BodyFactors, Difference, FactorSource, Factors, Follow, FollowRequest, Followed, OwnRadii,
     ScaleFile, SphereBodies, bone_of_mesh,
 };
-pub use placement::{Evidence, LayoutAnswer, PlacedSphere, Placement, Reach, is_stretched};
-pub use rules::RULES;
+pub use placement::{PlacedSphere, Placement, is_stretched};
 pub use similarity::{
     ComparedFactors, LengthFrom, ModelSize, Similarity, SimilarityRow, SizeRatios, SizeVerdict, Spread,
     formula, moco_bounds, refuse_without_moco_phase,

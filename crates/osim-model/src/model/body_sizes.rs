@@ -121,7 +121,7 @@ fn mesh_placement(document: &Document, element: ElementId) -> Placement {
 }
 
 #[derive(Debug, Clone, Default)]
-pub(crate) struct BodyShape {
+pub struct BodyShape {
     /// Its centre of mass, m.
     pub centre_m: [f64; 3],
     /// The root mean square of the distance of its mass from that centre, m: √(½ trace(I)/m). `None` where mass or inertia is not
@@ -133,7 +133,7 @@ pub(crate) struct BodyShape {
 
 impl Model {
     /// The shapes of all bodies, by name.
-    pub(crate) fn body_shapes(&self) -> &HashMap<String, BodyShape> {
+    pub fn body_shapes(&self) -> &HashMap<String, BodyShape> {
         self.of_bodies(BodyShape::all)
     }
 }

@@ -208,7 +208,7 @@ impl Document {
     }
 
     /// The element of a property: the object's own, else that of the class's object in `<defaults>`.
-    pub(crate) fn property_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
+    pub fn property_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
         self.tree.child(object, tag).or_else(|| self.default_property(self.tree.name(object), tag))
     }
 

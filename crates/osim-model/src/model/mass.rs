@@ -6,7 +6,7 @@ use crate::messages::{Input, Phrase, phrase, readable};
 use crate::model::fault::{Fault, FaultKind, MassSlip, MassesBeside, Needed, NeedsAnswer, POUND_KG};
 use crate::model::finding::Finding;
 use crate::model::names::{Pattern, any_matches};
-use crate::model::rules::reading::{self, SaidMass};
+use crate::model::rules::{self, SaidMass};
 use crate::model::skeleton::Body;
 use crate::model::typed_model::Model;
 
@@ -177,7 +177,7 @@ impl MassRequest {
         let kg = self.contacts_mass_kg?;
         let noted = self.otherwise_noted_kg(model)?;
         let taken = SaidMass { kg, source: MassSource::ContactsMass.describe() };
-        Some(reading::mass_sources_disagree(
+        Some(rules::mass_sources_disagree(
             &taken,
             &SaidMass { kg: noted, source: "the note in the file".into() },
         ))
@@ -212,7 +212,7 @@ impl MassRequest {
         let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
         let taken_as = SaidMass { kg: taken.kg, source: taken.source.describe() };
         let warning =
-            |(kg, source): (f64, Phrase)| reading::mass_sources_disagree(&taken_as, &SaidMass { kg, source });
+            |(kg, source): (f64, Phrase)| rules::mass_sources_disagree(&taken_as, &SaidMass { kg, source });
         others.into_iter().filter(|(kg, _)| differs(*kg)).map(warning).collect()
     }
 }

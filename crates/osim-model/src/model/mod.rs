@@ -35,9 +35,8 @@ mod placement;
 mod property;
 mod read;
 mod rotation;
-mod rules;
+pub(crate) mod rules;
 mod selection;
-mod sides;
 mod sized;
 mod skeleton;
 mod typed_model;
@@ -46,18 +45,18 @@ pub use crate::xml::opensim_text::{self, NumberFault};
 pub use crate::xml::{
     Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree,
 };
-pub use anatomy::bone_sizes::JointDistances;
+pub use anatomy::bone_sizes::{ByBody, JointDistances};
 pub use anatomy::{
     Anatomy, AnatomyJoint, AnatomySphere, CoordinateFunction, JointCoordinate, ModelJoint, Speeds,
 };
-pub use body_sizes::{AttachedMesh, ScaledSinceNote};
+pub use body_sizes::{AttachedMesh, BodyShape, ScaledSinceNote};
 pub use choices::{Assignment, DissipationBy, MovedSpheres, PropertySet, RadiusAxis, RadiusRule};
-pub use components::Companion;
+pub use components::{Companion, Component, ComponentId, ComponentTree, Components};
 pub use contact_digest::{ValueKey, short_digest};
 pub use contacts::{
-    Force, ForceId, ForceKind, FrameProperty, GroundPlane, HalfSpace, LoadedSphere, Orientation,
-    ParameterSet, SetId, Slot, Sphere, SphereId, Surfaces, contact_of_pair, contact_of_set, loaded_spheres,
-    moving_spheres, root_mean_square, sphere_sets,
+    Force, ForceId, ForceKind, FrameProperty, GroundPlane, HalfSpace, Irregularity, LoadedSphere,
+    Orientation, ParameterSet, SetId, Slot, Sphere, SphereId, Surfaces, contact_of_pair, contact_of_set,
+    loaded_spheres, moving_spheres, root_mean_square, sphere_sets,
 };
 pub use document::{Document, may_include};
 pub use fault::{
@@ -76,7 +75,6 @@ pub use property::{Class, Origin, Property, Value};
 pub use rotation::{Axis, LevelAxis, Rotation, cross};
 pub use rules::RULES;
 pub use selection::{Selected, Selection};
-pub use sides::BothSides;
 pub use sized::{Dimension, NotRead, SizedKind, SizedValue, SizedValues};
-pub use skeleton::Body;
+pub use skeleton::{Body, Loops, Skeleton};
 pub use typed_model::Model;

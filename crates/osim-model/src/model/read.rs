@@ -7,10 +7,8 @@ use crate::model::contact_digest::ValueKey;
 use crate::model::contacts::ContactReader;
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FaultKind, FileId, Needed, NoteDoubt};
-use crate::model::finding::Finding;
 use crate::model::note::Note;
 use crate::model::property::{Origin, Value};
-use crate::model::rules::{self, reading};
 use crate::model::skeleton::Skeleton;
 use crate::model::typed_model::Model;
 
@@ -37,7 +35,7 @@ impl Model {
             let document = components.document(fault.file);
             return Err(fault.located(document.bytes()));
         }
-        let ContactReader { spheres, forces, warnings, .. } = reader;
+        let ContactReader { spheres, forces, irregularities, .. } = reader;
         let (document, companions) = (components.main(), components.companions());
         let gravity = match components.model_file().map(|file| components.document(file)) {
             Some(document) => document
@@ -71,10 +69,9 @@ impl Model {
             name,
             gravity_m_s2,
             note,
-            warnings_of_reading: warnings.len(),
-            warnings,
+            irregularities,
+            findings: OnceLock::new(),
         };
-        model.apply_rules();
         model.compare_notes();
         Ok(model)
     }
@@ -96,22 +93,16 @@ impl Model {
         Self::read_with(document, companions)
     }
 
-    fn apply_rules(&mut self) {
-        let found: Vec<Finding> = rules::find(self).collect();
-        self.warnings.extend(found);
-    }
-
     /// A force set and a geometry set that were written together carry the same digest.
     fn compare_notes(&mut self) {
         let ours = self.note.as_ref().map(|note| note.digest.as_str());
-        let beside = self.components.companions().iter();
-        let beside = beside
-            .filter(|companion| companion.included_by.is_none() && !companion.document.is_model())
-            .filter(|companion| Note::find(&companion.document).map(|note| note.digest).as_deref() != ours)
-            .count();
-        for _ in 0..beside {
+        let is_beside =
+            |companion: &Companion| companion.included_by.is_none() && !companion.document.is_model();
+        let differs = |companion: &Companion| {
+            Note::find(&companion.document).map(|note| note.digest).as_deref() != ours
+        };
+        if self.components.companions().iter().any(|companion| is_beside(companion) && differs(companion)) {
             self.note_fault = Some(NoteDoubt::MixedPair);
-            self.warnings.push(reading::mixed_pair());
         }
     }
 }
@@ -157,11 +148,10 @@ impl Model {
             name: self.name.clone(),
             gravity_m_s2: self.gravity_m_s2,
             note,
-            warnings: self.warnings.iter().take(self.warnings_of_reading).cloned().collect(),
-            warnings_of_reading: self.warnings_of_reading,
+            irregularities: self.irregularities.clone(),
+            findings: OnceLock::new(),
         };
         model.take_numbers(changed);
-        model.apply_rules();
         Some(model)
     }
 

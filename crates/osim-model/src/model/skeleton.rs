@@ -40,8 +40,8 @@ impl Body {
 
 /// The joint tree: which body hangs on which.
 #[derive(Debug)]
-pub(crate) struct Skeleton {
-    pub bodies: Vec<Body>,
+pub struct Skeleton {
+    pub(crate) bodies: Vec<Body>,
     joined: Joined,
 }
 
@@ -79,12 +79,13 @@ impl Skeleton {
         Self { bodies: bodies.collect(), joined }
     }
 
-    pub(crate) fn loops(&self) -> &Loops {
+    /// The loops that joints form.
+    pub fn loops(&self) -> &Loops {
         &self.joined.loops
     }
 
     /// Joints that OpenSim does not read.
-    pub(crate) fn ignored_joints(&self) -> &[ComponentId] {
+    pub fn ignored_joints(&self) -> &[ComponentId] {
         &self.joined.ignored_joints
     }
 
@@ -256,7 +257,7 @@ impl JointLink {
 
 /// What OpenSim does not take as a tree.
 #[derive(Debug, Default)]
-pub(crate) struct Loops {
+pub struct Loops {
     /// Joints of loops, or between two of them, in file order.
     pub joints: Vec<ComponentId>,
     /// Whether the masses of the bodies are not what OpenSim sums.

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
 use crate::model::anatomy::bone_sizes::{ByBody, JointDistances, frame_offsets, mesh_factors};
-use crate::model::anatomy::joints::Joints;
+use crate::model::anatomy::joints::{AnatomyJoint, Joints};
 use crate::model::components::{Companion, ComponentId, Components};
-use crate::model::contacts::{Force, ForceId, HalfSpace, SetId, Sphere, SphereId};
+use crate::model::contacts::{Force, ForceId, HalfSpace, Irregularity, SetId, Sphere, SphereId};
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FileId, NoteDoubt};
 use crate::model::finding::Finding;
@@ -43,15 +43,15 @@ pub struct Model {
     pub gravity_m_s2: Option<[f64; 3]>,
     /// The note that an earlier change left in the file.
     pub note: Option<Note>,
-    /// Traps found while reading, in the order in which reports list them.
-    pub warnings: Vec<Finding>,
-    /// How many of these reading the contacts showed; rules found the others.
-    pub(crate) warnings_of_reading: usize,
+    /// What was read although it is written wrongly, in the order of reading.
+    pub irregularities: Vec<Irregularity>,
+    /// What rules found in it, once somebody has asked.
+    pub(crate) findings: OnceLock<Vec<Finding>>,
 }
 
 impl Model {
     /// OpenSim's `gravity` where a model gives none, m/s².
-    pub(crate) const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
+    pub const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
 
     /// Contact spheres, in file order.
     pub fn spheres(&self) -> &[Sphere] {
@@ -86,9 +86,24 @@ impl Model {
         }
     }
 
+    /// What `find`, all rules about one model, found in this one: they are tried once.
+    pub fn findings(&self, find: impl FnOnce(&Self) -> Vec<Finding>) -> &[Finding] {
+        self.findings.get_or_init(|| find(self))
+    }
+
     /// How far apart the joints of each body are.
     pub fn joint_distances(&self) -> &JointDistances {
         self.body_facts.joint_distances(&self.components)
+    }
+
+    /// The joints between two bodies, with their places.
+    pub fn joints_between_bodies(&self) -> &[AnatomyJoint] {
+        self.body_facts.joints.between_bodies(&self.components)
+    }
+
+    /// The factors of the meshes of each body, by their files.
+    pub fn mesh_factors(&self) -> &ByBody {
+        self.body_facts.mesh_factors(&self.components)
     }
 
     /// What `make` makes of this model: made once for it and for those with other numbers of its contacts, so that it must follow
@@ -128,7 +143,7 @@ impl Model {
     }
 
     /// The object that has the model's `gravity`, and the file that it is in; `None` for sets that stand alone.
-    pub(crate) fn gravity_object(&self) -> Option<(FileId, ElementId)> {
+    pub fn gravity_object(&self) -> Option<(FileId, ElementId)> {
         let file = self.components.model_file()?;
         Some((file, self.file(file).data_root()))
     }
@@ -150,11 +165,13 @@ impl Model {
         self.note.as_ref().and_then(|note| note.gravity_m_s2).or(self.gravity())
     }
 
-    pub(crate) fn skeleton(&self) -> &Skeleton {
+    /// Which body hangs on which.
+    pub fn skeleton(&self) -> &Skeleton {
         &self.skeleton
     }
 
-    pub(crate) fn components(&self) -> &Components {
+    /// The objects of all files.
+    pub fn components(&self) -> &Components {
         &self.components
     }
 }

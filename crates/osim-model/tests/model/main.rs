@@ -2,14 +2,6 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-mod loops;
-mod names;
-mod places;
-#[allow(dead_code, reason = "other tests need more of it")]
-#[path = "../../../osim-planning/tests/planning/random.rs"]
-mod random;
 mod reading;
-mod scenery;
-mod sides;
 mod sized;
 mod words;

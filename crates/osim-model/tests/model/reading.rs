@@ -5,7 +5,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use osim_model::{Companion, Document, Limbs, Model, Origin, Property, Selection, SetId};
+use osim_model::{Companion, Document, Irregularity, Limbs, Model, Origin, Property, Selection, SetId};
 
 /// One foot of 61.5 kg on a sphere of 0.0325 m, as the fixtures of `format/` have it.
 const STIFFNESS: f64 = 1_234_567.8;
@@ -104,7 +104,8 @@ fn contact_parameters_are_found_in_all_their_spellings() {
     reads("parameters_wrapper_wins", Property::Stiffness, 77.0, Origin::Element);
     read("parameters_misnamed", |model| {
         assert!(model.forces()[0].sets.is_empty());
-        assert!(model.warnings.iter().any(|warning| warning.code().as_str() == "misnamed-parameter-set"));
+        let said = &model.irregularities;
+        assert!(said.iter().any(|one| matches!(one, Irregularity::MisnamedSet { .. })), "{said:?}");
     });
 }
 
@@ -123,11 +124,6 @@ fn defaults_give_what_is_left_out() {
     reads("defaults_in_forceset", Property::HertzSmoothing, 300.0, Origin::ClassDefault);
     reads("defaults_of_materials_only", Property::Dissipation, 0.0, Origin::ClassDefault);
     assert!(!read("defaults_applies_force", |model| model.forces()[0].applies));
-    for file in ["defaults_smooth", "defaults_contact_parameters", "defaults_sphere_radius"] {
-        let warned =
-            read(file, |model| model.warnings.iter().any(|w| w.code().as_str() == "contact-defaults"));
-        assert!(warned, "{file}");
-    }
 }
 
 #[test]
@@ -250,10 +246,10 @@ fn frames_lead_to_their_body_in_every_spelling() {
         read(file, |model| {
             let sphere = &model.sphere(model.forces()[0].spheres()[0]).unwrap();
             assert_eq!(sphere.body.as_deref(), Some("calcn_r"), "{file}");
+            let said = &model.irregularities;
             assert!(
-                model.warnings.iter().any(|warning| warning.code().as_str() == "connectee-by-name"),
-                "{file}: {:?}",
-                model.warnings
+                said.iter().any(|one| matches!(one, Irregularity::TakenByName { .. })),
+                "{file}: {said:?}"
             );
         });
     }
@@ -357,27 +353,6 @@ fn where_limbs_are_not_known_it_says_why_and_guesses_nothing() {
 }
 
 #[test]
-fn traps_are_named_with_their_codes() {
-    for (file, code) in [
-        ("dead_derivative_smoothing", "dead-derivative-smoothing"),
-        ("left_out_stiffness", "default-stiffness"),
-        ("shared_sphere", "sphere-in-two-forces"),
-        ("one_force_for_all", "several-spheres-one-force"),
-        ("unequal_stiffness", "left-right-differ"),
-        ("unequal_radii", "left-right-close"),
-        ("not_hertz", "not-hertz"),
-        ("elastic_foundation", "not-hertz"),
-        ("moco_sphere_in_force", "moco-dialect"),
-        ("same_force_name_twice", "duplicate-names"),
-        ("same_sphere_name_twice", "duplicate-names"),
-    ] {
-        let codes: Vec<&str> = read(file, |model| model.warnings.iter().map(|w| w.code().as_str()).collect());
-        assert!(codes.contains(&code), "{file}: {codes:?}");
-    }
-    assert_eq!(read("left_out_smoothing", |model| model.warnings.clone()), []);
-}
-
-#[test]
 fn masses_are_summed_in_file_order_without_ground_and_scenery() {
     for (file, kg) in [
         ("left_out_smoothing", 61.5),
@@ -434,9 +409,6 @@ fn a_set_takes_the_place_of_that_of_the_model_beside_it() {
             assert_eq!(bodies(&read), bodies(&alone), "{file}, {times} times");
             assert_eq!(read.joints().len(), alone.joints().len(), "{file}, {times} times");
             assert_eq!(read.gravity(), alone.gravity(), "{file}, {times} times");
-            let codes =
-                |model: &Model| model.warnings.iter().map(osim_model::Finding::code).collect::<Vec<_>>();
-            assert_eq!(codes(&read), codes(&alone), "{file}, {times} times");
         }
     }
 }

@@ -67,70 +67,6 @@ fn a_location_is_three_words() {
     assert_eq!(location("0.1 <!-- x --> 0.2 0.3").unwrap_err().code(), "broken-text");
 }
 
-/// The findings about numbers of the one sphere's location, or of gravity where `tag` is that.
-fn found(tag: &str, text: &str) -> Vec<(&'static str, String)> {
-    let (radius, gravity) = ("<radius>0.03</radius>", "<gravity>0 -9.81 0</gravity>");
-    let element = format!("<{tag}>{text}</{tag}>");
-    let model = match tag {
-        "gravity" => FOOT.replace(gravity, &element),
-        _ => FOOT.replace(radius, &format!("{radius}{element}")),
-    };
-    let findings = Model::parse(model.as_str()).unwrap().warnings;
-    let odd = findings
-        .into_iter()
-        .filter(|finding| ["odd-number", "not-finite"].contains(&finding.code().as_str()));
-    odd.map(|finding| {
-        assert_eq!(finding.line, Some(line_of(&model, &element)));
-        (finding.code().as_str(), finding.message.to_string())
-    })
-    .collect()
-}
-
-#[test]
-fn a_location_or_gravity_that_opensim_reads_in_its_own_way_is_said() {
-    for plain in ["0 -9.8 0", "1, 2, 3", "+1 .5 1e-3", " 1\u{b}2 3 "] {
-        assert_eq!((found("location", plain), found("gravity", plain)), (vec![], vec![]), "{plain}");
-    }
-    // Of these OpenSim reads nothing, and takes its default.
-    for text in ["0,-9.8,0", "(0 -9.8 0)", "0 -9.8", "0 1 2 3", "0\u{a0}1 2", "0 1 x", "", "0 1 2&#32;"] {
-        let (location, gravity) = (found("location", text), found("gravity", text));
-        assert_eq!((location.len(), gravity.len()), (1, 1), "{text}");
-        assert_eq!((location[0].0, gravity[0].0), ("odd-number", "odd-number"), "{text}");
-        assert!(location[0].1.ends_with("which OpenSim reads as 0 0 0"), "{}", location[0].1);
-        assert!(gravity[0].1.ends_with("which OpenSim reads as 0 -9.80665 0"), "{}", gravity[0].1);
-    }
-    // Of these it reads something.
-    for (text, read) in [("0,5 1 2", "0 1 2"), ("1x 2 3", "1 2 3"), ("1 2 3 4 5 6", "1 2 3")] {
-        let said =
-            format!("location of /contactgeometryset/heel_r is '{text}', which OpenSim reads as {read}");
-        assert_eq!(found("location", text), [("odd-number", said)]);
-        assert_eq!(found("gravity", text).len(), 1);
-    }
-    let said = "location of /contactgeometryset/heel_r is 1 NaN 3".to_owned();
-    assert_eq!(found("location", "1 nan 3"), [("not-finite", said)]);
-    assert_eq!(found("gravity", "0 -inf 0"), [("not-finite", "gravity of the model is 0 -inf 0".to_owned())]);
-}
-
-#[test]
-fn an_odd_location_of_defaults_is_that_of_each_sphere_without_its_own() {
-    let defaults = |location: &str| {
-        format!(
-            "<Model name=\"one_foot\"><defaults><ContactSphere name=\"default\">\
-             <location>{location}</location></ContactSphere></defaults>"
-        )
-    };
-    let model = |location: &str, own: &str| {
-        let text = FOOT.replace("<Model name=\"one_foot\">", &defaults(location));
-        let text = text.replace("<radius>0.03</radius>", &format!("<radius>0.03</radius>{own}"));
-        let odd =
-            |model: &Model| model.warnings.iter().filter(|one| one.code().as_str() == "odd-number").count();
-        Model::parse(text).map(|model| (odd(&model), model.spheres()[0].location_m)).unwrap()
-    };
-    assert_eq!(model("7,8,9", ""), (1, [0.0; 3]));
-    assert_eq!(model("7,8,9", "<location>1 2 3</location>"), (0, [1.0, 2.0, 3.0]));
-    assert_eq!(model("7 8 9", "<location>1,2,3</location>"), (1, [7.0, 8.0, 9.0]));
-}
-
 #[test]
 fn a_file_is_heeded_where_opensim_heeds_it() {
     let included = |inside: &str| {
@@ -173,24 +109,5 @@ fn a_path_or_a_place_with_something_inside_is_refused() {
         // OpenSim reads the first of a name and no other.
         let twice = format!("{before}{open}{text}{close}{open}{first}<!-- c -->{last}{close}{after}");
         assert!(Model::parse(twice).is_ok(), "{tag}");
-    }
-}
-
-#[test]
-fn a_transition_velocity_that_is_no_number_is_found_in_the_older_class_too() {
-    let older = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
-    let tag = "<transition_velocity>";
-    let (before, rest) = older.split_once(tag).unwrap();
-    let after = &rest[rest.find('<').unwrap()..];
-    for (text, code) in [
-        ("nan", "not-finite"),
-        ("inf", "not-finite"),
-        ("-1", "out-of-domain"),
-        ("0.<!-- c -->17", "odd-number"),
-        ("<x/>0.17", "odd-number"),
-    ] {
-        let model = Model::parse(format!("{before}{tag}{text}{after}")).unwrap();
-        let found: Vec<_> = model.warnings.iter().map(|finding| finding.code().as_str()).collect();
-        assert!(found.contains(&code), "{text}: {found:?}");
     }
 }

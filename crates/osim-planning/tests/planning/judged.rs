@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use osim_inspect::{Changeable, InspectOptions, check_model};
+use osim_inspect::{Changeable, InspectOptions, check_model, model_findings};
 use osim_model::files::{Files, OpenModel};
 use osim_model::{FileId, Finding, Force, Model, Question, Severity, Sphere, Value as Number};
 use osim_patch::Plan;
@@ -173,7 +173,7 @@ fn seen(model: &Model) -> String {
             force.sets.iter().map(|set| (set.number, set.spheres.clone(), set.inherited)).collect();
         (force.path.clone(), force.applies, sets, values.map(number).collect::<Vec<_>>())
     };
-    let warnings: Vec<Finding> = model.warnings.iter().map(|one| one.clone().on_line(None)).collect();
+    let warnings: Vec<Finding> = model_findings(model).iter().map(|one| one.clone().on_line(None)).collect();
     let spheres: Vec<_> = model.spheres().iter().map(sphere).collect();
     let forces: Vec<_> = model.forces().iter().map(force).collect();
     let of_note = (&model.note, model.doubt_about_note());

@@ -5,6 +5,7 @@
 
 use std::path::Path;
 
+use osim_inspect::model_findings;
 use osim_model::files::{Beside, Files, InMemory};
 use osim_model::{FileId, FindingCode, Model};
 use osim_planning::{check_with_trials, open_with, prepare};
@@ -177,7 +178,8 @@ fn scenery_counts_nowhere_and_stays_as_it_is() {
         let scenery = Scenery::of(&mut random);
         let whole = scenery.within(&bare);
         let said = Model::parse(whole.as_str()).unwrap();
-        let terrain = said.warnings.iter().filter(|finding| finding.code() == FindingCode::Terrain).count();
+        let terrain =
+            model_findings(&said).iter().filter(|finding| finding.code() == FindingCode::Terrain).count();
         assert_eq!(terrain, 1, "seed {seed}: scenery is said once");
         for (plain, with) in known(&bare).into_iter().zip(known(&whole)) {
             assert_eq!(plain, with, "seed {seed}\n{whole}");

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use osim_inspect::model_findings;
 use osim_model::files::{Beside, FileError, Files, InMemory};
 use osim_model::{Finding, FindingCode, Model, Question};
 use osim_planning::{Inspector, open_with, prepare};
@@ -38,7 +39,7 @@ fn made(request: &Value, files: &dyn Files) -> BTreeSet<FindingCode> {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN), Beside::default(), files).unwrap();
     let plan = change.planner.plan_beside(&opened, files).unwrap();
-    plan.changed(&opened.model).unwrap().warnings.iter().map(Finding::code).collect()
+    model_findings(&plan.changed(&opened.model).unwrap()).iter().map(Finding::code).collect()
 }
 
 fn laid() -> Value {

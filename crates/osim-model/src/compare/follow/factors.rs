@@ -7,9 +7,8 @@ use foldhash::HashSet;
 use super::body_factors::{AXES, AxisFactor, BodyFactors, ByName, Distances};
 use super::copy::{self, Difference, ScaleFile};
 use super::sources::{self, Sources};
-use crate::compare::rules;
 use crate::messages::Phrase;
-use crate::model::{Anatomy, Fault, FaultKind, Finding, Model, Needed};
+use crate::model::{Anatomy, Fault, FaultKind, Finding, Model, Needed, rules};
 
 /// Factors of all bodies of a model against those of a reference: new lengths over old ones.
 ///

@@ -15,7 +15,7 @@ use crate::model::rotation::times;
 use crate::xml::{ElementId, opensim_text};
 
 /// By body: three numbers for each of its meshes or frames, as in [`Anatomy`](crate::model::anatomy::Anatomy).
-pub(crate) type ByBody = BTreeMap<String, BTreeMap<String, [f64; 3]>>;
+pub type ByBody = BTreeMap<String, BTreeMap<String, [f64; 3]>>;
 
 pub(crate) fn mesh_factors(components: &Components) -> ByBody {
     let mut found = ByBody::new();

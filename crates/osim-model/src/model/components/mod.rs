@@ -9,11 +9,10 @@ mod tree;
 use std::borrow::Cow;
 
 use crate::model::components::classes::Counted;
-use crate::model::components::tree::ComponentTree;
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FaultKind, FileId};
 use crate::xml::ElementId;
-pub(crate) use tree::{Component, ComponentId};
+pub use tree::{Component, ComponentId, ComponentTree};
 
 /// A file that belongs to the model beside its main one, for [`Model::read_with`](crate::model::Model::read_with).
 ///
@@ -26,10 +25,11 @@ pub struct Companion {
 }
 
 #[derive(Debug)]
-pub(crate) struct Components {
+pub struct Components {
     main: Document,
     companions: Vec<Companion>,
-    pub(crate) tree: ComponentTree,
+    /// Their objects.
+    pub tree: ComponentTree,
 }
 
 /// What a socket says: the text and where it is.
@@ -97,7 +97,8 @@ impl Components {
         self.companions.iter().rposition(is_model).map(FileId::companion)
     }
 
-    pub(crate) fn document(&self, file: FileId) -> &Document {
+    /// One of the files; the main one where the handle is another model's.
+    pub fn document(&self, file: FileId) -> &Document {
         let companion = file.companion_index().and_then(|index| self.companions.get(index));
         companion.map_or(&self.main, |companion| &companion.document)
     }
@@ -106,20 +107,23 @@ impl Components {
         self.tree.get(id).map_or(FileId::MAIN, |component| component.file)
     }
 
-    pub(crate) fn element(&self, id: ComponentId) -> ElementId {
+    /// The element of an object in its file.
+    pub fn element(&self, id: ComponentId) -> ElementId {
         self.tree.get(id).map_or(ElementId::ROOT, |component| component.element)
     }
 
-    pub(crate) fn doc(&self, id: ComponentId) -> &Document {
+    /// The file of an object.
+    pub fn doc(&self, id: ComponentId) -> &Document {
         self.document(self.file_of(id))
     }
 
-    pub(crate) fn tag(&self, id: ComponentId) -> &str {
+    /// The class of an object, as the file has it.
+    pub fn tag(&self, id: ComponentId) -> &str {
         self.doc(id).tree().name(self.element(id))
     }
 
     /// The `name` as the file has it.
-    pub(crate) fn name(&self, id: ComponentId) -> Cow<'_, str> {
+    pub fn name(&self, id: ComponentId) -> Cow<'_, str> {
         self.doc(id).tree().attribute(self.element(id), "name").unwrap_or_default()
     }
 
@@ -265,7 +269,7 @@ impl Components {
     }
 
     /// Line of an object's start tag.
-    pub(crate) fn line(&self, id: ComponentId) -> usize {
+    pub fn line(&self, id: ComponentId) -> usize {
         self.doc(id).line(self.doc(id).tree().span(self.element(id)).start)
     }
 }

@@ -24,12 +24,15 @@ const CONTACT_PARAMETERS_SETS: [&str; 2] =
 
 /// Index of an object among all files read together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(crate) struct ComponentId(u32);
+pub struct ComponentId(u32);
 
 #[derive(Debug)]
-pub(crate) struct Component {
+pub struct Component {
+    /// Which of the files.
     pub file: FileId,
+    /// Its element there.
     pub element: ElementId,
+    /// The object that it is in.
     pub parent: Option<ComponentId>,
     /// Last segment of the path: OpenSim's name of it, numbered where siblings share a name.
     pub segment: Arc<str>,
@@ -58,7 +61,7 @@ const USUAL_DEPTH: usize = 4;
 
 /// All components of the files read together, with look-up by path and by name.
 #[derive(Debug, Default)]
-pub(crate) struct ComponentTree {
+pub struct ComponentTree {
     list: Vec<Component>,
     roots: Vec<ComponentId>,
     /// The children, by their segments, of objects that have many or whose children are numbered.
@@ -68,7 +71,7 @@ pub(crate) struct ComponentTree {
     /// Objects of which two children share a name, so that these are to be numbered.
     crowded: HashSet<ComponentId>,
     /// Members of `<components>` of a class that OpenSim does not know: file and element.
-    pub(crate) skipped: Vec<(FileId, ElementId)>,
+    pub skipped: Vec<(FileId, ElementId)>,
 }
 
 #[derive(Clone, Copy)]
@@ -289,7 +292,8 @@ impl ComponentTree {
         self.list.get(id.0 as usize)
     }
 
-    pub(crate) fn iter(&self) -> impl Iterator<Item = (ComponentId, &Component)> {
+    /// All of them: file by file, in the order of their elements.
+    pub fn iter(&self) -> impl Iterator<Item = (ComponentId, &Component)> {
         #[expect(clippy::cast_possible_truncation, reason = "see push")]
         self.list.iter().enumerate().map(|(index, object)| (ComponentId(index as u32), object))
     }
@@ -305,7 +309,7 @@ impl ComponentTree {
     }
 
     /// The absolute path, as OpenSim prints it.
-    pub(crate) fn path(&self, id: ComponentId) -> String {
+    pub fn path(&self, id: ComponentId) -> String {
         let mut segments = Vec::with_capacity(USUAL_DEPTH);
         let mut next = Some(id);
         while let Some(object) = next.and_then(|id| self.get(id)) {

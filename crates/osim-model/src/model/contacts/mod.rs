@@ -6,6 +6,8 @@ mod half_space;
 mod places;
 mod read;
 
+use std::collections::BTreeMap;
+
 use contact_scaling::modulus::{self, SurfaceValues};
 use contact_scaling::{Contact, ContactValues, SmoothingValues};
 use foldhash::{HashMap, HashMapExt};
@@ -16,6 +18,7 @@ pub use force::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, Sp
 pub use half_space::{FrameProperty, HalfSpace, Orientation};
 pub use places::GroundPlane;
 pub(crate) use read::ContactReader;
+pub use read::Irregularity;
 
 /// One sphere under load, with what the contact laws need to know of it: from [`loaded_spheres`].
 ///
@@ -180,6 +183,20 @@ pub fn moving_spheres(model: &Model, forces: &[ForceId]) -> Vec<SphereId> {
     spheres.dedup();
     spheres.retain(|&index| model.sphere(index).is_some_and(|sphere| !sphere.fixed));
     spheres
+}
+
+impl Model {
+    /// Moving spheres that meet the ground through several forces that are switched on, with these forces, in file order.
+    pub fn spheres_in_several_forces(&self) -> Vec<(&Sphere, Vec<&Force>)> {
+        let mut users: BTreeMap<SphereId, Vec<&Force>> = BTreeMap::new();
+        for force in self.forces().iter().filter(|force| force.applies && self.meets_half_space(force)) {
+            for sphere in moving_spheres(self, &[force.id]) {
+                users.entry(sphere).or_default().push(force);
+            }
+        }
+        let shared = users.into_iter().filter(|(_, forces)| forces.len() > 1);
+        shared.filter_map(|(id, forces)| Some((self.sphere(id)?, forces))).collect()
+    }
 }
 
 // Contacts of classes that are not Hertz's, if they share spheres with those that are.

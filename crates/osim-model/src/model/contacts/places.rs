@@ -57,7 +57,7 @@ impl Model {
     }
 
     /// The half-spaces that forces of Moco 0.1 to 0.3 keep inside themselves, in file order.
-    pub(crate) fn half_spaces_inside(&self) -> impl Iterator<Item = HalfSpace> + '_ {
+    pub fn half_spaces_inside(&self) -> impl Iterator<Item = HalfSpace> + '_ {
         let sets = self.forces().iter().flat_map(|force| &force.sets);
         sets.filter_map(|set| inside(self.components(), set.half_space_inside?))
     }

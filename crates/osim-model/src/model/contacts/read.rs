@@ -6,9 +6,7 @@ use crate::model::contacts::force::{
 };
 use crate::model::document::Document;
 use crate::model::fault::Fault;
-use crate::model::finding::Finding;
 use crate::model::property::{Class, Property, Value};
-use crate::model::rules::reading;
 use crate::model::skeleton::Skeleton;
 use crate::xml::ElementId;
 use crate::xml::opensim_text::{self, is_disabled};
@@ -27,13 +25,38 @@ enum Surface {
     Other,
 }
 
+/// What is read although it is written wrongly: OpenSim may read something else.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Irregularity {
+    /// The path in `text` of the component `owner` leads nowhere: the only one of that name was taken.
+    TakenByName {
+        /// Path of the component that names another one.
+        owner: String,
+        /// What it says.
+        text: String,
+        /// Path of the component that was taken.
+        taken: String,
+        /// Line of the text, from 1.
+        line: usize,
+    },
+    /// The parameter set of a force has a `name` that OpenSim does not look for.
+    MisnamedSet {
+        /// Path of the force.
+        force: String,
+        /// The name.
+        name: String,
+        /// Line of the set, from 1.
+        line: usize,
+    },
+}
+
 /// Reads spheres and forces of all components.
 pub(crate) struct ContactReader<'r> {
     pub components: &'r Components,
     pub skeleton: &'r Skeleton,
     pub spheres: Vec<Sphere>,
     pub forces: Vec<Force>,
-    pub warnings: Vec<Finding>,
+    pub irregularities: Vec<Irregularity>,
     sphere_components: Vec<ComponentId>,
 }
 
@@ -44,7 +67,7 @@ impl<'r> ContactReader<'r> {
             skeleton,
             spheres: vec![],
             forces: vec![],
-            warnings: vec![],
+            irregularities: vec![],
             sphere_components: vec![],
         }
     }
@@ -135,14 +158,14 @@ impl<'r> ContactReader<'r> {
             };
         };
         if found.by_name {
-            self.say_by_name(id, &connectee.text, connectee.element, found.component);
+            self.note_by_name(id, &connectee.text, connectee.element, found.component);
         }
         let path =
             found.component.map_or_else(|| "/ground".to_owned(), |object| self.components.tree.path(object));
         Ok(Attachment { path, base: self.components.base(found.component)?, component: found.component })
     }
 
-    fn say_by_name(
+    fn note_by_name(
         &mut self,
         owner: ComponentId,
         text: &str,
@@ -151,8 +174,13 @@ impl<'r> ContactReader<'r> {
     ) {
         let path = found.map_or_else(|| "/ground".to_owned(), |id| self.components.tree.path(id));
         let line = self.components.doc(owner).line(self.components.doc(owner).tree().span(element).start);
-        let whose = self.components.tree.path(owner);
-        self.warnings.push(reading::connectee_by_name(text, &whose, &path, line));
+        let owner = self.components.tree.path(owner);
+        self.irregularities.push(Irregularity::TakenByName {
+            owner,
+            text: text.to_owned(),
+            taken: path,
+            line,
+        });
     }
 
     /// The surface that `text` of `force` means; `socket` is the class that it has to be of, `None` in a `<geometry>` list.
@@ -175,7 +203,7 @@ impl<'r> ContactReader<'r> {
         .or_else(|| self.components.resolve(force, text, accept))
         .ok_or_else(|| self.components.unresolved(force, text, "contact geometry of that name"))?;
         if by_name {
-            self.say_by_name(force, text, element, Some(id));
+            self.note_by_name(force, text, element, Some(id));
         }
         match self.components.tag(id) {
             "ContactSphere" => {
@@ -289,7 +317,7 @@ impl<'r> ContactReader<'r> {
                     sets.push(set);
                 }
             }
-            None => self.warn_misnamed_set(id, document, element),
+            None => self.note_misnamed_set(id, document, element),
         }
         let class = Class::HuntCrossleyForce;
         let transition_velocity =
@@ -297,14 +325,14 @@ impl<'r> ContactReader<'r> {
         self.push_force(id, ForceKind::HuntCrossley, sets, transition_velocity)
     }
 
-    fn warn_misnamed_set(&mut self, id: ComponentId, document: &Document, element: ElementId) {
+    fn note_misnamed_set(&mut self, id: ComponentId, document: &Document, element: ElementId) {
         let tree = document.tree();
         let set = tree.children(element).find(|&child| tree.name(child) == CONTACT_PARAMETERS_SET);
         if let Some(set) = set {
-            let name = tree.attribute(set, "name").unwrap_or_default();
-            let whose = self.components.tree.path(id);
+            let name = tree.attribute(set, "name").unwrap_or_default().into_owned();
+            let force = self.components.tree.path(id);
             let line = document.line(tree.span(set).start);
-            self.warnings.push(reading::misnamed_parameter_set(&name, &whose, line));
+            self.irregularities.push(Irregularity::MisnamedSet { force, name, line });
         }
     }
 

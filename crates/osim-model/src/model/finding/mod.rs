@@ -13,14 +13,14 @@ pub use code::{FindingCode, Seen, Severity, VerdictOn};
 /// use osim_model::{FindingCode, Model, Severity};
 ///
 /// # let text = include_str!("../../../tests/data/one_foot.osim");
-/// // A force without a stiffness has OpenSim's default, 1 N/m², which carries nothing.
-/// let model = Model::parse(text.replace("<stiffness>1000000</stiffness>", ""))?;
-/// let finding = &model.warnings[0];
-/// assert_eq!((finding.code(), finding.code().as_str()), (FindingCode::DefaultStiffness, "default-stiffness"));
+/// let off = "<stiffness>1000000</stiffness><appliesForce>false</appliesForce>";
+/// let model = Model::parse(text.replace("<stiffness>1000000</stiffness>", off))?;
+/// let finding = &model.remarks_on(&model.force_ids())[0];
+/// assert_eq!((finding.code(), finding.code().as_str()), (FindingCode::DisabledForce, "disabled-force"));
 /// assert_eq!(finding.place.as_deref(), Some("/forceset/contact_heel_r"));
 /// // What a code means is the same for every case of it.
-/// assert_eq!(finding.rule.severity, Severity::Error);
-/// assert!(finding.advice.to_string().starts_with("Set a stiffness"));
+/// assert_eq!(finding.rule.severity, Severity::Info);
+/// assert!(finding.advice.to_string().starts_with("Nothing, if that is meant"));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use osim_inspect::{BothSides, model_findings};
 use osim_model::files::{Beside, Files, InMemory, ModelFiles};
 use osim_model::{Finding, FindingCode, Model, Severity, Side};
 
@@ -65,20 +66,23 @@ fn copies(text: &str, name: &str, count: usize) -> String {
 }
 
 fn judged(model: &Model) -> BTreeSet<FindingCode> {
-    model.warnings.iter().map(Finding::code).filter(|code| JUDGED.contains(code)).collect()
+    model_findings(model).iter().map(Finding::code).filter(|code| JUDGED.contains(code)).collect()
 }
 
 #[track_caller]
 fn assert_found(text: &str, expected: &[FindingCode]) {
     let model = Model::parse(text).unwrap();
     let found = judged(&model);
-    assert_eq!(found, expected.iter().copied().collect(), "{:?}", model.warnings);
+    assert_eq!(found, expected.iter().copied().collect(), "{:?}", model_findings(&model));
 }
 
 #[track_caller]
 fn message(text: &str, code: FindingCode) -> String {
-    let found = Model::parse(text).unwrap().warnings;
-    let found = found.iter().find(|finding| finding.code() == code).unwrap_or_else(|| panic!("no {code}"));
+    let model = Model::parse(text).unwrap();
+    let found = model_findings(&model)
+        .iter()
+        .find(|finding| finding.code() == code)
+        .unwrap_or_else(|| panic!("no {code}"));
     found.message.to_string()
 }
 
@@ -96,7 +100,7 @@ fn a_number_of_one_side_is_named_with_the_side_that_is_unlike_the_rest() {
         assert_found(&text, &[FindingCode::LeftRightDiffer]);
         let model = Model::parse(text.as_str()).unwrap();
         let left = model.forces().iter().find(|force| force.name == "contact_ball_l").unwrap();
-        assert_eq!(model.both_sides().odd_side(left), Some(expected));
+        assert_eq!(BothSides::of(&model).odd_side(left), Some(expected));
         // Of six forces the two compared are one that is odd and one of five.
         assert!(message(&text, FindingCode::LeftRightDiffer).contains("(4 others have 2000000)"));
     }
@@ -108,7 +112,7 @@ fn no_majority_names_a_side_where_all_contacts_of_one_side_differ() {
     let text = format!("{right}{}", left.replace(">2000000<", ">20000000<"));
     assert_found(&text, &[FindingCode::LeftRightDiffer]);
     let model = Model::parse(text.as_str()).unwrap();
-    let sides = model.both_sides();
+    let sides = BothSides::of(&model);
     assert!(model.forces().iter().all(|force| sides.odd_side(force).is_none()));
 }
 
@@ -217,7 +221,8 @@ fn spheres_at_one_place_are_an_error() {
     let text = copies(HUMAN, "ball_l", 2);
     assert_found(&text, &[FindingCode::DoubledSpheres]);
     let model = Model::parse(text.as_str()).unwrap();
-    let found = model.warnings.iter().find(|finding| finding.code() == FindingCode::DoubledSpheres).unwrap();
+    let found =
+        model_findings(&model).iter().find(|finding| finding.code() == FindingCode::DoubledSpheres).unwrap();
     assert_eq!(found.severity, Severity::Error);
     assert_eq!(found.message.to_string(), "ball_l and ball_l_0 are at the same place of calcn_l");
 }

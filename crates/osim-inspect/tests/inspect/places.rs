@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::PathBuf;
 
+use osim_inspect::model_findings;
 use osim_model::{Finding, FindingCode, Model, Side};
 
 /// Published models with spheres on bodies of both sides, by name; none where the corpus is not there.
@@ -57,7 +58,7 @@ fn moved(text: &str, change: impl Fn(&str, [f64; 3]) -> [f64; 3]) -> String {
 }
 
 fn found(text: &str) -> BTreeSet<FindingCode> {
-    Model::parse(text).unwrap().warnings.iter().map(Finding::code).collect()
+    model_findings(&Model::parse(text).unwrap()).iter().map(Finding::code).collect()
 }
 
 /// Models that lack `code` after a change of all places; each model has it, or is in `spared`.

@@ -1,13 +1,15 @@
 //! Rules about single numbers of a model: how they are written, their domains, and values that are seldom meant.
 
-use crate::messages::{readable, shown};
-use crate::model::contacts::{Force, ForceKind, Orientation, SetId};
-use crate::model::fault::FileId;
-use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
-use crate::model::property::{Origin, Property, Value};
-use crate::model::typed_model::Model;
-use crate::xml::ElementId;
-use crate::xml::opensim_text::is_plain_triple;
+use contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION;
+use osim_model::messages::{readable, shown};
+use osim_model::opensim_text::is_plain_triple;
+use osim_model::{
+    ElementId, Example, FileId, Finding, FindingCode, Force, ForceKind, Model, Orientation, Origin, Property,
+    Repair, Rule, Seen, SetId, Severity, Value, VerdictOn,
+};
+use osim_requests::Request;
+
+use crate::findings::Remedies;
 
 /// A rule about one value: what is wrong, in words that follow the name of the value.
 type OfValue = fn(&Value) -> Option<String>;
@@ -19,7 +21,12 @@ const OF_VALUES: [(&Rule, OfValue); 3] = [
     (&OUT_OF_DOMAIN, describe_out_of_domain),
 ];
 
-pub(super) fn find_in_values(model: &Model) -> Vec<Finding> {
+/// Numbers that are written wrongly, are none, or are outside their domain.
+pub(super) fn find_odd_numbers(model: &Model) -> Vec<Finding> {
+    find_in_values(model).into_iter().chain(find_in_triples(model)).collect()
+}
+
+fn find_in_values(model: &Model) -> Vec<Finding> {
     let parameters = model.forces().iter().flat_map(|force| {
         // For the older class, what is not in its sets.
         let beside = (force.kind == ForceKind::HuntCrossley).then_some(&force.transition_velocity);
@@ -37,11 +44,11 @@ pub(super) fn find_in_values(model: &Model) -> Vec<Finding> {
 }
 
 /// Places of spheres, and gravity: a text that OpenSim cannot read is its default without a word.
-pub(super) fn find_in_triples(model: &Model) -> Vec<Finding> {
+fn find_in_triples(model: &Model) -> Vec<Finding> {
     let locations = model.spheres().iter().filter_map(|sphere| {
         let read = Triple {
             file: sphere.file,
-            object: sphere.element,
+            object: sphere.element(),
             tag: sphere.location_slot().tag,
             read: sphere.location_m,
         };
@@ -182,6 +189,11 @@ pub(super) fn find_default_stiffness(model: &Model) -> Vec<Finding> {
     found
 }
 
+/// A published model has a stiffness.
+pub(super) fn take_published_contacts(remedies: &Remedies<'_>) -> Option<Request> {
+    remedies.published(None).map(Request::from)
+}
+
 /// Whether a value is a stiffness that nobody wrote.
 fn is_default_stiffness(value: &Value) -> bool {
     value.property == Property::Stiffness && value.origin == Origin::ClassDefault
@@ -216,6 +228,11 @@ pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
         }
     }
     found
+}
+
+/// A small constant indentation.
+pub(super) fn set_suggested_constant_indentation(remedies: &Remedies<'_>) -> Option<Request> {
+    remedies.constant_indentation(SUGGESTED_CONSTANT_INDENTATION)
 }
 
 /// Between a foot and a floor it is about 0.3 to 1; of the stickiest rubber some 2.

@@ -1,5 +1,6 @@
 //! What paths mean where objects have odd names. The expected paths are those of the real OpenSim 4.6; tests/oracle/names.py makes many more.
 
+use osim_inspect::model_findings;
 use osim_model::{FindingCode, Model};
 
 use crate::random::{Random, seeds};
@@ -31,7 +32,8 @@ fn pressed(text: &str) -> (String, Option<String>, f64, Vec<FindingCode>) {
     let [sphere] = model.forces()[0].spheres()[..] else { panic!("not one sphere: {text}") };
     let sphere = model.sphere(sphere).unwrap();
     let codes = [FindingCode::ConnecteeByName, FindingCode::DuplicateNames, FindingCode::RefusedName];
-    let found = model.warnings.iter().map(osim_model::Finding::code).filter(|code| codes.contains(code));
+    let found =
+        model_findings(&model).iter().map(osim_model::Finding::code).filter(|code| codes.contains(code));
     (sphere.path.clone(), sphere.body.clone(), sphere.radius_m().unwrap(), found.collect())
 }
 
@@ -83,7 +85,8 @@ fn old_documents_have_no_blanks_in_names() {
     let (path, _, _, found) = pressed(&model(30000, "foot", " heel", "floor heel", ""));
     assert_eq!((path.as_str(), found), ("/contactgeometryset/heel", vec![]));
     // Their joints call bodies by their names, blanks and all, and OpenSim refuses that.
-    let found = Model::parse(model(30000, " foot", "heel", "floor heel", "")).unwrap().warnings;
+    let model = Model::parse(model(30000, " foot", "heel", "floor heel", "")).unwrap();
+    let found = model_findings(&model);
     assert!(found.iter().any(|finding| finding.code() == FindingCode::RefusedName), "{found:?}");
 }
 
@@ -211,7 +214,8 @@ fn by_chance_every_name_leads_to_its_own() {
             assert_eq!(sphere.radius_m().unwrap(), [0.03, 0.04][side], "seed {seed}\n{text}");
             assert_eq!(model.forces()[side].sets[0].half_spaces, 1, "seed {seed}\n{text}");
         }
-        let by_name = model.warnings.iter().filter(|found| found.code() == FindingCode::ConnecteeByName);
+        let by_name =
+            model_findings(&model).iter().filter(|found| found.code() == FindingCode::ConnecteeByName);
         assert_eq!(by_name.count(), 0, "seed {seed}\n{text}");
     }
 }

@@ -1,88 +1,15 @@
 //! Rules about contact forces: their spheres, their parameter sets, and what of them counts nowhere.
 
-use foldhash::{HashMap, HashMapExt};
-
-use crate::messages::readable;
-use crate::model::contacts::{Force, ForceId, ForceKind, Sphere, SphereId, moving_spheres};
-use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
-use crate::model::skeleton::Body;
-use crate::model::typed_model::Model;
-
-impl Model {
-    /// What is special about `forces` without being wrong, in the order of the codes.
-    pub fn remarks_on(&self, forces: &[ForceId]) -> Vec<Finding> {
-        let forces = || forces.iter().filter_map(|&id| self.force(id));
-        let mut found: Vec<Finding> = forces().filter_map(|force| find_mixed_radii(self, force)).collect();
-        found.extend(forces().filter_map(find_several_parameter_sets));
-        found.extend(forces().filter_map(find_disabled_force));
-        found
-    }
-}
-
-pub(super) static DISABLED_FORCE: Rule = Rule {
-    code: FindingCode::DisabledForce,
-    severity: Severity::Info,
-    seen: Seen::Model,
-    verdict: Some(VerdictOn::Sides),
-    what: "A contact force that is switched off is changed with the others.",
-    why: "A force that does not apply carries no load, so its spheres are not counted; it is still scaled, so that it is right once it is switched on.",
-    advice: "Nothing, if that is meant; else `skip_disabled`",
-    repair: Repair::NotPossible("nothing is wrong"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: r#"<SmoothSphereHalfSpaceForce name="contact_heel_r">"#,
-        bad: r#"<SmoothSphereHalfSpaceForce name="contact_heel_r"><appliesForce>false</appliesForce>"#,
-    },
+use osim_model::messages::readable;
+use osim_model::{
+    Body, Example, Finding, FindingCode, Force, ForceKind, Model, Repair, Rule, Seen, Selection, Severity,
+    Sphere, VerdictOn,
 };
+use osim_requests::options::{ClassChoice, ForceOptions};
+use osim_requests::{ConvertRequest, Request};
 
-fn find_disabled_force(force: &Force) -> Option<Finding> {
-    let text = format!(
-        "{} is switched off: it is changed with the others, and its spheres are not counted",
-        force.path
-    );
-    (!force.applies).then(|| Finding::at(&DISABLED_FORCE, force.line, text).about(&force.path))
-}
-
-pub(super) static MIXED_RADII: Rule = Rule {
-    code: FindingCode::MixedRadii,
-    severity: Severity::Info,
-    seen: Seen::Model,
-    verdict: Some(VerdictOn::Sizes),
-    what: "Radii differ within one ContactParameters.",
-    why: "One ContactParameters has one modulus for all its spheres. The mean of R squared is used before and after: equal relative indentation, load in proportion to R squared.",
-    advice: "Nothing, if that is meant; else give each sphere its own force",
-    repair: Repair::NotPossible("nothing is wrong"),
-    example: Example::Models { good: "format/v40000.osim", bad: "format/mixed_radii.osim" },
-};
-
-/// One set of parameters for spheres of different radii.
-fn find_mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
-    let set = force.sets.iter().find(|set| {
-        let spheres = set.spheres.iter().filter_map(|&id| model.sphere(id));
-        let mut radii = spheres.filter(|sphere| !sphere.fixed).map(|sphere| sphere.radius.number);
-        radii.next().is_some_and(|first| radii.any(|radius| radius != first))
-    })?;
-    let text = format!("{} has spheres of different radii: the mean of R squared is used", force.path);
-    Some(Finding::at(&MIXED_RADII, set.line, text).about(&force.path))
-}
-
-pub(super) static SEVERAL_PARAMETER_SETS: Rule = Rule {
-    code: FindingCode::SeveralParameterSets,
-    severity: Severity::Info,
-    seen: Seen::Model,
-    verdict: None,
-    what: "A force has several ContactParameters.",
-    why: "The surfaces have moduli of their own and the contact uses their composite (A.3); all are multiplied by the same factor.",
-    advice: "Nothing, if that is meant",
-    repair: Repair::NotPossible("nothing is wrong"),
-    example: Example::Models { good: "format/v40000.osim", bad: "format/three_materials.osim" },
-};
-
-fn find_several_parameter_sets(force: &Force) -> Option<Finding> {
-    let used = force.sets.iter().filter(|set| !set.spheres.is_empty() || set.half_spaces > 0).count();
-    let text = format!("{} has {} ContactParameters: all get the same factor", force.path, force.sets.len());
-    (used > 1).then(|| Finding::at(&SEVERAL_PARAMETER_SETS, force.line, text).about(&force.path))
-}
+use crate::findings::{Remedies, exactly};
+use crate::rules::spheres::about_spheres;
 
 pub(super) static SEVERAL_SPHERES_ONE_FORCE: Rule = Rule {
     code: FindingCode::SeveralSpheres,
@@ -126,21 +53,13 @@ pub(super) static SPHERE_IN_TWO_FORCES: Rule = Rule {
 };
 
 pub(super) fn find_sphere_in_two_forces(model: &Model) -> Vec<Finding> {
-    let mut found = Vec::new();
-    let mut users: HashMap<SphereId, Vec<&str>> = HashMap::new();
-    for force in model.forces().iter().filter(|force| force.applies && model.meets_half_space(force)) {
-        for sphere in moving_spheres(model, &[force.id]) {
-            users.entry(sphere).or_default().push(&force.path);
-        }
-    }
-    let mut shared: Vec<_> = users.into_iter().filter(|(_, forces)| forces.len() > 1).collect();
-    shared.sort_unstable();
-    for (index, forces) in shared {
-        let Some(sphere) = model.sphere(index) else { continue };
-        let text = format!("sphere {} meets the ground through {}", sphere.path, forces.join(" and "));
-        found.push(Finding::at(&SPHERE_IN_TWO_FORCES, sphere.line, text).about(&sphere.path));
-    }
-    found
+    let shared = model.spheres_in_several_forces().into_iter();
+    let finding = |(sphere, forces): (&Sphere, Vec<&Force>)| {
+        let paths: Vec<&str> = forces.iter().map(|force| force.path.as_str()).collect();
+        let text = format!("sphere {} meets the ground through {}", sphere.path, paths.join(" and "));
+        Finding::at(&SPHERE_IN_TWO_FORCES, sphere.line, text).about(&sphere.path)
+    };
+    shared.map(finding).collect()
 }
 
 pub(super) static MOCO_DIALECT: Rule = Rule {
@@ -166,6 +85,27 @@ pub(super) fn find_moco_dialect(model: &Model) -> Vec<Finding> {
     inside.map(finding).collect()
 }
 
+/// Whether a force is spelled as in Moco 0.1 to 0.3.
+fn keeps_sphere_inside(model: &Model, force: &Force) -> bool {
+    force.spheres().into_iter().any(|id| model.sphere(id).is_some_and(Sphere::is_inside_force))
+}
+
+/// The force that `finding` is about as OpenSim reads it today; all forces, where all are such and nobody chose among them.
+pub(super) fn convert_moco_forces(
+    remedies: &Remedies<'_>,
+    model: &Model,
+    finding: &Finding,
+) -> Option<Request> {
+    let models = remedies.models(false)?;
+    let all = remedies.options.selection == Selection::default()
+        && model.forces().iter().all(|force| keeps_sphere_inside(model, force));
+    let force = model.forces().iter().find(|force| Some(force.path.as_str()) == finding.place.as_deref())?;
+    let select = if all { Vec::new() } else { vec![exactly(&force.name)?] };
+    let choice = ForceOptions { select, ..ForceOptions::default() };
+    let to = Some(ClassChoice::of(ForceKind::SmoothSphereHalfSpace));
+    Some(ConvertRequest { models, to, choice, ..ConvertRequest::default() }.into())
+}
+
 pub(super) static DEAD_DERIVATIVE_SMOOTHING: Rule = Rule {
     code: FindingCode::DeadDerivativeSmoothing,
     severity: Severity::Warn,
@@ -185,10 +125,9 @@ pub(super) static DEAD_DERIVATIVE_SMOOTHING: Rule = Rule {
 pub(super) fn find_dead_derivative_smoothing(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     // Where the force keeps its sphere inside itself, its class is that of early Moco, and the element is alive.
-    let inside = |force: &&Force| force.sets.iter().any(|set| set.half_space_inside.is_some());
-    for force in model.forces().iter().filter(|force| !inside(force)) {
+    for force in model.forces().iter().filter(|force| !keeps_sphere_inside(model, force)) {
         let document = model.file(force.file);
-        if let Some(dead) = document.tree().child(force.element, "derivative_smoothing") {
+        if let Some(dead) = document.tree().child(force.element(), "derivative_smoothing") {
             let line = document.line(document.tree().span(dead).start);
             let text = format!("{}: derivative_smoothing is ignored by OpenSim", force.path);
             found.push(Finding::at(&DEAD_DERIVATIVE_SMOOTHING, line, text).about(&force.path));
@@ -252,8 +191,7 @@ fn terrain_spheres(model: &Model) -> Option<Finding> {
         2 => format!("{} and one more sphere stand on ground: {SCENERY}", first.path),
         count => format!("{} and {} more spheres stand on ground: {SCENERY}", first.path, count - 1),
     };
-    let finding = Finding::at(&TERRAIN, first.line, text).about(&first.path);
-    Some(finding.of_spheres(fixed.iter().map(|sphere| sphere.name.clone()).collect()))
+    about_spheres(&TERRAIN, text, fixed.iter().copied())
 }
 
 const SCENERY: &str = "they are scenery, which counts nowhere and stays as it is";

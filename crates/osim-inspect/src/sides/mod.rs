@@ -8,29 +8,26 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use contact_scaling::{RatioValues, Ratios};
 use foldhash::{HashMap, HashMapExt};
+use osim_model::messages::{readable, shown};
+use osim_model::{Force, ForceId, Model, ParameterSet, Property, SetId, Side, Sphere, Value};
 
-use crate::messages::{readable, shown};
-use crate::model::contacts::{Force, ForceId, ParameterSet, SetId, Sphere};
-use crate::model::names::Side;
-use crate::model::property::{Property, Value};
-use crate::model::sides::mirror::{BodyPairs, Bones, close};
-use crate::model::sides::pairs::{Pairs, Users};
-use crate::model::typed_model::Model;
+use crate::sides::mirror::{BodyPairs, Bones, close};
+use crate::sides::pairs::{Pairs, Users};
 pub(crate) use mirror::distance;
 pub(crate) use pairs::{Alone, Placed, SAME_PLACE, SpherePair, place_key};
 
-/// The contacts of both sides, paired by mirrored place: from [`Model::both_sides`].
+/// The contacts of both sides, paired by mirrored place: from [`BothSides::of`].
 ///
 /// ```
-/// # let bytes: &[u8] = include_bytes!("../../../tests/data/one_foot.osim");
+/// # let bytes: &[u8] = include_bytes!("../../../osim-model/tests/data/one_foot.osim");
 /// let model = osim_model::Model::parse(bytes)?;
 /// // One foot has no counterpart.
-/// assert!(model.both_sides().right_of(&model.forces()[0]).is_none());
+/// assert!(osim_inspect::BothSides::of(&model).right_of(&model.forces()[0]).is_none());
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug)]
 pub struct BothSides<'m> {
-    model: &'m Model,
+    pub(crate) model: &'m Model,
     by_path: HashMap<&'m str, &'m Force>,
     users: Users<'m>,
     bones: Bones<'m>,
@@ -45,15 +42,9 @@ pub struct BothSides<'m> {
     sets: Vec<SetPair<'m>>,
 }
 
-impl Model {
-    /// The contacts of both sides, paired.
-    pub fn both_sides(&self) -> BothSides<'_> {
-        BothSides::of(self)
-    }
-}
-
 impl<'m> BothSides<'m> {
-    fn of(model: &'m Model) -> Self {
+    /// The contacts of both sides, paired.
+    pub fn of(model: &'m Model) -> Self {
         let users = Users::of(model);
         let bones = Bones::of(model);
         let spheres = users.on_sides(model);

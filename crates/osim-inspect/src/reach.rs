@@ -8,10 +8,9 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use foldhash::{HashMap, HashMapExt};
-
-use crate::compare::follow::bone_of_mesh;
-use crate::messages::four_significant;
-use crate::model::{Anatomy, AnatomyJoint, Model, SphereId};
+use osim_model::compare::bone_of_mesh;
+use osim_model::messages::four_significant;
+use osim_model::{Anatomy, AnatomyJoint, Model, SphereId};
 
 /// Largest J that is not odd.
 const LARGEST_J: f64 = 1.25;
@@ -21,7 +20,8 @@ const LARGEST_L: f64 = 1.05;
 
 /// One J or L, and the sphere of it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Reach {
+pub(crate) struct Reach {
+    /// The sphere.
     pub sphere: SphereId,
     /// J or L.
     pub value: f64,
@@ -38,7 +38,7 @@ enum Measure {
 
 impl Reach {
     /// Whether published models stay within.
-    pub(super) fn is_odd(&self) -> bool {
+    pub(crate) fn is_odd(&self) -> bool {
         match self.measure {
             Measure::J => self.value > LARGEST_J,
             Measure::L => !(LEAST_L..=LARGEST_L).contains(&self.value),
@@ -60,7 +60,7 @@ impl Reach {
 }
 
 /// J of each sphere of a foot, and L of each foot.
-pub(super) fn reaches(model: &Model, bones: &Bones) -> Vec<Reach> {
+pub(crate) fn reaches(model: &Model, bones: &Bones) -> Vec<Reach> {
     let mut found = Vec::new();
     let mut foremost: BTreeMap<String, (SphereId, f64)> = BTreeMap::new();
     for id in model.loaded_spheres(&model.force_ids()) {
@@ -123,7 +123,7 @@ const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.01..=10.0;
 const FOOT_WORDS: [&str; 9] = ["foot", "calc", "toe", "talus", "tars", "pes", "phal", "hoof", "paw"];
 
 /// What the bones of a model say, body by body.
-pub(super) struct Bones {
+pub(crate) struct Bones {
     anatomy: Anatomy,
     /// Those with meshes, each looked at when somebody first asks.
     bodies: HashMap<String, OnceLock<Bone>>,
@@ -141,7 +141,7 @@ struct Bone {
 
 impl Bones {
     /// `None` where the spheres on them cannot be read.
-    pub(super) fn of(model: &Model) -> Option<&Self> {
+    pub(crate) fn of(model: &Model) -> Option<&Self> {
         let mut spheres = model.spheres().iter();
         let are_read = spheres.all(|sphere| sphere.radius_m().is_ok() && model.rotation_of(sphere).is_ok());
         are_read.then(|| model.of_bodies(Self::read))
@@ -171,7 +171,7 @@ impl Bones {
     }
 
     /// The factors of the meshes of `body`; `None` without meshes, or where these differ.
-    pub(super) fn size(&self, body: &str) -> Option<[f64; 3]> {
+    pub(crate) fn size(&self, body: &str) -> Option<[f64; 3]> {
         self.bone(body)?.size
     }
 
@@ -182,12 +182,12 @@ impl Bones {
     }
 
     /// The joint by which `body` hangs on another one.
-    pub(super) fn joint_above(&self, body: &str) -> Option<&AnatomyJoint> {
+    pub(crate) fn joint_above(&self, body: &str) -> Option<&AnatomyJoint> {
         self.anatomy.joint_above(body)
     }
 
     /// Whether `body` belongs to a foot, by its name or its meshes.
-    pub(super) fn is_foot(&self, body: &str) -> bool {
+    pub(crate) fn is_foot(&self, body: &str) -> bool {
         self.bone(body).is_some_and(|bone| bone.is_foot)
     }
 
@@ -232,7 +232,7 @@ fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<[f64; 2]> {
 const SAME_SIZE: f64 = 0.005;
 
 /// Whether a bone is as large as another one.
-pub(super) fn same_size(a: [f64; 3], b: [f64; 3]) -> bool {
+pub(crate) fn same_size(a: [f64; 3], b: [f64; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME_SIZE * b.abs())
 }
 
@@ -242,7 +242,7 @@ mod tests {
 
     /// The largest J, and the least and largest L, of a model of the corpus, from files `names`.
     fn measured(names: &[&str]) -> Option<(f64, f64, f64)> {
-        use crate::model::files::{Beside, InMemory, ModelFiles};
+        use osim_model::files::{Beside, InMemory, ModelFiles};
         let folder = std::env::var_os("OSIM_CORPUS").map(std::path::PathBuf::from)?;
         let read = |name: &str| std::fs::read(folder.join(name)).unwrap();
         let mut files = InMemory::default();

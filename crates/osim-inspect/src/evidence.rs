@@ -5,16 +5,15 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
+use osim_model::{Model, ScaledSinceNote};
 use serde::Deserialize;
 use sha2::{Digest, Sha256};
 
-use super::reach::{Bones, Reach, reaches, same_size};
-use crate::compare::rules;
-use crate::model::{Finding, Model, ScaledSinceNote};
+use crate::reach::{Bones, Reach, reaches, same_size};
 
 /// What is known of the places of spheres.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Evidence {
+pub(crate) enum Evidence {
     /// By the note: bodies were scaled and the spheres stayed.
     Note(ScaledSinceNote),
     /// A published layout is on bones of another size.
@@ -33,7 +32,7 @@ pub enum Evidence {
 
 impl Evidence {
     /// What is known of `model`. `noted` is what its note says about sizes, where it has such a note.
-    pub fn of(model: &Model, noted: Option<ScaledSinceNote>) -> Self {
+    pub(crate) fn of(model: &Model, noted: Option<ScaledSinceNote>) -> Self {
         let bones = Bones::of(model);
         // A note says that spheres are where somebody put them.
         if let Some(title) = bones.and_then(|bones| mirrored(model, bones)) {
@@ -61,26 +60,13 @@ impl Evidence {
     }
 
     /// Whether spheres are where they should not be: everything else waits until they are moved.
-    pub fn is_wrong(&self) -> bool {
+    pub(crate) fn is_wrong(&self) -> bool {
         matches!(self, Self::Note(_) | Self::OtherSize(_) | Self::Mirrored(_) | Self::Reach(_))
     }
 
     /// Whether spheres are known to be where they belong.
-    pub fn is_right(&self) -> bool {
+    pub(crate) fn is_right(&self) -> bool {
         matches!(self, Self::Right)
-    }
-
-    pub fn finding(&self, model: &Model) -> Option<Finding> {
-        match self {
-            Self::Note(noted) => Some(rules::left_behind_since_note(noted)),
-            Self::OtherSize(LayoutAnswer::OtherSize { title, body, here, published }) => {
-                Some(rules::misplaced_for_layout(title, body, *here, *published))
-            }
-            Self::Mirrored(title) => Some(rules::misplaced_on_other_foot(title)),
-            Self::Reach(odd) => rules::misplaced_by_reach(model, odd),
-            Self::Unknown => Some(rules::scaled_bones_not_compared()),
-            Self::OtherSize(LayoutAnswer::AsPublished) | Self::Right | Self::Unscaled => None,
-        }
     }
 }
 
@@ -100,7 +86,7 @@ const SAME_PLACE_M: f64 = 1e-6;
 /// A published layout.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Layout {
+struct Layout {
     #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
     name: String,
     /// As people cite it.
@@ -118,7 +104,7 @@ pub(super) struct Layout {
 
 /// A body, and x, y, z of a centre in it, m.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
-pub(super) struct Place(String, f64, f64, f64);
+struct Place(String, f64, f64, f64);
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Centre<'m> {
@@ -142,7 +128,7 @@ impl<'m> From<Vec<Centre<'m>>> for Places<'m> {
 
 /// What a layout says about a model that has it.
 #[derive(Debug, Clone, PartialEq)]
-pub enum LayoutAnswer {
+pub(crate) enum LayoutAnswer {
     /// Its bones are as large as published, or the layout grew with them.
     AsPublished,
     /// They are not: the first body that differs, how large it is, and how large it was.
@@ -157,7 +143,7 @@ pub enum LayoutAnswer {
 }
 
 /// What the layout of `model` says; `None` where it is not known, or nothing shows how large the bones are.
-pub(super) fn answer(model: &Model, bones: &Bones) -> Option<LayoutAnswer> {
+fn answer(model: &Model, bones: &Bones) -> Option<LayoutAnswer> {
     let list = places(model)?;
     Answers::of(model, &list).layout.get_or_init(|| answer_of(list, bones)).clone()
 }
@@ -210,7 +196,7 @@ fn answer_of(list: Vec<Centre<'_>>, bones: &Bones) -> Option<LayoutAnswer> {
 
 /// The published layout whose mirror image the spheres of `model` are, as people cite it: each foot has the places of the other one.
 /// `None` where they are as published, too.
-pub(super) fn mirrored(model: &Model, bones: &Bones) -> Option<&'static str> {
+fn mirrored(model: &Model, bones: &Bones) -> Option<&'static str> {
     let list = places(model)?;
     *Answers::of(model, &list).mirrored.get_or_init(|| mirrored_of(list, bones))
 }
@@ -371,7 +357,7 @@ mod tests {
         }
     }
 
-    const FALISSE: &str = include_str!("../../../../../fixtures/check/known_contacts.osim");
+    const FALISSE: &str = include_str!("../../../fixtures/check/known_contacts.osim");
 
     /// `text` with the sign of z changed in the place of each sphere.
     fn mirrored(text: &str) -> String {

@@ -1,17 +1,11 @@
-//! Whether spheres are where their bodies have taken them: compared with the model that was scaled, exactly, or with published ones.
-
-mod evidence;
-mod reach;
+//! Whether spheres are where their bodies have taken them, compared with the model that was scaled.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::follow::{Factors, ScaleFile};
-use super::rules;
 use crate::messages::{Input, Phrase, Verb};
-use crate::model::{Anatomy, AnatomySphere, Fault, Finding, LevelAxis, Model, Note, Step};
-pub use evidence::{Evidence, LayoutAnswer};
-pub use reach::Reach;
+use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note};
 
 /// Places that differ by no more than this are one, m.
 const SAME_PLACE_M: f64 = 1e-6;
@@ -135,31 +129,12 @@ impl Placement {
     pub fn has_resized(&self) -> bool {
         self.spheres.iter().any(|sphere| !sphere.untouched)
     }
-
-    /// One finding for each sphere that is not where it belongs.
-    pub fn findings(&self) -> Vec<Finding> {
-        if let Some(why) = &self.unknown {
-            return vec![rules::models_not_compared(why)];
-        }
-        let unmatched = self.unmatched.iter().cloned().map(rules::sphere_not_compared);
-        let placed = self.spheres.iter().filter(|sphere| !sphere.follows).map(PlacedSphere::finding);
-        placed.chain(unmatched).collect()
-    }
 }
 
 impl PlacedSphere {
-    fn stayed(&self) -> bool {
+    /// Whether it is where it was in the model that was scaled.
+    pub fn stayed(&self) -> bool {
         near(self.here_m, self.was_m)
-    }
-
-    fn finding(&self) -> Finding {
-        let (here, belongs) = (millimetres(self.here_m), millimetres(self.belongs_m));
-        let finding = if self.stayed() {
-            rules::sphere_left_behind(&self.name, &here, &belongs)
-        } else {
-            rules::sphere_misplaced(&self.name, &here, &belongs)
-        };
-        finding.about(&self.path).on_line(Some(self.line)).of_spheres(vec![self.name.clone()])
     }
 }
 
@@ -247,13 +222,4 @@ fn is_untouched(now: &AnatomySphere, old: &AnatomySphere) -> bool {
 
 fn near(a: [f64; 3], b: [f64; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME_PLACE_M)
-}
-
-fn millimetres(place: [f64; 3]) -> String {
-    let axes = place.map(|metres| {
-        let text = format!("{:.2}", metres * 1e3);
-        // No sign before a zero.
-        if text == "-0.00" { "0.00".to_owned() } else { text }
-    });
-    axes.join(" ")
 }

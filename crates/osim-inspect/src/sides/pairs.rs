@@ -4,11 +4,9 @@
 use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
+use osim_model::{Force, Model, ParameterSet, Side, Sphere, SphereId, without_side};
 
-use crate::model::contacts::{Force, ParameterSet, Sphere, SphereId};
-use crate::model::names::{Side, without_side};
-use crate::model::sides::mirror::{BodyPair, BodyPairs, Bones, near};
-use crate::model::typed_model::Model;
+use crate::sides::mirror::{BodyPair, BodyPairs, Bones, near};
 
 /// Published pairs are at most 0.023 of the limb's longest bone apart: beyond this part of it the places differ.
 pub(crate) const SAME_PLACE: f64 = 0.03;

@@ -1,14 +1,80 @@
-//! Rules about the components of a model: their files, classes, names and joints.
+//! Rules about the components of a model: their files, classes, names, connections and joints.
 
 use foldhash::{HashSet, HashSetExt};
+use osim_model::messages::listed;
+use osim_model::{
+    Class, Component, ComponentId, Example, FileId, Finding, FindingCode, Irregularity, Model, NoteDoubt,
+    Repair, Rule, Seen, Severity, refuse_name_in_paths,
+};
 
-use crate::messages::listed;
-use crate::model::components::{Component, ComponentId};
-use crate::model::fault::FileId;
-use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity};
-use crate::model::names::refuse_name_in_paths;
-use crate::model::property::Class;
-use crate::model::typed_model::Model;
+pub(super) static CONNECTEE_BY_NAME: Rule = Rule {
+    code: FindingCode::ConnecteeByName,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: None,
+    what: "A component was found by its name because the path written leads nowhere.",
+    why: "OpenSim may fail to load such a model, or connect it to something else.",
+    advice: "Open the model in OpenSim, check the connection and save it",
+    repair: Repair::NotPossible("only OpenSim shows what it connects"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<socket_frame>/bodyset/calcn_r</socket_frame>",
+        bad: "<socket_frame>calcn_r</socket_frame>",
+    },
+};
+
+pub(super) static MISNAMED_PARAMETER_SET: Rule = Rule {
+    code: FindingCode::MisnamedParameterSet,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: None,
+    what: "A ContactParametersSet has a name OpenSim does not look for.",
+    why: "OpenSim finds the set by its name: with another one the force has no parameters and never pushes.",
+    advice: "Name the set contact_parameters",
+    repair: Repair::NotPossible("names are left alone: only numbers are changed"),
+    example: Example::Piece {
+        model: "format/v40000.osim",
+        good: r#"<HuntCrossleyForce::ContactParametersSet name="contact_parameters">"#,
+        bad: r#"<HuntCrossleyForce::ContactParametersSet name="parameters">"#,
+    },
+};
+
+/// Connections that were found by a name, and sets that OpenSim does not find, in the order in which they are read.
+pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
+    let finding = |irregularity: &Irregularity| match irregularity {
+        Irregularity::TakenByName { owner, text, taken, line } => {
+            let text = format!("'{text}' of {owner} leads nowhere; took {taken}, the only one of that name");
+            Finding::at(&CONNECTEE_BY_NAME, *line, text).about(owner)
+        }
+        Irregularity::MisnamedSet { force, name, line } => {
+            let text = format!(
+                "{force}: the parameter set is called '{name}', so OpenSim reads no parameters at all; call it contact_parameters"
+            );
+            Finding::at(&MISNAMED_PARAMETER_SET, *line, text).about(force)
+        }
+    };
+    model.irregularities.iter().map(finding).collect()
+}
+
+pub(super) static MIXED_PAIR: Rule = Rule {
+    code: FindingCode::MixedPair,
+    severity: Severity::Error,
+    seen: Seen::Model,
+    verdict: None,
+    what: "A note of another output file was found that does not belong to this one.",
+    why: "The force set and the geometry set carry notes of different runs: their stiffnesses and radii do not belong together.",
+    advice: "Write both again in one run",
+    repair: Repair::NotPossible("only you know which of the two files is the right one"),
+    example: Example::InWords {
+        good: "force set and geometry set as one run wrote them",
+        bad: "the geometry set of another run, with a note of its own",
+    },
+};
+
+pub(super) fn find_mixed_pair(model: &Model) -> Vec<Finding> {
+    let doubt = model.doubt_about_note().filter(|doubt| *doubt == NoteDoubt::MixedPair);
+    doubt.map(|doubt| Finding::new(&MIXED_PAIR, doubt.as_str())).into_iter().collect()
+}
 
 pub(super) static CONTACT_DEFAULTS: Rule = Rule {
     code: FindingCode::ContactDefaults,
@@ -107,6 +173,19 @@ pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
     found
 }
 
+/// What is odd about each component, in the order of the tree.
+pub(super) fn find_in_components(model: &Model) -> Vec<Finding> {
+    let all = model.components().tree.iter();
+    let found = all.flat_map(|(id, object)| {
+        [
+            find_not_hertz(model, id),
+            find_duplicate_name(model, id, object),
+            find_refused_name(model, id, object),
+        ]
+    });
+    found.flatten().collect()
+}
+
 pub(super) static NOT_HERTZ: Rule = Rule {
     code: FindingCode::NotHertz,
     severity: Severity::Info,
@@ -122,7 +201,7 @@ pub(super) static NOT_HERTZ: Rule = Rule {
 const NOT_HERTZ_CLASSES: [&str; 3] =
     ["ElasticFoundationForce", "ExponentialContactForce", "MeyerFregly2016Force"];
 
-pub(super) fn find_not_hertz(model: &Model, id: ComponentId) -> Option<Finding> {
+fn find_not_hertz(model: &Model, id: ComponentId) -> Option<Finding> {
     let components = model.components();
     let tag = components.tag(id);
     NOT_HERTZ_CLASSES.contains(&tag).then(|| {
@@ -144,7 +223,7 @@ pub(super) static DUPLICATE_NAMES: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "format/same_sphere_name_twice.osim" },
 };
 
-pub(super) fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
+fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
     let components = model.components();
     let tag = components.tag(id);
     let ours =
@@ -171,7 +250,7 @@ pub(super) static REFUSED_NAME: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "bad/name_with_blank.osim" },
 };
 
-pub(super) fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
+fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
     object.parent?;
     let components = model.components();
     let in_paths = object.shared.as_ref().unwrap_or(&object.segment);

@@ -3,15 +3,33 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashMapExt};
+use osim_model::messages::{readable, shown, three_significant};
+use osim_model::{
+    BodyShape, Example, Finding, FindingCode, MassRequest, Model, Repair, Rule, Seen, Severity, Side, Sphere,
+    VerdictOn,
+};
 
-use crate::messages::{readable, shown, three_significant};
-use crate::model::body_sizes::BodyShape;
-use crate::model::contacts::Sphere;
-use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
-use crate::model::mass::MassRequest;
-use crate::model::names::Side;
-use crate::model::sides::{BothSides, distance, place_key};
-use crate::model::typed_model::Model;
+use crate::sides::{BothSides, distance, place_key};
+
+/// A finding about all of `spheres`, at the first of them; `None` without any.
+pub(super) fn about_spheres<'s>(
+    rule: &'static Rule,
+    text: String,
+    spheres: impl Iterator<Item = &'s Sphere> + Clone,
+) -> Option<Finding> {
+    let first = spheres.clone().next()?;
+    let finding = Finding::at(rule, first.line, text).about(&first.path);
+    Some(finding.of_spheres(spheres.map(|sphere| sphere.name.clone()).collect()))
+}
+
+/// What follows the words about the first of `count` cases.
+pub(super) fn and_others(count: usize, one: &str, several: &str) -> String {
+    match count {
+        0 | 1 => String::new(),
+        2 => format!("; {one}"),
+        count => format!("; {} {several}", count - 1),
+    }
+}
 
 /// Published spheres are at most 0.353 of the limb's longest bone from the nearest joint of their body.
 const PLACE_OF_BONE: f64 = 0.6;
@@ -43,8 +61,8 @@ pub(super) static ODD_PLACE: Rule = Rule {
 };
 
 /// One finding, about the sphere that is farthest away.
-pub(super) fn find_odd_place(model: &Model, sides: &BothSides<'_>) -> Option<Finding> {
-    let shapes = model.body_shapes();
+pub(super) fn find_odd_place(sides: &BothSides<'_>) -> Option<Finding> {
+    let shapes = sides.model.body_shapes();
     let mut bodies: HashMap<&str, Option<OnBody<'_>>> = HashMap::new();
     let mut all: Vec<Far<'_>> = Vec::new();
     for (sphere, body, place_m) in sides.spheres() {
@@ -53,9 +71,7 @@ pub(super) fn find_odd_place(model: &Model, sides: &BothSides<'_>) -> Option<Fin
     }
     all.sort_by(|a, b| b.times().total_cmp(&a.times()));
     let worst = all.first()?;
-    let sphere = worst.sphere;
-    let finding = Finding::at(&ODD_PLACE, sphere.line, describe_far(worst, all.len())).about(&sphere.path);
-    Some(finding.of_spheres(all.iter().map(|far| far.sphere.name.clone()).collect()))
+    about_spheres(&ODD_PLACE, describe_far(worst, all.len()), all.iter().map(|far| far.sphere))
 }
 
 /// A body by whose size places are judged.
@@ -127,11 +143,7 @@ impl Far<'_> {
 }
 
 fn describe_far(worst: &Far<'_>, count: usize) -> String {
-    let more = match count {
-        1 => String::new(),
-        2 => "; another sphere, too".to_owned(),
-        count => format!("; {} other spheres, too", count - 1),
-    };
+    let more = and_others(count, "another sphere, too", "other spheres, too");
     format!(
         "{} is {} m{} from the nearest joint of {}, {} of the limb's longest bone ({} m), expected at most {}{more}",
         shown(&worst.sphere.name),
@@ -164,15 +176,13 @@ pub(super) static ODD_RADIUS: Rule = Rule {
 };
 
 /// One finding, about the sphere that is farthest outside.
-pub(super) fn find_odd_radius(model: &Model, sides: &BothSides<'_>) -> Option<Finding> {
+pub(super) fn find_odd_radius(sides: &BothSides<'_>) -> Option<Finding> {
     let odd = |(sphere, body, _): (_, &str, _)| odd(sphere, sides.longest_of_limb_m(body)?);
     let mut all: Vec<Odd<'_>> = sides.spheres().filter_map(odd).collect();
     all.sort_by(|a, b| b.beyond().total_cmp(&a.beyond()));
     let worst = all.first()?;
-    let sphere = worst.sphere;
-    let finding = Finding::at(&ODD_RADIUS, sphere.line, describe_odd_radius(worst, all.len(), model))
-        .about(&sphere.path);
-    Some(finding.of_spheres(all.iter().map(|odd| odd.sphere.name.clone()).collect()))
+    let text = describe_odd_radius(worst, all.len(), sides.model);
+    about_spheres(&ODD_RADIUS, text, all.iter().map(|odd| odd.sphere))
 }
 
 struct Odd<'m> {
@@ -195,11 +205,7 @@ fn odd(sphere: &Sphere, bone_m: f64) -> Option<Odd<'_>> {
 
 fn describe_odd_radius(worst: &Odd<'_>, count: usize, model: &Model) -> String {
     let radius_m = worst.sphere.radius.number;
-    let more = match count {
-        1 => String::new(),
-        2 => "; another radius, too".to_owned(),
-        count => format!("; {} other radii, too", count - 1),
-    };
+    let more = and_others(count, "another radius, too", "other radii, too");
     let of_mass = MassRequest::default().bodies_kg(model).filter(|kg| *kg > 0.0);
     let of_mass = of_mass
         .map(|kg| format!(" (R / M^(1/3) is {} m/kg^(1/3))", three_significant(radius_m / libm::cbrt(kg))));
@@ -242,11 +248,8 @@ pub(super) fn find_crowded_spheres(sides: &BothSides<'_>) -> Option<Finding> {
     let mut all: Vec<Crowd<'_>> = crowds.collect();
     all.sort_by(|a, b| a.of_bone().total_cmp(&b.of_bone()));
     let worst = all.first()?;
-    let sphere = worst.spheres.first()?;
-    let finding =
-        Finding::at(&CROWDED_SPHERES, sphere.line, describe_crowd(worst, all.len())?).about(&sphere.path);
-    let names = all.iter().flat_map(|crowd| &crowd.spheres).map(|sphere| sphere.name.clone());
-    Some(finding.of_spheres(names.collect()))
+    let text = describe_crowd(worst, all.len())?;
+    about_spheres(&CROWDED_SPHERES, text, all.iter().flat_map(|crowd| &crowd.spheres).copied())
 }
 
 /// Spheres of one body that are nearly in one place.
@@ -327,11 +330,7 @@ pub(super) fn find_doubled_spheres(sides: &BothSides<'_>) -> Option<Finding> {
         }
     }
     let [first, second] = *doubled.first()?;
-    let more = match doubled.len() {
-        1 => String::new(),
-        2 => "; another pair, too".to_owned(),
-        count => format!("; {} other pairs, too", count - 1),
-    };
+    let more = and_others(doubled.len(), "another pair, too", "other pairs, too");
     let body = second.body.as_deref().unwrap_or_default();
     let text = format!(
         "{} and {} are at the same place of {}{more}",
@@ -339,6 +338,5 @@ pub(super) fn find_doubled_spheres(sides: &BothSides<'_>) -> Option<Finding> {
         shown(&second.name),
         shown(body)
     );
-    let finding = Finding::at(&DOUBLED_SPHERES, second.line, text).about(&second.path);
-    Some(finding.of_spheres(doubled.iter().map(|[_, second]| second.name.clone()).collect()))
+    about_spheres(&DOUBLED_SPHERES, text, doubled.iter().map(|[_, second]| *second))
 }

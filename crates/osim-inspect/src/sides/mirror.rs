@@ -3,9 +3,7 @@
 use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt, HashSet};
-
-use crate::model::names::{Side, without_side};
-use crate::model::typed_model::Model;
+use osim_model::{Model, Side, without_side};
 
 /// Sizes of the bones that carry spheres: factors of their meshes, and distances between their joints.
 #[derive(Debug, Clone, Copy)]
@@ -35,7 +33,7 @@ impl<'m> Bones<'m> {
 
     /// The reflection that meshes show; `None` where no mesh shows the same bone, or these do not agree.
     fn of_meshes(&self, left: &str, right: &str) -> Option<[f64; 3]> {
-        let meshes = self.model.body_facts.mesh_factors(self.model.components());
+        let meshes = self.model.mesh_factors();
         let (left, right) = (meshes.get(left)?, meshes.get(right)?);
         let mut ratios = same_bones(left, right).into_iter().filter_map(|(l, r)| ratio(l, r));
         let first = ratios.next()?;
@@ -259,7 +257,7 @@ fn marks<'m>(model: &Model, paired: &HashSet<&'m str>) -> HashMap<&'m str, BTree
             marks.entry(body).or_default().insert(Mark::Centre, centre);
         }
     }
-    for joint in model.body_facts.joints.between_bodies(components) {
+    for joint in model.joints_between_bodies() {
         let ends = [(&joint.parent, joint.in_parent_m, true), (&joint.child, joint.in_child_m, false)];
         for (body, at_m, is_below) in ends {
             if let Some(&body) = paired.get(body.as_str()) {

@@ -1,0 +1,168 @@
+//! What one model shows by itself, in the order of the table of rules. What OpenSim makes of odd numbers was seen in OpenSim 4.6;
+//! `tests/oracle/test_words.py` asks it again.
+
+use osim_inspect::model_findings;
+use osim_model::{Companion, Document, Model};
+
+const FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
+
+/// A fixture of `format/`.
+#[track_caller]
+fn fixture(file: &str) -> String {
+    let path = format!("{}/../../fixtures/format/{file}.osim", env!("CARGO_MANIFEST_DIR"));
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+fn codes_of(model: &Model) -> Vec<&'static str> {
+    model_findings(model).iter().map(|finding| finding.code().as_str()).collect()
+}
+
+#[track_caller]
+fn codes(file: &str) -> Vec<&'static str> {
+    codes_of(&Model::parse(fixture(file)).unwrap())
+}
+
+#[test]
+fn traps_are_named_with_their_codes() {
+    for (file, code) in [
+        ("dead_derivative_smoothing", "dead-derivative-smoothing"),
+        ("left_out_stiffness", "default-stiffness"),
+        ("shared_sphere", "sphere-in-two-forces"),
+        ("one_force_for_all", "several-spheres-one-force"),
+        ("unequal_stiffness", "left-right-differ"),
+        ("unequal_radii", "left-right-close"),
+        ("not_hertz", "not-hertz"),
+        ("elastic_foundation", "not-hertz"),
+        ("moco_sphere_in_force", "moco-dialect"),
+        ("same_force_name_twice", "duplicate-names"),
+        ("same_sphere_name_twice", "duplicate-names"),
+        ("terrain_on_ground", "terrain"),
+        ("terrain_welded", "terrain"),
+    ] {
+        let codes = codes(file);
+        assert!(codes.contains(&code), "{file}: {codes:?}");
+    }
+    assert_eq!(codes("left_out_smoothing"), [""; 0]);
+}
+
+#[test]
+fn a_constant_contact_force_of_zero_is_named() {
+    let zero =
+        FOOT.replace("<dissipation>", "<constant_contact_force>0</constant_contact_force><dissipation>");
+    assert!(codes_of(&Model::parse(zero).unwrap()).contains(&"zero-constant-contact-force"));
+}
+
+#[test]
+fn derivative_smoothing_is_alive_where_the_force_keeps_its_sphere() {
+    let first = fixture("moco_sphere_in_force").replace("constant_contact_force>", "derivative_smoothing>");
+    assert!(first.contains("<derivative_smoothing>"));
+    assert!(!codes_of(&Model::parse(first).unwrap()).contains(&"dead-derivative-smoothing"));
+}
+
+#[test]
+fn defaults_that_hold_contacts_are_named() {
+    for file in ["defaults_smooth", "defaults_contact_parameters", "defaults_sphere_radius"] {
+        assert!(codes(file).contains(&"contact-defaults"), "{file}");
+    }
+}
+
+#[test]
+fn a_set_beside_its_model_shows_what_the_model_shows() {
+    for file in ["v40000", "floor_of_its_own", "frame_on_body", "connectee_relative"] {
+        let text = fixture(file);
+        let alone = Model::parse(text.as_str()).unwrap();
+        let (start, end) = (text.find("<ForceSet").unwrap(), text.find("</ForceSet>").unwrap());
+        let set =
+            format!("<OpenSimDocument Version=\"40000\">{}</ForceSet></OpenSimDocument>", &text[start..end]);
+        // As geometry or as the model that it belongs to, and as both.
+        for times in [1, 2] {
+            let beside = Companion { document: Document::parse(text.as_str()).unwrap(), included_by: None };
+            let read = Model::read_with(Document::parse(set.as_str()).unwrap(), vec![beside; times]).unwrap();
+            assert_eq!(codes_of(&read), codes_of(&alone), "{file}, {times} times");
+        }
+    }
+}
+
+/// The findings about numbers of the one sphere's location, or of gravity where `tag` is that.
+fn found(tag: &str, text: &str) -> Vec<(&'static str, String)> {
+    let (radius, gravity) = ("<radius>0.03</radius>", "<gravity>0 -9.81 0</gravity>");
+    let element = format!("<{tag}>{text}</{tag}>");
+    let model = match tag {
+        "gravity" => FOOT.replace(gravity, &element),
+        _ => FOOT.replace(radius, &format!("{radius}{element}")),
+    };
+    let read = Model::parse(model.as_str()).unwrap();
+    let odd = model_findings(&read)
+        .iter()
+        .filter(|finding| ["odd-number", "not-finite"].contains(&finding.code().as_str()));
+    odd.map(|finding| {
+        assert_eq!(finding.line, Some(model[..model.find(&element).unwrap()].lines().count()));
+        (finding.code().as_str(), finding.message.to_string())
+    })
+    .collect()
+}
+
+#[test]
+fn a_location_or_gravity_that_opensim_reads_in_its_own_way_is_said() {
+    for plain in ["0 -9.8 0", "1, 2, 3", "+1 .5 1e-3", " 1\u{b}2 3 "] {
+        assert_eq!((found("location", plain), found("gravity", plain)), (vec![], vec![]), "{plain}");
+    }
+    // Of these OpenSim reads nothing, and takes its default.
+    for text in ["0,-9.8,0", "(0 -9.8 0)", "0 -9.8", "0 1 2 3", "0\u{a0}1 2", "0 1 x", "", "0 1 2&#32;"] {
+        let (location, gravity) = (found("location", text), found("gravity", text));
+        assert_eq!((location.len(), gravity.len()), (1, 1), "{text}");
+        assert_eq!((location[0].0, gravity[0].0), ("odd-number", "odd-number"), "{text}");
+        assert!(location[0].1.ends_with("which OpenSim reads as 0 0 0"), "{}", location[0].1);
+        assert!(gravity[0].1.ends_with("which OpenSim reads as 0 -9.80665 0"), "{}", gravity[0].1);
+    }
+    // Of these it reads something.
+    for (text, read) in [("0,5 1 2", "0 1 2"), ("1x 2 3", "1 2 3"), ("1 2 3 4 5 6", "1 2 3")] {
+        let said =
+            format!("location of /contactgeometryset/heel_r is '{text}', which OpenSim reads as {read}");
+        assert_eq!(found("location", text), [("odd-number", said)]);
+        assert_eq!(found("gravity", text).len(), 1);
+    }
+    let said = "location of /contactgeometryset/heel_r is 1 NaN 3".to_owned();
+    assert_eq!(found("location", "1 nan 3"), [("not-finite", said)]);
+    assert_eq!(found("gravity", "0 -inf 0"), [("not-finite", "gravity of the model is 0 -inf 0".to_owned())]);
+}
+
+#[test]
+fn an_odd_location_of_defaults_is_that_of_each_sphere_without_its_own() {
+    let defaults = |location: &str| {
+        format!(
+            "<Model name=\"one_foot\"><defaults><ContactSphere name=\"default\">\
+             <location>{location}</location></ContactSphere></defaults>"
+        )
+    };
+    let model = |location: &str, own: &str| {
+        let text = FOOT.replace("<Model name=\"one_foot\">", &defaults(location));
+        let text = text.replace("<radius>0.03</radius>", &format!("<radius>0.03</radius>{own}"));
+        let odd = |model: &Model| {
+            model_findings(model).iter().filter(|one| one.code().as_str() == "odd-number").count()
+        };
+        Model::parse(text).map(|model| (odd(&model), model.spheres()[0].location_m)).unwrap()
+    };
+    assert_eq!(model("7,8,9", ""), (1, [0.0; 3]));
+    assert_eq!(model("7,8,9", "<location>1 2 3</location>"), (0, [1.0, 2.0, 3.0]));
+    assert_eq!(model("7 8 9", "<location>1,2,3</location>"), (1, [7.0, 8.0, 9.0]));
+}
+
+#[test]
+fn a_transition_velocity_that_is_no_number_is_found_in_the_older_class_too() {
+    let older = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
+    let tag = "<transition_velocity>";
+    let (before, rest) = older.split_once(tag).unwrap();
+    let after = &rest[rest.find('<').unwrap()..];
+    for (text, code) in [
+        ("nan", "not-finite"),
+        ("inf", "not-finite"),
+        ("-1", "out-of-domain"),
+        ("0.<!-- c -->17", "odd-number"),
+        ("<x/>0.17", "odd-number"),
+    ] {
+        let model = Model::parse(format!("{before}{tag}{text}{after}")).unwrap();
+        let found: Vec<_> = model_findings(&model).iter().map(|finding| finding.code().as_str()).collect();
+        assert!(found.contains(&code), "{text}: {found:?}");
+    }
+}

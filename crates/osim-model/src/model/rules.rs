@@ -1,0 +1,168 @@
+//! Rules that changes raise, too, or that two sources show. What one model shows is in `osim-inspect`, what only a change shows in
+//! `osim-patch` and `osim-planning`.
+
+use crate::messages::{Phrase, phrase, readable};
+use crate::model::contacts::{Force, ForceId};
+use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
+use crate::model::typed_model::Model;
+
+/// The rules of this crate.
+pub const RULES: &[&Rule] = &[
+    &MASS_SOURCES_DISAGREE,
+    &MIXED_RADII,
+    &SEVERAL_PARAMETER_SETS,
+    &DISABLED_FORCE,
+    &FACTORS_DISAGREE,
+    &NOT_A_SCALED_COPY,
+];
+
+static MASS_SOURCES_DISAGREE: Rule = Rule {
+    code: FindingCode::MassSourcesDisagree,
+    severity: Severity::Warn,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Mass),
+    what: "The note, `mass` and the bodies give different masses.",
+    why: "The factor of every change follows from the mass the contacts are made for; a wrong one scales all of them wrongly.",
+    advice: "Check the mass that was taken (the first line of the output) and say `contacts_mass=KG` if it is not the right one",
+    repair: Repair::NotPossible("only you know which of the masses is right"),
+    example: Example::Models { good: "walks/child.osim", bad: "walks/scaled_noted.osim" },
+};
+
+/// A mass, and where it is from, in words.
+pub(crate) struct SaidMass {
+    pub(crate) kg: f64,
+    pub(crate) source: Phrase,
+}
+
+/// Contacts are taken as made for one mass, and something else says another.
+pub(crate) fn mass_sources_disagree(taken: &SaidMass, other: &SaidMass) -> Finding {
+    let message = phrase![
+        format!("contacts are taken as made for {} kg (", readable(taken.kg)),
+        &taken.source,
+        "), but ",
+        &other.source,
+        format!(" says {} kg", readable(other.kg)),
+    ];
+    Finding::new(&MASS_SOURCES_DISAGREE, message)
+}
+
+impl Model {
+    /// What is special about `forces` without being wrong, in the order of the codes.
+    pub fn remarks_on(&self, forces: &[ForceId]) -> Vec<Finding> {
+        let forces = || forces.iter().filter_map(|&id| self.force(id));
+        let mut found: Vec<Finding> = forces().filter_map(|force| find_mixed_radii(self, force)).collect();
+        found.extend(forces().filter_map(find_several_parameter_sets));
+        found.extend(forces().filter_map(find_disabled_force));
+        found
+    }
+}
+
+static DISABLED_FORCE: Rule = Rule {
+    code: FindingCode::DisabledForce,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Sides),
+    what: "A contact force that is switched off is changed with the others.",
+    why: "A force that does not apply carries no load, so its spheres are not counted; it is still scaled, so that it is right once it is switched on.",
+    advice: "Nothing, if that is meant; else `skip_disabled`",
+    repair: Repair::NotPossible("nothing is wrong"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: r#"<SmoothSphereHalfSpaceForce name="contact_heel_r">"#,
+        bad: r#"<SmoothSphereHalfSpaceForce name="contact_heel_r"><appliesForce>false</appliesForce>"#,
+    },
+};
+
+fn find_disabled_force(force: &Force) -> Option<Finding> {
+    let text = format!(
+        "{} is switched off: it is changed with the others, and its spheres are not counted",
+        force.path
+    );
+    (!force.applies).then(|| Finding::at(&DISABLED_FORCE, force.line, text).about(&force.path))
+}
+
+static MIXED_RADII: Rule = Rule {
+    code: FindingCode::MixedRadii,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    verdict: Some(VerdictOn::Sizes),
+    what: "Radii differ within one ContactParameters.",
+    why: "One ContactParameters has one modulus for all its spheres. The mean of R squared is used before and after: equal relative indentation, load in proportion to R squared.",
+    advice: "Nothing, if that is meant; else give each sphere its own force",
+    repair: Repair::NotPossible("nothing is wrong"),
+    example: Example::Models { good: "format/v40000.osim", bad: "format/mixed_radii.osim" },
+};
+
+/// One set of parameters for spheres of different radii.
+fn find_mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
+    let set = force.sets.iter().find(|set| {
+        let spheres = set.spheres.iter().filter_map(|&id| model.sphere(id));
+        let mut radii = spheres.filter(|sphere| !sphere.fixed).map(|sphere| sphere.radius.number);
+        radii.next().is_some_and(|first| radii.any(|radius| radius != first))
+    })?;
+    let text = format!("{} has spheres of different radii: the mean of R squared is used", force.path);
+    Some(Finding::at(&MIXED_RADII, set.line, text).about(&force.path))
+}
+
+static SEVERAL_PARAMETER_SETS: Rule = Rule {
+    code: FindingCode::SeveralParameterSets,
+    severity: Severity::Info,
+    seen: Seen::Model,
+    verdict: None,
+    what: "A force has several ContactParameters.",
+    why: "The surfaces have moduli of their own and the contact uses their composite (A.3); all are multiplied by the same factor.",
+    advice: "Nothing, if that is meant",
+    repair: Repair::NotPossible("nothing is wrong"),
+    example: Example::Models { good: "format/v40000.osim", bad: "format/three_materials.osim" },
+};
+
+fn find_several_parameter_sets(force: &Force) -> Option<Finding> {
+    let used = force.sets.iter().filter(|set| !set.spheres.is_empty() || set.half_spaces > 0).count();
+    let text = format!("{} has {} ContactParameters: all get the same factor", force.path, force.sets.len());
+    (used > 1).then(|| Finding::at(&SEVERAL_PARAMETER_SETS, force.line, text).about(&force.path))
+}
+
+static FACTORS_DISAGREE: Rule = Rule {
+    code: FindingCode::FactorsDisagree,
+    severity: Severity::Warn,
+    seen: Seen::Change,
+    verdict: None,
+    what: "Two sources give different scale factors of a body.",
+    why: "A sphere's place and size follow from its body's factors; the first source in the order given, scale file, mesh, joint offset was taken.",
+    advice: "Look at `inspect from`, and say `body_scale=BODY=x,y,z` where another source is right",
+    repair: Repair::NotPossible("only you know which source is right"),
+    example: Example::Request {
+        good: r#"{"verb": "transfer", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim", "follow_bodies": true}"#,
+        bad: r#"{"verb": "transfer", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim", "follow_bodies": true, "body_scale": {"calcn_r": [1.02, 0.91, 0.95]}}"#,
+    },
+};
+
+/// Sources that say different sizes, in words.
+pub(crate) fn factors_disagree(message: String) -> Finding {
+    Finding::new(&FACTORS_DISAGREE, message)
+}
+
+static NOT_A_SCALED_COPY: Rule = Rule {
+    code: FindingCode::NotAScaledCopy,
+    severity: Severity::Warn,
+    seen: Seen::Change,
+    verdict: None,
+    what: "A model is not a scaled copy of the reference whose contacts follow its bodies.",
+    why: "In a scaled copy, joint offsets and meshes give each factor exactly. Between different models offsets are not factors: a body then gets the ratio of the mesh factors of the same bone, else one ratio of distances to a joint below it, and the last body of a limb the factors of the body it hangs on.",
+    advice: "Nothing, if another model is meant; else name the generic model that this one was scaled from, or say `body_scale=BODY=x,y,z`",
+    repair: Repair::NotPossible("only you know which model this one was scaled from"),
+    example: Example::Request {
+        good: r#"{"verb": "inspect", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim"}"#,
+        bad: r#"{"verb": "inspect", "models": ["scale_tool/scaled_smooth.osim"], "from": "feet/human_40000.osim"}"#,
+    },
+};
+
+/// What follows from a difference, after it.
+const NO_COPY: &str = "no factors per body and axis lead from the reference to this model; factors are those of the same bone's \
+                       mesh, or ratios of distances between joints";
+
+/// `message` says what differs.
+pub(crate) fn not_a_scaled_copy(mut message: Phrase) -> Finding {
+    message.push(NO_COPY);
+    Finding::new(&NOT_A_SCALED_COPY, message)
+}
