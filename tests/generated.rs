@@ -12,7 +12,7 @@ use contact_scaling::limits;
 use osim_inspect::{CheckResult, Figure};
 use osim_model::files::{Beside, InMemory, ModelFiles};
 use osim_model::messages::{Call, Dialect, Example, Input, Phrase};
-use osim_model::{FindingCode, Repair, Seen, Severity};
+use osim_model::{FindingCode, Repair, Severity};
 use osim_planning::{DesignQuantity, Inspector, rules};
 use osim_requests::options::InspectionOptions;
 use osim_requests::spell::CommandLine;
@@ -86,10 +86,10 @@ fn first_sentence(text: &str) -> String {
 /// docs/reference/warnings.md: the codes of a severity, in the order in which they are looked for.
 fn findings(severity: Severity) -> String {
     let rows = rules::all().iter().filter(|rule| rule.severity == severity).map(|rule| {
-        let check = match (rule.seen, rule.repair) {
-            (Seen::Change, _) => "no",
-            (_, Repair::Command(_)) => "command",
-            (_, Repair::NotPossible(_)) => "yes",
+        let check = match rule.repair {
+            Repair::OfChange(_) => "no",
+            Repair::Command(_) => "command",
+            Repair::NotPossible(_) => "yes",
         };
         let [what, advice] = [rule.what(), rule.advice()].map(|text| spelled(&text));
         vec![format!("`{}`", rule.code), short(&what), first_sentence(&advice), check.to_owned()]

@@ -4,13 +4,12 @@ use foldhash::{HashSet, HashSetExt};
 use osim_model::messages::listed;
 use osim_model::{
     Class, Component, ComponentId, Example, FileId, Finding, FindingCode, Irregularity, Model, NoteDoubt,
-    Repair, Rule, Seen, Severity, refuse_name_in_paths,
+    Repair, Rule, Severity, refuse_name_in_paths,
 };
 
 pub(super) static CONNECTEE_BY_NAME: Rule = Rule {
     code: FindingCode::ConnecteeByName,
     severity: Severity::Warn,
-    seen: Seen::Model,
     verdict: None,
     what: "A component was found by its name because the path written leads nowhere.",
     why: "OpenSim may fail to load such a model, or connect it to something else.",
@@ -26,7 +25,6 @@ pub(super) static CONNECTEE_BY_NAME: Rule = Rule {
 pub(super) static MISNAMED_PARAMETER_SET: Rule = Rule {
     code: FindingCode::MisnamedParameterSet,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: None,
     what: "A ContactParametersSet has a name OpenSim does not look for.",
     why: "OpenSim finds the set by its name: with another one the force has no parameters and never pushes.",
@@ -59,7 +57,6 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
 pub(super) static MIXED_PAIR: Rule = Rule {
     code: FindingCode::MixedPair,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: None,
     what: "A note of another output file was found that does not belong to this one.",
     why: "The force set and the geometry set carry notes of different runs: their stiffnesses and radii do not belong together.",
@@ -79,7 +76,6 @@ pub(super) fn find_mixed_pair(model: &Model) -> Vec<Finding> {
 pub(super) static CONTACT_DEFAULTS: Rule = Rule {
     code: FindingCode::ContactDefaults,
     severity: Severity::Warn,
-    seen: Seen::Model,
     verdict: None,
     what: "The defaults of the document hold contact objects.",
     why: "OpenSim keeps the defaults of one model for every model loaded later in the same session, so another model can silently take these values.",
@@ -117,7 +113,6 @@ pub(super) fn find_contact_defaults(model: &Model) -> Vec<Finding> {
 pub(super) static INCLUDED_FILE: Rule = Rule {
     code: FindingCode::IncludedFile,
     severity: Severity::Info,
-    seen: Seen::Model,
     verdict: None,
     what: "Contacts are in a file that the model includes.",
     why: "The contacts were read from the file that the model names; a change would have to go into that file too.",
@@ -145,7 +140,6 @@ pub(super) fn find_included_file(model: &Model) -> Vec<Finding> {
 pub(super) static UNKNOWN_CLASS: Rule = Rule {
     code: FindingCode::UnknownClass,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: None,
     what: "Contacts are in a component of a class that OpenSim does not know.",
     why: "OpenSim skips a component of a class it does not know, with everything in it, so these contacts do not exist for it; they were left alone. A plugin may know the class.",
@@ -189,7 +183,6 @@ pub(super) fn find_in_components(model: &Model) -> Vec<Finding> {
 pub(super) static NOT_HERTZ: Rule = Rule {
     code: FindingCode::NotHertz,
     severity: Severity::Info,
-    seen: Seen::Model,
     verdict: None,
     what: "Contacts of a class that is not Hertz's.",
     why: "ElasticFoundationForce, ExponentialContactForce and MeyerFregly2016Force do not follow the equations used here; they are left as they are.",
@@ -214,7 +207,6 @@ fn find_not_hertz(model: &Model, id: ComponentId) -> Option<Finding> {
 pub(super) static DUPLICATE_NAMES: Rule = Rule {
     code: FindingCode::DuplicateNames,
     severity: Severity::Warn,
-    seen: Seen::Model,
     verdict: None,
     what: "Two components have the same name.",
     why: "OpenSim renames the second one when it loads the model, so a path or a name means the first one only.",
@@ -241,7 +233,6 @@ fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Op
 pub(super) static REFUSED_NAME: Rule = Rule {
     code: FindingCode::RefusedName,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: None,
     what: "An object has a name with which OpenSim refuses the model.",
     why: "OpenSim finds objects by paths, in which a name must be one step: it has no blank and none of / * + and the backslash in it, and is neither . nor ..",
@@ -264,7 +255,6 @@ fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Opti
 pub(super) static LOOP_OF_JOINTS: Rule = Rule {
     code: FindingCode::LoopOfJoints,
     severity: Severity::Warn,
-    seen: Seen::Model,
     verdict: None,
     what: "A body has more than one joint: joints form a loop, or OpenSim ignores some.",
     why: "Of joints inside a body, as documents up to version 3 have them, OpenSim takes the first and ignores the others. Elsewhere it cuts a loop of joints: it divides a body into equal parts that a constraint holds together, and their masses still make the body's. Where a WeldJoint or a FreeJoint between two bodies is in the loop it divides nothing, and counts the mass of a body twice. Left, right and limbs follow the first joint of each body.",

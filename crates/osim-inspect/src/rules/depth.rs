@@ -2,7 +2,7 @@
 
 use contact_scaling::limits::INDENTATION;
 use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable};
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn, same_mass};
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn, same_mass};
 use osim_requests::Request;
 
 use crate::figures::{Figure, SphereFigures};
@@ -12,7 +12,6 @@ use crate::rules::limits::{CENTRE, Limits, beyond};
 pub(super) static SUNK_IN: Rule = Rule {
     code: FindingCode::SunkIn,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Mass),
     what: "The contacts are far too soft: at body weight on one limb, spheres sink into the floor up to their centres or deeper.",
     why: "No contact law holds so deep, but OpenSim goes on with the same formula. Nearly always the contacts were made for a lighter body, or the spheres are too small.",
@@ -157,7 +156,6 @@ fn of_another_body(carriers: f64) -> Phrase {
 pub(super) static BEYOND_HERTZ: Rule = Rule {
     code: FindingCode::BeyondHertz,
     severity: Severity::Info,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in deeper than Hertz' law is accurate for, at body weight on one limb.",
     why: "Hertz' law was found accurate up to a relative indentation of {indentation}, a contact patch of 0.4 R. Beyond, the contact is a non-linear spring and no longer a material; most published gait models are there (Falisse et al. 2022: 0.353).",
@@ -180,7 +178,6 @@ pub(super) fn find_beyond_hertz(limits: &Limits<'_>) -> Option<Found> {
 pub(super) static BEYOND_HERTZ_AT_TWO: Rule = Rule {
     code: FindingCode::BeyondHertzAtTwo,
     severity: Severity::Info,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in deeper than Hertz' law is accurate for, at two body weights and not at one.",
     why: "A foot carries more than body weight in running and landing. At twice body weight the relative indentation is above {indentation}, up to which Hertz' law is accurate.",

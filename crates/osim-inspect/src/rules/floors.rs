@@ -1,7 +1,7 @@
 //! Floors that are turned wrongly, slope, or hang on the body that stands on them.
 
 use osim_model::messages::{readable, shown, three_significant};
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
 
 use crate::floors::{Floors, JudgedPlane, PlaneKind};
 
@@ -34,7 +34,6 @@ fn turned_finding(judged: &JudgedPlane, rule: &'static Rule, degrees: f64) -> Op
 pub(super) static FLOOR_UPSIDE_DOWN: Rule = Rule {
     code: FindingCode::FloorUpsideDown,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Floor),
     what: "A floor is upside down: its solid side is above.",
     why: "The half-space is solid where the body is, so its spheres begin deep inside it and are pushed down. In OpenSim the solid side of a half-space is where x is above 0 in its own frame.",
@@ -56,7 +55,6 @@ pub(super) fn find_upside_down(floors: &Floors) -> Vec<Finding> {
 pub(super) static FLOOR_UPRIGHT: Rule = Rule {
     code: FindingCode::FloorUpright,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Floor),
     what: "A floor is upright: it leans by more than 45 degrees.",
     why: "The spheres of a limb press on it and on no other floor, so the model falls past it for ever, or is inside it from the beginning. No published floor leans by more than 20.5 degrees; walls that no foot presses on, such as the net of a goal, are none.",
@@ -78,7 +76,6 @@ pub(super) fn find_upright(floors: &Floors) -> Vec<Finding> {
 pub(super) static FLOOR_ON_LIMB: Rule = Rule {
     code: FindingCode::FloorOnLimb,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Floor),
     what: "A floor hangs on a body from which the spheres that press on it cannot be lifted.",
     why: "A floor on the pelvis moves with the pelvis: joints turn the feet against it and lift nothing, so it carries no weight and the model falls for ever. Published floors hang on ground, on a chair or on a platform, which the body can leave.",
@@ -110,7 +107,6 @@ fn on_limb_finding(judged: &JudgedPlane) -> Option<Finding> {
 pub(super) static FLOOR_SLOPES: Rule = Rule {
     code: FindingCode::FloorSlopes,
     severity: Severity::Info,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Floor),
     what: "A floor leans by more than 1 degree, and by no more than 45: a slope.",
     why: "On a slope only the part of gravity along its normal presses spheres into it; figures under body weight use that part. Published slopes have up to 20.5 degrees.",

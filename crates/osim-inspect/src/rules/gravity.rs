@@ -2,8 +2,7 @@
 
 use osim_model::messages::{Input, phrase, readable, shown};
 use osim_model::{
-    Example, Finding, FindingCode, GravityFor, Model, Needed, Repair, Rule, Seen, Severity, VerdictOn,
-    same_gravity,
+    Example, Finding, FindingCode, GravityFor, Model, Needed, Repair, Rule, Severity, VerdictOn, same_gravity,
 };
 
 use crate::floors::{Floors, JudgedPlane, PlaneKind};
@@ -14,7 +13,6 @@ use crate::rules::floors::UPSIDE_DOWN_DEGREES;
 pub(crate) static NO_GRAVITY: Rule = Rule {
     code: FindingCode::NoGravity,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Floor),
     what: "Spheres press on a floor, and the model has no gravity.",
     why: "Nothing holds the body on its floor, so it drifts away after the first push; without body weight indentations are not judged. None of the published models that we test with is so.",
@@ -43,7 +41,6 @@ pub(crate) fn find_no_gravity(
 pub(crate) static GRAVITY_TOO_LARGE: Rule = Rule {
     code: FindingCode::GravityTooLarge,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Floor),
     what: "Gravity is more than 100 m/s2: it is probably in mm/s2 or cm/s2.",
     why: "Under a thousand times its weight every sphere sinks in beyond its centre, and a simulation explodes. 100 m/s² are ten times the Earth's gravity, and four times that of Jupiter, the most of all planets; 981 and 9810 are the Earth's in cm/s² and mm/s². Figures under that weight are not judged.",
@@ -82,7 +79,6 @@ pub(crate) fn find_too_large(model: &Model) -> Option<Finding> {
 pub(crate) static GRAVITY_NOT_DOWN: Rule = Rule {
     code: FindingCode::GravityNotDown,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Floor),
     what: "Gravity points out of the floor or along it, not into it.",
     why: "The body is where the floor faces, and gravity pulls it away from there or along the floor: the model falls for ever.",
@@ -122,7 +118,6 @@ fn not_down_finding(model: &Model, judged: &JudgedPlane) -> Option<Finding> {
 pub(crate) static GRAVITY_SOURCES_DISAGREE: Rule = Rule {
     code: FindingCode::GravitySourcesDisagree,
     severity: Severity::Warn,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Mass),
     what: "The note gives another gravity than the model.",
     why: "Under another gravity than they were made for, spheres sink in more or less; figures are those under the model's own.",

@@ -5,7 +5,7 @@ use osim_model::messages::{readable, shown};
 use osim_model::opensim_text::is_plain_triple;
 use osim_model::{
     ElementId, Example, FileId, Finding, FindingCode, Force, ForceKind, Model, Orientation, Origin, Property,
-    Repair, Rule, Seen, SetId, Severity, Value, VerdictOn,
+    Repair, Rule, SetId, Severity, Value, VerdictOn,
 };
 use osim_requests::Request;
 
@@ -85,7 +85,6 @@ impl Triple {
 pub(super) static NOT_FINITE: Rule = Rule {
     code: FindingCode::NotFinite,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sizes),
     what: "A number in the file is not finite.",
     why: "JSON has no NaN and no infinity: such a number is null there. OpenSim computes nonsense from it.",
@@ -111,7 +110,6 @@ fn describe_not_finite_triple(read @ [x, y, z]: [f64; 3]) -> Option<String> {
 pub(super) static ODD_NUMBER: Rule = Rule {
     code: FindingCode::OddNumber,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sizes),
     what: "A number is written in a way that OpenSim reads differently from what it looks like.",
     why: "OpenSim reads the start of a text as far as it looks like a number and ignores the rest, or silently takes its default.",
@@ -141,7 +139,6 @@ fn describe_odd_triple(text: &str, [x, y, z]: [f64; 3]) -> Option<String> {
 pub(super) static OUT_OF_DOMAIN: Rule = Rule {
     code: FindingCode::OutOfDomain,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sizes),
     what: "A number lies outside the domain of the contact laws.",
     why: "OpenSim accepts it and computes NaN or nonsense; such a model is not changed.",
@@ -163,7 +160,6 @@ fn describe_out_of_domain(value: &Value) -> Option<String> {
 pub(super) static DEFAULT_STIFFNESS: Rule = Rule {
     code: FindingCode::DefaultStiffness,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Mass),
     what: "A stiffness is left at its class default.",
     why: "OpenSim's default stiffness (1 N/m2 in SmoothSphereHalfSpaceForce) carries nothing; it is nearly always a forgotten value.",
@@ -202,7 +198,6 @@ fn is_default_stiffness(value: &Value) -> bool {
 pub(super) static ZERO_CONSTANT_CONTACT_FORCE: Rule = Rule {
     code: FindingCode::ZeroConstantContactForce,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Solver),
     what: "A SmoothSphereHalfSpaceForce has a constant_contact_force of 0.",
     why: "Simbody divides by the root of the squared slip speed plus constant_contact_force: with 0, the force is NaN whenever the sphere does not slip, even without friction. Scaling leaves a value of 0 as it is.",
@@ -241,7 +236,6 @@ const LARGEST_FRICTION: f64 = 10.0;
 pub(super) static LARGE_FRICTION: Rule = Rule {
     code: FindingCode::LargeFriction,
     severity: Severity::Warn,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sizes),
     what: "A coefficient of friction is larger than that of any surface.",
     why: "Between a foot and a floor it is about 0.3 to 1. More than 10 mostly is a percentage, or lacks its decimal point; a foot that slides is then stopped by a force of many times its weight.",
@@ -278,7 +272,6 @@ fn large_friction_in(force: &Force) -> Option<Finding> {
 pub(super) static ANGLE_IN_DEGREES: Rule = Rule {
     code: FindingCode::AngleInDegrees,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Floor),
     what: "An angle of a half-space, or of a frame that carries it, is in degrees.",
     why: "OpenSim reads orientations in radians: -90 is 14 whole turns and a little more, which looks like a slope of 26.6 degrees.",

@@ -3,8 +3,7 @@
 use osim_model::compare::{PlacedSphere, Placement, is_stretched};
 use osim_model::messages::{Input, Verb, phrase, readable};
 use osim_model::{
-    Example, Finding, FindingCode, Model, Note, Repair, Rule, ScaledSinceNote, Seen, Severity, Sphere,
-    VerdictOn,
+    Example, Finding, FindingCode, Model, Note, Repair, Rule, ScaledSinceNote, Severity, Sphere, VerdictOn,
 };
 use osim_requests::options::{FollowOptions, MovedChoice, ScalingOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest, TransferRequest};
@@ -185,7 +184,6 @@ fn find_compared(placement: &Placement) -> Vec<Finding> {
 pub(super) static SPHERES_LEFT_BEHIND: Rule = Rule {
     code: FindingCode::SpheresLeftBehind,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sizes),
     what: "Spheres stand where they were before OpenSim scaled their bodies.",
     why: "OpenSim's Scale Tool scales bones, joints and masses. It leaves contact spheres where they were, as large and as stiff as before, so that they hang beyond the foot of a smaller animal and end short of a larger one's.",
@@ -215,7 +213,6 @@ fn size_text([x, y, z]: [f64; 3]) -> String {
 pub(super) static SPHERES_MISPLACED: Rule = Rule {
     code: FindingCode::SpheresMisplaced,
     severity: Severity::Warn,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sizes),
     what: "Spheres do not fit their bones, as in no published model, as in one of another size, or as on the other foot.",
     why: "OpenSim scaled the bones and left the spheres behind, the spheres were taken from a model of another size, or left and right were swapped. Then they push where the foot is not.",
@@ -268,7 +265,6 @@ fn misplaced_by_reach(model: &Model, odd: &[Reach]) -> Option<Finding> {
 pub(super) static SPHERES_NOT_COMPARED: Rule = Rule {
     code: FindingCode::SpheresNotCompared,
     severity: Severity::Info,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sizes),
     what: "Whether spheres followed a scaling of their bodies cannot be seen in this file.",
     why: "The bones were scaled; OpenSim leaves contact spheres where they were, and this file alone does not show whether somebody moved them afterwards.",

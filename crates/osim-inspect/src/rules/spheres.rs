@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{
-    BodyShape, Example, Finding, FindingCode, MassRequest, Model, Repair, Rule, Seen, Severity, Side, Sphere,
+    BodyShape, Example, Finding, FindingCode, MassRequest, Model, Repair, Rule, Severity, Side, Sphere,
     VerdictOn,
 };
 
@@ -47,7 +47,6 @@ const PLACE_OF_GYRATION_SIDEWAYS: f64 = 2.0;
 pub(super) static ODD_PLACE: Rule = Rule {
     code: FindingCode::OddPlace,
     severity: Severity::Warn,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sizes),
     what: "A sphere is far from the body that carries it.",
     why: "Spheres of published feet are at most 0.353 of the limb's longest bone from the nearest joint of their body, and at most 2.7 of its radii of gyration from its centre of mass; sideways at most 0.149 of that bone. Much more is a place in millimetres, or one in another frame.",
@@ -162,7 +161,6 @@ const RADIUS_OF_BONE: std::ops::RangeInclusive<f64> = 0.005..=0.3;
 pub(super) static ODD_RADIUS: Rule = Rule {
     code: FindingCode::OddRadius,
     severity: Severity::Warn,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sizes),
     what: "The radius of a sphere does not fit the length of its limb.",
     why: "Radii of published feet are 0.011 to 0.2 of the limb's longest bone, and in 95 % of them R / M^(1/3) is between 0.0002 and 0.029 m/kg^(1/3). Much more or less is another unit, mostly millimetres, or another animal's sphere.",
@@ -229,7 +227,6 @@ const CROWD_OF_RADIUS: f64 = 0.5;
 pub(super) static CROWDED_SPHERES: Rule = Rule {
     code: FindingCode::CrowdedSpheres,
     severity: Severity::Warn,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sizes),
     what: "The spheres of a body are all in nearly one place.",
     why: "The spheres of a published foot extend over at least 0.077 of the limb's longest bone, and no two are closer than 1.36 radii. Spheres that nearly coincide carry like one that is several times as stiff. Mostly places in metres were taken for millimetres.",
@@ -306,7 +303,6 @@ fn describe_crowd(worst: &Crowd<'_>, count: usize) -> Option<String> {
 pub(super) static DOUBLED_SPHERES: Rule = Rule {
     code: FindingCode::DoubledSpheres,
     severity: Severity::Error,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sides),
     what: "Two spheres are at the same place of the same body.",
     why: "Both carry: the contact is twice as stiff as it looks, and figures share the weight among too many spheres. None of 200 published models has such spheres; a copy with another name makes them.",

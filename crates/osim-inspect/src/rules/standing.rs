@@ -3,7 +3,7 @@
 use foldhash::HashMap;
 use osim_model::feet::LEANING_RAD;
 use osim_model::messages::{readable, shown, three_significant};
-use osim_model::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
+use osim_model::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
 
 use crate::figures::{Figure, LimbFigures, SphereFigures};
 use crate::findings::Found;
@@ -13,7 +13,6 @@ use crate::rules::limits::Limits;
 pub(super) static NOT_ON_FLOOR: Rule = Rule {
     code: FindingCode::NotOnFloor,
     severity: Severity::Info,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Standing),
     what: "At the default pose the spheres are more than half a radius inside the floor and deeper than where they carry the body, or more than 20 mm above it.",
     why: "A simulation that starts there is thrown into the air by forces of many body weights, or falls first. Most published models are made so, and a simulation of theirs starts from another pose.",
@@ -56,7 +55,6 @@ const ROUNDING: f64 = 1e-9;
 pub(super) static UNEVEN_BOTTOMS: Rule = Rule {
     code: FindingCode::UnevenBottoms,
     severity: Severity::Warn,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Standing),
     what: "The bottoms of a limb's spheres differ in height by more than half a radius at the default pose, and the foot lies flat there.",
     why: "The lower spheres carry the body, the higher ones little or nothing, so that figures of a level foot do not hold. Of 134 published models with level floors two differ so much.",
@@ -155,7 +153,6 @@ const REMARK: f64 = 0.3;
 pub(super) static UNLEVEL_FOOT: Rule = Rule {
     code: FindingCode::UnlevelFoot,
     severity: Severity::Info,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Standing),
     what: "The bottoms of a limb's spheres differ in height by more than 0.3 radii at the default pose; by more than half a radius only because the foot leans there.",
     why: "The lower spheres are deeper than the figures of a level foot say. Of 134 published models with level floors 16 differ so much.",

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::follow::{Factors, ScaleFile};
 use crate::messages::{Input, Phrase, Verb};
-use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note};
+use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, Step};
 
 /// Places that differ by no more than this are one, m.
 const SAME_PLACE_M: f64 = 1e-6;

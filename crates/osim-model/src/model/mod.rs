@@ -63,7 +63,7 @@ pub use fault::{
     CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, MassSlip, MassesBeside, Needed,
     NeedsAnswer, NoteDoubt, Question, RadiusFrom, TreeOfForces, probable_units,
 };
-pub use finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
+pub use finding::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
 pub use limbs::{Limb, Limbs};
 pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, mass_slip, positive_mass, same_gravity, same_mass};
 pub use names::{Pattern, PatternError, Side, refuse_name, refuse_name_in_paths, without_side};

@@ -3,7 +3,7 @@
 
 use crate::messages::{Phrase, phrase, readable};
 use crate::model::contacts::{Force, ForceId};
-use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Seen, Severity, VerdictOn};
+use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
 use crate::model::typed_model::Model;
 
 /// The rules of this crate.
@@ -19,7 +19,6 @@ pub const RULES: &[&Rule] = &[
 static MASS_SOURCES_DISAGREE: Rule = Rule {
     code: FindingCode::MassSourcesDisagree,
     severity: Severity::Warn,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Mass),
     what: "The note, `mass` and the bodies give different masses.",
     why: "The factor of every change follows from the mass the contacts are made for; a wrong one scales all of them wrongly.",
@@ -60,7 +59,6 @@ impl Model {
 static DISABLED_FORCE: Rule = Rule {
     code: FindingCode::DisabledForce,
     severity: Severity::Info,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sides),
     what: "A contact force that is switched off is changed with the others.",
     why: "A force that does not apply carries no load, so its spheres are not counted; it is still scaled, so that it is right once it is switched on.",
@@ -84,7 +82,6 @@ fn find_disabled_force(force: &Force) -> Option<Finding> {
 static MIXED_RADII: Rule = Rule {
     code: FindingCode::MixedRadii,
     severity: Severity::Info,
-    seen: Seen::Model,
     verdict: Some(VerdictOn::Sizes),
     what: "Radii differ within one ContactParameters.",
     why: "One ContactParameters has one modulus for all its spheres. The mean of R squared is used before and after: equal relative indentation, load in proportion to R squared.",
@@ -107,7 +104,6 @@ fn find_mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
 static SEVERAL_PARAMETER_SETS: Rule = Rule {
     code: FindingCode::SeveralParameterSets,
     severity: Severity::Info,
-    seen: Seen::Model,
     verdict: None,
     what: "A force has several ContactParameters.",
     why: "The surfaces have moduli of their own and the contact uses their composite (A.3); all are multiplied by the same factor.",
@@ -125,12 +121,11 @@ fn find_several_parameter_sets(force: &Force) -> Option<Finding> {
 static FACTORS_DISAGREE: Rule = Rule {
     code: FindingCode::FactorsDisagree,
     severity: Severity::Warn,
-    seen: Seen::Change,
     verdict: None,
     what: "Two sources give different scale factors of a body.",
     why: "A sphere's place and size follow from its body's factors; the first source in the order given, scale file, mesh, joint offset was taken.",
     advice: "Look at `inspect from`, and say `body_scale=BODY=x,y,z` where another source is right",
-    repair: Repair::NotPossible("only you know which source is right"),
+    repair: Repair::OfChange("only you know which source is right"),
     example: Example::Request {
         good: r#"{"verb": "transfer", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim", "follow_bodies": true}"#,
         bad: r#"{"verb": "transfer", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim", "follow_bodies": true, "body_scale": {"calcn_r": [1.02, 0.91, 0.95]}}"#,
@@ -145,12 +140,11 @@ pub(crate) fn factors_disagree(message: String) -> Finding {
 static NOT_A_SCALED_COPY: Rule = Rule {
     code: FindingCode::NotAScaledCopy,
     severity: Severity::Warn,
-    seen: Seen::Change,
     verdict: None,
     what: "A model is not a scaled copy of the reference whose contacts follow its bodies.",
     why: "In a scaled copy, joint offsets and meshes give each factor exactly. Between different models offsets are not factors: a body then gets the ratio of the mesh factors of the same bone, else one ratio of distances to a joint below it, and the last body of a limb the factors of the body it hangs on.",
     advice: "Nothing, if another model is meant; else name the generic model that this one was scaled from, or say `body_scale=BODY=x,y,z`",
-    repair: Repair::NotPossible("only you know which model this one was scaled from"),
+    repair: Repair::OfChange("only you know which model this one was scaled from"),
     example: Example::Request {
         good: r#"{"verb": "inspect", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim"}"#,
         bad: r#"{"verb": "inspect", "models": ["scale_tool/scaled_smooth.osim"], "from": "feet/human_40000.osim"}"#,

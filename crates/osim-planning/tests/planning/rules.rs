@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::checks::rule;
 use osim_model::files::{Beside, InMemory};
 use osim_model::messages::{Call, Dialect, Input};
-use osim_model::{Example, Finding, FindingCode, Seen};
+use osim_model::{Example, Finding, FindingCode, Repair};
 use osim_planning::{Inspector, open_with, prepare, rules};
 use osim_requests::Request;
 use osim_requests::spell::CommandLine;
@@ -69,7 +69,8 @@ fn no_advice_about_a_model_names_a_command_that_changes_it() {
         }
     }
     // Without contacts there is nothing else to do.
-    let of_models = rules::of(|code| code != FindingCode::BareModel).filter(|rule| rule.seen == Seen::Model);
+    let of_models = rules::of(|code| code != FindingCode::BareModel)
+        .filter(|rule| !matches!(rule.repair, Repair::OfChange(_)));
     for rule in of_models {
         let advice = rule.advice().spelled(&Changing);
         for verb in ["rescale", "transfer", "set", "design", "convert", "note", "add", "remove"] {

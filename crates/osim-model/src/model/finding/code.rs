@@ -133,14 +133,6 @@ impl Severity {
     }
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Seen {
-    /// In a model that is only looked at.
-    Model,
-    /// In a change alone.
-    Change,
-}
-
 /// What a verdict is on. Each rule about a model belongs to one of them, or to none.
 ///
 /// Exhaustive: there are six, and one more where a recording is given.

@@ -5,7 +5,7 @@ mod code;
 use contact_scaling::limits;
 
 use crate::messages::{Dialect, Phrase};
-pub use code::{FindingCode, Seen, Severity, VerdictOn};
+pub use code::{FindingCode, Severity, VerdictOn};
 
 /// One thing to know, about a model or about a change of it.
 ///
@@ -102,7 +102,7 @@ impl Finding {
 pub struct Rule {
     pub code: FindingCode,
     pub severity: Severity,
-    pub seen: Seen,
+    /// The verdict that it decides, if one.
     pub verdict: Option<VerdictOn>,
     pub what: &'static str,
     pub why: &'static str,
@@ -113,13 +113,13 @@ pub struct Rule {
 }
 
 /// Whether a command can be proposed that puts a finding right.
-///
-/// Exhaustive: it can, or it cannot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Repair {
     /// Yes, where the model can be changed: what it does.
     Command(&'static str),
     NotPossible(&'static str),
+    /// No, and why: it shows in a change alone, and not in a model.
+    OfChange(&'static str),
 }
 
 /// What raises a finding, and what does not. Models are those of `fixtures/`.
@@ -166,7 +166,7 @@ impl Repair {
     pub fn sentence(self) -> String {
         match self {
             Self::Command(what) => format!("check proposes a command that {what}"),
-            Self::NotPossible(why) => format!("no command is proposed: {why}"),
+            Self::NotPossible(why) | Self::OfChange(why) => format!("no command is proposed: {why}"),
         }
     }
 }

@@ -4,7 +4,7 @@ use contact_scaling::Equation;
 use contact_scaling::equations::{Form, Symbol};
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::messages::{Dialect, Phrase};
-use osim_model::{Repair, Rule, Seen};
+use osim_model::{Repair, Rule};
 use osim_requests::ExplainRequest;
 use osim_requests::options::Format;
 use osim_requests::spell::FrontEnd;
@@ -161,13 +161,13 @@ impl TopicRecord {
     fn of_finding(rule: &Rule, dialect: &dyn Dialect) -> Self {
         let (fix, why_no_fix) = match rule.repair {
             Repair::Command(what) => (Some(what.to_owned()), None),
-            Repair::NotPossible(why) => (None, Some(why.to_owned())),
+            Repair::NotPossible(why) | Repair::OfChange(why) => (None, Some(why.to_owned())),
         };
         Self::Finding {
             schema_version: SCHEMA_VERSION,
             code: rule.code.as_str(),
             severity: rule.severity.as_str(),
-            checked: rule.seen == Seen::Model,
+            checked: !matches!(rule.repair, Repair::OfChange(_)),
             what: rule.what().spelled(dialect),
             why: rule.why().spelled(dialect),
             advice: rule.advice().spelled(dialect),
