@@ -74,14 +74,7 @@ OF_NAN = {
     "steps": "all steps are NaN where any number is.",
 }
 
-STEPS = '''def continuation_steps(
-    *,
-    first: float,
-    last: float,
-    dissipation_ratio: float = 1.0,
-    count: int = 5,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Steps:
+STEPS = '''def continuation_steps(*, first: float, last: float, dissipation_ratio: float = 1.0, count: int = 5, nan: Literal["raise", "propagate"] = "raise") -> Steps:
     """Steps from soft contacts to those that are wanted, for a ladder of optimisations (section 4.3 of the paper).
 
     Parameters
@@ -178,7 +171,7 @@ def overload(name: str, parameters: list, last: list[str], kind: str, returns: s
 
 
 def defined(name: str, signature: list[str], returns: str, doc: str, body: str) -> str:
-    head = f"def {name}(\n    *,\n" + "".join(f"    {one},\n" for one in signature) + f") -> {returns}:\n"
+    head = f"def {name}(*, {', '.join(signature)}) -> {returns}:\n"
     return head + textwrap.indent(doc, "    ", lambda line: bool(line.strip())) + f"    return {body}\n"
 
 

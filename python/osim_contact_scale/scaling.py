@@ -112,14 +112,7 @@ def hertz_force(*, composite_modulus: Scalar | Array, radius: Scalar | Array, in
 def hertz_force(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, indentation: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hertz_force(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, indentation: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hertz_force(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    indentation: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hertz_force(*, composite_modulus: Number, radius: Number, indentation: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Hertz force of one sphere.
 
         F_e = 4/3 η √R E* x^(3/2)    (1)
@@ -168,14 +161,7 @@ def hertz_indentation(*, composite_modulus: Scalar | Array, radius: Scalar | Arr
 def hertz_indentation(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, force: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hertz_indentation(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, force: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hertz_indentation(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    force: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hertz_indentation(*, composite_modulus: Number, radius: Number, force: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Hertz force of one sphere, solved for x.
 
         x = (F_e / (4/3 η √R E*))^(2/3)    (1)
@@ -224,12 +210,7 @@ def relative_indentation(*, indentation: Scalar | Array, radius: Scalar | Array,
 def relative_indentation(*, indentation: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def relative_indentation(*, indentation: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def relative_indentation(
-    *,
-    indentation: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def relative_indentation(*, indentation: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Relative indentation.
 
         x̂ = x / R    (2)
@@ -274,12 +255,7 @@ def indentation(*, relative_indentation: Scalar | Array, radius: Scalar | Array,
 def indentation(*, relative_indentation: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def indentation(*, relative_indentation: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def indentation(
-    *,
-    relative_indentation: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def indentation(*, relative_indentation: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Relative indentation, solved for x.
 
         x = x̂ R    (2)
@@ -324,14 +300,7 @@ def hertz_force_at_relative_indentation(*, composite_modulus: Scalar | Array, ra
 def hertz_force_at_relative_indentation(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, relative_indentation: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hertz_force_at_relative_indentation(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, relative_indentation: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hertz_force_at_relative_indentation(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    relative_indentation: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hertz_force_at_relative_indentation(*, composite_modulus: Number, radius: Number, relative_indentation: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Hertz force by relative indentation.
 
         F_e = 4/3 η R² E* x̂^(3/2)    (3)
@@ -381,16 +350,7 @@ def hunt_crossley_dissipative_force(*, composite_modulus: Scalar | Array, radius
 def hunt_crossley_dissipative_force(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, dissipation: Scalar | Array | PandasSeries, indentation: Scalar | Array | PandasSeries, speed: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hunt_crossley_dissipative_force(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, dissipation: Scalar | Array | Frame, indentation: Scalar | Array | Frame, speed: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hunt_crossley_dissipative_force(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    dissipation: Number,
-    indentation: Number,
-    speed: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hunt_crossley_dissipative_force(*, composite_modulus: Number, radius: Number, dissipation: Number, indentation: Number, speed: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Hunt–Crossley dissipation.
 
         F_d = 3/2 F_e α ẋ    (12)
@@ -448,16 +408,7 @@ def hunt_crossley_force(*, composite_modulus: Scalar | Array, radius: Scalar | A
 def hunt_crossley_force(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, dissipation: Scalar | Array | PandasSeries, indentation: Scalar | Array | PandasSeries, speed: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hunt_crossley_force(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, dissipation: Scalar | Array | Frame, indentation: Scalar | Array | Frame, speed: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hunt_crossley_force(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    dissipation: Number,
-    indentation: Number,
-    speed: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hunt_crossley_force(*, composite_modulus: Number, radius: Number, dissipation: Number, indentation: Number, speed: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Hunt–Crossley dissipation, the sum.
 
         F_c = F_e (1 + 3/2 α ẋ)    (12)
@@ -515,13 +466,7 @@ def mean_stress(*, force: Scalar | Array, radius: Scalar | Array, relative_inden
 def mean_stress(*, force: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, relative_indentation: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def mean_stress(*, force: Scalar | Array | Frame, radius: Scalar | Array | Frame, relative_indentation: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def mean_stress(
-    *,
-    force: Number,
-    radius: Number,
-    relative_indentation: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def mean_stress(*, force: Number, radius: Number, relative_indentation: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Mean stress on the contact patch.
 
         σ = F_c / (π R² x̂)    (15)
@@ -568,12 +513,7 @@ def patch_radius(*, indentation: Scalar | Array, radius: Scalar | Array, nan: Li
 def patch_radius(*, indentation: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def patch_radius(*, indentation: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def patch_radius(
-    *,
-    indentation: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def patch_radius(*, indentation: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Size of the contact patch.
 
         patch radius √(x R)    Fig. 3
@@ -618,12 +558,7 @@ def patch_diameter(*, indentation: Scalar | Array, radius: Scalar | Array, nan: 
 def patch_diameter(*, indentation: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def patch_diameter(*, indentation: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def patch_diameter(
-    *,
-    indentation: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def patch_diameter(*, indentation: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Size of the contact patch.
 
         patch diameter 2 √(x R)    Fig. 3
@@ -668,11 +603,7 @@ def relative_patch_radius(*, relative_indentation: Scalar | Array, nan: Literal[
 def relative_patch_radius(*, relative_indentation: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def relative_patch_radius(*, relative_indentation: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def relative_patch_radius(
-    *,
-    relative_indentation: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def relative_patch_radius(*, relative_indentation: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Size of the contact patch.
 
         patch radius / R = √x̂    Fig. 3
@@ -719,14 +650,7 @@ def hertz_stiffness(*, composite_modulus: Scalar | Array, radius: Scalar | Array
 def hertz_stiffness(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, indentation: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hertz_stiffness(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, indentation: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hertz_stiffness(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    indentation: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hertz_stiffness(*, composite_modulus: Number, radius: Number, indentation: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Contact stiffness of one sphere.
 
         k = 2 η √R E* √x    (B.1)
@@ -775,14 +699,7 @@ def hertz_stiffness_at_relative_indentation(*, composite_modulus: Scalar | Array
 def hertz_stiffness_at_relative_indentation(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, relative_indentation: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hertz_stiffness_at_relative_indentation(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, relative_indentation: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hertz_stiffness_at_relative_indentation(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    relative_indentation: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hertz_stiffness_at_relative_indentation(*, composite_modulus: Number, radius: Number, relative_indentation: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Contact stiffness by relative indentation.
 
         k = 2 η R E* √x̂    (B.2)
@@ -832,12 +749,7 @@ def approximate_restitution(*, dissipation: Scalar | Array, impact_speed: Scalar
 def approximate_restitution(*, dissipation: Scalar | Array | PandasSeries, impact_speed: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def approximate_restitution(*, dissipation: Scalar | Array | Frame, impact_speed: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def approximate_restitution(
-    *,
-    dissipation: Number,
-    impact_speed: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def approximate_restitution(*, dissipation: Number, impact_speed: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Coefficient of restitution, approximate.
 
         c_r = 1 − α ẋ⁻    (13)
@@ -882,12 +794,7 @@ def dissipation_for_restitution(*, restitution: Scalar | Array, impact_speed: Sc
 def dissipation_for_restitution(*, restitution: Scalar | Array | PandasSeries, impact_speed: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def dissipation_for_restitution(*, restitution: Scalar | Array | Frame, impact_speed: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def dissipation_for_restitution(
-    *,
-    restitution: Number,
-    impact_speed: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def dissipation_for_restitution(*, restitution: Number, impact_speed: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Coefficient of restitution, approximate, solved for α.
 
         α = (1 − c_r) / ẋ⁻    (13)
@@ -932,12 +839,7 @@ def exact_restitution(*, dissipation: Scalar | Array, impact_speed: Scalar | Arr
 def exact_restitution(*, dissipation: Scalar | Array | PandasSeries, impact_speed: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def exact_restitution(*, dissipation: Scalar | Array | Frame, impact_speed: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def exact_restitution(
-    *,
-    dissipation: Number,
-    impact_speed: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def exact_restitution(*, dissipation: Number, impact_speed: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Coefficient of restitution, exact.
 
         d − ln(1 + d) = −c d − ln(1 − c d), d = 3/2 α ẋ⁻    exact restitution
@@ -986,12 +888,7 @@ def dissipation_for_exact_restitution(*, restitution: Scalar | Array, impact_spe
 def dissipation_for_exact_restitution(*, restitution: Scalar | Array | PandasSeries, impact_speed: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def dissipation_for_exact_restitution(*, restitution: Scalar | Array | Frame, impact_speed: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def dissipation_for_exact_restitution(
-    *,
-    restitution: Number,
-    impact_speed: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def dissipation_for_exact_restitution(*, restitution: Number, impact_speed: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Coefficient of restitution, exact, solved for α.
 
         the same, solved for d    exact restitution
@@ -1040,12 +937,7 @@ def drop_speed(*, gravity: Scalar | Array, radius: Scalar | Array, nan: Literal[
 def drop_speed(*, gravity: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def drop_speed(*, gravity: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def drop_speed(
-    *,
-    gravity: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def drop_speed(*, gravity: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Impact speed of the paper's drop.
 
         ẋ⁻ = √(2 g · R/4) = √(g R / 2)    drop speed
@@ -1090,12 +982,7 @@ def plane_strain_modulus_of_material(*, youngs_modulus: Scalar | Array, poissons
 def plane_strain_modulus_of_material(*, youngs_modulus: Scalar | Array | PandasSeries, poissons_ratio: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def plane_strain_modulus_of_material(*, youngs_modulus: Scalar | Array | Frame, poissons_ratio: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def plane_strain_modulus_of_material(
-    *,
-    youngs_modulus: Number,
-    poissons_ratio: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def plane_strain_modulus_of_material(*, youngs_modulus: Number, poissons_ratio: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Plane strain modulus from Young's modulus.
 
         E₁* = E₁ / (1 − ν₁²)    (A.1)
@@ -1140,12 +1027,7 @@ def composite_modulus_by_johnson(*, first_modulus: Scalar | Array, second_modulu
 def composite_modulus_by_johnson(*, first_modulus: Scalar | Array | PandasSeries, second_modulus: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def composite_modulus_by_johnson(*, first_modulus: Scalar | Array | Frame, second_modulus: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def composite_modulus_by_johnson(
-    *,
-    first_modulus: Number,
-    second_modulus: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def composite_modulus_by_johnson(*, first_modulus: Number, second_modulus: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Composite modulus, Johnson's rule.
 
         E* = E₁* E₂* / (E₁* + E₂*)    (A.2)
@@ -1190,12 +1072,7 @@ def composite_modulus_by_sherman(*, first_modulus: Scalar | Array, second_modulu
 def composite_modulus_by_sherman(*, first_modulus: Scalar | Array | PandasSeries, second_modulus: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def composite_modulus_by_sherman(*, first_modulus: Scalar | Array | Frame, second_modulus: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def composite_modulus_by_sherman(
-    *,
-    first_modulus: Number,
-    second_modulus: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def composite_modulus_by_sherman(*, first_modulus: Number, second_modulus: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Composite modulus, the rule of Simbody and OpenSim.
 
         E* = (E₁*^(2/3) E₂*^(2/3) / (E₁*^(2/3) + E₂*^(2/3)))^(3/2)    (A.3)
@@ -1240,12 +1117,7 @@ def plane_strain_modulus_of_equal_surfaces(*, composite_modulus: Scalar | Array,
 def plane_strain_modulus_of_equal_surfaces(*, composite_modulus: Scalar | Array | PandasSeries, rule: Literal["sherman", "johnson"] = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def plane_strain_modulus_of_equal_surfaces(*, composite_modulus: Scalar | Array | Frame, rule: Literal["sherman", "johnson"] = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def plane_strain_modulus_of_equal_surfaces(
-    *,
-    composite_modulus: Number,
-    rule: Literal["sherman", "johnson"] = "sherman",
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def plane_strain_modulus_of_equal_surfaces(*, composite_modulus: Number, rule: Literal["sherman", "johnson"] = "sherman", nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Modulus of one of two equal surfaces.
 
         E₁* = 2^p E*    (A.4)
@@ -1292,12 +1164,7 @@ def composite_modulus_of_equal_surfaces(*, plane_strain_modulus: Scalar | Array,
 def composite_modulus_of_equal_surfaces(*, plane_strain_modulus: Scalar | Array | PandasSeries, rule: Literal["sherman", "johnson"] = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def composite_modulus_of_equal_surfaces(*, plane_strain_modulus: Scalar | Array | Frame, rule: Literal["sherman", "johnson"] = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def composite_modulus_of_equal_surfaces(
-    *,
-    plane_strain_modulus: Number,
-    rule: Literal["sherman", "johnson"] = "sherman",
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def composite_modulus_of_equal_surfaces(*, plane_strain_modulus: Number, rule: Literal["sherman", "johnson"] = "sherman", nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Modulus of one of two equal surfaces, solved for E*.
 
         E* = E₁* / 2^p    (A.4)
@@ -1344,12 +1211,7 @@ def stiffness_on_rigid_ground(*, youngs_modulus: Scalar | Array, poissons_ratio:
 def stiffness_on_rigid_ground(*, youngs_modulus: Scalar | Array | PandasSeries, poissons_ratio: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def stiffness_on_rigid_ground(*, youngs_modulus: Scalar | Array | Frame, poissons_ratio: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def stiffness_on_rigid_ground(
-    *,
-    youngs_modulus: Number,
-    poissons_ratio: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def stiffness_on_rigid_ground(*, youngs_modulus: Number, poissons_ratio: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """A soft body on rigid ground.
 
         E* → E₁* for E₂* → ∞    (A.5)
@@ -1400,14 +1262,7 @@ def mixed_dissipation(*, first_modulus: Scalar | Array, first_dissipation: Scala
 def mixed_dissipation(*, first_modulus: Scalar | Array | PandasSeries, first_dissipation: Scalar | Array | PandasSeries, second_modulus: Scalar | Array | PandasSeries, second_dissipation: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def mixed_dissipation(*, first_modulus: Scalar | Array | Frame, first_dissipation: Scalar | Array | Frame, second_modulus: Scalar | Array | Frame, second_dissipation: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def mixed_dissipation(
-    *,
-    first_modulus: Number,
-    first_dissipation: Number,
-    second_modulus: Number,
-    second_dissipation: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def mixed_dissipation(*, first_modulus: Number, first_dissipation: Number, second_modulus: Number, second_dissipation: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Dissipation of two unlike surfaces.
 
         α = α₁ s₁ + α₂ (1 − s₁), s₁ = E₂*^(2/3) / (E₁*^(2/3) + E₂*^(2/3))    Simbody
@@ -1461,12 +1316,7 @@ def composite_radius(*, first_radius: Scalar | Array, second_radius: Scalar | Ar
 def composite_radius(*, first_radius: Scalar | Array | PandasSeries, second_radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def composite_radius(*, first_radius: Scalar | Array | Frame, second_radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def composite_radius(
-    *,
-    first_radius: Number,
-    second_radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def composite_radius(*, first_radius: Number, second_radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Composite radius of two spheres.
 
         R = R₁ R₂ / (R₁ + R₂)    Johnson
@@ -1511,14 +1361,7 @@ def composite_modulus_for_indentation(*, relative_indentation: Scalar | Array, r
 def composite_modulus_for_indentation(*, relative_indentation: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, load: Scalar | Array | PandasSeries, sphere_count: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def composite_modulus_for_indentation(*, relative_indentation: Scalar | Array | Frame, radius: Scalar | Array | Frame, load: Scalar | Array | Frame, sphere_count: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def composite_modulus_for_indentation(
-    *,
-    relative_indentation: Number,
-    radius: Number,
-    load: Number,
-    sphere_count: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def composite_modulus_for_indentation(*, relative_indentation: Number, radius: Number, load: Number, sphere_count: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """The modulus for a wanted relative indentation under a known load.
 
         E* = 3 F / (4 η R² x̂^(3/2) n)    (11)
@@ -1572,14 +1415,7 @@ def relative_indentation_under_load(*, composite_modulus: Scalar | Array, radius
 def relative_indentation_under_load(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, load: Scalar | Array | PandasSeries, sphere_count: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def relative_indentation_under_load(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, load: Scalar | Array | Frame, sphere_count: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def relative_indentation_under_load(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    load: Number,
-    sphere_count: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def relative_indentation_under_load(*, composite_modulus: Number, radius: Number, load: Number, sphere_count: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """The modulus for a wanted relative indentation under a known load, solved for x̂.
 
         x̂ = (3 F / (4 η E* R² n))^(2/3)    (11)
@@ -1633,13 +1469,7 @@ def composite_modulus_for_stiffness(*, stiffness: Scalar | Array, radius: Scalar
 def composite_modulus_for_stiffness(*, stiffness: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, relative_indentation: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def composite_modulus_for_stiffness(*, stiffness: Scalar | Array | Frame, radius: Scalar | Array | Frame, relative_indentation: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def composite_modulus_for_stiffness(
-    *,
-    stiffness: Number,
-    radius: Number,
-    relative_indentation: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def composite_modulus_for_stiffness(*, stiffness: Number, radius: Number, relative_indentation: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Contact stiffness by relative indentation, solved for E*.
 
         E* = k / (2 η R √x̂)    (B.2)
@@ -1690,14 +1520,7 @@ def radius_for_stiffness(*, stiffness: Scalar | Array, relative_indentation: Sca
 def radius_for_stiffness(*, stiffness: Scalar | Array | PandasSeries, relative_indentation: Scalar | Array | PandasSeries, load: Scalar | Array | PandasSeries, sphere_count: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def radius_for_stiffness(*, stiffness: Scalar | Array | Frame, relative_indentation: Scalar | Array | Frame, load: Scalar | Array | Frame, sphere_count: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def radius_for_stiffness(
-    *,
-    stiffness: Number,
-    relative_indentation: Number,
-    load: Number,
-    sphere_count: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def radius_for_stiffness(*, stiffness: Number, relative_indentation: Number, load: Number, sphere_count: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Contact stiffness by relative indentation, with (11).
 
         R = 3 F / (2 k x̂ n)    (B.2)
@@ -1746,14 +1569,7 @@ def dimensionless_stiffness(*, stiffness: Scalar | Array, radius: Scalar | Array
 def dimensionless_stiffness(*, stiffness: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, load: Scalar | Array | PandasSeries, sphere_count: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def dimensionless_stiffness(*, stiffness: Scalar | Array | Frame, radius: Scalar | Array | Frame, load: Scalar | Array | Frame, sphere_count: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def dimensionless_stiffness(
-    *,
-    stiffness: Number,
-    radius: Number,
-    load: Number,
-    sphere_count: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def dimensionless_stiffness(*, stiffness: Number, radius: Number, load: Number, sphere_count: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Dimensionless stiffness.
 
         k̂ = k R n / F_c    (B.3)
@@ -1802,11 +1618,7 @@ def dimensionless_hertz_stiffness(*, relative_indentation: Scalar | Array, nan: 
 def dimensionless_hertz_stiffness(*, relative_indentation: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def dimensionless_hertz_stiffness(*, relative_indentation: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def dimensionless_hertz_stiffness(
-    *,
-    relative_indentation: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def dimensionless_hertz_stiffness(*, relative_indentation: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Dimensionless stiffness, Hertz.
 
         k̂ = 3 / (2 x̂)    (B.3)
@@ -1849,12 +1661,7 @@ def natural_frequency(*, stiffness: Scalar | Array, mass_on_sphere: Scalar | Arr
 def natural_frequency(*, stiffness: Scalar | Array | PandasSeries, mass_on_sphere: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def natural_frequency(*, stiffness: Scalar | Array | Frame, mass_on_sphere: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def natural_frequency(
-    *,
-    stiffness: Number,
-    mass_on_sphere: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def natural_frequency(*, stiffness: Number, mass_on_sphere: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Natural frequency of one loaded sphere.
 
         f_n = √(k / M) / (2π)    (B.4)
@@ -1899,13 +1706,7 @@ def equilibrium_frequency(*, relative_indentation: Scalar | Array, radius: Scala
 def equilibrium_frequency(*, relative_indentation: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, gravity: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def equilibrium_frequency(*, relative_indentation: Scalar | Array | Frame, radius: Scalar | Array | Frame, gravity: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def equilibrium_frequency(
-    *,
-    relative_indentation: Number,
-    radius: Number,
-    gravity: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def equilibrium_frequency(*, relative_indentation: Number, radius: Number, gravity: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Natural frequency at rest under body weight.
 
         f_n,eq = √(3/2 · g / (x̂_eq R)) / (2π)    (B.5)
@@ -1952,12 +1753,7 @@ def modulus_ratio(*, first_dimensionless_stiffness: Scalar | Array, second_dimen
 def modulus_ratio(*, first_dimensionless_stiffness: Scalar | Array | PandasSeries, second_dimensionless_stiffness: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def modulus_ratio(*, first_dimensionless_stiffness: Scalar | Array | Frame, second_dimensionless_stiffness: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def modulus_ratio(
-    *,
-    first_dimensionless_stiffness: Number,
-    second_dimensionless_stiffness: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def modulus_ratio(*, first_dimensionless_stiffness: Number, second_dimensionless_stiffness: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Modulus for a dimensionless stiffness.
 
         E*_a / E*_b = (k̂_a / k̂_b)^(3/2)    continuation
@@ -2007,15 +1803,7 @@ def constant_indentation_force(*, composite_modulus: Scalar | Array, radius: Sca
 def constant_indentation_force(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, constant_contact_force: Scalar | Array | PandasSeries, indentation: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def constant_indentation_force(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, constant_contact_force: Scalar | Array | Frame, indentation: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def constant_indentation_force(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    constant_contact_force: Number,
-    indentation: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def constant_indentation_force(*, composite_modulus: Number, radius: Number, constant_contact_force: Number, indentation: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Hertz force with a constant indentation.
 
         F_cf = 4/3 η √R E* (x² + cf)^(3/4)    (C.1)
@@ -2067,16 +1855,7 @@ def smooth_elastic_force(*, composite_modulus: Scalar | Array, radius: Scalar | 
 def smooth_elastic_force(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, constant_contact_force: Scalar | Array | PandasSeries, hertz_smoothing: Scalar | Array | PandasSeries, indentation: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def smooth_elastic_force(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, constant_contact_force: Scalar | Array | Frame, hertz_smoothing: Scalar | Array | Frame, indentation: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def smooth_elastic_force(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    constant_contact_force: Number,
-    hertz_smoothing: Number,
-    indentation: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def smooth_elastic_force(*, composite_modulus: Number, radius: Number, constant_contact_force: Number, hertz_smoothing: Number, indentation: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Smoothed elastic force.
 
         F_s = F_cf s_c(x)    (C.3)
@@ -2135,16 +1914,7 @@ def smooth_elastic_stiffness(*, composite_modulus: Scalar | Array, radius: Scala
 def smooth_elastic_stiffness(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, constant_contact_force: Scalar | Array | PandasSeries, hertz_smoothing: Scalar | Array | PandasSeries, indentation: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def smooth_elastic_stiffness(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, constant_contact_force: Scalar | Array | Frame, hertz_smoothing: Scalar | Array | Frame, indentation: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def smooth_elastic_stiffness(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    constant_contact_force: Number,
-    hertz_smoothing: Number,
-    indentation: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def smooth_elastic_stiffness(*, composite_modulus: Number, radius: Number, constant_contact_force: Number, hertz_smoothing: Number, indentation: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Smoothed elastic force, its slope.
 
         ∂F_s / ∂x    (C.3)
@@ -2202,12 +1972,7 @@ def contact_state(*, hertz_smoothing: Scalar | Array, indentation: Scalar | Arra
 def contact_state(*, hertz_smoothing: Scalar | Array | PandasSeries, indentation: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def contact_state(*, hertz_smoothing: Scalar | Array | Frame, indentation: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def contact_state(
-    *,
-    hertz_smoothing: Number,
-    indentation: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def contact_state(*, hertz_smoothing: Number, indentation: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Contact state, a smoothed step.
 
         s_c = ½ + ½ tanh(bd x)    (C.4)
@@ -2254,19 +2019,7 @@ def smooth_force(*, composite_modulus: Scalar | Array, radius: Scalar | Array, d
 def smooth_force(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, dissipation: Scalar | Array | PandasSeries, constant_contact_force: Scalar | Array | PandasSeries, hertz_smoothing: Scalar | Array | PandasSeries, hunt_crossley_smoothing: Scalar | Array | PandasSeries, indentation: Scalar | Array | PandasSeries, speed: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def smooth_force(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, dissipation: Scalar | Array | Frame, constant_contact_force: Scalar | Array | Frame, hertz_smoothing: Scalar | Array | Frame, hunt_crossley_smoothing: Scalar | Array | Frame, indentation: Scalar | Array | Frame, speed: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def smooth_force(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    dissipation: Number,
-    constant_contact_force: Number,
-    hertz_smoothing: Number,
-    hunt_crossley_smoothing: Number,
-    indentation: Number,
-    speed: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def smooth_force(*, composite_modulus: Number, radius: Number, dissipation: Number, constant_contact_force: Number, hertz_smoothing: Number, hunt_crossley_smoothing: Number, indentation: Number, speed: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Force of SmoothSphereHalfSpaceForce.
 
         F = (F_s + 3/2 F_s α ẋ)(½ + ½ tanh(bv (ẋ + 2/(3α))))    (C.9)
@@ -2330,13 +2083,7 @@ def speed_state(*, dissipation: Scalar | Array, hunt_crossley_smoothing: Scalar 
 def speed_state(*, dissipation: Scalar | Array | PandasSeries, hunt_crossley_smoothing: Scalar | Array | PandasSeries, speed: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def speed_state(*, dissipation: Scalar | Array | Frame, hunt_crossley_smoothing: Scalar | Array | Frame, speed: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def speed_state(
-    *,
-    dissipation: Number,
-    hunt_crossley_smoothing: Number,
-    speed: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def speed_state(*, dissipation: Number, hunt_crossley_smoothing: Number, speed: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Force of SmoothSphereHalfSpaceForce, second factor.
 
         ½ + ½ tanh(bv (ẋ + 2/(3α)))    (C.9)
@@ -2383,12 +2130,7 @@ def speed_state_at_rest(*, dissipation: Scalar | Array, hunt_crossley_smoothing:
 def speed_state_at_rest(*, dissipation: Scalar | Array | PandasSeries, hunt_crossley_smoothing: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def speed_state_at_rest(*, dissipation: Scalar | Array | Frame, hunt_crossley_smoothing: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def speed_state_at_rest(
-    *,
-    dissipation: Number,
-    hunt_crossley_smoothing: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def speed_state_at_rest(*, dissipation: Number, hunt_crossley_smoothing: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Force of SmoothSphereHalfSpaceForce, second factor at rest.
 
         ½ + ½ tanh(2 bv/(3α))    (C.9)
@@ -2433,18 +2175,7 @@ def smooth_rest_force(*, composite_modulus: Scalar | Array, radius: Scalar | Arr
 def smooth_rest_force(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, dissipation: Scalar | Array | PandasSeries, constant_contact_force: Scalar | Array | PandasSeries, hertz_smoothing: Scalar | Array | PandasSeries, hunt_crossley_smoothing: Scalar | Array | PandasSeries, indentation: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def smooth_rest_force(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, dissipation: Scalar | Array | Frame, constant_contact_force: Scalar | Array | Frame, hertz_smoothing: Scalar | Array | Frame, hunt_crossley_smoothing: Scalar | Array | Frame, indentation: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def smooth_rest_force(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    dissipation: Number,
-    constant_contact_force: Number,
-    hertz_smoothing: Number,
-    hunt_crossley_smoothing: Number,
-    indentation: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def smooth_rest_force(*, composite_modulus: Number, radius: Number, dissipation: Number, constant_contact_force: Number, hertz_smoothing: Number, hunt_crossley_smoothing: Number, indentation: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Force of SmoothSphereHalfSpaceForce, at rest.
 
         F = F_s (½ + ½ tanh(2 bv/(3α)))    (C.9)
@@ -2506,18 +2237,7 @@ def smooth_rest_stiffness(*, composite_modulus: Scalar | Array, radius: Scalar |
 def smooth_rest_stiffness(*, composite_modulus: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, dissipation: Scalar | Array | PandasSeries, constant_contact_force: Scalar | Array | PandasSeries, hertz_smoothing: Scalar | Array | PandasSeries, hunt_crossley_smoothing: Scalar | Array | PandasSeries, indentation: Scalar | Array | PandasSeries, shape_factor: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def smooth_rest_stiffness(*, composite_modulus: Scalar | Array | Frame, radius: Scalar | Array | Frame, dissipation: Scalar | Array | Frame, constant_contact_force: Scalar | Array | Frame, hertz_smoothing: Scalar | Array | Frame, hunt_crossley_smoothing: Scalar | Array | Frame, indentation: Scalar | Array | Frame, shape_factor: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def smooth_rest_stiffness(
-    *,
-    composite_modulus: Number,
-    radius: Number,
-    dissipation: Number,
-    constant_contact_force: Number,
-    hertz_smoothing: Number,
-    hunt_crossley_smoothing: Number,
-    indentation: Number,
-    shape_factor: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def smooth_rest_stiffness(*, composite_modulus: Number, radius: Number, dissipation: Number, constant_contact_force: Number, hertz_smoothing: Number, hunt_crossley_smoothing: Number, indentation: Number, shape_factor: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Force of SmoothSphereHalfSpaceForce, its slope at rest.
 
         ∂F / ∂x at ẋ = 0    (C.9)
@@ -2580,12 +2300,7 @@ def constant_contact_force_for_indentation(*, constant_relative_indentation: Sca
 def constant_contact_force_for_indentation(*, constant_relative_indentation: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def constant_contact_force_for_indentation(*, constant_relative_indentation: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def constant_contact_force_for_indentation(
-    *,
-    constant_relative_indentation: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def constant_contact_force_for_indentation(*, constant_relative_indentation: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """cf for a wanted constant relative indentation.
 
         cf = (R x̂_c)²    (C.2)
@@ -2630,12 +2345,7 @@ def constant_relative_indentation(*, constant_contact_force: Scalar | Array, rad
 def constant_relative_indentation(*, constant_contact_force: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def constant_relative_indentation(*, constant_contact_force: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def constant_relative_indentation(
-    *,
-    constant_contact_force: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def constant_relative_indentation(*, constant_contact_force: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """cf for a wanted constant relative indentation, solved for x̂_c.
 
         x̂_c = √cf / R    (C.2)
@@ -2680,12 +2390,7 @@ def hertz_smoothing_for_radius(*, dimensionless_hertz_smoothing: Scalar | Array,
 def hertz_smoothing_for_radius(*, dimensionless_hertz_smoothing: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hertz_smoothing_for_radius(*, dimensionless_hertz_smoothing: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hertz_smoothing_for_radius(
-    *,
-    dimensionless_hertz_smoothing: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hertz_smoothing_for_radius(*, dimensionless_hertz_smoothing: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """bd from a pure number.
 
         bd = b_x̂ / R    (C.5)
@@ -2730,13 +2435,7 @@ def threshold_indentation(*, threshold: Scalar | Array, hertz_smoothing: Scalar 
 def threshold_indentation(*, threshold: Scalar | Array | PandasSeries, hertz_smoothing: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def threshold_indentation(*, threshold: Scalar | Array | Frame, hertz_smoothing: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def threshold_indentation(
-    *,
-    threshold: Number,
-    hertz_smoothing: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def threshold_indentation(*, threshold: Number, hertz_smoothing: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Indentation at which the contact state reaches a threshold.
 
         x̂_t = atanh(1 − 2 t) / (bd R)    (C.6)
@@ -2783,13 +2482,7 @@ def transition_width(*, threshold: Scalar | Array, hertz_smoothing: Scalar | Arr
 def transition_width(*, threshold: Scalar | Array | PandasSeries, hertz_smoothing: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def transition_width(*, threshold: Scalar | Array | Frame, hertz_smoothing: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def transition_width(
-    *,
-    threshold: Number,
-    hertz_smoothing: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def transition_width(*, threshold: Number, hertz_smoothing: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """Width of the contact transition.
 
         Δx̂ = 2 atanh(1 − 2 t) / (bd R)    (C.7)
@@ -2836,13 +2529,7 @@ def hertz_smoothing_for_width(*, threshold: Scalar | Array, transition_width: Sc
 def hertz_smoothing_for_width(*, threshold: Scalar | Array | PandasSeries, transition_width: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hertz_smoothing_for_width(*, threshold: Scalar | Array | Frame, transition_width: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hertz_smoothing_for_width(
-    *,
-    threshold: Number,
-    transition_width: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hertz_smoothing_for_width(*, threshold: Number, transition_width: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """bd for a wanted width of the contact transition.
 
         bd = 2 atanh(1 − 2 t) / (Δx̂ R)    (C.8)
@@ -2889,12 +2576,7 @@ def hunt_crossley_smoothing_for_radius(*, reduced_hunt_crossley_smoothing: Scala
 def hunt_crossley_smoothing_for_radius(*, reduced_hunt_crossley_smoothing: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hunt_crossley_smoothing_for_radius(*, reduced_hunt_crossley_smoothing: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hunt_crossley_smoothing_for_radius(
-    *,
-    reduced_hunt_crossley_smoothing: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hunt_crossley_smoothing_for_radius(*, reduced_hunt_crossley_smoothing: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """bv from the sphere's radius, or for a wanted width.
 
         bv = b_ẋ / √R    (C.10)
@@ -2939,12 +2621,7 @@ def hunt_crossley_smoothing_for_speed_width(*, threshold: Scalar | Array, speed_
 def hunt_crossley_smoothing_for_speed_width(*, threshold: Scalar | Array | PandasSeries, speed_width: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hunt_crossley_smoothing_for_speed_width(*, threshold: Scalar | Array | Frame, speed_width: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hunt_crossley_smoothing_for_speed_width(
-    *,
-    threshold: Number,
-    speed_width: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hunt_crossley_smoothing_for_speed_width(*, threshold: Number, speed_width: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """bv from the sphere's radius, or for a wanted width, from a speed.
 
         bv = 2 atanh(1 − 2 t) / Δv    (C.10)
@@ -2989,13 +2666,7 @@ def hunt_crossley_smoothing_for_reduced_width(*, threshold: Scalar | Array, redu
 def hunt_crossley_smoothing_for_reduced_width(*, threshold: Scalar | Array | PandasSeries, reduced_speed_width: Scalar | Array | PandasSeries, radius: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hunt_crossley_smoothing_for_reduced_width(*, threshold: Scalar | Array | Frame, reduced_speed_width: Scalar | Array | Frame, radius: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hunt_crossley_smoothing_for_reduced_width(
-    *,
-    threshold: Number,
-    reduced_speed_width: Number,
-    radius: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hunt_crossley_smoothing_for_reduced_width(*, threshold: Number, reduced_speed_width: Number, radius: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """bv from the sphere's radius, or for a wanted width, as printed.
 
         bv = 2 atanh(1 − 2 t) / (Δẋ √R)    (C.10)
@@ -3043,14 +2714,7 @@ def plane_strain_modulus(*, mass_ratio: Scalar | Array, sphere_count_ratio: Scal
 def plane_strain_modulus(*, mass_ratio: Scalar | Array | PandasSeries, sphere_count_ratio: Scalar | Array | PandasSeries, radius_ratio: Scalar | Array | PandasSeries, gravity_ratio: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def plane_strain_modulus(*, mass_ratio: Scalar | Array | Frame, sphere_count_ratio: Scalar | Array | Frame, radius_ratio: Scalar | Array | Frame, gravity_ratio: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def plane_strain_modulus(
-    *,
-    mass_ratio: Number,
-    sphere_count_ratio: Number,
-    radius_ratio: Number,
-    gravity_ratio: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def plane_strain_modulus(*, mass_ratio: Number, sphere_count_ratio: Number, radius_ratio: Number, gravity_ratio: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """How the modulus grows with body size at the same relative indentation.
 
         E* ∝ M / (n R²)    (8)
@@ -3115,12 +2779,7 @@ def dissipation(*, radius_ratio: Scalar | Array, gravity_ratio: Scalar | Array =
 def dissipation(*, radius_ratio: Scalar | Array | PandasSeries, gravity_ratio: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def dissipation(*, radius_ratio: Scalar | Array | Frame, gravity_ratio: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def dissipation(
-    *,
-    radius_ratio: Number,
-    gravity_ratio: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def dissipation(*, radius_ratio: Number, gravity_ratio: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """How dissipation follows body size at the same restitution.
 
         α ∝ R^(−1/2)    (14)
@@ -3171,12 +2830,7 @@ def dissipation_by_mass(*, mass_ratio: Scalar | Array, gravity_ratio: Scalar | A
 def dissipation_by_mass(*, mass_ratio: Scalar | Array | PandasSeries, gravity_ratio: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def dissipation_by_mass(*, mass_ratio: Scalar | Array | Frame, gravity_ratio: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def dissipation_by_mass(
-    *,
-    mass_ratio: Number,
-    gravity_ratio: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def dissipation_by_mass(*, mass_ratio: Number, gravity_ratio: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """How dissipation follows body size at the same restitution, by mass.
 
         α ∝ M^(−1/6)    (14)
@@ -3225,11 +2879,7 @@ def constant_contact_force(*, radius_ratio: Scalar | Array, nan: Literal["raise"
 def constant_contact_force(*, radius_ratio: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def constant_contact_force(*, radius_ratio: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def constant_contact_force(
-    *,
-    radius_ratio: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def constant_contact_force(*, radius_ratio: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """cf for a wanted constant relative indentation, from a to b.
 
         cf ∝ R²    (C.2)
@@ -3272,11 +2922,7 @@ def hertz_smoothing(*, radius_ratio: Scalar | Array, nan: Literal["raise", "prop
 def hertz_smoothing(*, radius_ratio: Scalar | Array | PandasSeries, nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hertz_smoothing(*, radius_ratio: Scalar | Array | Frame, nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hertz_smoothing(
-    *,
-    radius_ratio: Number,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hertz_smoothing(*, radius_ratio: Number, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """bd from a pure number, from a to b.
 
         bd ∝ 1/R    (C.5)
@@ -3323,12 +2969,7 @@ def hunt_crossley_smoothing(*, radius_ratio: Scalar | Array, gravity_ratio: Scal
 def hunt_crossley_smoothing(*, radius_ratio: Scalar | Array | PandasSeries, gravity_ratio: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def hunt_crossley_smoothing(*, radius_ratio: Scalar | Array | Frame, gravity_ratio: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def hunt_crossley_smoothing(
-    *,
-    radius_ratio: Number,
-    gravity_ratio: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def hunt_crossley_smoothing(*, radius_ratio: Number, gravity_ratio: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """bv from the sphere's radius, or for a wanted width, from a to b.
 
         bv ∝ R^(−1/2)    (C.10)
@@ -3377,12 +3018,7 @@ def transition_velocity(*, radius_ratio: Scalar | Array, gravity_ratio: Scalar |
 def transition_velocity(*, radius_ratio: Scalar | Array | PandasSeries, gravity_ratio: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def transition_velocity(*, radius_ratio: Scalar | Array | Frame, gravity_ratio: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def transition_velocity(
-    *,
-    radius_ratio: Number,
-    gravity_ratio: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def transition_velocity(*, radius_ratio: Number, gravity_ratio: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """How friction speeds follow body size.
 
         transition_velocity ∝ √(g R)    friction
@@ -3432,12 +3068,7 @@ def viscous_friction(*, radius_ratio: Scalar | Array, gravity_ratio: Scalar | Ar
 def viscous_friction(*, radius_ratio: Scalar | Array | PandasSeries, gravity_ratio: Scalar | Array | PandasSeries = ..., nan: Literal["raise", "propagate"] = ...) -> PandasFloats: ...
 @overload
 def viscous_friction(*, radius_ratio: Scalar | Array | Frame, gravity_ratio: Scalar | Array | Frame = ..., nan: Literal["raise", "propagate"] = ...) -> Frame: ...
-def viscous_friction(
-    *,
-    radius_ratio: Number,
-    gravity_ratio: Number = 1.0,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Any:
+def viscous_friction(*, radius_ratio: Number, gravity_ratio: Number = 1.0, nan: Literal["raise", "propagate"] = "raise") -> Any:
     """How friction speeds follow body size.
 
         viscous_friction ∝ 1/√(g R)    friction
@@ -3479,11 +3110,7 @@ def viscous_friction(
     return call("viscous_friction", {"radius_ratio": radius_ratio, "gravity_ratio": gravity_ratio}, nan)
 
 
-def mean_square_radius(
-    *,
-    radius: NumberList,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> float:
+def mean_square_radius(*, radius: NumberList, nan: Literal["raise", "propagate"] = "raise") -> float:
     """One radius for spheres of different size.
 
         R² = Σ R_i² / n    mixed radii
@@ -3521,15 +3148,7 @@ def mean_square_radius(
     return call_of_list("mean_square_radius", {"radius": radius}, nan=nan)
 
 
-def hertz_rest_indentation(
-    *,
-    load: float,
-    composite_modulus: float | NumberList,
-    radius: float | NumberList,
-    number_of_spheres: float | NumberList = 1.0,
-    height: NumberList | None = None,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> float:
+def hertz_rest_indentation(*, load: float, composite_modulus: float | NumberList, radius: float | NumberList, number_of_spheres: float | NumberList = 1.0, height: NumberList | None = None, nan: Literal["raise", "propagate"] = "raise") -> float:
     """Indentation at rest by the Hertz law.
 
         Σ 4/3 E*_i √R_i x^(3/2) = F    rest by (1)
@@ -3573,19 +3192,7 @@ def hertz_rest_indentation(
     return call_of_list("hertz_rest_indentation", {"composite_modulus": composite_modulus, "radius": radius, "number_of_spheres": number_of_spheres}, height, load, nan=nan)
 
 
-def smooth_rest_indentation(
-    *,
-    load: float,
-    composite_modulus: float | NumberList,
-    radius: float | NumberList,
-    dissipation: float | NumberList,
-    constant_contact_force: float | NumberList,
-    hertz_smoothing: float | NumberList,
-    hunt_crossley_smoothing: float | NumberList,
-    number_of_spheres: float | NumberList = 1.0,
-    height: NumberList | None = None,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> float:
+def smooth_rest_indentation(*, load: float, composite_modulus: float | NumberList, radius: float | NumberList, dissipation: float | NumberList, constant_contact_force: float | NumberList, hertz_smoothing: float | NumberList, hunt_crossley_smoothing: float | NumberList, number_of_spheres: float | NumberList = 1.0, height: NumberList | None = None, nan: Literal["raise", "propagate"] = "raise") -> float:
     """Indentation at rest by the file's law.
 
         Σ F_i(x, ẋ = 0) = F    rest by (C.9)
@@ -3643,14 +3250,7 @@ def smooth_rest_indentation(
     return call_of_list("smooth_rest_indentation", {"composite_modulus": composite_modulus, "radius": radius, "dissipation": dissipation, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "number_of_spheres": number_of_spheres}, height, load, nan=nan)
 
 
-def continuation_steps(
-    *,
-    first: float,
-    last: float,
-    dissipation_ratio: float = 1.0,
-    count: int = 5,
-    nan: Literal["raise", "propagate"] = "raise",
-) -> Steps:
+def continuation_steps(*, first: float, last: float, dissipation_ratio: float = 1.0, count: int = 5, nan: Literal["raise", "propagate"] = "raise") -> Steps:
     """Steps from soft contacts to those that are wanted, for a ladder of optimisations (section 4.3 of the paper).
 
     Parameters
