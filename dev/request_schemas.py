@@ -47,8 +47,9 @@ def verbs() -> list[Verb]:
 
 def _verb(path: Path) -> Verb:
     schema = json.loads(path.read_text(encoding="utf-8"))
+    definitions = schema.get("$defs", {})
     fields = tuple(
-        _field(name, field) for name, field in schema["properties"].items() if name != "verb"
+        _field(name, field, definitions) for name, field in schema["properties"].items() if name != "verb"
     )
     summary = re.split(r"\n\s*\n|```", schema["description"])[0].strip()
     required = frozenset(name for name in schema.get("required", []) if name != "verb")
@@ -56,9 +57,9 @@ def _verb(path: Path) -> Verb:
     return Verb(path.name.removesuffix(".schema.json"), summary, fields, required, positional)
 
 
-def _field(name: str, schema: dict) -> Field:
+def _field(name: str, schema: dict, definitions: dict) -> Field:
     kinds, choices = set(), []
-    _collect(schema, kinds, choices)
+    _collect(schema, definitions, kinds, choices)
     free_text = "text" in kinds
     kinds.discard("text")
     return Field(
@@ -71,8 +72,10 @@ def _field(name: str, schema: dict) -> Field:
     )
 
 
-def _collect(schema: dict, kinds: set[str], choices: list[str]) -> None:
+def _collect(schema: dict, definitions: dict, kinds: set[str], choices: list[str]) -> None:
     """What a schema takes, with those that it is made of."""
+    if "$ref" in schema:
+        schema = definitions[schema["$ref"].rsplit("/", 1)[-1]]
     if "bytes" in schema.get("properties", {}):
         kinds.add("path")  # The name of a file that is no text: a path all the same.
         return
@@ -80,7 +83,7 @@ def _collect(schema: dict, kinds: set[str], choices: list[str]) -> None:
     for kind in [types] if isinstance(types, str) else types:
         if kind == "array":
             kinds.add("list")
-            _collect(schema.get("items", {}), kinds, choices)
+            _collect(schema.get("items", {}), definitions, kinds, choices)
         elif kind != "null":
             kinds.add(kind)
     texts = [text for text in schema.get("enum", []) if isinstance(text, str)]
@@ -92,4 +95,4 @@ def _collect(schema: dict, kinds: set[str], choices: list[str]) -> None:
     elif "string" in kinds and "string" in (types if isinstance(types, list) else [types]):
         kinds.add("text")
     for part in schema.get("anyOf", []) + schema.get("oneOf", []):
-        _collect(part, kinds, choices)
+        _collect(part, definitions, kinds, choices)

@@ -18,6 +18,9 @@ use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde_json::Value;
 
+/// Letters of the longest line of a schema, if it can be broken.
+const WIDTH: usize = 140;
+
 /// Every schema by its path below `schemas/`.
 fn schemas() -> BTreeMap<String, String> {
     let requests = Verb::ALL.iter().map(|&verb| {
@@ -44,10 +47,36 @@ fn schemas() -> BTreeMap<String, String> {
     requests
         .chain(others)
         .map(|(name, schema)| {
-            let text = serde_json::to_string_pretty(&schema).unwrap();
+            let text = text(&serde_json::to_value(schema).unwrap(), 0, WIDTH);
             (format!("{name}.schema.json"), format!("{text}\n"))
         })
         .collect()
+}
+
+/// A value as JSON: on one line where there is room for it, else a line for each of its parts.
+fn text(value: &Value, indent: usize, room: usize) -> String {
+    let (ends, parts): (_, Vec<(String, &Value)>) = match value {
+        Value::Object(fields) => {
+            let named = |(name, part)| (format!("{}: ", Value::from(name)), part);
+            ("{}", fields.iter().map(|(name, part)| (name.as_str(), part)).map(named).collect())
+        }
+        Value::Array(items) => ("[]", items.iter().map(|item| (String::new(), item)).collect()),
+        simple => return simple.to_string(),
+    };
+    let (begin, end) = ends.split_at(1);
+    let joined = |between: &str, written: &dyn Fn(&str, &Value) -> String| {
+        parts.iter().map(|(name, part)| written(name, part)).collect::<Vec<_>>().join(between)
+    };
+    let line = joined(", ", &|name, part| format!("{name}{}", text(part, 0, usize::MAX)));
+    if line.len() + 2 <= room {
+        return format!("{begin}{line}{end}");
+    }
+    let inner = indent + 2;
+    let lines = joined(",\n", &|name, part| {
+        let room = WIDTH.saturating_sub(inner + name.len() + 1);
+        format!("{:inner$}{name}{}", "", text(part, inner, room))
+    });
+    format!("{begin}\n{lines}\n{:indent$}{end}", "")
 }
 
 /// The schema of what the program prints as a `T`.

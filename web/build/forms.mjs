@@ -24,12 +24,18 @@ export function forms() {
 
 function form(verb, usual, names, without = []) {
   const schema = JSON.parse(readFileSync(join(ROOT, `schemas/requests/${verb}.schema.json`), "utf8"));
-  const fields = Object.entries(schema.properties)
+  const fields = Object.entries(properties(schema))
     .filter(([name, declared]) => name !== "verb" && !isLeftOut(name, declared) && !without.includes(name))
     .map(([name, declared]) => ({ ...field(name, declared, names), ...place(verb, name, usual) }));
   const known = new Set(fields.map(({ name }) => name));
   const required = (schema.required ?? []).filter((name) => known.has(name));
   return { verb, fields: ordered(fields, usual), required, ...relations(schema.allOf ?? [], known) };
+}
+
+/** The fields, with the definitions of their types in the place of references. */
+function properties({ properties, $defs }) {
+  const defined = (_, part) => (part?.$ref ? $defs[part.$ref.split("/").at(-1)] : part);
+  return JSON.parse(JSON.stringify(properties), defined);
 }
 
 function isLeftOut(name, { "x-group": group }) {

@@ -20,10 +20,9 @@ export function relations(conditions, known) {
   };
 }
 
-/** The field that must be given: `{properties: {NAME: {not: …}}, required: [NAME]}`. */
-function given(schema) {
-  const [name] = schema.required ?? [];
-  return name && schema.properties?.[name]?.not ? name : undefined;
+/** The field that must be given: `{$ref: "#/$defs/NAME_given"}`. */
+function given({ $ref }) {
+  return /^#\/\$defs\/(\w+)_given$/.exec($ref)?.[1];
 }
 
 /** The two fields that exclude each other: not both given. */

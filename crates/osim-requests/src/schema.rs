@@ -1,7 +1,8 @@
 //! Schemas of requests, from their types.
 //!
 //! Beside the words of JSON Schema they have two of their own, for what is made from them: `x-positional`, the fields that a call
-//! has without their names, and `x-group`, what a field is about that says nothing about contacts.
+//! has without their names, and `x-group`, what a field is about that says nothing about contacts. What fields and conditions repeat
+//! is in `$defs`.
 
 use osim_model::messages::Verb;
 #[cfg(feature = "schemas")]
@@ -35,26 +36,34 @@ pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Sc
     object.insert("additionalProperties".to_owned(), false.into());
     let mut required = vec![Value::from("verb")];
     let mut all = Vec::new();
+    let mut definitions = match object.remove("$defs") {
+        Some(Value::Object(of_types)) => of_types,
+        _ => Map::new(),
+    };
+    let mut given = |field| is_given(field, &mut definitions);
     for relation in relations.iter().copied().flatten() {
         match *relation {
             Relation::Required(field) | Relation::Expected(field) => {
                 required.push(field.into());
-                all.push(says(field));
+                all.push(given(field));
             }
             Relation::RequiredUnless(field, other) | Relation::ExpectedUnless(field, other) => {
-                all.push(json!({"anyOf": [says(field), says(other)]}));
+                all.push(json!({"anyOf": [given(field), given(other)]}));
             }
             Relation::Needs(field, other) => {
-                all.push(json!({"anyOf": [{"not": says(field)}, says(other)]}));
+                all.push(json!({"anyOf": [{"not": given(field)}, given(other)]}));
             }
             Relation::Excludes(field, other) => {
-                all.push(json!({"not": {"allOf": [says(field), says(other)]}}));
+                all.push(json!({"not": {"allOf": [given(field), given(other)]}}));
             }
         }
     }
     object.insert("required".to_owned(), required.into());
     if !all.is_empty() {
         object.insert("allOf".to_owned(), all.into());
+    }
+    if !definitions.is_empty() {
+        object.insert("$defs".to_owned(), definitions.into());
     }
     schema
 }
@@ -67,16 +76,22 @@ fn in_group(name: &str, mut schema: Value) -> Value {
     schema
 }
 
-/// That a field says something: it is there, and is neither null, nor false, nor empty.
-fn says(field: &str) -> Value {
-    json!({
-        "required": [field],
-        "properties": {field: {"not": {"anyOf": [
-            {"enum": [null, false]},
-            {"type": "array", "maxItems": 0},
-            {"type": "object", "maxProperties": 0},
-        ]}}},
-    })
+/// That a field is given. The condition is defined once.
+fn is_given(field: &str, definitions: &mut Map<String, Value>) -> Value {
+    let any = || {
+        json!({
+            "description": "Neither null, nor false, nor empty.",
+            "not": {"anyOf": [
+                {"enum": [null, false]},
+                {"type": "array", "maxItems": 0},
+                {"type": "object", "maxProperties": 0},
+            ]},
+        })
+    };
+    let condition = || json!({"required": [field], "properties": {field: {"$ref": "#/$defs/given"}}});
+    definitions.entry("given").or_insert_with(any);
+    definitions.entry(format!("{field}_given")).or_insert_with(condition);
+    json!({"$ref": format!("#/$defs/{field}_given")})
 }
 
 fn or_null(mut schema: Value) -> Value {

@@ -128,8 +128,9 @@ fn example_of(verb: Verb, field: &str) -> Option<Value> {
 /// What `field` says nothing without, as the schema has it.
 fn needed<'s>(schema: &'s Value, field: &str) -> Vec<&'s str> {
     let rules = schema["allOf"].as_array().into_iter().flatten();
-    let needs = rules.filter(|rule| rule["anyOf"][0]["not"]["required"][0] == field);
-    needs.filter_map(|rule| rule["anyOf"][1]["required"][0].as_str()).collect()
+    let given = |rule: &'s Value| rule["$ref"].as_str()?.strip_prefix("#/$defs/")?.strip_suffix("_given");
+    let needs = rules.filter(|rule| given(&rule["anyOf"][0]["not"]) == Some(field));
+    needs.filter_map(|rule| given(&rule["anyOf"][1])).collect()
 }
 
 /// A request with this field, and with what it needs.

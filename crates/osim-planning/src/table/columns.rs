@@ -204,7 +204,7 @@ mod tests {
         for verb in CHANGING {
             let schema = schema_of(verb);
             for (name, property) in schema.get("properties").unwrap().as_object().unwrap() {
-                let is_path = property.to_string().contains("\"bytes\"");
+                let is_path = property.to_string().contains("#/$defs/Path\"");
                 let by_another_way = ["models", "from", FIT_MODEL].contains(&name.as_str())
                     || PATH_LISTS.contains(&name.as_str())
                     || OF_THE_RUN.contains(&name.as_str());

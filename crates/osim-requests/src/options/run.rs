@@ -265,10 +265,6 @@ impl JsonSchema for QuestionSchema {
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
         json_schema!({"type": "string", "enum": Question::ALL.map(|question| question.code())})
     }
-
-    fn inline_schema() -> bool {
-        true
-    }
 }
 
 #[cfg(test)]

@@ -396,7 +396,7 @@ mod tests {
     /// Whether a value of this schema is the name of a file.
     fn is_path(schema: &Value) -> bool {
         let parts = schema["anyOf"].as_array().into_iter().flatten();
-        schema["properties"]["bytes"].is_object() || parts.chain(schema.get("items")).any(is_path)
+        schema["$ref"] == "#/$defs/Path" || parts.chain(schema.get("items")).any(is_path)
     }
 
     #[test]

@@ -41,10 +41,6 @@ impl JsonSchema for PathSchema {
             },
         ]})
     }
-
-    fn inline_schema() -> bool {
-        true
-    }
 }
 
 impl Written {
