@@ -189,7 +189,7 @@ fn module(path: Vec<String>, file: &str, source: &str) -> Module {
         module.items.insert(found[2].to_owned());
         module.macros.extend((&found[1] == "macro_rules!").then(|| found[2].to_owned()));
     }
-    for found in PATH.find_iter(&code).filter(|found| !found.as_str().starts_with("pub")) {
+    for found in PATH.find_iter(&code).filter(|found| !found.as_str().starts_with("pub(")) {
         // A path that goes on from a value, a variable of a macro or a type begins elsewhere.
         let before = code[..found.start()].trim_end();
         if !["::", ".", "$"].iter().any(|sign| before.ends_with(sign)) {
