@@ -22,6 +22,14 @@ pub struct Curve {
     pub look: Look,
 }
 
+impl Curve {
+    /// A curve with a name.
+    #[must_use]
+    pub fn new(label: impl Into<String>, points: Vec<Point>, look: Look) -> Self {
+        Self { label: label.into(), points, look }
+    }
+}
+
 /// The area between a curve and 0, shaded.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Area {
@@ -49,6 +57,20 @@ pub struct Limit {
     pub at: f64,
     /// Which way it runs.
     pub direction: Direction,
+}
+
+impl Limit {
+    /// A limit at one value of the horizontal axis.
+    #[must_use]
+    pub fn vertical(label: impl Into<String>, at: f64) -> Self {
+        Self { label: label.into(), at, direction: Direction::Vertical }
+    }
+
+    /// A limit at one value of the vertical axis.
+    #[must_use]
+    pub fn horizontal(label: impl Into<String>, at: f64) -> Self {
+        Self { label: label.into(), at, direction: Direction::Horizontal }
+    }
 }
 
 /// A single point, as a filled dot.
@@ -144,6 +166,24 @@ pub struct Figure {
     pub columns: usize,
     /// The panels, row by row.
     pub panels: Vec<Panel>,
+}
+
+impl Figure {
+    /// Panels below each other, in one column of a journal.
+    #[must_use]
+    pub fn in_column(title: impl Into<String>, description: String, panels: Vec<Panel>) -> Self {
+        Self { title: title.into(), description, width: Width::Column, columns: 1, panels }
+    }
+
+    /// The figure, if the curves of each panel can be told apart.
+    ///
+    /// # Errors
+    /// [`PlotError::TooMany`]: a panel has more curves than [`Look::MOST_SERIES`].
+    pub fn distinct(self) -> Result<Self, PlotError> {
+        let count = self.panels.iter().map(|panel| panel.curves.len()).max().unwrap_or(0);
+        let most = Look::MOST_SERIES;
+        if count > most { Err(PlotError::TooMany { count, most }) } else { Ok(self) }
+    }
 }
 
 // What a panel covers: from where to where its axes go, and what is between them.

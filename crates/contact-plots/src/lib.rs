@@ -1,22 +1,18 @@
 //! Figures of contact forces: series of points in, SVG text out, and PDF and PNG from that; or letters for a terminal
 //! ([`text()`]).
 //!
-//! It computes no physics and reads no file. Callers bring the points ([`ForceCurves`], [`DropCurve`],
-//! [`HeatMap`], …) and get a [`Drawing`], whose curves can be renamed and axes limited; what it draws is one SVG document as a
-//! `String`.
+//! It computes no physics and reads no file. Callers bring the points, in [`Panel`]s, a [`HeatMap`] or a [`Scene`], and get a
+//! [`Drawing`], whose curves can be renamed and axes limited; what it draws is one SVG document as a `String`.
 //!
 //! ```
-//! use contact_plots::{Drawing, ForceAxis, ForceCurves, ForceFigure, IndentationAxis, Paper, force_figure};
+//! use contact_plots::{Axis, Curve, Drawing, Figure, Limit, Look, Panel, Paper};
 //!
 //! let hertz = (0..=40).map(|i| f64::from(i) / 100.0).map(|x| (x, 482.7 * x * x.sqrt())).collect();
-//! let figure = force_figure(&ForceFigure {
-//!     title: "Contact force of one sphere".to_owned(),
-//!     indentation: IndentationAxis::Relative,
-//!     force: ForceAxis::Newton,
-//!     top: None,
-//!     bodies: vec![ForceCurves { name: "human".to_owned(), hertz, with_constant: vec![], own: vec![], rest: None, remark: String::new() }],
-//!     limits: vec![],
-//! })?;
+//! let mut panel = Panel::new("", Axis::new("relative indentation x/R (–)"), Axis::new("force (N)"));
+//! panel.curves.push(Curve::new("Hertz", hertz, Look::HERTZ));
+//! panel.limits.push(Limit::vertical("x/R = 0.16", 0.16));
+//! let description = "Force against indentation of one sphere.".to_owned();
+//! let figure = Figure::in_column("Contact force of one sphere", description, vec![panel]);
 //! let svg = Drawing::Panels(figure).svg(Paper::default())?;
 //! assert!(svg.starts_with("<svg") && svg.contains("<title>Contact force of one sphere</title>"));
 //! # Ok::<(), contact_plots::PlotError>(())
@@ -47,7 +43,6 @@ mod drawing;
 mod error;
 mod figure;
 mod heat_map;
-mod kinds;
 mod legend;
 mod letters;
 #[cfg(any(feature = "pdf", feature = "png"))]
@@ -63,11 +58,6 @@ pub use drawing::{Datum, Drawing};
 pub use error::PlotError;
 pub use figure::{Area, Curve, Direction, Figure, Limit, Mark, Panel, Point, Width};
 pub use heat_map::{HeatLimit, HeatMap, heat_map};
-pub use kinds::{
-    DropCurve, DropEnd, DropFigure, ForceAxis, ForceCurves, ForceFigure, IndentationAxis, LoopCurve,
-    LoopFigure, StateCurve, StateFigure, TimeAxis, drop_figure, drop_panel, force_figure, force_panel,
-    loop_figure, state_figure, state_panel,
-};
 #[cfg(feature = "pdf")]
 pub use pictures::pdf;
 #[cfg(feature = "png")]

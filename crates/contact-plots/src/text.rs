@@ -13,7 +13,7 @@ use crate::style::float;
 ///
 /// let points = (0..=100).map(|i| f64::from(i) / 10.0).map(|t| (t, 1.0 - (-t).exp())).collect();
 /// let mut panel = Panel::new("", Axis::new("time (s)"), Axis::new("force / body weight"));
-/// panel.curves.push(Curve { label: String::new(), points, look: Look::series(0) });
+/// panel.curves.push(Curve::new("", points, Look::series(0)));
 /// let text = text(&panel, 80, 16)?;
 /// assert!(text.contains("time (s)") && text.contains('┤'));
 /// # Ok::<(), contact_plots::PlotError>(())
@@ -136,7 +136,7 @@ mod tests {
 
     fn panel(points: Vec<Point>) -> Panel {
         let mut panel = Panel::new("", Axis::over("time (s)", 0.0, 2.0), Axis::over("force", 0.0, 4.0));
-        panel.curves.push(Curve { label: String::new(), points, look: Look::series(0) });
+        panel.curves.push(Curve::new("", points, Look::series(0)));
         panel
     }
 

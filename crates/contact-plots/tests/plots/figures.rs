@@ -5,40 +5,24 @@
 
 use crate::document::Svg;
 use contact_plots::{
-    Axis, Curve, DropCurve, DropFigure, Figure, ForceAxis, ForceCurves, ForceFigure, HeatLimit, HeatMap,
-    IndentationAxis, Limit, Look, LoopCurve, LoopFigure, Panel, PlotError, Point, StateCurve, StateFigure,
-    Width,
+    Area, Axis, Curve, Drawing, Figure, HeatLimit, HeatMap, Limit, Look, Mark, Panel, Paper, PlotError,
+    Point, Width,
 };
-use contact_plots::{Drawing, Paper};
 
 fn line(slope: f64) -> Vec<Point> {
     (-10..=10).map(|i| f64::from(i) / 20.0).map(|x| (x, slope * (x + 0.5))).collect()
 }
 
-fn x_limit() -> Limit {
-    Limit { label: "x̂ = 0.16".to_owned(), at: 0.16, direction: contact_plots::Direction::Vertical }
-}
-
-fn body(name: &str, slope: f64) -> ForceCurves {
-    ForceCurves {
-        name: name.to_owned(),
-        hertz: line(slope),
-        with_constant: line(2.0 * slope),
-        own: line(1.5 * slope),
-        rest: Some((0.35, slope)),
-        remark: String::new(),
-    }
-}
-
-fn force(bodies: Vec<ForceCurves>) -> ForceFigure {
-    ForceFigure {
-        title: "Contact force".to_owned(),
-        indentation: IndentationAxis::Relative,
-        force: ForceAxis::Newton,
-        top: None,
-        bodies,
-        limits: vec![x_limit()],
-    }
+/// A figure of lines, each with its name and slope, with a limit, a shade and a mark.
+fn force(lines: &[(&str, f64)]) -> Figure {
+    let mut panel = Panel::new("", Axis::new("x̂ = x/R (–)"), Axis::new("force (N)"));
+    let curve =
+        |(index, (name, slope)): (usize, &(&str, f64))| Curve::new(*name, line(*slope), Look::series(index));
+    panel.curves = lines.iter().enumerate().map(curve).collect();
+    panel.limits.push(Limit::vertical("x̂ = 0.16", 0.16));
+    panel.areas.push(Area { label: "shade".to_owned(), points: line(1.0) });
+    panel.marks.push(Mark { label: "at rest".to_owned(), at: (0.35, 1.0), look: Look::OWN });
+    Figure::in_column("Contact force", "Force against indentation.".to_owned(), vec![panel])
 }
 
 fn heat() -> HeatMap {
@@ -62,51 +46,34 @@ fn svg_of(figure: Figure) -> Result<String, PlotError> {
     Drawing::Panels(figure).svg(Paper::default())
 }
 
-fn force_svg(data: &ForceFigure) -> Result<String, PlotError> {
-    contact_plots::force_figure(data).and_then(svg_of)
-}
-
-fn state_svg(data: &StateFigure) -> Result<String, PlotError> {
-    contact_plots::state_figure(data).and_then(svg_of)
-}
-
-fn loop_svg(data: &LoopFigure) -> Result<String, PlotError> {
-    contact_plots::loop_figure(data).and_then(svg_of)
-}
-
-fn drop_svg(data: &DropFigure) -> Result<String, PlotError> {
-    contact_plots::drop_figure(data).and_then(svg_of)
+fn force_svg(lines: &[(&str, f64)]) -> String {
+    svg_of(force(lines)).unwrap()
 }
 
 #[test]
-fn one_body_has_its_three_laws_a_shade_and_its_limit() {
-    let svg = Svg::read(&force_svg(&force(vec![body("human", 100.0)])).unwrap());
+fn a_panel_says_what_its_axes_and_all_that_is_in_it_are() {
+    let svg = Svg::read(&force_svg(&[("mouse", 1.0), ("horse", 2.0)]));
     svg.says(&[
         "Contact force",
-        "relative indentation x̂ = x/R (–)",
-        "force of one sphere (N)",
-        "Hertz (1)",
-        "Hertz with cf (C.1)",
-        "smoothed, at rest (C.9)",
-        "before contact",
+        "x̂ = x/R (–)",
+        "force (N)",
+        "mouse",
+        "horse",
+        "shade",
         "x̂ = 0.16",
-        "at rest under body weight",
+        "at rest",
     ]);
-    assert!(svg.description.contains("human"), "{}", svg.description);
-}
-
-#[test]
-fn several_bodies_are_one_curve_each_under_their_names() {
-    let svg = Svg::read(&force_svg(&force(vec![body("mouse", 1.0), body("horse", 2.0)])).unwrap());
-    svg.says(&["mouse", "horse"]);
-    assert!(!svg.texts.iter().any(|text| text.contains("Hertz")), "{:?}", svg.texts);
+    assert_eq!(svg.description, "Force against indentation.");
+    let panel = force(&[("mouse", 1.0)]).panels.remove(0);
+    let two = Figure::in_column("Two", String::new(), vec![panel.clone(), panel]);
+    Svg::read(&svg_of(two).unwrap()).says(&["A", "B"]);
 }
 
 #[test]
 fn points_stand_where_the_ticks_say() {
-    let svg = Svg::read(&force_svg(&force(vec![body("human", 100.0)])).unwrap());
+    let svg = Svg::read(&force_svg(&[("human", 100.0)]));
     let (x, y) = (svg.scale_of_x(), svg.scale_of_y());
-    // The Hertz curve is the solid one: from (−0.5, 0) to (0.5, 100).
+    // The first curve is the solid one: from (−0.5, 0) to (0.5, 100).
     let curve = svg.longest_line("#0072B2");
     assert_eq!(curve.len(), 21);
     for (index, (px, py)) in curve.iter().enumerate() {
@@ -115,61 +82,6 @@ fn points_stand_where_the_ticks_say() {
         assert!((x.value(*px) - (expected - 0.5)).abs() < 3e-4, "{index}: {}", x.value(*px));
         assert!((y.value(*py) - 100.0 * expected).abs() < 0.12, "{index}: {}", y.value(*py));
     }
-}
-
-#[test]
-fn every_kind_of_figure_is_a_document_with_its_axes() {
-    let state = StateFigure {
-        title: "Contact state".to_owned(),
-        indentation: IndentationAxis::Millimetre,
-        bodies: vec![StateCurve { name: "emu".to_owned(), points: line(1.0) }],
-        limits: vec![],
-    };
-    Svg::read(&state_svg(&state).unwrap()).says(&[
-        "indentation x (mm)",
-        "contact state (–)",
-        "smoothed (C.4)",
-        "binary contact, without smoothing",
-    ]);
-    let loops = LoopFigure {
-        title: "Dissipation".to_owned(),
-        motion: "Half a sine wave.".to_owned(),
-        indentation: IndentationAxis::Relative,
-        force: ForceAxis::WeightShare,
-        elastic: line(1.0),
-        loops: vec![LoopCurve { name: "0.4 m/s".to_owned(), points: line(2.0) }],
-        limits: vec![],
-    };
-    let svg = Svg::read(&loop_svg(&loops).unwrap());
-    svg.says(&["0.4 m/s", "force at rest", "force of one sphere / its share Mg/n (–)"]);
-    assert!(svg.description.contains("Half a sine wave."));
-    let points: Vec<Point> = (0..=20).map(|i| (f64::from(i) / 10.0, 1.0)).collect();
-    let bodies = vec![
-        DropCurve { name: "mouse".to_owned(), points: points.clone(), time_unit_s: 0.0143 },
-        DropCurve { name: "giraffe".to_owned(), points, time_unit_s: 0.0553 },
-    ];
-    let drop =
-        DropFigure { title: "Drop".to_owned(), conditions: "From R/4.".to_owned(), shown: None, bodies };
-    Svg::read(&drop_svg(&drop).unwrap()).says(&[
-        "time t (s)",
-        "non-dimensional time t/√(R/g) (–)",
-        "normal force / body weight (–)",
-        "mouse",
-        "giraffe",
-        "body weight",
-        "A",
-        "B",
-    ]);
-}
-
-#[test]
-fn dimensionless_drops_end_with_the_shorter_one() {
-    let points: Vec<Point> = (0..=20).map(|i| (f64::from(i) / 10.0, 1.0)).collect();
-    let slow = DropCurve { name: "slow".to_owned(), points: points.clone(), time_unit_s: 0.5 };
-    let quick = DropCurve { name: "quick".to_owned(), points, time_unit_s: 0.1 };
-    let panel =
-        contact_plots::drop_panel(&[slow, quick], contact_plots::TimeAxis::Dimensionless, None).unwrap();
-    assert_eq!(panel.x.limits, Some((0.0, 4.0)));
 }
 
 #[test]
@@ -196,10 +108,7 @@ fn a_heat_map_has_decades_and_a_named_bar() {
 
 #[test]
 fn several_figures_stand_in_one_page_without_a_clash() {
-    for svg in [
-        force_svg(&force(vec![body("human", 1.0)])).unwrap(),
-        contact_plots::heat_map(&heat(), Paper::default()).unwrap(),
-    ] {
+    for svg in [force_svg(&[("human", 1.0)]), contact_plots::heat_map(&heat(), Paper::default()).unwrap()] {
         let read = Svg::read(&svg);
         assert_eq!(read.attribute("role"), "img");
         assert_eq!(read.attribute("width"), "90mm");
@@ -213,26 +122,20 @@ fn several_figures_stand_in_one_page_without_a_clash() {
 #[test]
 fn names_are_text_whatever_they_hold() {
     let odd = "a<b> & \"c\" \u{1}";
-    let svg = Svg::read(&force_svg(&force(vec![body(odd, 1.0), body("plain", 1.0)])).unwrap());
+    let svg = Svg::read(&force_svg(&[(odd, 1.0), ("plain", 1.0)]));
     svg.says(&["a<b> & \"c\""]);
 }
 
 #[test]
 fn what_cannot_be_drawn_is_refused() {
-    let refused = |bodies| contact_plots::force_figure(&force(bodies)).and_then(svg_of).unwrap_err();
-    let mut broken = body("human", 1.0);
-    broken.hertz[3].1 = f64::NAN;
-    assert_eq!(refused(vec![broken]), PlotError::NotFinite { curve: "Hertz (1)".to_owned() });
-    assert!(matches!(refused(vec![]), PlotError::Empty { .. }));
-    let many = (0..=Look::MOST_SERIES).map(|i| body(&i.to_string(), 1.0)).collect();
-    assert_eq!(refused(many), PlotError::TooMany { count: 9, most: 8 });
-    let empty = Figure {
-        title: String::new(),
-        description: String::new(),
-        width: Width::Column,
-        columns: 1,
-        panels: vec![],
-    };
+    let mut broken = force(&[("Hertz (1)", 1.0)]);
+    broken.panels[0].curves[0].points[3].1 = f64::NAN;
+    assert_eq!(svg_of(broken), Err(PlotError::NotFinite { curve: "Hertz (1)".to_owned() }));
+    assert!(matches!(svg_of(force(&[])), Err(PlotError::Empty { .. })));
+    let many = [("", 1.0); Look::MOST_SERIES + 1];
+    assert_eq!(force(&many).distinct(), Err(PlotError::TooMany { count: 9, most: 8 }));
+    assert!(force(&many[1..]).distinct().is_ok());
+    let empty = Figure::in_column("", String::new(), vec![]);
     assert!(matches!(contact_plots::figure(&empty, Paper::default()), Err(PlotError::Empty { .. })));
     let mut map = heat();
     map.x[0] = 0.0;
@@ -245,15 +148,8 @@ fn what_cannot_be_drawn_is_refused() {
 #[test]
 fn names_of_limits_that_would_touch_are_written_in_rows() {
     let mut panel = Panel::new("", Axis::over("x", 0.0, 1.0), Axis::new("y"));
-    panel.curves.push(Curve {
-        label: "curve".to_owned(),
-        points: vec![(0.0, 0.0), (1.0, 1.0)],
-        look: Look::HERTZ,
-    });
-    for at in [0.5, 0.52] {
-        let direction = contact_plots::Direction::Vertical;
-        panel.limits.push(Limit { label: format!("limit {at}"), at, direction });
-    }
+    panel.curves.push(Curve::new("curve", vec![(0.0, 0.0), (1.0, 1.0)], Look::HERTZ));
+    panel.limits.extend([0.5, 0.52].map(|at| Limit::vertical(format!("limit {at}"), at)));
     let figure = Figure {
         title: "t".to_owned(),
         description: "d".to_owned(),

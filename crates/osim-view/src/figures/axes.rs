@@ -1,6 +1,6 @@
 //! Units, titles, lines where a law ends, and remarks beside a figure.
 
-use contact_plots::{Direction, ForceAxis, IndentationAxis, Limit};
+use contact_plots::{Axis, Limit};
 use contact_scaling::limits;
 use osim_inspect::series::{self, Body, ForceUnit, IndentationUnit, SphereKind, Units, kinds};
 use osim_model::files::Failure;
@@ -27,18 +27,18 @@ pub fn units(bodies: &[Body], wanted: Option<Axes>) -> Units {
     Units { indentation, force }
 }
 
-pub(super) fn indentation_axis(units: Units) -> IndentationAxis {
-    match units.indentation {
-        IndentationUnit::Relative => IndentationAxis::Relative,
-        IndentationUnit::Millimetre => IndentationAxis::Millimetre,
-    }
+pub(super) fn indentation_axis(units: Units) -> Axis {
+    Axis::new(match units.indentation {
+        IndentationUnit::Relative => "relative indentation x̂ = x/R (–)",
+        IndentationUnit::Millimetre => "indentation x (mm)",
+    })
 }
 
-pub(super) fn force_axis(units: Units) -> ForceAxis {
-    match units.force {
-        ForceUnit::Newton => ForceAxis::Newton,
-        ForceUnit::WeightShare => ForceAxis::WeightShare,
-    }
+pub(super) fn force_axis(units: Units) -> Axis {
+    Axis::new(match units.force {
+        ForceUnit::Newton => "force of one sphere (N)",
+        ForceUnit::WeightShare => "force of one sphere / its share Mg/n (–)",
+    })
 }
 
 /// The title wanted, else what the figure shows of whom.
@@ -61,11 +61,10 @@ pub(super) fn failure(bodies: &[Body], why: impl Into<Phrase>) -> Failure {
 /// The limit of the Hertz law, where the axis can show it for all bodies.
 pub(super) fn hertz_limit(units: Units) -> Vec<Limit> {
     match units.indentation {
-        IndentationUnit::Relative => vec![Limit {
-            label: format!("x̂ = {}", limits::INDENTATION.value),
-            at: limits::INDENTATION.value,
-            direction: Direction::Vertical,
-        }],
+        IndentationUnit::Relative => {
+            let at = limits::INDENTATION.value;
+            vec![Limit::vertical(format!("x̂ = {at}"), at)]
+        }
         // It is another length for each radius.
         IndentationUnit::Millimetre => vec![],
     }
@@ -73,11 +72,7 @@ pub(super) fn hertz_limit(units: Units) -> Vec<Limit> {
 
 /// Where the contact state is t and 1 − t (C.6).
 pub(super) fn thresholds(kind: &SphereKind, units: Units) -> Vec<Limit> {
-    let limit = |(state, at): (f64, f64)| Limit {
-        label: format!("state {state}"),
-        at,
-        direction: Direction::Vertical,
-    };
+    let limit = |(state, at): (f64, f64)| Limit::vertical(format!("state {state}"), at);
     series::thresholds(kind, units).into_iter().map(limit).collect()
 }
 

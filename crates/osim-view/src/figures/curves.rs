@@ -1,8 +1,6 @@
 //! Curves of one contact: force and state against indentation, in and out, and in a fall.
 
-use contact_plots::{
-    DropCurve, DropEnd, DropFigure, ForceCurves, ForceFigure, LoopCurve, LoopFigure, StateCurve, StateFigure,
-};
+use contact_plots::{Area, Axis, Curve, Dash, Figure, Limit, Look, Mark, Panel, Point};
 use osim_inspect::series::{
     self, Body, DropSeries, ForceSeries, IndentationUnit, LoopSeries, SphereKind, Units,
 };
@@ -16,8 +14,18 @@ use crate::figures::axes::{failure, force_axis, hertz_limit, indentation_axis, t
 /// and what happens at rest can still be seen.
 const SHARES_SHOWN: f64 = 3.0;
 
-/// Force against indentation of every kind of sphere of `bodies`. `limits` of the horizontal axis say from where to where;
-/// without them from above the ground to a little more than where the bodies rest, and no deeper than a sphere's centre.
+/// The laws of one kind of sphere.
+pub(super) struct Laws {
+    /// What it is called where there are several.
+    pub(super) name: String,
+    /// Their points.
+    pub(super) series: ForceSeries,
+    /// Where it rests, in brackets behind the law of the file, if the figure does not show that; else empty.
+    pub(super) remark: String,
+}
+
+/// Force against indentation of every kind of sphere of `bodies`, as in Fig. C.5. `limits` of the horizontal axis say from where
+/// to where; without them from above the ground to a little more than where the bodies rest, and no deeper than a sphere's centre.
 ///
 /// # Errors
 /// In shares of the weight: what a body weighs is not known.
@@ -26,7 +34,7 @@ pub fn force(
     units: Units,
     limits: Option<(f64, f64)>,
     wanted_title: Option<&str>,
-) -> Result<ForceFigure, Failure> {
+) -> Result<Figure, Failure> {
     let mut drawn = Vec::new();
     for (body, kind) in series::kinds(bodies) {
         let radius_m = kind.radius_m;
@@ -38,26 +46,74 @@ pub fn force(
             }
         };
         let series = series::force(body, kind, units, (from_m, to_m))?;
-        let name = series::name_of(body, kind, bodies.len() == 1);
         let outside = series.rest.map(|(x, _)| x).filter(|x| *x > units.x(to_m, radius_m));
-        let remark = outside.map(|x| format!("rests at {}, outside the figure", rest_text(x, units)));
-        drawn.push(ForceCurves { remark: remark.unwrap_or_default(), ..curves(name, series) });
+        let remark = outside.map(|x| format!(" (rests at {}, outside the figure)", rest_text(x, units)));
+        let name = series::name_of(body, kind, bodies.len() == 1);
+        drawn.push(Laws { name, series, remark: remark.unwrap_or_default() });
     }
-    Ok(ForceFigure {
-        title: title("Contact force", bodies, wanted_title),
-        indentation: indentation_axis(units),
-        force: force_axis(units),
-        top: limits.is_none().then(|| top(&drawn)).flatten(),
-        bodies: drawn,
-        limits: hertz_limit(units),
-    })
+    let description = match drawn.as_slice() {
+        [one] if !one.series.own.is_empty() => format!(
+            "Force against indentation of {}: the Hertz law, the Hertz law with the constant indentation, and the \
+             smoothed law. The force before contact is shaded.",
+            one.name
+        ),
+        laws => format!("Force against indentation of {}.", names(laws.iter().map(|one| &one.name))),
+    };
+    let top = limits.is_none().then(|| top(&drawn)).flatten();
+    let mut panel = force_panel(drawn, units);
+    panel.y.limits = top.map(|top| (0.0, top));
+    Ok(Figure::in_column(title("Contact force", bodies, wanted_title), description, vec![panel]))
+}
+
+/// One kind of sphere: its laws, and the force before contact shaded. Several: the law of each.
+pub(super) fn force_panel(laws: Vec<Laws>, units: Units) -> Panel {
+    let mut panel = Panel::new("", indentation_axis(units), force_axis(units));
+    panel.limits = hertz_limit(units);
+    let rest = |at| Mark { label: "at rest under body weight".to_owned(), at, look: Look::OWN };
+    panel.marks = laws.iter().filter_map(|one| one.series.rest).map(rest).collect();
+    let is_single = laws.len() == 1;
+    for (index, Laws { name, series, remark }) in laws.into_iter().enumerate() {
+        let ForceSeries { hertz, with_constant, own, .. } = series;
+        panel.curves.extend(match (is_single, own.is_empty()) {
+            (false, is_plain) => {
+                let points = if is_plain { hertz } else { own };
+                vec![Curve::new(format!("{name}{remark}"), points, Look::series(index))]
+            }
+            (true, true) => vec![Curve::new(format!("Hertz (1){remark}"), hertz, Look::HERTZ)],
+            (true, false) => {
+                panel.areas.push(before_contact(&own));
+                vec![
+                    Curve::new("Hertz (1)", hertz, Look::HERTZ),
+                    Curve::new("Hertz with cf (C.1)", with_constant, Look::WITH_CONSTANT),
+                    Curve::new(format!("smoothed, at rest (C.9){remark}"), own, Look::OWN),
+                ]
+            }
+        });
+    }
+    panel
+}
+
+/// The area below the points before contact, up to x = 0 itself.
+fn before_contact(points: &[Point]) -> Area {
+    let mut part: Vec<Point> = points.iter().copied().take_while(|(x, _)| *x <= 0.0).collect();
+    let next = points.get(part.len());
+    if let (Some(&(x0, y0)), Some(&(x1, y1))) = (part.last(), next)
+        && x0 < 0.0
+    {
+        part.push((0.0, y0 + (y1 - y0) * (0.0 - x0) / (x1 - x0)));
+    }
+    Area { label: "before contact".to_owned(), points: part }
+}
+
+fn names<'n>(names: impl Iterator<Item = &'n String>) -> String {
+    names.map(String::as_str).collect::<Vec<_>>().join(", ")
 }
 
 /// Where the vertical axis ends, if the curves go much further than where the bodies rest.
-fn top(drawn: &[ForceCurves]) -> Option<f64> {
-    let rests: Option<Vec<f64>> = drawn.iter().map(|one| one.rest.map(|(_, force)| force)).collect();
+fn top(drawn: &[Laws]) -> Option<f64> {
+    let rests: Option<Vec<f64>> = drawn.iter().map(|one| one.series.rest.map(|(_, force)| force)).collect();
     let top = SHARES_SHOWN * rests?.into_iter().fold(0.0, f64::max);
-    let highest = drawn.iter().flat_map(|one| one.hertz.iter().chain(&one.own));
+    let highest = drawn.iter().flat_map(|one| one.series.hertz.iter().chain(&one.series.own));
     let highest = highest.fold(0.0_f64, |most, (_, force)| most.max(*force));
     (highest > top && top > 0.0).then_some(top)
 }
@@ -70,15 +126,10 @@ fn rest_text(x: f64, units: Units) -> String {
     }
 }
 
-pub(super) fn curves(name: String, series: ForceSeries) -> ForceCurves {
-    let ForceSeries { hertz, with_constant, own, rest } = series;
-    ForceCurves { name, hertz, with_constant, own, rest, remark: String::new() }
-}
-
 // Force while a sphere goes in and out.
 
-/// Force against indentation while spheres go in and out: one contact at a quarter, half and all of the speed of a fall from
-/// `height`, beside its force at rest; several contacts each at that speed.
+/// Loops of force against indentation while spheres go in and out, in which the energy lost is the area: one contact at a
+/// quarter, half and all of the speed of a fall from `height`, beside its force at rest; several contacts each at that speed.
 ///
 /// # Errors
 /// What a body weighs is not known.
@@ -87,31 +138,29 @@ pub fn loops(
     units: Units,
     height: DropHeight,
     wanted_title: Option<&str>,
-) -> Result<LoopFigure, Failure> {
+) -> Result<Figure, Failure> {
     let mut loops = Vec::new();
-    let mut elastic = Vec::new();
+    let mut at_rest = Vec::new();
     let only = series::kinds(bodies).count() == 1;
     for (body, kind) in series::kinds(bodies) {
         if !only {
-            loops.push(named(
-                &series::name_of(body, kind, bodies.len() == 1),
-                impact(body, kind, units, height)?,
-            ));
+            let name = series::name_of(body, kind, bodies.len() == 1);
+            loops.push(named(&name, impact(body, kind, units, height)?));
             continue;
         }
         let speed = series::impact_speed(body, kind, height)?;
-        elastic = series::elastic(body, kind, units)?;
+        at_rest = series::elastic(body, kind, units)?;
         for share in [0.25, 0.5, 1.0] {
-            loops.push(named("", series::hysteresis(body, kind, units, share * speed)?));
+            loops.push(series::hysteresis(body, kind, units, share * speed)?);
         }
     }
-    let from = height.describe("m", "R");
     let motion = format!(
         "Half a sine wave, as deep as twice the body weight presses by the Hertz law; it begins with the speed in the \
-         legend, the largest of them that of a fall from {from}. The restitution is that of a free impact at that \
-         speed, by the exact law."
+         legend, the largest of them that of a fall from {}. The restitution is that of a free impact at that \
+         speed, by the exact law.",
+        height.describe("m", "R")
     );
-    Ok(LoopFigure { elastic, ..figure(title("Dissipation", bodies, wanted_title), motion, units, loops) })
+    Ok(loop_figure(title("Dissipation", bodies, wanted_title), &motion, units, at_rest, loops))
 }
 
 /// Force against indentation while each kind of sphere of `bodies` goes in and out, beginning with the speed of a fall from
@@ -124,13 +173,14 @@ pub fn impact_loops(
     units: Units,
     height: DropHeight,
     wanted_title: Option<&str>,
-) -> Result<LoopFigure, Failure> {
+) -> Result<Figure, Failure> {
     let mut loops = Vec::new();
     for (body, kind) in series::kinds(bodies) {
+        let impact = impact(body, kind, units, height)?;
         // One curve of one model needs no name.
-        let named_alone = bodies.len() == 1 && kind.spheres.is_empty();
-        let name = if named_alone { String::new() } else { series::name_of(body, kind, bodies.len() == 1) };
-        loops.push(named(&name, impact(body, kind, units, height)?));
+        let is_alone = bodies.len() == 1 && kind.spheres.is_empty();
+        let name = || series::name_of(body, kind, bodies.len() == 1);
+        loops.push(if is_alone { impact } else { named(&name(), impact) });
     }
     let from = match height {
         DropHeight::Radii(0.25) => "a quarter of the radius".to_owned(),
@@ -140,19 +190,27 @@ pub fn impact_loops(
         "Half a sine wave, as deep as twice the body weight presses by the Hertz law; it begins with the speed of a fall \
          from {from}."
     );
-    Ok(figure(title("Dissipation", bodies, wanted_title), motion, units, loops))
+    Ok(loop_figure(title("Dissipation", bodies, wanted_title), &motion, units, vec![], loops))
 }
 
-fn figure(title: String, motion: String, units: Units, loops: Vec<LoopCurve>) -> LoopFigure {
-    LoopFigure {
-        title,
-        motion,
-        indentation: indentation_axis(units),
-        force: force_axis(units),
-        elastic: vec![],
-        loops,
-        limits: hertz_limit(units),
+/// `motion` says how the spheres moved; the force `at_rest` is empty for none.
+fn loop_figure(
+    title: String,
+    motion: &str,
+    units: Units,
+    at_rest: Vec<Point>,
+    loops: Vec<LoopSeries>,
+) -> Figure {
+    let mut panel = Panel::new("", indentation_axis(units), force_axis(units));
+    panel.limits = hertz_limit(units);
+    if !at_rest.is_empty() {
+        let look = Look { colour: (0x77, 0x77, 0x77), dash: Dash::Solid, width_pt: 0.8 };
+        panel.curves.push(Curve::new("force at rest", at_rest, look));
     }
+    let curve = |(index, one): (usize, LoopSeries)| Curve::new(one.name, one.points, Look::series(index));
+    panel.curves.extend(loops.into_iter().enumerate().map(curve));
+    let description = format!("Force against indentation while a sphere goes in and out. {motion}");
+    Figure::in_column(title, description, vec![panel])
 }
 
 /// The loop that begins with the speed of a fall.
@@ -160,14 +218,13 @@ fn impact(body: &Body, kind: &SphereKind, units: Units, height: DropHeight) -> R
     series::hysteresis(body, kind, units, series::impact_speed(body, kind, height)?)
 }
 
-fn named(name: &str, series: LoopSeries) -> LoopCurve {
-    let name = if name.is_empty() { series.name } else { format!("{name}: {}", series.name) };
-    LoopCurve { name, points: series.points }
+fn named(name: &str, series: LoopSeries) -> LoopSeries {
+    LoopSeries { name: format!("{name}: {}", series.name), ..series }
 }
 
 // Contact state against indentation.
 
-/// Contact state against indentation of every kind of sphere of `bodies`, half a radius to either side unless the horizontal
+/// Contact state (C.4) against indentation of every kind of sphere of `bodies`, half a radius to either side unless the horizontal
 /// axis has `limits`.
 ///
 /// # Errors
@@ -177,50 +234,71 @@ pub fn state(
     units: Units,
     limits: Option<(f64, f64)>,
     wanted_title: Option<&str>,
-) -> Result<StateFigure, Failure> {
-    let mut curves = Vec::new();
+) -> Result<Figure, Failure> {
+    let mut states = Vec::new();
     let mut marked = Vec::new();
     for (body, kind) in series::kinds(bodies) {
         let metres = |(from, to)| (units.metres(from, kind.radius_m), units.metres(to, kind.radius_m));
         if let Some(points) = series::state(body, kind, units, limits.map(metres))? {
-            let name = series::name_of(body, kind, bodies.len() == 1);
-            curves.push(StateCurve { name, points });
+            states.push((series::name_of(body, kind, bodies.len() == 1), points));
         }
         marked = thresholds(kind, units);
     }
-    if curves.is_empty() {
+    if states.is_empty() {
         let why = "a HuntCrossleyForce has no contact state to draw: there, contact is a step; `plot kind=force` shows \
                    its law";
         return Err(failure(bodies, Phrase::template(why)));
     }
     // Thresholds are a contact's own; several would be too many lines.
-    if curves.len() > 1 {
+    if states.len() > 1 {
         marked.clear();
     }
-    Ok(StateFigure {
-        title: title("Contact state", bodies, wanted_title),
-        indentation: indentation_axis(units),
-        bodies: curves,
-        limits: marked,
-    })
+    let of = names(states.iter().map(|(name, _)| name));
+    let description = format!("Contact state, from 0 to 1, against indentation of {of}.");
+    let panel = Panel { limits: marked, ..state_panel(states, units) };
+    Ok(Figure::in_column(title("Contact state", bodies, wanted_title), description, vec![panel]))
+}
+
+/// One body: its smoothed state over the step without smoothing. Several: the state of each, by its name.
+pub(super) fn state_panel(states: Vec<(String, Vec<Point>)>, units: Units) -> Panel {
+    let mut panel = Panel::new("", indentation_axis(units), Axis::over("contact state (–)", 0.0, 1.05));
+    if let [(_, points)] = states.as_slice() {
+        let ends = points.first().zip(points.last()).map(|(first, last)| (first.0, last.0));
+        if let Some((from, to)) = ends.filter(|(from, to)| *from < 0.0 && *to > 0.0) {
+            let step = vec![(from, 0.0), (0.0, 0.0), (0.0, 1.0), (to, 1.0)];
+            panel.curves.push(Curve::new("binary contact, without smoothing", step, Look::HERTZ));
+        }
+        panel.areas.push(before_contact(points));
+        panel.curves.push(Curve::new("smoothed (C.4)", points.clone(), Look::OWN));
+        return panel;
+    }
+    let curve = |(index, (name, points))| Curve::new(name, points, Look::series(index));
+    panel.curves = states.into_iter().enumerate().map(curve).collect();
+    panel
 }
 
 // Force in a fall.
 
+/// What the axis of time says, in s and without dimensions.
+pub(super) const SECONDS: &str = "time t (s)";
+pub(super) const DIMENSIONLESS: &str = "non-dimensional time t/√(R/g) (–)";
+
 /// How much longer than until all are at rest a fall is drawn, if no duration is given.
 const AFTER_REST: f64 = 1.15;
 
-/// Force over body weight of bodies that fall from `height`, for `duration_s`. Without it they are followed for 20 √(R/g) of the
-/// slowest, and the figure ends soon after all are at rest.
+/// Force over body weight of bodies that fall from `height`, against time and, below, against time without dimensions, as in
+/// Fig. 4; for `duration_s`, else they are followed for 20 √(R/g) of the slowest, and the figure ends soon after all are at rest.
+/// `from` is the height in words.
 ///
 /// # Errors
 /// What a body weighs is not known, or its contacts are so stiff that it cannot be followed.
 pub fn drops(
     bodies: &[Body],
     height: DropHeight,
+    from: &str,
     duration_s: Option<f64>,
     wanted_title: Option<&str>,
-) -> Result<DropFigure, Failure> {
+) -> Result<Figure, Failure> {
     let followed_s = match duration_s {
         Some(duration_s) => duration_s,
         None => series::duration(bodies)?,
@@ -230,17 +308,38 @@ pub fn drops(
     let at_rest = |unit: &dyn Fn(&DropSeries) -> f64| {
         AFTER_REST * falls.iter().map(|fall| fall.settled_s / unit(fall)).fold(0.0, f64::max)
     };
-    let shown = DropEnd { seconds: at_rest(&|_| 1.0), dimensionless: at_rest(&|fall| fall.time_unit_s) };
-    let is_earlier = shown.seconds > 0.0 && shown.seconds < followed_s;
-    Ok(DropFigure {
-        title: title("Drop test", bodies, wanted_title),
-        conditions: format!("They fall from {}.", height.describe("m", "sphere radii")),
-        shown: (duration_s.is_none() && is_earlier).then_some(shown),
-        bodies: falls.into_iter().map(curve).collect(),
-    })
+    let at_rest_s = at_rest(&|_| 1.0);
+    let ends_early = duration_s.is_none() && at_rest_s > 0.0 && at_rest_s < followed_s;
+    let panel = |time, unit: &dyn Fn(&DropSeries) -> f64| {
+        let falls = falls.iter().map(|fall| (fall.name.as_str(), fall.points.as_slice(), unit(fall)));
+        drop_panel(falls, time, ends_early.then(|| at_rest(unit)))
+    };
+    let description = format!(
+        "Normal force over body weight of {} in a drop test, against time and against non-dimensional time. They fall \
+         from {from}.",
+        names(falls.iter().map(|fall| &fall.name))
+    );
+    let panels = vec![panel(SECONDS, &|_| 1.0), panel(DIMENSIONLESS, &|fall| fall.time_unit_s)];
+    Ok(Figure::in_column(title("Drop test", bodies, wanted_title), description, panels))
 }
 
-fn curve(series: DropSeries) -> DropCurve {
-    let DropSeries { name, points, time_unit_s, .. } = series;
-    DropCurve { name, points, time_unit_s }
+/// `falls` are names, points in s and body weights, and the unit of `time`, in s. The axis of time ends at `end`, at the latest with
+/// the shortest of several falls.
+pub(super) fn drop_panel<'f>(
+    falls: impl Iterator<Item = (&'f str, &'f [Point], f64)>,
+    time: &str,
+    end: Option<f64>,
+) -> Panel {
+    let mut panel = Panel::new("", Axis::new(time), Axis::new("normal force / body weight (–)"));
+    panel.limits.push(Limit::horizontal("body weight", 1.0));
+    for (index, (name, points, unit_s)) in falls.enumerate() {
+        let points = points.iter().map(|&(time_s, force)| (time_s / unit_s, force)).collect();
+        panel.curves.push(Curve::new(name, points, Look::series(index)));
+    }
+    let ends = panel.curves.iter().map(|curve| curve.points.last().map_or(0.0, |point| point.0));
+    let until = ends.chain(end).fold(f64::INFINITY, f64::min);
+    if until > 0.0 && until.is_finite() {
+        panel.x.limits = Some((0.0, until));
+    }
+    panel
 }

@@ -1,6 +1,6 @@
 //! The figure that a request asks for, and its numbers as a table.
 
-use contact_plots::{Datum, Drawing, Paper, PlotError, drop_figure, force_figure, loop_figure, state_figure};
+use contact_plots::{Datum, Drawing, Paper, PlotError};
 use osim_inspect::series::{Body, HeatRequest};
 use osim_model::files::Failure;
 use osim_model::messages::{Input, Phrase, harmless, phrase, shortest};
@@ -45,9 +45,11 @@ fn of_bodies(request: &PlotRequest, bodies: &[Body], title: Option<&str>) -> Res
     let duration = request.fall.duration.map(Positive::get);
     let limits = request.looks.x_range.map(Span::ends);
     let drawn = match request.kind {
-        Some(PlotKind::State) => state_figure(&state(bodies, units, limits, title)?),
-        Some(PlotKind::Loop) => loop_figure(&loops(bodies, units, height, title)?),
-        Some(PlotKind::Drop) => drop_figure(&drops(bodies, height, duration, title)?),
+        Some(PlotKind::State) => state(bodies, units, limits, title)?,
+        Some(PlotKind::Loop) => loops(bodies, units, height, title)?,
+        Some(PlotKind::Drop) => {
+            drops(bodies, height, &height.describe("m", "sphere radii"), duration, title)?
+        }
         Some(PlotKind::Sweep) => {
             let (stiffness, dissipation) = (request.heat.stiffness, request.heat.dissipation);
             let values = |grid: osim_requests::Grid| move |now| grid.values(now);
@@ -56,11 +58,11 @@ fn of_bodies(request: &PlotRequest, bodies: &[Body], title: Option<&str>) -> Res
         Some(PlotKind::Fig1) => {
             return Err(Failure::outside("Fig. 1", "plot", no_fig1()));
         }
-        Some(PlotKind::Fig4) => Ok(fig4(title)?),
-        Some(PlotKind::FigC5) => Ok(fig_c5(title)?),
-        _ => force_figure(&force(bodies, units, limits, title)?),
+        Some(PlotKind::Fig4) => fig4(title)?,
+        Some(PlotKind::FigC5) => fig_c5(title)?,
+        _ => force(bodies, units, limits, title)?,
     };
-    drawn.map(Drawing::Panels).map_err(|error| not_drawn(error, bodies))
+    drawn.distinct().map(Drawing::Panels).map_err(|error| not_drawn(error, bodies))
 }
 
 /// A figure with the names and limits that are wanted.
@@ -90,7 +92,7 @@ pub fn draw_feet(request: &PlotRequest, states: &[ModelFeet]) -> Result<Drawing,
 /// A figure of a motion as `request` asks for it.
 ///
 /// # Errors
-/// The request names curves or limits that it does not have, or a foot has more spheres than a figure has looks for.
+/// The request names curves or limits that it does not have.
 pub fn draw_motion(request: &PlotRequest, result: &MotionResult) -> Result<Drawing, Failure> {
     let drawing = Drawing::Panels(motion(result, request.looks.title.as_deref()));
     finished(drawing, &request.looks).map_err(|error| not_drawn(error, &[]))

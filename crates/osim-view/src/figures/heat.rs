@@ -1,8 +1,6 @@
 //! A quantity as colours over two others, or as a curve over one.
 
-use contact_plots::{
-    Axis, Curve, Direction, Drawing, Figure, HeatLimit, HeatMap, Limit, Look, Mark, Panel, Point, Width,
-};
+use contact_plots::{Axis, Curve, Drawing, Figure, HeatLimit, HeatMap, Limit, Look, Mark, Panel, Point};
 use contact_scaling::limits;
 use osim_inspect::series::{self, Body, HeatRequest, Parameter, Profile};
 use osim_model::files::Failure;
@@ -84,24 +82,15 @@ fn curve(profile: Profile, limit: Option<f64>, words: &Words, texts: Texts<'_>) 
         Parameter::Dissipation => (DISSIPATION, "stiffness E₁*"),
     };
     let mut panel = Panel::new("", Axis::logarithmic(axis), Axis::new(words.label));
-    panel.curves.push(Curve { label: words.curve.to_owned(), points: profile.points, look: Look::HERTZ });
+    panel.curves.push(Curve::new(words.curve, profile.points, Look::HERTZ));
     panel.marks.extend(profile.now.map(|at| Mark { label: now, at, look: Look::OWN }));
-    panel.limits.extend(limit.map(|at| Limit {
-        label: words.limit.clone(),
-        at,
-        direction: Direction::Horizontal,
-    }));
-    Figure {
-        title,
-        description: format!(
-            "{} of {body} over {axis}, on a logarithmic axis. It does not depend on the {other}, so it is a curve and no \
-             heat map.",
-            words.label
-        ),
-        width: Width::Column,
-        columns: 1,
-        panels: vec![panel],
-    }
+    panel.limits.extend(limit.map(|at| Limit::horizontal(&words.limit, at)));
+    let description = format!(
+        "{} of {body} over {axis}, on a logarithmic axis. It does not depend on the {other}, so it is a curve and no \
+         heat map.",
+        words.label
+    );
+    Figure::in_column(title, description, vec![panel])
 }
 
 /// The one body of a figure that is about one.
@@ -187,17 +176,10 @@ pub(super) fn table(table: &HeatTable, wanted_title: Option<&str>) -> Result<Dra
         None => {
             let mut panel = Panel::new("", axis(&table.x.name, &x), Axis::new(&table.value.name));
             let points = line(table).map_err(failed)?;
-            panel.curves.push(Curve { label: String::new(), points, look: Look::HERTZ });
-            Ok(Drawing::Panels(Figure {
-                title,
-                description: format!(
-                    "The column {} of {} over {}.",
-                    table.value.name, table.name, table.x.name
-                ),
-                width: Width::Column,
-                columns: 1,
-                panels: vec![panel],
-            }))
+            panel.curves.push(Curve::new("", points, Look::HERTZ));
+            let description =
+                format!("The column {} of {} over {}.", table.value.name, table.name, table.x.name);
+            Ok(Drawing::Panels(Figure::in_column(title, description, vec![panel])))
         }
     }
 }

@@ -1,6 +1,6 @@
 //! How deep the spheres of many models sink in at rest.
 
-use contact_plots::{Axis, Curve, Direction, Figure, Limit, Look, Mark, Panel, Paper, Point, Width, figure};
+use contact_plots::{Axis, Curve, Figure, Limit, Look, Mark, Panel, Paper, Point, figure};
 use contact_scaling::limits;
 
 /// Where the axis ends: a sphere that is pressed in by more than its radius is wrong, by however much.
@@ -26,11 +26,7 @@ pub fn indentations(states: &[State<'_>]) -> Option<String> {
         Axis::over("models, in order of x̂", 0.0, float(models + 1)),
         Axis::new("x̂ = x/R at rest (–)"),
     );
-    panel.limits.push(Limit {
-        label: format!("limit, x̂ = {limit}"),
-        at: limit,
-        direction: Direction::Horizontal,
-    });
+    panel.limits.push(Limit::horizontal(format!("limit, x̂ = {limit}"), limit));
     let drawn = states.iter().enumerate().filter(|(_, state)| state.indentations.len() > 1);
     for (index, state) in drawn {
         let (look, points) = (Look::series(index), ranked(state.indentations));
@@ -38,14 +34,13 @@ pub fn indentations(states: &[State<'_>]) -> Option<String> {
             // The legend has the curve; dots on it need no name of their own.
             panel.marks.extend(points.iter().map(|&at| Mark { label: String::new(), at, look }));
         }
-        panel.curves.push(Curve { label: state.name.to_owned(), points, look });
+        panel.curves.push(Curve::new(state.name, points, look));
     }
     let description = format!(
         "Relative indentation at rest of {models} models under body weight, in order, with the limit of {limit} as a line."
     );
-    let title = "Relative indentation at rest over the models".to_owned();
-    let drawn = Figure { title, description, width: Width::Column, columns: 1, panels: vec![panel] };
-    figure(&drawn, Paper::default()).ok()
+    let title = "Relative indentation at rest over the models";
+    figure(&Figure::in_column(title, description, vec![panel]), Paper::default()).ok()
 }
 
 /// How many values are drawn at the top of the axis because they are above it.

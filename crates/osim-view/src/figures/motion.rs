@@ -1,6 +1,6 @@
 //! Contacts along a recorded motion: force beside the plates', how deep each sphere is, and where forces act on the sole.
 
-use contact_plots::{Axis, Curve, Dash, Direction, Figure, Limit, Look, Mark, Panel, Width};
+use contact_plots::{Axis, Curve, Dash, Figure, Limit, Look, Mark, Panel, Width};
 use contact_scaling::limits;
 use osim_model::feet::{ViewAxes, dot};
 use osim_model::files::FileName;
@@ -67,12 +67,9 @@ fn forces(result: &MotionResult, index: usize, foot: &FootSummary) -> Panel {
         Axis::new("time (s)"),
         Axis::new("normal force / body weight (–)"),
     );
-    panel.limits.push(Limit { label: "body weight".to_owned(), at: 1.0, direction: Direction::Horizontal });
-    panel.curves.push(Curve {
-        label: "model".to_owned(),
-        points: times().zip(foot.wrenches.iter().map(along)).collect(),
-        look: Look::series(0),
-    });
+    panel.limits.push(Limit::horizontal("body weight", 1.0));
+    let points = times().zip(foot.wrenches.iter().map(along)).collect();
+    panel.curves.push(Curve::new("model", points, Look::series(0)));
     let measured = result.measured.as_ref().and_then(|measured| measured.feet.get(index));
     if let Some(measured) = measured {
         let all: Vec<Option<(f64, f64)>> =
@@ -81,7 +78,7 @@ fn forces(result: &MotionResult, index: usize, foot: &FootSummary) -> Panel {
         for run in all.chunk_by(|before, after| before.is_some() == after.is_some()) {
             let points: Vec<(f64, f64)> = run.iter().copied().flatten().collect();
             if points.len() > 1 {
-                panel.curves.push(Curve { label: "plates".to_owned(), points, look: Look::series(1) });
+                panel.curves.push(Curve::new("plates", points, Look::series(1)));
             }
         }
     }
@@ -104,11 +101,8 @@ fn depths(result: &MotionResult, foot: &FootSummary) -> Panel {
         let Some(known) = result.states.pairs.get(pair) else { continue };
         let sphere = result.opened.model.sphere(known.sphere).map(|sphere| sphere.name.clone());
         let depth = result.states.pair(pair).map(|state| state.indentation_m / known.radius_m);
-        panel.curves.push(Curve {
-            label: sphere.unwrap_or_default(),
-            points: result.states.time_s.iter().copied().zip(depth).collect(),
-            look: Look::series(index),
-        });
+        let points = result.states.time_s.iter().copied().zip(depth).collect();
+        panel.curves.push(Curve::new(sphere.unwrap_or_default(), points, Look::series(index)));
     }
     let deepest = foot.spheres.iter().map(|sphere| sphere.largest_relative_indentation).fold(0.2, f64::max);
     panel.y.limits = Some((ABOVE, 1.05 * deepest));
@@ -128,7 +122,7 @@ fn along_normal(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> f
 
 /// How deep the Hertz law holds.
 fn hertz_limit() -> Limit {
-    Limit { label: "Hertz".to_owned(), at: limits::INDENTATION.value, direction: Direction::Horizontal }
+    Limit::horizontal("Hertz", limits::INDENTATION.value)
 }
 
 // Where forces act on the sole, and forces along the foot.
@@ -155,7 +149,7 @@ fn path(result: &MotionResult, foot: &FootSummary, on_sole: &OnSole) -> Panel {
             let points: Vec<(f64, f64)> =
                 run.iter().flatten().map(|[ahead, right]| (1e3 * ahead, 1e3 * right)).collect();
             if points.len() > 1 {
-                panel.curves.push(Curve { label: label.to_owned(), points, look: Look::series(series) });
+                panel.curves.push(Curve::new(label, points, Look::series(series)));
             }
         }
     }
@@ -187,12 +181,10 @@ fn arrows(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &OnS
             if let Some(([ahead_m, _], wrench)) = one {
                 let (leans_mm, up) = arrow(result, foot, wrench);
                 let start_mm = 1e3 * ahead_m;
-                panel.curves.push(Curve {
-                    // The legend has them by their colours.
-                    label: String::new(),
-                    points: vec![(start_mm, 0.0), (start_mm + leans_mm, up)],
-                    look: Look { dash: Dash::Solid, ..Look::series(series) },
-                });
+                let points = vec![(start_mm, 0.0), (start_mm + leans_mm, up)];
+                let look = Look { dash: Dash::Solid, ..Look::series(series) };
+                // The legend has them by their colours.
+                panel.curves.push(Curve::new("", points, look));
             }
         }
     }
@@ -245,7 +237,7 @@ fn add(
     let points: Vec<(f64, f64)> =
         inside.map_while(|(frame, time_s)| Some((percent(time_s), value(frame)?))).collect();
     if points.len() > 1 {
-        panel.curves.push(Curve { label: label.to_owned(), points, look: Look::series(series) });
+        panel.curves.push(Curve::new(label, points, Look::series(series)));
     }
 }
 

@@ -2,10 +2,7 @@
 
 use std::fmt::Display;
 
-use contact_plots::{
-    DropCurve, Figure, ForceFigure, Panel, StateCurve, StateFigure, TimeAxis, Width, drop_panel, force_panel,
-    state_panel,
-};
+use contact_plots::{Figure, Panel, Point, Width};
 use contact_scaling::drop_test::{DropTest, DropValues};
 use contact_scaling::table1::{self, Animal, HEIGHT_RADII};
 use contact_scaling::{Contact, ContactValues, Scale, SmoothingValues, falisse2022};
@@ -13,8 +10,8 @@ use osim_inspect::series::{self, Body, ForceUnit, IndentationUnit, SphereKind, U
 use osim_model::files::Failure;
 use osim_model::messages::readable;
 
-use crate::figures::axes::{force_axis, hertz_limit, indentation_axis, thresholds};
-use crate::figures::curves::curves;
+use crate::figures::axes::thresholds;
+use crate::figures::curves::{DIMENSIONLESS, Laws, SECONDS, drop_panel, force_panel, state_panel};
 
 /// The animal of Table 1 that is called `taxon` and stands on the most spheres.
 fn animal(taxon: &str) -> Result<Animal, Failure> {
@@ -46,7 +43,7 @@ const TOP: f64 = 3.0;
 /// None with the numbers of Table 1.
 pub fn fig4(title: Option<&str>) -> Result<Figure, Failure> {
     let animals = [animal("mouse")?, animal("giraffe")?];
-    let drops = |scale_dissipation: bool| -> Result<Vec<DropCurve>, Failure> {
+    let drops = |scale_dissipation: bool| -> Result<Vec<Fall>, Failure> {
         animals.iter().map(|animal| drop(animal, scale_dissipation)).collect()
     };
     let (before, after) = (drops(false)?, drops(true)?);
@@ -62,24 +59,36 @@ pub fn fig4(title: Option<&str>) -> Result<Figure, Failure> {
         width: Width::Page,
         columns: 2,
         panels: vec![
-            panel(&same, &before, TimeAxis::Second)?,
-            panel("α scaled by (14)", &after, TimeAxis::Second)?,
-            panel(&same, &before, TimeAxis::Dimensionless)?,
-            panel("α scaled by (14)", &after, TimeAxis::Dimensionless)?,
+            panel(&same, SECONDS, &before),
+            panel("α scaled by (14)", SECONDS, &after),
+            panel(&same, DIMENSIONLESS, &before),
+            panel("α scaled by (14)", DIMENSIONLESS, &after),
         ],
     })
 }
 
-fn panel(title: &str, bodies: &[DropCurve], time: TimeAxis) -> Result<Panel, Failure> {
-    let shown = (time == TimeAxis::Second).then_some(SHOWN_S);
-    let mut panel = Panel { title: title.to_owned(), ..drop_panel(bodies, time, shown).map_err(failure)? };
+/// The fall of one animal.
+struct Fall {
+    taxon: &'static str,
+    /// Time in s, force in body weights.
+    points: Vec<Point>,
+    /// √(R/g), in s.
+    time_unit_s: f64,
+}
+
+fn panel(title: &str, time: &str, falls: &[Fall]) -> Panel {
+    let in_seconds = time == SECONDS;
+    let unit_s = |fall: &Fall| if in_seconds { 1.0 } else { fall.time_unit_s };
+    let drawn = falls.iter().map(|fall| (fall.taxon, fall.points.as_slice(), unit_s(fall)));
+    let mut panel = drop_panel(drawn, time, in_seconds.then_some(SHOWN_S));
+    panel.title = title.to_owned();
     // One scale for all, so that the eye can compare them.
     panel.y.range = Some((0.0, TOP));
-    Ok(panel)
+    panel
 }
 
 /// The drop of one animal by the law that the paper's tests used, which has no smoothing.
-fn drop(animal: &Animal, scale_dissipation: bool) -> Result<DropCurve, Failure> {
+fn drop(animal: &Animal, scale_dissipation: bool) -> Result<Fall, Failure> {
     let (scale, values) = (animal.scale(), animal.plain_contact().map_err(failure)?.values());
     let dissipation =
         if scale_dissipation { values.dissipation } else { falisse2022().contact.dissipation() };
@@ -91,11 +100,7 @@ fn drop(animal: &Animal, scale_dissipation: bool) -> Result<DropCurve, Failure> 
     let test = DropTest::new(test.spheres().iter().copied(), values).map_err(failure)?;
     let report = test.run().map_err(failure)?;
     let points = report.series.iter().map(|sample| (sample.time_s, sample.force_n / report.body_weight_n));
-    Ok(DropCurve {
-        name: animal.taxon().to_owned(),
-        points: points.collect(),
-        time_unit_s: report.reference_time_s,
-    })
+    Ok(Fall { taxon: animal.taxon(), points: points.collect(), time_unit_s: report.reference_time_s })
 }
 
 // Fig. C.5: what smoothing does.
@@ -151,30 +156,22 @@ fn body(scale: &Scale, contact: Contact) -> Body {
 }
 
 fn forces(title: &str, body: &Body) -> Result<Panel, Failure> {
-    let mut bodies = Vec::new();
+    let mut laws = Vec::new();
     for (body, kind) in series::kinds(std::slice::from_ref(body)) {
         let reach_m = (-REACH * kind.radius_m, REACH * kind.radius_m);
-        bodies.push(curves(body.name.clone(), series::force(body, kind, UNITS, reach_m)?));
+        let series = series::force(body, kind, UNITS, reach_m)?;
+        laws.push(Laws { name: body.name.clone(), series, remark: String::new() });
     }
-    let figure = ForceFigure {
-        title: String::new(),
-        indentation: indentation_axis(UNITS),
-        force: force_axis(UNITS),
-        bodies,
-        top: None,
-        limits: hertz_limit(UNITS),
-    };
-    Ok(Panel { title: title.to_owned(), ..force_panel(&figure).map_err(failure)? })
+    Ok(Panel { title: title.to_owned(), ..force_panel(laws, UNITS) })
 }
 
 fn states(title: &str, body: &Body) -> Result<Panel, Failure> {
-    let mut bodies = Vec::new();
+    let mut states = Vec::new();
     let mut limits = Vec::new();
     for (body, kind) in series::kinds(std::slice::from_ref(body)) {
         let points = series::state(body, kind, UNITS, None)?;
-        bodies.extend(points.map(|points| StateCurve { name: body.name.clone(), points }));
+        states.extend(points.map(|points| (body.name.clone(), points)));
         limits.extend(thresholds(kind, UNITS));
     }
-    let figure = StateFigure { title: String::new(), indentation: indentation_axis(UNITS), bodies, limits };
-    Ok(Panel { title: title.to_owned(), ..state_panel(&figure).map_err(failure)? })
+    Ok(Panel { title: title.to_owned(), limits, ..state_panel(states, UNITS) })
 }

@@ -1,8 +1,6 @@
 //! Pictures of a page: plots, feet, and contacts along a recording.
 
-use contact_plots::{
-    Drawing, Figure, Paper, PlotError, drop_figure, force_figure, loop_figure, state_figure,
-};
+use contact_plots::{Drawing, Figure, Paper};
 use maud::{Markup, PreEscaped, html};
 use osim_inspect::series::{Body, ForceUnit, IndentationUnit, Units};
 use osim_model::files::Failure;
@@ -84,31 +82,27 @@ fn plot(what: &str, svg: &str) -> Markup {
 }
 
 /// What was drawn. Which forces are shown was chosen for the whole page, so a failure does not propose to choose others.
-fn drawn(bodies: &[Body], figure: Result<Figure, PlotError>) -> Result<String, Failure> {
-    let name = bodies.first().map(|body| body.name.clone()).unwrap_or_default();
-    let svg = figure.and_then(|figure| Drawing::Panels(figure).svg(Paper::default()));
-    svg.map_err(|error| Failure::outside(&name, "plot", error.to_string()))
+fn drawn(bodies: &[Body], figure: Result<Figure, Failure>) -> Result<String, Failure> {
+    let svg = figure?.distinct().and_then(|figure| Drawing::Panels(figure).svg(Paper::default()));
+    let name = || bodies.first().map(|body| body.name.clone()).unwrap_or_default();
+    svg.map_err(|error| Failure::outside(&name(), "plot", error.to_string()))
 }
 
 fn force(bodies: &[Body]) -> Result<String, Failure> {
-    let figure = figures::force(bodies, UNITS, None, Some("Force against indentation"))?;
-    drawn(bodies, force_figure(&figure))
+    drawn(bodies, figures::force(bodies, UNITS, None, Some("Force against indentation")))
 }
 
 fn state(bodies: &[Body]) -> Result<String, Failure> {
-    let figure = figures::state(bodies, UNITS, None, Some("Contact state"))?;
-    drawn(bodies, state_figure(&figure))
+    drawn(bodies, figures::state(bodies, UNITS, None, Some("Contact state")))
 }
 
 fn loops(bodies: &[Body]) -> Result<String, Failure> {
-    let figure = figures::impact_loops(bodies, UNITS, HEIGHT, Some("Dissipation"))?;
-    drawn(bodies, loop_figure(&figure))
+    drawn(bodies, figures::impact_loops(bodies, UNITS, HEIGHT, Some("Dissipation")))
 }
 
 fn drops(bodies: &[Body]) -> Result<String, Failure> {
-    let figure = figures::drops(bodies, HEIGHT, None, Some("Drop test"))?;
-    let conditions = "They fall from a quarter of the sphere radius.".to_owned();
-    drawn(bodies, drop_figure(&contact_plots::DropFigure { conditions, ..figure }))
+    let from = "a quarter of the sphere radius";
+    drawn(bodies, figures::drops(bodies, HEIGHT, from, None, Some("Drop test")))
 }
 
 // The feet of a model on a page.

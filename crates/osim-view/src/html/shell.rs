@@ -125,7 +125,7 @@ fn software() -> Markup {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use contact_plots::{Axis, Curve, Direction, Figure, Limit, Look, Panel, Paper, Width, figure};
+    use contact_plots::{Axis, Curve, Figure, Limit, Look, Panel, Paper, figure};
 
     /// CITATION.cff folds its texts over lines.
     fn flat(text: &str) -> String {
@@ -140,17 +140,11 @@ mod tests {
             .chain([Look::HERTZ, Look::WITH_CONSTANT, Look::OWN])
             .map(|look| format!("{:02X}{:02X}{:02X}", look.colour.0, look.colour.1, look.colour.2))
             .collect();
-        let curve = Curve { label: "a".to_owned(), points: vec![(0.0, 0.0), (1.0, 1.0)], look: Look::OWN };
         let mut panel = Panel::new("", Axis::new("x"), Axis::new("y"));
-        panel.curves.push(curve);
-        let limit = Limit { label: "limit".to_owned(), at: 0.5, direction: Direction::Vertical };
-        panel.limits.push(limit);
-        let (title, description) = ("a".to_owned(), String::new());
-        let drawn = figure(
-            &Figure { title, description, width: Width::Column, columns: 1, panels: vec![panel] },
-            Paper::default(),
-        )
-        .unwrap();
+        panel.curves.push(Curve::new("a", vec![(0.0, 0.0), (1.0, 1.0)], Look::OWN));
+        panel.limits.push(Limit::vertical("limit", 0.5));
+        let drawn = Figure::in_column("a", String::new(), vec![panel]);
+        let drawn = figure(&drawn, Paper::default()).unwrap();
         colours.extend(drawn.split("=\"#").skip(1).filter_map(|rest| Some(rest.get(..6)?.to_owned())));
         for colour in colours {
             for attribute in ["fill", "stroke"] {

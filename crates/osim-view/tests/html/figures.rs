@@ -1,6 +1,6 @@
 //! Figures: titles, units, limits, and the text where nothing can be drawn.
 
-use contact_plots::{Drawing, ForceAxis, IndentationAxis, Paper, figure, force_figure};
+use contact_plots::{Drawing, Figure, Paper, figure};
 use osim_inspect::InspectOptions;
 use osim_inspect::series::{Body, HeatRequest};
 use osim_requests::spell::{CommandLine, Python};
@@ -17,36 +17,58 @@ fn body(name: &str) -> Body {
     Body::inspected(name.to_owned(), &model.model, &options, &|fault| model.failure(fault)).unwrap()
 }
 
+/// What the horizontal and the vertical axis of the first panel say.
+fn axes(figure: &Figure) -> (&str, &str) {
+    (&figure.panels[0].x.label, &figure.panels[0].y.label)
+}
+
+fn curves(figure: &Figure) -> Vec<&str> {
+    figure.panels[0].curves.iter().map(|curve| curve.label.as_str()).collect()
+}
+
+fn limits(figure: &Figure) -> Vec<&str> {
+    figure.panels[0].limits.iter().map(|limit| limit.label.as_str()).collect()
+}
+
 #[test]
 fn one_contact_is_drawn_in_newtons_and_several_in_shares_of_the_weight() {
     let (mouse, horse) = (body("mouse_smooth_sphere"), body("horse_smooth_sphere"));
     let one = [mouse];
     let figure = figures::force(&one, figures::units(&one, None), None, None).unwrap();
-    assert_eq!((figure.indentation, figure.force), (IndentationAxis::Relative, ForceAxis::Newton));
+    assert_eq!(axes(&figure), ("relative indentation x̂ = x/R (–)", "force of one sphere (N)"));
     assert_eq!(figure.title, "Contact force: mouse_smooth_sphere");
-    assert_eq!(figure.limits[0].label, "x̂ = 0.16");
+    assert_eq!(curves(&figure), ["Hertz (1)", "Hertz with cf (C.1)", "smoothed, at rest (C.9)"]);
+    assert!(figure.description.contains("of mouse_smooth_sphere: the Hertz law"), "{}", figure.description);
+    let panel = &figure.panels[0];
+    assert_eq!(panel.marks[0].label, "at rest under body weight");
+    assert_eq!(limits(&figure), ["x̂ = 0.16"]);
+    // The shade ends where contact begins.
+    assert_eq!(
+        (panel.areas[0].label.as_str(), panel.areas[0].points.last().unwrap().0),
+        ("before contact", 0.0)
+    );
     let [mouse] = one;
     let two = [mouse, horse];
     let figure = figures::force(&two, figures::units(&two, None), None, None).unwrap();
-    assert_eq!((figure.title.as_str(), figure.force), ("Contact force", ForceAxis::WeightShare));
+    assert_eq!(axes(&figure).1, "force of one sphere / its share Mg/n (–)");
+    assert_eq!(figure.title, "Contact force");
+    assert_eq!(curves(&figure), ["mouse_smooth_sphere", "horse_smooth_sphere"]);
     let figure = figures::force(&two, figures::units(&two, Some(Axes::Real)), None, Some("Both")).unwrap();
-    assert_eq!(figure.indentation, IndentationAxis::Millimetre);
-    assert_eq!((figure.title.as_str(), figure.limits.len()), ("Both", 0));
+    assert_eq!(axes(&figure).0, "indentation x (mm)");
+    assert_eq!((figure.title.as_str(), limits(&figure).len()), ("Both", 0));
 }
 
 #[test]
-fn thresholds_are_drawn_for_one_contact_only() {
+fn thresholds_and_the_step_are_drawn_for_one_contact_only() {
     let one = [body("mouse_smooth_sphere")];
-    let units = figures::units(&one, None);
-    let labels: Vec<String> = figures::state(&one, units, None, None)
-        .unwrap()
-        .limits
-        .into_iter()
-        .map(|limit| limit.label)
-        .collect();
-    assert_eq!(labels, ["state 0.05", "state 0.95"]);
+    let figure = figures::state(&one, figures::units(&one, None), None, None).unwrap();
+    assert_eq!(limits(&figure), ["state 0.05", "state 0.95"]);
+    assert_eq!(axes(&figure).1, "contact state (–)");
+    assert_eq!(curves(&figure), ["binary contact, without smoothing", "smoothed (C.4)"]);
     let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
-    assert!(figures::state(&two, figures::units(&two, None), None, None).unwrap().limits.is_empty());
+    let figure = figures::state(&two, figures::units(&two, None), None, None).unwrap();
+    assert!(limits(&figure).is_empty());
+    assert_eq!(curves(&figure), ["mouse_smooth_sphere", "horse_smooth_sphere"]);
 }
 
 #[test]
@@ -64,14 +86,34 @@ fn a_law_without_smoothing_has_no_state() {
 fn loops_of_one_contact_have_three_speeds_and_those_of_several_one_each() {
     let one = [body("mouse_smooth_sphere")];
     let figure = figures::loops(&one, figures::units(&one, None), HEIGHT, None).unwrap();
-    assert!(figure.loops.len() == 3 && !figure.elastic.is_empty());
-    assert!(figure.motion.contains("the largest of them that of a fall from 0.25 R."), "{}", figure.motion);
+    assert_eq!((curves(&figure).len(), curves(&figure)[0]), (4, "force at rest"));
+    let described = &figure.description;
+    assert!(described.contains("the largest of them that of a fall from 0.25 R."), "{described}");
     let short = figures::impact_loops(&one, figures::units(&one, None), HEIGHT, None).unwrap();
-    assert_eq!(short.loops[0], figure.loops[2]);
+    let (short, whole) = (&short.panels[0].curves[0], &figure.panels[0].curves[3]);
+    assert_eq!((&short.label, &short.points), (&whole.label, &whole.points));
     let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
     let figure = figures::loops(&two, figures::units(&two, None), HEIGHT, None).unwrap();
-    assert!(figure.loops.len() == 2 && figure.elastic.is_empty());
-    assert!(figure.loops[1].name.starts_with("horse_smooth_sphere: "), "{}", figure.loops[1].name);
+    assert_eq!(curves(&figure).len(), 2);
+    assert!(curves(&figure)[1].starts_with("horse_smooth_sphere: "), "{:?}", curves(&figure));
+}
+
+#[test]
+fn drops_stand_over_seconds_and_over_time_without_dimensions() {
+    let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
+    let figure = figures::drops(&two, HEIGHT, "a height", Some(0.5), None).unwrap();
+    assert!(figure.description.ends_with("They fall from a height."), "{}", figure.description);
+    assert_eq!((limits(&figure), curves(&figure)), (vec!["body weight"], vec![&*two[0].name, &two[1].name]));
+    assert_eq!(axes(&figure), ("time t (s)", "normal force / body weight (–)"));
+    assert_eq!(figure.panels[1].x.label, "non-dimensional time t/√(R/g) (–)");
+    // The horse's time passes more slowly, so its fall ends first.
+    let ends = |panel: usize| figure.panels[panel].curves.iter().map(|curve| curve.points.last().unwrap().0);
+    let horse = ends(1).nth(1).unwrap();
+    assert!(ends(1).all(|end| end >= horse));
+    assert_eq!(
+        (figure.panels[0].x.limits, figure.panels[1].x.limits),
+        (Some((0.0, 0.5)), Some((0.0, horse)))
+    );
 }
 
 #[test]
@@ -100,7 +142,7 @@ fn a_heat_map_is_about_one_body() {
 fn too_many_curves_are_refused_with_a_way_out() {
     let bodies: Vec<Body> = (0..12).map(|_| body("mouse_smooth_sphere")).collect();
     let figure = figures::force(&bodies, figures::units(&bodies, None), None, None).unwrap();
-    let failure = figures::not_drawn(force_figure(&figure).unwrap_err(), &bodies);
+    let failure = figures::not_drawn(figure.distinct().unwrap_err(), &bodies);
     let message = failure.message.spelled(&CommandLine);
     assert!(message.ends_with("expected at most 8: choose with --select GLOB"), "{message}");
 }

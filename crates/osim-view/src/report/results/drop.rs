@@ -112,7 +112,7 @@ pub fn drop_chart(drop: &DropResult) -> String {
         .iter()
         .map(|sample| (DropColumn::Time.value(report, sample), DropColumn::ForceBw.value(report, sample)));
     let mut panel = Panel::new("", Axis::new("time (s)"), Axis::new("force/body weight"));
-    panel.curves.push(Curve { label: String::new(), points: points.collect(), look: Look::series(0) });
+    panel.curves.push(Curve::new("", points.collect(), Look::series(0)));
     // One sample alone is not a curve; the figures are enough.
     let chart = contact_plots::text(&panel, WIDTH, CHART_ROWS);
     chart.map_or_else(|_| String::new(), |chart| format!("\n{chart}"))
