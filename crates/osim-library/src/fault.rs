@@ -83,6 +83,11 @@ impl LibraryFault {
     }
 }
 
+/// The error of another library.
+pub(crate) fn foreign_fault(error: impl Display) -> LibraryFault {
+    LibraryFault::new(error.to_string())
+}
+
 impl Display for LibraryFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.message.fmt(f)

@@ -9,7 +9,7 @@ use osim_model::messages::{Input, phrase, shown};
 use osim_planning::{cell, from_cell};
 
 use crate::door;
-use crate::fault::{Context, LibraryFault};
+use crate::fault::{Context, LibraryFault, foreign_fault};
 use crate::partial::end_of_lines;
 use crate::run::record::{JsonRecord, Record};
 
@@ -75,11 +75,6 @@ fn with_remarks(lines: Vec<u8>, record: &Record) -> Result<Vec<u8>, LibraryFault
         csv.write_record(&*row).map_err(foreign_fault)?;
     }
     csv.into_inner().map_err(foreign_fault)
-}
-
-/// The error of another library.
-fn foreign_fault(error: impl std::fmt::Display) -> LibraryFault {
-    LibraryFault::new(error.to_string())
 }
 
 /// A summary, whole or partial, that stays open: a resumed run replaces its name, not the file.

@@ -10,7 +10,7 @@ use osim_planning::{SweepPlan, cell, from_cell};
 
 use crate::digest::{self, NameDigest};
 use crate::door;
-use crate::fault::{Context, LibraryFault};
+use crate::fault::{Context, LibraryFault, foreign_fault};
 use crate::folders::make_folder_of;
 use crate::partial::{Partial, end_of_lines};
 
@@ -263,22 +263,22 @@ fn read_lines(
     may_be_cut: bool,
     mut each: impl FnMut(&str, &str) -> Result<(), LibraryFault>,
 ) -> Result<(), LibraryFault> {
-    let (mut file, length) = door::to_read(path).map_err(said)?;
-    let end = end_of_lines(&mut file, length).map_err(said)?;
+    let (mut file, length) = door::to_read(path).map_err(foreign_fault)?;
+    let end = end_of_lines(&mut file, length).map_err(foreign_fault)?;
     if end < length && !may_be_cut {
         return Err(LibraryFault::new("its last line is cut off, so this tool did not leave it like that"));
     }
-    file.seek(SeekFrom::Start(0)).map_err(said)?;
+    file.seek(SeekFrom::Start(0)).map_err(foreign_fault)?;
     let mut lines = BufReader::new(file).take(end);
     let mut first = Vec::new();
-    if lines.read_until(b'\n', &mut first).map_err(said)? == 0 && may_be_cut {
+    if lines.read_until(b'\n', &mut first).map_err(foreign_fault)? == 0 && may_be_cut {
         // Killed before its first line was whole.
         return Ok(());
     }
     let (name, digest) = columns(&first)?;
     let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(lines);
     let mut row = csv::StringRecord::new();
-    while reader.read_record(&mut row).map_err(said)? {
+    while reader.read_record(&mut row).map_err(foreign_fault)? {
         let cell = |at: usize| from_cell(row.get(at).unwrap_or_default());
         each(&cell(name), &cell(digest))?;
     }
@@ -291,7 +291,7 @@ fn read_lines(
 /// It is not, byte for byte, the first line of a table of ours: another program saved it, perhaps with columns of the user's, which the
 /// new table would not have.
 fn columns(first: &[u8]) -> Result<(usize, usize), LibraryFault> {
-    let header = csv::Reader::from_reader(first).headers().map_err(said)?.clone();
+    let header = csv::Reader::from_reader(first).headers().map_err(foreign_fault)?.clone();
     let columns: Vec<String> = header.iter().map(str::to_owned).collect();
     let is_ours = (columns == COLUMNS || SweepPlan::is_table_header(&columns)) && line(&columns)? == first;
     let [name, digest] = COLUMNS.map(|column| columns.iter().position(|cell| cell == column));
@@ -303,17 +303,9 @@ fn columns(first: &[u8]) -> Result<(usize, usize), LibraryFault> {
     }
 }
 
-/// The error of another library.
-fn said(error: impl std::fmt::Display) -> LibraryFault {
-    LibraryFault::new(error.to_string())
-}
-
 /// The cells as one line of CSV; no cell is a formula.
 pub(super) fn line(cells: &[String]) -> Result<Vec<u8>, LibraryFault> {
-    let said = |error: String| LibraryFault::new(error);
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer
-        .write_record(cells.iter().map(|text| cell(text).into_owned()))
-        .map_err(|error| said(error.to_string()))?;
-    writer.into_inner().map_err(|error| said(error.to_string()))
+    writer.write_record(cells.iter().map(|text| cell(text).into_owned())).map_err(foreign_fault)?;
+    writer.into_inner().map_err(foreign_fault)
 }

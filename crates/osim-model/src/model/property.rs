@@ -4,6 +4,8 @@ use std::fmt;
 use std::ops::Range;
 use std::str::FromStr;
 
+use contact_scaling::SmoothingValues;
+
 use crate::model::fault::{Fault, FaultKind};
 use crate::xml::opensim_text::NumberFault;
 
@@ -183,9 +185,9 @@ impl Class {
             (Self::SmoothSphereHalfSpaceForce, Property::Stiffness) => 1.0,
             (_, Property::Mass) => f64::NAN,
             (_, Property::TransitionVelocity) => 0.01,
-            (_, Property::ConstantContactForce) => 1e-5,
-            (_, Property::HertzSmoothing) => 300.0,
-            (_, Property::HuntCrossleySmoothing) => 50.0,
+            (_, Property::ConstantContactForce) => SmoothingValues::OPENSIM_DEFAULT.constant_contact_force,
+            (_, Property::HertzSmoothing) => SmoothingValues::OPENSIM_DEFAULT.hertz_smoothing,
+            (_, Property::HuntCrossleySmoothing) => SmoothingValues::OPENSIM_DEFAULT.hunt_crossley_smoothing,
             _ => 0.0,
         }
     }
