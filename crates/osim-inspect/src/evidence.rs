@@ -182,7 +182,7 @@ fn answer_of(list: Vec<Centre<'_>>, bones: &Bones) -> Option<LayoutAnswer> {
     }
     let differs = |published: &BTreeMap<String, [f64; 3]>| {
         sizes.iter().find_map(|&(body, here)| {
-            let published = *published.get(without_side(body))?;
+            let published = *published.get(published_name(body))?;
             (!same_size(here, published)).then(|| (body.to_owned(), here, published))
         })
     };
@@ -218,7 +218,7 @@ fn places(model: &Model) -> Option<Vec<Centre<'_>>> {
     let spheres = model.loaded_spheres(&model.force_ids());
     let place = |&id| {
         let body = model.sphere(id)?.body.as_deref()?;
-        Some(Centre { body, at_m: model.centre_m(id)? })
+        Some(Centre { body, at_m: model.centre_m(id)?.to_array() })
     };
     spheres.iter().map(place).collect::<Option<Vec<Centre<'_>>>>().filter(|places| !places.is_empty())
 }
@@ -243,7 +243,7 @@ impl Layout {
     fn grew_to(&self, places: &Places<'_>, bones: &Bones) -> bool {
         self.sizes.iter().any(|published| {
             let back = places.list.iter().map(|&Centre { body, at_m }| {
-                let (here, published) = (bones.size(body)?, published.get(without_side(body))?);
+                let (here, published) = (bones.size(body)?, published.get(published_name(body))?);
                 let at_m = std::array::from_fn(|axis| at_m[axis] * (published[axis] / here[axis]));
                 Some(Centre { body, at_m })
             });
@@ -302,8 +302,8 @@ fn digest(places: &[Centre<'_>]) -> String {
     })
 }
 
-/// `calcn` of `calcn_r`.
-fn without_side(body: &str) -> &str {
+/// As the table calls the bones of a body: `calcn` of `calcn_r`.
+fn published_name(body: &str) -> &str {
     ["_r", "_l"].iter().find_map(|side| body.strip_suffix(side)).unwrap_or(body)
 }
 

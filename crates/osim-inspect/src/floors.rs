@@ -1,8 +1,8 @@
 //! Whether a floor is a floor: how it is turned against gravity, and what it hangs on.
 
 use foldhash::{HashMap, HashMapExt, HashSet};
-use osim_model::feet::{ContactPlane, DefaultPose, Movements, STEEPEST_RAD, dot};
-use osim_model::{ForceId, Model, Orientation, Side, Sphere, SphereId};
+use osim_model::feet::{ContactPlane, DefaultPose, Movements, STEEPEST_RAD};
+use osim_model::{DVec3, ForceId, Model, Orientation, Side, Sphere, SphereId};
 
 // Each plane that spheres press on, judged.
 
@@ -124,11 +124,11 @@ impl<'m> Judge<'m> {
     fn is_gravity_to_blame(&self, plane: &ContactPlane, spheres: &[SphereId]) -> bool {
         let Some(surface) = plane.surface else { return false };
         let body = self.stance.towards_body(spheres).unwrap_or_default();
-        let near = |direction| dot(body, direction) > NEAR * dot(body, body).sqrt();
+        let near = |direction| body.dot(direction) > NEAR * body.length();
         match (near(surface.normal), near(self.stance.model.up())) {
             (true, false) => true,
             (false, true) => false,
-            _ => surface.normal[1] > NEAR,
+            _ => surface.normal.y > NEAR,
         }
     }
 }
@@ -213,7 +213,7 @@ struct Stance<'m> {
 struct Tree {
     count: usize,
     /// Mass (kg) and origin (m, in ground) of each.
-    bodies: Vec<(f64, [f64; 3])>,
+    bodies: Vec<(f64, DVec3)>,
     /// The lowest and the highest of these origins along up, m.
     heights_m: Option<[f64; 2]>,
 }
@@ -258,17 +258,16 @@ impl<'m> Stance<'m> {
 
     /// Whether the sphere is under a foot of its tree at the default pose.
     fn is_low(&self, sphere: SphereId) -> bool {
-        let own = self.centre(sphere).map(|centre| dot(centre, self.model.up()));
+        let own = self.centre(sphere).map(|centre| centre.dot(self.model.up()));
         let heights = self.body_of(sphere).and_then(|body| self.tree(body)?.heights_m);
         own.zip(heights).is_some_and(|(own, [low, high])| own <= low + FOOT_HEIGHT * (high - low))
     }
 
     /// From the `spheres` to the middle of the mass above them, in ground, at the default pose; `None` where it is not known.
-    fn towards_body(&self, spheres: &[SphereId]) -> Option<[f64; 3]> {
+    fn towards_body(&self, spheres: &[SphereId]) -> Option<DVec3> {
         let tree = self.tree(self.body_of(*spheres.first()?)?)?;
         let centres = spheres.iter().filter_map(|&sphere| Some((1.0, self.centre(sphere)?)));
-        let (body, below) = (middle(tree.bodies.iter().copied())?, middle(centres)?);
-        Some(std::array::from_fn(|i| body[i] - below[i]))
+        Some(middle(tree.bodies.iter().copied())? - middle(centres)?)
     }
 
     fn tree(&self, body: &str) -> Option<&Tree> {
@@ -279,15 +278,15 @@ impl<'m> Stance<'m> {
         self.model.sphere(sphere)?.body.as_deref()
     }
 
-    fn centre(&self, sphere: SphereId) -> Option<[f64; 3]> {
+    fn centre(&self, sphere: SphereId) -> Option<DVec3> {
         let body = self.body_of(sphere)?;
         Some(self.pose.placement(body).ok()?.point(self.model.centre_m(sphere)?))
     }
 }
 
 impl Tree {
-    fn add(&mut self, mass_kg: f64, origin_m: [f64; 3], up: [f64; 3]) {
-        let height_m = dot(origin_m, up);
+    fn add(&mut self, mass_kg: f64, origin_m: DVec3, up: DVec3) {
+        let height_m = origin_m.dot(up);
         let [low, high] = self.heights_m.unwrap_or([height_m; 2]);
         self.heights_m = Some([low.min(height_m), high.max(height_m)]);
         self.bodies.push((mass_kg, origin_m));
@@ -295,9 +294,8 @@ impl Tree {
 }
 
 /// The mean of points by their weights; `None` without any weight.
-fn middle(points: impl Iterator<Item = (f64, [f64; 3])>) -> Option<[f64; 3]> {
-    let (weight, sum) = points.fold((0.0, [0.0; 3]), |(weight, sum), (own, point)| {
-        (weight + own, std::array::from_fn(|i| sum[i] + own * point[i]))
-    });
-    (weight > 0.0).then(|| sum.map(|value: f64| value / weight))
+fn middle(points: impl Iterator<Item = (f64, DVec3)>) -> Option<DVec3> {
+    let start = (0.0, DVec3::ZERO);
+    let (weight, sum) = points.fold(start, |(weight, sum), (own, point)| (weight + own, sum + own * point));
+    (weight > 0.0).then(|| sum / weight)
 }

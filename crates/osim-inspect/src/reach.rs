@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use foldhash::{HashMap, HashMapExt};
+use glam::DVec3;
 use osim_model::compare::bone_of_mesh;
 use osim_model::messages::four_significant;
 use osim_model::{Anatomy, AnatomyJoint, Model, SphereId};
@@ -95,12 +96,11 @@ fn reach_to_joint(
     bones: &Bones,
     body: &str,
     sphere: SphereId,
-    centre: [f64; 3],
+    centre: DVec3,
     radius_m: f64,
 ) -> Option<Reach> {
-    let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let (squared, joint) = bones.farthest_joint(body)?;
-    let value = dot(centre, joint.in_parent_m) / squared;
+    let value = centre.dot(joint.in_parent_m) / squared;
     (squared > radius_m * radius_m).then(|| Reach {
         sphere,
         value,
@@ -151,7 +151,7 @@ impl Bones {
         let anatomy = Anatomy::bones_of(model);
         let mut farthest: HashMap<String, (f64, usize)> = HashMap::new();
         for (at, joint) in anatomy.joints.iter().enumerate() {
-            let squared = joint.in_parent_m.iter().map(|along| along * along).sum::<f64>();
+            let squared = joint.in_parent_m.length_squared();
             let most = farthest.entry(joint.parent.clone()).or_insert((squared, at));
             if squared.total_cmp(&most.0).is_ge() {
                 *most = (squared, at);

@@ -30,6 +30,7 @@ pub mod messages;
 mod model;
 pub mod xml;
 
+pub use glam::{DVec2, DVec3};
 pub use model::*;
 
 /// The example of the README compiles.

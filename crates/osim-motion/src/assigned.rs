@@ -1,7 +1,6 @@
 //! Which foot is on which plate.
 
 use osim_model::Side;
-use osim_model::feet::dot;
 
 use crate::comparison::percentile;
 use crate::feet::{Foot, OFF_BW, ON_BW};
@@ -165,8 +164,7 @@ fn nearest(
         for &pair in &foot.pairs {
             let (state, radius_m) = (all.get(pair)?, states.pairs.get(pair)?.radius_m);
             let centre = wrench.centre_of_pressure(state.normal, state.on_surface_m(radius_m), least_n)?;
-            let away: [f64; 3] = std::array::from_fn(|i| centre.point_m[i] - state.centre_m[i]);
-            let distance = dot(away, away);
+            let distance = centre.point_m.distance_squared(state.centre_m);
             if best.is_none_or(|(least, _)| distance < least) {
                 best = Some((distance, index));
             }
@@ -195,7 +193,7 @@ pub(crate) fn beside(
         .enumerate()
         .map(|(frame, plate)| {
             let deepest = deepest(states, foot, frame)?;
-            Some((dot(plate.as_ref()?.force_n, deepest.normal), deepest))
+            Some((plate.as_ref()?.force_n.dot(deepest.normal), deepest))
         })
         .collect();
     let depth_m = |least_bw: f64, part: f64| {

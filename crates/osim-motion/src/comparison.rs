@@ -2,8 +2,7 @@
 
 use std::collections::HashMap;
 
-use osim_model::ForceId;
-use osim_model::feet::dot;
+use osim_model::{DVec3, ForceId};
 
 use crate::states::ContactStates;
 use crate::wrench::Wrench;
@@ -30,8 +29,8 @@ pub struct Comparison {
 /// Where forces are compared.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ComparedOn {
-    pub normal: [f64; 3],
-    pub point_m: [f64; 3],
+    pub normal: DVec3,
+    pub point_m: DVec3,
     /// A centre of pressure counts above this force, N.
     pub least_n: f64,
     pub has_points: bool,
@@ -51,17 +50,15 @@ impl Comparison {
         for (frame, (own, plate)) in model.iter().zip(measured).enumerate() {
             let Some(plate) = plate.as_ref().filter(|_| counts(frame)) else { continue };
             frames += 1;
-            let (own_n, plate_n) = (dot(own.force_n, on.normal), dot(plate.force_n, on.normal));
-            let difference: [f64; 3] = std::array::from_fn(|i| own.force_n[i] - plate.force_n[i]);
+            let (own_n, plate_n) = (own.force_n.dot(on.normal), plate.force_n.dot(on.normal));
             let normal = own_n - plate_n;
             along += normal * normal;
-            across += (dot(difference, difference) - normal * normal).max(0.0);
+            across += ((own.force_n - plate.force_n).length_squared() - normal * normal).max(0.0);
             peak_n = own_n.max(peak_n);
             measured_peak_n = plate_n.max(measured_peak_n);
             let centre = |wrench: &Wrench| wrench.centre_of_pressure(on.normal, on.point_m, on.least_n);
             if let Some((own, plate)) = centre(own).zip(centre(plate)).filter(|_| on.has_points) {
-                let away: [f64; 3] = std::array::from_fn(|i| own.point_m[i] - plate.point_m[i]);
-                apart += dot(away, away);
+                apart += own.point_m.distance_squared(plate.point_m);
                 cop_frames += 1;
             }
         }

@@ -2,7 +2,7 @@
 
 use contact_scaling::{Friction, FrictionValues, Law};
 use osim_model::{
-    Fault, Force, ForceId, ForceKind, HalfSpace, Model, Property, SetId, Sphere, SphereId, Surfaces,
+    DVec3, Fault, Force, ForceId, ForceKind, HalfSpace, Model, Property, SetId, Sphere, SphereId, Surfaces,
     contact_of_pair,
 };
 
@@ -37,7 +37,7 @@ pub struct ContactPair {
     /// The body of the sphere.
     pub body: String,
     /// The centre in that body, m.
-    pub(crate) centre_m: [f64; 3],
+    pub(crate) centre_m: DVec3,
 }
 
 /// All pairs of moving spheres and what `forces` let them touch, and the planes, each once. Two spheres that both move are two pairs.

@@ -1,6 +1,6 @@
 //! Ground reactions as force plates measured them, by the columns of a table and by OpenSim's `ExternalLoads`.
 
-use osim_model::{Document, ElementId, opensim_text};
+use osim_model::{DVec3, Document, ElementId, opensim_text};
 
 use crate::fault::MotionFault;
 use crate::table::{Column, Table};
@@ -81,8 +81,8 @@ impl Plate {
             table.finite(column)?;
         }
         let at = |columns: Option<[&Column; 3]>, row: usize| {
-            columns.map_or([0.0; 3], |columns| {
-                columns.map(|column| column.values.get(row).copied().unwrap_or(0.0))
+            columns.map_or(DVec3::ZERO, |columns| {
+                columns.map(|column| column.values.get(row).copied().unwrap_or(0.0)).into()
             })
         };
         let has_points = point.is_some_and(|columns| {
@@ -90,7 +90,7 @@ impl Plate {
         });
         let wrenches = (0..table.rows())
             .map(|row| {
-                let free = Wrench { force_n: [0.0; 3], moment_n_m: at(torque, row) };
+                let free = Wrench { moment_n_m: at(torque, row), ..Wrench::default() };
                 free.plus(at(force, row), at(point, row))
             })
             .collect();
@@ -122,7 +122,7 @@ fn is_ground(frame: &str) -> bool {
 impl Wrench {
     /// The part of the way to another one.
     fn towards(&self, other: &Self, part: f64) -> Self {
-        let mixed = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| a[i] + part * (b[i] - a[i]));
+        let mixed = |a: DVec3, b: DVec3| a + part * (b - a);
         Self {
             force_n: mixed(self.force_n, other.force_n),
             moment_n_m: mixed(self.moment_n_m, other.moment_n_m),

@@ -1,7 +1,7 @@
 //! The sole of a foot: which way is down and forward, and where forces act on it.
 
-use osim_model::feet::{DefaultPose, PoseFault, ViewAxes, dot};
-use osim_model::{Model, Side, cross};
+use osim_model::feet::{DefaultPose, PoseFault, ViewAxes};
+use osim_model::{DVec3, Model, Side};
 
 use crate::feet::ON_BW;
 use crate::pair::Touched;
@@ -13,10 +13,7 @@ use crate::wrench::Wrench;
 const APART_M: f64 = 1e-3;
 
 /// Down for the sphere of each pair of `states`, as bodies stand at the default pose: a direction of length 1 in its body, into the floor.
-pub(crate) fn down_at_default_pose(
-    model: &Model,
-    states: &ContactStates,
-) -> Result<Vec<[f64; 3]>, PoseFault> {
+pub(crate) fn down_at_default_pose(model: &Model, states: &ContactStates) -> Result<Vec<DVec3>, PoseFault> {
     let pose = DefaultPose::of(model);
     let each = states.pairs.iter().map(|pair| {
         let normal = match pair.touched {
@@ -24,44 +21,42 @@ pub(crate) fn down_at_default_pose(
             Touched::Sphere(_) => None,
         };
         let up = normal.unwrap_or(model.up());
-        Ok(pose.placement(&pair.body)?.rotation.inverse().to_body(up.map(|part| -part)))
+        Ok(pose.placement(&pair.body)?.rotation.inverse().to_body(-up))
     });
     each.collect()
 }
 
 /// From the middle of the left spheres to that of the right ones at the default pose, m; not finite where a side has none.
-pub(crate) fn across(states: &ContactStates, pose: &DefaultPose) -> Result<[f64; 3], PoseFault> {
-    let (mut sums, mut counts) = ([[0.0; 3]; 2], [0.0; 2]);
+pub(crate) fn across(states: &ContactStates, pose: &DefaultPose) -> Result<DVec3, PoseFault> {
+    let (mut sums, mut counts) = ([DVec3::ZERO; 2], [0.0; 2]);
     for pair in &states.pairs {
         let Some(side) = Side::of_name(&pair.body) else { continue };
         let at_m = pose.placement(&pair.body)?.point(pair.centre_m);
         let place = usize::from(side == Side::Left);
         if let Some((sum, count)) = sums.get_mut(place).zip(counts.get_mut(place)) {
             *count += 1.0;
-            sum.iter_mut().zip(at_m).for_each(|(sum, part)| *sum += part);
+            *sum += at_m;
         }
     }
     let [right, left] = sums;
-    Ok(std::array::from_fn(|i| right[i] / counts[0] - left[i] / counts[1]))
+    Ok(right / counts[0] - left / counts[1])
 }
 
 /// Forward along the floor at the default pose, of what is [`across`]: with the right spheres on the right of the left ones; x where nothing
 /// says what is right.
-pub(crate) fn forward(across: [f64; 3], up: [f64; 3]) -> [f64; 3] {
-    let rises = dot(across, up);
-    let flat: [f64; 3] = std::array::from_fn(|i| across[i] - rises * up[i]);
-    let length = libm::sqrt(dot(flat, flat));
+pub(crate) fn forward(across: DVec3, up: DVec3) -> DVec3 {
+    let flat = across - across.dot(up) * up;
+    let length = flat.length();
     // Also false where a side has no spheres.
     let is_known = length > APART_M;
-    if is_known { cross(up, flat.map(|part| part / length)) } else { ViewAxes::with_up(up).forward }
+    if is_known { up.cross(flat / length) } else { ViewAxes::with_up(up).forward }
 }
 
 /// The part of a direction along a floor, with length 1; the direction itself where it is upright.
-pub(crate) fn level(direction: [f64; 3], up: [f64; 3]) -> [f64; 3] {
-    let rises = dot(direction, up);
-    let flat: [f64; 3] = std::array::from_fn(|i| direction[i] - rises * up[i]);
-    let length = libm::sqrt(dot(flat, flat));
-    if length > 1e-6 { flat.map(|part| part / length) } else { direction }
+pub(crate) fn level(direction: DVec3, up: DVec3) -> DVec3 {
+    let flat = direction - direction.dot(up) * up;
+    let length = flat.length();
+    if length > 1e-6 { flat / length } else { direction }
 }
 
 // Where forces act on the sole of a foot, which moves and turns over the floor.
@@ -95,17 +90,17 @@ impl OnSole {
 
     fn of(
         states: &ContactStates,
-        (pose, across): (&DefaultPose, [f64; 3]),
+        (pose, across): (&DefaultPose, DVec3),
         foot: &FootSummary,
         measured: Option<&[Option<Wrench>]>,
         weight_n: f64,
     ) -> Result<Self, PoseFault> {
         let pairs: Vec<_> = foot.foot.pairs.iter().filter_map(|&pair| states.pairs.get(pair)).collect();
         let first = foot.foot.pairs.first().copied().unwrap_or_default();
-        let normal = states.frame(0).get(first).map_or([0.0, 1.0, 0.0], |state| state.normal);
+        let normal = states.frame(0).get(first).map_or(DVec3::Y, |state| state.normal);
         let forward = level(forward(across, normal), normal);
-        let axes = [forward, cross(forward, normal)];
-        let flat = |point_m: [f64; 3]| axes.map(|axis| dot(axis, point_m));
+        let axes = [forward, forward.cross(normal)];
+        let flat = |point_m: DVec3| axes.map(|axis| axis.dot(point_m));
         let mut spheres_m = Vec::new();
         for pair in &pairs {
             spheres_m.push(flat(pose.placement(&pair.body)?.point(pair.centre_m)));

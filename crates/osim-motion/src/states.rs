@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
-use osim_model::feet::{PoseFault, dot};
-use osim_model::{Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, SphereId};
+use osim_model::feet::PoseFault;
+use osim_model::{DVec3, Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, SphereId};
 
 use crate::fault::MotionFault;
 use crate::pair::{ContactPair, Touched, pairs_of};
@@ -14,16 +14,16 @@ use crate::table::Table;
 /// The velocity of the belt in ground, m/s.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Belt {
-    /// In all frames; 0 for a floor.
-    Constant([f64; 3]),
+    /// The same in all frames; 0 for a floor.
+    Constant(DVec3),
     /// Frame by frame.
-    Each(Vec<[f64; 3]>),
+    Each(Vec<DVec3>),
 }
 
 impl Belt {
     /// A belt that runs at this speed against x, under somebody who walks towards x, m/s.
     pub const fn against_x(speed_m_s: f64) -> Self {
-        Self::Constant([-speed_m_s, 0.0, 0.0])
+        Self::Constant(DVec3::new(-speed_m_s, 0.0, 0.0))
     }
 
     /// A belt with the speed in a column of the recording, m/s.
@@ -34,10 +34,10 @@ impl Belt {
         let none = || MotionFault::new(format!("it has no column '{name}' for the speed of the belt"));
         let column = table.column(name).ok_or_else(none)?;
         table.finite(column)?;
-        Ok(Self::Each(column.values.iter().map(|speed| [-speed, 0.0, 0.0]).collect()))
+        Ok(Self::Each(column.values.iter().map(|speed| DVec3::new(-speed, 0.0, 0.0)).collect()))
     }
 
-    pub(crate) fn at(&self, frame: usize) -> [f64; 3] {
+    pub(crate) fn at(&self, frame: usize) -> DVec3 {
         match self {
             Self::Constant(velocity) => *velocity,
             Self::Each(all) => all.get(frame).copied().unwrap_or_default(),
@@ -48,13 +48,13 @@ impl Belt {
 impl Default for Belt {
     /// A floor.
     fn default() -> Self {
-        Self::Constant([0.0; 3])
+        Self::Constant(DVec3::ZERO)
     }
 }
 
 impl From<[f64; 3]> for Belt {
     fn from(velocity: [f64; 3]) -> Self {
-        Self::Constant(velocity)
+        Self::Constant(velocity.into())
     }
 }
 
@@ -79,34 +79,33 @@ impl From<Fault> for StatesError {
 /// One sphere on a plane (or another sphere) in one frame; everything is seen from ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactState {
-    pub centre_m: [f64; 3],
+    pub centre_m: DVec3,
     /// How it moves, m/s.
-    pub velocity_m_s: [f64; 3],
+    pub velocity_m_s: DVec3,
     /// The plane's normal, out of it.
-    pub normal: [f64; 3],
+    pub normal: DVec3,
     /// x: how deep the sphere is in the plane (or in the other sphere), m; below 0 it is above.
     pub indentation_m: f64,
     /// How fast it goes in, m/s.
     pub rate_m_s: f64,
     /// How the sphere slips on the plane (on the belt) where the force acts, m/s.
-    pub slip_m_s: [f64; 3],
+    pub slip_m_s: DVec3,
     /// Where the force acts, m.
-    pub point_m: [f64; 3],
+    pub point_m: DVec3,
     /// The force on the sphere, N: along the normal and against the slip.
-    pub force_n: [f64; 3],
+    pub force_n: DVec3,
     /// Its part along the normal, N.
     pub normal_force_n: f64,
 }
 
 impl ContactState {
     pub fn slip_speed_m_s(&self) -> f64 {
-        libm::sqrt(dot(self.slip_m_s, self.slip_m_s))
+        self.slip_m_s.length()
     }
 
     /// The point of the surface that is below the centre of a sphere of this radius, m.
-    pub fn on_surface_m(&self, radius_m: f64) -> [f64; 3] {
-        let height_m = radius_m - self.indentation_m;
-        std::array::from_fn(|i| self.centre_m[i] - height_m * self.normal[i])
+    pub fn on_surface_m(&self, radius_m: f64) -> DVec3 {
+        self.centre_m - (radius_m - self.indentation_m) * self.normal
     }
 }
 
@@ -140,11 +139,11 @@ impl ContactStates {
         &self,
         model: &Model,
         recording: &Recording,
-        by_m: [f64; 3],
+        by_m: DVec3,
     ) -> Result<Self, StatesError> {
         let mut pairs = self.pairs.clone();
         for pair in &mut pairs {
-            pair.centre_m = std::array::from_fn(|i| pair.centre_m[i] + by_m[i]);
+            pair.centre_m += by_m;
         }
         Self::of_pairs(model, recording, (pairs, self.planes.clone()), &Belt::default())
     }
@@ -187,7 +186,7 @@ impl ContactStates {
             );
             for ((pair, body), surface) in pairs.iter().zip(&on).zip(&surfaces) {
                 let Some(moving) = body.and_then(|body| places.get(body)) else { continue };
-                let belt_m_s = if pair.is_ground { belt.at(frame) } else { [0.0; 3] };
+                let belt_m_s = if pair.is_ground { belt.at(frame) } else { DVec3::ZERO };
                 states.push(state(
                     pair,
                     moving,
@@ -233,14 +232,14 @@ fn valued(skeleton: &Skeleton<'_>, recording: &Recording) -> Result<(), StatesEr
 struct Surface {
     body: Option<usize>,
     /// A point of the plane, or the centre of the sphere, m.
-    point_m: [f64; 3],
+    point_m: DVec3,
     shape: Shape,
 }
 
 #[derive(Clone, Copy)]
 enum Shape {
     /// With this normal.
-    Plane([f64; 3]),
+    Plane(DVec3),
     /// With this radius, m.
     Sphere(f64),
 }
@@ -248,7 +247,7 @@ enum Shape {
 /// A surface in one frame, as a sphere meets it.
 struct Met {
     carrier: MovingPlacement,
-    normal: [f64; 3],
+    normal: DVec3,
     /// How far the centre of the sphere is above it along the normal, m.
     height_m: f64,
 }
@@ -271,42 +270,37 @@ impl Surface {
         Ok(Self { body, point_m, shape: Shape::Sphere(sphere.radius_m()?) })
     }
 
-    fn at(&self, places: &[MovingPlacement], centre_m: [f64; 3]) -> Met {
+    fn at(&self, places: &[MovingPlacement], centre_m: DVec3) -> Met {
         let ground = MovingPlacement::still(Placement::IDENTITY);
         let carrier = self.body.and_then(|body| places.get(body)).copied().unwrap_or(ground);
-        let point_m = carrier.at.point(self.point_m);
-        let away: [f64; 3] = std::array::from_fn(|i| centre_m[i] - point_m[i]);
+        let away = centre_m - carrier.at.point(self.point_m);
         match self.shape {
             Shape::Plane(normal) => {
                 let normal = carrier.at.rotation.to_body(normal);
-                Met { normal, height_m: dot(away, normal), carrier }
+                Met { normal, height_m: away.dot(normal), carrier }
             }
             Shape::Sphere(radius_m) => {
-                let distance_m = libm::sqrt(dot(away, away));
+                let distance_m = away.length();
                 // Two centres at one place have no direction; any will do.
-                let normal =
-                    if distance_m > 0.0 { away.map(|part| part / distance_m) } else { [0.0, 1.0, 0.0] };
+                let normal = if distance_m > 0.0 { away / distance_m } else { DVec3::Y };
                 Met { normal, height_m: distance_m - radius_m, carrier }
             }
         }
     }
 }
 
-fn state(pair: &ContactPair, moving: &MovingPlacement, met: &Met, belt_m_s: [f64; 3]) -> ContactState {
+fn state(pair: &ContactPair, moving: &MovingPlacement, met: &Met, belt_m_s: DVec3) -> ContactState {
     let normal = met.normal;
     let centre_m = moving.at.point(pair.centre_m);
     let indentation_m = pair.radius_m - met.height_m;
     // Between the bottom of the sphere, which is as deep as the indentation, and the plane.
     let along = pair.radius_m - indentation_m * (1.0 - pair.depth_share);
-    let point_m = std::array::from_fn(|i| centre_m[i] - along * normal[i]);
-    let (own, other) = (moving.velocity_at(point_m), met.carrier.velocity_at(point_m));
-    let relative: [f64; 3] = std::array::from_fn(|i| own[i] - other[i]);
-    let rate_m_s = -dot(relative, normal);
-    let against_belt: [f64; 3] = std::array::from_fn(|i| relative[i] - belt_m_s[i]);
-    let out = dot(against_belt, normal);
-    let slip_m_s = std::array::from_fn(|i| against_belt[i] - out * normal[i]);
+    let point_m = centre_m - along * normal;
+    let relative = moving.velocity_at(point_m) - met.carrier.velocity_at(point_m);
+    let rate_m_s = -relative.dot(normal);
+    let against_belt = relative - belt_m_s;
+    let slip_m_s = against_belt - against_belt.dot(normal) * normal;
     let normal_force_n = pair.law.force(indentation_m, rate_m_s);
-    let braking = pair.braking(normal_force_n, slip_m_s);
     ContactState {
         centre_m,
         velocity_m_s: moving.velocity_of(pair.centre_m),
@@ -315,20 +309,19 @@ fn state(pair: &ContactPair, moving: &MovingPlacement, met: &Met, belt_m_s: [f64
         rate_m_s,
         slip_m_s,
         point_m,
-        force_n: std::array::from_fn(|i| normal_force_n * normal[i] - braking[i]),
+        force_n: normal_force_n * normal - pair.braking(normal_force_n, slip_m_s),
         normal_force_n,
     }
 }
 
 impl ContactPair {
     /// Friction force against the slip, N, as a vector along it.
-    fn braking(&self, normal_force_n: f64, slip_m_s: [f64; 3]) -> [f64; 3] {
+    fn braking(&self, normal_force_n: f64, slip_m_s: DVec3) -> DVec3 {
         // The smooth class never divides by 0: it adds its constant to the square.
-        let speed = libm::sqrt(dot(slip_m_s, slip_m_s) + self.smoothing.unwrap_or(0.0));
+        let speed = libm::sqrt(slip_m_s.length_squared() + self.smoothing.unwrap_or(0.0));
         if speed == 0.0 || normal_force_n == 0.0 {
-            return [0.0; 3];
+            return DVec3::ZERO;
         }
-        let force = normal_force_n * self.friction.coefficient(speed);
-        slip_m_s.map(|part| force * part / speed)
+        normal_force_n * self.friction.coefficient(speed) * slip_m_s / speed
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use contact_scaling::{limits, restitution};
-use osim_model::feet::dot;
+use osim_model::DVec3;
 
 use crate::assigned::Measured;
 use crate::comparison::{ComparedOn, Comparison, percentile};
@@ -63,7 +63,7 @@ pub struct FootSummary {
     /// The depth of its deepest sphere in the whole recording, m.
     pub deepest_m: f64,
     /// How it slips in stance: the median velocity of its deepest sphere along the plane, m/s.
-    pub stance_slip_m_s: Option<[f64; 3]>,
+    pub stance_slip_m_s: Option<DVec3>,
     pub spheres: Vec<SphereSummary>,
     pub comparison: Option<Comparison>,
 }
@@ -118,8 +118,8 @@ impl Summary {
             total.iter_mut().zip(&foot.wrenches).for_each(|(sum, wrench)| *sum = sum.and(wrench));
         }
         let on = feet.first().and_then(|foot| compared_on(states, &foot.foot, weight_n, false));
-        let normal = on.map_or([0.0; 3], |on| on.normal);
-        let along = |wrench: &Wrench| dot(wrench.force_n, normal);
+        let normal = on.map_or(DVec3::ZERO, |on| on.normal);
+        let along = |wrench: &Wrench| wrench.force_n.dot(normal);
         let comparison = on.zip(measured).and_then(|(on, measured)| {
             let has_points = measured.has_points.iter().all(|&has_points| has_points);
             Comparison::of(&total, &measured.total, &ComparedOn { has_points, ..on }, |_| true)
@@ -170,12 +170,12 @@ impl FootSummary {
             .map(|frame| Wrench::of(foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair))))
             .collect();
         let on = compared_on(states, foot, weight_n, plates.is_some_and(|(_, has_points)| has_points));
-        let normal = on.map_or([0.0; 3], |on| on.normal);
-        let forces: Vec<f64> = wrenches.iter().map(|wrench| dot(wrench.force_n, normal)).collect();
+        let normal = on.map_or(DVec3::ZERO, |on| on.normal);
+        let forces: Vec<f64> = wrenches.iter().map(|wrench| wrench.force_n.dot(normal)).collect();
         let (peak_at, peak_n) = largest(&forces);
         let measured = plates.filter(|(measured, _)| measured.iter().any(Option::is_some));
         let standing = measured.map(|(measured, _)| {
-            let force = |one: &Option<Wrench>| one.as_ref().map_or(f64::NAN, |one| dot(one.force_n, normal));
+            let force = |one: &Option<Wrench>| one.as_ref().map_or(f64::NAN, |one| one.force_n.dot(normal));
             measured.iter().map(force).collect::<Vec<f64>>()
         });
         let stances = Stance::all(&states.time_s, standing.as_deref().unwrap_or(&forces), weight_n);
@@ -319,12 +319,12 @@ fn largest(values: &[f64]) -> (usize, f64) {
     best
 }
 
-fn median_vector(states: &[&ContactState]) -> Option<[f64; 3]> {
+fn median_vector(states: &[&ContactState]) -> Option<DVec3> {
     let median = |axis: usize| {
-        let parts: Vec<f64> = states.iter().filter_map(|state| state.slip_m_s.get(axis).copied()).collect();
+        let parts: Vec<f64> = states.iter().map(|state| state.slip_m_s[axis]).collect();
         percentile(&parts, 0.5)
     };
-    Some([median(0)?, median(1)?, median(2)?])
+    Some(DVec3::new(median(0)?, median(1)?, median(2)?))
 }
 
 /// The mean over the frames that are in one of `spans`, where all of these are known.

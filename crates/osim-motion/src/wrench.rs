@@ -1,7 +1,6 @@
 //! Forces with their moments, and where they act.
 
-use osim_model::cross;
-use osim_model::feet::dot;
+use osim_model::DVec3;
 
 use crate::states::ContactState;
 
@@ -9,9 +8,9 @@ use crate::states::ContactState;
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Wrench {
     /// Their sum, N.
-    pub force_n: [f64; 3],
+    pub force_n: DVec3,
     /// Their moment about the origin of ground, N m.
-    pub moment_n_m: [f64; 3],
+    pub moment_n_m: DVec3,
 }
 
 impl Wrench {
@@ -21,16 +20,14 @@ impl Wrench {
     }
 
     /// With another force at a point, N and m.
-    pub fn plus(mut self, force_n: [f64; 3], point_m: [f64; 3]) -> Self {
-        let moment = cross(point_m, force_n);
-        self.force_n = std::array::from_fn(|i| self.force_n[i] + force_n[i]);
-        self.moment_n_m = std::array::from_fn(|i| self.moment_n_m[i] + moment[i]);
+    pub fn plus(mut self, force_n: DVec3, point_m: DVec3) -> Self {
+        self.force_n += force_n;
+        self.moment_n_m += point_m.cross(force_n);
         self
     }
 
     pub fn and(&self, other: &Self) -> Self {
-        let sum = |a: [f64; 3], b: [f64; 3]| std::array::from_fn(|i| a[i] + b[i]);
-        Self { force_n: sum(self.force_n, other.force_n), moment_n_m: sum(self.moment_n_m, other.moment_n_m) }
+        Self { force_n: self.force_n + other.force_n, moment_n_m: self.moment_n_m + other.moment_n_m }
     }
 
     /// Where the force meets the plane through `on_plane_m` (m) with the unit `normal`, and the moment about the normal there:
@@ -38,22 +35,19 @@ impl Wrench {
     /// above `least_n`.
     pub fn centre_of_pressure(
         &self,
-        normal: [f64; 3],
-        on_plane_m: [f64; 3],
+        normal: DVec3,
+        on_plane_m: DVec3,
         least_n: f64,
     ) -> Option<CentreOfPressure> {
-        let along = dot(self.force_n, normal);
+        let along = self.force_n.dot(normal);
         if along.is_nan() || along.abs() <= least_n {
             return None;
         }
-        let arm = cross(on_plane_m, self.force_n);
-        let moment: [f64; 3] = std::array::from_fn(|i| self.moment_n_m[i] - arm[i]);
-        let from_plane = cross(normal, moment).map(|part| part / along);
-        let turned = cross(from_plane, self.force_n);
-        let left: [f64; 3] = std::array::from_fn(|i| moment[i] - turned[i]);
+        let moment = self.moment_n_m - on_plane_m.cross(self.force_n);
+        let from_plane = normal.cross(moment) / along;
         Some(CentreOfPressure {
-            point_m: std::array::from_fn(|i| on_plane_m[i] + from_plane[i]),
-            free_moment_n_m: dot(left, normal),
+            point_m: on_plane_m + from_plane,
+            free_moment_n_m: (moment - from_plane.cross(self.force_n)).dot(normal),
         })
     }
 }
@@ -61,7 +55,7 @@ impl Wrench {
 /// Where a ground reaction acts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CentreOfPressure {
-    pub point_m: [f64; 3],
+    pub point_m: DVec3,
     /// The moment about the normal there, N m.
     pub free_moment_n_m: f64,
 }
@@ -73,15 +67,16 @@ mod tests {
     #[test]
     fn a_push_acts_where_it_is() {
         // 100 N up and 20 N forward at (0.3, 0, 0.1): the point comes back, and nothing turns about the normal.
-        let up = [0.0, 1.0, 0.0];
-        let wrench = Wrench::default().plus([20.0, 100.0, 0.0], [0.3, 0.0, 0.1]);
-        let centre = wrench.centre_of_pressure(up, [5.0, 0.0, -7.0], 1.0).unwrap();
-        assert!(centre.point_m.iter().zip([0.3, 0.0, 0.1]).all(|(a, b)| (a - b).abs() < 1e-12), "{centre:?}");
+        let (up, at) = (DVec3::Y, DVec3::new);
+        let wrench = Wrench::default().plus(at(20.0, 100.0, 0.0), at(0.3, 0.0, 0.1));
+        let centre = wrench.centre_of_pressure(up, at(5.0, 0.0, -7.0), 1.0).unwrap();
+        assert!(centre.point_m.abs_diff_eq(at(0.3, 0.0, 0.1), 1e-12), "{centre:?}");
         assert!(centre.free_moment_n_m.abs() < 1e-12);
         // Two opposite pulls along x, 0.2 m apart in z, turn about y by z × x = y: 0.1 * 20 + 0.1 * 20.
-        let turned = wrench.plus([20.0, 0.0, 0.0], [0.3, 0.0, 0.2]).plus([-20.0, 0.0, 0.0], [0.3, 0.0, 0.0]);
-        let centre = turned.centre_of_pressure(up, [0.0; 3], 1.0).unwrap();
+        let pull = at(20.0, 0.0, 0.0);
+        let turned = wrench.plus(pull, at(0.3, 0.0, 0.2)).plus(-pull, at(0.3, 0.0, 0.0));
+        let centre = turned.centre_of_pressure(up, DVec3::ZERO, 1.0).unwrap();
         assert!((centre.free_moment_n_m - 4.0).abs() < 1e-12, "{centre:?}");
-        assert_eq!(turned.centre_of_pressure(up, [0.0; 3], 100.0), None);
+        assert_eq!(turned.centre_of_pressure(up, DVec3::ZERO, 100.0), None);
     }
 }

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase, readable, shown};
-use osim_model::{Fault, MassRequest, Model};
+use osim_model::{DVec3, Fault, MassRequest, Model};
 use osim_motion::{
     AngleUnit, Belt, ContactStates, ExternalLoads, Foot, Gap, Measured, MotionFault, OnSole, Plate,
     Recording, RecordingOptions, StatesError, Summary, Table,
@@ -280,7 +280,7 @@ fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(), Fault> {
     for (index, pair) in states.pairs.iter().enumerate() {
         for (state, time_s) in states.pair(index).zip(&states.time_s) {
             let depth = state.indentation_m / pair.radius_m;
-            let sum = |parts: [f64; 3]| parts.into_iter().fold(0.0, |sum: f64, part| sum + part.abs());
+            let sum = |vector: DVec3| vector.abs().element_sum();
             let sizes = [
                 ("a force of", sum(state.force_n), "N"),
                 ("x/R of", depth, ""),
@@ -304,7 +304,7 @@ fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(), Fault> {
 fn unmeasurable(measured: &Measured) -> Option<String> {
     let mut all = measured.total.iter().chain(measured.feet.iter().flatten()).flatten();
     all.find_map(|wrench| {
-        let beyond = |values: [f64; 3]| values.into_iter().find(|value| !is_measurable(*value));
+        let beyond = |vector: DVec3| vector.to_array().into_iter().find(|value| !is_measurable(*value));
         let force = beyond(wrench.force_n).map(|force| format!("a force of {force:e} N"));
         force.or_else(|| Some(format!("a moment of {:e} N m about ground", beyond(wrench.moment_n_m)?)))
     })

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use osim_inspect::{Sign, Verdict, unmatched_patterns};
-use osim_model::feet::dot;
+use osim_model::DVec3;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, Verb, four_significant, listed, phrase, readable};
 use osim_motion::{AngleUnit, FootSummary, LeftOut, ON_BW, OnSole, PlateUse, Summary};
@@ -135,11 +135,10 @@ impl MotionResult {
         if request.belt.is_some() || request.belt_column.is_some() {
             return;
         }
-        let slips: Vec<[f64; 3]> = self.summary.feet.iter().filter_map(|foot| foot.stance_slip_m_s).collect();
+        let slips: Vec<DVec3> = self.summary.feet.iter().filter_map(|foot| foot.stance_slip_m_s).collect();
         let Some(count) = Some(slips.len()).filter(|&count| count > 0) else { return };
-        let mean: [f64; 3] =
-            std::array::from_fn(|i| slips.iter().filter_map(|slip| slip.get(i)).sum::<f64>() / count as f64);
-        let speed = dot(mean, mean).sqrt();
+        let mean = slips.iter().sum::<DVec3>() / count as f64;
+        let speed = mean.length();
         if speed > BELT_M_S {
             remarks.say(
                 "treadmill",
@@ -148,7 +147,7 @@ impl MotionResult {
                         "in stance the feet move over the floor at {} m/s. On a treadmill, say ",
                         two(speed)
                     ),
-                    Input::Belt.being(two(-mean.first().copied().unwrap_or_default())),
+                    Input::Belt.being(two(-mean.x)),
                     ", and slip is taken against the belt"
                 ],
             );

@@ -6,8 +6,8 @@ use osim_model::compare::{BodyFactors, Factors};
 use osim_model::feet::Standing;
 use osim_model::files::FileName;
 use osim_model::{
-    CountOf, Fault, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId, SphereId,
-    Value, loaded_spheres,
+    CountOf, DVec3, Fault, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId,
+    SphereId, Value, loaded_spheres,
 };
 
 use crate::figures::Figures;
@@ -217,7 +217,7 @@ fn spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
         body: sphere.body.clone(),
         line: sphere.line,
         limb: limb_of(sphere.id),
-        lowest_point_m: model.lowest_point_m(sphere.id),
+        lowest_point_m: model.lowest_point_m(sphere.id).map(DVec3::into),
     });
     inspected.collect()
 }

@@ -110,7 +110,7 @@ fn not_down_finding(model: &Model, judged: &JudgedPlane) -> Option<Finding> {
         "gravity is {} m/s2, which points {points} the floor {}, not into it; write <gravity>{}</gravity>",
         model.gravity_m_s2.unwrap_or_default().map(readable).join(" "),
         shown(&judged.plane.name),
-        down.map(readable).join(" "),
+        down.to_array().map(readable).join(" "),
     );
     Some(Finding::new(&GRAVITY_NOT_DOWN, text).on_line(model.gravity_line()))
 }

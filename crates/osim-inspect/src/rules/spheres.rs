@@ -3,13 +3,14 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashMapExt};
+use glam::DVec3;
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{
     BodyShape, Example, Finding, FindingCode, MassRequest, Model, Repair, Rule, Severity, Side, Sphere,
     VerdictOn,
 };
 
-use crate::sides::{BothSides, distance, place_key};
+use crate::sides::{BothSides, place_key};
 
 /// A finding about all of `spheres`, at the first of them; `None` without any.
 pub(super) fn about_spheres<'s>(
@@ -100,23 +101,23 @@ impl<'m> OnBody<'m> {
         Some(Self { shape, bone_m: sides.longest_of_limb_m(body)?, most, sideways })
     }
 
-    fn far<'s>(&self, sphere: &'s Sphere, place_m: [f64; 3]) -> Option<Far<'s>> {
+    fn far<'s>(&self, sphere: &'s Sphere, place_m: DVec3) -> Option<Far<'s>> {
         let far =
             |from_joint_m, most, sideways| Far { sphere, from_joint_m, bone_m: self.bone_m, most, sideways };
-        let altogether = far(self.nearest_joint_m(|joint_m| distance(joint_m, place_m)), self.most, false);
-        if altogether.is_too_far() && !self.is_near(distance(self.shape.centre_m, place_m), PLACE_OF_GYRATION)
+        let altogether = far(self.nearest_joint_m(|joint_m| joint_m.distance(place_m)), self.most, false);
+        if altogether.is_too_far() && !self.is_near(self.shape.centre_m.distance(place_m), PLACE_OF_GYRATION)
         {
             return Some(altogether);
         }
         let axis = self.sideways?;
-        let apart = |other: [f64; 3]| (other[axis] - place_m[axis]).abs();
+        let apart = |other: DVec3| (other[axis] - place_m[axis]).abs();
         let aside = far(self.nearest_joint_m(apart), PLACE_OF_BONE_SIDEWAYS, true);
         let is_near = self.is_near(apart(self.shape.centre_m), PLACE_OF_GYRATION_SIDEWAYS);
         (aside.is_too_far() && !is_near).then_some(aside)
     }
 
     /// How far it is to the nearest joint, m; infinite without joints.
-    fn nearest_joint_m(&self, apart: impl Fn([f64; 3]) -> f64) -> f64 {
+    fn nearest_joint_m(&self, apart: impl Fn(DVec3) -> f64) -> f64 {
         self.shape.joints_m.iter().map(|&joint_m| apart(joint_m)).fold(f64::INFINITY, f64::min)
     }
 
@@ -237,7 +238,7 @@ pub(super) static CROWDED_SPHERES: Rule = Rule {
 
 /// One finding, about the body whose spheres are the most crowded.
 pub(super) fn find_crowded_spheres(sides: &BothSides<'_>) -> Option<Finding> {
-    let mut by_body: BTreeMap<&str, Vec<(&Sphere, [f64; 3])>> = BTreeMap::new();
+    let mut by_body: BTreeMap<&str, Vec<(&Sphere, DVec3)>> = BTreeMap::new();
     for (sphere, body, place_m) in sides.spheres().filter(|(_, body, _)| Side::of_name(body).is_some()) {
         by_body.entry(body).or_default().push((sphere, place_m));
     }
@@ -263,7 +264,7 @@ impl Crowd<'_> {
 }
 
 /// Spheres at one place are doubled, which is another finding.
-fn crowd<'m>(spheres: &[(&'m Sphere, [f64; 3])], bone_m: f64) -> Option<Crowd<'m>> {
+fn crowd<'m>(spheres: &[(&'m Sphere, DVec3)], bone_m: f64) -> Option<Crowd<'m>> {
     let places: BTreeSet<[i64; 3]> = spheres.iter().map(|(_, place_m)| place_key(*place_m)).collect();
     let least_m = spheres.iter().map(|(sphere, _)| sphere.radius.number).fold(f64::INFINITY, f64::min);
     let crowd = Crowd {
@@ -276,11 +277,9 @@ fn crowd<'m>(spheres: &[(&'m Sphere, [f64; 3])], bone_m: f64) -> Option<Crowd<'m
 }
 
 /// The diagonal of the box around the centres, m.
-fn extent_m(spheres: &[(&Sphere, [f64; 3])]) -> f64 {
-    let corner = |start: f64, of: fn(f64, f64) -> f64| -> [f64; 3] {
-        std::array::from_fn(|axis| spheres.iter().map(|(_, place_m)| place_m[axis]).fold(start, of))
-    };
-    distance(corner(f64::INFINITY, f64::min), corner(f64::NEG_INFINITY, f64::max))
+fn extent_m(spheres: &[(&Sphere, DVec3)]) -> f64 {
+    let places = || spheres.iter().map(|(_, place_m)| *place_m);
+    places().fold(DVec3::INFINITY, DVec3::min).distance(places().fold(DVec3::NEG_INFINITY, DVec3::max))
 }
 
 fn describe_crowd(worst: &Crowd<'_>, count: usize) -> Option<String> {

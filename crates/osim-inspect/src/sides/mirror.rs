@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt, HashSet};
+use glam::DVec3;
 use osim_model::{Model, Side, without_side};
 
 /// Sizes of the bones that carry spheres: factors of their meshes, and distances between their joints.
@@ -85,7 +86,8 @@ const CLOSER: f64 = 0.5;
 
 /// OpenSim's own models have z to the right on both sides, so z comes first; some models have another lateral axis, and some have a
 /// left frame in which all three axes are reversed.
-const MIRRORS: [[f64; 3]; 4] = [[1.0, 1.0, -1.0], [1.0, -1.0, 1.0], [-1.0, 1.0, 1.0], [-1.0, -1.0, -1.0]];
+const MIRRORS: [DVec3; 4] =
+    [DVec3::new(1.0, 1.0, -1.0), DVec3::new(1.0, -1.0, 1.0), DVec3::new(-1.0, 1.0, 1.0), DVec3::NEG_ONE];
 
 /// A body on the right and its counterpart on the left.
 ///
@@ -96,18 +98,18 @@ pub(crate) struct BodyPair<'m> {
     pub right: &'m str,
     pub left: &'m str,
     /// The signs that lead from the right frame to the left one; `None` where the frames are not mirror images.
-    signs: Option<[f64; 3]>,
+    signs: Option<DVec3>,
     /// Left over right.
-    sizes: Option<[f64; 3]>,
+    sizes: Option<DVec3>,
     /// The longest bone of the limb, m.
     pub bone_m: Option<f64>,
 }
 
 impl BodyPair<'_> {
     /// Where a place on the right body belongs on the left one: as far from its origin, and as the sizes of the bones have it.
-    pub(crate) fn images(&self, right_m: [f64; 3]) -> Option<[[f64; 3]; 2]> {
-        let mirrored = times(self.signs?, right_m);
-        Some([mirrored, times(self.sizes.unwrap_or([1.0; 3]), mirrored)])
+    pub(crate) fn images(&self, right_m: DVec3) -> Option<[DVec3; 2]> {
+        let mirrored = self.signs? * right_m;
+        Some([mirrored, self.sizes.unwrap_or(DVec3::ONE) * mirrored])
     }
 
     /// The only axis that changes its sign (0, 1 or 2): in the frames of both bodies it leads sideways.
@@ -118,13 +120,13 @@ impl BodyPair<'_> {
     }
 
     /// How far a place on the left body is from the mirror image of one on the right body, m.
-    pub(crate) fn apart_m(&self, right_m: [f64; 3], left_m: [f64; 3]) -> Option<f64> {
+    pub(crate) fn apart_m(&self, right_m: DVec3, left_m: DVec3) -> Option<f64> {
         nearest(self.images(right_m)?, left_m)
     }
 
     /// The axis that would have to change its sign on the left body for the places to be mirror images; `None` if none would
     /// bring them closer than `within_m`.
-    pub(crate) fn other_sign(&self, right_m: [f64; 3], left_m: [f64; 3], within_m: f64) -> Option<char> {
+    pub(crate) fn other_sign(&self, right_m: DVec3, left_m: DVec3, within_m: f64) -> Option<char> {
         let images = self.images(right_m)?;
         let axis = (0..3).find(|&axis| {
             let mut other = left_m;
@@ -135,16 +137,8 @@ impl BodyPair<'_> {
     }
 }
 
-fn nearest(images: [[f64; 3]; 2], place: [f64; 3]) -> Option<f64> {
-    images.into_iter().map(|image| distance(image, place)).reduce(f64::min)
-}
-
-pub(crate) fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
-}
-
-fn times(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|axis| a[axis] * b[axis])
+fn nearest(images: [DVec3; 2], place: DVec3) -> Option<f64> {
+    images.into_iter().map(|image| image.distance(place)).reduce(f64::min)
 }
 
 #[derive(Debug)]
@@ -152,7 +146,7 @@ pub(crate) struct BodyPairs {
     /// By the name without its side; in order, so that sums have the same last bit in each run.
     named: BTreeMap<String, Named>,
     /// The mirror that fits most bodies.
-    usual: [f64; 3],
+    usual: DVec3,
 }
 
 /// Bodies of one name but for its side.
@@ -161,7 +155,7 @@ struct Named {
     right: Option<String>,
     left: Option<String>,
     /// Centres of mass and joints that both have, in the frame of each, m: right, left.
-    marks: Vec<([f64; 3], [f64; 3])>,
+    marks: Vec<(DVec3, DVec3)>,
 }
 
 impl Named {
@@ -204,15 +198,15 @@ impl BodyPairs {
         let (right, left) = names.both()?;
         let bone_m =
             [right, left].into_iter().filter_map(|body| bones.longest_of_limb_m(body)).reduce(f64::max);
-        let sizes = bones.ratios(left, right);
+        let sizes = bones.ratios(left, right).map(DVec3::from);
         let pair = BodyPair { right, left, signs: Some(self.usual), sizes, bone_m };
         let Some(bone_m) = bone_m else { return Some(pair) };
         Some(BodyPair { signs: self.signs(&pair, &names.marks, bone_m), ..pair })
     }
 
     /// The mirror in which the marks of the two bodies are close; `None` if there is none.
-    fn signs(&self, pair: &BodyPair<'_>, marks: &[([f64; 3], [f64; 3])], bone_m: f64) -> Option<[f64; 3]> {
-        let apart = |signs: [f64; 3]| {
+    fn signs(&self, pair: &BodyPair<'_>, marks: &[(DVec3, DVec3)], bone_m: f64) -> Option<DVec3> {
+        let apart = |signs: DVec3| {
             let pair = BodyPair { signs: Some(signs), ..pair.clone() };
             let apart_m = marks.iter().filter_map(|&(right_m, left_m)| pair.apart_m(right_m, left_m));
             apart_m.fold(0.0, f64::max) / bone_m
@@ -225,10 +219,10 @@ impl BodyPairs {
 }
 
 /// The mirror in which the marks of all bodies together are closest.
-fn usual(named: &BTreeMap<String, Named>) -> [f64; 3] {
-    let apart_m = |signs: [f64; 3]| -> f64 {
+fn usual(named: &BTreeMap<String, Named>) -> DVec3 {
+    let apart_m = |signs: DVec3| -> f64 {
         let marks = named.values().flat_map(|names| &names.marks);
-        marks.map(|&(right_m, left_m)| distance(times(signs, right_m), left_m)).sum()
+        marks.map(|&(right_m, left_m)| (signs * right_m).distance(left_m)).sum()
     };
     let of_z = apart_m(MIRRORS[0]);
     let others = MIRRORS.into_iter().map(|signs| (apart_m(signs), signs));
@@ -248,13 +242,13 @@ enum Mark {
 }
 
 /// Centres of mass and joints of the bodies `paired`, which have counterparts.
-fn marks<'m>(model: &Model, paired: &HashSet<&'m str>) -> HashMap<&'m str, BTreeMap<Mark, [f64; 3]>> {
+fn marks<'m>(model: &Model, paired: &HashSet<&'m str>) -> HashMap<&'m str, BTreeMap<Mark, DVec3>> {
     let components = model.components();
-    let mut marks: HashMap<&str, BTreeMap<Mark, [f64; 3]>> = HashMap::new();
+    let mut marks: HashMap<&str, BTreeMap<Mark, DVec3>> = HashMap::new();
     for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
         let Some(&body) = paired.get(components.name(id).as_ref()) else { continue };
         if let Some(centre) = components.doc(id).triple(components.element(id), "mass_center") {
-            marks.entry(body).or_default().insert(Mark::Centre, centre);
+            marks.entry(body).or_default().insert(Mark::Centre, centre.into());
         }
     }
     for joint in model.joints_between_bodies() {
@@ -275,7 +269,7 @@ fn marks<'m>(model: &Model, paired: &HashSet<&'m str>) -> HashMap<&'m str, BTree
 const MOST_AROUND: usize = 64;
 
 /// Pairs of places, as indices of `images` and `others`, that are at most `within_m` apart: the nearest ones first, each place once.
-pub(super) fn near(images: &[[[f64; 3]; 2]], others: &[[f64; 3]], within_m: f64) -> Vec<(usize, usize)> {
+pub(super) fn near(images: &[[DVec3; 2]], others: &[DVec3], within_m: f64) -> Vec<(usize, usize)> {
     if !(within_m.is_finite() && within_m > 0.0) {
         return Vec::new();
     }
@@ -283,7 +277,7 @@ pub(super) fn near(images: &[[[f64; 3]; 2]], others: &[[f64; 3]], within_m: f64)
     let mut found: Vec<(f64, usize, usize)> = Vec::new();
     for (other, &place) in others.iter().enumerate() {
         let around = cells.around(place).take(MOST_AROUND);
-        let apart = around.map(|(image, there)| (distance(there, place), image, other));
+        let apart = around.map(|(image, there)| (there.distance(place), image, other));
         found.extend(apart.filter(|(apart, _, _)| *apart <= within_m));
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
@@ -311,11 +305,11 @@ fn each_once(
 /// Places by the cube of space that they are in, so that what is near is found without looking at all.
 struct Cells {
     side_m: f64,
-    places: HashMap<[i64; 3], Vec<(usize, [f64; 3])>>,
+    places: HashMap<[i64; 3], Vec<(usize, DVec3)>>,
 }
 
 impl Cells {
-    fn of(images: &[[[f64; 3]; 2]], side_m: f64) -> Self {
+    fn of(images: &[[DVec3; 2]], side_m: f64) -> Self {
         let mut cells = Self { side_m, places: HashMap::new() };
         for (index, both) in images.iter().enumerate() {
             let twice = both[0] == both[1];
@@ -327,12 +321,12 @@ impl Cells {
     }
 
     #[expect(clippy::cast_possible_truncation, reason = "a cast of a float ends at the largest number")]
-    fn cell(&self, place: [f64; 3]) -> [i64; 3] {
-        place.map(|value| (value / self.side_m).floor() as i64)
+    fn cell(&self, place: DVec3) -> [i64; 3] {
+        place.to_array().map(|value| (value / self.side_m).floor() as i64)
     }
 
     /// The places in the cell of `place` and those beside it.
-    fn around(&self, place: [f64; 3]) -> impl Iterator<Item = (usize, [f64; 3])> {
+    fn around(&self, place: DVec3) -> impl Iterator<Item = (usize, DVec3)> {
         let [x, y, z] = self.cell(place);
         let beside = |value: i64| [value, value.saturating_sub(1), value.saturating_add(1)];
         let cells = beside(x)
@@ -348,13 +342,14 @@ mod tests {
 
     #[test]
     fn each_place_has_the_nearest_one_that_is_free() {
-        let twice = |x: f64| [[x, 0.0, 0.0]; 2];
-        let others = [[0.011, 0.0, 0.0], [0.002, 0.0, 0.0], [0.5, 0.0, 0.0]];
+        let at = |x: f64| DVec3::new(x, 0.0, 0.0);
+        let twice = |x: f64| [at(x); 2];
+        let others = [0.011, 0.002, 0.5].map(at);
         // 1 mm and 2 mm apart; nothing is near 0.5.
         assert_eq!(near(&[twice(0.0), twice(0.01)], &others, 0.012), [(1, 0), (0, 1)]);
         assert_eq!(near(&[twice(0.0)], &others, f64::NAN), []);
         // Across the border of a cell.
-        assert_eq!(near(&[twice(-1e-9)], &[[1e-9, 0.0, 0.0]], 0.01), [(0, 0)]);
-        assert_eq!(near(&[twice(1e300)], &[[1e300, 0.0, 0.0]], 0.01), [(0, 0)]);
+        assert_eq!(near(&[twice(-1e-9)], &[at(1e-9)], 0.01), [(0, 0)]);
+        assert_eq!(near(&[twice(1e300)], &[at(1e300)], 0.01), [(0, 0)]);
     }
 }

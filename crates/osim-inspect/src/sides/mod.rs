@@ -8,12 +8,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use contact_scaling::{RatioValues, Ratios};
 use foldhash::{HashMap, HashMapExt};
+use glam::DVec3;
 use osim_model::messages::{readable, shown};
 use osim_model::{Force, ForceId, Model, ParameterSet, Property, SetId, Side, Sphere, Value};
 
 use crate::sides::mirror::{BodyPairs, Bones, close};
 use crate::sides::pairs::{Pairs, Users};
-pub(crate) use mirror::distance;
 pub(crate) use pairs::{Alone, Placed, SAME_PLACE, SpherePair, place_key};
 
 /// The contacts of both sides, paired by mirrored place: from [`BothSides::of`].
@@ -132,7 +132,7 @@ impl<'m> BothSides<'m> {
     }
 
     /// All moving spheres that meet a floor, in file order, with their bodies and their places there, m.
-    pub(crate) fn spheres(&self) -> impl Iterator<Item = (&'m Sphere, &'m str, [f64; 3])> {
+    pub(crate) fn spheres(&self) -> impl Iterator<Item = (&'m Sphere, &'m str, DVec3)> {
         self.users.spheres(self.model)
     }
 

@@ -4,6 +4,7 @@
 use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
+use glam::DVec3;
 use osim_model::{Force, Model, ParameterSet, Side, Sphere, SphereId, without_side};
 
 use crate::sides::mirror::{BodyPair, BodyPairs, Bones, near};
@@ -117,7 +118,7 @@ impl<'m> OnBody<'m> {
 
     /// Pairs however far apart.
     fn by_distance(&mut self) -> Vec<(Placed<'m>, Placed<'m>)> {
-        let all = self.right.iter().chain(&self.left).flat_map(|placed| placed.place_m);
+        let all = self.right.iter().chain(&self.left).flat_map(|placed| placed.place_m.to_array());
         let farthest_m = all.map(f64::abs).fold(0.0, f64::max);
         // No two places of a cube are farther apart, and each cell of it is beside all others.
         self.paired_within(4.0 * farthest_m)
@@ -127,7 +128,7 @@ impl<'m> OnBody<'m> {
         let images: Option<Vec<_>> =
             self.right.iter().map(|placed| self.pair.images(placed.place_m)).collect();
         let Some(images) = images else { return Vec::new() };
-        let others: Vec<[f64; 3]> = self.left.iter().map(|placed| placed.place_m).collect();
+        let others: Vec<DVec3> = self.left.iter().map(|placed| placed.place_m).collect();
         let found = near(&images, &others, within_m);
         take(&mut self.right, &mut self.left, &found)
     }
@@ -173,7 +174,7 @@ pub(crate) struct Placed<'m> {
     pub sphere: &'m Sphere,
     pub body: &'m str,
     pub side: Side,
-    pub place_m: [f64; 3],
+    pub place_m: DVec3,
 }
 
 /// The parameter sets by which each sphere meets a floor, in file order.
@@ -201,7 +202,7 @@ impl<'m> Users<'m> {
     }
 
     /// The moving spheres, in file order, with their places on their bodies.
-    pub(crate) fn spheres(&self, model: &'m Model) -> impl Iterator<Item = (&'m Sphere, &'m str, [f64; 3])> {
+    pub(crate) fn spheres(&self, model: &'m Model) -> impl Iterator<Item = (&'m Sphere, &'m str, DVec3)> {
         let spheres = self.0.keys().filter_map(|&id| model.sphere(id)).filter(|sphere| !sphere.fixed);
         spheres.filter_map(|sphere| Some((sphere, sphere.body.as_deref()?, model.centre_m(sphere.id)?)))
     }
@@ -219,6 +220,6 @@ impl<'m> Users<'m> {
 
 /// Equal for places that are one.
 #[expect(clippy::cast_possible_truncation, reason = "a cast of a float ends at the largest number")]
-pub(crate) fn place_key(place_m: [f64; 3]) -> [i64; 3] {
-    place_m.map(|value| (value / SAME_PLACE_M).round() as i64)
+pub(crate) fn place_key(place_m: DVec3) -> [i64; 3] {
+    place_m.to_array().map(|value| (value / SAME_PLACE_M).round() as i64)
 }

@@ -4,9 +4,10 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use foldhash::HashMap;
+use glam::DVec3;
 
 use super::fault::FeetFault;
-use super::mesh::{MeshFault, Surface, is_length, mesh_points, mesh_surface};
+use super::mesh::{MeshFault, Surface, is_length, length, mesh_points, mesh_surface};
 use crate::messages::{shown, three_significant};
 use crate::model::files::Files;
 use crate::model::{AttachedMesh, Model, Side, probable_units};
@@ -131,7 +132,7 @@ pub fn attached_surface(
 }
 
 fn on_body(attached: &AttachedMesh, mirrored: bool, [x, y, z]: [f64; 3]) -> [f64; 3] {
-    attached.on_body([x, y, if mirrored { -z } else { z }])
+    attached.on_body([x, y, if mirrored { -z } else { z }]).to_array()
 }
 
 /// The file of a mesh.
@@ -324,11 +325,8 @@ pub fn odd_size(model: &Model, bone: &Bone) -> Option<OddMesh> {
 
 /// The diagonal of the box around the points, m.
 fn length_m(bone: &Bone) -> f64 {
-    let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| {
-        let along = || bone.points_m.iter().map(|point| point[axis]);
-        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
-    });
-    x.hypot(y).hypot(z)
+    let points = || bone.points_m.iter().copied().map(DVec3::from);
+    length(points().fold(DVec3::NEG_INFINITY, DVec3::max) - points().fold(DVec3::INFINITY, DVec3::min))
 }
 
 /// Factors that would fit, or another bone.

@@ -5,6 +5,7 @@ use std::ops::Deref;
 use std::sync::Arc;
 
 use foldhash::{HashMap, HashSet};
+use glam::DVec3;
 
 use super::default_pose::{DefaultPose, Welds};
 use super::vector::angle;
@@ -43,9 +44,9 @@ pub struct ContactPlane {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlaneSurface {
     /// Its outward normal, of length 1.
-    pub normal: [f64; 3],
+    pub normal: DVec3,
     /// A point of it, m.
-    pub point_m: [f64; 3],
+    pub point_m: DVec3,
     /// The angle between its normal and up, which is against gravity, rad: 0 for a level floor, π upside down.
     pub tilt_rad: f64,
     /// The half-space's own orientation, rad, with which it would be level.
@@ -100,8 +101,12 @@ impl PlaneSurface {
         };
         let (normal, point_m) = (carrier.rotation.to_body(normal), carrier.point(point_m));
         let level_orientation = plane.orientation_facing(carrier.rotation.inverse().to_body(model.up()))?;
-        let finite = point_m.iter().all(|value| value.is_finite());
-        finite.then(|| Self { normal, point_m, tilt_rad: angle(normal, model.up()), level_orientation })
+        point_m.is_finite().then(|| Self {
+            normal,
+            point_m,
+            tilt_rad: angle(normal, model.up()),
+            level_orientation,
+        })
     }
 }
 
@@ -171,14 +176,13 @@ pub fn sphere_pairs(model: &Model, pose: &DefaultPose, force: &Force) -> Vec<Sph
 }
 
 fn gap_m(model: &Model, pose: &DefaultPose, one: &Sphere, other: &Sphere) -> Result<f64, String> {
-    let (a, b) = (centre_m(model, pose, one)?, centre_m(model, pose, other)?);
-    let distance = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt();
+    let distance = centre_m(model, pose, one)?.distance(centre_m(model, pose, other)?);
     let radius = |sphere: &Sphere| sphere.radius_m().map_err(|fault| fault.to_string());
     Ok(distance - radius(one)? - radius(other)?)
 }
 
 /// The centre of `sphere` in ground.
-fn centre_m(model: &Model, pose: &DefaultPose, sphere: &Sphere) -> Result<[f64; 3], String> {
+fn centre_m(model: &Model, pose: &DefaultPose, sphere: &Sphere) -> Result<DVec3, String> {
     let unread = || format!("the place of {} cannot be read", sphere.path);
     let place = model.centre_m(sphere.id).ok_or_else(unread)?;
     match &sphere.body {

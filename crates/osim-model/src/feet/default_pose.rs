@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 use std::sync::Arc;
 
 use foldhash::{HashMap, HashMapExt, HashSet};
+use glam::DVec3;
 
 use super::couplers::CoordinateValues;
 use super::fault::PoseFault;
@@ -25,7 +26,7 @@ const SAME: f64 = 1e-9;
 /// <socket_child_frame>/bodyset/foot</socket_child_frame><coordinates><Coordinate name="x"><default_value>0.5</default_value>
 /// </Coordinate></coordinates></SliderJoint></objects></JointSet></Model></OpenSimDocument>"#;
 /// let model = osim_model::Model::parse(text)?;
-/// assert_eq!(DefaultPose::of(&model).placement("foot").map(|there| there.translation_m), Ok([0.5, 0.0, 0.0]));
+/// assert_eq!(DefaultPose::of(&model).placement("foot").map(|there| there.translation_m), Ok(0.5 * DVec3::X));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -125,18 +126,15 @@ impl Places<'_> {
         }
         let unknown = || PoseFault::Joint { joint: joint.name.clone(), class: joint.class.clone() };
         let placement = joint.placement(self.model, &values).ok_or_else(unknown)?;
-        let origin = placement.point([1.0; 3]);
-        if origin.iter().all(|value| value.is_finite()) { Ok(placement) } else { Err(unknown()) }
+        if placement.point(DVec3::ONE).is_finite() { Ok(placement) } else { Err(unknown()) }
     }
 }
 
 /// Whether two ways end at one place; if one is not known, the other counts.
 fn same(known: &Result<Placement, PoseFault>, other: &Result<Placement, PoseFault>) -> bool {
     let (Ok(known), Ok(other)) = (known, other) else { return true };
-    [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].into_iter().all(|point| {
-        let pairs = known.point(point).into_iter().zip(other.point(point));
-        pairs.into_iter().all(|(a, b)| (a - b).abs() <= SAME)
-    })
+    let places = [DVec3::ZERO, DVec3::X, DVec3::Y];
+    places.into_iter().all(|point| known.point(point).abs_diff_eq(other.point(point), SAME))
 }
 
 // The way from ground over all joints.

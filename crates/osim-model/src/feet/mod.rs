@@ -60,4 +60,4 @@ pub use standing::{
     ByLaw, LEANING_RAD, LevelledSphere, Lift, NotLevelled, NotLifted, OverFloor, Rest, RestingSphere,
     Standing, levelled,
 };
-pub use vector::{angle, dot};
+pub use vector::angle;

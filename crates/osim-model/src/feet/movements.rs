@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use foldhash::{HashMap, HashMapExt};
+use glam::DVec3;
 
 use super::couplers::{CoordinateValues, Held, HeldCoordinates};
 use crate::model::{Model, ModelJoint, Placement};
@@ -193,8 +194,8 @@ fn unwritten(class: &str) -> Freedom {
 }
 
 fn moved_by(here: &Placement, there: &Placement) -> Freedom {
-    let differ = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).any(|(a, b)| (a - b).abs() > SAME);
-    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let turns = axes.iter().any(|&axis| differ(here.rotation.to_body(axis), there.rotation.to_body(axis)));
+    let differ = |a: DVec3, b: DVec3| (a - b).abs().cmpgt(DVec3::splat(SAME)).any();
+    let turned = |axis| differ(here.rotation.to_body(axis), there.rotation.to_body(axis));
+    let turns = DVec3::AXES.into_iter().any(turned);
     Freedom { turns, slides: !turns && differ(here.translation_m, there.translation_m) }
 }

@@ -1,5 +1,7 @@
 //! How soles lie at the default pose: whether they are flat, and whether left and right are posed alike.
 
+use glam::DVec3;
+
 use super::couplers::CoordinateValues;
 use super::default_pose::DefaultPose;
 use super::sole::Sole;
@@ -45,7 +47,7 @@ impl Sole {
             for (index, coordinate) in joint.coordinates.iter().enumerate() {
                 let mut without = own.clone();
                 let Some(value) = without.get_mut(index).map(std::mem::take) else { continue };
-                let tilts = up(&own).zip(up(&without)).is_some_and(|(a, b)| distance(a, b) > TILTS);
+                let tilts = up(&own).zip(up(&without)).is_some_and(|(a, b)| a.distance(b) > TILTS);
                 if tilts && !found.iter().any(|known| known.name == coordinate.name) {
                     found.push(Tilting { name: coordinate.name.clone(), value });
                 }
@@ -109,14 +111,11 @@ impl Tilting {
     }
 }
 
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
-}
-
 // Whether two feet are posed as mirror images of each other.
 
 /// Frames of left bodies are mirror images of those of right ones along one of their axes: nearly always z.
-const MIRRORS: [[f64; 3]; 3] = [[1.0, 1.0, -1.0], [1.0, -1.0, 1.0], [-1.0, 1.0, 1.0]];
+const MIRRORS: [DVec3; 3] =
+    [DVec3::new(1.0, 1.0, -1.0), DVec3::new(1.0, -1.0, 1.0), DVec3::new(-1.0, 1.0, 1.0)];
 
 impl Sole {
     /// By how much the poses of this foot and `other` differ from mirror images of each other at the default pose of `model`, rad: the
@@ -129,21 +128,19 @@ impl Sole {
             let counterpart = other.bodies.iter().find(|other| without_side(other) == without_side(body))?;
             Some((pose.placement(body).ok()?, pose.placement(counterpart).ok()?))
         };
-        let seen = |own: &Placement, there: &Placement, direction: [f64; 3], mirrored: [f64; 3]| {
+        let seen = |own: &Placement, there: &Placement, direction: DVec3, mirrored: DVec3| {
             (own.rotation.inverse().to_body(direction), there.rotation.inverse().to_body(mirrored))
         };
         let pairs: Vec<_> = self.bodies.iter().filter_map(pair).collect();
         let up = pairs.iter().map(|(own, there)| seen(own, there, self.up, other.up));
         // One way from foot to foot is enough: where a foot is turned, its foremost body is elsewhere, too.
         let across = pairs.first().map(|(own, there)| {
-            let outwards: [f64; 3] = std::array::from_fn(|i| own.translation_m[i] - there.translation_m[i]);
-            seen(own, there, outwards, outwards.map(|value| -value))
+            let outwards = own.translation_m - there.translation_m;
+            seen(own, there, outwards, -outwards)
         });
         let seen: Vec<_> = up.chain(across).collect();
-        let apart = |mirror: [f64; 3]| {
-            let mirrored = |there: [f64; 3]| std::array::from_fn(|i| mirror[i] * there[i]);
-            seen.iter().map(|(own, there)| angle(*own, mirrored(*there))).fold(0.0, f64::max)
-        };
+        let apart =
+            |mirror: DVec3| seen.iter().map(|(own, there)| angle(*own, mirror * *there)).fold(0.0, f64::max);
         (!seen.is_empty()).then(|| MIRRORS.into_iter().map(apart).fold(f64::INFINITY, f64::min))
     }
 }

@@ -1,16 +1,52 @@
-//! Vectors in space.
+//! Angles between vectors in space; distances and the convex hull of points of a plane.
 
-use crate::model::cross;
-
-/// a · b.
-pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
+use glam::{DVec2, DVec3};
 
 /// The angle between two vectors, rad, from 0 to π: atan2(|a × b|, a · b), which is exact near 0 and π, too.
-pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let across = cross(a, b);
-    libm::atan2(dot(across, across).sqrt(), dot(a, b))
+pub fn angle(a: DVec3, b: DVec3) -> f64 {
+    libm::atan2(a.cross(b).length(), a.dot(b))
+}
+
+/// How far apart two points are.
+pub(super) fn distance(a: DVec2, b: DVec2) -> f64 {
+    libm::hypot(a.x - b.x, a.y - b.y)
+}
+
+/// Twice the area of a triangle; positive if its corners go round the other way than a clock.
+pub(super) fn twice_area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    (b - a).perp_dot(c - a)
+}
+
+/// Sorts points along x, then y, and keeps each once.
+pub(super) fn sort_once(points: &mut Vec<DVec2>) {
+    points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
+    points.dedup();
+}
+
+/// The corners of the convex hull, the other way round than a clock goes, from the one with the least x on; `points` are sorted, each
+/// once. Corners in a line are left out. (Andrew, A. M. (1979): Another efficient algorithm for convex hulls in two dimensions.)
+pub(super) fn hull(points: &[DVec2]) -> Vec<DVec2> {
+    if points.len() < 2 {
+        return points.to_vec();
+    }
+    let mut corners = half(points.iter().copied());
+    corners.extend(half(points.iter().rev().copied()));
+    corners
+}
+
+/// The lower side of points from left to right, or the upper one from right to left, without its last corner.
+fn half(points: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
+    let mut chain: Vec<DVec2> = Vec::new();
+    for point in points {
+        while let [.., a, b] = chain[..]
+            && twice_area(a, b, point) <= 0.0
+        {
+            chain.pop();
+        }
+        chain.push(point);
+    }
+    chain.pop();
+    chain
 }
 
 #[cfg(test)]
@@ -21,12 +57,32 @@ mod tests {
 
     #[test]
     fn angles_need_no_unit_vectors() {
-        assert_eq!(angle([0.0, 2.0, 0.0], [0.0, 3.0, 0.0]), 0.0);
-        assert_eq!(angle([0.0, 2.0, 0.0], [0.0, 0.0, -5.0]), FRAC_PI_2);
-        assert_eq!(angle([0.0, 1.0, 0.0], [0.0, -1.0, 0.0]), PI);
-        assert!((angle([1.0, 1.0, 0.0], [0.0, 7.0, 0.0]) - FRAC_PI_4).abs() < 1e-15);
+        let at = DVec3::new;
+        assert_eq!(angle(at(0.0, 2.0, 0.0), at(0.0, 3.0, 0.0)), 0.0);
+        assert_eq!(angle(at(0.0, 2.0, 0.0), at(0.0, 0.0, -5.0)), FRAC_PI_2);
+        assert_eq!(angle(at(0.0, 1.0, 0.0), at(0.0, -1.0, 0.0)), PI);
+        assert!((angle(at(1.0, 1.0, 0.0), at(0.0, 7.0, 0.0)) - FRAC_PI_4).abs() < 1e-15);
         // 3 to 4: tan a = 3/4. Small angles keep their digits, which an arc cosine loses.
-        assert!((angle([3.0, 4.0, 0.0], [0.0, 1.0, 0.0]) - 0.75_f64.atan()).abs() < 1e-15);
-        assert!((angle([1e-9, 1.0, 0.0], [0.0, 1.0, 0.0]) - 1e-9).abs() < 1e-24);
+        assert!((angle(at(3.0, 4.0, 0.0), DVec3::Y) - 0.75_f64.atan()).abs() < 1e-15);
+        assert!((angle(at(1e-9, 1.0, 0.0), DVec3::Y) - 1e-9).abs() < 1e-24);
+    }
+
+    fn places(points: &[[f64; 2]]) -> Vec<DVec2> {
+        points.iter().copied().map(DVec2::from).collect()
+    }
+
+    #[test]
+    fn the_hull_of_a_square_has_four_corners() {
+        let square = [[0.0, 0.0], [0.0, 1.0], [0.0, 2.0], [0.5, 1.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0]];
+        let corners = places(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
+        assert_eq!(hull(&places(&square)), corners);
+    }
+
+    #[test]
+    fn lines_and_points_have_hulls_too() {
+        assert_eq!(hull(&[DVec2::ONE]), [DVec2::ONE]);
+        let line = places(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]);
+        assert_eq!(hull(&line), places(&[[0.0, 0.0], [2.0, 2.0]]));
+        assert!(hull(&[]).is_empty());
     }
 }

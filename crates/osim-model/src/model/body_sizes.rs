@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashMapExt};
+use glam::DVec3;
 
 use crate::model::anatomy::bone_sizes::{GEOMETRY_SETS, mesh_file, mesh_scale};
 use crate::model::anatomy::joints::on_base;
@@ -11,7 +12,6 @@ use crate::model::contacts::{Sphere, moving_spheres};
 use crate::model::document::Document;
 use crate::model::note::{BodySize, Note};
 use crate::model::placement::{Placement, six_digits};
-use crate::model::rotation::times;
 use crate::model::typed_model::Model;
 use crate::xml::{ElementId, opensim_text};
 
@@ -32,8 +32,8 @@ pub struct AttachedMesh {
 
 impl AttachedMesh {
     /// A point of the file on the body, m.
-    pub fn on_body(&self, point: [f64; 3]) -> [f64; 3] {
-        self.placement.point(times(self.factors, point))
+    pub fn on_body(&self, point: [f64; 3]) -> DVec3 {
+        self.placement.point(DVec3::from(self.factors) * DVec3::from(point))
     }
 }
 
@@ -94,9 +94,9 @@ fn of_set(document: &Document, body: ElementId) -> Vec<Attached> {
     geometries
         .filter(|&geometry| tree.name(geometry) == "DisplayGeometry")
         .map(|geometry| {
-            let factors = times(whole.0, mesh_scale(document, geometry)).map(six_digits);
+            let factors = DVec3::from(whole.0) * DVec3::from(mesh_scale(document, geometry));
             let placement = whole.1.then(&mesh_placement(document, geometry)).in_six_digits();
-            (mesh_file(document, geometry, "geometry_file"), factors, placement)
+            (mesh_file(document, geometry, "geometry_file"), factors.to_array().map(six_digits), placement)
         })
         .collect()
 }
@@ -123,12 +123,12 @@ fn mesh_placement(document: &Document, element: ElementId) -> Placement {
 #[derive(Debug, Clone, Default)]
 pub struct BodyShape {
     /// Its centre of mass, m.
-    pub centre_m: [f64; 3],
+    pub centre_m: DVec3,
     /// The root mean square of the distance of its mass from that centre, m: √(½ trace(I)/m). `None` where mass or inertia is not
     /// above 0.
     pub gyration_m: Option<f64>,
     /// Its joints, also those to ground, m.
-    pub joints_m: Vec<[f64; 3]>,
+    pub joints_m: Vec<DVec3>,
 }
 
 impl Model {
@@ -155,12 +155,12 @@ impl BodyShape {
 }
 
 fn shape_of(components: &Components, body: ComponentId) -> BodyShape {
-    let centre_m = components.doc(body).triple(components.element(body), "mass_center").unwrap_or_default();
+    let centre_m = components.doc(body).triple(components.element(body), "mass_center");
     let gyration_m = number(components, body, "mass")
         .zip(trace(components, body))
         .map(|(mass, trace)| (trace / 2.0 / mass).sqrt());
     let gyration_m = gyration_m.filter(|radius| radius.is_finite() && *radius > 0.0);
-    BodyShape { centre_m, gyration_m, joints_m: Vec::new() }
+    BodyShape { centre_m: centre_m.unwrap_or_default().into(), gyration_m, joints_m: Vec::new() }
 }
 
 /// Ixx + Iyy + Izz, which documents before version 4 have in elements of their own.

@@ -72,7 +72,7 @@ pub use note::{
 };
 pub use placement::{MovingPlacement, Placement};
 pub use property::{Class, Origin, Property, Value};
-pub use rotation::{Axis, LevelAxis, Rotation, cross};
+pub use rotation::{Axis, LevelAxis, Rotation};
 pub use rules::RULES;
 pub use selection::{Selected, Selection};
 pub use sized::{Dimension, NotRead, SizedKind, SizedValue, SizedValues};

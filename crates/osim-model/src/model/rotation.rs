@@ -1,18 +1,24 @@
 //! Rotations of frames, and the axis that points up in them.
 
-/// Rotation of a frame in its body, row by row.
+use glam::{DMat3, DVec3};
+
+/// Rotation of a frame in its body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rotation([[f64; 3]; 3]);
+pub struct Rotation(DMat3);
 
 impl Rotation {
-    pub const IDENTITY: Self = Self([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+    pub const IDENTITY: Self = Self(DMat3::IDENTITY);
+
+    fn of_rows(rows: [[f64; 3]; 3]) -> Self {
+        Self(DMat3::from_cols_array_2d(&rows).transpose())
+    }
 
     /// From OpenSim's `orientation`: body-fixed angles about x, then y, then z, in rad.
     pub fn body_fixed_xyz([x, y, z]: [f64; 3]) -> Self {
         let (sx, cx) = (libm::sin(x), libm::cos(x));
         let (sy, cy) = (libm::sin(y), libm::cos(y));
         let (sz, cz) = (libm::sin(z), libm::cos(z));
-        Self([
+        Self::of_rows([
             [cy * cz, -cy * sz, sy],
             [cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy],
             [sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy],
@@ -21,42 +27,42 @@ impl Rotation {
 
     /// The angular velocity (rad/s) of a frame whose body-fixed `angles` about x, y and z (rad) change at `rates` (rad/s), seen from
     /// the body.
-    pub fn body_fixed_velocity([x, y, _]: [f64; 3], rates: [f64; 3]) -> [f64; 3] {
+    pub fn body_fixed_velocity([x, y, _]: [f64; 3], rates: [f64; 3]) -> DVec3 {
         let (sx, cx) = (libm::sin(x), libm::cos(x));
         let (sy, cy) = (libm::sin(y), libm::cos(y));
         let [about_x, about_y, about_z] = rates;
-        [about_x + sy * about_z, cx * about_y - sx * cy * about_z, sx * about_y + cx * cy * about_z]
+        DVec3::new(about_x + sy * about_z, cx * about_y - sx * cy * about_z, sx * about_y + cx * cy * about_z)
     }
 
     /// The angles about x, then y, then z (rad) that make this rotation, as OpenSim's `orientation` has them.
     pub fn to_body_fixed_xyz(&self) -> [f64; 3] {
-        let [[xx, xy, xz], [_, _, yz], [_, _, zz]] = self.0;
+        let [[xx, xy, xz], [_, _, yz], [_, _, zz]] = self.inverse().0.to_cols_array_2d();
         let cosine = libm::sqrt(xx * xx + xy * xy);
         [libm::atan2(-yz, zz), libm::atan2(xz, cosine), libm::atan2(-xy, xx)]
     }
 
     /// `first`, then this rotation: the product of their matrices.
     pub fn after(&self, first: &Self) -> Self {
-        let cell = |i: usize, j: usize| (0..3).map(|k| self.0[i][k] * first.0[k][j]).sum();
-        Self(std::array::from_fn(|i| std::array::from_fn(|j| cell(i, j))))
+        Self(self.0 * first.0)
     }
 
     /// R v: a vector of the frame, seen from the body.
-    pub fn to_body(&self, vector: [f64; 3]) -> [f64; 3] {
-        std::array::from_fn(|i| (0..3).map(|k| self.0[i][k] * vector[k]).sum())
+    pub fn to_body(&self, vector: impl Into<DVec3>) -> DVec3 {
+        self.0 * vector.into()
     }
 
     /// Rotation by `angle` (rad) about `axis`, which need not have length 1: Rodrigues' formula, R v = v cos a + (u × v) sin a +
     /// u (u · v)(1 − cos a) with u = axis/|axis|. An axis without length or an angle of 0 turns nothing.
-    pub fn about([x, y, z]: [f64; 3], angle: f64) -> Self {
-        let length = libm::sqrt(x * x + y * y + z * z);
+    pub fn about(axis: impl Into<DVec3>, angle: f64) -> Self {
+        let axis = axis.into();
+        let length = axis.length();
         if angle == 0.0 || length == 0.0 {
             return Self::IDENTITY;
         }
-        let [x, y, z] = [x / length, y / length, z / length];
+        let DVec3 { x, y, z } = axis / length;
         let (s, c) = (libm::sin(angle), libm::cos(angle));
         let t = 1.0 - c;
-        Self([
+        Self::of_rows([
             [t * x * x + c, t * x * y - s * z, t * x * z + s * y],
             [t * x * y + s * z, t * y * y + c, t * y * z - s * x],
             [t * x * z - s * y, t * y * z + s * x, t * z * z + c],
@@ -65,26 +71,17 @@ impl Rotation {
 
     /// Rᵀ: back from the body to the frame.
     pub fn inverse(&self) -> Self {
-        Self(std::array::from_fn(|i| std::array::from_fn(|j| self.0[j][i])))
+        Self(self.0.transpose())
     }
 
     /// RᵀSR v: `vector` of a frame that is turned by R, after a scaling by `factors` (S) along the axes of the body.
     pub fn scaled_in_frame(&self, factors: [f64; 3], vector: [f64; 3]) -> [f64; 3] {
+        let (factors, vector) = (DVec3::from(factors), DVec3::from(vector));
         if *self == Self::IDENTITY {
-            return times(factors, vector);
+            return (factors * vector).to_array();
         }
-        let scaled = times(factors, self.to_body(vector));
-        std::array::from_fn(|i| (0..3).map(|k| self.0[k][i] * scaled[k]).sum())
+        self.inverse().to_body(factors * self.to_body(vector)).to_array()
     }
-}
-
-pub fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
-    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
-}
-
-/// Axis by axis.
-pub(crate) fn times(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
 }
 
 /// Two axes this close to up (difference of their cosines) are equally near.
@@ -106,7 +103,7 @@ impl Axis {
 
     /// The axis with the largest component of `vector` (without its sign). `own` wins a tie: another axis has to be larger by
     /// more than `tie`.
-    fn largest(vector: [f64; 3], own: Self, tie: f64) -> Self {
+    fn largest(vector: DVec3, own: Self, tie: f64) -> Self {
         let size = |axis: Self| vector[axis.index()].abs();
         Self::ALL.into_iter().fold(own, |best, axis| if size(axis) > size(best) + tie { axis } else { best })
     }
@@ -139,7 +136,7 @@ impl LevelAxis {
     /// The axis of the body nearest to −`gravity` (m/s², in ground); y where a model has no gravity.
     pub fn of_gravity(gravity: Option<[f64; 3]>) -> Self {
         let gravity = gravity.unwrap_or([0.0, -1.0, 0.0]);
-        let axis = Axis::largest(gravity, Axis::Y, 0.0);
+        let axis = Axis::largest(gravity.into(), Axis::Y, 0.0);
         Self { axis, down: gravity[axis.index()] > 0.0, of_body: true }
     }
 
@@ -150,17 +147,15 @@ impl LevelAxis {
         }
         let sign = if self.down { -1.0 } else { 1.0 };
         // The body's axis in the frame: a row of its rotation. The body's own axis wins a tie.
-        let turned: [f64; 3] = rotation.0[self.axis.index()].map(|value| sign * value);
+        let turned = sign * rotation.0.row(self.axis.index());
         let axis = Axis::largest(turned, self.axis, TIE);
         Self { axis, down: turned[axis.index()] < 0.0, of_body: false }
     }
 
-    fn up(self) -> [f64; 3] {
-        std::array::from_fn(|index| match index == self.axis.index() {
-            true if self.down => -1.0,
-            true => 1.0,
-            false => 0.0,
-        })
+    fn up(self) -> DVec3 {
+        let mut up = DVec3::ZERO;
+        up[self.axis.index()] = if self.down { -1.0 } else { 1.0 };
+        up
     }
 
     /// Where the centre goes (m) so that the bottom stays on the sole: the bottom point is `scaled` with the body, and the new
@@ -173,9 +168,8 @@ impl LevelAxis {
         scaled: impl Fn([f64; 3]) -> [f64; 3],
     ) -> [f64; 3] {
         let up = self.up();
-        let bottom = std::array::from_fn(|i| centre[i] - old_radius * up[i]);
-        let bottom = scaled(bottom);
-        std::array::from_fn(|i| bottom[i] + new_radius * up[i])
+        let bottom = scaled((DVec3::from(centre) - old_radius * up).to_array());
+        (DVec3::from(bottom) + new_radius * up).to_array()
     }
 }
 
@@ -199,7 +193,7 @@ mod tests {
         let (a, b) = (0.3_f64, 0.7_f64);
         let turned = Rotation::body_fixed_xyz([a, b, 0.0]);
         for (i, expected) in [b.sin(), -a.sin() * b.cos(), a.cos() * b.cos()].into_iter().enumerate() {
-            assert!((turned.0[i][2] - expected).abs() < 1e-15);
+            assert!((turned.0.z_axis[i] - expected).abs() < 1e-15);
         }
     }
 
@@ -215,19 +209,15 @@ mod tests {
     fn turning_about_an_axis_is_turning_by_body_fixed_angles() {
         let quarter = std::f64::consts::FRAC_PI_2;
         // Right-handed: about z, x becomes y; about twice y, z becomes x.
-        let [x, y, z] = Rotation::about([0.0, 0.0, 1.0], quarter).to_body([1.0, 0.0, 0.0]);
+        let DVec3 { x, y, z } = Rotation::about(DVec3::Z, quarter).to_body(DVec3::X);
         assert!(x.abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && z == 0.0);
-        let [x, y, z] = Rotation::about([0.0, 2.0, 0.0], quarter).to_body([0.0, 0.0, 1.0]);
+        let DVec3 { x, y, z } = Rotation::about([0.0, 2.0, 0.0], quarter).to_body(DVec3::Z);
         assert!((x - 1.0).abs() < 1e-15 && y == 0.0 && z.abs() < 1e-15);
         // A third of a turn about (1, 1, 1) carries x to y, y to z, z to x; its inverse carries back.
         let third = Rotation::about([1.0, 1.0, 1.0], std::f64::consts::TAU / 3.0);
         let turned = third.to_body([1.0, 2.0, 3.0]);
-        for (value, expected) in turned.into_iter().zip([3.0, 1.0, 2.0]) {
-            assert!((value - expected).abs() < 1e-14);
-        }
-        for (value, expected) in third.inverse().to_body(turned).into_iter().zip([1.0, 2.0, 3.0]) {
-            assert!((value - expected).abs() < 1e-14);
-        }
+        assert!(turned.abs_diff_eq(DVec3::new(3.0, 1.0, 2.0), 1e-14));
+        assert!(third.inverse().to_body(turned).abs_diff_eq(DVec3::new(1.0, 2.0, 3.0), 1e-14));
         assert_eq!(Rotation::about([0.0; 3], 1.0), Rotation::IDENTITY);
     }
 
@@ -244,8 +234,8 @@ mod tests {
     fn up_is_found_in_a_turned_frame() {
         let up = LevelAxis::of_gravity(None);
         // A quarter turn about z: the frame's x is the body's y; about x: its z is the body's -y.
-        let about_z = Rotation([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
-        let about_x = Rotation([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]);
+        let about_z = Rotation::of_rows([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+        let about_x = Rotation::of_rows([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]);
         assert_eq!(up.in_frame(&about_z), LevelAxis { axis: Axis::X, down: false, of_body: false });
         assert_eq!(up.in_frame(&about_x), LevelAxis { axis: Axis::Z, down: true, of_body: false });
         let given = LevelAxis { axis: Axis::Y, down: false, of_body: false };

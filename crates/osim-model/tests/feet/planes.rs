@@ -5,7 +5,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use osim_model::feet::{ContactPlane, DefaultPose, Movements, PlaneSurface};
-use osim_model::{Model, Rotation};
+use osim_model::{DVec3, Model, Rotation};
 
 /// A ball over a platform, each on a joint of its own: `platform` is that of the platform, `plane` and `forces` are the geometry.
 fn model(platform: &str, plane: &str, forces: &str) -> Model {
@@ -66,9 +66,8 @@ fn the_surface(model: &Model) -> PlaneSurface {
 }
 
 #[track_caller]
-fn near(value: [f64; 3], expected: [f64; 3]) {
-    let close = value.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-15);
-    assert!(close, "{value:?}, expected {expected:?}");
+fn near(value: DVec3, expected: [f64; 3]) {
+    assert!(value.abs_diff_eq(expected.into(), 1e-15), "{value:?}, expected {expected:?}");
 }
 
 #[test]
@@ -120,7 +119,7 @@ fn a_plane_inside_a_force_of_early_moco_is_a_plane() {
     let surface = the_surface(&model);
     // Upside down: the turn has the other sign.
     near(surface.normal, [0.0, -1.0, 0.0]);
-    assert_eq!((surface.point_m, surface.tilt_rad), ([0.0, 0.25, 0.0], PI));
+    assert_eq!((surface.point_m, surface.tilt_rad), (DVec3::new(0.0, 0.25, 0.0), PI));
     near(surface.level_orientation, [0.0, 0.0, -FRAC_PI_2]);
     let planes = planes(&model);
     assert_eq!((planes[0].name.as_str(), planes[0].spheres.len()), ("heel", 1));

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::feet::{Bone, DefaultPose, FloorPlace, Foot, FootBodies, FootFrame};
-use osim_model::{Anatomy, Model, Side, SphereId};
+use osim_model::{Anatomy, DVec3, Model, Side, SphereId};
 
 /// A model of a pelvis with two legs of one body each (calcn_r, calcn_l) and toes on each; `joint` holds the pelvis to ground.
 /// Each foot is 0.1 m to its side and 0.9 m below the pelvis, its toes 0.2 m before it.
@@ -72,11 +72,8 @@ fn feet(model: &Model) -> Feet {
 }
 
 #[track_caller]
-fn close(seen: [f64; 3], expected: [f64; 3]) {
-    assert!(
-        seen.into_iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-12),
-        "{seen:?}, expected {expected:?}"
-    );
+fn close(seen: DVec3, expected: [f64; 3]) {
+    assert!(seen.abs_diff_eq(expected.into(), 1e-12), "{seen:?}, expected {expected:?}");
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use osim_model::feet::{Bone, FeetFault, MeshFolders, Sole, SoleRequest, bones, soles};
 use osim_model::files::{Files, InMemory};
-use osim_model::{Model, Side};
+use osim_model::{DVec3, Model, Side};
 
 use crate::given::Folder;
 
@@ -29,12 +29,12 @@ fn laid(name: &str, bodies: &[&str], count: usize) -> Vec<Sole> {
 }
 
 /// Along the ground, where up is y: forward and to the right.
-fn flat([x, _, z]: [f64; 3]) -> [f64; 2] {
-    [x, z]
+fn flat(place: DVec3) -> [f64; 2] {
+    [place.x, place.z]
 }
 
 /// Whether a point is in a convex outline, wherever it begins and whichever way it goes.
-fn inside(outline: &[[f64; 3]], point: [f64; 2]) -> bool {
+fn inside(outline: &[DVec3], point: [f64; 2]) -> bool {
     let outline: Vec<[f64; 2]> = outline.iter().map(|&corner| flat(corner)).collect();
     let turns = |index: usize| {
         let (a, b) = (outline[index], outline[(index + 1) % outline.len()]);
@@ -53,7 +53,7 @@ fn spheres_stand_in_the_outline_and_are_mirror_images() {
                 let [right, left] = &soles[..] else { panic!("two feet") };
                 assert_eq!((right.side, left.side), (Some(Side::Right), Some(Side::Left)));
                 for sole in &soles {
-                    assert_eq!((sole.up, sole.spheres.len()), ([0.0, 1.0, 0.0], count));
+                    assert_eq!((sole.up, sole.spheres.len()), (DVec3::Y, count));
                     for sphere in &sole.spheres {
                         assert!((sphere.bottom_m[1] - sole.height_m).abs() < 1e-12);
                         assert!(inside(&sole.outline_m, flat(sphere.bottom_m)), "{animal} {count}");
@@ -62,9 +62,8 @@ fn spheres_stand_in_the_outline_and_are_mirror_images() {
                 }
                 for (right, left) in right.spheres.iter().zip(&left.spheres) {
                     assert_eq!(right.body.replace("_r", "_l"), left.body);
-                    let [x, y, z] = right.centre_m;
-                    let apart = left.centre_m.into_iter().zip([x, y, -z]).map(|(a, b)| (a - b).abs());
-                    assert!(apart.fold(0.0, f64::max) < 1e-9, "{animal} {count}");
+                    let image = right.centre_m * DVec3::new(1.0, 1.0, -1.0);
+                    assert!(left.centre_m.abs_diff_eq(image, 1e-9), "{animal} {count}");
                 }
             }
         }
@@ -110,7 +109,7 @@ fn up_is_opposite_to_gravity() {
     let turned = text("human_40000.osim")
         .replace("<gravity>0 -9.8100000000000005 0</gravity>", "<gravity>0 9.81 0</gravity>");
     for sole in laid_in(&turned, HUMAN, 4).unwrap() {
-        assert_eq!(sole.up, [0.0, -1.0, 0.0]);
+        assert_eq!(sole.up, DVec3::NEG_Y);
         // Above what was the highest point of the foot.
         assert!(sole.spheres.iter().all(|sphere| (sphere.bottom_m[1] + sole.height_m).abs() < 1e-12));
         assert!(sole.spheres[0].bottom_m[1] > 0.05);

@@ -1,7 +1,7 @@
 //! What a fit sees of a trial, and how its contacts get deeper where spheres go down in their bodies.
 
 use contact_scaling::Law;
-use osim_model::feet::dot;
+use osim_model::DVec3;
 use osim_model::{Model, SphereId};
 
 use crate::assigned::Measured;
@@ -21,7 +21,7 @@ pub struct FitTrial {
     /// Feet that are left out, because the plates measured no force under them.
     pub without_force: Vec<String>,
     /// Which way is down for each pair of the recording, in the body of its sphere; empty where spheres stay in their bodies.
-    pub down: Vec<[f64; 3]>,
+    pub down: Vec<DVec3>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -59,7 +59,7 @@ impl FitTrial {
         states: &ContactStates,
         (feet, measured): (&[Foot], &Measured),
         weight_n: f64,
-        down: Option<&[[f64; 3]]>,
+        down: Option<&[DVec3]>,
     ) -> Result<Self, StatesError> {
         let lowered = Lowered::of(model, recording, states, down, (feet, measured))?;
         Ok(Self::with(states, feet, measured, weight_n, Some(&lowered)))
@@ -125,7 +125,7 @@ impl FootForces {
         };
         let normal_n = |frame: usize| {
             let (plate, first) = (plates.get(frame)?.as_ref()?, *own(frame).first()?);
-            Some(dot(plate.force_n, first.normal))
+            Some(plate.force_n.dot(first.normal))
         };
         let mut kept = Vec::new();
         for frame in 0..states.frames() {
@@ -204,7 +204,7 @@ pub(super) struct Lowered<'s> {
     own: &'s ContactStates,
     along: [ContactStates; 3],
     /// Which way is down for each pair, in the body of its sphere.
-    down: Vec<[f64; 3]>,
+    down: Vec<DVec3>,
 }
 
 impl<'s> Lowered<'s> {
@@ -213,11 +213,11 @@ impl<'s> Lowered<'s> {
         model: &Model,
         recording: &Recording,
         own: &'s ContactStates,
-        down: Option<&[[f64; 3]]>,
+        down: Option<&[DVec3]>,
         (feet, measured): (&[Foot], &Measured),
     ) -> Result<Self, StatesError> {
-        let by = |axis: [f64; 3]| own.displaced(model, recording, axis);
-        let along = [by([1.0, 0.0, 0.0])?, by([0.0, 1.0, 0.0])?, by([0.0, 0.0, 1.0])?];
+        let by = |axis: DVec3| own.displaced(model, recording, axis);
+        let along = [by(DVec3::X)?, by(DVec3::Y)?, by(DVec3::Z)?];
         let mut lowered = Self { own, along, down: down_at_default_pose(model, own)? };
         match down {
             Some(down) => lowered.down = down.to_vec(),
@@ -230,27 +230,28 @@ impl<'s> Lowered<'s> {
     fn turn_to_floor(&mut self, feet: &[Foot], measured: &Measured) {
         for (foot, plates) in feet.iter().zip(&measured.feet) {
             for &pair in &foot.pairs {
-                let mut sum = [0.0; 3];
+                let mut sum = DVec3::ZERO;
                 for (frame, plate) in plates.iter().enumerate() {
                     let force_n = plate.map_or(0.0, |plate| {
-                        self.own.frame(frame).get(pair).map_or(0.0, |state| dot(plate.force_n, state.normal))
+                        self.own.frame(frame).get(pair).map_or(0.0, |state| plate.force_n.dot(state.normal))
                     });
                     // What an axis of the body does to the indentation is how far it points into the floor.
                     let into = self.per_axis(frame, pair, |state| state.indentation_m);
-                    sum.iter_mut().zip(into).for_each(|(sum, part)| *sum += force_n.max(0.0) * part);
+                    sum += force_n.max(0.0) * into;
                 }
-                let length = dot(sum, sum).sqrt();
+                let length = sum.length();
                 if let Some(down) = self.down.get_mut(pair).filter(|_| length > 0.0) {
-                    *down = sum.map(|part| part / length);
+                    *down = sum / length;
                 }
             }
         }
     }
 
     /// What one metre along each axis of its body does to a value of a contact.
-    fn per_axis(&self, frame: usize, pair: usize, value: impl Fn(&ContactState) -> f64) -> [f64; 3] {
+    fn per_axis(&self, frame: usize, pair: usize, value: impl Fn(&ContactState) -> f64) -> DVec3 {
         let of = |states: &ContactStates| states.frame(frame).get(pair).map(&value);
-        self.along.each_ref().map(|moved| of(moved).zip(of(self.own)).map_or(0.0, |(moved, own)| moved - own))
+        let difference = |(moved, own): (f64, f64)| moved - own;
+        self.along.each_ref().map(|moved| of(moved).zip(of(self.own)).map_or(0.0, difference)).into()
     }
 
     /// What one metre down adds to each contact of `foot` in the frames `kept`.
@@ -259,8 +260,8 @@ impl<'s> Lowered<'s> {
         each.filter_map(|(frame, pair)| {
             let down = *self.down.get(pair)?;
             Some(PerMetre {
-                indentation: dot(down, self.per_axis(frame, pair, |state| state.indentation_m)),
-                rate_s: dot(down, self.per_axis(frame, pair, |state| state.rate_m_s)),
+                indentation: down.dot(self.per_axis(frame, pair, |state| state.indentation_m)),
+                rate_s: down.dot(self.per_axis(frame, pair, |state| state.rate_m_s)),
             })
         })
         .collect()

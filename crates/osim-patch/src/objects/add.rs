@@ -58,7 +58,7 @@ pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault
         model.bodies().iter().rev().map(|body| (body.name.as_str(), body)).collect();
     let (mut geometry, mut forces, mut objects) = (Vec::new(), Vec::new(), Vec::new());
     if let Some(name) = &made_floor {
-        geometry.push(spelling::floor(version, name, model.up())?);
+        geometry.push(spelling::floor(version, name, model.up().into())?);
         objects.push(added("ContactHalfSpace", name, &plane, None));
     }
     let mut force_objects = Vec::new();
@@ -175,7 +175,7 @@ impl Plan {
                 path,
                 body: object.body.as_deref()?,
                 // New spheres are placed in the frames of bodies.
-                centre_m: moved.get(path).copied().or_else(|| built.centre_m(id))?,
+                centre_m: moved.get(path).copied().or_else(|| Some(built.centre_m(id)?.into()))?,
                 radius_m: radii.get(path).copied().or_else(|| built.sphere(id)?.radius_m().ok())?,
             })
         });

@@ -71,7 +71,7 @@ impl Layout {
                     force: if several { format!("{}_{}", force.name, own.name) } else { force.name.clone() },
                     sphere: own.name.clone(),
                     body,
-                    location_m: place,
+                    location_m: place.into(),
                     radius_m: own.radius_m()?,
                     kind: force.kind,
                     values,
@@ -165,8 +165,8 @@ fn add_image(anatomy: &mut Anatomy, of: &str, image: &str) {
         joint.name = other_side(&joint.name)?;
         joint.parent = swapped(&joint.parent);
         joint.child = swapped(&joint.child);
-        joint.in_parent_m = in_mirror(joint.in_parent_m);
-        joint.in_child_m = in_mirror(joint.in_child_m);
+        joint.in_parent_m = in_mirror(joint.in_parent_m.into()).into();
+        joint.in_child_m = in_mirror(joint.in_child_m.into()).into();
         Some(joint)
     });
     let known: HashSet<String> = anatomy.joints.iter().map(|joint| joint.name.clone()).collect();

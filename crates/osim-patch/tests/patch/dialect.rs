@@ -48,7 +48,7 @@ fn sphere_and_plane_become_members_of_the_geometry_set() {
         // Forces that press on one plane share it.
         let [floor] = &model.half_spaces()[..] else { panic!("not one plane") };
         assert_eq!(
-            (floor.path.as_str(), floor.normal.map(|[_, y, _]| y)),
+            (floor.path.as_str(), floor.normal.map(|normal| normal.y)),
             ("/contactgeometryset/floor", Some(1.0))
         );
         for force in model.forces() {
@@ -101,7 +101,7 @@ fn a_plane_that_says_nothing_is_a_floor_but_for_the_first_version() {
     let silent = old().replace(orientation, "");
     let normal = |text: &str| {
         let model = Model::parse(text).unwrap();
-        model.planes_of(&model.forces()[0])[0].normal.unwrap()
+        model.planes_of(&model.forces()[0])[0].normal.unwrap().to_array()
     };
     let [x, y, z] = normal(&silent);
     assert!(x.abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && z == 0.0, "{x} {y} {z}");

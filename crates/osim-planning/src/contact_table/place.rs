@@ -1,7 +1,7 @@
 //! Where a contact of a table is on its body.
 
-use osim_model::Placement;
 use osim_model::feet::{DefaultPose, PoseFault};
+use osim_model::{DVec3, Placement};
 
 /// A frame this close to ground's is there, m.
 const SAME_FRAME: f64 = 1e-9;
@@ -58,7 +58,7 @@ impl TablePlace {
         };
         let frame = pose().placement(body).map_err(PlaceFault::Pose)?;
         if let Some(local) = local {
-            let apart = distance(frame.point(local), global);
+            let apart = frame.point(local).distance(global.into());
             if apart > SAME_PLACE {
                 return Err(PlaceFault::Disagree(apart));
             }
@@ -67,7 +67,7 @@ impl TablePlace {
             _ if is_ground(frame) => Ok(own(global)),
             Some(local) => Ok(own(local)),
             None if posed => {
-                Ok(PlaceOnBody { location_m: frame.inverse().point(global), from_default_pose: true })
+                Ok(PlaceOnBody { location_m: frame.inverse().point(global).into(), from_default_pose: true })
             }
             None => Err(PlaceFault::OnlyGlobal),
         }
@@ -76,12 +76,8 @@ impl TablePlace {
 
 /// Whether the frame is that of ground: its origin, and the tips of its axes.
 fn is_ground(frame: &Placement) -> bool {
-    let points = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    points.into_iter().all(|point| distance(frame.point(point), point) <= SAME_FRAME)
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt()
+    let points = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+    points.into_iter().all(|point| frame.point(point).distance(point) <= SAME_FRAME)
 }
 
 #[cfg(test)]
@@ -116,7 +112,7 @@ mod tests {
     #[track_caller]
     fn is_at(found: Result<PlaceOnBody, PlaceFault>, at: [f64; 3], from_default_pose: bool) {
         let found = found.unwrap();
-        assert!(distance(found.location_m, at) < 1e-15, "{found:?}");
+        assert!(DVec3::from(found.location_m).distance(at.into()) < 1e-15, "{found:?}");
         assert_eq!(found.from_default_pose, from_default_pose);
     }
 

@@ -6,8 +6,8 @@ use osim_inspect::{KnownContacts, StandingBody};
 use osim_model::feet::{Movements, Sole, angle};
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable, shown};
 use osim_model::{
-    Anatomy, Fault, Force, ForceId, JointDistances, Mass, Model, Needed, NeedsAnswer, Question, Selected,
-    Side, probable_units, same_mass, without_side,
+    Anatomy, DVec3, Fault, Force, ForceId, JointDistances, Mass, Model, Needed, NeedsAnswer, Question,
+    Selected, Side, probable_units, same_mass, without_side,
 };
 use osim_patch::{Deed, Plan, Rebuilt};
 use osim_requests::BodyScale;
@@ -213,9 +213,8 @@ impl Bones {
         let anatomy = self.anatomy.as_ref()?;
         let above = anatomy.joint_above(body).map(|joint| joint.in_child_m);
         let below = anatomy.joints_below(body).map(|joint| joint.in_parent_m);
-        let apart =
-            |joint: [f64; 3]| joint.iter().zip(place_m).map(|(a, b)| (a - b) * (a - b)).sum::<f64>().sqrt();
-        let from_joints_m = below.chain(above).chain([[0.0; 3]]).map(apart).fold(f64::INFINITY, f64::min);
+        let apart = |joint: DVec3| joint.distance(place_m.into());
+        let from_joints_m = below.chain(above).chain([DVec3::ZERO]).map(apart).fold(f64::INFINITY, f64::min);
         Some(Distance { from_joints_m, longest_m })
     }
 }

@@ -11,7 +11,7 @@ use osim_model::feet::{
 };
 use osim_model::files::Files;
 use osim_model::messages::Dialect;
-use osim_model::{Anatomy, ForceId, MassRequest, Model, Placement, Side, SphereId};
+use osim_model::{Anatomy, DVec3, ForceId, MassRequest, Model, Placement, Side, SphereId};
 use osim_motion::{FootSummary, ON_BW, Poses, Wrench};
 use osim_requests::MotionRequest;
 use serde::Serialize;
@@ -81,10 +81,12 @@ impl Scene {
             .filter_map(|body| Some(PlacedBody { name: body.name.clone(), frame: placed(&body.name)? }));
         let mut faults = model.bodies().iter().filter_map(|body| pose.placement(&body.name).err());
         Self {
-            axes: [axes.forward, axes.up, axes.right],
+            axes: [axes.forward, axes.up, axes.right].map(DVec3::into),
             bodies: bodies.collect(),
             spheres: spheres(model, &forces, &pose, &loads(model, &forces, options)),
-            planes: surfaces.map(|one| PlacedPlane { point_m: one.point_m, normal: one.normal }).collect(),
+            planes: surfaces
+                .map(|one| PlacedPlane { point_m: one.point_m.into(), normal: one.normal.into() })
+                .collect(),
             lines: lines(model),
             why_not_placed: faults.next().map(|fault| fault.to_string()),
         }
@@ -93,8 +95,8 @@ impl Scene {
 
 /// The axes of a placement, and its origin.
 fn frame(placement: &Placement) -> [[f64; 3]; 4] {
-    let axis = |axis| placement.rotation.to_body(axis);
-    [axis([1.0, 0.0, 0.0]), axis([0.0, 1.0, 0.0]), axis([0.0, 0.0, 1.0]), placement.translation_m]
+    let [x, y, z] = DVec3::AXES.map(|axis| placement.rotation.to_body(axis));
+    [x, y, z, placement.translation_m].map(DVec3::into)
 }
 
 struct Load {
@@ -143,7 +145,7 @@ fn spheres(
             path: sphere.path.clone(),
             side: sides.get(&sphere.id).copied().map(Side::as_str),
             body,
-            centre_m,
+            centre_m: centre_m.into(),
             radius_m,
             force_bw: load.map(|load| load.force_bw),
             relative_indentation: load.map(|load| load.relative_indentation),
@@ -169,9 +171,12 @@ fn lines(model: &Model) -> Vec<BodyLine> {
     let Ok(anatomy) = Anatomy::of(model) else { return Vec::new() };
     let line = |below: &osim_model::AnatomyJoint| {
         let above = anatomy.joint_above(&below.parent)?;
-        let line = BodyLine { body: below.parent.clone(), from_m: above.in_child_m, to_m: below.in_parent_m };
-        let is_finite = line.from_m.iter().chain(&line.to_m).all(|value| value.is_finite());
-        (is_finite && line.from_m != line.to_m).then_some(line)
+        let (from, to) = (above.in_child_m, below.in_parent_m);
+        (from.is_finite() && to.is_finite() && from != to).then(|| BodyLine {
+            body: below.parent.clone(),
+            from_m: from.into(),
+            to_m: to.into(),
+        })
     };
     anatomy.joints.iter().filter_map(line).collect()
 }
@@ -316,10 +321,8 @@ struct Seen<'r> {
 impl Seen<'_> {
     fn force(&self, of: impl Fn(usize) -> Option<Wrench>, has_points: bool) -> PlayedForce {
         let weight_n = self.result.summary.weight_n;
-        let forces = self
-            .frames
-            .iter()
-            .map(|&frame| of(frame).map(|wrench| wrench.force_n.map(|part| part / weight_n)));
+        let forces =
+            self.frames.iter().map(|&frame| of(frame).map(|wrench| (wrench.force_n / weight_n).into()));
         let points = self.frames.iter().map(|&frame| self.point(frame, &of(frame)?).filter(|_| has_points));
         PlayedForce { forces_bw: forces.collect(), points_m: points.collect() }
     }
@@ -331,7 +334,7 @@ impl Seen<'_> {
         let (state, pair) = (states.frame(frame).get(first)?, states.pairs.get(first)?);
         let least_n = ON_BW * self.result.summary.weight_n;
         let centre = wrench.centre_of_pressure(state.normal, state.on_surface_m(pair.radius_m), least_n)?;
-        Some(centre.point_m)
+        Some(centre.point_m.into())
     }
 }
 

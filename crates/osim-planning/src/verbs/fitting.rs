@@ -7,7 +7,7 @@ use osim_inspect::{Figure, InspectOptions};
 use osim_model::files::{FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase, shortest, shown};
 use osim_model::{
-    Assignment, Fault, HalfSpace, Mass, MassRequest, MassSource, Model, Property, Selected, Selection,
+    Assignment, DVec3, Fault, HalfSpace, Mass, MassRequest, MassSource, Model, Property, Selected, Selection,
     SphereId,
 };
 use osim_motion::fit::{FitBounds, FitError, FitTrial, FitWanted, FittedHeight, MotionFit, fit_motion};
@@ -134,7 +134,7 @@ struct Seen {
     trial: FitTrial,
     planes: Vec<HalfSpace>,
     /// Which way is down for each sphere in its body, where the height is in the spheres.
-    down: BTreeMap<SphereId, [f64; 3]>,
+    down: BTreeMap<SphereId, DVec3>,
     measured: Measured,
 }
 
@@ -374,7 +374,7 @@ fn centres(model: &Model, seen: &[Seen], down_m: f64) -> Result<Vec<(SphereId, [
     let mut centres = Vec::new();
     for (&id, down) in fitted {
         let Some(sphere) = model.sphere(id) else { continue };
-        let by_m = model.rotation_of(sphere)?.inverse().to_body(down.map(|part| down_m * part));
+        let by_m = model.rotation_of(sphere)?.inverse().to_body(down_m * *down);
         let rounded = |metres: f64| (metres * 1e6).round() / 1e6;
         let location_m = std::array::from_fn(|i| {
             // What does not move keeps all its digits.

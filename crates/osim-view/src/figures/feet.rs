@@ -8,6 +8,7 @@ use contact_plots::{
 use osim_model::feet::{FeetFault, FloorPlace, Foot, FootFrame, FootSphere, silhouette};
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, Input, four_significant, harmless, listed, phrase, shown};
+use osim_model::{DVec2, DVec3};
 use osim_planning::ModelFeet;
 
 /// The last of `states` with its bones and names, and the spheres of the first where they are others.
@@ -73,8 +74,8 @@ fn block(foot: &Foot, other: Option<&Foot>) -> Block {
 }
 
 /// From where another model has the foot to where this one has it, m.
-fn shift(other: &Foot, foot: &Foot) -> [f64; 3] {
-    std::array::from_fn(|i| foot.origin_m[i] - other.origin_m[i])
+fn shift(other: &Foot, foot: &Foot) -> DVec3 {
+    foot.origin_m - other.origin_m
 }
 
 /// Names and heights that a remark lists; more are counted.
@@ -83,7 +84,7 @@ const LISTED: usize = 12;
 /// A foot that is moved by less than this is where it was, m.
 const STAYS_M: f64 = 1e-6;
 
-fn remarks(foot: &Foot, before: Option<(&Foot, [f64; 3])>) -> Vec<String> {
+fn remarks(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<String> {
     let mut remarks = Vec::new();
     if let FootFrame::Body { name, fault } = &foot.frame {
         remarks.push(format!("Drawn in the frame of {name}: {fault}."));
@@ -95,7 +96,7 @@ fn remarks(foot: &Foot, before: Option<(&Foot, [f64; 3])>) -> Vec<String> {
         ));
     }
     if let Some((_, shift)) = before
-        && shift.iter().any(|value| value.abs() > STAYS_M)
+        && shift.abs().cmpgt(DVec3::splat(STAYS_M)).any()
     {
         remarks.push(format!("Both are drawn with the origin of {} in one place.", foot.name));
     }
@@ -144,11 +145,11 @@ enum From {
 }
 
 /// From the right and from above; `before` is another state, and by how much it is moved to be drawn here.
-fn views(foot: &Foot, before: Option<(&Foot, [f64; 3])>) -> Vec<View> {
+fn views(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<View> {
     [From::Right, From::Above].map(|from| view(foot, before, from)).into()
 }
 
-fn view(foot: &Foot, before: Option<(&Foot, [f64; 3])>, from: From) -> View {
+fn view(foot: &Foot, before: Option<(&Foot, DVec3)>, from: From) -> View {
     let [forward, up, right] = foot.axes.names();
     let place = match &foot.frame {
         FootFrame::Ground => "in ground",
@@ -165,8 +166,8 @@ fn view(foot: &Foot, before: Option<(&Foot, [f64; 3])>, from: From) -> View {
     if let Some((other, shift)) = before {
         add_before(&mut view, foot, other, shift, from);
     }
-    let seen = |point: [f64; 3]| seen(foot, point, from);
-    view.outlines.extend(outlines(foot, [0.0; 3], from, State::Now));
+    let seen = |point: DVec3| seen(foot, point, from);
+    view.outlines.extend(outlines(foot, DVec3::ZERO, from, State::Now));
     view.balls.extend(foot.spheres.iter().map(|sphere| Ball {
         name: sphere.name.clone(),
         centre: seen(sphere.centre_m),
@@ -186,8 +187,8 @@ fn view(foot: &Foot, before: Option<(&Foot, [f64; 3])>, from: From) -> View {
 }
 
 /// What another state has elsewhere: its spheres, and its bones where they are of another size.
-fn add_before(view: &mut View, foot: &Foot, other: &Foot, shift: [f64; 3], from: From) {
-    let moved = |point: [f64; 3]| -> [f64; 3] { std::array::from_fn(|i| point[i] + shift[i]) };
+fn add_before(view: &mut View, foot: &Foot, other: &Foot, shift: DVec3, from: From) {
+    let moved = |point: DVec3| point + shift;
     let drawn = Drawn::of(&foot.spheres);
     let differs = |sphere: &&FootSphere| !drawn.has(moved(sphere.centre_m), sphere.radius_m);
     view.balls.extend(other.spheres.iter().filter(differs).map(|sphere| Ball {
@@ -198,7 +199,7 @@ fn add_before(view: &mut View, foot: &Foot, other: &Foot, shift: [f64; 3], from:
         astray: false,
     }));
     let (here, there) =
-        (outlines(foot, [0.0; 3], from, State::Before), outlines(other, shift, from, State::Before));
+        (outlines(foot, DVec3::ZERO, from, State::Before), outlines(other, shift, from, State::Before));
     let close = |a: &Outline, b: &Outline| {
         let near = |(p, q): (&Point, &Point)| (p.0 - q.0).hypot(p.1 - q.1) <= MM * SAME_M;
         a.points.len() == b.points.len() && a.points.iter().zip(&b.points).all(near)
@@ -224,7 +225,7 @@ impl<'f> Drawn<'f> {
         Self { axis, spheres }
     }
 
-    fn has(&self, centre_m: [f64; 3], radius_m: f64) -> bool {
+    fn has(&self, centre_m: DVec3, radius_m: f64) -> bool {
         let off = |sphere: &FootSphere, axis: usize| sphere.centre_m[axis] - centre_m[axis];
         let first = self.spheres.partition_point(|sphere| off(sphere, self.axis) < -SAME_M);
         let from = self.spheres.get(first..).unwrap_or_default();
@@ -235,15 +236,15 @@ impl<'f> Drawn<'f> {
     }
 }
 
-fn seen(foot: &Foot, point: [f64; 3], from: From) -> Point {
+fn seen(foot: &Foot, point: DVec3, from: From) -> Point {
     let [forward, up, right] = foot.axes.seen(point);
     (MM * forward, MM * if from == From::Right { up } else { right })
 }
 
-fn outlines(foot: &Foot, shift: [f64; 3], from: From, state: State) -> Vec<Outline> {
-    let line = |points: &Vec<[f64; 3]>| {
-        let moved = points.iter().map(|point| std::array::from_fn(|i| point[i] + shift[i]));
-        silhouette(&moved.map(|point| seen(foot, point, from)).collect::<Vec<_>>())
+fn outlines(foot: &Foot, shift: DVec3, from: From, state: State) -> Vec<Outline> {
+    let line = |points: &Vec<DVec3>| {
+        let points = points.iter().map(|&point| DVec2::from(seen(foot, point + shift, from)));
+        silhouette(&points.collect::<Vec<_>>()).into_iter().map(DVec2::into).collect()
     };
     let lines = foot.bones.iter().map(|bone| Outline { points: line(&bone.points_m), state });
     lines.filter(|outline| !outline.points.is_empty()).collect()

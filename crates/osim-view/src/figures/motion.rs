@@ -2,7 +2,8 @@
 
 use contact_plots::{Axis, Curve, Dash, Figure, Limit, Look, Mark, Panel, Width};
 use contact_scaling::limits;
-use osim_model::feet::{ViewAxes, dot};
+use osim_model::DVec3;
+use osim_model::feet::ViewAxes;
 use osim_model::files::FileName;
 use osim_motion::{FootSummary, OnSole, Wrench};
 use osim_planning::MotionResult;
@@ -110,14 +111,14 @@ fn depths(result: &MotionResult, foot: &FootSummary) -> Panel {
 }
 
 /// The normal of the foot's floor.
-fn normal(result: &MotionResult, foot: &FootSummary) -> [f64; 3] {
+fn normal(result: &MotionResult, foot: &FootSummary) -> DVec3 {
     let first = foot.foot.pairs.first().and_then(|&pair| result.states.frame(0).get(pair));
-    first.map_or([0.0, 1.0, 0.0], |state| state.normal)
+    first.map_or(DVec3::Y, |state| state.normal)
 }
 
 /// The part of a force along that normal, body weights.
 fn along_normal(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> f64 {
-    dot(wrench.force_n, normal(result, foot)) / result.summary.weight_n
+    wrench.force_n.dot(normal(result, foot)) / result.summary.weight_n
 }
 
 /// How deep the Hertz law holds.
@@ -196,7 +197,7 @@ fn arrow(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> (f64, f6
     let normal = normal(result, foot);
     let weight_n = result.summary.weight_n;
     let forward = ViewAxes::with_up(normal).forward;
-    (LEAN_MM * dot(wrench.force_n, forward) / weight_n, along_normal(result, foot, wrench))
+    (LEAN_MM * wrench.force_n.dot(forward) / weight_n, along_normal(result, foot, wrench))
 }
 
 // Forces and depths over whole strides, from touch-down (0 %) to the next one (100 %).

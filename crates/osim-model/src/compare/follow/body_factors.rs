@@ -4,6 +4,7 @@ use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt};
+use glam::DVec3;
 
 use crate::model::{Anatomy, AnatomyJoint, Fault, JointDistances};
 
@@ -81,10 +82,6 @@ impl ByName {
     }
 }
 
-pub(super) fn length([x, y, z]: [f64; 3]) -> f64 {
-    libm::sqrt(x * x + y * y + z * z)
-}
-
 // How far a joint is from the origin of a body, in two models.
 
 /// A joint nearer to the body's origin than this does not show its size, m...
@@ -97,8 +94,8 @@ const SHORTEST_OF_BONE: f64 = 0.2;
 pub(super) struct Distance<'a> {
     pub(super) joint: &'a str,
     /// In the reference, m.
-    pub(super) old_m: [f64; 3],
-    new_m: [f64; 3],
+    pub(super) old_m: DVec3,
+    new_m: DVec3,
 }
 
 /// The joints of one name in both models, by the bodies on which they are in one of them.
@@ -133,8 +130,8 @@ impl<'a> Distances<'a> {
         });
         let [old_m, new_m] = self.bones.each_ref().map(|bones| shortest_m(bones, body));
         places
-            .filter(|place| length(place.old_m) >= old_m && length(place.new_m) >= new_m)
-            .max_by(|a, b| length(a.old_m).total_cmp(&length(b.old_m)))
+            .filter(|place| place.old_m.length() >= old_m && place.new_m.length() >= new_m)
+            .max_by(|a, b| a.old_m.length().total_cmp(&b.old_m.length()))
     }
 }
 
@@ -147,7 +144,7 @@ fn shortest_m(bones: &JointDistances, body: &str) -> f64 {
 impl Distance<'_> {
     /// New over old.
     pub(super) fn ratio(&self) -> f64 {
-        length(self.new_m) / length(self.old_m)
+        self.new_m.length() / self.old_m.length()
     }
 }
 

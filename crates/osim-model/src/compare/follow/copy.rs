@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt};
+use glam::DVec3;
 
-use super::body_factors::{self, AXES, BonePair, length};
+use super::body_factors::{self, AXES, BonePair};
 use crate::messages::Phrase;
 use crate::model::{Anatomy, AnatomyJoint, Document, FactorQuestion, Fault, FaultKind, Needed};
 
@@ -101,8 +102,8 @@ fn other_joint(scaled: &Anatomy, reference: &Anatomy) -> Option<Difference> {
 #[derive(Clone, Copy)]
 pub(super) struct SharedOffset<'a> {
     pub(super) joint: &'a str,
-    pub(super) old_m: [f64; 3],
-    pub(super) new_m: [f64; 3],
+    pub(super) old_m: DVec3,
+    pub(super) new_m: DVec3,
 }
 
 /// The joints that both models have between the same bodies, by the bodies on which they are.
@@ -259,11 +260,11 @@ impl ScaleFile {
         for &body in bodies {
             let Some(factors) = self.factors(body) else { continue };
             for &SharedOffset { joint, old_m: old, new_m: new } in joints.on(body) {
-                let expected: [f64; 3] = std::array::from_fn(|axis| old[axis] * factors[axis]);
-                let apart: [f64; 3] = std::array::from_fn(|axis| new[axis] - expected[axis]);
-                if length(apart) > SPELLING_M + OTHER_REFERENCE * length(expected) {
+                let expected = old * DVec3::from(factors);
+                let apart_m = new.distance(expected);
+                if apart_m > SPELLING_M + OTHER_REFERENCE * expected.length() {
                     let (body, joint) = (body.to_owned(), joint.to_owned());
-                    let question = FactorQuestion::OtherReference { body, joint, apart_m: length(apart) };
+                    let question = FactorQuestion::OtherReference { body, joint, apart_m };
                     return Err(Fault::new(Needed::Factors(question)));
                 }
             }

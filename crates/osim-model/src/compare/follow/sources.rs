@@ -1,9 +1,10 @@
 //! What each source says about the factors of a body, and which is taken.
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
+use glam::DVec3;
 
 use super::body_factors::{
-    self, AXES, AxisFactor, BodyFactors, BonePair, ByName, Distance, Distances, FactorSource, length,
+    self, AXES, AxisFactor, BodyFactors, BonePair, ByName, Distance, Distances, FactorSource,
 };
 use super::copy::{SHORTEST_OFFSET_M, ScaleFile};
 use crate::messages::Phrase;
@@ -137,8 +138,8 @@ impl<'a> Sources<'a> {
         if x.source >= FactorSource::Distance {
             return None;
         }
-        let [old_x, old_y, old_z] = distance.old_m;
-        let along = length([x.factor * old_x, y.factor * old_y, z.factor * old_z]) / length(distance.old_m);
+        let taken = DVec3::new(x.factor, y.factor, z.factor) * distance.old_m;
+        let along = taken.length() / distance.old_m.length();
         Some((distance, x.source, [along, distance.ratio()]))
     }
 }

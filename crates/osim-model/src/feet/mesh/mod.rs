@@ -10,6 +10,7 @@ mod surface;
 mod vtp;
 
 use foldhash::{HashSet, HashSetExt};
+use glam::DVec3;
 
 use crate::messages::three_significant;
 pub use surface::{MeshFault, Surface};
@@ -116,16 +117,10 @@ fn checked(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault> {
 /// Whether all points are as good as in the line through the first and the one farthest from it.
 fn in_one_line(points: &[[f64; 3]]) -> bool {
     let Some(&first) = points.first() else { return true };
-    let from_first = |point: &[f64; 3]| -> [f64; 3] { std::array::from_fn(|i| point[i] - first[i]) };
-    let length = |[x, y, z]: [f64; 3]| x.hypot(y).hypot(z);
-    let farthest = points.iter().map(from_first).max_by(|a, b| length(*a).total_cmp(&length(*b)));
-    let along = farthest.unwrap_or_default();
-    let whole = length(along);
-    let [x, y, z] = along.map(|value| value / whole);
-    points
-        .iter()
-        .map(from_first)
-        .all(|[a, b, c]| length([b * z - c * y, c * x - a * z, a * y - b * x]) <= SAME_LINE * whole)
+    let from_first = || points.iter().map(|&point| DVec3::from(point) - DVec3::from(first));
+    let farthest = from_first().max_by(|a, b| length(*a).total_cmp(&length(*b))).unwrap_or_default();
+    let whole = length(farthest);
+    from_first().all(|point| length(point.cross(farthest / whole)) <= SAME_LINE * whole)
 }
 
 // A point that is far from all others: a broken number, and no part of a bone.
@@ -191,8 +186,12 @@ fn quantile(values: &mut [f64], share: f64) -> f64 {
 }
 
 fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let [x, y, z]: [f64; 3] = std::array::from_fn(|axis| a[axis] - b[axis]);
-    x.hypot(y).hypot(z)
+    length(DVec3::from(a) - DVec3::from(b))
+}
+
+/// The length of a vector, in any unit: no square of its parts, which a broken file makes very large or small.
+pub(super) fn length(vector: DVec3) -> f64 {
+    vector.x.hypot(vector.y).hypot(vector.z)
 }
 
 #[cfg(test)]

@@ -3,7 +3,6 @@
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use crate::feet::default_pose::DefaultPose;
-use crate::feet::vector::dot;
 use crate::model::{Anatomy, ForceId, Model, Side, SphereId};
 
 /// Bodies whose origins are within this share of the model's height above the lowest one are feet.
@@ -37,7 +36,7 @@ impl FootBodies {
         let tree = Tree::new(anatomy);
         if spheres.is_empty() {
             let up = model.up();
-            let height_m = |body: &str| Some(dot(up, pose.placement(body).ok()?.translation_m));
+            let height_m = |body: &str| Some(up.dot(pose.placement(body).ok()?.translation_m));
             return near_ground(&tree, &height_m);
         }
         let mut groups = limbs(model, spheres, forces);

@@ -6,11 +6,11 @@ mod bodies;
 mod view;
 
 use foldhash::{HashMap, HashMapExt, HashSet};
+use glam::DVec3;
 
 use super::bones::Bone;
 use super::default_pose::DefaultPose;
 use super::fault::PoseFault;
-use super::vector::dot;
 use crate::model::{Anatomy, AnatomyJoint, Model, ModelJoint, Side};
 pub use bodies::FootBodies;
 pub use view::{ViewAxes, silhouette};
@@ -40,7 +40,7 @@ pub struct FootJoint {
     /// Its name.
     pub name: String,
     /// Where it is on its parent, in the frame of the foot, m.
-    pub at_m: [f64; 3],
+    pub at_m: DVec3,
 }
 
 /// A contact sphere.
@@ -51,7 +51,7 @@ pub struct FootSphere {
     /// The body that carries it; empty for ground.
     pub body: String,
     /// Its centre in the frame of the foot, m.
-    pub centre_m: [f64; 3],
+    pub centre_m: DVec3,
     /// Its radius, m.
     pub radius_m: f64,
     /// Whether it is known to be in the wrong place. Callers that know it set it.
@@ -66,7 +66,7 @@ pub struct FootBone {
     /// The mesh, as the model spells it.
     pub mesh: String,
     /// Its points in the frame of the foot, m.
-    pub points_m: Vec<[f64; 3]>,
+    pub points_m: Vec<DVec3>,
 }
 
 /// A foot, as a picture of it needs it.
@@ -79,7 +79,7 @@ pub struct Foot {
     /// What its places are seen from.
     pub frame: FootFrame,
     /// Where the origin of its first body is, m.
-    pub origin_m: [f64; 3],
+    pub origin_m: DVec3,
     /// The directions from which it is drawn.
     pub axes: ViewAxes,
     /// Its joints.
@@ -110,12 +110,12 @@ impl Foot {
                 (frame, FloorPlace::NotInGround)
             }
         };
-        let is_unplaced = |body: &&String| places.at(body, [0.0; 3]).is_none();
+        let is_unplaced = |body: &&String| places.at(body, DVec3::ZERO).is_none();
         let mut foot = Self {
             name: bodies.top().to_owned(),
             side: bodies.side,
             frame,
-            origin_m: places.at(bodies.top(), [0.0; 3]).unwrap_or_default(),
+            origin_m: places.at(bodies.top(), DVec3::ZERO).unwrap_or_default(),
             axes: shared.axes,
             joints: Vec::new(),
             spheres: spheres(shared.model, bodies, &places),
@@ -148,13 +148,9 @@ impl Foot {
         let mut shown_bones = Vec::new();
         for bone in bones {
             let limit = if carriers.contains(bone.body.as_str()) { None } else { top };
-            let shown = |point: &[f64; 3]| limit.is_none_or(|top| dot(self.axes.up, *point) <= top);
-            let points_m: Vec<[f64; 3]> = bone
-                .points_m
-                .iter()
-                .filter_map(|&point| places.at(&bone.body, point))
-                .filter(shown)
-                .collect();
+            let shown = |point: &DVec3| limit.is_none_or(|top| self.axes.up.dot(*point) <= top);
+            let points = bone.points_m.iter().filter_map(|&point| places.at(&bone.body, point.into()));
+            let points_m: Vec<DVec3> = points.filter(shown).collect();
             if !points_m.is_empty() {
                 shown_bones.push(FootBone { body: bone.body.clone(), mesh: bone.mesh.clone(), points_m });
             }
@@ -164,7 +160,7 @@ impl Foot {
 
     /// The height of the lowest sphere, m; without spheres that of the bones, else that of the joints.
     pub fn lowest_m(&self) -> Option<f64> {
-        let up = |point: [f64; 3]| dot(self.axes.up, point);
+        let up = |point: DVec3| self.axes.up.dot(point);
         let spheres =
             self.spheres.iter().map(|sphere| up(sphere.centre_m) - sphere.radius_m).reduce(f64::min);
         let bones = || self.bones.iter().flat_map(|bone| &bone.points_m).map(|&point| up(point));
@@ -174,7 +170,7 @@ impl Foot {
 
     /// How far it reaches forward, m.
     pub fn length_m(&self) -> f64 {
-        let along = |point: [f64; 3]| dot(self.axes.forward, point);
+        let along = |point: DVec3| self.axes.forward.dot(point);
         let spheres = self.spheres.iter().flat_map(|sphere| {
             [along(sphere.centre_m) - sphere.radius_m, along(sphere.centre_m) + sphere.radius_m]
         });
@@ -193,7 +189,7 @@ impl Foot {
 
     /// The share of the bones' length at which the first and the last centre are, from the heel; `None` without bones.
     pub fn reach(&self) -> Option<(f64, f64)> {
-        let along = |point: [f64; 3]| dot(self.axes.forward, point);
+        let along = |point: DVec3| self.axes.forward.dot(point);
         let carriers: HashSet<&str> = self.spheres.iter().map(|sphere| sphere.body.as_str()).collect();
         let of_carriers = self.bones.iter().filter(|bone| carriers.contains(bone.body.as_str()));
         let (heel, toe) = of_carriers
@@ -223,7 +219,7 @@ impl Foot {
         let next = above.and_then(|joint| anatomy.joint_above(&joint.parent));
         let (Some(above), Some(next)) = (above, next) else { return };
         if let (Some(first), Some(second)) = (place(above), place(next))
-            && distance(first.at_m, second.at_m) <= NEAR * self.length_m()
+            && first.at_m.distance(second.at_m) <= NEAR * self.length_m()
         {
             self.joints.push(second);
         }
@@ -239,11 +235,6 @@ fn spheres(model: &Model, bodies: &FootBodies, places: &Places<'_>) -> Vec<FootS
         Some(FootSphere { name: sphere.name.clone(), body, centre_m, radius_m, misplaced: false })
     };
     bodies.spheres.iter().filter_map(sphere).collect()
-}
-
-fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let between: [f64; 3] = std::array::from_fn(|i| a[i] - b[i]);
-    dot(between, between).sqrt()
 }
 
 /// What all feet of a model share.
@@ -285,7 +276,7 @@ impl<'p> Places<'p> {
     }
 
     /// A point of a body, m.
-    fn at(&self, body: &str, point_m: [f64; 3]) -> Option<[f64; 3]> {
+    fn at(&self, body: &str, point_m: DVec3) -> Option<DVec3> {
         match (body, &self.fault) {
             ("", None) => Some(point_m),
             (_, None) => Some(self.pose.placement(body).ok()?.point(point_m)),
@@ -294,7 +285,7 @@ impl<'p> Places<'p> {
     }
 
     /// The point in the frame of the foot's first body, m: through the joints between them.
-    fn in_top(&self, body: &str, point_m: [f64; 3]) -> Option<[f64; 3]> {
+    fn in_top(&self, body: &str, point_m: DVec3) -> Option<DVec3> {
         let (mut at, mut point) = (body, point_m);
         for _ in 0..=self.anatomy.bodies.len() {
             if at == self.top {
@@ -336,7 +327,7 @@ impl FloorPlace {
     /// The floor of a model.
     pub fn of(model: &Model) -> Self {
         let up = model.up();
-        let mut heights: Vec<f64> = model.floors().iter().map(|plane| dot(plane.point_m, up)).collect();
+        let mut heights: Vec<f64> = model.floors().iter().map(|plane| plane.point_m.dot(up)).collect();
         heights.sort_by(f64::total_cmp);
         heights.dedup_by(|a, b| (*a - *b).abs() <= SAME_M);
         match heights.as_slice() {

@@ -1,8 +1,9 @@
 //! How a foot is looked at: the axes forward, up and to the right, and the line around its points.
 
 use foldhash::{HashSet, HashSetExt};
+use glam::{DVec2, DVec3};
 
-use crate::feet::vector::dot;
+use crate::feet::vector::{distance, hull, sort_once, twice_area};
 use crate::model::Model;
 
 /// The names of a frame's axes, and of their opposites.
@@ -12,11 +13,11 @@ const NAMES: [[&str; 2]; 3] = [["x", "−x"], ["y", "−y"], ["z", "−z"]];
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ViewAxes {
     /// x, level; y where x is up or down.
-    pub forward: [f64; 3],
+    pub forward: DVec3,
     /// Against gravity.
-    pub up: [f64; 3],
+    pub up: DVec3,
     /// Forward × up.
-    pub right: [f64; 3],
+    pub right: DVec3,
 }
 
 impl ViewAxes {
@@ -26,25 +27,21 @@ impl ViewAxes {
     }
 
     /// The axes with this direction up, which has length 1.
-    pub fn with_up(up: [f64; 3]) -> Self {
-        let forward = if up[0].abs() > 0.9 { [0.0, 1.0, 0.0] } else { [1.0, 0.0, 0.0] };
-        let rises = dot(forward, up);
-        let level: [f64; 3] = std::array::from_fn(|i| forward[i] - rises * up[i]);
-        let length = dot(level, level).sqrt();
-        let forward = level.map(|value| value / length);
-        let [a, b] = [forward, up];
-        let right = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-        Self { forward, up, right }
+    pub fn with_up(up: DVec3) -> Self {
+        let forward = if up.x.abs() > 0.9 { DVec3::Y } else { DVec3::X };
+        let level = forward - forward.dot(up) * up;
+        let forward = level / level.length();
+        Self { forward, up, right: forward.cross(up) }
     }
 
     /// How far a point is forward, up and to the right, m.
-    pub fn seen(&self, point_m: [f64; 3]) -> [f64; 3] {
-        [dot(self.forward, point_m), dot(self.up, point_m), dot(self.right, point_m)]
+    pub fn seen(&self, point_m: DVec3) -> [f64; 3] {
+        [self.forward, self.up, self.right].map(|axis| axis.dot(point_m))
     }
 
     /// What the three directions are called: `x`, `y` and `z` where gravity points along −y; words where none is an axis.
     pub fn names(&self) -> [&'static str; 3] {
-        let axis = |direction: [f64; 3], word| {
+        let axis = |direction: DVec3, word| {
             let of = |(i, [along, against]): (usize, [&'static str; 2])| match direction[i] {
                 value if value > 1.0 - 1e-12 => Some(along),
                 value if value < 1e-12 - 1.0 => Some(against),
@@ -57,8 +54,6 @@ impl ViewAxes {
 }
 
 // The line around points.
-
-type Point = (f64, f64);
 
 /// Lines longer than this share of the width or the height, whichever is larger, give way to points inside...
 const LONGEST: f64 = 0.06;
@@ -75,63 +70,34 @@ const MOST: usize = 600;
 /// and the line does not cross itself.
 ///
 /// Fewer than three points, or points in a line, have no line around them.
-pub fn silhouette(points: &[Point]) -> Vec<Point> {
-    if points.iter().any(|point| !point.0.is_finite() || !point.1.is_finite()) {
+pub fn silhouette(points: &[DVec2]) -> Vec<DVec2> {
+    if points.iter().any(|point| !point.is_finite()) {
         return Vec::new();
     }
-    let hull = convex_hull(points);
+    let mut sorted = points.to_vec();
+    sort_once(&mut sorted);
+    let hull = hull(&sorted);
     if hull.len() < 3 {
         return Vec::new();
     }
-    let span = |of: fn(&Point) -> f64| {
-        let ends =
-            hull.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| (a.min(v), b.max(v)));
-        ends.1 - ends.0
-    };
-    let size = span(|point| point.0).max(span(|point| point.1));
+    let corners = || hull.iter().copied();
+    let span = corners().fold(DVec2::NEG_INFINITY, DVec2::max) - corners().fold(DVec2::INFINITY, DVec2::min);
+    let size = span.max_element();
     let shape = Shape::new(points, hull, CELL * size);
     let longest = (LONGEST * size).max(SPACINGS * shape.spacing());
     shape.dug(longest)
 }
 
-/// Twice the area of a triangle, positive where it turns to the left.
-fn turn(a: Point, b: Point, c: Point) -> f64 {
-    (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)
-}
-
-/// Andrew's monotone chain, turning to the left; points in a line are left out.
-fn convex_hull(points: &[Point]) -> Vec<Point> {
-    let mut sorted = points.to_vec();
-    sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
-    sorted.dedup();
-    let half = |points: &mut dyn Iterator<Item = Point>| {
-        let mut chain: Vec<Point> = Vec::new();
-        for point in points {
-            while let [.., a, b] = chain[..]
-                && turn(a, b, point) <= 0.0
-            {
-                chain.pop();
-            }
-            chain.push(point);
-        }
-        chain.pop();
-        chain
-    };
-    let mut hull = half(&mut sorted.iter().copied());
-    hull.extend(half(&mut sorted.iter().rev().copied()));
-    hull
-}
-
 /// A line around points that becomes narrower.
 struct Shape {
-    line: Vec<Point>,
-    inside: Vec<Point>,
+    line: Vec<DVec2>,
+    inside: Vec<DVec2>,
 }
 
 impl Shape {
-    fn new(points: &[Point], hull: Vec<Point>, cell: f64) -> Self {
+    fn new(points: &[DVec2], hull: Vec<DVec2>, cell: f64) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "some hundred cells")]
-        let cell_of = |point: &Point| ((point.0 / cell).round() as i64, (point.1 / cell).round() as i64);
+        let cell_of = |point: &DVec2| ((point.x / cell).round() as i64, (point.y / cell).round() as i64);
         let mut taken: HashSet<(i64, i64)> = hull.iter().map(cell_of).collect();
         let inside = points.iter().filter(|point| taken.insert(cell_of(point))).copied().collect();
         Self { line: hull, inside }
@@ -140,13 +106,13 @@ impl Shape {
     /// The distance of as many points that are spread evenly over the same area.
     fn spacing(&self) -> f64 {
         let next = self.line.iter().cycle().skip(1);
-        let area: f64 = self.line.iter().zip(next).map(|(a, b)| (a.0 * b.1 - b.0 * a.1) / 2.0).sum();
+        let area: f64 = self.line.iter().zip(next).map(|(a, b)| a.perp_dot(*b) / 2.0).sum();
         #[expect(clippy::cast_precision_loss, reason = "some thousand points")]
         let count = (self.line.len() + self.inside.len()) as f64;
         (area.abs() / count).sqrt()
     }
 
-    fn dug(mut self, longest: f64) -> Vec<Point> {
+    fn dug(mut self, longest: f64) -> Vec<DVec2> {
         let mut whole: HashSet<[u64; 4]> = HashSet::new();
         while let Some((index, from, to)) = self.longest_edge(longest, &whole) {
             match self.nearest_inside(from, to) {
@@ -163,7 +129,7 @@ impl Shape {
     }
 
     /// The longest edge that may still give way.
-    fn longest_edge(&self, least: f64, whole: &HashSet<[u64; 4]>) -> Option<(usize, Point, Point)> {
+    fn longest_edge(&self, least: f64, whole: &HashSet<[u64; 4]>) -> Option<(usize, DVec2, DVec2)> {
         let next = self.line.iter().cycle().skip(1);
         let edges = self.line.iter().zip(next).enumerate().map(|(index, (&from, &to))| (index, from, to));
         edges
@@ -173,10 +139,10 @@ impl Shape {
 
     /// The point from which an edge has the largest angle, so that no other one is in the circle around the three; `None` if
     /// that point is already on the line.
-    fn nearest_inside(&self, from: Point, to: Point) -> Option<usize> {
-        let seen = |point: &Point| {
-            let area = turn(from, to, *point);
-            let along = (from.0 - point.0) * (to.0 - point.0) + (from.1 - point.1) * (to.1 - point.1);
+    fn nearest_inside(&self, from: DVec2, to: DVec2) -> Option<usize> {
+        let seen = |point: &DVec2| {
+            let area = twice_area(from, to, *point);
+            let along = (from - *point).dot(to - *point);
             // The cotangent falls as the angle grows; points on the edge itself come first, those in its middle.
             let flat = 1e-9 * distance(from, to).powi(2);
             match area {
@@ -185,7 +151,7 @@ impl Shape {
                 _ => None,
             }
         };
-        let best = |points: &[Point]| {
+        let best = |points: &[DVec2]| {
             let seen = points.iter().enumerate().filter_map(|(index, point)| Some((index, seen(point)?)));
             seen.min_by(|a, b| a.1.total_cmp(&b.1))
         };
@@ -194,12 +160,8 @@ impl Shape {
     }
 }
 
-fn distance(a: Point, b: Point) -> f64 {
-    (a.0 - b.0).hypot(a.1 - b.1)
-}
-
-fn key(from: Point, to: Point) -> [u64; 4] {
-    [from.0, from.1, to.0, to.1].map(f64::to_bits)
+fn key(from: DVec2, to: DVec2) -> [u64; 4] {
+    [from.x, from.y, to.x, to.y].map(f64::to_bits)
 }
 
 #[cfg(test)]
@@ -208,47 +170,47 @@ mod tests {
 
     #[test]
     fn gravity_is_down_and_x_forward() {
-        let axes = ViewAxes::with_up([0.0, 1.0, 0.0]);
-        assert_eq!(axes.seen([1.0, 2.0, 3.0]), [1.0, 2.0, 3.0]);
+        let axes = ViewAxes::with_up(DVec3::Y);
+        assert_eq!(axes.seen(DVec3::new(1.0, 2.0, 3.0)), [1.0, 2.0, 3.0]);
         assert_eq!(axes.names(), ["x", "y", "z"]);
         // z up: the right side of one who looks along x is −y.
-        let axes = ViewAxes::with_up([0.0, 0.0, 1.0]);
-        assert_eq!(axes.seen([1.0, 2.0, 3.0]), [1.0, 3.0, -2.0]);
+        let axes = ViewAxes::with_up(DVec3::Z);
+        assert_eq!(axes.seen(DVec3::new(1.0, 2.0, 3.0)), [1.0, 3.0, -2.0]);
         assert_eq!(axes.names(), ["x", "z", "−y"]);
         // x up: y is forward.
-        assert_eq!(ViewAxes::with_up([1.0, 0.0, 0.0]).names(), ["y", "x", "−z"]);
+        assert_eq!(ViewAxes::with_up(DVec3::X).names(), ["y", "x", "−z"]);
         // A slope of 3 to 4.
-        let axes = ViewAxes::with_up([-0.6, 0.8, 0.0]);
+        let axes = ViewAxes::with_up(DVec3::new(-0.6, 0.8, 0.0));
         assert_eq!(axes.names(), ["forward", "up", "z"]);
-        let [x, y, z] = axes.forward;
-        assert!((x - 0.8).abs() < 1e-15 && (y - 0.6).abs() < 1e-15 && z == 0.0);
+        assert!(axes.forward.abs_diff_eq(DVec3::new(0.8, 0.6, 0.0), 1e-15));
     }
 
     /// Points on the edge of a bridge: 10 long, 4 high, with a hollow of 6 by 2 below.
-    fn bridge() -> Vec<Point> {
+    fn bridge() -> Vec<DVec2> {
         let across = (0..=200).map(|index| 0.05 * f64::from(index));
-        let mut points: Vec<Point> =
-            across.flat_map(|x| [(x, 4.0), (x, if (2.0..=8.0).contains(&x) { 2.0 } else { 0.0 })]).collect();
-        let up = |x: f64, to: f64| (0..=80).map(move |index| (x, to * f64::from(index) / 80.0));
+        let below = |x: f64| if (2.0..=8.0).contains(&x) { 2.0 } else { 0.0 };
+        let mut points: Vec<DVec2> =
+            across.flat_map(|x| [DVec2::new(x, 4.0), DVec2::new(x, below(x))]).collect();
+        let up = |x: f64, to: f64| (0..=80).map(move |index| DVec2::new(x, to * f64::from(index) / 80.0));
         points.extend(up(0.0, 4.0).chain(up(10.0, 4.0)).chain(up(2.0, 2.0)).chain(up(8.0, 2.0)));
         points
     }
 
     /// Gauss's formula.
-    fn area(line: &[Point]) -> f64 {
+    fn area(line: &[DVec2]) -> f64 {
         let next = line.iter().cycle().skip(1);
-        line.iter().zip(next).map(|(a, b)| (a.0 * b.1 - b.0 * a.1) / 2.0).sum()
+        line.iter().zip(next).map(|(a, b)| a.perp_dot(*b) / 2.0).sum()
     }
 
-    fn holds(line: &[Point], point: Point) -> bool {
+    fn holds(line: &[DVec2], point: DVec2) -> bool {
         let next = line.iter().cycle().skip(1);
         let edges = line.iter().zip(next);
-        let on = |a: Point, b: Point| {
-            turn(a, b, point).abs() < 1e-12 * distance(a, b) + 1e-12
+        let on = |a: DVec2, b: DVec2| {
+            twice_area(a, b, point).abs() < 1e-12 * distance(a, b) + 1e-12
                 && distance(a, point) + distance(point, b) < distance(a, b) + 1e-9
         };
-        let crosses = |a: Point, b: Point| {
-            (a.1 > point.1) != (b.1 > point.1) && point.0 < (b.0 - a.0) * (point.1 - a.1) / (b.1 - a.1) + a.0
+        let crosses = |a: DVec2, b: DVec2| {
+            (a.y > point.y) != (b.y > point.y) && point.x < (b.x - a.x) * (point.y - a.y) / (b.y - a.y) + a.x
         };
         edges.clone().any(|(a, b)| on(*a, *b)) || edges.filter(|(a, b)| crosses(**a, **b)).count() % 2 == 1
     }
@@ -277,23 +239,26 @@ mod tests {
         let ray = |angle: f64| {
             (0..=20).flat_map(move |index| {
                 let (r, (s, c)) = (0.5 * f64::from(index), angle.to_radians().sin_cos());
-                [0.3, -0.3].map(|side| (r * c - side * s, r * s + side * c))
+                [0.3, -0.3].map(|side| DVec2::new(r * c - side * s, r * s + side * c))
             })
         };
         let line = silhouette(&[-30.0, 0.0, 30.0].into_iter().flat_map(ray).collect::<Vec<_>>());
         // Between the tips there is nothing.
         for angle in [-15.0_f64, 15.0] {
             let (s, c) = angle.to_radians().sin_cos();
-            assert!(!holds(&line, (9.0 * c, 9.0 * s)), "{line:?}");
+            assert!(!holds(&line, DVec2::new(9.0 * c, 9.0 * s)), "{line:?}");
         }
-        assert!(holds(&line, (9.0, 0.0)));
+        assert!(holds(&line, DVec2::new(9.0, 0.0)));
     }
 
     #[test]
     fn points_in_a_line_have_no_line_around_them() {
-        assert!(silhouette(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)]).is_empty());
-        assert!(silhouette(&[(0.0, 0.0), (1.0, 1.0)]).is_empty() && silhouette(&[]).is_empty());
-        assert!(silhouette(&[(f64::NAN, 0.0), (0.0, 1.0), (1.0, 0.0)]).is_empty());
-        assert_eq!(silhouette(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]).len(), 3);
+        let corners = |points: &[(f64, f64)]| {
+            silhouette(&points.iter().copied().map(DVec2::from).collect::<Vec<_>>()).len()
+        };
+        assert_eq!(corners(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0)]), 0);
+        assert_eq!((corners(&[(0.0, 0.0), (1.0, 1.0)]), corners(&[])), (0, 0));
+        assert_eq!(corners(&[(f64::NAN, 0.0), (0.0, 1.0), (1.0, 0.0)]), 0);
+        assert_eq!(corners(&[(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)]), 3);
     }
 }

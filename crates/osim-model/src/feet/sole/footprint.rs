@@ -1,7 +1,10 @@
 //! How much of a foot is near the ground, and how far it is from lying flat.
 
-use super::outline::{dot, extent, hull, lengthwise};
-use crate::model::{Side, cross};
+use glam::{DVec2, DVec3};
+
+use super::outline::{extent, lengthwise};
+use crate::feet::vector::{hull, sort_once};
+use crate::model::Side;
 
 /// A foot that lies flat covers this part of its length and of its width, or more.
 pub(crate) const COVERED: f64 = 0.8;
@@ -37,19 +40,19 @@ impl Footprint {
     }
 
     /// The footprint of all points of a foot; those `near` the ground are given, too.
-    pub(super) fn of(flat: &[Flat], near: &[[f64; 2]]) -> Self {
-        let mut whole: Vec<[f64; 2]> = flat.iter().map(|point| point.at).collect();
-        whole.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-        whole.dedup();
+    pub(super) fn of(flat: &[Flat], near: &[DVec2]) -> Self {
+        let mut whole: Vec<DVec2> = flat.iter().map(|point| point.at).collect();
+        sort_once(&mut whole);
         let ahead = lengthwise(&hull(&whole));
-        let across = [-ahead[1], ahead[0]];
+        let across = ahead.perp();
         let share = |direction| {
             let all = extent(&whole, direction);
             if all > 0.0 { extent(near, direction) / all } else { 1.0 }
         };
-        let pitch = slope(flat.iter().map(|point| [dot(point.at, ahead), point.height]).collect());
+        let pitch = slope(flat.iter().map(|point| DVec2::new(point.at.dot(ahead), point.height)).collect());
         // Else what is only tilted to the front would look tilted to the side, too.
-        let level = |point: &Flat| [dot(point.at, across), point.height - pitch * dot(point.at, ahead)];
+        let level =
+            |point: &Flat| DVec2::new(point.at.dot(across), point.height - pitch * point.at.dot(ahead));
         let roll = slope(flat.iter().map(level).collect());
         Self {
             length_m: extent(&whole, ahead),
@@ -63,14 +66,13 @@ impl Footprint {
 
 /// The slope of the line on which points rest, which are along the ground and above it: of the side of their convex hull below
 /// their middle.
-fn slope(mut points: Vec<[f64; 2]>) -> f64 {
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    points.dedup();
+fn slope(mut points: Vec<DVec2>) -> f64 {
+    sort_once(&mut points);
     let ends = points.first().zip(points.last());
-    let middle = ends.map_or(0.0, |(first, last)| 0.5 * (first[0] + last[0]));
+    let middle = ends.map_or(0.0, |(first, last)| 0.5 * (first.x + last.x));
     // The lower side comes first, from the rear to the front.
     let below = hull(&points).windows(2).find_map(|pair| match pair {
-        &[a, b] if a[0] <= middle && middle < b[0] => Some((b[1] - a[1]) / (b[0] - a[0])),
+        &[a, b] if a.x <= middle && middle < b.x => Some((b.y - a.y) / (b.x - a.x)),
         _ => None,
     });
     below.unwrap_or(0.0)
@@ -88,7 +90,7 @@ const APART: f64 = 1e-6;
 /// A point of a bone in ground, and the place of its body among those of the foot.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Point {
-    pub at: [f64; 3],
+    pub at: DVec3,
     pub body: usize,
 }
 
@@ -96,7 +98,7 @@ pub(super) struct Point {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Flat {
     /// Forward and outward from the foot's own rearmost and innermost point, m.
-    pub at: [f64; 2],
+    pub at: DVec2,
     /// Above the lowest point of the foot, m.
     pub height: f64,
     /// The place of its body among those of the foot.
@@ -106,10 +108,10 @@ pub(super) struct Flat {
 /// Directions in ground in which a foot is described.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Axes {
-    pub up: [f64; 3],
-    forward: [f64; 3],
+    pub up: DVec3,
+    forward: DVec3,
     /// To the right of a right foot and to the left of a left one.
-    outward: [f64; 3],
+    outward: DVec3,
     /// Of the foot's points along the directions, the least.
     rearmost: f64,
     innermost: f64,
@@ -118,25 +120,27 @@ pub(super) struct Axes {
 
 impl Axes {
     /// Those of a foot with `points`. `across` is from the left to the right limb of a pair; without one, forward is x of ground.
-    pub(super) fn of(up: [f64; 3], side: Option<Side>, points: &[Point], across: Option<[f64; 3]>) -> Self {
+    pub(super) fn of(up: DVec3, side: Option<Side>, points: &[Point], across: Option<DVec3>) -> Self {
         let across = across.and_then(|across| along_ground(up, across, APART));
         let right = across.map(axis_of_ground).unwrap_or_else(|| {
-            let ahead = along_ground(up, [1.0, 0.0, 0.0], 0.1).unwrap_or([0.0, 1.0, 0.0]);
-            cross(ahead, up)
+            let ahead = along_ground(up, DVec3::X, 0.1).unwrap_or(DVec3::Y);
+            ahead.cross(up)
         });
-        let outward = if side == Some(Side::Left) { right.map(|value| -value) } else { right };
-        let forward = cross(up, right);
-        let least = |direction| {
-            points.iter().map(|point| dot_in_space(point.at, direction)).fold(f64::INFINITY, f64::min)
-        };
+        let outward = if side == Some(Side::Left) { -right } else { right };
+        let forward = up.cross(right);
+        let least =
+            |direction| points.iter().map(|point| point.at.dot(direction)).fold(f64::INFINITY, f64::min);
         Self { up, forward, outward, rearmost: least(forward), innermost: least(outward), lowest: least(up) }
     }
 
     /// The points along these directions.
     pub(super) fn flat(&self, points: &[Point]) -> Vec<Flat> {
-        let from = |point: &Point, direction, least| on_grid(dot_in_space(point.at, direction) - least);
+        let from = |point: &Point, direction, least| on_grid(point.at.dot(direction) - least);
         let flat = |point: &Point| Flat {
-            at: [from(point, self.forward, self.rearmost), from(point, self.outward, self.innermost)],
+            at: DVec2::new(
+                from(point, self.forward, self.rearmost),
+                from(point, self.outward, self.innermost),
+            ),
             height: from(point, self.up, self.lowest),
             body: point.body,
         };
@@ -144,9 +148,9 @@ impl Axes {
     }
 
     /// The point in ground that is `at` along the ground and has the component `height` along up.
-    pub(super) fn in_ground(&self, at: [f64; 2], height: f64) -> [f64; 3] {
-        let [ahead, out] = [at[0] + self.rearmost, at[1] + self.innermost];
-        std::array::from_fn(|i| ahead * self.forward[i] + out * self.outward[i] + height * self.up[i])
+    pub(super) fn in_ground(&self, at: DVec2, height: f64) -> DVec3 {
+        let (ahead, out) = (at.x + self.rearmost, at.y + self.innermost);
+        ahead * self.forward + out * self.outward + height * self.up
     }
 }
 
@@ -155,19 +159,13 @@ fn on_grid(value: f64) -> f64 {
 }
 
 /// The part of a vector along the ground, with length 1; `None` if it is shorter than `least`.
-fn along_ground(up: [f64; 3], vector: [f64; 3], least: f64) -> Option<[f64; 3]> {
-    let rise = dot_in_space(vector, up);
-    let flat: [f64; 3] = std::array::from_fn(|i| vector[i] - rise * up[i]);
-    let length = dot_in_space(flat, flat).sqrt();
-    (length >= least).then(|| flat.map(|value| value / length))
+fn along_ground(up: DVec3, vector: DVec3, least: f64) -> Option<DVec3> {
+    let flat = vector - vector.dot(up) * up;
+    let length = flat.length();
+    (length >= least).then(|| flat / length)
 }
 
-fn axis_of_ground(direction: [f64; 3]) -> [f64; 3] {
-    let rounded = direction.map(f64::round);
-    let close = direction.iter().zip(rounded).all(|(value, axis)| (value - axis).abs() <= SAME_DIRECTION);
-    if close { rounded } else { direction }
-}
-
-fn dot_in_space([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
-    a * x + b * y + c * z
+fn axis_of_ground(direction: DVec3) -> DVec3 {
+    let rounded = direction.round();
+    if direction.abs_diff_eq(rounded, SAME_DIRECTION) { rounded } else { direction }
 }

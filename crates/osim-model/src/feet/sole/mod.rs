@@ -4,14 +4,16 @@ mod footprint;
 mod outline;
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
+use glam::{DVec2, DVec3};
 
 use super::bones::Bone;
 use super::default_pose::DefaultPose;
 use super::fault::FeetFault;
+use super::vector::{hull, sort_once};
 use crate::model::{Model, Placement, Side, without_side};
 pub use footprint::Footprint;
 use footprint::{Axes, Flat, Point};
-use outline::{hull, spread};
+use outline::spread;
 
 /// What counts as near the ground: height above the lowest point, as a part of the foot's greatest extent along the ground.
 const NEAR: f64 = 0.1;
@@ -40,11 +42,11 @@ pub struct Sole {
     /// The side, where the names of all bodies say it.
     pub side: Option<Side>,
     /// The direction opposite to gravity, in ground; of length 1.
-    pub up: [f64; 3],
+    pub up: DVec3,
     /// The points of the sole's plane have this component along `up`, m.
     pub height_m: f64,
     /// Corners of the outline in the plane, in ground, m: of the convex hull of all bone points that are near the ground.
-    pub outline_m: Vec<[f64; 3]>,
+    pub outline_m: Vec<DVec3>,
     /// How much of the foot is near the ground.
     pub footprint: Footprint,
     /// The spheres.
@@ -57,11 +59,11 @@ pub struct SoleSphere {
     /// The body that carries it: that of the bone point nearest to its bottom.
     pub body: String,
     /// Its centre in the frame of that body, m.
-    pub centre_m: [f64; 3],
+    pub centre_m: DVec3,
     /// Its radius, m.
     pub radius_m: f64,
     /// Its lowest point in ground at the default pose, m.
-    pub bottom_m: [f64; 3],
+    pub bottom_m: DVec3,
 }
 
 /// The soles of the limbs to which `bones` belong, with spheres: one limb are bodies that hang on each other, and bodies of one
@@ -100,11 +102,11 @@ pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec
 }
 
 /// From where the left limb of a pair begins to where the right one does.
-fn across(foot: &FootBodies, pair: &FootBodies, pose: &DefaultPose) -> Option<[f64; 3]> {
+fn across(foot: &FootBodies, pair: &FootBodies, pose: &DefaultPose) -> Option<DVec3> {
     let origin = |foot: &FootBodies| Some(pose.placement(&foot.limb).ok()?.translation_m);
     let (own, other) = (origin(foot)?, origin(pair)?);
     let sign = if foot.side == Some(Side::Left) { -1.0 } else { 1.0 };
-    Some(std::array::from_fn(|i| sign * (own[i] - other[i])))
+    Some(sign * (own - other))
 }
 
 fn check(request: &SoleRequest) -> Result<(), FeetFault> {
@@ -123,10 +125,10 @@ fn check(request: &SoleRequest) -> Result<(), FeetFault> {
 }
 
 /// The direction opposite to gravity.
-fn up_of(model: &Model) -> Option<[f64; 3]> {
+fn up_of(model: &Model) -> Option<DVec3> {
     let size = model.gravity().filter(|size| size.is_finite() && *size > 0.0)?;
     // Not -0, where gravity has 0.
-    Some(model.gravity_m_s2?.map(|value| 0.0 - value / size))
+    Some(DVec3::ZERO - DVec3::from(model.gravity_m_s2?) / size)
 }
 
 fn points_in_ground(foot: &FootBodies, bones: &[Bone], placements: &HashMap<&str, Placement>) -> Vec<Point> {
@@ -180,35 +182,33 @@ impl Sole {
 }
 
 /// Along the ground, the points that are near it, in an order that does not depend on that of the files.
-fn near_ground(flat: &[Flat]) -> Vec<[f64; 2]> {
+fn near_ground(flat: &[Flat]) -> Vec<DVec2> {
     let extent = |axis: usize| {
         let along = |point: &Flat| point.at[axis];
         let least = flat.iter().map(along).fold(f64::INFINITY, f64::min);
         flat.iter().map(along).fold(f64::NEG_INFINITY, f64::max) - least
     };
     let near = NEAR * extent(0).max(extent(1));
-    let mut points: Vec<[f64; 2]> =
+    let mut points: Vec<DVec2> =
         flat.iter().filter(|point| point.height <= near).map(|point| point.at).collect();
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    points.dedup();
+    sort_once(&mut points);
     points
 }
 
 /// Of points that are close together, the first; `points` are sorted.
-fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+fn thinned(points: &[DVec2]) -> Vec<DVec2> {
     let ends = points.first().zip(points.last());
-    let length = ends.map_or(0.0, |(first, last)| last[0] - first[0]);
+    let length = ends.map_or(0.0, |(first, last)| last.x - first.x);
     let cell = CELL.max(length / CELLS);
     let mut seen = HashSet::new();
-    let number = |point: &[f64; 2]| point.map(|value| (value / cell).floor().to_bits());
+    let number = |point: &DVec2| (*point / cell).floor().to_array().map(f64::to_bits);
     points.iter().filter(|point| seen.insert(number(point))).copied().collect()
 }
 
 /// The body of the point that is nearest to a `bottom` at `height` above the lowest point.
-fn nearest_body(flat: &[Flat], bottom: [f64; 2], height: f64) -> Option<usize> {
+fn nearest_body(flat: &[Flat], bottom: DVec2, height: f64) -> Option<usize> {
     let distance = |point: &Flat| {
-        let [a, b] = [point.at[0] - bottom[0], point.at[1] - bottom[1]];
-        a * a + b * b + (point.height - height) * (point.height - height)
+        (point.at - bottom).length_squared() + (point.height - height) * (point.height - height)
     };
     flat.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|point| point.body)
 }

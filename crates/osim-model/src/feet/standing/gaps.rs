@@ -5,11 +5,11 @@ use std::collections::BTreeSet;
 use contact_scaling::equilibrium::{Raised, hertz_indentation_of_lowest, indentation_of_lowest};
 use contact_scaling::{DomainError, Law, Spheres};
 use foldhash::{HashMap, HashMapExt, HashSet};
+use glam::DVec3;
 
 use crate::feet::contacts::{ContactPlane, PlaneSurface, STEEPEST_RAD};
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::PoseFault;
-use crate::feet::vector::dot;
 use crate::model::{ForceId, LoadedSphere, Model, Placement, SphereId};
 
 /// A sphere over a floor.
@@ -79,10 +79,7 @@ impl Floors {
         pose: &DefaultPose,
     ) -> Result<Vec<(&ContactPlane, f64)>, PoseFault> {
         let Some((bottom, radius)) = centre(model, sphere, pose)? else { return Ok(Vec::new()) };
-        let gap = |surface: &PlaneSurface| {
-            let from_plane: [f64; 3] = std::array::from_fn(|axis| bottom[axis] - surface.point_m[axis]);
-            dot(from_plane, surface.normal) - radius
-        };
+        let gap = |surface: &PlaneSurface| (bottom - surface.point_m).dot(surface.normal) - radius;
         let places = self.of_sphere.get(&sphere).into_iter().flatten();
         let planes = places.filter_map(|&place| self.planes.get(place));
         Ok(planes.map(|(plane, surface)| (plane, gap(surface))).filter(|(_, gap)| gap.is_finite()).collect())
@@ -100,14 +97,14 @@ impl Floors {
 }
 
 /// The angle between `normal` and the axis of `body` that is nearest to it, rad.
-pub(super) fn tilt(body: &Placement, normal: [f64; 3]) -> f64 {
-    let squares = body.rotation.inverse().to_body(normal).map(|part| part * part);
+pub(super) fn tilt(body: &Placement, normal: DVec3) -> f64 {
+    let squares = body.rotation.inverse().to_body(normal).to_array().map(|part| part * part);
     let largest = squares.iter().copied().fold(0.0, f64::max);
     libm::atan2((squares.iter().sum::<f64>() - largest).max(0.0).sqrt(), largest.sqrt())
 }
 
 /// The centre of a sphere in ground, and its radius; `None` where a number of them cannot be read.
-fn centre(model: &Model, sphere: SphereId, pose: &DefaultPose) -> Result<Option<([f64; 3], f64)>, PoseFault> {
+fn centre(model: &Model, sphere: SphereId, pose: &DefaultPose) -> Result<Option<(DVec3, f64)>, PoseFault> {
     let known = model.sphere(sphere).zip(model.centre_m(sphere)).zip(model.radius_m(sphere).ok());
     let Some(((sphere, centre), radius)) = known else { return Ok(None) };
     let Some(body) = sphere.body.as_deref() else { return Ok(None) };

@@ -1,5 +1,7 @@
 //! Where the spheres of a foot have to be for their bottoms to be level.
 
+use glam::DVec3;
+
 use super::gaps::{Floors, tilt};
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::PoseFault;
@@ -60,7 +62,7 @@ pub enum NotLevelled {
 struct Over {
     sphere: SphereId,
     gap_m: f64,
-    normal: [f64; 3],
+    normal: DVec3,
     tilt_rad: f64,
 }
 
@@ -142,7 +144,7 @@ impl Feet<'_> {
         let frame = self.model.rotation_of(found).map_err(|fault| NotLevelled::Frame(Box::new(fault)))?;
         let in_body = self.pose.placement(body)?.rotation.inverse().to_body(over.normal);
         let normal = frame.inverse().to_body(in_body);
-        let location_m = std::array::from_fn(|axis| found.location_m[axis] - down_m * normal[axis]);
-        Ok(LevelledSphere { sphere, location_m })
+        let location_m = DVec3::from(found.location_m) - down_m * normal;
+        Ok(LevelledSphere { sphere, location_m: location_m.to_array() })
     }
 }

@@ -1,10 +1,10 @@
 //! The coordinate that lifts spheres from their floor, and the tree of joints that it moves.
 
 use foldhash::{HashMap, HashMapExt, HashSet};
+use glam::DVec3;
 
 use crate::feet::couplers::{CoordinateValues, Held, HeldCoordinates};
 use crate::feet::default_pose::{Crossing, DefaultPose, joint_walk};
-use crate::feet::vector::dot;
 use crate::model::{JointCoordinate, Model, ModelJoint, Placement};
 
 /// Movements this close to each other are one (per metre of the coordinate).
@@ -75,7 +75,7 @@ impl<'m> Lifting<'m> {
     }
 
     /// The coordinate of the joints on `way` that lifts most along `normal`, with its joint's place on the way.
-    pub(super) fn find(&self, way: &[Hanging<'_>], normal: [f64; 3]) -> Result<(usize, Lift), NotLifted> {
+    pub(super) fn find(&self, way: &[Hanging<'_>], normal: DVec3) -> Result<(usize, Lift), NotLifted> {
         let mut best: Option<(usize, Lift)> = None;
         let mut not = NotLifted::Welded;
         for (place, hanging) in way.iter().enumerate() {
@@ -104,16 +104,14 @@ impl<'m> Lifting<'m> {
         best.ok_or(not)
     }
 
-    fn moves(&self, hanging: &Hanging<'_>, index: usize, normal: [f64; 3]) -> Option<Moves> {
+    fn moves(&self, hanging: &Hanging<'_>, index: usize, normal: DVec3) -> Option<Moves> {
         let by = |metres: f64| self.moved(hanging, index, metres);
         let moved = [by(1.0)?, by(0.5)?, by(-1.0)?];
-        let unturned = moved.iter().all(|moved| {
-            let turned = moved.rotation.inverse().to_body(normal);
-            (0..3).all(|axis| (turned[axis] - normal[axis]).abs() <= SAME)
-        });
-        let [rise, half, back] = moved.map(|moved| dot(moved.translation_m, normal));
+        let turned = |moved: &Placement| moved.rotation.inverse().to_body(normal);
+        let unturned = moved.iter().all(|moved| turned(moved).abs_diff_eq(normal, SAME));
+        let [rise, half, back] = moved.map(|moved| moved.translation_m.dot(normal));
         let is_even = (half - 0.5 * rise).abs() <= SAME && (back + rise).abs() <= SAME;
-        let moves = moved.iter().any(|moved| moved.translation_m.iter().any(|part| part.abs() > SAME));
+        let moves = moved.iter().any(|moved| moved.translation_m.abs().cmpgt(DVec3::splat(SAME)).any());
         Some(match unturned {
             true if is_even && rise.abs() >= LEAST_RISE => Moves::Lifts(rise),
             true if is_even && moves => Moves::Slides,

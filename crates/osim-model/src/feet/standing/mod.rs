@@ -9,11 +9,12 @@ use std::collections::BTreeSet;
 
 use contact_scaling::DomainError;
 use foldhash::{HashMap, HashMapExt, HashSet};
+use glam::DVec3;
 
 use super::contacts::{ContactPlane, PlaneSurface};
 use super::default_pose::DefaultPose;
 use super::fault::PoseFault;
-use super::vector::{angle, dot};
+use super::vector::angle;
 use crate::model::{ForceId, Model, SphereId, loaded_spheres};
 pub use gaps::{ByLaw, OverFloor, Rest, RestingSphere};
 use gaps::{Floors, Pressing};
@@ -162,7 +163,7 @@ impl<'j> Tree<'_, 'j> {
         }
         let (lift, mass_kg) = self.lift(spheres, &planes, lifting);
         let gravity = self.model.gravity().filter(|gravity| *gravity > 0.0 && gravity.is_finite());
-        let along = normal.map(|normal| dot(normal, self.model.up()));
+        let along = normal.map(|normal| normal.dot(self.model.up()));
         let load_n = mass_kg.zip(gravity).zip(along).map(|((mass, gravity), along)| mass * gravity * along);
         let top = self.top.to_owned();
         Ok(Standing { top, spheres: over, lift, mass_kg, load_n, pressing: Vec::new() })
@@ -183,7 +184,7 @@ impl<'j> Tree<'_, 'j> {
             let of_plane: HashSet<&str> = self.tree.way(plane).iter().map(|other| other.body).collect();
             way.retain(|hanging| !of_plane.contains(hanging.body));
         }
-        let normals: Vec<[f64; 3]> = planes.iter().map(|(_, surface)| surface.normal).collect();
+        let normals: Vec<DVec3> = planes.iter().map(|(_, surface)| surface.normal).collect();
         let lift = match normals.first() {
             Some(&first) if normals.iter().all(|&other| angle(first, other) <= SAME_DIRECTION) => {
                 lifting.find(&way, first)

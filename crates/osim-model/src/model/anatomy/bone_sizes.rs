@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashMapExt};
+use glam::DVec3;
 
 use crate::model::anatomy::joints::AnatomyJoint;
 use crate::model::components::{ComponentId, Components};
@@ -11,7 +12,6 @@ use crate::model::contacts::Sphere;
 use crate::model::document::Document;
 use crate::model::fault::NeedsAnswer;
 use crate::model::names::Side;
-use crate::model::rotation::times;
 use crate::xml::{ElementId, opensim_text};
 
 /// By body: three numbers for each of its meshes or frames, as in [`Anatomy`](crate::model::anatomy::Anatomy).
@@ -127,7 +127,8 @@ fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 
         let set = tree.child(visible, "GeometrySet").and_then(|set| tree.child(set, "objects"));
         for geometry in set.into_iter().flat_map(|set| tree.children(set)) {
             let own = mesh_scale(document, geometry);
-            found.push((mesh_file(document, geometry, "geometry_file"), times(whole, own)));
+            let factors = DVec3::from(whole) * DVec3::from(own);
+            found.push((mesh_file(document, geometry, "geometry_file"), factors.to_array()));
         }
     }
     let mut meshes = BTreeMap::new();
@@ -177,14 +178,14 @@ impl JointDistances {
     /// The distances between these joints of bodies, such as [`Anatomy::joints`](crate::model::Anatomy::joints).
     pub fn of_joints(joints: &[AnatomyJoint]) -> Self {
         let mut neighbours: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-        let mut places: BTreeMap<String, Vec<[f64; 3]>> = BTreeMap::new();
+        let mut places: BTreeMap<String, Vec<DVec3>> = BTreeMap::new();
         for joint in joints {
             places.entry(joint.parent.clone()).or_default().push(joint.in_parent_m);
             places.entry(joint.child.clone()).or_default().push(joint.in_child_m);
             neighbours.entry(joint.parent.clone()).or_default().insert(joint.child.clone());
             neighbours.entry(joint.child.clone()).or_default().insert(joint.parent.clone());
         }
-        let longest = |(body, places): (String, Vec<[f64; 3]>)| Some((body, longest_m(&places)?));
+        let longest = |(body, places): (String, Vec<DVec3>)| Some((body, longest_m(&places)?));
         let longest_m: BTreeMap<String, f64> = places.into_iter().filter_map(longest).collect();
         let around = |(body, next_to): (&String, &BTreeSet<String>)| {
             let near = next_to.iter().chain([body]).filter_map(|body| longest_m.get(body));
@@ -260,20 +261,19 @@ fn of_limbs(joints: &[AnatomyJoint], own_m: &BTreeMap<String, f64>) -> HashMap<S
 /// The longest distance between two of `places`. Where very many are about equally far from their middle (joints on a circle), only
 /// pairs with one of the [`OUTERMOST`] are looked at. What is found is then at least 0.57 (1/√3) of the longest: the outermost place is
 /// as far out along some axis as 1/√3 of half the longest, and on the other side of the middle there is a place as far out.
-fn longest_m(places: &[[f64; 3]]) -> Option<f64> {
-    let mut places: Vec<[f64; 3]> =
-        places.iter().copied().filter(|place| place.iter().all(|value| value.is_finite())).collect();
+fn longest_m(places: &[DVec3]) -> Option<f64> {
+    let mut places: Vec<DVec3> = places.iter().copied().filter(|place| place.is_finite()).collect();
     places.sort_unstable_by(|a, b| {
-        a.iter().zip(b).map(|(a, b)| a.total_cmp(b)).fold(Ordering::Equal, Ordering::then)
+        let (a, b) = (a.to_array(), b.to_array());
+        a.iter().zip(&b).map(|(a, b)| a.total_cmp(b)).fold(Ordering::Equal, Ordering::then)
     });
     places.dedup();
-    let middle = std::array::from_fn(|axis| {
-        let along = || places.iter().map(|place| place[axis]);
-        along().fold(f64::INFINITY, f64::min) / 2.0 + along().fold(f64::NEG_INFINITY, f64::max) / 2.0
-    });
+    let all = || places.iter().copied();
+    let middle =
+        all().fold(DVec3::INFINITY, DVec3::min) / 2.0 + all().fold(DVec3::NEG_INFINITY, DVec3::max) / 2.0;
     // From the outermost one inwards: two places are no farther apart than both are from the middle together.
-    let mut by_distance: Vec<(f64, [f64; 3])> =
-        places.into_iter().map(|place| (distance_m(place, middle), place)).collect();
+    let mut by_distance: Vec<(f64, DVec3)> =
+        places.into_iter().map(|place| (place.distance(middle), place)).collect();
     by_distance.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
     let mut longest: Option<f64> = None;
     for (at, (far, a)) in by_distance.iter().enumerate().take(OUTERMOST) {
@@ -282,7 +282,7 @@ fn longest_m(places: &[[f64; 3]]) -> Option<f64> {
             if longest.is_some_and(|longest| (far + near) * (1.0 + 1e-9) < longest) {
                 break;
             }
-            let apart = distance_m(*a, *b);
+            let apart = a.distance(*b);
             if apart.is_finite() && apart > 0.0 {
                 longest = Some(longest.map_or(apart, |longest| longest.max(apart)));
             }
@@ -292,8 +292,4 @@ fn longest_m(places: &[[f64; 3]]) -> Option<f64> {
         }
     }
     longest
-}
-
-fn distance_m(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }

@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 
 use foldhash::HashSet;
+use glam::DVec3;
 
 use crate::model::anatomy::functions::numbers;
 use crate::model::anatomy::pose::{Motion, Speeds};
@@ -20,15 +21,15 @@ pub struct AnatomyJoint {
     pub parent: String,
     /// The body that hangs on it.
     pub child: String,
-    pub in_parent_m: [f64; 3],
-    pub in_child_m: [f64; 3],
+    pub in_parent_m: DVec3,
+    pub in_child_m: DVec3,
     /// The child's frame in the parent's at the default pose; `None` where a function of the joint is not understood.
     placement: Option<Placement>,
 }
 
 impl AnatomyJoint {
     /// A point of the child, seen from the parent at the default pose, m.
-    pub fn in_parent(&self, point_m: [f64; 3]) -> Option<[f64; 3]> {
+    pub fn in_parent(&self, point_m: DVec3) -> Option<DVec3> {
         Some(self.placement?.point(point_m))
     }
 }
@@ -67,7 +68,7 @@ pub struct JointCoordinate {
 
 impl ModelJoint {
     /// Where it is on its parent (or in ground), m.
-    pub fn in_parent_m(&self) -> [f64; 3] {
+    pub fn in_parent_m(&self) -> DVec3 {
         self.in_parent.translation_m
     }
 
@@ -131,7 +132,7 @@ impl Joints {
         })
     }
 
-    pub(crate) fn ends(&self, components: &Components) -> impl Iterator<Item = (&str, [f64; 3])> {
+    pub(crate) fn ends(&self, components: &Components) -> impl Iterator<Item = (&str, DVec3)> {
         self.read(components).iter().flat_map(|(_, joint)| {
             let parent = joint.parent.as_deref().map(|body| (body, joint.in_parent.translation_m));
             let child = joint.child.as_deref().map(|body| (body, joint.in_child.translation_m));

@@ -8,6 +8,7 @@ mod pose;
 use std::collections::{self, BTreeMap};
 
 use foldhash::{HashMap, HashSet};
+use glam::DVec3;
 
 use crate::model::components::MAX_FRAME_CHAIN;
 use crate::model::fault::Fault;
@@ -159,23 +160,14 @@ impl Anatomy {
 
     /// Where `joint` is, seen from the origin of `body` at the default pose, m; `None` unless it lies below that body, with at
     /// most 64 joints between: each joint of a long chain would walk all of it.
-    pub fn place_below(&self, body: &str, joint: &AnatomyJoint) -> Option<[f64; 3]> {
-        let (mut at, mut point) = (joint.parent.as_str(), joint.in_parent_m);
-        for _ in 0..=MAX_FRAME_CHAIN {
-            if at == body {
-                return Some(point);
-            }
-            let above = self.joint_above(at)?;
-            point = above.in_parent(point)?;
-            at = &above.parent;
-        }
-        None
+    pub fn place_below(&self, body: &str, joint: &AnatomyJoint) -> Option<DVec3> {
+        self.seen_from(body, &joint.parent, joint.in_parent_m)
     }
 
     /// A point of the body `from`, seen from the body `above` at the default pose, m; `None` unless `from` hangs on that body, with
     /// at most 64 joints between.
-    pub fn seen_from(&self, above: &str, from: &str, point_m: [f64; 3]) -> Option<[f64; 3]> {
-        let (mut at, mut point) = (from, point_m);
+    pub fn seen_from(&self, above: &str, from: &str, point_m: impl Into<DVec3>) -> Option<DVec3> {
+        let (mut at, mut point) = (from, point_m.into());
         for _ in 0..=MAX_FRAME_CHAIN {
             if at == above {
                 return Some(point);

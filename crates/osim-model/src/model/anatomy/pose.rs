@@ -1,9 +1,11 @@
 //! How the two frames of a joint are placed to each other at given values of its coordinates, and how they move.
 
+use glam::DVec3;
+
 use crate::model::anatomy::functions::CoordinateFunction;
 use crate::model::document::Document;
 use crate::model::placement::{MovingPlacement, Placement};
-use crate::model::rotation::{Rotation, cross, times};
+use crate::model::rotation::Rotation;
 use crate::xml::{ElementId, opensim_text};
 
 /// How the coordinates of a joint change, one number for each; 0 where there are fewer.
@@ -25,14 +27,14 @@ impl Speeds<'_> {
     }
 
     /// The angular velocity of a frame that is turned by the first three of `values`, rad/s.
-    pub(crate) fn turning(&self, values: &[f64]) -> [f64; 3] {
+    pub(crate) fn turning(&self, values: &[f64]) -> DVec3 {
         let first = [self.get(0), self.get(1), self.get(2)];
         match self {
             Self::Rates(_) => {
                 let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
                 Rotation::body_fixed_velocity([value(0), value(1), value(2)], first)
             }
-            Self::OfOpenSim(_) => first,
+            Self::OfOpenSim(_) => first.into(),
         }
     }
 }
@@ -54,7 +56,7 @@ pub(crate) enum Motion {
     Planar,
     Free,
     /// Three angles, and the radii of the ellipsoid that the child glides on, m.
-    Ellipsoid([f64; 3]),
+    Ellipsoid(DVec3),
     /// The axes of a `<SpatialTransform>`.
     Spatial(Vec<Axis>),
 }
@@ -64,7 +66,7 @@ pub(crate) enum Motion {
 pub(crate) struct Axis {
     /// Whether it turns about the axis; else it shifts along it.
     turns: bool,
-    direction: [f64; 3],
+    direction: DVec3,
     /// Which of the joint's coordinates it is a function of; `None` if of none.
     coordinate: Option<usize>,
     function: CoordinateFunction,
@@ -84,7 +86,7 @@ impl Motion {
             "BallJoint" => Self::Ball,
             "PlanarJoint" => Self::Planar,
             "FreeJoint" => Self::Free,
-            "EllipsoidJoint" => Self::Ellipsoid(document.triple(element, "radii_x_y_z")?),
+            "EllipsoidJoint" => Self::Ellipsoid(document.triple(element, "radii_x_y_z")?.into()),
             "CustomJoint" => Self::Spatial(axes(document, element, coordinates)?),
             _ => return None,
         })
@@ -98,18 +100,20 @@ impl Motion {
         let only = |rotation| Placement { rotation, ..Placement::IDENTITY };
         match self {
             Self::Weld => Placement::IDENTITY,
-            Self::Pin => only(Rotation::about([0.0, 0.0, 1.0], first)),
-            Self::Slider => Placement { translation_m: [first, 0.0, 0.0], ..Placement::IDENTITY },
+            Self::Pin => only(Rotation::about(DVec3::Z, first)),
+            Self::Slider => Placement { translation_m: DVec3::new(first, 0.0, 0.0), ..Placement::IDENTITY },
             Self::Universal => only(Rotation::body_fixed_xyz([first, second, 0.0])),
             Self::Gimbal | Self::Ball => only(turned()),
             Self::Planar => Placement {
-                rotation: Rotation::about([0.0, 0.0, 1.0], first),
-                translation_m: [second, third, 0.0],
+                rotation: Rotation::about(DVec3::Z, first),
+                translation_m: DVec3::new(second, third, 0.0),
             },
-            Self::Free => Placement { rotation: turned(), translation_m: [value(3), value(4), value(5)] },
+            Self::Free => {
+                Placement { rotation: turned(), translation_m: DVec3::new(value(3), value(4), value(5)) }
+            }
             Self::Ellipsoid(radii_m) => {
                 let rotation = turned();
-                Placement { rotation, translation_m: times(*radii_m, rotation.to_body([0.0, 0.0, 1.0])) }
+                Placement { rotation, translation_m: *radii_m * rotation.to_body(DVec3::Z) }
             }
             Self::Spatial(axes) => {
                 axes.iter().fold(Placement::IDENTITY, |placement, axis| axis.after(placement, value))
@@ -147,8 +151,8 @@ impl Motion {
         let still = MovingPlacement::still(at);
         match self {
             Self::Weld => still,
-            Self::Pin => MovingPlacement { angular_velocity: [0.0, 0.0, first], ..still },
-            Self::Slider => MovingPlacement { velocity_m_s: [first, 0.0, 0.0], ..still },
+            Self::Pin => MovingPlacement { angular_velocity: DVec3::new(0.0, 0.0, first), ..still },
+            Self::Slider => MovingPlacement { velocity_m_s: DVec3::new(first, 0.0, 0.0), ..still },
             Self::Universal => {
                 let angular_velocity =
                     Rotation::body_fixed_velocity([value(0), value(1), 0.0], [first, second, 0.0]);
@@ -161,19 +165,19 @@ impl Motion {
             }
             Self::Ball => MovingPlacement { angular_velocity: speeds.turning(values), ..still },
             Self::Planar => MovingPlacement {
-                angular_velocity: [0.0, 0.0, first],
-                velocity_m_s: [second, third, 0.0],
+                angular_velocity: DVec3::new(0.0, 0.0, first),
+                velocity_m_s: DVec3::new(second, third, 0.0),
                 ..still
             },
             Self::Free => MovingPlacement {
                 angular_velocity: speeds.turning(values),
-                velocity_m_s: [speed(3), speed(4), speed(5)],
+                velocity_m_s: DVec3::new(speed(3), speed(4), speed(5)),
                 ..still
             },
             Self::Ellipsoid(radii_m) => {
                 let angular_velocity = speeds.turning(values);
-                let along = cross(angular_velocity, at.rotation.to_body([0.0, 0.0, 1.0]));
-                MovingPlacement { angular_velocity, velocity_m_s: times(*radii_m, along), ..still }
+                let along = angular_velocity.cross(at.rotation.to_body(DVec3::Z));
+                MovingPlacement { angular_velocity, velocity_m_s: *radii_m * along, ..still }
             }
             Self::Spatial(axes) => {
                 let start = MovingPlacement::still(Placement::IDENTITY);
@@ -193,16 +197,14 @@ impl Axis {
     ) -> MovingPlacement {
         let rate =
             self.coordinate.map_or(0.0, |index| self.function.slope(value_of(index)) * speed_of(index));
-        let [x, y, z] = self.direction;
-        let length = libm::sqrt(x * x + y * y + z * z);
+        let length = self.direction.length();
         if length > 0.0 {
-            let along = self.direction.map(|part| part / length * rate);
+            let along = self.direction / length * rate;
             if self.turns {
                 // The axis is one of the frame that those before have turned.
-                let along = moving.at.rotation.to_body(along);
-                moving.angular_velocity = std::array::from_fn(|i| moving.angular_velocity[i] + along[i]);
+                moving.angular_velocity += moving.at.rotation.to_body(along);
             } else {
-                moving.velocity_m_s = std::array::from_fn(|i| moving.velocity_m_s[i] + along[i]);
+                moving.velocity_m_s += along;
             }
         }
         moving.at = self.after(moving.at, value_of);
@@ -216,12 +218,10 @@ impl Axis {
             placement.rotation = placement.rotation.after(&Rotation::about(self.direction, value));
             return placement;
         }
-        let [x, y, z] = self.direction;
-        let length = libm::sqrt(x * x + y * y + z * z);
+        let length = self.direction.length();
         // OpenSim gives each axis the length 1; one without length moves nothing.
         let value = if length > 0.0 { value / length } else { 0.0 };
-        placement.translation_m =
-            std::array::from_fn(|i| placement.translation_m[i] + self.direction[i] * value);
+        placement.translation_m += self.direction * value;
         placement
     }
 }
@@ -235,7 +235,7 @@ fn axes(document: &Document, joint: ElementId, coordinates: &[&str]) -> Option<V
         let named = ROTATIONS.iter().chain(&TRANSLATIONS).position(|known| *known == &*name);
         let (coordinate, function, is_pure) = function_of(document, axis, coordinates)?;
         let turns = named.unwrap_or(index) < ROTATIONS.len();
-        let direction = document.triple(axis, "axis").unwrap_or([0.0; 3]);
+        let direction = document.triple(axis, "axis").unwrap_or_default().into();
         Some(Axis { turns, direction, coordinate, function, is_pure })
     };
     tree.children(transform).enumerate().map(read).collect()
@@ -322,9 +322,7 @@ mod tests {
     fn at(anatomy: &Anatomy, expected: [f64; 3]) {
         let joint = anatomy.joints.iter().find(|joint| joint.name == "mtp_r").unwrap();
         let place = anatomy.place_below("calcn_r", joint).unwrap();
-        for (value, expected) in place.into_iter().zip(expected) {
-            assert!((value - expected).abs() < 1e-15, "{place:?}");
-        }
+        assert!(place.abs_diff_eq(expected.into(), 1e-15), "{place:?}");
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! Half-spaces: the floor, and other planes that spheres meet; and how files say that they are turned.
 
+use glam::DVec3;
+
 use crate::model::components::{Base, ComponentId, Components};
 use crate::model::contacts::force::Slot;
 use crate::model::fault::FileId;
@@ -24,9 +26,9 @@ pub struct HalfSpace {
     /// Name of the body that carries its frame; `None` is ground or a body in a file that was not given.
     pub body: Option<String>,
     /// Its outward normal in the frame of ground or of the body that carries it; `None` where a number cannot be read.
-    pub normal: Option<[f64; 3]>,
+    pub normal: Option<DVec3>,
     /// A point of the plane in the same frame, m; `None` where a number cannot be read.
-    pub point_m: Option<[f64; 3]>,
+    pub point_m: Option<DVec3>,
     /// How its frame is turned in ground or in that body; `None` where the frame leads nowhere.
     pub frame_rotation: Option<Rotation>,
     /// The orientations that turn it: its own, then those of the offset frames between it and ground or its body.
@@ -93,7 +95,7 @@ impl HalfSpace {
                 Base::Body(body) => Some(components.name(body).into_owned()),
                 Base::Ground | Base::Unknown => None,
             },
-            normal: normal.filter(|normal| normal.iter().all(|value| value.is_finite())),
+            normal: normal.filter(|normal| normal.is_finite()),
             point_m: place.and_then(|point| components.in_body(frame, point)),
             frame_rotation,
             orientations: std::iter::once(own).chain(above).collect(),
@@ -117,19 +119,20 @@ impl HalfSpace {
     pub fn location_moved_up(&self, up_m: f64) -> Option<[f64; 3]> {
         let (place, normal) = (self.location_m?, self.normal?);
         let in_frame = self.frame_rotation?.inverse().to_body(normal);
-        Some(std::array::from_fn(|i| {
-            // What rounding left of a turned normal moves nothing.
-            let part = if in_frame[i].abs() < NOISE { 0.0 } else { in_frame[i] };
-            place[i] + up_m * part
-        }))
+        // What rounding left of a turned normal moves nothing.
+        Some((DVec3::from(place) + up_m * in_frame.map(without_noise)).to_array())
     }
 
     /// Its own orientation, rad, with which its normal would have this `direction` of ground or of the body that carries it.
-    pub fn orientation_facing(&self, direction: [f64; 3]) -> Option<[f64; 3]> {
+    pub fn orientation_facing(&self, direction: DVec3) -> Option<[f64; 3]> {
         let in_frame = self.frame_rotation?.inverse().to_body(direction);
         // What rounding left would turn it about y by any angle.
-        Some(Orientation::facing(in_frame.map(|value| if value.abs() < NOISE { 0.0 } else { value })))
+        Some(Orientation::facing(in_frame.map(without_noise).to_array()))
     }
+}
+
+fn without_noise(part: f64) -> f64 {
+    if part.abs() < NOISE { 0.0 } else { part }
 }
 
 /// Where the place of a half-space is, or the object that would get it: itself, or the force that keeps it inside.
@@ -222,7 +225,7 @@ mod tests {
         for up in [[2.0, 3.0, 6.0], [-6.0, 2.0, 3.0], [-3.0, -6.0, -2.0], [0.0, -7.0, 0.0]] {
             let up = up.map(|value: f64| value / 7.0);
             let solid = Rotation::body_fixed_xyz(Orientation::facing(up)).to_body([1.0, 0.0, 0.0]);
-            for (solid, up) in solid.into_iter().zip(up) {
+            for (solid, up) in solid.to_array().into_iter().zip(up) {
                 assert!((solid + up).abs() < 1e-15, "{up:?}: {solid:?}");
             }
         }

@@ -3,12 +3,15 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use crate::model::components::{Base, ComponentId, Components, MAX_FRAME_CHAIN};
 use crate::model::contacts::force::{Force, ParameterSet};
 use crate::model::contacts::half_space::HalfSpace;
 use crate::model::contacts::read::FIRST_CONSTANT;
 use crate::model::contacts::{Sphere, SphereId};
 use crate::model::fault::Fault;
+use crate::model::placement::Placement;
 use crate::model::rotation::{LevelAxis, Rotation};
 use crate::model::typed_model::Model;
 
@@ -93,9 +96,9 @@ pub struct GroundPlane {
     /// Its name; in Moco 0.1 to 0.3 the name of the force that it is in.
     pub name: String,
     /// A point of its surface in ground, m.
-    pub point_m: [f64; 3],
+    pub point_m: DVec3,
     /// Its normal in ground, out of what is solid: −x of its own frame.
-    pub normal: [f64; 3],
+    pub normal: DVec3,
 }
 
 impl Model {
@@ -113,17 +116,14 @@ impl Model {
     /// The planes whose normal is up, against gravity: floors.
     pub fn floors(&self) -> Vec<GroundPlane> {
         let up = self.up();
-        let off = |plane: &GroundPlane| (0..3).map(|i| (plane.normal[i] - up[i]).powi(2)).sum::<f64>();
-        self.ground_planes().into_iter().filter(|plane| off(plane) <= LEVEL * LEVEL).collect()
+        let is_level = |plane: &GroundPlane| plane.normal.distance_squared(up) <= LEVEL * LEVEL;
+        self.ground_planes().into_iter().filter(is_level).collect()
     }
 
     /// The direction against gravity in ground, of length 1; y without gravity.
-    pub fn up(&self) -> [f64; 3] {
-        let gravity = self.gravity_m_s2.unwrap_or_default();
-        match self.gravity().filter(|&gravity| gravity > 0.0) {
-            Some(length) => gravity.map(|value| -value / length),
-            None => [0.0, 1.0, 0.0],
-        }
+    pub fn up(&self) -> DVec3 {
+        let gravity = DVec3::from(self.gravity_m_s2.unwrap_or_default());
+        self.gravity().filter(|&length| length > 0.0).map_or(DVec3::Y, |length| -gravity / length)
     }
 }
 
@@ -143,7 +143,7 @@ impl Model {
     /// along the body's axis that is nearest to −gravity, as when the body is not turned.
     ///
     /// `None` where the frame is in a file that was not given, a number is not finite or the radius not above 0.
-    pub fn lowest_point_m(&self, sphere: SphereId) -> Option<[f64; 3]> {
+    pub fn lowest_point_m(&self, sphere: SphereId) -> Option<DVec3> {
         let radius = &self.sphere(sphere)?.radius;
         let mut point = self.centre_m(sphere).filter(|_| radius.property.allows(radius.number))?;
         let up = LevelAxis::of_gravity(self.gravity_m_s2);
@@ -154,10 +154,10 @@ impl Model {
     /// The centre of a sphere in the frame of the body that carries it (or of ground), m.
     ///
     /// `None` where the frame is in a file that was not given, or a number is not finite.
-    pub fn centre_m(&self, sphere: SphereId) -> Option<[f64; 3]> {
+    pub fn centre_m(&self, sphere: SphereId) -> Option<DVec3> {
         let sphere = self.sphere(sphere).filter(|sphere| !matches!(sphere.base, Base::Unknown))?;
         let point = self.components().in_body(sphere.frame_component, sphere.location_m)?;
-        point.iter().all(|value| value.is_finite()).then_some(point)
+        point.is_finite().then_some(point)
     }
 }
 
@@ -196,17 +196,15 @@ impl Components {
     }
 
     /// A point of a frame, seen from the body at the end of its chain of offset frames.
-    pub(crate) fn in_body(&self, frame: Option<ComponentId>, point: [f64; 3]) -> Option<[f64; 3]> {
-        let (mut point, mut at) = (point, frame);
+    pub(crate) fn in_body(&self, frame: Option<ComponentId>, point: [f64; 3]) -> Option<DVec3> {
+        let (mut point, mut at) = (DVec3::from(point), frame);
         // Chains that close on themselves were refused when the model was read.
         for _ in 0..=MAX_FRAME_CHAIN {
             let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground") else {
                 return Some(point);
             };
-            let of = |tag| self.doc(id).triple(self.element(id), tag).unwrap_or([0.0; 3]);
-            let turned = Rotation::body_fixed_xyz(of("orientation")).to_body(point);
-            let translation = of("translation");
-            point = std::array::from_fn(|i| translation[i] + turned[i]);
+            let of = |tag| self.doc(id).triple(self.element(id), tag).unwrap_or_default();
+            point = Placement::of_triples(of("orientation"), of("translation")).point(point);
             at = self.parent_frame(id);
         }
         None

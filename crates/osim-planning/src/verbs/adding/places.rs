@@ -303,7 +303,7 @@ fn under(sole: &Sole, numbers: &Numbers) -> Result<Vec<NewContact>, AddFault> {
         };
         let mut contact = numbers.contact(&sphere_name(&sphere.body, count), sphere.radius_m)?;
         contact.body.clone_from(&sphere.body);
-        contact.location_m = sphere.centre_m;
+        contact.location_m = sphere.centre_m.into();
         contacts.push(contact);
     }
     Ok(contacts)

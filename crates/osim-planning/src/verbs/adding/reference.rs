@@ -341,7 +341,7 @@ fn mapped(
                  taken by a body above it only"
             ))
         })?;
-        contact.location_m = place;
+        contact.location_m = place.into();
         contact.body.clone_from(body);
     }
     let text = format!(

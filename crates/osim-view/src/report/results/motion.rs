@@ -1,8 +1,7 @@
 //! Contacts along a motion: in words, as tables, and as files of OpenSim.
 
-use osim_model::feet::dot;
 use osim_model::messages::{Dialect, readable, shortest, shown};
-use osim_model::{Side, cross};
+use osim_model::{DVec3, Side};
 use osim_motion::{Comparison, ContactPair, ContactState, ON_BW, SphereSummary, Touched, Wrench};
 use osim_planning::{MotionRemark, MotionResult};
 
@@ -296,11 +295,10 @@ pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
             let wrench = Wrench::of(own());
             let point = point_of(result, own().next(), &wrench).or(*last).unwrap_or_default();
             *last = Some(point);
-            let arm = cross(point, wrench.force_n);
-            let moment: [f64; 3] = std::array::from_fn(|i| wrench.moment_n_m[i] - arm[i]);
-            for value in wrench.force_n.iter().chain(&point).chain(&moment) {
+            let moment = wrench.moment_n_m - point.cross(wrench.force_n);
+            for value in [wrench.force_n, point, moment].into_iter().flat_map(<[f64; 3]>::from) {
                 text.push('\t');
-                text.push_str(&shortest(*value));
+                text.push_str(&shortest(value));
             }
         }
         text.push('\n');
@@ -309,10 +307,10 @@ pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
 }
 
 /// Where the force of a body acts, where it is large enough.
-fn point_of(result: &MotionResult, first: Option<&ContactState>, wrench: &Wrench) -> Option<[f64; 3]> {
+fn point_of(result: &MotionResult, first: Option<&ContactState>, wrench: &Wrench) -> Option<DVec3> {
     let state = first?;
-    let down: f64 = dot(std::array::from_fn(|i| state.centre_m[i] - state.point_m[i]), state.normal);
-    let on_plane = std::array::from_fn(|i| state.centre_m[i] - down * state.normal[i]);
+    let down = (state.centre_m - state.point_m).dot(state.normal);
+    let on_plane = state.centre_m - down * state.normal;
     // Below, forces act where they did last.
     let least_n = ON_BW * result.summary.weight_n;
     wrench.centre_of_pressure(state.normal, on_plane, least_n).map(|centre| centre.point_m)

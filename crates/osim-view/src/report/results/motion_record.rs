@@ -1,6 +1,7 @@
 //! The JSON contract of a motion.
 
 use osim_inspect::SCHEMA_VERSION;
+use osim_model::DVec3;
 use osim_model::messages::Dialect;
 use osim_motion::{Comparison, FootSummary, OnSole, SphereSummary, StanceSummary, TouchDown};
 use osim_planning::{MotionRemark, MotionResult};
@@ -227,7 +228,7 @@ fn of_foot(result: &MotionResult, foot: &FootSummary, on_sole: Option<&OnSole>) 
         stance_depth_m: foot.stance_depth_m,
         stance_scatter_m: foot.stance_scatter_m,
         deepest_m: foot.deepest_m,
-        stance_slip_m_s: foot.stance_slip_m_s,
+        stance_slip_m_s: foot.stance_slip_m_s.map(DVec3::into),
         stances: foot.stances.iter().map(of_stance).collect(),
         spheres: foot.spheres.iter().map(|sphere| of_sphere(result, sphere)).collect(),
         cop_ahead_m: apart_m.map(|[ahead, _]| ahead),
