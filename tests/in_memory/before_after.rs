@@ -1,53 +1,20 @@
-//! A model before and after a change: nothing is planned or patched for it again, and nothing is said that `check` would not say.
+//! A model before and after a change: nothing is patched for it again, and nothing is said that `check` would not say.
 
 use std::cell::Cell;
 use std::path::{Path, PathBuf};
 
 use osim_inspect::InspectOptions;
 use osim_model::files::{InMemory, ModelFiles, OpenModel};
-use osim_model::{Fault, Model};
-use osim_patch::Plan;
-use osim_planning::{BeforeAfter, Change, Planner, changeable, check_with_remedies, prepare};
-use osim_requests::options::InspectionOptions;
+use osim_planning::{BeforeAfter, Change, changeable, check_with_remedies, prepare};
 use osim_requests::spell::CommandLine;
 use serde_json::json;
 
 use crate::front_end::{Changed, read};
 use crate::support::root;
 
-/// Refuses to plan: whoever has a plan needs no other.
-struct Planned<'p>(&'p dyn Planner);
-
-impl Planner for Planned<'_> {
-    fn plan(&self, _: &Model) -> Result<Plan, Fault> {
-        panic!("planned once more")
-    }
-
-    fn name(&self) -> &'static str {
-        self.0.name()
-    }
-
-    fn inspection(&self) -> InspectionOptions {
-        self.0.inspection()
-    }
-
-    fn target_gravity_m_s2(&self) -> Option<f64> {
-        self.0.target_gravity_m_s2()
-    }
-
-    fn settings(&self) -> String {
-        self.0.settings()
-    }
-}
-
-fn found(planner: &dyn Planner, opened: &OpenModel) -> serde_json::Value {
-    let options = InspectOptions::from(&planner.inspection());
-    let mut found = check_with_remedies(
-        &options,
-        &opened.model,
-        &options.inspect(opened.name(), &opened.model, None),
-        &[],
-    );
+fn found(options: &InspectOptions, opened: &OpenModel) -> serde_json::Value {
+    let inspected = options.inspect(opened.name(), &opened.model, None);
+    let mut found = check_with_remedies(options, &opened.model, &inspected, &[]);
     found.spell(&CommandLine);
     serde_json::to_value(found).unwrap()
 }
@@ -83,10 +50,9 @@ fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
                     &ModelFiles::read(Path::new("model.osim"), bytes.clone(), beside, &files).unwrap(),
                 )
             };
-            let before = found(&*change.planner, &changed.opened);
-            let planned = Planned(&*change.planner);
+            let before = found(&change.options, &changed.opened);
             let both =
-                BeforeAfter::of(&planned, &changed.opened, &changed.plan, new_files, &CommandLine, false)
+                BeforeAfter::of(&change, &changed.opened, &changed.plan, new_files, &CommandLine, false)
                     .unwrap();
             assert_eq!(
                 serde_json::to_value(&both.before.1).unwrap(),
@@ -110,7 +76,7 @@ fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
                     let findings = value["findings"].as_array().unwrap();
                     findings.iter().map(|finding| !finding["command"].is_null()).collect()
                 };
-                let tried = changeable(&InspectOptions::from(&planned.inspection()), &written.model).numbers;
+                let tried = changeable(&change.options, &written.model).numbers;
                 let after = serde_json::to_value(after).unwrap();
                 assert!(tried || !remedies(&after).contains(&true), "{}: {request}", path.display());
             }

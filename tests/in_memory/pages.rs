@@ -73,8 +73,7 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
     let changed = Changed::new(&change, path, &files).unwrap();
     let new_files = || changed_files(path, &change.set_files.beside(), &files, &changed);
     let both =
-        BeforeAfter::of(&*change.planner, &changed.opened, &changed.plan, new_files, &CommandLine, true)
-            .unwrap();
+        BeforeAfter::of(&change, &changed.opened, &changed.plan, new_files, &CommandLine, true).unwrap();
 
     let (shown, names) = (changed.opened.name().to_string(), changed.names());
     let mut row = RunRow::new(shown.as_str(), "written");

@@ -92,8 +92,7 @@ impl ReportPage {
             (Some(task), _) => task.source.shown(),
             (None, failure) => failure.map(|failure| failure.model.to_string()).unwrap_or_default(),
         };
-        let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == request.verb).unwrap_or(Verb::Set);
-        let about = About::new(verb, request.is_one().then(shown), Columns::Changes, asked);
+        let about = About::new(request.verb, request.is_one().then(shown), Columns::Changes, asked);
         let replace = match (request.force, run.goes_on()) {
             (true, _) => Replace::Files,
             // A resumed run writes its page again, as it does its summary.

@@ -1,28 +1,152 @@
-//! The model as a change leaves it: how it is inspected, and what is worse in it than before.
+//! Plans that are judged by the model that they make: how it is inspected, and what is worse in it than before.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use osim_inspect::{
     Bottom, Changeable, Found, InspectOptions, Kin, LoadSharing, Stance, StandingBody, check_model,
-    check_numbers,
+    check_numbers, model_findings, unmatched_patterns,
 };
 use osim_model::feet::{LEANING_RAD, PoseFault, Standing};
-use osim_model::files::{Failure, OpenModel};
-use osim_model::messages::{Phrase, phrase};
+use osim_model::files::{Failure, Files, OpenModel};
+use osim_model::messages::{Phrase, Verb, phrase};
 use osim_model::{
-    Fault, Finding, FindingCode, Limb, Model, NeedsAnswer, Property, Question, Severity, same_mass,
+    Fault, Finding, FindingCode, Limb, Model, NeedsAnswer, Property, Question, Severity, Source, same_mass,
 };
-use osim_patch::{ChangedBy, Plan};
-use osim_requests::options::AnswerOptions;
+use osim_patch::{ChangedBy, Plan, StepDetails};
+use osim_requests::NoteDetails;
 
+use crate::planner::Change;
 use crate::rules;
 
 /// No remedy is asked for: what can be changed does not matter.
 const NO_REMEDIES: Changeable = Changeable { numbers: false, radii: false };
 
+impl Change {
+    /// Plans for a model that was [opened](Self::open), as the request says: with its note, with what is odd about the model itself
+    /// among the warnings, and what the change makes worse.
+    ///
+    /// # Errors
+    /// Those of [`plan_beside`](Self::plan_beside); a change after which the model is wrong, unless the caller means it.
+    pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+        let mut plan = self.unjudged(opened, files)?;
+        if !plan.is_empty() {
+            let changed = Changed::of(&plan, opened)?;
+            self.judge(opened, &mut plan, &changed)?;
+        }
+        Ok(plan)
+    }
+
+    /// Plans like [`plan`](Self::plan), and gives the model as it will be, which was read from its new bytes; `None` where nothing
+    /// changes.
+    ///
+    /// # Errors
+    /// Those of [`plan`](Self::plan).
+    pub fn plan_with_result(
+        &self,
+        opened: &OpenModel,
+        files: &dyn Files,
+    ) -> Result<(Plan, Option<Model>), Failure> {
+        let mut plan = self.unjudged(opened, files)?;
+        if plan.is_empty() {
+            return Ok((plan, None));
+        }
+        let changed = Changed::read(&plan, opened)?;
+        self.judge(opened, &mut plan, &changed)?;
+        Ok((plan, Some(changed.into_model())))
+    }
+
+    /// The plan, with its note and with what is odd about the model itself.
+    fn unjudged(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+        let model = &opened.model;
+        let mut plan = self.plan_beside(opened, files)?;
+        if self.output.no_note {
+            plan.without_note();
+            if model.note.is_some() && !plan.is_empty() {
+                let text = "the note is removed: the next run cannot know what the contacts are made for";
+                plan.remarks.push(text.into());
+            }
+        } else {
+            let reference = self.reference.as_ref();
+            let reference = reference
+                .map(|reference| Source { name: reference.name.clone(), digest: reference.digest.clone() });
+            let NoteDetails { options, stance_limbs } = self.details.clone();
+            plan.add_details(StepDetails { options, reference, stance_limbs, date: files.today() });
+        }
+        if plan.adds_credits(model) {
+            let text = "the model has no <credits>: they are added for the note, because OpenSim drops comments when it saves";
+            plan.remarks.push(text.into());
+        }
+        let standing = standing_findings(&plan, model);
+        plan.warnings.splice(0..0, standing);
+        plan.remarks.extend(unmatched_patterns(&self.options.selection, &self.options.masses, model));
+        Ok(plan)
+    }
+
+    /// Adds to `plan` what it makes worse.
+    fn judge(&self, opened: &OpenModel, plan: &mut Plan, changed: &Changed) -> Result<(), Failure> {
+        for mut finding in worse_findings(self, opened, plan, changed)? {
+            self.keep_ways_out(&mut finding.message);
+            plan.warnings.push(finding);
+        }
+        Ok(())
+    }
+
+    /// Whether the contacts are to carry the mass that they are scaled to, whatever the bodies weigh.
+    fn carries_target(&self) -> bool {
+        self.verb == Verb::Rescale
+    }
+
+    /// Whether the caller gave the numbers themselves, and not what they follow from: a model that is wrong with them is not refused.
+    fn is_as_given(&self) -> bool {
+        matches!(self.verb, Verb::Set | Verb::Design | Verb::Fit)
+    }
+
+    /// How the new model is inspected, where the old one weighs `weighs_kg`: its contacts carry the body that they were scaled for.
+    pub(crate) fn options_after(&self, plan: &Plan, weighs_kg: Option<f64>) -> InspectOptions {
+        let mut options = self.options.clone();
+        let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
+        // The note has it; without one the caller has to give it.
+        options.masses.contacts_mass_kg = target_mass_kg.filter(|_| plan.note().is_none());
+        if let Some(target_mass_kg) = target_mass_kg.filter(|_| self.carries_target())
+            && weighs_kg.is_none_or(|weighs| !same_mass(weighs, target_mass_kg))
+        {
+            options.masses.model_kg = Some(target_mass_kg);
+        }
+        // A gravity that figures are asked for (as in a design) is that of both states.
+        options.stance.gravity_m_s2 = self.target_gravity_m_s2.or(options.stance.gravity_m_s2);
+        options
+    }
+
+    /// How the old model is inspected, to be compared with the new one: its contacts carry the body that they were made for, where the
+    /// new ones carry theirs.
+    fn options_before(&self, plan: &Plan) -> InspectOptions {
+        let mut options = self.options.clone();
+        if let Some(masses) = plan.masses.as_ref().filter(|_| self.carries_target()) {
+            options.masses.model_kg = Some(masses.contacts_mass.kg);
+        }
+        options
+    }
+
+    /// Whether the contacts are for a body that the bodies of the model still have to become: contacts are often scaled before the body
+    /// is. What its default pose is then nobody knows yet, so that every isometric rescaling to another mass would warn of the pose
+    /// that is.
+    fn is_to_be_scaled(&self, plan: &Plan, weighs_kg: Option<f64>) -> bool {
+        let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
+        let is_other = |target| weighs_kg.is_none_or(|weighs| !same_mass(weighs, target));
+        self.carries_target() && target_mass_kg.is_some_and(is_other)
+    }
+}
+
+/// What is odd about `model` itself and stays so: a finding about an object that goes, or that becomes another one, is no longer one.
+fn standing_findings(plan: &Plan, model: &Model) -> Vec<Finding> {
+    let key = |finding: &Finding| (finding.code(), finding.place.clone());
+    let still: HashSet<_> = model_findings(plan.ground(model)).iter().map(key).collect();
+    model_findings(model).iter().filter(|finding| still.contains(&key(finding))).cloned().collect()
+}
+
 /// The model that a plan makes.
 #[derive(Debug)]
-pub(crate) enum Changed {
+enum Changed {
     /// Nothing but numbers of contacts is other: most of it is what it was, and nobody has read a file.
     InNumbers(Model),
     /// It was read from its new bytes.
@@ -31,16 +155,23 @@ pub(crate) enum Changed {
 
 impl Changed {
     /// That of `plan`, which was made for `opened`, without its bytes if that can be.
-    pub(crate) fn of(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
+    ///
+    /// # Errors
+    /// Those of [`Plan::changed`].
+    fn of(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
         plan.renumbered(&opened.model)
             .map_or_else(|| Self::read(plan, opened), |model| Ok(Self::InNumbers(model)))
     }
 
-    pub(crate) fn read(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
+    /// The same from its bytes.
+    ///
+    /// # Errors
+    /// Those of [`Plan::changed`].
+    fn read(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
         plan.changed(&opened.model).map(Self::Read).map_err(|fault| opened.failure(fault))
     }
 
-    pub(crate) fn into_model(self) -> Model {
+    fn into_model(self) -> Model {
         let (Self::InNumbers(model) | Self::Read(model)) = self;
         model
     }
@@ -62,84 +193,30 @@ impl Changed {
     }
 }
 
-/// What a change aims at, apart from its numbers.
-#[derive(Debug, Clone, Copy)]
-pub struct Aims {
-    /// The contacts are to carry the mass that they are scaled to, whatever the bodies weigh.
-    pub carries_target: bool,
-    /// Gravity that the contacts are scaled to, m/s².
-    pub gravity_m_s2: Option<f64>,
-    /// The caller gave the numbers themselves, and not what they follow from: a model that is wrong with them is not refused.
-    pub as_given: bool,
-}
-
-/// How the new model is inspected: its contacts carry the body that they were scaled for.
-pub(crate) fn options_after(
-    aims: Aims,
-    before: &InspectOptions,
-    plan: &Plan,
-    weighs_kg: Option<f64>,
-) -> InspectOptions {
-    let mut options = before.clone();
-    let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
-    // The note has it; without one the caller has to give it.
-    options.masses.contacts_mass_kg = target_mass_kg.filter(|_| plan.note().is_none());
-    if let Some(target_mass_kg) = target_mass_kg.filter(|_| aims.carries_target)
-        && weighs_kg.is_none_or(|weighs| !same_mass(weighs, target_mass_kg))
-    {
-        options.masses.model_kg = Some(target_mass_kg);
-    }
-    // A gravity that figures are asked for (as in a design) is that of both states.
-    options.stance.gravity_m_s2 = aims.gravity_m_s2.or(options.stance.gravity_m_s2);
-    options
-}
-
-/// How the old model is inspected, to be compared with the new one: its contacts carry the body that they were made for, where the new
-/// ones carry theirs.
-fn options_before(aims: Aims, before: &InspectOptions, plan: &Plan) -> InspectOptions {
-    let mut options = before.clone();
-    if let Some(masses) = plan.masses.as_ref().filter(|_| aims.carries_target) {
-        options.masses.model_kg = Some(masses.contacts_mass.kg);
-    }
-    options
-}
-
-/// Whether the contacts are for a body that the bodies of the model still have to become: contacts are often scaled before the body is.
-/// What its default pose is then nobody knows yet, so that every isometric rescaling to another mass would warn of the pose that is.
-fn is_to_be_scaled(aims: Aims, plan: &Plan, weighs_kg: Option<f64>) -> bool {
-    let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
-    let is_other = |target| weighs_kg.is_none_or(|weighs| !same_mass(weighs, target));
-    aims.carries_target && target_mass_kg.is_some_and(is_other)
-}
-
 /// Warnings and errors of the model as `changed` by `plan` that the model without it does not have, or has as less bad; and what the
 /// plan does to bottoms that stood.
 ///
 /// # Errors
 /// An error among them, unless the caller means it.
-pub(crate) fn worse_findings(
-    aims: Aims,
-    before: &InspectOptions,
+fn worse_findings(
+    change: &Change,
     opened: &OpenModel,
-    (plan, changed): (&Plan, &Changed),
-    answers: Option<&AnswerOptions>,
+    plan: &Plan,
+    changed: &Changed,
 ) -> Result<Vec<Finding>, Failure> {
-    let failure = |fault| opened.failure(fault);
-    let weighs = before.masses.of_model(&opened.model).ok();
-    let weighs = weighs.or_else(|| Some(before.masses.of_contacts(&opened.model).ok()?.0));
+    let masses = &change.options.masses;
+    let weighs = masses.of_model(&opened.model).ok();
+    let weighs = weighs.or_else(|| Some(masses.of_contacts(&opened.model).ok()?.0));
     let weighs_kg = weighs.map(|mass| mass.kg);
-    let after = options_after(aims, before, plan, weighs_kg);
-    // The model was so before, and nobody has to be asked whether that was meant.
-    let is_as_before = plan.takes_back();
-    let is_meant = aims.as_given
-        || is_as_before
-        || answers.is_some_and(|answers| answers.has(Question::WrongAfterwards));
-    let worse = worse_than(&options_before(aims, before, plan), &after, opened, plan, changed);
+    // A model that is as it was before nobody has to be asked about.
+    let is_meant = change.is_as_given() || plan.takes_back() || change.answers.has(Question::WrongAfterwards);
+    let (before, after) = (change.options_before(plan), change.options_after(plan, weighs_kg));
+    let worse = worse_than(&before, &after, opened, plan, changed);
     let mut said: Vec<Finding> = match worse.iter().find(|one| one.severity == Severity::Error) {
-        Some(wrong) if !is_meant => return Err(failure(Fault::new(asks(wrong)))),
+        Some(wrong) if !is_meant => return Err(opened.failure(Fault::new(asks(wrong)))),
         _ => worse.iter().map(of_new_model).collect(),
     };
-    if !is_to_be_scaled(aims, plan, weighs_kg) {
+    if !change.is_to_be_scaled(plan, weighs_kg) {
         said.extend(moved_bottoms(plan, &opened.model, changed.model(), &said));
     }
     Ok(said)

@@ -10,7 +10,7 @@
 //! let model = Model::parse(include_bytes!("../../osim-model/tests/data/one_foot.osim").as_slice())?;
 //! let request = Request::from_json(br#"{"verb": "rescale", "models": "one_foot.osim", "target_mass": 80}"#)?;
 //! let change = prepare(request, &InMemory::default()).map_err(|error| format!("{error:?}"))?;
-//! let plan = change.planner.plan(&model)?;
+//! let plan = change.plan_alone(&model)?;
 //! assert_eq!(plan.changes[0].to, 2.0 * plan.changes[0].from);
 //! # Ok(())
 //! # }
@@ -18,7 +18,7 @@
 //!
 //! # Where to begin
 //!
-//! - [`prepare`] checks a request that changes models; its [`Planner`] makes a plan for each.
+//! - [`prepare`] checks a request that changes models; its [`Change`] makes a plan for each.
 //! - [`Inspector`] inspects and checks models as a request says; [`BeforeAfter`] shows a change from both sides.
 //! - [`design_sheet`], [`run_drop_test`], [`run_fit`] and [`SweepPlan`] answer what needs no plan.
 //!
@@ -49,7 +49,6 @@ mod sweep;
 mod table;
 mod verbs;
 
-pub use afterwards::Aims;
 pub use calculator::DesignQuantity;
 pub use calculator::{DesignFigure, DesignLimit, DesignSheet, design_sheet};
 pub use drop_test::{ComparedDrop, DropResult, DropRow, run_drop_test};
@@ -59,14 +58,14 @@ pub use inspector::Inspector;
 pub use motion::{MotionResult, PlatesRead, run_motion};
 pub use motion_remarks::MotionRemark;
 pub use opening::{find_presets, may_be_file, open_with, presets, scale_file};
-pub use planner::{Change, Planner, changeable, check_with_trials};
+pub use planner::{Change, changeable, check_with_trials};
 pub use plot::{HeatTable, ModelFeet, TableColumn, plot_bodies, plot_feet, plot_motion, plot_table};
 pub use remedies::check_with_remedies;
 pub use sheet::{cell, from_cell, marked, unmarked};
 pub use states::{BeforeAfter, States};
 pub use sweep::{SweepPlan, VariantMade};
 pub use table::{RowFault, RowRequest, Table};
-pub use verbs::any::{of_many, prepare};
+pub use verbs::any::prepare;
 
 /// The example of the README compiles.
 #[cfg(doctest)]

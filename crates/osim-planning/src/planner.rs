@@ -1,111 +1,43 @@
 //! What a request plans for each of its models, and trial plans: which changes would be refused.
 
-use std::collections::HashSet;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use osim_inspect::{
-    Changeable, CheckResult, InspectOptions, Inspection, ReferenceState, check_model, model_findings,
-    unmatched_patterns,
+    Changeable, CheckResult, InspectOptions, Inspection, ReferenceState, check_model, perhaps_in_pounds,
+    unexplained_slip,
 };
 use osim_model::files::{Failure, Files, OpenModel};
-use osim_model::messages::{Phrase, Verb};
-use osim_model::{Assignment, Fault, FaultKind, FileId, Finding, Model, Needed, Property, Source};
-use osim_patch::{Plan, Set, StepDetails, set};
+use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
+use osim_model::{
+    Assignment, Fault, FaultKind, FileId, Finding, MassRequest, Model, Needed, NeedsAnswer, Property,
+    Question,
+};
+use osim_patch::{Plan, Set, set};
 use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions, SetFiles};
+use osim_requests::values::path;
 use osim_requests::{NoteDetails, takes};
+use serde_json::{Map, Value, json};
 
-use crate::afterwards::{Aims, Changed, worse_findings};
 use crate::motion::MotionResult;
 use crate::motion_remarks::MotionRemark;
 use crate::opening::open_with;
 
-/// Plans the change of one model after the other, on any thread.
-pub trait Planner: Send + Sync {
+/// Plans what one verb does to a model, on any thread.
+pub(crate) trait Planner: Send + Sync {
     /// Plans the change of a model.
     ///
     /// # Errors
     /// What only the caller can know, or what cannot be done with this model.
     fn plan(&self, model: &Model) -> Result<Plan, Fault>;
 
-    /// The plan where files beside the model say something, such as the meshes of its bones.
+    /// Plans the change of a model of which files beside it say something, such as the meshes of its bones.
+    ///
+    /// # Errors
+    /// Those of [`plan`](Self::plan), with the name of the file and the place; a file that is missing or broken.
     fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         // Most plans follow from the model alone.
         let _ = files;
         self.plan(&opened.model).map_err(|fault| opened.failure(fault))
-    }
-
-    /// The plan for a model that was opened: what is odd about the model itself is among the warnings, and what the change makes worse.
-    /// Without `details` it gets no note.
-    fn plan_opened(
-        &self,
-        opened: &OpenModel,
-        details: Option<&NoteDetails>,
-        files: &dyn Files,
-    ) -> Result<Plan, Failure> {
-        let mut plan = unjudged(self, opened, details, files)?;
-        if !plan.is_empty() {
-            let changed = Changed::of(&plan, opened)?;
-            judge(self, opened, &mut plan, &changed)?;
-        }
-        Ok(plan)
-    }
-
-    /// The plan with the model as it will be, which was read from its new bytes; `None` where nothing changes.
-    fn plan_with_result(
-        &self,
-        opened: &OpenModel,
-        details: Option<&NoteDetails>,
-        files: &dyn Files,
-    ) -> Result<(Plan, Option<Model>), Failure> {
-        let mut plan = unjudged(self, opened, details, files)?;
-        if plan.is_empty() {
-            return Ok((plan, None));
-        }
-        let changed = Changed::read(&plan, opened)?;
-        judge(self, opened, &mut plan, &changed)?;
-        Ok((plan, Some(changed.into_model())))
-    }
-
-    /// Files that were read beside the models.
-    fn reads(&self) -> Vec<PathBuf> {
-        Vec::new()
-    }
-
-    fn name(&self) -> &'static str;
-
-    /// How a model would be inspected with the same options.
-    fn inspection(&self) -> InspectionOptions;
-
-    /// Gravity that the contacts are scaled to, m/s², if it is asked for.
-    fn target_gravity_m_s2(&self) -> Option<f64> {
-        None
-    }
-
-    /// `message` with the ways out that its verb has.
-    fn keep_ways_out(&self, message: &mut Phrase) {
-        if let Some(verb) = Verb::ALL.iter().find(|verb| verb.name() == self.name()) {
-            message.keep_for(&|input| takes(*verb, input));
-        }
-    }
-
-    /// What the change aims at, apart from its numbers.
-    fn aims(&self) -> Aims {
-        Aims {
-            carries_target: self.name() == "rescale",
-            gravity_m_s2: self.target_gravity_m_s2(),
-            as_given: matches!(self.name(), "set" | "design" | "fit"),
-        }
-    }
-
-    /// What the contacts are taken from, where they are another body's.
-    fn reference(&self) -> Option<&ReferenceState> {
-        None
-    }
-
-    /// What the caller has answered before it was asked.
-    fn answers(&self) -> Option<&AnswerOptions> {
-        None
     }
 
     /// What the contacts of the changed model do along the recording that the change follows, where it follows one.
@@ -113,71 +45,9 @@ pub trait Planner: Send + Sync {
         let _ = changed;
         None
     }
-
-    /// Everything its plans follow from except the files: equal texts, equal plans.
-    fn settings(&self) -> String;
 }
 
-/// What `planner` plans, with its note and with what is odd about the model itself.
-fn unjudged<P: Planner + ?Sized>(
-    planner: &P,
-    opened: &OpenModel,
-    details: Option<&NoteDetails>,
-    files: &dyn Files,
-) -> Result<Plan, Failure> {
-    let model = &opened.model;
-    let mut plan = planner.plan_beside(opened, files)?;
-    match details {
-        Some(details) => {
-            let reference = planner
-                .reference()
-                .map(|reference| Source { name: reference.name.clone(), digest: reference.digest.clone() });
-            let (options, stance_limbs) = (details.options.clone(), details.stance_limbs);
-            plan.add_details(StepDetails { options, reference, stance_limbs, date: files.today() });
-        }
-        None => {
-            plan.without_note();
-            if model.note.is_some() && !plan.is_empty() {
-                let text = "the note is removed: the next run cannot know what the contacts are made for";
-                plan.remarks.push(text.into());
-            }
-        }
-    }
-    if plan.adds_credits(model) {
-        let text = "the model has no <credits>: they are added for the note, because OpenSim drops comments when it saves";
-        plan.remarks.push(text.into());
-    }
-    let standing = standing_findings(&plan, model);
-    plan.warnings.splice(0..0, standing);
-    let InspectOptions { selection, masses, .. } = InspectOptions::from(&planner.inspection());
-    plan.remarks.extend(unmatched_patterns(&selection, &masses, model));
-    Ok(plan)
-}
-
-/// What is odd about `model` itself and stays so: a finding about an object that goes, or that becomes another one, is no longer one.
-fn standing_findings(plan: &Plan, model: &Model) -> Vec<Finding> {
-    let key = |finding: &Finding| (finding.code(), finding.place.clone());
-    let still: HashSet<_> = model_findings(plan.ground(model)).iter().map(key).collect();
-    model_findings(model).iter().filter(|finding| still.contains(&key(finding))).cloned().collect()
-}
-
-/// Adds to `plan` what it makes worse.
-fn judge<P: Planner + ?Sized>(
-    planner: &P,
-    opened: &OpenModel,
-    plan: &mut Plan,
-    changed: &Changed,
-) -> Result<(), Failure> {
-    let before = InspectOptions::from(&planner.inspection());
-    let worse = worse_findings(planner.aims(), &before, opened, (plan, changed), planner.answers())?;
-    for mut finding in worse {
-        planner.keep_ways_out(&mut finding.message);
-        plan.warnings.push(finding);
-    }
-    Ok(())
-}
-
-/// A request that was checked: where its models are, what it plans, and where results go.
+/// A request that was checked: where its models are, what it plans for each, and where results go.
 ///
 /// ```
 /// use osim_model::FileId;
@@ -199,23 +69,60 @@ fn judge<P: Planner + ?Sized>(
 /// # Ok::<(), RequestError>(())
 /// ```
 pub struct Change {
+    /// What is done.
+    pub verb: Verb,
+    /// Files and folders.
     pub models: Vec<PathBuf>,
     pub output: OutputOptions,
     /// Files of a standalone set.
     pub set_files: SetFiles,
-    /// What is planned for each model.
-    pub planner: Arc<dyn Planner>,
+    /// How a model is inspected before the change.
+    pub options: InspectOptions,
+    /// What the contacts are taken from, where they are another body's.
+    pub reference: Option<ReferenceState>,
+    /// Gravity that the contacts are scaled to, m/s², if it is asked for.
+    pub target_gravity_m_s2: Option<f64>,
+    /// What notes say of the request.
     pub details: NoteDetails,
+    /// Whether it is for several models: then a mass that was said for all of them is not taken for one whose note says another
+    /// without asking.
+    pub is_for_several: bool,
+    /// The mass that the contacts are scaled to, kg, if the caller gave it.
+    pub(crate) target_mass_kg: Option<f64>,
+    /// What the caller has answered before it was asked.
+    pub(crate) answers: AnswerOptions,
+    /// Files that were read for all models.
+    pub(crate) reads: Vec<PathBuf>,
+    /// The fields of the request that decide its results.
+    pub(crate) settings: Map<String, Value>,
+    pub(crate) planner: Box<dyn Planner>,
 }
 
 impl Change {
+    /// What `planner` does to `models`, which are inspected by `inspection`.
     pub(crate) fn new(
+        verb: Verb,
         models: Vec<PathBuf>,
         output: OutputOptions,
-        set_files: SetFiles,
+        inspection: InspectionOptions,
         planner: impl Planner + 'static,
     ) -> Self {
-        Self { models, output, set_files, planner: Arc::new(planner), details: NoteDetails::default() }
+        Self {
+            verb,
+            models,
+            output,
+            options: InspectOptions::from(&inspection),
+            set_files: inspection.set_files,
+            reference: None,
+            target_gravity_m_s2: None,
+            details: NoteDetails::default(),
+            is_for_several: false,
+            target_mass_kg: None,
+            answers: inspection.answers,
+            reads: Vec::new(),
+            settings: Map::new(),
+            planner: Box::new(planner),
+        }
     }
 
     /// Opens one of its models, with the files of a standalone set.
@@ -226,20 +133,93 @@ impl Change {
         open_with(path, self.set_files.beside(), files)
     }
 
-    pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
-        let details = Some(&self.details).filter(|_| !self.output.no_note);
-        self.planner.plan_opened(opened, details, files)
+    /// Plans for a model without files beside it: no note, no warnings about the model, and nothing about what gets worse.
+    ///
+    /// # Errors
+    /// What only the caller can know, or what cannot be done with this model.
+    pub fn plan_alone(&self, model: &Model) -> Result<Plan, Fault> {
+        self.ask_about_masses(model)?;
+        let plan = self.planner.plan(model)?;
+        self.ask_about_radii(model, plan)
     }
 
-    /// The plan with the model as it will be; `None` where nothing changes.
-    pub fn plan_with_result(
-        &self,
-        opened: &OpenModel,
-        files: &dyn Files,
-    ) -> Result<(Plan, Option<Model>), Failure> {
-        let details = Some(&self.details).filter(|_| !self.output.no_note);
-        self.planner.plan_with_result(opened, details, files)
+    /// Plans like [`plan_alone`](Self::plan_alone), with the files beside the model.
+    ///
+    /// # Errors
+    /// Those of [`plan_alone`](Self::plan_alone), with the name of the file and the place; a file that is missing or broken.
+    pub fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+        let failure = |fault| opened.failure(fault);
+        self.ask_about_masses(&opened.model).map_err(failure)?;
+        let plan = self.planner.plan_beside(opened, files)?;
+        self.ask_about_radii(&opened.model, plan).map_err(failure)
     }
+
+    /// Asks if a mass that the caller gave looks like a slip, or is not that of this model.
+    fn ask_about_masses(&self, model: &Model) -> Result<(), Fault> {
+        let asks = self.is_for_several.then(|| against_note(&self.options.masses, model)).flatten();
+        self.answers.ask(asks).map_err(Fault::new)?;
+        let slip = unexplained_slip(&self.masses(), model, &self.options.selection);
+        self.answers.ask(slip).map_err(Fault::new)
+    }
+
+    /// Asks about radii that look like a slip, and says what is odd about masses and no reason to ask.
+    fn ask_about_radii(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
+        let odd = perhaps_in_pounds(&self.masses(), model, &self.options.selection);
+        let is_meant = self.answers.has(Question::MassInPounds);
+        plan.remarks.extend(odd.filter(|_| !is_meant).map(|odd| odd.doubt()));
+        match plan.radius_slip(model) {
+            Some(fault) if !self.answers.has(Question::ImplausibleRadius) => Err(fault),
+            _ => Ok(plan),
+        }
+    }
+
+    /// Every mass that the caller gave.
+    fn masses(&self) -> MassRequest {
+        MassRequest { target_mass_kg: self.target_mass_kg, ..self.options.masses.clone() }
+    }
+
+    /// Takes out of `message` the ways out that the verb does not have.
+    pub fn keep_ways_out(&self, message: &mut Phrase) {
+        message.keep_for(&|input| takes(self.verb, input));
+    }
+
+    /// Files that are read beside the models.
+    pub fn reads(&self) -> impl Iterator<Item = &PathBuf> {
+        self.set_files.paths().chain(&self.reads)
+    }
+
+    /// Everything that results follow from, but for the models and the bytes of [`reads`](Self::reads): equal texts, equal results.
+    pub fn settings(&self) -> String {
+        // A note names files without their folders.
+        let names: Vec<(Value, String)> =
+            self.reads().map(|read| (path::to_value(read), file_name(read))).collect();
+        let shorten = |value: &mut Value| {
+            if let Some((_, name)) = names.iter().find(|(read, _)| read == value) {
+                *value = name.as_str().into();
+            }
+        };
+        let mut settings = self.settings.clone();
+        for value in settings.values_mut() {
+            match value {
+                Value::Array(items) => items.iter_mut().for_each(shorten),
+                value => shorten(value),
+            }
+        }
+        json!([settings, self.output.no_note]).to_string()
+    }
+}
+
+/// What is asked before a mass that was said for several models is taken for one whose own note says another.
+fn against_note(said: &MassRequest, model: &Model) -> Option<NeedsAnswer> {
+    let (said_kg, noted_kg) = said.contacts_mass_kg.zip(said.otherwise_noted_kg(model))?;
+    let text = phrase![
+        Input::ContactsMass.being(readable(said_kg)),
+        format!(" is for all models of this call, and the note in this one says {} kg: ", readable(noted_kg)),
+        "do this model in a call of its own, or give each model its mass in a table (",
+        Verb::Batch.call(),
+        ")",
+    ];
+    Some(NeedsAnswer::Other { question: Question::AgainstNote, text })
 }
 
 /// The file's name without its folders, for notes and messages.
@@ -285,4 +265,45 @@ pub fn check_with_trials(
     beside: &[Finding],
 ) -> CheckResult {
     check_model(options, model, inspected, beside, changeable(options, model))
+}
+
+#[cfg(test)]
+mod tests {
+    use osim_model::files::InMemory;
+    use osim_requests::Request;
+
+    use crate::prepare;
+
+    fn settings(request: &str) -> String {
+        let foot = include_bytes!("../../osim-model/tests/data/one_foot.osim").as_slice();
+        let files = InMemory::from_iter(
+            ["here/foot.osim", "there/foot.osim", "there/leg.osim"].map(|name| (name, foot)),
+        );
+        prepare(Request::from_json(request.as_bytes()).unwrap(), &files).unwrap().settings()
+    }
+
+    #[test]
+    fn settings_change_with_what_decides_results() {
+        let rescale = |more: &str| {
+            settings(&format!(r#"{{"verb": "rescale", "models": "a.osim", "target_mass": 80{more}}}"#))
+        };
+        for same in [r#", "output": "b.osim""#, r#", "diff": true"#, r#", "yes": ["mass-in-pounds"]"#] {
+            assert_eq!(rescale(same), rescale(""), "{same}");
+        }
+        for other in [r#", "radius": "x2""#, r#", "select": "a""#, r#", "mass": 70"#, r#", "no_note": true"#]
+        {
+            assert_ne!(rescale(other), rescale(""), "{other}");
+        }
+    }
+
+    #[test]
+    fn settings_have_the_names_of_files_that_are_read_without_their_folders() {
+        let transfer = |from: &str| {
+            settings(&format!(
+                r#"{{"verb": "transfer", "models": "a.osim", "from": "{from}", "reference_mass": 70}}"#
+            ))
+        };
+        assert_eq!(transfer("here/foot.osim"), transfer("there/foot.osim"));
+        assert_ne!(transfer("there/foot.osim"), transfer("there/leg.osim"));
+    }
 }

@@ -103,7 +103,7 @@ impl Trials<'_> {
     /// The model after a request, as the file `to`; `None` where it is refused or changes nothing.
     fn after(&self, request: &Request, model: &Model, to: &Path) -> Option<State> {
         let change = prepare(request.clone(), self.files).ok()?;
-        let plan = change.planner.plan(model).ok().filter(|plan| !plan.is_empty())?;
+        let plan = change.plan_alone(model).ok().filter(|plan| !plan.is_empty())?;
         let model = plan.changed(model).ok()?;
         let inspected = (self.inspect)(&FileName::from(to), &model);
         let found = check_with_trials(self.options, &model, &inspected, &[]);

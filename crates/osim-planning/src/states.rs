@@ -7,12 +7,11 @@ use osim_model::{Model, Property};
 use osim_patch::Plan;
 use osim_requests::spell::Speller;
 
-use crate::afterwards::options_after;
 use crate::motion::MotionResult;
 use crate::motion_remarks::MotionRemark;
 use crate::remedies::Trials;
 use crate::scene::{Fall, Scene};
-use crate::{ModelFeet, Planner, planner};
+use crate::{Change, ModelFeet, planner};
 
 /// What is known of both states of a model, spelled.
 #[derive(Debug)]
@@ -36,25 +35,25 @@ pub struct BeforeAfter {
 }
 
 impl BeforeAfter {
-    /// Both states of a model for which `planner` has made `plan`. `changed` gives its files as they will be, under their
+    /// Both states of a model for which `change` has made `plan`. `changed` gives its files as they will be, under their
     /// names; it is asked only where something changes. The states are spelled by `dialect`, and have feet `with_feet`.
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect: it is not to be written then.
     pub fn of(
-        planner: &dyn Planner,
+        change: &Change,
         opened: &OpenModel,
         plan: &Plan,
         changed: impl FnOnce() -> ModelFiles,
         dialect: &dyn Speller,
         with_feet: bool,
     ) -> Result<Self, Failure> {
-        let before = InspectOptions::from(&planner.inspection());
+        let before = &change.options;
         // The new model has the same elements: what can be changed in one can be changed in the other.
-        let changes = shown_by(plan, &before, opened) || planner::changeable(&before, &opened.model).numbers;
-        let now = seen(&before, opened, changes);
-        let after = options_after(planner.aims(), &before, plan, now.0.figures.mass_kg);
-        let target = planner.target_gravity_m_s2();
+        let changes = shown_by(plan, before, opened) || planner::changeable(before, &opened.model).numbers;
+        let now = seen(before, opened, changes);
+        let after = change.options_after(plan, now.0.figures.mass_kg);
+        let target = change.target_gravity_m_s2;
         let target_gravity_m_s2 = target.filter(|&gravity| now.0.figures.gravity_m_s2 != Some(gravity));
         let mut both = Self {
             before: now,
@@ -62,7 +61,7 @@ impl BeforeAfter {
             after: None,
             bodies: Vec::new(),
             feet: Vec::new(),
-            reference: planner.reference().cloned(),
+            reference: change.reference.clone(),
             recording: None,
             target_gravity_m_s2,
         };
@@ -76,7 +75,7 @@ impl BeforeAfter {
             with_feet.then(|| ModelFeet::for_page(name, opened, &before.selection)).flatten()
         };
         both.feet.extend(feet("before", opened));
-        both.bodies.extend(body("before", &before, &opened.model, opened));
+        both.bodies.extend(body("before", before, &opened.model, opened));
         if !plan.is_empty() {
             let written = changed().open()?;
             both.after = Some(seen(&after, &written, changes));
@@ -84,7 +83,7 @@ impl BeforeAfter {
             let changed = |after: &ModelFeet| both.feet.iter().any(|before| !before.has_same_spheres(after));
             let after = feet("after", &written).filter(changed);
             both.feet.extend(after);
-            both.recording = planner.recording(written).map(Box::new);
+            both.recording = change.planner.recording(written).map(Box::new);
         }
         both.spell(dialect);
         Ok(both)
@@ -133,7 +132,9 @@ fn shown_by(plan: &Plan, options: &InspectOptions, opened: &OpenModel) -> bool {
 /// A model for which a change was planned.
 #[derive(Clone, Copy)]
 pub struct States<'s> {
-    pub planner: &'s dyn Planner,
+    /// What planned it.
+    pub change: &'s Change,
+    /// The model as it is.
     pub opened: &'s OpenModel,
     pub plan: &'s Plan,
     /// The model as it will be; `None` where nothing changes.
@@ -143,26 +144,21 @@ pub struct States<'s> {
 impl States<'_> {
     /// What is drawn of both states, without their figures and findings: for pictures that follow a slider.
     pub fn bodies(self) -> Vec<Body> {
-        let before = InspectOptions::from(&self.planner.inspection());
-        let old = body("before", &before, &self.opened.model, self.opened);
-        let new = self
-            .changed
-            .and_then(|changed| body("after", &self.options_after(&before), changed, self.opened));
+        let old = body("before", &self.change.options, &self.opened.model, self.opened);
+        let new = self.changed.and_then(|changed| body("after", &self.options_after(), changed, self.opened));
         old.into_iter().chain(new).collect()
     }
 
     /// The new model in space; `None` where nothing changes.
     pub fn scene(self) -> Option<Scene> {
-        let before = InspectOptions::from(&self.planner.inspection());
-        Some(Scene::of(self.changed?, &self.options_after(&before)))
+        Some(Scene::of(self.changed?, &self.options_after()))
     }
 
     /// How the body falls on the contacts as they are, and on the new ones: the same body on both, that which the new ones are for.
     pub fn falls(self) -> Vec<Fall> {
         let Some(changed) = self.changed else { return Vec::new() };
-        let before = InspectOptions::from(&self.planner.inspection());
-        let after = self.options_after(&before);
-        let mut heavier = before;
+        let after = self.options_after();
+        let mut heavier = self.change.options.clone();
         heavier.masses.model_kg = after.masses.model_kg;
         heavier.stance.gravity_m_s2 = after.stance.gravity_m_s2;
         let old = body("before", &heavier, &self.opened.model, self.opened);
@@ -170,13 +166,67 @@ impl States<'_> {
         Fall::all(&old.into_iter().chain(new).collect::<Vec<Body>>())
     }
 
-    fn options_after(self, before: &InspectOptions) -> InspectOptions {
-        let weighs = before.masses.of_model(&self.opened.model).ok();
-        options_after(self.planner.aims(), before, self.plan, weighs.map(|mass| mass.kg))
+    fn options_after(self) -> InspectOptions {
+        let weighs = self.change.options.masses.of_model(&self.opened.model).ok();
+        self.change.options_after(self.plan, weighs.map(|mass| mass.kg))
     }
 }
 
 /// What is drawn of `model`, a state of what was `opened`.
 pub(crate) fn body(name: &str, options: &InspectOptions, model: &Model, opened: &OpenModel) -> Option<Body> {
     Body::inspected(name.to_owned(), model, options, &|fault| opened.failure(fault)).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use osim_model::{Fault, FileId};
+    use osim_requests::Request;
+    use osim_requests::spell::CommandLine;
+    use serde_json::json;
+
+    use super::*;
+    use crate::planner::Planner;
+    use crate::prepare;
+
+    struct NoPlans;
+
+    impl Planner for NoPlans {
+        fn plan(&self, _: &Model) -> Result<Plan, Fault> {
+            panic!("planned once more")
+        }
+    }
+
+    #[test]
+    fn a_plan_at_hand_is_enough() {
+        let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
+        let folders = ["table1", "check", "format", "quirks"].map(|folder| fixtures.join(folder));
+        let files = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
+        let mut compared = 0;
+        for path in files.map(|file| file.unwrap().path()) {
+            if path.extension().is_none_or(|ending| ending != "osim") {
+                continue;
+            }
+            let files = InMemory::from_iter([("model.osim", std::fs::read(&path).unwrap())]);
+            for request in [
+                json!({"verb": "rescale", "models": "model.osim", "target_mass": 500}),
+                json!({"verb": "rescale", "models": "model.osim", "target_mass": 5, "only": "radius"}),
+                json!({"verb": "set", "models": "model.osim", "set": {"stiffness": "x2"}}),
+                json!({"verb": "design", "models": "model.osim", "restitution": 0.9, "impact_speed": 0.1}),
+            ] {
+                let request = Request::from_json(request.to_string().as_bytes()).unwrap();
+                let mut change = prepare(request, &files).unwrap();
+                let Ok(opened) = change.open(Path::new("model.osim"), &files) else { continue };
+                let Ok(plan) = change.plan(&opened, &files) else { continue };
+                change.planner = Box::new(NoPlans);
+                let bytes = plan.patched(&opened.model, FileId::MAIN).unwrap();
+                let beside = change.set_files.beside();
+                let changed = || ModelFiles::read(Path::new("model.osim"), bytes, beside, &files).unwrap();
+                BeforeAfter::of(&change, &opened, &plan, changed, &CommandLine, false).unwrap();
+                compared += 1;
+            }
+        }
+        assert!(compared > 100, "{compared}");
+    }
 }

@@ -59,7 +59,7 @@ pub(crate) fn plan(
         };
         let path = path.clone();
         let loaded = load(&path, &change, &files)?;
-        let model = PlannedModel::new(&path, loaded, &change, &files, &PythonWords)?;
+        let model = PlannedModel::new(&path, loaded, change, &files, &PythonWords)?;
         Ok(Planned { model, path, fields, beside: files.into_read() })
     })
 }

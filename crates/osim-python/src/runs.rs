@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 use osim_library::page::{ReportPage, bare_entry, entry};
 use osim_library::run::{
     ChangedModel, Detail, FrontEnd, JsonRecord, Outcome, Record, RowReader, Rows, Run, RunRequest, Task,
-    run_options,
 };
 use osim_library::{LibraryFault, SweepFrontEnd, SweepRun, folder_of};
 use osim_model::files::{Failure, Files};
@@ -71,7 +70,7 @@ pub(crate) fn change_many<'py>(
     let fields = fields_of(fields)?;
     let (records, remarks) = guarded(py, || {
         let request = Request::from_map(fields)?;
-        let options = run_options(&request).cloned().unwrap_or_default();
+        let options = request.run_options().cloned().unwrap_or_default();
         let change = prepare(request, &RequestFiles::new([].into(), true))?;
         let request = RunRequest::of_change(change, &options)?;
         run(request, &options, call, &Watch::new(callback))

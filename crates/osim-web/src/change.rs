@@ -127,9 +127,8 @@ impl Planned {
     /// Both states of the model.
     fn both(&self, with_feet: bool, shelf: &Shelf) -> Result<BeforeAfter, Problem> {
         let opened = &self.opened.model;
-        let planner = &*self.change.planner;
         let mut both =
-            BeforeAfter::of(planner, opened, &self.plan, || self.as_files(), self.words, with_feet)?;
+            BeforeAfter::of(&self.change, opened, &self.plan, || self.as_files(), self.words, with_feet)?;
         if let Some(feet) = both.feet.last_mut() {
             feet.add_bones(&opened.model, &self.opened.path, None, shelf);
         }
@@ -138,7 +137,7 @@ impl Planned {
 
     fn states(&self) -> States<'_> {
         States {
-            planner: &*self.change.planner,
+            change: &self.change,
             opened: &self.opened.model,
             plan: &self.plan,
             changed: self.changed.as_ref(),
@@ -147,11 +146,10 @@ impl Planned {
 
     /// What changes, with those plots of both states that are asked for.
     fn quickly(&self, wanted: Option<&[String]>) -> Sections {
-        let (planner, states) = (&*self.change.planner, self.states());
         let drawn =
             wanted.is_some_and(|wanted| wanted.iter().any(|one| ["plots", "state"].contains(&one.as_str())));
-        let bodies = if drawn { states.bodies() } else { Vec::new() };
-        Sections::of_plan(&self.plan, &bodies, planner.reference(), wanted, self.words)
+        let bodies = if drawn { self.states().bodies() } else { Vec::new() };
+        Sections::of_plan(&self.plan, &bodies, self.change.reference.as_ref(), wanted, self.words)
     }
 
     /// What it does; `wanted` are the sections to make, `None` for all.

@@ -8,7 +8,7 @@ use osim_model::FileId;
 use osim_model::files::{Failure, Files};
 use osim_model::messages::Input;
 use osim_planning::{Change, may_be_file, prepare};
-use osim_requests::options::{InspectionOptions, RunFormat, RunOptions, SheetFormat, StanceOptions};
+use osim_requests::options::{InspectionOptions, RunFormat, RunOptions, SheetFormat};
 use osim_requests::spell::Speller;
 use osim_requests::{InspectRequest, Request, RequestError, RescaleRequest};
 use osim_view::html::{DetailLevel, Entry};
@@ -79,9 +79,9 @@ pub(super) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut 
     inspect.report.report = request.run.report;
     inspect.report.force = request.output.force;
     inspect.models = request.models;
+    let RescaleRequest { masses, choice, set_files, answers, .. } = request;
     inspect.options =
-        InspectionOptions::new(StanceOptions::default(), request.masses, request.choice, request.set_files);
-    inspect.options.answers = request.answers;
+        InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
     inspect::run(&inspect, true, session)
 }
 

@@ -17,7 +17,7 @@ mod writing;
 pub use model_job::{Counts, Outcome};
 pub use planned::PlannedModel;
 pub use record::{JsonRecord, Record, Status};
-pub use request::{ChangedModel, Detail, FrontEnd, RunRequest, run_options};
+pub use request::{ChangedModel, Detail, FrontEnd, RunRequest};
 pub use rows::{RowReader, Rows};
 pub use start::Run;
 pub use task::{Destination, PathConflicts, PathOwner, Task};

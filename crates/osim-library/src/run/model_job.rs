@@ -122,7 +122,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
     fn attempt(&self, record: &mut Record) -> Result<Outcome<F::Shown>, Failure> {
         let task = self.task;
         let detail = self.front_end.detail();
-        let loaded = Loaded::read(&task.source, &task.settings.set_files)?;
+        let loaded = Loaded::read(&task.source, &task.settings.change.set_files)?;
         let mut force = task.settings.force;
         // A digest costs more than a plan: each is made once, for the journal and for the page.
         let wanted = self.context.journal.is_some() || detail != Detail::Result;
@@ -217,9 +217,9 @@ impl<F: FrontEnd> ModelJob<'_, F> {
     ) -> Result<Option<BeforeAfter>, Failure> {
         match (files, detail) {
             (Some(files), Detail::BeforeAfter { feet }) => {
-                let (planner, dialect) = (self.task.settings.planner(), self.front_end.dialect());
+                let (change, dialect) = (&self.task.settings.change, self.front_end.dialect());
                 let changed = || changed(self.task, files, results);
-                BeforeAfter::of(planner, opened, plan, changed, dialect, feet).map(Some)
+                BeforeAfter::of(change, opened, plan, changed, dialect, feet).map(Some)
             }
             _ => Ok(None),
         }
@@ -244,14 +244,14 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         if let Some(row) = self.task.row {
             failure.message.push(format!(" (row {row})"));
         }
-        self.task.settings.planner().keep_ways_out(&mut failure.message);
+        self.task.settings.change.keep_ways_out(&mut failure.message);
         failure.message.spell(self.front_end.dialect());
         failure
     }
 
     fn plan(&self, opened: &OpenModel, record: &mut Record) -> Result<Plan, Failure> {
         let settings = &self.task.settings;
-        let mut plan = settings.planner().plan_opened(opened, settings.details(), &Disk)?;
+        let mut plan = settings.change.plan(opened, &Disk)?;
         let compiled = self.task.output().and_then(|path| self.context.folders.compiled_beside(path));
         plan.warnings.extend(compiled);
         let linked = self.task.output().filter(|_| settings.in_place).and_then(other_names);

@@ -7,9 +7,8 @@ use osim_model::FileId;
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_patch::Plan;
-use osim_planning::{BeforeAfter, Change, Planner};
-use osim_requests::NoteDetails;
-use osim_requests::options::{OutputOptions, RunOptions, SetFiles};
+use osim_planning::{BeforeAfter, Change};
+use osim_requests::options::{OutputOptions, RunOptions};
 use osim_requests::spell::Speller;
 
 use crate::digest::sha256;
@@ -32,9 +31,7 @@ pub struct PlannedModel {
     opened: OpenModel,
     origin: Origin,
     plan: Plan,
-    planner: Arc<dyn Planner>,
-    set_files: SetFiles,
-    details: NoteDetails,
+    change: Arc<Change>,
 }
 
 impl PlannedModel {
@@ -42,11 +39,11 @@ impl PlannedModel {
     /// `dialect`. Nothing is written.
     ///
     /// # Errors
-    /// Those of [`Planner::plan_opened`].
+    /// Those of [`Change::plan`].
     pub fn new(
         path: &Path,
         loaded: Loaded,
-        change: &Change,
+        change: Change,
         files: &dyn Files,
         dialect: &dyn Speller,
     ) -> Result<Self, Failure> {
@@ -55,16 +52,7 @@ impl PlannedModel {
         let opened = model.open()?;
         let mut plan = change.plan(&opened, files)?;
         plan.spell(dialect);
-        Ok(Self {
-            source: Source::file(path),
-            files: kept,
-            opened,
-            origin,
-            plan,
-            planner: Arc::clone(&change.planner),
-            set_files: change.set_files.clone(),
-            details: change.details.clone(),
-        })
+        Ok(Self { source: Source::file(path), files: kept, opened, origin, plan, change: Arc::new(change) })
     }
 
     /// The model as it is.
@@ -102,7 +90,7 @@ impl PlannedModel {
         let results =
             Results::of(&task, &self.plan, &self.opened.model).map_err(|fault| self.opened.failure(fault))?;
         let new = || changed(&task, &self.files, &results);
-        let both = BeforeAfter::of(&*self.planner, &self.opened, &self.plan, new, dialect, with_feet)?;
+        let both = BeforeAfter::of(&self.change, &self.opened, &self.plan, new, dialect, with_feet)?;
         let mut record = Record { status: Status::DryRun, ..Record::of_task(&task) };
         record.planned(&self.plan);
         let inputs: Vec<String> = self.opened.files().map(|(_, bytes)| sha256(bytes)).collect();
@@ -133,8 +121,8 @@ impl PlannedModel {
                 Input::Output,
             ]));
         }
-        let mut request = RunRequest { from_memory: self.is_from_memory(), ..RunRequest::default() };
-        request.tasks.push(task);
+        let from_memory = self.is_from_memory();
+        let request = RunRequest { from_memory, ..RunRequest::new(self.change.verb, vec![task]) };
         request.check_files(&RunOptions::default())?;
         let nothing = Written::Nothing("nothing written");
         let Some(task) = request.tasks.first() else { return Ok((nothing, Vec::new())) };
@@ -170,7 +158,7 @@ impl PlannedModel {
             ]));
         }
         let model = (FileId::MAIN, self.source.path.as_path());
-        let geometry = self.set_files.geometry.as_deref();
+        let geometry = self.change.set_files.geometry.as_deref();
         let geometry = geometry.and_then(|path| Some((self.origin.file_at(path)?, path)));
         std::iter::once(model).chain(geometry).try_for_each(|(file, path)| {
             let there = door::ordinary(path).context(|| path.display())?;
@@ -194,8 +182,7 @@ impl PlannedModel {
     }
 
     fn task(&self, output: &OutputOptions) -> Task {
-        let settings =
-            JobSettings::new(Arc::clone(&self.planner), self.set_files.clone(), self.details.clone(), output);
+        let settings = JobSettings::new(Arc::clone(&self.change), output);
         Task::new(self.source.clone(), output, Arc::new(settings))
     }
 }

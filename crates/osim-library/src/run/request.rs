@@ -4,10 +4,9 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use osim_model::files::{Failure, OpenModel};
-use osim_model::messages::{Input, phrase};
+use osim_model::messages::{Input, Verb, phrase};
 use osim_patch::Plan;
-use osim_planning::{BeforeAfter, Change, of_many};
-use osim_requests::Request;
+use osim_planning::{BeforeAfter, Change};
 use osim_requests::options::{OutputOptions, RunFormat, RunOptions};
 use osim_requests::spell::Speller;
 
@@ -18,10 +17,9 @@ use crate::run::writing::{Results, Written};
 use crate::source::{Source, Sources};
 
 /// What is to be done in one run.
-#[derive(Default)]
 pub struct RunRequest {
-    /// The verb, as reports have it.
-    pub verb: &'static str,
+    /// What is done.
+    pub verb: Verb,
     /// The models.
     pub tasks: Vec<Task>,
     /// What could not even be listed.
@@ -37,37 +35,44 @@ pub struct RunRequest {
 }
 
 impl RunRequest {
+    /// These tasks, and nothing to report before them.
+    pub(super) fn new(verb: Verb, tasks: Vec<Task>) -> Self {
+        Self {
+            verb,
+            tasks,
+            failures: Vec::new(),
+            remarks: Vec::new(),
+            reads: Vec::new(),
+            force: false,
+            from_memory: false,
+        }
+    }
+
     /// The tasks of one change: its files, and the models in its folders.
     ///
     /// # Errors
     /// What is asked for several models makes sense for one only.
-    pub fn of_change(change: Change, run: &RunOptions) -> Result<Self, LibraryFault> {
+    pub fn of_change(mut change: Change, run: &RunOptions) -> Result<Self, LibraryFault> {
         let sources = Sources::find(&change.models, change.output.output_dir.as_deref());
-        let change = if sources.models.len() > 1 { of_many(change) } else { change };
-        let Change { models, output, set_files, planner, details, .. } = change;
-        check_usage(&models, &sources, &output, run)?;
-        if set_files.geometry.is_some() && sources.models.len() > 1 {
+        change.is_for_several = sources.models.len() > 1;
+        let change = Arc::new(change);
+        let output = &change.output;
+        check_usage(&change.models, &sources, output, run)?;
+        if change.set_files.geometry.is_some() && change.is_for_several {
             return Err(LibraryFault::new(phrase![
                 Input::Geometry,
                 " belongs to one ForceSet: change several in runs of their own",
             ]));
         }
-        let verb = planner.name();
-        let settings = Arc::new(JobSettings::new(planner, set_files, details, &output));
-        let task = |source: Source| Task::new(source, &output, Arc::clone(&settings));
+        let settings = Arc::new(JobSettings::new(Arc::clone(&change), output));
+        let task = |source: Source| Task::new(source, output, Arc::clone(&settings));
+        let tasks = sources.models.into_iter().map(task).collect();
         Ok(Self {
-            verb,
-            tasks: sources.models.into_iter().map(task).collect(),
             failures: sources.failures,
             remarks: sources.remarks,
             force: output.force,
-            ..Self::default()
+            ..Self::new(change.verb, tasks)
         })
-    }
-
-    /// The tasks of a table's rows; `table` where it is a file.
-    pub(super) fn of_rows(verb: &'static str, tasks: Vec<Task>, table: Option<PathBuf>, force: bool) -> Self {
-        Self { verb, tasks, reads: table.into_iter().collect(), force, ..Self::default() }
     }
 
     /// Whether the run is about one model.
@@ -88,7 +93,8 @@ impl RunRequest {
             // The files of settings are compared once for all of their models.
             if !known.is_some_and(|settings| Arc::ptr_eq(settings, &task.settings)) {
                 // A reference is read before the first model, so a folder's run may change it; rows may not rely on that.
-                task.settings.reads().into_iter().for_each(|path| {
+                task.settings.change.reads().for_each(|path| {
+                    let path = path.as_path();
                     if task.row.is_some() { conflicts.read_again(path) } else { conflicts.read(path) }
                 });
                 known = Some(&task.settings);
@@ -101,7 +107,7 @@ impl RunRequest {
                 Some(path) => conflicts.write(path, owner)?,
                 None => {}
             }
-            match (&task.settings.set_files.geometry, &task.geometry_output) {
+            match (&task.settings.change.set_files.geometry, &task.geometry_output) {
                 (Some(_), Some(path)) if task.settings.in_place => conflicts.change(path, owner)?,
                 (Some(geometry), Some(path)) => conflicts.write(path, PathOwner::Model(geometry, None))?,
                 _ => {}
@@ -112,21 +118,6 @@ impl RunRequest {
         }
         run.summary.as_ref().map_or(Ok(()), |path| conflicts.write(path, "the summary"))
     }
-}
-
-/// How the run of a request that changes models goes about its work; `None` for other verbs.
-pub fn run_options(request: &Request) -> Option<&RunOptions> {
-    Some(match request {
-        Request::Rescale(request) => &request.run,
-        Request::Design(request) => &request.run,
-        Request::Set(request) => &request.run,
-        Request::Note(request) => &request.run,
-        Request::Add(request) => &request.run,
-        Request::Convert(request) => &request.run,
-        Request::Remove(request) => &request.run,
-        Request::Transfer(request) => &request.run,
-        _ => return None,
-    })
 }
 
 fn check_usage(

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use osim_model::files::Failure;
-use osim_model::messages::{Input, Phrase, phrase, shown_path};
+use osim_model::messages::{Input, Phrase, Verb, phrase, shown_path};
 use osim_planning::{RowFault, RowRequest, Table};
 use osim_requests::BatchRequest;
 use osim_requests::options::OutputOptions;
@@ -73,8 +73,9 @@ impl<'r> RowReader<'r> {
                 "{name}: no rows below the first one, which names the columns"
             )));
         }
-        let manifest = request.manifest.clone();
-        Ok(Rows::Run(RunRequest::of_rows("batch", tasks, manifest, request.output.force)))
+        let reads = request.manifest.iter().cloned().collect();
+        let force = request.output.force;
+        Ok(Rows::Run(RunRequest { reads, force, ..RunRequest::new(Verb::Batch, tasks) }))
     }
 }
 
@@ -134,8 +135,7 @@ impl TableRows<'_> {
             return Ok(Arc::clone(settings));
         }
         let change = self.table.prepare(row, &OrdinaryFiles)?;
-        let settings =
-            Arc::new(JobSettings::new(change.planner, change.set_files, change.details, &row.output));
+        let settings = Arc::new(JobSettings::new(Arc::new(change), &row.output));
         known.insert(key, Arc::clone(&settings));
         Ok(settings)
     }

@@ -9,9 +9,8 @@ use std::sync::{Arc, OnceLock};
 
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, phrase};
-use osim_planning::Planner;
-use osim_requests::NoteDetails;
-use osim_requests::options::{OutputOptions, SetFiles};
+use osim_planning::Change;
+use osim_requests::options::OutputOptions;
 
 use crate::digest::{self, NameDigest, sha256};
 use crate::fault::LibraryFault;
@@ -38,7 +37,7 @@ pub struct Task {
 impl Task {
     /// A model that is done by these settings.
     pub(super) fn new(source: Source, output: &OutputOptions, settings: Arc<JobSettings>) -> Self {
-        let geometry = settings.set_files.geometry.as_deref();
+        let geometry = settings.change.set_files.geometry.as_deref();
         Self {
             destination: Destination::of(&source, output),
             geometry_output: geometry.map(|geometry| output.of_geometry(geometry)),
@@ -73,57 +72,27 @@ impl Task {
 
 /// What is done with a model: shared by all models of a call, or by like rows of a manifest.
 pub(super) struct JobSettings {
-    planner: Arc<dyn Planner>,
-    pub(super) set_files: SetFiles,
+    pub(super) change: Arc<Change>,
     pub(super) in_place: bool,
     pub(super) no_backup: bool,
     pub(super) force: bool,
-    no_note: bool,
-    details: NoteDetails,
     digest: OnceLock<String>,
 }
 
 impl JobSettings {
-    /// What `planner` plans and notes say, written as `output` says.
-    pub(super) fn new(
-        planner: Arc<dyn Planner>,
-        set_files: SetFiles,
-        details: NoteDetails,
-        output: &OutputOptions,
-    ) -> Self {
-        Self {
-            planner,
-            set_files,
-            details,
-            in_place: output.in_place,
-            no_backup: output.no_backup,
-            force: output.force,
-            no_note: output.no_note,
-            digest: OnceLock::new(),
-        }
-    }
-
-    pub(super) fn planner(&self) -> &dyn Planner {
-        self.planner.as_ref()
-    }
-
-    /// What notes say of the request; `None` where there are to be none.
-    pub(super) fn details(&self) -> Option<&NoteDetails> {
-        Some(&self.details).filter(|_| !self.no_note)
-    }
-
-    /// Files that are read beside the models.
-    pub(super) fn reads(&self) -> Vec<PathBuf> {
-        self.set_files.paths().cloned().chain(self.planner.reads()).collect()
+    /// What `change` plans, written as `output` says.
+    pub(super) fn new(change: Arc<Change>, output: &OutputOptions) -> Self {
+        let OutputOptions { in_place, no_backup, force, .. } = *output;
+        Self { change, in_place, no_backup, force, digest: OnceLock::new() }
     }
 
     /// Digest of everything an output follows from except the model itself.
     pub(super) fn digest(&self) -> &str {
         self.digest.get_or_init(|| {
-            let mut text = format!("{}\nno note: {}\n", self.planner.settings(), self.no_note);
-            for path in self.reads() {
+            let mut text = format!("{}\n", self.change.settings());
+            for path in self.change.reads() {
                 // What cannot be read fails later, with its name; a pipe can be read once only.
-                let digest = OrdinaryFiles.read(&path).map(|bytes| sha256(&bytes)).unwrap_or_default();
+                let digest = OrdinaryFiles.read(path).map(|bytes| sha256(&bytes)).unwrap_or_default();
                 text.push_str(&format!("{digest}\n"));
             }
             sha256(text.as_bytes())

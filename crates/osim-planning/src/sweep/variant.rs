@@ -1,7 +1,6 @@
 //! One variant of a model: what is done to it, its bytes and what is in them; and the steps of a ladder.
 
 use std::collections::BTreeSet;
-use std::sync::Arc;
 
 use contact_scaling::{continuation, stiffness};
 use osim_inspect::{Figure, Figures, InspectOptions, LoadSharing, Stance};
@@ -18,7 +17,7 @@ use osim_requests::{
 
 use super::grid::{Point, padded};
 use crate::afterwards::{is_due, unmended};
-use crate::planner::Planner;
+use crate::planner::Change;
 use crate::verbs::{design, rescale, set};
 
 /// A variant, read again from its own bytes.
@@ -46,9 +45,9 @@ impl Variant {
         target_mass_kg: Option<f64>,
     ) -> Result<Self, Failure> {
         let mut current = model.clone();
-        for (number, planner) in stages.iter().enumerate() {
+        for (number, stage) in stages.iter().enumerate() {
             let open = current.open()?;
-            let mut plan = planner.plan(&open.model).map_err(|fault| open.failure(fault))?;
+            let mut plan = stage.plan_alone(&open.model).map_err(|fault| open.failure(fault))?;
             plan.name_operation(operation);
             if number > 0 {
                 plan.join_steps();
@@ -181,8 +180,8 @@ fn values(model: &Model, selected: &Selected) -> Vec<(Property, f64)> {
 
 // What is done to the model at a point: rescaled, then set, then designed, each if the point asks for it.
 
-/// The plans that lead to a point, one after the other.
-pub(super) type Stages = Vec<Arc<dyn Planner>>;
+/// The changes that lead to a point, one after the other.
+pub(super) type Stages = Vec<Change>;
 
 /// The stages of a point of a grid.
 ///
@@ -227,7 +226,7 @@ fn design(
     request: &SweepRequest,
     indentation: Option<f64>,
     restitution: Option<f64>,
-) -> Result<Arc<dyn Planner>, RequestFault> {
+) -> Result<Change, RequestFault> {
     let refused = |name: AxisName, number: f64| {
         move |why: String| {
             let value = format!(" {}={}: {why}", name.as_str(), shortest(number));
@@ -252,14 +251,11 @@ fn design(
         answers: request.answers.clone(),
         ..DesignRequest::default()
     };
-    design::prepare(design).map(|change| change.planner)
+    design::prepare(design)
 }
 
 /// `set` with these assignments.
-fn set(
-    request: &SweepRequest,
-    assignments: Vec<(Property, Assignment)>,
-) -> Result<Arc<dyn Planner>, RequestFault> {
+fn set(request: &SweepRequest, assignments: Vec<(Property, Assignment)>) -> Result<Change, RequestFault> {
     let set = SetRequest {
         models: request.model.iter().cloned().collect(),
         set: assignments.into_iter().collect(),
@@ -268,10 +264,10 @@ fn set(
         answers: request.answers.clone(),
         ..SetRequest::default()
     };
-    set::prepare(set).map(|change| change.planner)
+    set::prepare(set)
 }
 
-fn rescale(request: &SweepRequest, target_mass_kg: f64) -> Result<Arc<dyn Planner>, RequestFault> {
+fn rescale(request: &SweepRequest, target_mass_kg: f64) -> Result<Change, RequestFault> {
     let target_mass =
         Kilograms::new(target_mass_kg).map_err(|why| RequestFault::refused(Input::TargetMass, why))?;
     let request = RescaleRequest {
@@ -281,7 +277,7 @@ fn rescale(request: &SweepRequest, target_mass_kg: f64) -> Result<Arc<dyn Planne
         answers: request.answers.clone(),
         ..RescaleRequest::default()
     };
-    rescale::with_bodies(request, None).map(|change| change.planner)
+    rescale::with_bodies(request, None)
 }
 
 // From a soft contact to the wanted one, in steps (section 4.3 of the paper).

@@ -1,15 +1,13 @@
 //! Forces of one class as forces of the other.
 
-use osim_model::messages::{Input, Phrase, counted, listed, phrase};
+use osim_model::messages::{Input, Phrase, Verb, counted, listed, phrase};
 use osim_model::{Fault, ForceKind, Model, Selection};
 use osim_patch::{Convert, Converted, Deed, ObjectChange, Plan, convert, kept_note};
-use osim_requests::options::{InspectionOptions, MassOptions, SetFiles, StanceOptions};
+use osim_requests::options::InspectionOptions;
 use osim_requests::{ConvertRequest, Positive, RequestFault};
-use serde_json::json;
 
-use super::asking::{Asking, refuse_geometry_output};
 use crate::planner::{Change, Planner};
-use crate::remarks::{dropped_pairs, smoothed, still_named, too_new, too_smooth};
+use crate::remarks::{dropped_pairs, refuse_geometry_output, smoothed, still_named, too_new, too_smooth};
 
 /// What is said where forces had their spheres inside themselves.
 const TAKEN_OUT: &str = "spheres and planes that forces kept inside themselves, as in Moco 0.1 to 0.3, are in the ContactGeometrySet: OpenSim 4.2 and \
@@ -18,8 +16,6 @@ const TAKEN_OUT: &str = "spheres and planes that forces kept inside themselves, 
 struct Converting {
     wanted: Convert,
     selection: Selection,
-    inspection: InspectionOptions,
-    settings: String,
 }
 
 /// Checks the request, for all of its models.
@@ -38,22 +34,13 @@ pub(super) fn prepare(request: ConvertRequest) -> Result<Change, RequestFault> {
     wanted.hertz_smoothing = request.hertz_smoothing.map(Positive::get);
     wanted.hunt_crossley_smoothing = request.hunt_crossley_smoothing.map(Positive::get);
     wanted.strict = request.strict;
-    let smoothing =
-        [request.constant_contact_force, request.hertz_smoothing, request.hunt_crossley_smoothing];
-    let set_files = SetFiles::default();
-    let planner = Converting {
-        wanted,
-        selection: request.choice.selection(),
-        settings: json!(["convert", to, smoothing, request.strict, request.choice]).to_string(),
-        inspection: InspectionOptions::new(
-            StanceOptions::default(),
-            MassOptions::default(),
-            request.choice,
-            set_files.clone(),
-        ),
+    let planner = Converting { wanted, selection: request.choice.selection() };
+    let inspection = InspectionOptions {
+        choice: request.choice,
+        answers: request.answers,
+        ..InspectionOptions::default()
     };
-    let asking = Asking { masses: planner.inspection.masses.request(), answers: request.answers, planner };
-    Ok(Change::new(request.models, request.output, set_files, asking))
+    Ok(Change::new(Verb::Convert, request.models, request.output, inspection, planner))
 }
 
 /// # Errors
@@ -76,18 +63,6 @@ fn refuse_smoothing(request: &ConvertRequest, to: ForceKind) -> Result<(), Reque
 }
 
 impl Planner for Converting {
-    fn name(&self) -> &'static str {
-        "convert"
-    }
-
-    fn inspection(&self) -> InspectionOptions {
-        self.inspection.clone()
-    }
-
-    fn settings(&self) -> String {
-        self.settings.clone()
-    }
-
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply_to_all(model)?;
         let dropped = dropped_pairs(model, &selected)?;

@@ -12,9 +12,7 @@ use osim_requests::{
     ConstantIndentation, DesignRequest, PoissonRatio, Positive, RelativeIndentation, RequestFault,
     RestitutionCoefficient,
 };
-use serde_json::json;
 
-use super::asking::Asking;
 use crate::planner::{Change, Planner};
 use crate::remarks::{noted_limbs, refuse_known};
 
@@ -25,8 +23,6 @@ pub(super) struct Designing {
     counts: CountOptions,
     selection: Selection,
     masses: MassRequest,
-    inspection: InspectionOptions,
-    settings: String,
 }
 
 /// Checks a request that names models, for all of them. Without models it is [calculated](crate::design_sheet).
@@ -34,11 +30,10 @@ pub(super) struct Designing {
 /// # Errors
 /// Options that say nothing, or contradict each other.
 pub(crate) fn prepare(request: DesignRequest) -> Result<Change, RequestFault> {
-    let (models, output, answers) = (request.models.clone(), request.output.clone(), request.answers.clone());
-    let set_files = request.set_files.clone();
-    let planner = planner(request)?;
-    let asking = Asking { masses: planner.masses.clone(), answers, planner };
-    Ok(Change::new(models, output, set_files, asking))
+    let DesignRequest { models, output, answers, set_files, masses, choice, .. } = request.clone();
+    let stance = request.counts.stance_options(request.wanted.impact_speed, request.load.gravity);
+    let inspection = InspectionOptions { stance, masses, choice, set_files, answers };
+    Ok(Change::new(Verb::Design, models, output, inspection, planner(request)?))
 }
 
 /// What plans for each model.
@@ -47,16 +42,12 @@ pub(crate) fn prepare(request: DesignRequest) -> Result<Change, RequestFault> {
 /// Options that say nothing, or contradict each other.
 pub(super) fn planner(request: DesignRequest) -> Result<Designing, RequestFault> {
     check(&request)?;
-    let DesignRequest { wanted, load, masses, counts, choice, set_files, .. } = request;
-    let stance = counts.stance_options(wanted.impact_speed, load.gravity);
     Ok(Designing {
-        settings: json!(["design", wanted, load, masses, counts, choice]).to_string(),
-        wanted,
-        load,
-        counts,
-        selection: choice.selection(),
-        masses: masses.request(),
-        inspection: InspectionOptions::new(stance, masses, choice, set_files),
+        selection: request.choice.selection(),
+        masses: request.masses.request(),
+        wanted: request.wanted,
+        load: request.load,
+        counts: request.counts,
     })
 }
 
@@ -161,18 +152,6 @@ impl Designing {
 }
 
 impl Planner for Designing {
-    fn name(&self) -> &'static str {
-        "design"
-    }
-
-    fn inspection(&self) -> InspectionOptions {
-        self.inspection.clone()
-    }
-
-    fn settings(&self) -> String {
-        self.settings.clone()
-    }
-
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         self.plan_for(model, &self.selection.apply(model)?)
     }

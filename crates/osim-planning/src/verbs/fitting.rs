@@ -5,26 +5,19 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::{Figure, InspectOptions};
 use osim_model::files::{FileName, Files, OpenModel};
-use osim_model::messages::{Input, Phrase, phrase, shortest, shown};
-use osim_model::{
-    Assignment, DVec3, Fault, HalfSpace, Mass, MassRequest, MassSource, Model, Property, Selected, Selection,
-    SphereId,
-};
+use osim_model::messages::{Input, Phrase, Verb, phrase, shortest, shown};
+use osim_model::{Assignment, Fault, HalfSpace, Mass, MassSource, Model, Property, Selected, SphereId};
 use osim_motion::fit::{FitBounds, FitError, FitTrial, FitWanted, FittedHeight, MotionFit, fit_motion};
 use osim_motion::{
     Belt, ContactStates, Foot, Measured, Recording, RecordingOptions, StatesError, Summary, Table,
 };
 use osim_patch::{Plan, RecordingErrors, Set, set};
-use osim_requests::options::{InspectionOptions, StanceOptions};
+use osim_requests::options::InspectionOptions;
 use osim_requests::{FitRequest, FittedChoice, HeightChoice, MotionRequest, RequestError, RequestFault};
-use serde_json::json;
-use sha2::{Digest, Sha256};
 
-use super::asking::Asking;
 use super::fitted_words::remarks;
 use crate::motion::{MotionResult, OnGround, PlatesRead, belt, recording_options, table, weight};
 use crate::motion_remarks::{MotionRemark, other_weight};
-use crate::opening::read;
 use crate::planner::{Change, Planner, file_name};
 
 /// Digits that are kept of a fitted number: more are not determined.
@@ -42,11 +35,7 @@ struct TrialFiles {
 struct Fitting {
     trials: Vec<TrialFiles>,
     bounds: FitBounds,
-    selection: Selection,
-    masses: MassRequest,
-    inspection: InspectionOptions,
-    files: Vec<PathBuf>,
-    settings: String,
+    options: InspectOptions,
 }
 
 /// Checks the request and reads the recordings.
@@ -81,12 +70,7 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
             plates: PlatesRead::read(table_of_plates, loads, files)?,
         });
     }
-    let read_files: Vec<PathBuf> = motions.iter().chain(plates).chain(loads).cloned().collect();
-    let mut digests = Vec::new();
-    for path in &read_files {
-        let digest = Sha256::digest(read(path, files)?);
-        digests.push(digest.iter().map(|byte| format!("{byte:02x}")).collect::<String>());
-    }
+    let reads = motions.iter().chain(plates).chain(loads).cloned().collect();
     let bounds = bounds(&request);
     if request.height_in == HeightChoice::Spheres && bounds.wanted.height.is_none() {
         let why = phrase![
@@ -97,20 +81,10 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
         ];
         return Err(RequestFault::refused(Input::HeightIn, why).into());
     }
-    let FitRequest { fit, unbounded, height_in, belt, belt_column, .. } = &request;
-    let goals = json!([fit, unbounded, height_in, belt, belt_column]);
-    let FitRequest { angles, low_pass, masses, choice, output, answers, set_files, .. } = request;
-    let planner = Fitting {
-        trials,
-        bounds,
-        selection: choice.selection(),
-        masses: masses.request(),
-        files: read_files,
-        settings: json!(["fit", goals, angles, low_pass, masses, choice, digests]).to_string(),
-        inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
-    };
-    let asking = Asking { masses: planner.masses.clone(), answers, planner };
-    Ok(Change::new(vec![model], output, set_files, asking))
+    let FitRequest { masses, choice, output, answers, set_files, .. } = request;
+    let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
+    let planner = Fitting { trials, bounds, options: InspectOptions::from(&inspection) };
+    Ok(Change { reads, ..Change::new(Verb::Fit, vec![model], output, inspection, planner) })
 }
 
 /// What is fitted, and between which bounds.
@@ -226,7 +200,8 @@ impl Fitting {
         wanted.made_for_kg = Some(mass_kg);
         wanted.again = true;
         let noted = || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
-        wanted.contacts_mass = self.masses.of_contacts(model).ok().map(|(mass, _)| mass).or_else(noted);
+        wanted.contacts_mass =
+            self.options.masses.of_contacts(model).ok().map(|(mass, _)| mass).or_else(noted);
         Ok(wanted)
     }
 }
@@ -235,7 +210,7 @@ impl Fitting {
     /// What the contact is at every size.
     fn without_dimensions(&self, changed: &Model) -> Option<Phrase> {
         let name = FileName::from(Path::new("model"));
-        let seen = InspectOptions::from(&self.inspection).inspect(name, changed, None);
+        let seen = self.options.inspect(name, changed, None);
         let sphere = seen.figures.spheres().next()?;
         let depth = sphere.value(Figure::Indentation)?;
         let stiffness = sphere.value(Figure::DimensionlessStiffness)?;
@@ -248,27 +223,11 @@ impl Fitting {
 }
 
 impl Planner for Fitting {
-    fn name(&self) -> &'static str {
-        "fit"
-    }
-
-    fn inspection(&self) -> InspectionOptions {
-        self.inspection.clone()
-    }
-
-    fn settings(&self) -> String {
-        self.settings.clone()
-    }
-
-    fn reads(&self) -> Vec<PathBuf> {
-        self.files.clone()
-    }
-
     fn recording(&self, changed: OpenModel) -> Option<(MotionResult, Vec<MotionRemark>)> {
         let trial = self.trials.first()?;
-        let selected = self.selection.apply(&changed.model).ok()?;
+        let selected = self.options.selection.apply(&changed.model).ok()?;
         let (recording, states, feet) = self.follow(trial, &changed.model, &selected).ok()?;
-        let weight = weight(&self.masses, &changed.model).ok()?;
+        let weight = weight(&self.options.masses, &changed.model).ok()?;
         let on_ground = OnGround { recording, states, feet, weight, belt: Some(trial.belt.clone()) };
         let name = FileName::from(Path::new(&trial.name));
         let result = on_ground.beside(changed, name, Some(trial.plates.clone()));
@@ -277,8 +236,8 @@ impl Planner for Fitting {
     }
 
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        let selected = self.selection.apply(model)?;
-        let (mass_kg, gravity_m_s2) = weight(&self.masses, model)?;
+        let selected = self.options.selection.apply(model)?;
+        let (mass_kg, gravity_m_s2) = weight(&self.options.masses, model)?;
         let weight_n = mass_kg * gravity_m_s2;
         let mut seen: Vec<Seen> = Vec::new();
         for trial in &self.trials {

@@ -2,7 +2,6 @@
 
 mod adding;
 pub(crate) mod any;
-mod asking;
 mod convert;
 pub(crate) mod design;
 mod fitted_words;

@@ -1,13 +1,11 @@
 //! Notes of what the user knows.
 
-use osim_model::messages::{Input, phrase};
-use osim_model::{Fault, Model};
+use osim_model::messages::{Input, Verb, phrase};
+use osim_model::{Fault, MassRequest, Model};
 use osim_patch::{Plan, note, note_stance_limbs};
-use osim_requests::options::{ForceOptions, InspectionOptions, MassOptions, StanceOptions};
+use osim_requests::options::{InspectionOptions, MassOptions};
 use osim_requests::{Acceleration, Count, NoteRequest, RequestFault};
-use serde_json::json;
 
-use super::asking::Asking;
 use crate::planner::{Change, Planner};
 
 /// What the user knows.
@@ -22,8 +20,7 @@ struct Noting {
     /// What to write down.
     noted: Noted,
     gravity_m_s2: Option<f64>,
-    inspection: InspectionOptions,
-    settings: String,
+    masses: MassRequest,
 }
 
 /// Checks the request, for all of its models.
@@ -63,39 +60,18 @@ pub(super) fn prepare(request: NoteRequest) -> Result<Change, RequestFault> {
         return Err(RequestFault::general(phrase!["a note is written or not: leave out ", Input::NoNote]));
     }
     let masses = MassOptions { contacts_mass, ..MassOptions::default() };
-    let planner = Noting {
-        noted,
-        gravity_m_s2: contacts_gravity.map(Acceleration::get),
-        inspection: InspectionOptions::new(
-            StanceOptions::default(),
-            masses,
-            ForceOptions::default(),
-            set_files.clone(),
-        ),
-        settings: json!(["note", contacts_mass, contacts_gravity, stance_limbs]).to_string(),
-    };
-    let asking = Asking { masses: planner.inspection.masses.request(), answers, planner };
-    Ok(Change::new(models, output, set_files, asking))
+    let gravity_m_s2 = contacts_gravity.map(Acceleration::get);
+    let planner = Noting { noted, gravity_m_s2, masses: masses.request() };
+    let inspection = InspectionOptions { masses, set_files, answers, ..InspectionOptions::default() };
+    Ok(Change::new(Verb::Note, models, output, inspection, planner))
 }
 
 impl Planner for Noting {
-    fn name(&self) -> &'static str {
-        "note"
-    }
-
-    fn inspection(&self) -> InspectionOptions {
-        self.inspection.clone()
-    }
-
-    fn settings(&self) -> String {
-        self.settings.clone()
-    }
-
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         match self.noted {
             Noted::Mass(kg, limbs) => {
                 let mut plan = note(model, kg, self.gravity_m_s2.or(model.gravity()), limbs)?;
-                plan.warnings.extend(self.inspection.masses.request().noted_otherwise(model));
+                plan.warnings.extend(self.masses.noted_otherwise(model));
                 Ok(plan)
             }
             Noted::StanceLimbs(limbs) => Ok(note_stance_limbs(model, limbs)),

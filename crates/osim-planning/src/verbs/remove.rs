@@ -1,20 +1,16 @@
 //! Contacts out of models.
 
-use osim_model::messages::{Input, Phrase, counted, phrase, readable};
+use osim_model::messages::{Input, Phrase, Verb, counted, phrase, readable};
 use osim_model::{Fault, Model, Note, Selection};
 use osim_patch::{Deed, Plan, added_forces, note_of_rest, remove};
-use osim_requests::options::{InspectionOptions, MassOptions, SetFiles, StanceOptions};
+use osim_requests::options::InspectionOptions;
 use osim_requests::{RemoveRequest, RequestFault};
-use serde_json::json;
 
-use super::asking::{Asking, refuse_geometry_output};
 use crate::planner::{Change, Planner};
-use crate::remarks::still_named;
+use crate::remarks::{refuse_geometry_output, still_named};
 
 struct Removing {
     selection: Selection,
-    inspection: InspectionOptions,
-    settings: String,
 }
 
 /// Checks the request, for all of its models.
@@ -27,34 +23,12 @@ pub(super) fn prepare(request: RemoveRequest) -> Result<Change, RequestFault> {
         return Err(RequestFault::Missing { field: "models" });
     }
     refuse_geometry_output(&output)?;
-    let set_files = SetFiles::default();
-    let planner = Removing {
-        selection: choice.selection(),
-        settings: json!(["remove", choice]).to_string(),
-        inspection: InspectionOptions::new(
-            StanceOptions::default(),
-            MassOptions::default(),
-            choice,
-            set_files.clone(),
-        ),
-    };
-    let asking = Asking { masses: planner.inspection.masses.request(), answers, planner };
-    Ok(Change::new(models, output, set_files, asking))
+    let planner = Removing { selection: choice.selection() };
+    let inspection = InspectionOptions { choice, answers, ..InspectionOptions::default() };
+    Ok(Change::new(Verb::Remove, models, output, inspection, planner))
 }
 
 impl Planner for Removing {
-    fn name(&self) -> &'static str {
-        "remove"
-    }
-
-    fn inspection(&self) -> InspectionOptions {
-        self.inspection.clone()
-    }
-
-    fn settings(&self) -> String {
-        self.settings.clone()
-    }
-
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         // What was added is known, also where a change of it would have to be asked about.
         let added = added_forces(model).filter(|_| self.selection.select.is_empty());

@@ -1,23 +1,19 @@
 //! A model's own contacts at another mass, with spheres that follow their bodies.
 
-use std::path::PathBuf;
-
 use osim_inspect::misplaced_spheres;
 use osim_model::compare::ScaleFile;
 use osim_model::files::Files;
-use osim_model::messages::{Input, phrase, readable};
+use osim_model::messages::{Input, Verb, phrase, readable};
 use osim_model::{
     Fault, MassRequest, Model, Needed, Note, NoteDoubt, RadiusRule, ScaledSinceNote, Selection,
 };
 use osim_patch::{FOLLOWING, FOLLOWING_NOTE, Plan, Rescale, rescale};
-use osim_requests::options::{InspectionOptions, ScalingOptions, StanceOptions};
+use osim_requests::options::{InspectionOptions, ScalingOptions};
 use osim_requests::{Acceleration, Radius, RequestError, RequestFault, RescaleRequest};
-use serde_json::json;
 
-use super::asking::{Asking, operation, refuse_again};
 use crate::opening::scale_file;
 use crate::planner::{Change, Planner};
-use crate::remarks::refuse_known;
+use crate::remarks::{operation, refuse_again, refuse_known};
 
 struct Rescaling {
     target_mass_kg: f64,
@@ -25,10 +21,7 @@ struct Rescaling {
     selection: Selection,
     scaling: ScalingOptions,
     following: Following,
-    reads: Vec<PathBuf>,
     may_repeat: bool,
-    inspection: InspectionOptions,
-    settings: String,
 }
 
 /// Checks the request and reads the ScaleSet where one is named, for all of its models.
@@ -71,11 +64,11 @@ pub(crate) fn with_bodies(
         ));
     };
     scaling.check()?;
-    let named = body_scale_file.as_ref().map(|path| path.to_string_lossy());
-    let settings = json!(["rescale", target_mass, masses, scaling, choice, named, follow_bodies]).to_string();
+    let target_mass_kg = Some(target_mass.get());
+    let target_gravity_m_s2 = scaling.target_gravity.map(Acceleration::get);
     let planner = Rescaling {
         target_mass_kg: target_mass.get(),
-        masses: MassRequest { target_mass_kg: Some(target_mass.get()), ..masses.request() },
+        masses: MassRequest { target_mass_kg, ..masses.request() },
         selection: choice.selection(),
         scaling,
         following: match bodies {
@@ -83,36 +76,18 @@ pub(crate) fn with_bodies(
             None if follow_bodies => Following::Note,
             None => Following::Nothing,
         },
-        reads: body_scale_file.into_iter().collect(),
         may_repeat: output.may_repeat(),
-        inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
-        settings,
     };
-    let asking = Asking { masses: planner.masses.clone(), answers, planner };
-    Ok(Change::new(models, output, set_files, asking))
+    let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
+    Ok(Change {
+        target_mass_kg,
+        target_gravity_m_s2,
+        reads: body_scale_file.into_iter().collect(),
+        ..Change::new(Verb::Rescale, models, output, inspection, planner)
+    })
 }
 
 impl Planner for Rescaling {
-    fn name(&self) -> &'static str {
-        "rescale"
-    }
-
-    fn inspection(&self) -> InspectionOptions {
-        self.inspection.clone()
-    }
-
-    fn target_gravity_m_s2(&self) -> Option<f64> {
-        self.scaling.target_gravity.map(Acceleration::get)
-    }
-
-    fn reads(&self) -> Vec<PathBuf> {
-        self.reads.clone()
-    }
-
-    fn settings(&self) -> String {
-        self.settings.clone()
-    }
-
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let scaling = &self.scaling;

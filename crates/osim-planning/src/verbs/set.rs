@@ -1,14 +1,12 @@
 //! Plain changes, and feet whose bottoms are made level.
 
 use osim_model::feet::{NotLevelled, levelled};
-use osim_model::messages::{Input, phrase};
+use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{Fault, ForceId, Mass, MassRequest, MassSource, Model, Selected, Selection, SphereId};
 use osim_patch::{Plan, Set, set};
-use osim_requests::options::{InspectionOptions, StanceOptions};
+use osim_requests::options::InspectionOptions;
 use osim_requests::{Assignments, RequestFault, SetRequest};
-use serde_json::json;
 
-use super::asking::Asking;
 use crate::planner::{Change, Planner};
 
 struct Setting {
@@ -17,8 +15,6 @@ struct Setting {
     selection: Selection,
     masses: MassRequest,
     may_repeat: bool,
-    inspection: InspectionOptions,
-    settings: String,
 }
 
 /// Checks the request, for all of its models.
@@ -37,31 +33,17 @@ pub(crate) fn prepare(request: SetRequest) -> Result<Change, RequestFault> {
         ]));
     }
     let planner = Setting {
-        settings: json!(["set", set, level, masses, choice]).to_string(),
         assignments: set,
         level,
         selection: choice.selection(),
         masses: masses.request(),
         may_repeat: output.may_repeat(),
-        inspection: InspectionOptions::new(StanceOptions::default(), masses, choice, set_files.clone()),
     };
-    let asking = Asking { masses: planner.masses.clone(), answers, planner };
-    Ok(Change::new(models, output, set_files, asking))
+    let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
+    Ok(Change::new(Verb::Set, models, output, inspection, planner))
 }
 
 impl Planner for Setting {
-    fn name(&self) -> &'static str {
-        "set"
-    }
-
-    fn inspection(&self) -> InspectionOptions {
-        self.inspection.clone()
-    }
-
-    fn settings(&self) -> String {
-        self.settings.clone()
-    }
-
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         // A plain change needs no mass; if one is known, the new note has it, too.

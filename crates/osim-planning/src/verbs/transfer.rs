@@ -1,12 +1,12 @@
 //! Contacts of another model or of a preset: requests, and their plans.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use contact_scaling::Ratios;
-use osim_inspect::{LoadSharing, ReferenceState};
+use osim_inspect::LoadSharing;
 use osim_model::compare::{Factors, Follow, FollowRequest, OwnRadii};
 use osim_model::files::{Failure, Files};
-use osim_model::messages::{Input, phrase};
+use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
     Anatomy, CountOf, Fault, GravityFor, MassRequest, Model, Needed, Property, RadiusAxis, RadiusRule,
     Selected, Selection, mass_slip, moving_spheres,
@@ -14,16 +14,11 @@ use osim_model::{
 use osim_patch::{Plan, Reference, ScalingRule, TRANSFER_FOLLOWING, Transfer, transfer};
 use osim_requests::options::{CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions};
 use osim_requests::{Acceleration, Kilograms, Positive, Radius, RequestError, RequestFault, TransferRequest};
-use serde_json::json;
 
-use super::asking::{Asking, operation, refuse_again};
 use super::reference::{Generic, KnownMass, of_opened, of_preset, reference_from_file};
 use crate::opening::Named;
 use crate::planner::{Change, Planner};
-use crate::remarks::noted_limbs;
-
-/// A reference, the same as reports show it, and its bones where spheres follow them.
-pub(super) type Referenced = (Reference, ReferenceState, Option<Generic>);
+use crate::remarks::{noted_limbs, operation, refuse_again};
 
 /// Checks the request and reads the reference once, for all models.
 ///
@@ -45,7 +40,7 @@ pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Cha
         ];
         return Err(RequestFault::refused(Input::FollowBodies, message).into());
     }
-    let referenced = match named {
+    let (reference, state, generic) = match named {
         Named::Preset(preset) => {
             // A preset has no bodies to compare its mass with.
             let said = request.reference.reference_mass.map(Kilograms::get);
@@ -58,31 +53,27 @@ pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Cha
         Named::Placed(open) => of_opened(&request, &from, &open, KnownMass::Asked, files)?,
         Named::File => reference_from_file(&request, &from, files)?,
     };
-    Ok(change(request, referenced, is_file))
-}
-
-/// The change with a reference that was read.
-fn change(request: TransferRequest, reference: Referenced, is_file: bool) -> Change {
-    let (models, output, set_files) =
-        (request.models.clone(), request.output.clone(), request.set_files.clone());
-    let answers = request.answers.clone();
-    let planner = planner(request, reference, is_file);
-    Change::new(models, output, set_files, Asking { masses: planner.masses.clone(), answers, planner })
+    let own = request.from.iter().filter(|_| is_file);
+    let reads = own.chain(&request.presets).chain(&request.follow.body_scale_file).cloned().collect();
+    let TransferRequest { models, output, masses, choice, set_files, answers, .. } = request.clone();
+    let stance = request.counts.stance_options(None, None);
+    let inspection = InspectionOptions { stance, masses, choice, set_files, answers };
+    Ok(Change {
+        reference: Some(state),
+        target_gravity_m_s2: request.scaling.target_gravity.map(Acceleration::get),
+        reads,
+        ..Change::new(Verb::Transfer, models, output, inspection, planner(request, reference, generic))
+    })
 }
 
 /// What plans for each model, with a reference that was read: from a file, or a preset.
 pub(super) fn planner(
     request: TransferRequest,
-    (mut reference, state, generic): Referenced,
-    is_file: bool,
+    mut reference: Reference,
+    generic: Option<Generic>,
 ) -> Transferring {
     let gravity = request.reference.reference_gravity.map(Acceleration::get);
     reference.gravity_m_s2 = gravity.or(reference.gravity_m_s2);
-    let settings = settings(&request, is_file);
-    let own = request.from.filter(|_| is_file);
-    let reads =
-        own.into_iter().chain(request.presets).chain(request.follow.body_scale_file.clone()).collect();
-    let stance = request.counts.stance_options(None, None);
     Transferring {
         counts: request.counts,
         follow: request.follow,
@@ -91,24 +82,13 @@ pub(super) fn planner(
         selection: request.choice.selection(),
         masses: request.masses.request(),
         reference,
-        state,
         reference_said: ReferenceSaid {
             spheres: request.reference.reference_spheres.is_some(),
             gravity: gravity.is_some(),
         },
         generic,
         may_repeat: request.output.may_repeat(),
-        reads,
-        inspection: InspectionOptions::new(stance, request.masses, request.choice, request.set_files.clone()),
-        settings,
     }
-}
-
-/// The reference is identified by its contents; a preset by its name, which means the same numbers in one version.
-fn settings(request: &TransferRequest, is_file: bool) -> String {
-    let TransferRequest { from, counts, reference, follow, masses, scaling, choice, .. } = request;
-    let preset = from.as_ref().filter(|_| !is_file).map(|from| from.to_string_lossy());
-    json!(["transfer", preset, counts, reference, follow, masses, scaling, choice]).to_string()
 }
 
 fn is_standard_input(path: &Path) -> bool {
@@ -225,42 +205,13 @@ pub(super) struct Transferring {
     pub(super) selection: Selection,
     pub(super) masses: MassRequest,
     pub(super) reference: Reference,
-    /// The same as reports show it.
-    pub(super) state: ReferenceState,
     reference_said: ReferenceSaid,
     /// The generic model's bones and the Scale Tool's factors, where spheres follow their bodies.
     pub(super) generic: Option<Generic>,
     pub(super) may_repeat: bool,
-    pub(super) reads: Vec<PathBuf>,
-    pub(super) inspection: InspectionOptions,
-    pub(super) settings: String,
 }
 
 impl Planner for Transferring {
-    fn name(&self) -> &'static str {
-        "transfer"
-    }
-
-    fn inspection(&self) -> InspectionOptions {
-        self.inspection.clone()
-    }
-
-    fn target_gravity_m_s2(&self) -> Option<f64> {
-        self.scaling.target_gravity.map(Acceleration::get)
-    }
-
-    fn reference(&self) -> Option<&ReferenceState> {
-        Some(&self.state)
-    }
-
-    fn settings(&self) -> String {
-        self.settings.clone()
-    }
-
-    fn reads(&self) -> Vec<PathBuf> {
-        self.reads.clone()
-    }
-
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         self.plan_from(model, &selected, &self.reference, self.generic.as_ref())
@@ -378,7 +329,8 @@ impl Transferring {
     /// Gravity that the contacts are scaled to. Naming the reference's asks for the model's own, where no other is named.
     fn target_gravity(&self, model: &Model) -> Result<Option<f64>, Fault> {
         let asked = self.reference_said.gravity && self.follow.rule == RuleChoice::Paper;
-        match (self.target_gravity_m_s2(), model.gravity().filter(|&gravity| gravity > 0.0)) {
+        let target = self.scaling.target_gravity.map(Acceleration::get);
+        match (target, model.gravity().filter(|&gravity| gravity > 0.0)) {
             (None, None) if asked => Err(Fault::new(Needed::Gravity { purpose: GravityFor::Target })),
             (None, own) if asked => Ok(own),
             (target, _) => Ok(target),

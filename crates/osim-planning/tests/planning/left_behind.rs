@@ -43,7 +43,7 @@ fn spheres_that_were_left_behind_follow_by_the_command() {
             let request = Request::from_json(request.to_json().as_bytes()).unwrap();
             let change = prepare(request, &files).unwrap();
             let model = Model::parse(scaled.as_str()).unwrap();
-            let changed = change.planner.plan(&model).unwrap().patched(&model, FileId::MAIN).unwrap();
+            let changed = change.plan_alone(&model).unwrap().patched(&model, FileId::MAIN).unwrap();
             let left = check(&changed);
             assert!(
                 left.findings.iter().all(|one| one.code() != FindingCode::SpheresLeftBehind),

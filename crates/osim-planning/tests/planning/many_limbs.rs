@@ -77,7 +77,7 @@ fn scaling_by_mass_alone_would_leave_the_horse_wrong() {
     let request = json!({"verb": "rescale", "models": [NAME], "target_mass": 545, "contacts_mass": 62, "yes": ["wrong-afterwards"]});
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), &files).unwrap();
     let opened = change.open(NAME.as_ref(), &files).unwrap();
-    let plan = change.planner.plan(&opened.model).unwrap();
+    let plan = change.plan_alone(&opened.model).unwrap();
     let text = String::from_utf8(plan.patched(&opened.model, FileId::MAIN).unwrap()).unwrap();
     // Isometric scaling keeps E* R^2 / M, so x̂ becomes 4.132 (62/545)^(2/3) = 0.97 under this weight: nearly to the centre still.
     let said = message(&check_with(NAME, &text, &InspectOptions::default()), FindingCode::BeyondHertz);

@@ -140,7 +140,7 @@ fn changed(call: &Value, text: &str, presets: &InMemory) -> Result<(Value, Strin
     let request = Request::from_json(call.to_string().as_bytes()).unwrap();
     let change = prepare(request, &files).unwrap();
     let opened = open_with(Path::new("model.osim"), Beside::default(), &files).unwrap();
-    let plan = change.planner.plan(&opened.model).map_err(|fault| fault.to_string())?;
+    let plan = change.plan_alone(&opened.model).map_err(|fault| fault.to_string())?;
     let changes: Vec<_> = plan
         .changes
         .iter()
@@ -225,7 +225,7 @@ fn contacts_are_not_put_on_what_does_not_move() {
         let request = Request::from_json(call.to_string().as_bytes()).unwrap();
         let change = prepare(request, &files).unwrap_or_else(|error| panic!("{call}: {error:?}"));
         let opened = open_with(Path::new("model.osim"), Beside::default(), &files).unwrap();
-        let failure = change.planner.plan_beside(&opened, &files).unwrap_err();
+        let failure = change.plan_beside(&opened, &files).unwrap_err();
         let said = format!("{failure:?}");
         assert!(said.contains("only WeldJoints are between body calcn_r and ground"), "{call}: {said}");
     }

@@ -31,15 +31,15 @@ fn checked(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
 fn refusal(request: &Value, files: &dyn Files) -> String {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN), Beside::default(), files).unwrap();
-    change.planner.plan_beside(&opened, files).unwrap_err().message.to_string()
+    change.plan_beside(&opened, files).unwrap_err().message.to_string()
 }
 
 /// What reading the model shows that a request makes.
 fn made(request: &Value, files: &dyn Files) -> BTreeSet<FindingCode> {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN), Beside::default(), files).unwrap();
-    let plan = change.planner.plan_beside(&opened, files).unwrap();
-    model_findings(&plan.changed(&opened.model).unwrap()).iter().map(Finding::code).collect()
+    let plan = change.plan_beside(&opened, files).unwrap();
+    plan.changed(&opened.model).unwrap().warnings.iter().map(Finding::code).collect()
 }
 
 fn laid() -> Value {
@@ -92,12 +92,7 @@ fn a_mesh_in_another_unit_is_asked_about_and_named() {
 fn refusal_or_nothing(request: &Value, files: &dyn Files) -> String {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN), Beside::default(), files).unwrap();
-    change
-        .planner
-        .plan_beside(&opened, files)
-        .err()
-        .map(|fault| fault.message.to_string())
-        .unwrap_or_default()
+    change.plan_beside(&opened, files).err().map(|fault| fault.message.to_string()).unwrap_or_default()
 }
 
 #[test]

@@ -102,7 +102,7 @@ fn spheres_follow_their_bodies() {
         let change = prepare(Request::from_json(call.to_string().as_bytes()).unwrap(), &files);
         let change = change.unwrap_or_else(|error| panic!("seed {seed}: {error:?}\n{scaled}"));
         let opened = open_with(Path::new("scaled.osim"), Beside::default(), &files).unwrap();
-        let plan = change.planner.plan(&opened.model);
+        let plan = change.plan_alone(&opened.model);
         let plan = plan.unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{scaled}"));
         let changed = plan.changed(&opened.model).unwrap();
         for (sphere, read) in spheres.iter().zip(changed.spheres()) {

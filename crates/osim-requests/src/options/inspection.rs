@@ -42,18 +42,6 @@ pub struct InspectionOptions {
     pub answers: AnswerOptions,
 }
 
-impl InspectionOptions {
-    /// These groups.
-    pub fn new(
-        stance: StanceOptions,
-        masses: MassOptions,
-        choice: ForceOptions,
-        set_files: SetFiles,
-    ) -> Self {
-        Self { stance, masses, choice, set_files, answers: AnswerOptions::default() }
-    }
-}
-
 /// Which forces.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]

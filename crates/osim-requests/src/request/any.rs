@@ -261,7 +261,10 @@ impl Request {
     }
 }
 
-// What the note of a changed model says of the request.
+// What results follow from, and what the note of a changed model says of it.
+
+/// The fields that name the models which are changed.
+const MODELS: [&str; 2] = ["models", "file"];
 
 /// Fields that the operation, the mass or the reference of a note gives: see `Step` of `osim-model`.
 const SAID_ELSEWHERE: [&str; 6] = ["verb", "models", "from", "target_mass", "set", "stance_limbs"];
@@ -277,6 +280,17 @@ pub struct NoteDetails {
 }
 
 impl Request {
+    /// The fields that say something and that results follow from: all, but for the models, where results go, how the work is done,
+    /// and answers, which only decide whether there is a result.
+    pub fn settings(&self) -> Map<String, Value> {
+        let others =
+            [map(&AnswerOptions::default()), map(&OutputOptions::default()), map(&RunOptions::default())];
+        let is_other = |name: &String| {
+            MODELS.contains(&name.as_str()) || others.iter().any(|fields| fields.contains_key(name))
+        };
+        self.to_map().into_iter().filter(|(name, _)| !is_other(name)).collect()
+    }
+
     /// What the note of a model that it changes says of it.
     pub fn noted(&self) -> NoteDetails {
         let others = [

@@ -6,15 +6,14 @@ pub(in crate::verbs) mod prepare;
 mod reference;
 
 use std::collections::HashSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use osim_inspect::ReferenceState;
 use osim_model::files::{Failure, Files, InMemory, OpenModel};
 use osim_model::messages::Phrase;
 use osim_model::{Fault, FaultKind, FindingCode, ForceId, Model, Question, Selected, Selection};
 use osim_patch::{Deed, Layout, Plan, Rebuilt, remove};
 use osim_requests::BodyScale;
-use osim_requests::options::{AnswerOptions, InspectionOptions};
+use osim_requests::options::AnswerOptions;
 
 use super::set;
 use crate::planner::Planner;
@@ -37,8 +36,6 @@ struct Adding {
     /// Whether speeds of friction are scaled.
     friction: bool,
     remarks: Vec<Phrase>,
-    reads: Vec<PathBuf>,
-    settings: String,
 }
 
 /// Where contacts come from.
@@ -50,32 +47,6 @@ enum Source {
 }
 
 impl Planner for Adding {
-    fn name(&self) -> &'static str {
-        "add"
-    }
-
-    fn inspection(&self) -> InspectionOptions {
-        match &self.source {
-            Source::Reference(own) => own.transferring.inspection(),
-            Source::Placed(_, numbers) => numbers.inspection(),
-        }
-    }
-
-    fn reference(&self) -> Option<&ReferenceState> {
-        match &self.source {
-            Source::Reference(own) => own.transferring.reference(),
-            Source::Placed(_, numbers) => numbers.reference(),
-        }
-    }
-
-    fn settings(&self) -> String {
-        self.settings.clone()
-    }
-
-    fn reads(&self) -> Vec<PathBuf> {
-        self.reads.clone()
-    }
-
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         self.plan_at(model, Path::new(""), &InMemory::default()).map_err(AddFault::fault)
     }
@@ -111,7 +82,8 @@ impl Adding {
         }
         plan.warnings.retain(|warning| warning.code() != FindingCode::NothingToChange);
         plan.remarks.splice(0..0, remarks);
-        if !self.friction && self.reference().is_some() {
+        let has_reference = !matches!(self.source, Source::Placed(_, Numbers::Wanted(_)));
+        if !self.friction && has_reference {
             plan.remarks.extend(friction_stays(&plan, rebuilt.model()));
         }
         plan.remarks.extend(too_new(&rebuilt));

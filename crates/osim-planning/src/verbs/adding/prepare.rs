@@ -1,13 +1,14 @@
 //! A request to add contacts, checked, and what it reads once for all models.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use osim_inspect::ReferenceState;
 use osim_model::files::Files;
-use osim_model::messages::{Input, Phrase, phrase, readable};
+use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
 use osim_model::{ForceKind, Selection};
 use osim_patch::reference_of_layout;
+use osim_requests::options::InspectionOptions;
 use osim_requests::{AddRequest, DesignRequest, Metres, NewRadius, RequestError, RequestFault};
-use serde_json::json;
 
 use super::bodies::{failure_of_table, listed};
 use super::places::{FeetPlaces, Places, TablePlaces};
@@ -17,7 +18,6 @@ use super::reference::{
 use super::{Adding, Source};
 use crate::contact_table::ContactTable;
 use crate::planner::Change;
-use crate::verbs::asking::Asking;
 use crate::verbs::reference::{KnownMass, of_opened};
 
 /// No sole is farther below the bones, in whatever unit, m.
@@ -33,47 +33,49 @@ const PADS: &str = "bones have no skin, so say how far below their lowest point 
 /// contacts; a table that cannot be read; or options that say nothing.
 pub(in crate::verbs) fn prepare(request: AddRequest, files: &dyn Files) -> Result<Change, RequestError> {
     check(&request)?;
-    let mut remarks = Vec::new();
-    let mut is_file = false;
-    let (source, masses) = match (places(&request, files)?, request.from.clone()) {
+    let (source, reference, is_file, remarks) = match (places(&request, files)?, request.from.as_deref()) {
         (None, None) => return Err(no_source().into()),
         (None, Some(from)) => {
-            let (own, said);
-            (own, is_file, said) = whole_reference(&request, &from, files)?;
-            remarks.extend(said);
-            let masses = own.transferring.masses.clone();
-            (Source::Reference(Box::new(own)), masses)
+            let (own, reference, is_file, remarks) = whole_reference(&request, from, files)?;
+            (Source::Reference(Box::new(own)), Some(reference), is_file, remarks)
         }
         (Some(places), Some(from)) => {
-            let own;
-            (own, is_file) = numbers_of(&request, &from, files)?;
-            let masses = own.transferring.masses.clone();
-            (Source::Placed(places, Numbers::Reference(Box::new(own))), masses)
+            let (own, reference, is_file) = numbers_of(&request, from, files)?;
+            let numbers = Numbers::Reference(Box::new(own));
+            (Source::Placed(places, numbers), Some(reference), is_file, Vec::new())
         }
         (Some(places), None) => {
             if !places.has_radii() {
                 return Err(no_radius().into());
             }
-            let masses = request.masses.request();
-            (Source::Placed(places, Numbers::Wanted(Box::new(wanted(&request)?))), masses)
+            let numbers = Numbers::Wanted(Box::new(wanted(&request)?));
+            (Source::Placed(places, numbers), None, false, Vec::new())
         }
     };
-    let settings = settings(&request, is_file);
-    let reads = request.from.clone().filter(|_| is_file).into_iter().chain(request.contacts.clone());
+    // Contacts that are designed are inspected under the load of the design.
+    let (impact_speed, gravity) = match reference {
+        Some(_) => (None, None),
+        None => (request.numbers.impact_speed, request.load.gravity),
+    };
+    let reads = request.from.iter().filter(|_| is_file).chain(&request.contacts).cloned().collect();
     let planner = Adding {
         source,
         level: request.level,
         replace: request.replace,
         own: request.choice.selection(),
-        body_scale: request.body_scale.clone(),
+        body_scale: request.body_scale,
         answers: request.answers.clone(),
         friction: request.friction,
         remarks,
-        reads: reads.collect(),
-        settings,
     };
-    let asking = Asking { planner, masses, answers: request.answers };
-    Ok(Change::new(request.models, request.output, osim_requests::options::SetFiles::default(), asking))
+    let inspection = InspectionOptions {
+        stance: request.counts.stance_options(impact_speed, gravity),
+        masses: request.masses,
+        answers: request.answers,
+        ..InspectionOptions::default()
+    };
+    let change = Change::new(Verb::Add, request.models, request.output, inspection, planner);
+    Ok(Change { reference, reads, ..change })
 }
 
 fn check(request: &AddRequest) -> Result<(), RequestFault> {
@@ -154,14 +156,13 @@ fn whole_reference(
     request: &AddRequest,
     from: &Path,
     files: &dyn Files,
-) -> Result<(FromReference, bool, Vec<Phrase>), RequestError> {
+) -> Result<(FromReference, ReferenceState, bool, Vec<Phrase>), RequestError> {
     let (opened, is_file) = reference(from, files)?;
     let transfer = transfer(request, from);
-    let referenced = of_opened(&transfer, from, &opened, KnownMass::Asked, files)?;
-    let (_, _, Some(generic)) = &referenced else {
+    let (reference, state, Some(generic)) = of_opened(&transfer, from, &opened, KnownMass::Asked, files)?
+    else {
         return Err(RequestFault::Missing { field: "from" }.into());
     };
-    let generic = generic.clone();
     let model = &opened.model;
     let selected = selection(request).apply(model).map_err(|fault| opened.failure(fault))?;
     check_maps(request, model, &selected)?;
@@ -169,9 +170,9 @@ fn whole_reference(
         layout(request, model, &selected).map_err(|fault| opened.failure(fault))?;
     // Presets have the bodies with spheres and their joint.
     anatomy.is_fragment = !is_file;
-    let transferring = crate::verbs::transfer::planner(transfer, referenced, is_file);
+    let transferring = crate::verbs::transfer::planner(transfer, reference, Some(generic.clone()));
     let maps = request.body_map.clone();
-    Ok((FromReference { layout, anatomy, transferring, generic, maps }, is_file, remarks))
+    Ok((FromReference { layout, anatomy, transferring, generic, maps }, state, is_file, remarks))
 }
 
 /// The reference's contacts without its places.
@@ -179,20 +180,20 @@ fn numbers_of(
     request: &AddRequest,
     from: &Path,
     files: &dyn Files,
-) -> Result<(OfReference, bool), RequestError> {
+) -> Result<(OfReference, ReferenceState, bool), RequestError> {
     let (opened, is_file) = reference(from, files)?;
     let transfer = transfer(request, from);
-    let referenced = of_opened(&transfer, from, &opened, KnownMass::Asked, files)?;
+    let (reference, state, generic) = of_opened(&transfer, from, &opened, KnownMass::Asked, files)?;
     let layout = selection(request)
         .apply(&opened.model)
         .and_then(|selected| contacts_of(request, &opened.model, &selected))
         .map_err(|fault| opened.failure(fault))?;
-    let transferring = crate::verbs::transfer::planner(transfer, referenced, is_file);
+    let transferring = crate::verbs::transfer::planner(transfer, reference, generic);
     let known = &transferring.reference;
     let (mass, sphere_count) = (known.mass.clone(), known.sphere_count);
     let reference = reference_of_layout(&known.name, &layout, mass, sphere_count, known.gravity_m_s2)
         .map_err(|fault| opened.failure(fault))?;
-    Ok((OfReference { layout, reference, transferring }, is_file))
+    Ok((OfReference { layout, reference, transferring }, state, is_file))
 }
 
 fn selection(request: &AddRequest) -> Selection {
@@ -266,29 +267,6 @@ fn of_defaults(request: &AddRequest, kind: ForceKind) -> Vec<Phrase> {
         remarks.push(text.into());
     }
     remarks
-}
-
-/// The reference is identified by its contents; a preset by its name, which means the same numbers in one version.
-fn settings(request: &AddRequest, is_file: bool) -> String {
-    let AddRequest { from, radius, body_scale, replace, choice, counts, reference, masses, .. } = request;
-    let preset = from.as_ref().filter(|_| !is_file).map(|from| from.to_string_lossy());
-    let scales: Vec<String> = body_scale.iter().map(ToString::to_string).collect();
-    let maps: Vec<String> = request.body_map.iter().map(ToString::to_string).collect();
-    let geometry: Option<&PathBuf> = request.geometry_dir.as_ref();
-    let places = json!([
-        request.default_pose,
-        request.feet,
-        request.count,
-        request.pad,
-        geometry,
-        request.mirror,
-        request.class,
-        request.friction,
-        request.level
-    ]);
-    let numbers = json!([request.numbers, request.load]);
-    json!(["add", preset, radius, scales, maps, replace, choice, counts, reference, masses, places, numbers])
-        .to_string()
 }
 
 /// Only a reference has radii of its own.

@@ -4,7 +4,6 @@ use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
 
 use contact_scaling::Ratios;
-use osim_inspect::ReferenceState;
 use osim_model::files::{Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{
@@ -14,12 +13,10 @@ use osim_patch::{
     Layout, NewContact, PLACES_STAY, Plan, Rebuilt, Reference, add_contacts, presets_with_places,
     reference_of_model,
 };
-use osim_requests::options::InspectionOptions;
 use osim_requests::{AddRequest, BodyMap, NewRadius, Radius, RequestError, RequestFault, TransferRequest};
 
 use super::bodies::AddFault;
 use crate::opening::{Named, open, placed_preset};
-use crate::planner::Planner as _;
 use crate::verbs::design::Designing;
 use crate::verbs::reference::Generic;
 use crate::verbs::transfer::Transferring;
@@ -127,20 +124,6 @@ impl Numbers {
         // Spheres that are new do not stay anywhere.
         plan.remarks.retain(|remark| remark.to_string() != PLACES_STAY);
         Ok(plan)
-    }
-
-    pub(super) fn inspection(&self) -> InspectionOptions {
-        match self {
-            Self::Reference(own) => own.transferring.inspection(),
-            Self::Wanted(wanted) => wanted.designing.inspection(),
-        }
-    }
-
-    pub(super) fn reference(&self) -> Option<&ReferenceState> {
-        match self {
-            Self::Reference(own) => own.transferring.reference(),
-            Self::Wanted(_) => None,
-        }
     }
 }
 
