@@ -15,8 +15,8 @@ use osim_view::html::{DetailLevel, Entry};
 use osim_view::report::json::{FailureRecord, PlanRecord, line};
 use osim_view::report::plan;
 
-use crate::commands::inspect;
 use crate::commands::output::{asked, end_page};
+use crate::commands::survey;
 use crate::exit::{self, Exit};
 use crate::session::{Session, Words};
 use crate::suggestions::meant;
@@ -82,7 +82,7 @@ pub(super) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut 
     let RescaleRequest { masses, choice, set_files, answers, .. } = request;
     inspect.options =
         InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
-    inspect::run(&inspect, true, session)
+    survey::inspect(&inspect, true, session)
 }
 
 // One run of a changing verb: what is reported of it, and in which order.

@@ -8,7 +8,7 @@ use osim_requests::{DropTestRequest, PlotRequest, Request, SweepRequest};
 
 use crate::args::{Cli, VerbArgs};
 use crate::commands::{
-    batch, calculators, change, check, completions, inspect, lookups, motion, output, plot, reproduce, sweep,
+    batch, calculators, change, completions, lookups, motion, output, plot, reproduce, survey, sweep,
 };
 use crate::exit::Exit;
 use crate::session::Session;
@@ -72,8 +72,8 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
             }
             Ok(exit)
         }
-        Request::Inspect(request) => inspect::run(&request, false, session),
-        Request::Check(request) => check::run(&request, session),
+        Request::Inspect(request) => survey::inspect(&request, false, session),
+        Request::Check(request) => survey::check(&request, session),
         Request::DropTest(request) => {
             let exit = calculators::drop_test(&request, session)?;
             let DropTestRequest { subject, compare, choice, masses, set_files, .. } = &*request;

@@ -3,15 +3,14 @@
 mod batch;
 mod calculators;
 mod change;
-mod check;
 mod completions;
 mod dispatch;
-mod inspect;
 mod lookups;
 mod motion;
 mod output;
 mod plot;
 mod reproduce;
+mod survey;
 mod sweep;
 
 pub(crate) use dispatch::call;

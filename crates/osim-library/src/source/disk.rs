@@ -219,9 +219,9 @@ impl Loaded {
 }
 
 /// Files in memory, then those of the disk.
-struct MemoryFirst<'m> {
-    memory: &'m BTreeMap<PathBuf, Vec<u8>>,
-    disk: &'m StampedDisk,
+pub(crate) struct MemoryFirst<'m> {
+    pub(crate) memory: &'m BTreeMap<PathBuf, Vec<u8>>,
+    pub(crate) disk: &'m dyn Files,
 }
 
 impl Files for MemoryFirst<'_> {

@@ -4,5 +4,6 @@ mod disk;
 mod sources;
 mod workbook;
 
+pub(crate) use disk::MemoryFirst;
 pub use disk::{Disk, Loaded, OrdinaryFiles, Origin, Stamp};
 pub use sources::{FOLDER_MARK, Source, Sources, SplitName};

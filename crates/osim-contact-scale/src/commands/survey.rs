@@ -1,0 +1,157 @@
+//! `inspect` and `check`: what contacts models have, what they do under their weight, and what is wrong with them.
+
+use std::collections::BTreeMap;
+
+use anyhow::Result;
+use osim_library::{Disk, Sources, Survey, Surveyed};
+use osim_model::Severity;
+use osim_model::messages::{Call, Input, Verb};
+use osim_planning::Inspector;
+use osim_requests::options::SheetFormat;
+use osim_requests::{CheckRequest, InspectRequest};
+use osim_view::report::json::line;
+use osim_view::report::layout::Colour;
+use osim_view::report::{check, inspection};
+
+use crate::commands::output::{asked, end_page};
+use crate::exit::{self, Exit};
+use crate::session::Session;
+
+/// Inspects all models; `hint` where the reader should see what to do next.
+///
+/// # Errors
+/// Wrong usage.
+pub(super) fn inspect(request: &InspectRequest, hint: bool, session: &mut Session) -> Result<Exit> {
+    let inspector = Inspector::of_inspect(request, &Disk);
+    let format = request.format;
+    if let Some(failure) = inspector.generic_failure() {
+        // Once, not for every model.
+        return session.fail(failure, format == SheetFormat::Json);
+    }
+    let survey = Survey {
+        verb: Verb::Inspect,
+        sources: &Sources::find(&request.models, None),
+        memory: &BTreeMap::new(),
+        inspector: &inspector,
+        report: &request.report,
+        // Factors of bodies have no room in a table.
+        is_in_full: request.full || request.from.is_some() || format != SheetFormat::Table,
+        words: session.words,
+    };
+    let shown = show(&survey, format, session)?;
+    if hint && shown.is_any && format == SheetFormat::Table {
+        session.terminal.print(&next_steps(session, shown.has_contacts))?;
+    }
+    Ok(shown.exit)
+}
+
+/// Checks all models.
+///
+/// # Errors
+/// Wrong usage.
+pub(super) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exit> {
+    let inspector = Inspector::of_check(request, &Disk);
+    let survey = Survey {
+        verb: Verb::Check,
+        sources: &Sources::find(&request.models, None),
+        memory: &BTreeMap::new(),
+        inspector: &inspector,
+        report: &request.report,
+        is_in_full: request.format != SheetFormat::Table,
+        words: session.words,
+    };
+    let shown = show(&survey, request.format, session)?;
+    if shown.without_contacts > 0 {
+        let text = format!("note: models without contacts skipped: {}\n", shown.without_contacts);
+        session.terminal.note(&text)?;
+    }
+    let is_denied = shown.worst >= Some(request.deny.severity());
+    Ok(if is_denied { shown.exit.and(Exit::Failed) } else { shown.exit })
+}
+
+/// What models that were shown had.
+struct Shown {
+    exit: Exit,
+    /// Whether one of them could be read.
+    is_any: bool,
+    has_contacts: bool,
+    /// How many were skipped.
+    without_contacts: usize,
+    /// The worst that was found in them.
+    worst: Option<Severity>,
+}
+
+/// Shows all models, and writes the page.
+///
+/// # Errors
+/// Wrong usage, or standard output cannot be written.
+fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Result<Shown> {
+    exit::outlive_size_limit();
+    let mut page = survey.begin_page(asked()).map_err(|fault| session.refused(&fault))?;
+    let json = format == SheetFormat::Json;
+    let mut shown =
+        Shown { exit: Exit::Done, is_any: false, has_contacts: false, without_contacts: 0, worst: None };
+    for failure in &survey.sources.failures {
+        shown.exit = shown.exit.and(session.fail(failure, json)?);
+    }
+    for remark in &survey.sources.remarks {
+        session.terminal.note_line(remark)?;
+    }
+    let mut text = survey.text(Colour::Ansi);
+    let each = |name: &str, surveyed: Surveyed| -> Result<()> {
+        let header = !shown.is_any;
+        match &surveyed {
+            Surveyed::Inspected(inspected, _) => shown.has_contacts |= !inspected.forces.is_empty(),
+            Surveyed::Checked(found) => {
+                let worst = found.findings.iter().map(|finding| finding.severity).max();
+                shown.worst = shown.worst.max(worst);
+            }
+            Surveyed::WithoutContacts => shown.without_contacts += 1,
+            Surveyed::Failed(failure) => shown.exit = shown.exit.and(session.fail(failure, json)?),
+        }
+        shown.is_any |= matches!(surveyed, Surveyed::Inspected(..) | Surveyed::Checked(_));
+        let terminal = &mut session.terminal;
+        match (format, &surveyed) {
+            (SheetFormat::Json, Surveyed::Inspected(inspected, _)) => {
+                terminal.print_records(&line(inspected))?
+            }
+            (SheetFormat::Json, Surveyed::Checked(found)) => terminal.print_records(&line(found))?,
+            (SheetFormat::Csv, Surveyed::Inspected(inspected, _)) => {
+                terminal.print_records(&inspection::csv_rows(inspected, header)?)?;
+            }
+            (SheetFormat::Csv, Surveyed::Checked(found)) => {
+                terminal.print_records(&check::csv_rows(found, header)?)?;
+            }
+            _ => terminal.print_painted(&text.add(name, &surveyed))?,
+        }
+        Ok(())
+    };
+    let untold = survey.run(&mut page, None, || false, each)?;
+    shown.exit = shown.exit.and(end_page(page, session));
+    untold.map_or(Ok(()), Err)?;
+    session.terminal.print_painted(&text.end(session.terminal.columns()))?;
+    Ok(shown)
+}
+
+/// What to do next, once, after all models: without contacts in any of them, how they get some.
+fn next_steps(session: &Session, has_contacts: bool) -> String {
+    let words = session.words;
+    let row = |call: &Call, what: &str| format!("  {:<50}{what}\n", words.command(call));
+    let steps = if has_contacts {
+        let rescale = Verb::Rescale.of_model().with(Input::TargetMass, "KG");
+        let transfer = Verb::Transfer.of_model().with(Input::From, "OTHER");
+        [
+            row(&Verb::Check.of_model(), "what to fix, and how"),
+            row(&rescale, "scale its contacts to another mass"),
+            row(&transfer, "take the contacts of a known model"),
+        ]
+        .concat()
+    } else {
+        let add = Verb::Add.of_model().with(Input::From, "OTHER");
+        row(&add, "give it the contacts of another model")
+    };
+    format!(
+        "\nNothing was changed. Next (MODEL is the name of the file, in quotes where it has blanks):\n{steps}{}",
+        "  osim-contact-scale --help                         everything else\n"
+    )
+}
