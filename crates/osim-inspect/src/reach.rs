@@ -8,10 +8,9 @@ use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 use foldhash::{HashMap, HashMapExt};
-use glam::DVec3;
 use osim_model::compare::bone_of_mesh;
 use osim_model::messages::four_significant;
-use osim_model::{Anatomy, AnatomyJoint, Model, SphereId};
+use osim_model::{Anatomy, AnatomyJoint, DVec3, Model, SphereId};
 
 /// Largest J that is not odd.
 const LARGEST_J: f64 = 1.25;

@@ -3,11 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use foldhash::{HashMap, HashMapExt};
-use glam::DVec3;
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{
-    BodyShape, Example, Finding, FindingCode, MassRequest, Model, Repair, Rule, Severity, Side, Sphere,
-    VerdictOn,
+    BodyShape, DVec3, Example, Finding, FindingCode, MassRequest, Model, Repair, Rule, Severity, Side,
+    Sphere, VerdictOn,
 };
 
 use crate::sides::{BothSides, place_key};

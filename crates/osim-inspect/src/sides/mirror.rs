@@ -3,8 +3,7 @@
 use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt, HashSet};
-use glam::DVec3;
-use osim_model::{Model, Side, without_side};
+use osim_model::{DVec3, Model, Side, without_side};
 
 /// Sizes of the bones that carry spheres: factors of their meshes, and distances between their joints.
 #[derive(Debug, Clone, Copy)]

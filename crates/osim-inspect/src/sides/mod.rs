@@ -8,9 +8,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use contact_scaling::{RatioValues, Ratios};
 use foldhash::{HashMap, HashMapExt};
-use glam::DVec3;
 use osim_model::messages::{readable, shown};
-use osim_model::{Force, ForceId, Model, ParameterSet, Property, SetId, Side, Sphere, Value};
+use osim_model::{DVec3, Force, ForceId, Model, ParameterSet, Property, SetId, Side, Sphere, Value};
 
 use crate::sides::mirror::{BodyPairs, Bones, close};
 use crate::sides::pairs::{Pairs, Users};

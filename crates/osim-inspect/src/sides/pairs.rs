@@ -4,8 +4,7 @@
 use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
-use glam::DVec3;
-use osim_model::{Force, Model, ParameterSet, Side, Sphere, SphereId, without_side};
+use osim_model::{DVec3, Force, Model, ParameterSet, Side, Sphere, SphereId, without_side};
 
 use crate::sides::mirror::{BodyPair, BodyPairs, Bones, near};
 

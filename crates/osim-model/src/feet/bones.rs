@@ -15,7 +15,6 @@ use crate::model::{AttachedMesh, Model, Side, probable_units};
 /// The points of one mesh that is attached to a body, in the body's frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bone {
-    /// Name of the body.
     pub body: String,
     /// Name of the mesh file as the model spells it.
     pub mesh: String,
@@ -41,7 +40,6 @@ pub struct AttachedBones<'m> {
 }
 
 impl<'m> AttachedBones<'m> {
-    /// Those of `model`.
     pub fn of(model: &'m Model) -> Self {
         let bodies = model.bodies().iter().map(|body| (body.name.as_str(), Vec::new()));
         let mut attached: HashMap<&str, Vec<AttachedMesh>> = bodies.collect();
@@ -75,10 +73,7 @@ impl<'m> AttachedBones<'m> {
     }
 }
 
-/// The same of several bodies, in their order.
-///
-/// # Errors
-/// Those of [`AttachedBones::bones`].
+/// The bones of several bodies, in their order.
 pub fn bones(
     model: &Model,
     bodies: &[&str],
@@ -93,7 +88,6 @@ pub fn bones(
     Ok(all)
 }
 
-/// The bone that one mesh shows.
 pub(crate) fn bone(
     attached: &AttachedMesh,
     folders: &MeshFolders,
@@ -111,9 +105,6 @@ pub(crate) fn bone(
 }
 
 /// The surface that one mesh shows, its points on the body, m.
-///
-/// # Errors
-/// Those of [`AttachedBones::bones`], but for what only outlines need.
 pub fn attached_surface(
     attached: &AttachedMesh,
     folders: &MeshFolders,
@@ -135,7 +126,6 @@ fn on_body(attached: &AttachedMesh, mirrored: bool, [x, y, z]: [f64; 3]) -> [f64
     attached.on_body([x, y, if mirrored { -z } else { z }]).to_array()
 }
 
-/// The file of a mesh.
 struct MeshFile {
     file: PathBuf,
     mirrored: bool,
@@ -264,7 +254,6 @@ const USUAL: f64 = 0.5;
 /// A mesh that does not fit the skeleton.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OddMesh {
-    /// Name of the body.
     pub body: String,
     /// Name of the mesh file as the model spells it.
     pub mesh: String,

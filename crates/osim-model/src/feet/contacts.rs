@@ -140,7 +140,6 @@ impl Pairing {
 pub struct SpherePair {
     /// The first in the force's order.
     pub one: SphereId,
-    /// The other.
     pub other: SphereId,
     /// The gap between them at the default pose, m, not above 0 where they touch; or why it is not known.
     pub gap_m: Result<f64, String>,

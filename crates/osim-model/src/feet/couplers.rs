@@ -18,7 +18,6 @@ const ENFORCED: u32 = 30509;
 pub struct Coupler {
     /// The coordinate that it depends on.
     pub independent: String,
-    /// The coordinate that depends.
     pub dependent: String,
     factor: f64,
     /// `None` for one that is not known.
@@ -44,7 +43,6 @@ pub struct Couplers {
 }
 
 impl Couplers {
-    /// Those of `model`.
     pub fn of(model: &Model) -> Self {
         let mut couplers = Self { all: Vec::new(), unknown: Vec::new() };
         for (document, constraint) in constraints(model) {
@@ -75,7 +73,6 @@ pub(crate) struct CoordinateValues {
 }
 
 impl CoordinateValues {
-    /// Those of `model`.
     pub(crate) fn of(model: &Model) -> &Self {
         model.of_bodies(coordinate_values)
     }
@@ -212,7 +209,6 @@ fn couple(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Vec<String
 pub(crate) enum Held {
     /// Nothing: it is free.
     Not,
-    /// It is locked.
     Locked,
     /// A function of time, or another coordinate, sets it.
     Driven,
@@ -229,7 +225,6 @@ impl<'m> HeldCoordinates<'m> {
         Self { model, dependent: dependent_coordinates(model) }
     }
 
-    /// What keeps a coordinate of `joint`.
     pub(crate) fn held(&self, joint: &ModelJoint, coordinate: &JointCoordinate) -> Held {
         let document = self.model.file(joint.file);
         if matches!(document.flag(coordinate.element, "locked"), Ok(Some(true))) {

@@ -32,7 +32,6 @@ const SAME: f64 = 1e-9;
 #[derive(Debug, Clone, PartialEq)]
 pub struct DefaultPose(Arc<Placements>);
 
-/// Where each body is.
 #[derive(Debug, Clone, PartialEq)]
 struct Placements {
     placements: HashMap<String, Result<Placement, PoseFault>>,
@@ -41,15 +40,11 @@ struct Placements {
 }
 
 impl DefaultPose {
-    /// That of `model`.
     pub fn of(model: &Model) -> Self {
         Self(Arc::clone(model.of_bodies(|model| Arc::new(Placements::of(model)))))
     }
 
     /// The frame of `body` in ground.
-    ///
-    /// # Errors
-    /// What is not understood, or that the body hangs on nothing.
     pub fn placement(&self, body: &str) -> Result<&Placement, PoseFault> {
         if let Some(doubt) = &self.0.doubt {
             return Err(doubt.clone());
@@ -142,7 +137,6 @@ fn same(known: &Result<Placement, PoseFault>, other: &Result<Placement, PoseFaul
 /// A joint on the way from ground.
 #[derive(Debug, Clone, Copy)]
 pub struct Crossing<'j> {
-    /// The joint.
     pub joint: &'j ModelJoint,
     /// The body at which it is reached; `None` is ground.
     pub from: Option<&'j str>,

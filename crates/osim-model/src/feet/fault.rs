@@ -10,55 +10,39 @@ use crate::model::files::FileError;
 /// Why bones cannot be read or spheres not be laid.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FeetFault {
-    /// There is no body of that name.
     #[error("there is no body {body}, the model has {}", shown(.bodies))]
-    NoBody {
-        /// As it was asked for.
-        body: String,
-        /// Those that are there.
-        bodies: Vec<String>,
-    },
+    NoBody { body: String, bodies: Vec<String> },
     /// Nothing is known about the form of a body.
     #[error(
         "no mesh is attached to body {body}: name another body, or give the places of the spheres in a table"
     )]
-    NoMesh {
-        /// The body.
-        body: String,
-    },
+    NoMesh { body: String },
     /// A file that is in none of the folders.
     #[error(
         "body {body} shows mesh {mesh}, which is in none of the folders {}: copy it there, or name the folder that has it",
         shown_paths(.folders)
     )]
     MeshMissing {
-        /// The body.
         body: String,
         /// The file as the model spells it.
         mesh: String,
-        /// Where it was looked for.
         folders: Vec<PathBuf>,
     },
     /// A file that is there and cannot be opened.
     #[error("mesh {mesh} of body {body}, {}: {fault}", file.display())]
     Unreadable {
-        /// The body.
         body: String,
         /// The file as the model spells it.
         mesh: String,
-        /// The file that was opened.
         file: PathBuf,
-        /// Why not.
         fault: FileError,
     },
     /// A file that is not the mesh of a bone.
     #[error("mesh {mesh} of body {body}, {}: {fault}", file.display())]
     Mesh {
-        /// The body.
         body: String,
         /// The file as the model spells it.
         mesh: String,
-        /// The file that was read.
         file: PathBuf,
         /// Why it is none.
         fault: MeshFault,
@@ -66,11 +50,9 @@ pub enum FeetFault {
     /// Factors that no bone can have.
     #[error("scale factors of mesh {mesh} of body {body} are {}, expected three numbers other than 0, at most 1e9", numbers(.factors))]
     Factors {
-        /// The body.
         body: String,
         /// The file as the model spells it.
         mesh: String,
-        /// As they were read.
         factors: [f64; 3],
     },
     /// Nothing says what is up.
@@ -78,23 +60,14 @@ pub enum FeetFault {
     NoGravity,
     /// A number that makes no sense.
     #[error("{what} is {value}, expected {expected}")]
-    Request {
-        /// Which number.
-        what: &'static str,
-        /// As it was given.
-        value: f64,
-        /// What it has to be.
-        expected: &'static str,
-    },
+    Request { what: &'static str, value: f64, expected: &'static str },
     /// Bottoms would be closer than 1 mm.
     #[error(
         "of {count} spheres under {} some would be closer than 1 mm, expected at most {fits}: ask for fewer",
         shown(.bodies)
     )]
     TooManySpheres {
-        /// The bodies of the foot.
         bodies: Vec<String>,
-        /// As many were asked for.
         count: usize,
         /// As many can be laid.
         fits: usize,
@@ -102,7 +75,6 @@ pub enum FeetFault {
     /// It is not known where a body is.
     #[error(transparent)]
     Pose(#[from] PoseFault),
-    /// A fault of the model itself.
     #[error("{0}")]
     Model(#[from] Fault),
 }
@@ -163,42 +135,21 @@ fn numbers(values: &[f64; 3]) -> String {
 pub enum PoseFault {
     /// No body of that name is joined to ground.
     #[error("no joints lead from ground to body {body}, so it is not known where it is at the default pose")]
-    NotJoined {
-        /// The body.
-        body: String,
-    },
+    NotJoined { body: String },
     /// A joint, or a function of it, that is not understood.
     #[error(
         "it is not known how joint {joint}, a {class}, stands at the default pose: one of its functions, or the joint itself, is not understood"
     )]
-    Joint {
-        /// The joint.
-        joint: String,
-        /// Its class.
-        class: String,
-    },
+    Joint { joint: String, class: String },
     /// A coordinate without a value.
     #[error("coordinate {coordinate} of joint {joint} has no default value that can be read")]
-    Coordinate {
-        /// The coordinate.
-        coordinate: String,
-        /// The joint.
-        joint: String,
-    },
+    Coordinate { coordinate: String, joint: String },
     /// A constraint that may move bodies before anything else does.
     #[error(
         "constraint {constraint}, a {class}, may move bodies at the default pose, which is not computed: switch it off in a copy of the model"
     )]
-    Constraint {
-        /// The constraint.
-        constraint: String,
-        /// Its class.
-        class: String,
-    },
+    Constraint { constraint: String, class: String },
     /// Joints in a loop that does not close.
     #[error("joint {joint} closes a loop of joints that is open at the default pose")]
-    Loop {
-        /// The joint.
-        joint: String,
-    },
+    Loop { joint: String },
 }

@@ -67,7 +67,6 @@ impl Freedom {
 }
 
 impl Movements {
-    /// Those of `model`.
     pub fn of(model: &Model) -> Self {
         Self(Arc::clone(model.of_bodies(|model| Arc::new(Ways::of(model)))))
     }

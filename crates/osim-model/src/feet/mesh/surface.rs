@@ -17,16 +17,10 @@ pub enum MeshFault {
     Unsupported(String),
     /// More points than a bone needs.
     #[error("it has more than {most} points, reduce it first, for example with MeshLab")]
-    TooManyPoints {
-        /// So many are read.
-        most: usize,
-    },
+    TooManyPoints { most: usize },
     /// More triangles than a picture of a bone needs.
     #[error("it has more than {most} triangles, reduce it first, for example with MeshLab")]
-    TooManyTriangles {
-        /// So many are shown.
-        most: usize,
-    },
+    TooManyTriangles { most: usize },
     /// A coordinate of a point is NaN, infinite or larger than any unit of length makes it.
     #[error("coordinate {axis} of point {point} is {value}, expected a number between -1e9 and 1e9")]
     Coordinate {
@@ -34,13 +28,11 @@ pub enum MeshFault {
         point: usize,
         /// x, y or z.
         axis: char,
-        /// As it was read.
         value: String,
     },
     /// Too few points for an outline.
     #[error("it has {0} different points, expected at least four")]
     FewPoints(usize),
-    /// All points are in one line.
     #[error("all its points are in one line, expected the surface of a bone")]
     InOneLine,
     /// A point is far from all others: a broken number would decide where the sole is.

@@ -266,7 +266,7 @@ impl<'t> Tree<'t> {
         bodies
     }
 
-    /// The same bodies, those with fewer joints above them first.
+    /// The bodies, those with fewer joints above them first.
     fn top_first<'b>(&self, mut bodies: Vec<&'b str>) -> Vec<&'b str>
     where
         't: 'b,

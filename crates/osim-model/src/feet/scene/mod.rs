@@ -20,33 +20,27 @@ const NEAR: f64 = 0.5;
 /// Bones of bodies without spheres are drawn up to this share of the foot's length above its lowest place.
 const SHOWN: f64 = 0.8;
 
-/// The frame in which a foot is drawn.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FootFrame {
     /// Ground, at the default pose.
     Ground,
     /// The frame of a body: it is not known where that body is in ground.
     Body {
-        /// The body.
         name: String,
         /// Why it is not known.
         fault: PoseFault,
     },
 }
 
-/// A joint of a foot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootJoint {
-    /// Its name.
     pub name: String,
     /// Where it is on its parent, in the frame of the foot, m.
     pub at_m: DVec3,
 }
 
-/// A contact sphere.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootSphere {
-    /// Its name.
     pub name: String,
     /// The body that carries it; empty for ground.
     pub body: String,
@@ -58,10 +52,8 @@ pub struct FootSphere {
     pub misplaced: bool,
 }
 
-/// A bone, from its mesh.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootBone {
-    /// The body.
     pub body: String,
     /// The mesh, as the model spells it.
     pub mesh: String,
@@ -82,13 +74,11 @@ pub struct Foot {
     pub origin_m: DVec3,
     /// The directions from which it is drawn.
     pub axes: ViewAxes,
-    /// Its joints.
     pub joints: Vec<FootJoint>,
     /// Its spheres, in file order.
     pub spheres: Vec<FootSphere>,
     /// Its bones, those whose meshes are available.
     pub bones: Vec<FootBone>,
-    /// The floor.
     pub floor: FloorPlace,
     /// Bodies that are not drawn, because a joint between them and the foot is not understood.
     pub unplaced: Vec<String>,
@@ -310,7 +300,6 @@ impl<'p> Places<'p> {
 /// Floors that are this close are one.
 const SAME_M: f64 = 1e-9;
 
-/// Where the floor is.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FloorPlace {
     /// The model has no level half-space on ground.
@@ -324,7 +313,6 @@ pub enum FloorPlace {
 }
 
 impl FloorPlace {
-    /// The floor of a model.
     pub fn of(model: &Model) -> Self {
         let up = model.up();
         let mut heights: Vec<f64> = model.floors().iter().map(|plane| plane.point_m.dot(up)).collect();

@@ -21,7 +21,6 @@ pub struct Footprint {
     pub length_m: f64,
     /// Of the foot's length, the part over which bone points near the ground reach: 1 is all of it.
     pub of_length: f64,
-    /// The same of its width.
     pub of_width: f64,
     /// How far the front is up (below 0: down), seen from the side, rad: the slope of the line on which the bones would rest.
     pub pitch_rad: f64,

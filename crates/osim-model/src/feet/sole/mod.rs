@@ -28,7 +28,6 @@ const CELLS: f64 = 150.0;
 pub struct SoleRequest {
     /// Spheres for each limb.
     pub count: usize,
-    /// Radius of each, m.
     pub radius_m: f64,
     /// How far below the lowest point of the bones the sole is, m: bones have no skin.
     pub pad_m: f64,
@@ -49,11 +48,9 @@ pub struct Sole {
     pub outline_m: Vec<DVec3>,
     /// How much of the foot is near the ground.
     pub footprint: Footprint,
-    /// The spheres.
     pub spheres: Vec<SoleSphere>,
 }
 
-/// A sphere that stands on a sole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoleSphere {
     /// The body that carries it: that of the bone point nearest to its bottom.
@@ -170,7 +167,7 @@ fn sole(foot: &FootBodies, points: &[Point], axes: &Axes, request: &SoleRequest)
 }
 
 impl Sole {
-    /// The same with the centres, which are in ground, in the frames of the bodies.
+    /// Takes the centres, which are in ground, into the frames of their bodies.
     fn in_bodies(mut self, placements: &HashMap<&str, Placement>) -> Self {
         for sphere in &mut self.spheres {
             if let Some(placement) = placements.get(sphere.body.as_str()) {
@@ -218,7 +215,6 @@ fn nearest_body(flat: &[Flat], bottom: DVec2, height: f64) -> Option<usize> {
 /// Joints between a body and the one it is found to belong to, at most.
 const MOST_JOINTS: usize = 64;
 
-/// The bodies of one foot.
 #[derive(Debug, Clone, PartialEq)]
 struct FootBodies {
     pub bodies: Vec<String>,

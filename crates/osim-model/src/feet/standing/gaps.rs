@@ -12,10 +12,8 @@ use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::PoseFault;
 use crate::model::{ForceId, LoadedSphere, Model, Placement, SphereId};
 
-/// A sphere over a floor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OverFloor {
-    /// The sphere.
     pub sphere: SphereId,
     /// Height of its bottom over its floor along the floor's normal, m; below 0 if it is in the floor. Of several floors the
     /// least.
@@ -69,9 +67,6 @@ impl Floors {
     }
 
     /// How high `sphere` is over each of its floors.
-    ///
-    /// # Errors
-    /// It is not known where its body is.
     pub(super) fn gaps(
         &self,
         model: &Model,
@@ -137,7 +132,6 @@ pub struct Rest {
 /// A sphere of a joint tree at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RestingSphere {
-    /// The sphere.
     pub sphere: SphereId,
     /// How deep it is in its floor, in its radius: x/R; not above 0 if it does not touch.
     pub relative_indentation: f64,

@@ -16,7 +16,6 @@ const ROUNDING_M: f64 = 1e-12;
 /// A sphere that has to move for the bottoms of its foot to be level.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LevelledSphere {
-    /// The sphere.
     pub sphere: SphereId,
     /// Its new centre in its own frame, m.
     pub location_m: [f64; 3],
@@ -27,10 +26,7 @@ pub struct LevelledSphere {
 pub enum NotLevelled {
     /// Which spheres are one foot's.
     #[error("the bottoms of a foot cannot be made level, because limbs are not known: {why}")]
-    NoLimbs {
-        /// Why limbs are not known.
-        why: String,
-    },
+    NoLimbs { why: String },
     /// No floor is under any of the spheres.
     #[error(
         "the bottoms of a foot cannot be made level, because no sphere presses on a floor that leans by less than 45 degrees"
@@ -43,11 +39,9 @@ pub enum NotLevelled {
         shown(limb), readable((degrees * 10.0).round() / 10.0), shown(sphere)
     )]
     Leans {
-        /// The limb.
         limb: String,
         /// The sphere whose body leans most.
         sphere: String,
-        /// By how much.
         degrees: f64,
     },
     /// Where bodies are at the default pose.

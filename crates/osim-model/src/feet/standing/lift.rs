@@ -17,7 +17,6 @@ const LEAST_RISE: f64 = 0.5;
 pub struct Lift {
     /// Its name, such as `pelvis_ty`.
     pub coordinate: String,
-    /// The joint that has it.
     pub joint: String,
     /// Its value at the default pose, m.
     pub default_m: f64,
@@ -37,18 +36,11 @@ pub enum NotLifted {
     /// They move only along the floor.
     #[error("it only slides along its floor")]
     Slides,
-    /// One lifts, and is locked.
     #[error("{coordinate}, which would lift it, is locked")]
-    Locked {
-        /// The coordinate.
-        coordinate: String,
-    },
+    Locked { coordinate: String },
     /// One lifts, and a function or another coordinate sets it.
     #[error("{coordinate}, which would lift it, is set by a function")]
-    Driven {
-        /// The coordinate.
-        coordinate: String,
-    },
+    Driven { coordinate: String },
     /// Floors of several directions.
     #[error("its floors have several directions")]
     SeveralFloors,
@@ -223,7 +215,6 @@ impl<'j> JointTree<'j> {
         way.into_iter().skip(common).collect()
     }
 
-    /// `body` and all bodies below it.
     pub(super) fn with_all_below(&self, body: &'j str) -> HashSet<&'j str> {
         let mut found = HashSet::from_iter([body]);
         let mut waiting = vec![body];

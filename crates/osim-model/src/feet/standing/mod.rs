@@ -44,9 +44,6 @@ pub struct Standing {
 
 impl Standing {
     /// Each joint tree of `model` that moving spheres of `forces` press on a floor, in the order of its first sphere.
-    ///
-    /// # Errors
-    /// It is not known where a body is at the default pose.
     pub fn all(model: &Model, forces: &[ForceId]) -> Result<Vec<Self>, PoseFault> {
         let joints = model.joints();
         let pose = DefaultPose::of(model);
@@ -73,10 +70,7 @@ impl Standing {
         self.rest_under(chosen, share * self.load_n?, ByLaw::OfFile)
     }
 
-    /// The same under a load, in N, along the normal.
-    ///
-    /// # Errors
-    /// No indentation carries the load.
+    /// Where the spheres rest under a load, in N, along the normal.
     pub fn rest_under(
         &self,
         chosen: &[SphereId],
