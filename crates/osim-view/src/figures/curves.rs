@@ -118,7 +118,6 @@ fn top(drawn: &[Laws]) -> Option<f64> {
     (highest > top && top > 0.0).then_some(top)
 }
 
-/// An indentation with its unit.
 fn rest_text(x: f64, units: Units) -> String {
     match units.indentation {
         IndentationUnit::Relative => format!("x̂ = {x:.2}"),

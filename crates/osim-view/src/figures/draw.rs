@@ -98,7 +98,6 @@ pub fn draw_motion(request: &PlotRequest, result: &MotionResult) -> Result<Drawi
     finished(drawing, &request.looks).map_err(|error| not_drawn(error, &[]))
 }
 
-/// The paper that is wanted.
 pub fn paper(looks: &FigureOptions) -> Paper {
     Paper { width_mm: looks.width.map(osim_requests::FigureWidth::get), text_pt: looks.font_size.get() }
 }

@@ -47,7 +47,7 @@ pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
     }
 }
 
-/// The same as an SVG document; `name` is whose figure it is, where it cannot be drawn.
+/// The figure as an SVG document; `name` is whose figure it is, where it cannot be drawn.
 ///
 /// # Errors
 /// It was not drawn: a number is not finite.

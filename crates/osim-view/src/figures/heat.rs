@@ -68,7 +68,6 @@ pub(super) fn value_axis(label: &str, values: &[Vec<Option<f64>>]) -> Axis {
 /// What a curve says beside its axes.
 struct Texts<'t> {
     title: String,
-    /// Name of the body.
     body: &'t str,
     /// At the point where the body is now.
     now: String,

@@ -22,7 +22,6 @@ const SHOWN: [Property; 3] = [Property::Radius, Property::Stiffness, Property::D
 #[derive(Debug)]
 pub struct Entry {
     pub(super) model: String,
-    /// The outcome in words.
     pub(super) outcome: String,
     /// Whether an earlier run has done it.
     pub(super) earlier: bool,
@@ -43,7 +42,6 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// A model that was changed.
     pub(super) fn of_change(
         row: &RunRow,
         plan: &Plan,
@@ -68,7 +66,6 @@ impl Entry {
         }
     }
 
-    /// A model that was inspected.
     pub(super) fn of_inspection(
         inspected: &Inspection,
         facts: Facts,
@@ -93,7 +90,7 @@ impl Entry {
         }
     }
 
-    /// The same of a model that an earlier run has done.
+    /// Marks the entry of a model that an earlier run has done.
     pub fn of_earlier_run(self) -> Self {
         Self { earlier: true, ..self }
     }
@@ -248,7 +245,6 @@ impl From<String> for Cell {
 pub struct RunRow {
     /// Row of the manifest, from 1.
     pub row: Option<usize>,
-    /// The model, as it was named.
     pub model: String,
     /// The file that results.
     pub output: Option<String>,
@@ -325,7 +321,6 @@ impl RowError {
         Self { code: code.into(), message: message.into(), line: None, column: None }
     }
 
-    /// The same at a place.
     pub fn at(self, line: Option<usize>, column: Option<usize>) -> Self {
         Self { line, column, ..self }
     }

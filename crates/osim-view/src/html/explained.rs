@@ -202,7 +202,6 @@ pub(super) fn marked_outside(figure: &str) -> String {
     format!("{figure}\u{a0}{OUTSIDE}")
 }
 
-/// A clause as a sentence.
 pub(super) fn sentence(clause: &str) -> String {
     let mut letters = clause.chars();
     let first = letters.next().map(|letter| letter.to_uppercase().collect::<String>()).unwrap_or_default();

@@ -140,7 +140,6 @@ fn item(fragment: &mut Fragment, finding: &Found, lines: Lines, commands: Comman
 
 const NAME: &str = "Verdicts";
 
-/// Verdicts on a model that was inspected.
 fn verdicts_of_model(verdicts: &[Verdict]) -> Markup {
     let rows: Vec<Markup> = verdicts
         .iter()
@@ -154,7 +153,6 @@ fn verdicts_of_model(verdicts: &[Verdict]) -> Markup {
     )
 }
 
-/// Verdicts on the model before and after a change.
 fn verdicts_of_change(before: &[Verdict], after: &[Verdict]) -> Markup {
     let rows: Vec<Markup> = before
         .iter()

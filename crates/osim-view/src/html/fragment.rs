@@ -9,7 +9,6 @@ use crate::html::explained::Topics;
 #[derive(Debug)]
 pub(super) struct Fragment {
     pub(super) detail: DetailLevel,
-    /// In their order.
     pub(super) sections: Vec<Section>,
     pub(super) topics: Topics,
     /// The sections that are asked for; `None` for all.
@@ -93,9 +92,7 @@ pub(super) fn header_cell(header: &str) -> Markup {
 pub struct Section {
     /// Its name, such as `plots`.
     pub id: &'static str,
-    /// Its heading.
     pub title: &'static str,
-    /// Its body.
     pub html: String,
 }
 
@@ -109,7 +106,6 @@ pub enum DetailLevel {
     Alone,
     /// One of few: its feet may be drawn.
     OneOfFew,
-    /// One of many.
     OneOfMany,
 }
 

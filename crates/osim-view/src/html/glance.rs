@@ -81,7 +81,6 @@ impl Tally {
         self.failed > 0
     }
 
-    /// Whether there is a chart.
     pub(super) fn has_chart(&self) -> bool {
         self.now.len() > 1
     }

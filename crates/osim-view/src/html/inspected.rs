@@ -18,9 +18,7 @@ use crate::report::inspection::table::{decimals, described, groups, metres, sent
 /// A model that was inspected, and what a page shows of it.
 #[derive(Debug)]
 pub struct Inspected<'m> {
-    /// How it was inspected.
     pub options: &'m InspectOptions,
-    /// The model.
     pub model: &'m OpenModel,
     /// What is in it, and what is wrong with it.
     pub examined: Examined<'m>,
@@ -197,9 +195,7 @@ fn the_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
 /// One state of a model, inspected and checked. It is shown as it is spelled.
 #[derive(Debug, Clone, Copy)]
 pub struct Examined<'m> {
-    /// What is in it.
     pub inspection: &'m Inspection,
-    /// What is wrong with it.
     pub check: &'m CheckResult,
 }
 
@@ -212,20 +208,17 @@ impl<'m> From<&'m (Inspection, CheckResult)> for Examined<'m> {
 /// A file, for the record.
 #[derive(Debug, Clone)]
 pub struct NamedDigest {
-    /// Its name.
     pub name: String,
     /// The SHA-256 of its bytes; empty if there are no bytes.
     pub sha256: String,
 }
 
-/// The files of a change.
 #[derive(Debug, Clone, Default)]
 pub struct Files {
     /// What was read, the model first.
     pub inputs: Vec<NamedDigest>,
     /// The outcome, in words.
     pub result: String,
-    /// What was written.
     pub outputs: Vec<NamedDigest>,
 }
 

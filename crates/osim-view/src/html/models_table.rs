@@ -16,15 +16,12 @@ pub(super) const FAILURES_END: &str = "</tbody></table></div>\n";
 pub(super) const TABLE_END: &str = "</tbody></table></div></section>\n";
 pub(super) const DETAILS_BEGIN: &str = "<section id=\"in-full\" aria-labelledby=\"in-full-title\">\
                                         <h2 id=\"in-full-title\">Each model in full</h2>\n";
-/// The end of any section.
 pub(super) const SECTION_END: &str = "</section>\n";
 
 /// Which table the models are in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Columns {
-    /// What changed.
     Changes,
-    /// What was found.
     Inspections,
 }
 
@@ -183,7 +180,6 @@ pub(super) fn code(entry: &Entry, topics: &mut Topics) -> Markup {
 
 pub(super) const SECTION: (&str, &str) = ("chosen", "Plots of special models");
 
-/// The section.
 pub(super) fn section(chosen: &Chosen, dialect: &dyn Dialect) -> Markup {
     let (id, title) = SECTION;
     let models = chosen.choice();

@@ -112,7 +112,6 @@ impl<'d, S: DeferredText> Page<'d, S> {
         self.kept.details.add(&harmless(&models_table::details(&entry, number, &fragment.html())))
     }
 
-    /// The one model of the page.
     fn add_alone(&mut self, entry: &Entry, fragment: Option<Fragment>) -> io::Result<()> {
         let glance = glance::of_one(entry, &models_table::code(entry, &mut self.topics));
         self.kept.rows.add(&harmless(&glance.0))?;
@@ -228,12 +227,9 @@ impl<'d, S: DeferredText> Page<'d, S> {
     }
 }
 
-/// What a page is about.
 #[derive(Debug, Clone)]
 pub struct About {
-    /// What was done.
     pub verb: Verb,
-    /// The model, where it is one.
     pub model: Option<String>,
     /// Which table the models are in, where they are several.
     pub columns: Columns,

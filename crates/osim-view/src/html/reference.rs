@@ -122,7 +122,6 @@ fn of_spheres(kind: &SphereKind) -> &str {
     if kind.spheres.is_empty() { "all" } else { &kind.spheres }
 }
 
-/// The same body under another gravity.
 fn under(body: &Body, gravity_m_s2: f64) -> Body {
     let mut body = body.clone();
     if let Ok(weight) = &mut body.weight {

@@ -25,7 +25,6 @@ pub struct Explained {
 pub struct Sections {
     /// In the order of a report.
     pub sections: Vec<Section>,
-    /// Each once.
     pub explained: Vec<Explained>,
 }
 

@@ -29,7 +29,6 @@ pub(crate) struct Facts {
 /// x̂ = x/R at rest, by the Hertz law, of the sphere that sinks in most.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Indentation {
-    /// Before a change.
     pub(crate) before: Option<f64>,
     /// The old contacts under the new weight, if it differs.
     pub(crate) not_scaled: Option<f64>,
@@ -88,10 +87,8 @@ pub(crate) const MOST: usize = 10;
 /// Contacts without dimensions that are counted; more different ones than this have no most common one.
 const CONTACTS: usize = 256;
 
-/// What is drawn of a model.
 #[derive(Debug, Default)]
 pub(crate) struct Drawn {
-    /// Its states.
     pub(crate) bodies: Vec<Body>,
     /// Whether the last of them is the reference.
     pub(crate) has_reference: bool,
@@ -102,7 +99,6 @@ pub(crate) struct Drawn {
 /// A model that may be drawn.
 pub(crate) struct Candidate {
     number: usize,
-    /// As it was named.
     pub(crate) model: String,
     facts: Facts,
     pub(crate) drawn: Drawn,

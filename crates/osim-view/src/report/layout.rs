@@ -36,7 +36,7 @@ pub fn wrapped(text: &str, indent: &str) -> String {
     in_lines(&paragraph(text), indent)
 }
 
-/// The same for a text about a file: the reader has to find the file again, so its path is shown whole.
+/// Wraps a text about a file: the reader has to find the file again, so its path is shown whole.
 pub(crate) fn wrapped_with_path(path: &str, text: &str, indent: &str) -> String {
     in_lines(&format!("{}: {}", shown_whole(path), paragraph(text)), indent)
 }
@@ -140,7 +140,6 @@ fn split(line: &str) -> (&str, &str) {
 #[derive(Debug)]
 pub struct TextTable(Table);
 
-/// A table with these headings.
 pub fn table(header: &[&str]) -> TextTable {
     let mut table = Table::new();
     table.load_style(presets::NOTHING).set_header(header.to_vec());
@@ -148,7 +147,6 @@ pub fn table(header: &[&str]) -> TextTable {
 }
 
 impl TextTable {
-    /// Adds a row.
     pub fn add_row(&mut self, cells: impl IntoIterator<Item = impl AsRef<str>>) {
         self.0.add_row(cells.into_iter().map(|text| one_line(text.as_ref().to_owned())));
     }
@@ -227,7 +225,6 @@ const OUTSIDE_STYLE: Style = AnsiColor::Yellow.on_default().bold();
 /// Whether a text has colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Colour {
-    /// None.
     #[default]
     Plain,
     /// Escape sequences, as terminals read them.

@@ -45,11 +45,9 @@ pub(crate) fn in_a_cell(code: &str) -> &'static str {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ExitStatus {
-    /// All done.
     Done,
     /// A model failed, or a result could not be written.
     Failed,
-    /// Wrong usage.
     Usage,
     /// Another run has a file.
     Busy,
@@ -58,10 +56,8 @@ pub enum ExitStatus {
 }
 
 impl ExitStatus {
-    /// All of them.
     pub const ALL: [Self; 5] = [Self::Done, Self::Failed, Self::Usage, Self::Busy, Self::Interrupted];
 
-    /// The number.
     pub const fn code(self) -> u8 {
         match self {
             Self::Done => 0,
@@ -73,7 +69,6 @@ impl ExitStatus {
         }
     }
 
-    /// What it says.
     pub const fn meaning(self) -> &'static str {
         match self {
             Self::Done => "all done, and check found no error",

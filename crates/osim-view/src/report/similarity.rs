@@ -55,7 +55,6 @@ pub fn text(list: &SizeList) -> String {
     text
 }
 
-/// The headings of the list.
 pub fn headings(list: &SizeList) -> [&'static str; 5] {
     if list.is_of_two_models() {
         ["property", "count", "found", "similar", "verdict"]
@@ -64,7 +63,6 @@ pub fn headings(list: &SizeList) -> [&'static str; 5] {
     }
 }
 
-/// The cells of a row of it.
 pub fn cells(list: &SizeList, row: &SizeRow) -> [String; 5] {
     let similar = row.similarity_factor.map_or_else(|| "?".to_owned(), three_significant);
     let (name, count) = (row.description.to_owned(), row.count.to_string());

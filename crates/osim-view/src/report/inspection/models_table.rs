@@ -244,7 +244,6 @@ fn legend(columns: &[Column], dialect: &dyn Dialect, has_no_full: bool) -> Strin
     text
 }
 
-/// The spheres that have figures.
 fn spheres(inspected: &Inspection) -> impl Iterator<Item = &SphereFigures> {
     inspected.figures.limbs.iter().flat_map(|limb| &limb.spheres)
 }

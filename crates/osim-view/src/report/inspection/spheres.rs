@@ -52,9 +52,7 @@ pub fn limit(figure: Figure) -> String {
     figure.info().limit.map(ToString::to_string).unwrap_or_default()
 }
 
-/// A figure as it is shown.
 pub struct FigureText {
-    /// Its value.
     pub text: String,
     /// Whether it is outside its limit.
     pub outside: bool,
@@ -70,7 +68,6 @@ pub fn value(figure: Figure, sphere: &SphereFigures) -> Option<FigureText> {
     }
 }
 
-/// The figures that are shown.
 fn shown() -> impl Iterator<Item = Figure> {
     Figure::ALL.iter().copied().filter(|figure| figure.shown() != Shown::Nowhere)
 }
@@ -80,7 +77,7 @@ pub fn key(sphere: &SphereFigures) -> Vec<String> {
     shown().map(|figure| sphere.value(figure).map(four_significant).unwrap_or_default()).collect()
 }
 
-/// The same without a text, in all digits: if this is equal, so is the key.
+/// The key without a text, in all digits: if this is equal, so is the key.
 pub fn exact_key(sphere: &SphereFigures) -> Vec<Option<u64>> {
     shown().map(|figure| sphere.value(figure).map(f64::to_bits)).collect()
 }
@@ -89,11 +86,9 @@ pub fn exact_key(sphere: &SphereFigures) -> Vec<Option<u64>> {
 
 /// Spheres of a limb that are equally deep.
 pub struct EquallyDeep<'f> {
-    /// The limb.
     pub limb: &'f str,
     /// x/R by the Hertz law and by the model's.
     pub indentation: [String; 2],
-    /// Names of its spheres.
     pub spheres: Vec<&'f str>,
 }
 

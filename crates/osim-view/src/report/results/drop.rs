@@ -23,7 +23,6 @@ use crate::report::layout::{WIDTH, table};
 
 /// Curves closer than this (in radii and body weights) differ by the rounding of the integration.
 const ROUNDING: f64 = 1e-9;
-/// Rows of a chart.
 const CHART_ROWS: usize = 16;
 
 /// The figures of a drop, whether they are within what the laws were made for, and how far it is from another drop.

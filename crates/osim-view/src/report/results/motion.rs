@@ -124,16 +124,12 @@ fn sphere_row(result: &MotionResult, sphere: &SphereSummary) -> Vec<String> {
 pub struct MotionColumn {
     /// Its name; it ends in the unit, where there is one.
     pub name: &'static str,
-    /// One cell for each row.
     pub cells: MotionCells,
 }
 
-/// The cells of a column.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MotionCells {
-    /// Numbers.
     Numbers(Vec<f64>),
-    /// Names.
     Texts(Vec<String>),
     /// Whether something holds.
     Flags(Vec<bool>),
@@ -206,7 +202,7 @@ pub fn motion_columns(result: &MotionResult) -> Vec<MotionColumn> {
     .collect()
 }
 
-/// The same as CSV. Numbers are the shortest that read back exactly.
+/// The motion as CSV. Numbers are the shortest that read back exactly.
 ///
 /// # Errors
 /// Never, for text in memory.
@@ -222,7 +218,6 @@ pub fn motion_csv(result: &MotionResult) -> Result<String, csv::Error> {
 }
 
 impl MotionCells {
-    /// The cell of a row.
     fn text(&self, row: usize) -> String {
         match self {
             Self::Numbers(numbers) => numbers.get(row).copied().map(shortest).unwrap_or_default(),
@@ -343,7 +338,6 @@ pub fn external_loads_xml(result: &MotionResult, data_file: &str) -> String {
     text
 }
 
-/// As text of XML.
 fn escaped(text: &str) -> String {
     maud::html! { (text) }.into_string()
 }

@@ -176,7 +176,6 @@ pub struct MotionComparisonRecord {
 }
 
 impl MotionRecord {
-    /// What `result` and its `remarks` are in JSON.
     pub fn new(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> Self {
         let (model, model_bytes) = result.opened.name().clone().into_parts();
         let (motion, motion_bytes) = result.motion.clone().into_parts();

@@ -219,17 +219,17 @@ impl SweepRecord {
         }
     }
 
-    /// The same with how many points there are, and the file of the one that was asked for.
+    /// With how many points there are, and the file of the one that was asked for.
     pub fn of_points(self, points: usize, file: Option<String>) -> Self {
         Self { points, file, ..self }
     }
 
-    /// The same with how many models were made and failed.
+    /// With how many models were made and failed.
     pub fn counted(self, models: usize, failed: usize) -> Self {
         Self { models, failed, ..self }
     }
 
-    /// The same with how many of its models an earlier sweep had made.
+    /// With how many of its models an earlier sweep had made.
     pub fn of_which_before(self, done_before: usize) -> Self {
         Self { done_before, ..self }
     }
