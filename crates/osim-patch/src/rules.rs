@@ -7,7 +7,6 @@ use osim_model::{
 
 use crate::note_edits::limbs_in_words;
 
-/// The rules of this crate.
 pub const RULES: &[&Rule] = &[
     &ALREADY_AT_TARGET,
     &COMPOSITE_SURFACES,

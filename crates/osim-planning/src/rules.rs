@@ -10,7 +10,6 @@ use osim_model::files::Files;
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{Anatomy, Example, Finding, FindingCode, Model, Repair, Rule, Severity, VerdictOn};
 
-/// The rules of this crate.
 const RULES: &[&Rule] = &[&BOTTOMS_MOVED, &COMPILED_MODEL_BESIDE, &HARD_LINKED, &ODD_MESH];
 
 /// Every rule of every crate, one for each code.

@@ -119,7 +119,6 @@ fn are_spheres_odd(model: &Model) -> bool {
 
 // Findings from the model itself: what reading it showed, and what only matters once it is asked.
 
-/// Which findings are asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Asked {
     All,
@@ -188,7 +187,6 @@ fn answer(remedy: &mut Request, model: &Model, masses: &MassRequest) {
     }
 }
 
-/// What a remedy says of masses.
 fn said(own: &MassOptions, masses: &MassRequest) -> MassRequest {
     MassRequest {
         contacts_mass_kg: None,

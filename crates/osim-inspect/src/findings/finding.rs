@@ -10,7 +10,6 @@ use osim_requests::spell::Speller;
 /// Something found in a model, and the request that puts it right. It reads like its [`Finding`], which says where it applies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Found {
-    /// What was found.
     pub finding: Finding,
     /// What puts it right; `None` where only the user can know what to write, and for a remark. Where the result says
     /// [`steps`](crate::CheckResult::steps) it is one of them.
@@ -27,7 +26,7 @@ impl Found {
         Self { finding, remedy, as_published: false, command: None }
     }
 
-    /// The same, as bad as in the published state of known contacts: nothing has to be put right there.
+    /// As bad as in the published state of known contacts: nothing has to be put right there.
     pub fn as_published(self, severity: Severity) -> Self {
         Self { finding: self.finding.with_severity(severity), remedy: None, as_published: true, ..self }
     }
@@ -68,7 +67,6 @@ pub struct Kin<'f> {
 }
 
 impl<'f> Kin<'f> {
-    /// Those of one state.
     pub fn of(findings: &'f [Found]) -> Self {
         let mut kin =
             Self { findings, of_spheres: HashMap::new(), at_place: HashMap::new(), of_code: HashMap::new() };

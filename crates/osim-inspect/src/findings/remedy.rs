@@ -33,7 +33,6 @@ pub(crate) struct Remedies<'m> {
     pub(crate) counted: bool,
     /// What the model weighs is known.
     pub(crate) weighed: bool,
-    /// What the bodies weigh, kg.
     pub(crate) body_kg: Option<f64>,
     /// No other force needs a sphere as it is.
     radii_may_change: bool,

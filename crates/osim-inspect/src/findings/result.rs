@@ -123,7 +123,7 @@ impl CheckResult {
         .with_steps_of_remedies()
     }
 
-    /// The same with each remedy as a step by itself, which nobody has tried.
+    /// Makes each remedy a step by itself, which nobody has tried.
     fn with_steps_of_remedies(mut self) -> Self {
         for remedy in self.findings.iter().filter_map(|found| found.remedy.as_ref()) {
             if !self.steps.contains(remedy) {

@@ -55,7 +55,6 @@ pub fn unmatched_patterns(selection: &Selection, masses: &MassRequest, model: &M
     forces.chain(bodies).collect()
 }
 
-/// One finding for each.
 pub(crate) fn find_unmatched_patterns(
     selection: &Selection,
     masses: &MassRequest,

@@ -33,7 +33,6 @@ impl<'l> Limits<'l> {
         Self { inspected, remedies, spheres: inspected.figures.spheres().collect() }
     }
 
-    /// The spheres that have the figure.
     pub(super) fn concerned(&self, figure: impl Fn(&SphereFigures) -> Option<f64>) -> Option<Concerned<'l>> {
         let known: Vec<(f64, &SphereFigures)> =
             self.spheres.iter().filter_map(|sphere| Some((figure(sphere)?, *sphere))).collect();
@@ -56,7 +55,7 @@ impl<'l> Limits<'l> {
         finding.on_line(line).of_spheres(all.iter().map(|sphere| sphere.sphere.clone()).collect())
     }
 
-    /// The same at the force that presses the worst sphere: its parameters are what can be changed.
+    /// A finding at the force that presses the worst sphere: its parameters are what can be changed.
     pub(super) fn about_force(&self, rule: &'static Rule, text: &str, found: &Concerned<'_>) -> Finding {
         let (finding, sphere) = (self.about(rule, text, found), found.worst);
         let presses = |force: &&InspectedForce| {

@@ -102,7 +102,6 @@ fn describe_not_finite(value: &Value) -> Option<String> {
     (!value.number.is_finite()).then(|| format!("is {}", value.number))
 }
 
-/// The same of three numbers.
 fn describe_not_finite_triple(read @ [x, y, z]: [f64; 3]) -> Option<String> {
     (!read.iter().all(|value| value.is_finite())).then(|| format!("is {x} {y} {z}"))
 }
@@ -127,7 +126,7 @@ fn describe_odd_number(value: &Value) -> Option<String> {
     value.fault.is_some().then(|| format!("is '{}', which OpenSim reads as {}", value.text, value.number))
 }
 
-/// The same of three numbers, written as `text` and read as `read`.
+/// What is odd about three numbers, written as `text` and read as `read`.
 fn describe_odd_triple(text: &str, [x, y, z]: [f64; 3]) -> Option<String> {
     (!is_plain_triple(text)).then(|| {
         // A blank that is not ASCII looks like one and does not count as one: show it.

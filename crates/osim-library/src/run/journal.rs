@@ -105,9 +105,6 @@ impl Journal {
     }
 
     /// A line of an earlier run about a model that is not in this one.
-    ///
-    /// # Errors
-    /// The disk is full.
     pub(super) fn keep(&self, record: Record) -> Result<(), LibraryFault> {
         let mut summary = self.summary.lock().map_err(|_| LibraryFault::new("a thread ended early"))?;
         // A row of another table; and a table has the same columns in every line.
@@ -264,7 +261,7 @@ impl PreviousRun {
         }
     }
 
-    /// The same of a model whose change is only shown.
+    /// Keeps the digests of a model whose change is only shown.
     pub(super) fn keep_digests(&self, record: &mut Record) {
         if let Some(wrote) = self.last_written(record) {
             record.sha256_input = wrote.sha256_input;
@@ -282,9 +279,6 @@ impl PreviousRun {
 
     /// Calls `each` with the records of files that are not those of `tasks`, the latest last. What failed and left nothing is
     /// forgotten.
-    ///
-    /// # Errors
-    /// The summary cannot be read any more, or what `each` says.
     fn of_others(
         &self,
         tasks: &[Task],
@@ -310,9 +304,6 @@ impl PreviousRun {
     }
 
     /// What was recorded for `task`, compared with `now`: the model's digest and its settings.
-    ///
-    /// # Errors
-    /// The summary cannot be read any more.
     pub(super) fn of(&self, task: &Task, input: &str, now: &Record) -> Result<Previous, LibraryFault> {
         let records = self.records(now)?;
         if records.is_empty() {

@@ -125,9 +125,6 @@ impl PreviousLines {
     }
 
     /// The record whose line begins at `offset`.
-    ///
-    /// # Errors
-    /// It cannot be read any more.
     pub(super) fn at(&self, offset: u64) -> Result<Record, LibraryFault> {
         let mut file = self.file.lock().map_err(|_| ended_early())?;
         file.seek(SeekFrom::Start(offset)).map_err(foreign_fault)?;

@@ -29,7 +29,7 @@ pub(super) struct Context<'r> {
 /// The outcome for one model; `S` is what a front end shows of it.
 #[derive(Debug)]
 pub struct Outcome<S> {
-    /// The same in one line of a summary.
+    /// Its line in a summary.
     pub record: Record,
     /// Whether it was done by an earlier run.
     pub earlier: bool,

@@ -23,7 +23,6 @@ use crate::run::writing::{PreparedFiles, Results, Written};
 use crate::source::{Loaded, Origin, Source};
 use crate::write::other_names;
 
-/// A model with the change that is planned for it.
 pub struct PlannedModel {
     source: Source,
     /// Its files, without its own bytes.
@@ -55,7 +54,6 @@ impl PlannedModel {
         Ok(Self { source: Source::file(path), files: kept, opened, origin, plan, change: Arc::new(change) })
     }
 
-    /// The model as it is.
     pub fn opened(&self) -> &OpenModel {
         &self.opened
     }

@@ -206,7 +206,6 @@ impl From<JsonRecord> for Record {
 }
 
 impl Record {
-    /// A task that is not begun.
     pub fn of_task(task: &Task) -> Self {
         let (model, model_bytes) = FileName::from(task.source.path.as_path()).into_parts();
         let (output, output_bytes) = task.output().map(|path| FileName::from(path).into_parts()).unzip();
@@ -301,7 +300,7 @@ impl Record {
         Self { model: change(&self.model), output: self.output.as_deref().map(&change), ..self.clone() }
     }
 
-    /// The same outcome of the same files, by the names and in the row that they have in `now`.
+    /// The outcome of the same files, by the names and in the row that they have in `now`.
     pub(super) fn named_as(self, now: &Self) -> Self {
         Self {
             row: now.row,

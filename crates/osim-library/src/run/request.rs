@@ -164,7 +164,6 @@ fn check_usage(
 /// What is wanted of a model beside its result.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Detail {
-    /// Nothing.
     Result,
     /// Figures and findings of both states.
     BeforeAfter {
@@ -184,7 +183,6 @@ pub trait FrontEnd: Sync {
     /// What is wanted of each model.
     fn detail(&self) -> Detail;
 
-    /// What is shown of a model that was changed.
     fn show(&self, changed: ChangedModel<'_>) -> Self::Shown;
 
     /// Whether no further model should be started.
@@ -198,17 +196,13 @@ pub trait FrontEnd: Sync {
 pub struct ChangedModel<'c> {
     /// The model and where its result goes.
     pub task: &'c Task,
-    /// The model as it was.
     pub opened: &'c OpenModel,
     /// SHA-256 of each of its files, in order; empty where neither a summary nor details are wanted.
     pub inputs: &'c [String],
-    /// What changes, spelled.
     pub plan: &'c Plan,
-    /// The bytes that result.
     pub results: &'c Results<'c>,
-    /// What was written.
     pub written: &'c Written,
-    /// The same in one line of a summary.
+    /// Its line in a summary.
     pub record: &'c Record,
     /// Both states, where they were wanted.
     pub before_after: Option<BeforeAfter>,

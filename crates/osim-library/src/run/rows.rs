@@ -82,7 +82,6 @@ impl<'r> RowReader<'r> {
 /// Rows that only differ in model and output share what is to be done.
 type Known = HashMap<String, Arc<JobSettings>>;
 
-/// The rows of one table, and what is asked for all of them.
 struct TableRows<'r> {
     table: Table,
     /// Where results go, for rows without a file.

@@ -41,15 +41,11 @@ impl<'r> Run<'r> {
         Ok(Self { request, context, kept: Vec::new() })
     }
 
-    /// What is to be done.
     pub fn request(&self) -> &RunRequest {
         &self.request
     }
 
     /// Reads what an earlier run did, if the run resumes it.
-    ///
-    /// # Errors
-    /// What is there is not a summary, or was edited.
     pub fn read_previous(&mut self) -> Result<(), LibraryFault> {
         // All rows of a table have the same columns. A share without a model does not show them.
         let own = |task: &Task| task.remarks.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
@@ -131,9 +127,6 @@ impl<'r> Run<'r> {
     }
 
     /// Ends the summary, if one is asked for.
-    ///
-    /// # Errors
-    /// It could not be written.
     pub fn finish(self) -> Result<(), LibraryFault> {
         let Context { journal, previous, .. } = self.context;
         journal.map_or(Ok(()), |journal| journal.finish(previous, &self.request.tasks))
@@ -149,7 +142,6 @@ impl<'r> Run<'r> {
         &self.request.failures
     }
 
-    /// The report that is asked for.
     pub fn report(&self) -> Option<&Path> {
         self.context.run.report.as_deref()
     }

@@ -19,7 +19,6 @@ use crate::source::{OrdinaryFiles, Source};
 
 /// One model with its settings.
 pub struct Task {
-    /// The model.
     pub source: Source,
     /// Where its result goes.
     pub destination: Destination,
@@ -49,12 +48,12 @@ impl Task {
         }
     }
 
-    /// The same, as row `row` of a manifest.
+    /// As row `row` of a manifest.
     pub(super) fn of_row(self, row: usize) -> Self {
         Self { row: Some(row), ..self }
     }
 
-    /// The same with columns of the user's own, which a summary copies.
+    /// With columns of the user's own, which a summary copies.
     pub(super) fn with_remarks(self, remarks: Vec<(String, String)>) -> Self {
         Self { remarks, ..self }
     }
@@ -105,9 +104,7 @@ impl JobSettings {
 pub enum Destination {
     /// Standard output.
     Stdout,
-    /// A file of its own.
     File(PathBuf),
-    /// The model itself.
     Itself,
 }
 
@@ -185,7 +182,7 @@ impl<'p> PathConflicts<'p> {
         self.count(path.into(), 0);
     }
 
-    /// The same of a file that would be another one if it were changed before it is read for this model.
+    /// Notes a file that would be another one if it were changed before it is read for this model.
     pub fn read_again(&mut self, path: impl Into<Cow<'p, Path>>) {
         self.count(path.into(), 1);
     }

@@ -16,7 +16,6 @@ use crate::write::{InPlace, Mode, Prepared, Successor, backup};
 /// The bytes that a plan makes.
 #[derive(Debug)]
 pub struct Results<'m> {
-    /// Of the model.
     pub model: Patch<'m>,
     /// Of the geometry set that changes with a standalone force set.
     pub geometry: Option<GeometryResult<'m>>,
@@ -27,9 +26,7 @@ pub struct Results<'m> {
 pub struct GeometryResult<'m> {
     /// Which of the model's files.
     pub file: FileId,
-    /// Where it goes.
     pub path: PathBuf,
-    /// Its bytes.
     pub patch: Patch<'m>,
 }
 
@@ -54,24 +51,19 @@ impl<'m> Results<'m> {
     }
 }
 
-/// What was written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Written {
-    /// Nothing, and why.
     Nothing(&'static str),
     /// The model goes to standard output.
     Stdout,
     /// The model, then its geometry set; and the backups of both.
     Files {
-        /// What was written.
         paths: Vec<PathBuf>,
-        /// Backups.
         kept: Vec<PathBuf>,
     },
 }
 
 impl Written {
-    /// In words.
     pub fn describe(&self) -> String {
         match self {
             Self::Nothing(why) => (*why).to_owned(),
@@ -86,7 +78,6 @@ impl Written {
         }
     }
 
-    /// The files that were written.
     pub fn paths(&self) -> &[PathBuf] {
         match self {
             Self::Files { paths, .. } => paths,

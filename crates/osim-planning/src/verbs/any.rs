@@ -21,7 +21,7 @@ pub(crate) const CHANGING: [Verb; 9] = [
     Verb::Note,
 ];
 
-/// The same in words: `rescale, transfer, design, set, fit or note`.
+/// Their names in words: `rescale, transfer, design, set, fit or note`.
 pub(crate) fn changing_verbs() -> String {
     let names = CHANGING.map(Verb::name);
     match names.split_last() {

@@ -39,7 +39,7 @@ pub(super) struct Generic {
 }
 
 impl Generic {
-    /// The same with other spheres: those of `model`, where they are in `anatomy`.
+    /// With the spheres of `model`, where they are in `anatomy`.
     pub(super) fn with_contacts(&self, anatomy: Anatomy, model: &Model) -> Self {
         Self { anatomy, file: None, sphere_count: self.sphere_count.clone(), standing: standing(model) }
     }
@@ -96,7 +96,7 @@ pub(super) fn reference_from_file(
     })
 }
 
-/// The same of a model that was opened, called `from`.
+/// The reference in a model that was opened, called `from`.
 ///
 /// # Errors
 /// It cannot be a reference, or the Scale Tool's file cannot be read.

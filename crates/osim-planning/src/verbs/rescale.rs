@@ -33,7 +33,7 @@ pub(super) fn prepare(request: RescaleRequest, files: &dyn Files) -> Result<Chan
     Ok(with_bodies(request, bodies)?)
 }
 
-/// The same with what the ScaleSet says.
+/// Rescaling with what the ScaleSet says.
 ///
 /// # Errors
 /// The target mass is missing, or the options leave nothing to do.
@@ -141,7 +141,6 @@ pub(super) enum Following {
 }
 
 impl Following {
-    /// The operation, as the note has it.
     pub(super) const fn operation(&self) -> &'static str {
         match self {
             Self::Nothing => "rescale",

@@ -57,7 +57,6 @@ pub(super) fn meant(body: &str, bodies: &[String]) -> String {
 
 /// Why contacts cannot be added to a model.
 pub(super) enum AddFault {
-    /// The model, or what is asked of it.
     Model(Box<Fault>),
     /// Something beside the model: a table, a mesh.
     Beside(&'static str, Phrase),
@@ -108,7 +107,6 @@ impl From<FeetFault> for AddFault {
 }
 
 impl AddFault {
-    /// As a fault of the model.
     pub(super) fn fault(self) -> Fault {
         match self {
             Self::Model(fault) => *fault,
@@ -116,7 +114,6 @@ impl AddFault {
         }
     }
 
-    /// As the failure of a model that was opened.
     pub(super) fn failure(self, opened: &OpenModel) -> Failure {
         match self {
             Self::Model(fault) => opened.failure(*fault),

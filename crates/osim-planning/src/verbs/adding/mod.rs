@@ -58,7 +58,6 @@ impl Planner for Adding {
 }
 
 impl Adding {
-    /// Plans for the model of the file at `path`.
     fn plan_at(&self, model: &Model, path: &Path, files: &dyn Files) -> Result<Plan, AddFault> {
         self.answers.ask(scale_slip(&self.body_scale)).map_err(Fault::new)?;
         let (bare, removed) = self.bare(model)?.unzip();

@@ -21,7 +21,6 @@ use crate::remarks::{Bones, pad_slip, parts_of_feet};
 /// Feet whose poses differ by more than this are unequal, rad: a degree. At the fore end of a foot that is 2 % of its length.
 const UNEQUAL: f64 = std::f64::consts::PI / 180.0;
 
-/// Where spheres are.
 pub(super) enum Places {
     Table(TablePlaces),
     Feet(FeetPlaces),
@@ -29,7 +28,6 @@ pub(super) enum Places {
 
 /// A table, read once for all models.
 pub(super) struct TablePlaces {
-    /// As messages name it.
     pub(super) name: String,
     pub(super) table: ContactTable,
     /// Whether places that are given in ground are those at the default pose.

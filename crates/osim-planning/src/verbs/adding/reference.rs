@@ -25,7 +25,6 @@ use crate::verbs::transfer::Transferring;
 pub(super) enum Numbers {
     /// The contacts of a reference, without dimensions.
     Reference(Box<OfReference>),
-    /// What is wanted.
     Wanted(Box<Wanted>),
 }
 
@@ -38,7 +37,6 @@ pub(super) struct OfReference {
     pub(super) transferring: Transferring,
 }
 
-/// What is wanted.
 pub(super) struct Wanted {
     pub(super) kind: ForceKind,
     /// Friction that the caller gave.
@@ -213,7 +211,7 @@ impl FromReference {
     }
 }
 
-/// The same as a transfer, after the contacts were made: as the reference has them, or at places of this model's own.
+/// The transfer that follows once the contacts were made: as the reference has them, or at places of this model's own.
 pub(super) fn transfer(request: &AddRequest, from: &Path) -> TransferRequest {
     let mut transfer = TransferRequest {
         from: Some(from.to_owned()),
