@@ -46,7 +46,7 @@ impl Session {
         anyhow::anyhow!(fault.spelled(self.words))
     }
 
-    /// The same of files.
+    /// The error for files that were refused.
     pub(crate) fn refused(&self, fault: &LibraryFault) -> anyhow::Error {
         Ended { text: fault.spelled(self.words), exit: exit_of_cause(fault.cause()) }.into()
     }

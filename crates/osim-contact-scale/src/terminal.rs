@@ -109,7 +109,7 @@ impl Terminal {
         self.aside(&fitted(text, self.err))
     }
 
-    /// The same for text that stays as it is.
+    /// A remark whose lines stay as they are, on standard error.
     pub(crate) fn aside(&mut self, text: &str) -> io::Result<()> {
         match io::stderr().lock().write_all(harmless(text).as_bytes()) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),

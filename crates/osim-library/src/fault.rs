@@ -98,8 +98,6 @@ impl std::error::Error for LibraryFault {}
 
 /// Adds what could not be done to an error that says why.
 pub(crate) trait Context<T> {
-    /// # Errors
-    /// The same, after `what`.
     fn context<D: Display>(self, what: impl FnOnce() -> D) -> Result<T, LibraryFault>;
 }
 

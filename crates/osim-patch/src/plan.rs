@@ -419,7 +419,7 @@ impl Plan {
         edited_with(self.ground(model), self.edits(model, FileId::MAIN)?, &others)
     }
 
-    /// The same without bytes, as long as it is only looked at: numbers and note are new, places in the file are those of before
+    /// The new model without its bytes, as long as it is only looked at: numbers and note are new, places in the file are those of before
     /// ([`Model::renumbered`]). `None` where more changes than numbers of contacts.
     pub fn renumbered(&self, model: &Model) -> Option<Model> {
         if self.rebuilt.is_some() || !self.moves.is_empty() {

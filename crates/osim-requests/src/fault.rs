@@ -56,7 +56,7 @@ impl RequestFault {
         Self::Refused { input: Some(input), message: message.into() }
     }
 
-    /// The same, because of several things or of none.
+    /// A refusal because of several inputs or of none.
     pub fn general(message: impl Into<Phrase>) -> Self {
         Self::Refused { input: None, message: message.into() }
     }
@@ -89,7 +89,6 @@ impl RequestFault {
         }
     }
 
-    /// The same in the words of a front end.
     pub fn spelled(&self, dialect: &dyn Dialect) -> String {
         self.phrase().spelled(dialect)
     }
@@ -143,7 +142,7 @@ pub enum Relation {
     Expected(&'static str),
     /// It is required if the other is absent.
     RequiredUnless(&'static str, &'static str),
-    /// The same; the command line asks for it in its own words.
+    /// It is required without the other, and the command line asks for it in its own words.
     ExpectedUnless(&'static str, &'static str),
     /// It has no meaning without the other.
     Needs(&'static str, &'static str),

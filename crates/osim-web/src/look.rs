@@ -54,7 +54,7 @@ impl Opened {
         self.model.files().map(|(name, _)| name.to_owned()).collect()
     }
 
-    /// The same with their digests.
+    /// Its files with their digests.
     pub(crate) fn digests(&self) -> Vec<NamedDigest> {
         let digest =
             |(name, bytes): (&str, &[u8])| NamedDigest { name: name.to_owned(), sha256: sha256(bytes) };

@@ -341,7 +341,7 @@ impl NewContact {
         Ok(())
     }
 
-    /// The same with a value for each parameter of its class. What is not given gets OpenSim's default. OpenSim's smoothing suits
+    /// Adds a value for each parameter of its class. What is not given gets OpenSim's default. OpenSim's smoothing suits
     /// no size, so smoothing is that of Falisse et al. (2022), without dimensions, at this radius.
     ///
     /// ```

@@ -74,7 +74,7 @@ impl Failure {
         }
     }
 
-    /// The same, with the argument it is about: the one that has this value, and whose name says the same or ends alike.
+    /// Names the argument it is about: the one that has this value, and whose name says the same or ends alike.
     pub(super) fn with_argument<'a>(
         self,
         arguments: impl Iterator<Item = (&'static str, f64)> + Clone + 'a,
@@ -90,7 +90,6 @@ impl Failure {
         Self { parameter: found.map(|(name, _)| name), ..self }
     }
 
-    /// The same, at an element.
     pub(super) fn at(self, index: usize) -> Self {
         Self { index: Some(index), ..self }
     }

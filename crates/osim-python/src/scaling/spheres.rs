@@ -19,7 +19,7 @@ pub(crate) struct OfSpheres {
     pub name: &'static str,
     /// The function of `contact-scaling` for spheres whose bottoms are level.
     pub level: &'static str,
-    /// The same for spheres at their own heights.
+    /// The function of `contact-scaling` for spheres at their own heights.
     pub raised: &'static str,
     /// What is given of each sphere, beside its height.
     pub spheres: &'static [Parameter],

@@ -187,7 +187,6 @@ impl NumberOptions {
         Relation::Excludes("speed_width", "from"),
     ];
 
-    /// The same as a design has it.
     pub fn wanted(&self) -> WantedOptions {
         WantedOptions {
             indentation: self.indentation,

@@ -64,7 +64,6 @@ pub struct ForceOptions {
 }
 
 impl ForceOptions {
-    /// The same, as models take it.
     pub fn selection(&self) -> Selection {
         Selection {
             select: self.select.clone(),
@@ -99,7 +98,6 @@ pub struct MassOptions {
 }
 
 impl MassOptions {
-    /// The same, as models are asked for it.
     pub fn request(&self) -> MassRequest {
         MassRequest {
             contacts_mass_kg: self.contacts_mass.map(Kilograms::get),
@@ -142,7 +140,7 @@ impl CountOptions {
         self.stance_limbs.map(Count::get).or(noted).unwrap_or(1.0)
     }
 
-    /// The same, with what else figures are made for.
+    /// The options with what else figures are made for.
     pub fn stance_options(
         &self,
         impact_speed: Option<Positive>,
@@ -227,7 +225,6 @@ pub struct SetFiles {
 }
 
 impl SetFiles {
-    /// The same, as a model is read with them.
     pub fn beside(&self) -> Beside<'_> {
         Beside { geometry: self.geometry.as_deref(), model: self.model.as_deref() }
     }

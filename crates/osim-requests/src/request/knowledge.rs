@@ -80,7 +80,7 @@ pub fn fig1() -> [Phrase; 3] {
     [WHY, NEEDS, MODELS].map(Phrase::template)
 }
 
-/// The same as the answer to somebody who wants it drawn.
+/// Why Fig. 1 is not drawn, as the answer to somebody who wants it.
 pub fn no_fig1() -> Phrase {
     Phrase::joined([WHY, MODELS].map(Phrase::template), " ").unwrap_or_default()
 }

@@ -59,7 +59,7 @@ where
     deserializer.deserialize_any(Text(PhantomData))
 }
 
-/// The same of a value that may be absent.
+/// Reads a value that may be absent.
 ///
 /// # Errors
 /// What [`FromStr`] says of it.

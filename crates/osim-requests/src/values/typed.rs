@@ -102,7 +102,7 @@ pub fn number(text: &str) -> Result<f64, String> {
     number_in(text, "a number", &[])
 }
 
-/// The same, with what is expected and spellings with a unit.
+/// A number, with what is expected and spellings with a unit.
 ///
 /// # Errors
 /// It is none.
@@ -113,7 +113,7 @@ pub fn number_in(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f
     positive(text, expected, units)
 }
 
-/// The same, and one below 0 is refused in these words.
+/// A number that is 0 or more, with what is expected and spellings with a unit.
 ///
 /// # Errors
 /// It is none.

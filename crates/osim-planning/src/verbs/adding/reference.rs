@@ -32,7 +32,7 @@ pub(super) enum Numbers {
 pub(super) struct OfReference {
     /// As they are there, in the class that is wanted.
     pub(super) layout: Layout,
-    /// The same, free of names of forces.
+    /// The layout as a reference, free of names of forces.
     pub(super) reference: Reference,
     pub(super) transferring: Transferring,
 }
