@@ -114,7 +114,7 @@ const BETWEEN: &[&str] = &[
     "<![CDATA[ ]]>",
     "<?pi?>",
     "text",
-    "<credits>[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes none; digest 0123456789abcdef; radii 0123456789abcdef; spheres 1 0123456789abcdef; forces 1 0123456789abcdef; numbers stiffness=01234567; places unknown; made -)]</credits>",
+    "<credits>[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes none; record 0123456789abcdef 01234567 - 1:01234567 1:01234567 0123.-.-.-.-.-.-.-.-; made -)]</credits>",
     "<credits>A; <![CDATA[B]]></credits>",
     "<credits/>",
     "<!-- [contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; digest 00)] -->",

@@ -12,8 +12,10 @@ use crate::model::property::Property;
 use crate::model::typed_model::Model;
 use crate::xml::ElementId;
 
-/// Bytes of a digest in a note.
+/// Bytes of the digest of all numbers in a note, and of that of a reference.
 const BYTES: usize = 8;
+/// Bytes of the digests of radii, places and names.
+const BYTES_OF_PART: usize = 4;
 
 /// The key of a number of a model: its file, its object and its property.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -76,7 +78,7 @@ impl Model {
         radii.sort_unstable();
         let mut hash = Sha256::new();
         radii.into_iter().for_each(|radius| hash.update(radius.to_le_bytes()));
-        first_digits(hash)
+        digits(hash, BYTES_OF_PART)
     }
 
     /// Digest of the locations of all spheres of contact forces, in their frames, with the bodies that carry them, in whatever
@@ -96,7 +98,7 @@ impl Model {
             hash.update([0]);
             location.into_iter().for_each(|coordinate| hash.update(coordinate.to_le_bytes()));
         }
-        first_digits(hash)
+        digits(hash, BYTES_OF_PART)
     }
 
     fn spheres_of_forces(&self) -> impl Iterator<Item = &Sphere> {
@@ -156,7 +158,7 @@ fn digits(hash: Sha256, bytes: usize) -> String {
 // What contacts are called, and a digest of each of their properties: the record by which a note shows what changed.
 
 /// Bytes of the digest of one property: it only names what the digest of all numbers found to be different.
-const BYTES_OF_PROPERTY: usize = 4;
+const BYTES_OF_PROPERTY: usize = 2;
 
 impl Model {
     /// What a note records of the contacts beside the digests of all numbers. `changed` gives the new value of those that a plan
@@ -203,7 +205,7 @@ fn names(mut names: Vec<&str>) -> NotedNames {
         hash.update(name.as_bytes());
         hash.update([0]);
     }
-    NotedNames { count: names.len(), digest: first_digits(hash) }
+    NotedNames { count: names.len(), digest: digits(hash, BYTES_OF_PART) }
 }
 
 // The record of a note after a change that takes contacts out or makes them of another class, and leaves what they are made for.

@@ -195,9 +195,8 @@ fn a_floor_of_ones_own_is_not_taken_for_the_one_that_was_made() {
     assert_eq!(none.half_spaces().len(), 1);
 }
 
-const OLD: &str = "[contacts made for 12 kg at 9.8 m/s2 (osim-contact-scale 0.0.9; all; by add; sizes none; digest 0000000000000000; \
-                   radii 0000000000000000; spheres 1 0000000000000000; forces 1 0000000000000000; numbers stiffness=00000000; \
-                   places 0000000000000000; made fgOhc)]";
+const OLD: &str = "[contacts made for 12 kg at 9.8 m/s2 (osim-contact-scale 0.0.9; all; by add; sizes none; \
+                   record 0000000000000000 00000000 00000000 1:00000000 1:00000000 0000.-.-.-.-.-.-.-.-; made fgOhc)]";
 
 /// Contacts that went in another program leave a note of theirs behind, which is no longer about anything.
 #[test]

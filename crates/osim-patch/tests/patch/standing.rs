@@ -35,7 +35,7 @@ fn the_note_is_in_the_credits_and_is_replaced_on_later_runs() {
     let first = given(foot(&smooth("<stiffness>1000000</stiffness>"), "0.01")).with_note().rescaled_to(8.0);
     let text = String::from_utf8(first.bytes().to_vec()).unwrap();
     assert!(text.contains("<credits>[contacts made for 8 kg at 9.80665 m/s2 (osim-contact-scale "), "{text}");
-    assert!(text.contains("; all; by rescale from 1 kg; weighed 1 kg; sizes none; digest "), "{text}");
+    assert!(text.contains("; all; by rescale from 1 kg; weighed 1 kg; sizes none; record "), "{text}");
     // The bodies weigh 1 kg still; the contacts are made for 8 kg.
     let second = given(text).with_note().rescaled_to(64.0);
     let text = String::from_utf8(second.bytes().to_vec()).unwrap();

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::messages::{Verb, shortest};
+use crate::messages::{Verb, readable};
 use crate::model::property::Property;
 
 /// Whether all contacts are made for one mass.
@@ -20,7 +20,7 @@ pub enum Scope {
 /// use osim_model::{Document, Note, Scope};
 ///
 /// let text = r#"<OpenSimDocument Version="40000"><Model name="walker">
-/// <credits>A. Author; [contacts made for 500 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes calcn_r=0.9,1,1; digest 0123456789abcdef; radii 0011223344556677; spheres 1 1122334455667788; forces 1 2233445566778899; numbers stiffness=33445566; places fedcba9876543210; made -)]</credits>
+/// <credits>A. Author; [contacts made for 500 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes calcn_r=0.9,1,1; record 0123456789abcdef 00112233 fedcba98 1:11223344 1:22334455 3344.-.-.-.-.-.-.-.-; made -)]</credits>
 /// </Model></OpenSimDocument>"#;
 /// let note = Note::find(&Document::parse(text)?).expect("there is a note");
 /// assert_eq!((note.contacts_mass_kg, note.gravity_m_s2, note.scope), (Some(500.0), Some(9.81), Scope::All));
@@ -47,11 +47,11 @@ pub struct Note {
     pub sizes: Vec<BodySize>,
     /// Digest of all contact values as written: the first 16 digits of their SHA-256.
     pub digest: String,
-    /// Digest of the radii alone.
+    /// Digest of the radii alone: the first 8 digits.
     pub radii: String,
     /// Names of the contacts and digests of their properties.
     pub parts: NotedParts,
-    /// Digest of the spheres' locations; `None` where the note before could not be read.
+    /// The first 8 digits of a digest of the spheres' locations; `None` where the note before could not be read.
     pub places: Option<String>,
     /// What was added to the file for the note, one letter each; `-` for nothing.
     pub made: String,
@@ -132,7 +132,7 @@ impl Step {
             text.push_str(&format!("{WITH}{}", plain(&self.options)));
         }
         if let Some(kg) = self.from_mass_kg {
-            text.push_str(&format!("{FROM}{} kg", shortest(kg)));
+            text.push_str(&format!("{FROM}{} kg", readable(kg)));
         }
         if let Some(source) = &self.reference {
             text.push_str(&format!("{OF}{}", source.text()));
@@ -165,7 +165,7 @@ impl Source {
 
     fn parse(text: &str) -> Option<Self> {
         let (name, digest) = match text.split_once(' ') {
-            Some((name, digest)) => (name, is_digest(digest).then(|| Some(digest.to_owned()))?),
+            Some((name, text)) => (name, Some(digest(text, DIGEST_DIGITS)?)),
             None => (text, None),
         };
         Some(Self { name: name.to_owned(), digest })
@@ -189,14 +189,12 @@ fn is_date(text: &str) -> bool {
 
 // What a note records of its contacts so that it can show later which of their properties, or only their names, changed.
 //
-// `spheres 12 0123456789abcdef; forces 12 0123456789abcdef; numbers stiffness=01234567 dissipation=89abcdef`
+// `12:01234567 6:89abcdef 0123.4567.-.-.-.-.-.-.-`: spheres, forces, and the properties of forces in their order.
 
-const SPHERES: &str = "spheres ";
-const FORCES: &str = "forces ";
-const NUMBERS: &str = "numbers ";
-/// Where no force has a number.
-const NOTHING: &str = "-";
-const PROPERTY_DIGITS: usize = 8;
+/// Where no force has the property, or places are not known.
+pub(super) const NOTHING: &str = "-";
+/// Digits of what only names the difference that the digest of all numbers found.
+const PROPERTY_DIGITS: usize = 4;
 
 /// Names of the contacts and digests of their properties.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -204,50 +202,48 @@ pub struct NotedParts {
     /// The spheres of contact forces.
     pub spheres: NotedNames,
     pub forces: NotedNames,
-    /// The first 8 digits of the SHA-256 of the values of each property of the forces.
+    /// The first 4 digits of the SHA-256 of the values of each property of the forces.
     pub properties: BTreeMap<Property, String>,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NotedNames {
     pub count: usize,
-    /// The first 16 digits of the SHA-256 of their names.
+    /// The first 8 digits of the SHA-256 of their names.
     pub digest: String,
 }
 
 impl NotedParts {
     pub(super) fn text(&self) -> String {
-        let properties =
-            self.properties.iter().map(|(property, digest)| format!("{}={digest}", property.name()));
-        let properties: Vec<String> = properties.collect();
-        let properties = if properties.is_empty() { NOTHING.to_owned() } else { properties.join(" ") };
-        let (spheres, forces) = (self.spheres.text(), self.forces.text());
-        format!("{SPHERES}{spheres}; {FORCES}{forces}; {NUMBERS}{properties}")
+        let digest = |property| self.properties.get(&property).map_or(NOTHING, String::as_str);
+        let digests: Vec<&str> = properties_of_forces().map(digest).collect();
+        format!("{} {} {}", self.spheres.text(), self.forces.text(), digests.join("."))
     }
 
-    /// Reads it from the fields that `next_if` gives where they begin with a word.
-    pub(super) fn parse<'t>(mut next_if: impl FnMut(&str) -> Option<&'t str>) -> Option<Self> {
-        let (spheres, forces, numbers) = (next_if(SPHERES)?, next_if(FORCES)?, next_if(NUMBERS)?);
-        let property = |text: &str| {
-            let (name, digest) = text.split_once('=')?;
-            let is_whole =
-                digest.len() == PROPERTY_DIGITS && digest.bytes().all(|byte| byte.is_ascii_hexdigit());
-            is_whole.then(|| Some((name.parse().ok()?, digest.to_owned())))?
-        };
-        let properties =
-            numbers.split(' ').filter(|text| *text != NOTHING).map(property).collect::<Option<_>>()?;
-        Some(Self { spheres: NotedNames::parse(spheres)?, forces: NotedNames::parse(forces)?, properties })
+    /// Reads it from its words, which are all that are left.
+    pub(super) fn parse<'t>(mut words: impl Iterator<Item = &'t str>) -> Option<Self> {
+        let (spheres, forces) = (NotedNames::parse(words.next()?)?, NotedNames::parse(words.next()?)?);
+        let digests: Vec<&str> = words.next()?.split('.').collect();
+        let is_whole = words.next().is_none() && digests.len() == properties_of_forces().count();
+        let known = properties_of_forces().zip(digests).filter(|(_, digest)| *digest != NOTHING);
+        let known = known.map(|(property, text)| Some((property, digest(text, PROPERTY_DIGITS)?)));
+        let properties = known.collect::<Option<_>>()?;
+        is_whole.then_some(Self { spheres, forces, properties })
     }
+}
+
+fn properties_of_forces() -> impl Iterator<Item = Property> {
+    Property::ALL.into_iter().filter(|property| *property != Property::Radius)
 }
 
 impl NotedNames {
     fn text(&self) -> String {
-        format!("{} {}", self.count, self.digest)
+        format!("{}:{}", self.count, self.digest)
     }
 
     fn parse(text: &str) -> Option<Self> {
-        let (count, digest) = text.split_once(' ')?;
-        is_digest(digest).then(|| Some(Self { count: count.parse().ok()?, digest: digest.to_owned() }))?
+        let (count, names) = text.split_once(':')?;
+        Some(Self { count: count.parse().ok()?, digest: digest(names, PART_DIGITS)? })
     }
 }
 
@@ -255,7 +251,10 @@ impl NotedNames {
 
 /// What nobody knew.
 pub(super) const UNKNOWN: &str = "unknown";
-const DIGEST_DIGITS: usize = 16;
+/// Digits of the digest of all numbers, and of that of a reference.
+pub(super) const DIGEST_DIGITS: usize = 16;
+/// Digits of the digests of radii, places and names.
+pub(super) const PART_DIGITS: usize = 8;
 
 /// `unknown`, or a mass above 0 with its unit; the outer `None` for anything else.
 #[expect(clippy::option_option, reason = "what is unknown is not what cannot be read")]
@@ -281,8 +280,10 @@ pub(super) fn gravity_m_s2(text: &str) -> Option<Option<f64>> {
     (gravity.is_finite() && gravity >= 0.0).then_some(Some(gravity))
 }
 
-pub(super) fn is_digest(text: &str) -> bool {
-    text.len() == DIGEST_DIGITS && text.bytes().all(|byte| byte.is_ascii_hexdigit())
+/// `text`, if it is so many hexadecimal digits.
+pub(super) fn digest(text: &str, digits: usize) -> Option<String> {
+    let is_digest = text.len() == digits && text.bytes().all(|byte| byte.is_ascii_hexdigit());
+    is_digest.then(|| text.to_owned())
 }
 
 /// Whether a note, inside a field, can hold `letter`. `-` is among the letters, but two of them would end a comment: see

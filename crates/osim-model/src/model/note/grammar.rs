@@ -1,27 +1,28 @@
 //! How a note is spelled: printable ASCII with single blanks, because OpenSim condenses white space and re-encodes the rest.
 //!
 //! `[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale from 70 kg on 2026-11-25; stance limbs 2;
-//! weighed 62 kg; sizes calcn_r=1,1,1; digest 0123456789abcdef; radii 0123456789abcdef; spheres 6 0123456789abcdef;
-//! forces 6 0123456789abcdef; numbers stiffness=01234567 dissipation=01234567; places 0123456789abcdef; made -)]`
+//! weighed 62 kg; sizes calcn_r=1 calcn_l=0.9,1,1; record 0123456789abcdef 01234567 01234567 6:01234567 6:01234567
+//! 0123.4567.-.-.-.-.-.-.-; made -)]`
 //!
-//! Each step has its own `by`, the oldest first. What nobody said is left out.
+//! Each step has its own `by`, the oldest first. What nobody said is left out. The record is for programs: digests of all numbers,
+//! of radii, of places, of the names of spheres and forces, and of each property.
 
-use crate::messages::shortest;
+use crate::messages::{readable, shortest};
 use crate::model::note::content::{
-    BodySize, Note, NotedParts, Scope, Step, UNKNOWN, gravity_m_s2, is_digest, is_plain, mass_kg, plain,
-    positive,
+    BodySize, DIGEST_DIGITS, NOTHING, Note, NotedParts, PART_DIGITS, Scope, Step, UNKNOWN, digest,
+    gravity_m_s2, is_plain, mass_kg, plain, positive,
 };
 
 pub(super) const BEGINS: &str = "[contacts made for ";
 pub(super) const ENDS: &str = ")]";
 /// What follows mass and gravity in every note; text in square brackets without it is not a note.
 pub(super) const NAMES: &str = " (osim-contact-scale ";
-const NOTHING: &str = "-";
 const NO_SIZES: &str = "none";
 /// Before each step.
 const BY: &str = "by ";
 const STANCE: &str = "stance limbs ";
 const WEIGHED: &str = "weighed ";
+const RECORD: &str = "record ";
 /// Before the names of forces that were added beside others, where there are some.
 const ADDED: &str = "added ";
 
@@ -41,17 +42,17 @@ impl Note {
         };
         let added = (!self.added.is_empty()).then(|| self.added.join(" "));
         format!(
-            "{BEGINS}{} at {}{NAMES}{}; {scope}{steps}{}{}; sizes {}; digest {}; radii {}; {}; places {}; made {}{}{ENDS}",
+            "{BEGINS}{} at {}{NAMES}{}; {scope}{steps}{}{}; sizes {}; {RECORD}{} {} {} {}; made {}{}{ENDS}",
             known(self.contacts_mass_kg, "kg"),
             known(self.gravity_m_s2, "m/s2"),
             self.version,
             optional(STANCE, self.stance_limbs.map(shortest)),
-            optional(WEIGHED, self.weighed_kg.map(|kg| format!("{} kg", shortest(kg)))),
+            optional(WEIGHED, self.weighed_kg.map(|kg| format!("{} kg", readable(kg)))),
             if sizes.is_empty() { NO_SIZES.to_owned() } else { sizes.join(" ") },
             self.digest,
             self.radii,
+            self.places.as_deref().unwrap_or(NOTHING),
             self.parts.text(),
-            self.places.as_deref().unwrap_or(UNKNOWN),
             self.made,
             optional(ADDED, added),
         )
@@ -74,17 +75,17 @@ impl Note {
         let stance_limbs = next_if(STANCE).map(positive);
         let weighed_kg = next_if(WEIGHED).map(|text| mass_kg(text).flatten());
         let sizes = sizes(next_if("sizes ")?)?;
-        let digest = next_if("digest ").filter(|text| is_digest(text))?.to_owned();
-        let radii = next_if("radii ").filter(|text| is_digest(text))?.to_owned();
-        let parts = NotedParts::parse(next_if)?;
+        let mut record = next_if(RECORD)?.split(' ');
+        let all = digest(record.next()?, DIGEST_DIGITS)?;
+        let radii = digest(record.next()?, PART_DIGITS)?;
+        let places = match record.next()? {
+            NOTHING => None,
+            text => Some(digest(text, PART_DIGITS)?),
+        };
+        let parts = NotedParts::parse(record)?;
         if steps.is_empty() {
             return None;
         }
-        let places = match fields.next()?.strip_prefix("places ")? {
-            UNKNOWN => None,
-            text if is_digest(text) => Some(text.to_owned()),
-            _ => return None,
-        };
         let made = fields.next()?.strip_prefix("made ")?.to_owned();
         if made != NOTHING && !made.chars().all(|letter| letter.is_ascii_alphabetic()) {
             return None;
@@ -99,7 +100,7 @@ impl Note {
             stance_limbs: stance_limbs.map_or(Some(None), |limbs| limbs.map(Some))?,
             weighed_kg: weighed_kg.map_or(Some(None), |kg| kg.map(Some))?,
             sizes,
-            digest,
+            digest: all,
             radii,
             parts,
             places,
@@ -137,9 +138,11 @@ impl Note {
 }
 
 impl BodySize {
-    /// `calcn_r=0.9,1,1`.
+    /// `calcn_r=0.9,1,1`, or `calcn_r=0.9` where all three are equal. Eight digits: sizes that differ by less are one size.
     fn text(&self) -> String {
-        format!("{}={}", self.body, self.factors.map(shortest).join(","))
+        let [x, y, z] = self.factors.map(readable);
+        let factors = if x == y && y == z { x } else { [x, y, z].join(",") };
+        format!("{}={factors}", self.body)
     }
 
     fn parse(text: &str) -> Option<Self> {
@@ -148,7 +151,11 @@ impl BodySize {
             let factor: f64 = number.parse().ok()?;
             (factor.is_finite() && factor > 0.0).then_some(factor)
         });
-        let factors = [numbers.next()??, numbers.next()??, numbers.next()??];
+        let x = numbers.next()??;
+        let factors = match numbers.next() {
+            Some(y) => [x, y?, numbers.next()??],
+            None => [x; 3],
+        };
         numbers.next().is_none().then(|| Self { body: body.to_owned(), factors })
     }
 
@@ -190,17 +197,14 @@ mod tests {
             weighed_kg: Some(0.021),
             sizes: vec![BodySize { body: "calcn_r".into(), factors: [0.913_924, 1.0, 1e-3] }],
             digest: "0123456789abcdef".into(),
-            radii: "0011223344556677".into(),
+            radii: "00112233".into(),
             parts: NotedParts {
-                spheres: NotedNames { count: 12, digest: "1122334455667788".into() },
-                forces: NotedNames { count: 6, digest: "2233445566778899".into() },
-                properties: [
-                    (Property::Stiffness, "33445566".into()),
-                    (Property::Dissipation, "44556677".into()),
-                ]
-                .into(),
+                spheres: NotedNames { count: 12, digest: "11223344".into() },
+                forces: NotedNames { count: 6, digest: "22334455".into() },
+                properties: [(Property::Stiffness, "3344".into()), (Property::Dissipation, "4455".into())]
+                    .into(),
             },
-            places: Some("fedcba9876543210".into()),
+            places: Some("fedcba98".into()),
             made: "c".into(),
             added: vec![],
         }
@@ -211,9 +215,8 @@ mod tests {
         assert_eq!(
             note().text(),
             "[contacts made for 0.0209 kg at 9.80665 m/s2 (osim-contact-scale 0.1.0; partial; by transfer on 2026-11-25; \
-         by set stiffness=x2; stance limbs 2; weighed 0.021 kg; sizes calcn_r=0.913924,1,0.001; digest 0123456789abcdef; \
-         radii 0011223344556677; spheres 12 1122334455667788; forces 6 2233445566778899; \
-         numbers stiffness=33445566 dissipation=44556677; places fedcba9876543210; made c)]"
+         by set stiffness=x2; stance limbs 2; weighed 0.021 kg; sizes calcn_r=0.913924,1,0.001; \
+         record 0123456789abcdef 00112233 fedcba98 12:11223344 6:22334455 3344.4455.-.-.-.-.-.-.-; made c)]"
         );
     }
 
@@ -233,7 +236,10 @@ mod tests {
         let no_numbers = Note { parts: NotedParts { properties: [].into(), ..note().parts }, ..note() };
         let beside_others = Note { added: vec!["heel".into(), "toe".into()], ..note() };
         assert!(beside_others.text().ends_with("; made c; added heel toe)]"), "{}", beside_others.text());
-        for note in [note(), nothing_known, no_numbers, beside_others] {
+        let one_size = BodySize { body: "calcn_r".into(), factors: [0.9; 3] };
+        let alike = Note { sizes: vec![one_size], ..note() };
+        assert!(alike.text().contains("; sizes calcn_r=0.9; "), "{}", alike.text());
+        for note in [note(), nothing_known, no_numbers, beside_others, alike] {
             assert_eq!(Note::parse(&note.text()), Some(note));
         }
     }
@@ -265,20 +271,18 @@ mod tests {
             ("; by transfer on 2026-11-25; by set stiffness=x2", ""),
             ("limbs 2", "limbs two"),
             ("weighed 0.021 kg", "weighed 0.021"),
-            ("0011223344556677", "0011"),
-            ("; radii 0011223344556677", ""),
-            (
-                "; spheres 12 1122334455667788; forces 6 2233445566778899; numbers stiffness=33445566 dissipation=44556677",
-                "",
-            ),
-            ("spheres 12", "spheres many"),
-            ("1122334455667788", "1122"),
-            ("; forces 6 2233445566778899", ""),
-            ("stiffness=33445566", "stiffness=3344"),
-            ("stiffness=33445566", "steepness=33445566"),
+            ("00112233", "0011"),
+            (" 00112233", ""),
+            (" 12:11223344 6:22334455 3344.4455.-.-.-.-.-.-.-", ""),
+            ("12:", "many:"),
+            ("11223344", "1122"),
+            (" 6:22334455", ""),
+            ("3344.4455", "33.4455"),
+            (".-.-.-.-.-.-.-", ""),
+            ("-; made", "- 0123; made"),
             ("made c", "made c; more"),
             ("0123456789abcdef", "0123"),
-            ("fedcba9876543210", "fedcba987654321z"),
+            ("fedcba98", "fedcba9z"),
             ("=0.913924,1,0.001", "=0.913924,1"),
             ("=0.913924,1,0.001", "=0.913924,1,0"),
             ("calcn_r=", "="),

@@ -202,8 +202,7 @@ mod tests {
     use super::*;
 
     const NOTE: &str = "[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes none; \
-                    digest 0123456789abcdef; radii 0123456789abcdef; spheres 1 0123456789abcdef; forces 1 0123456789abcdef; \
-                    numbers stiffness=01234567; places 0123456789abcdef; made -)]";
+                    record 0123456789abcdef 01234567 01234567 1:01234567 1:01234567 0123.-.-.-.-.-.-.-.-; made -)]";
 
     fn document(credits: &str) -> Document {
         let text =

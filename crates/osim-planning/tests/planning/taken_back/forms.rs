@@ -122,10 +122,10 @@ const CREDITS: [&str; 23] = [
     "<credits><![CDATA[ A & B; ]]></credits>",
     "<credits><![CDATA[]]></credits>",
     "<credits>A [contacts made for fun]</credits>",
-    "<credits>\u{e9}; [contacts made for 12 kg at 9.8 m/s2 (osim-contact-scale 0.0.9; all; by add; sizes none; digest 0000000000000000; \
-     radii 0000000000000000; spheres 1 0000000000000000; forces 1 0000000000000000; numbers stiffness=00000000; places 0000000000000000; made fgOhc)]</credits>",
-    "<credits>[contacts made for 12 kg at 9.8 m/s2 (osim-contact-scale 0.0.9; all; by add; sizes none; digest 0000000000000000; \
-     radii 0000000000000000; spheres 1 0000000000000000; forces 1 0000000000000000; numbers stiffness=00000000; places 0000000000000000; made -)];\n\tB</credits>",
+    "<credits>\u{e9}; [contacts made for 12 kg at 9.8 m/s2 (osim-contact-scale 0.0.9; all; by add; sizes none; \
+     record 0000000000000000 00000000 00000000 1:00000000 1:00000000 0000.-.-.-.-.-.-.-.-; made fgOhc)]</credits>",
+    "<credits>[contacts made for 12 kg at 9.8 m/s2 (osim-contact-scale 0.0.9; all; by add; sizes none; \
+     record 0000000000000000 00000000 00000000 1:00000000 1:00000000 0000.-.-.-.-.-.-.-.-; made -)];\n\tB</credits>",
 ];
 
 /// Without what is white between tags.
