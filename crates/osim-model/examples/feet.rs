@@ -64,13 +64,14 @@ fn print_bones(path: &Path, folder: &str) {
             }
         };
         let frame = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
-            .map(|point| placement.point(point));
+            .map(|point| placement.point(point).to_array());
         let (found, fault) = match bones(&model, &[name], &folders, &Disk) {
             Ok(found) => (found, String::new()),
             Err(fault) => (Vec::new(), fault.to_string()),
         };
         let files: Vec<String> = found.iter().map(|bone| bone.file.to_string_lossy().into_owned()).collect();
-        let points = found.iter().flat_map(|bone| &bone.points_m).map(|&point| placement.point(point));
+        let points =
+            found.iter().flat_map(|bone| &bone.points_m).map(|&point| placement.point(point).to_array());
         let points: Vec<[f64; 3]> = points.collect();
         println!(
             "{{\"body\": {name:?}, \"frame\": {frame:?}, \"files\": {files:?}, \"points\": {points:?}, \"fault\": {fault:?}}}"

@@ -132,10 +132,10 @@ mod tests {
 
     #[test]
     fn differences_are_root_mean_squares() {
-        let at = |x: f64, up: f64| Wrench::default().plus([0.0, up, 3.0], [x, 0.0, 0.0]);
+        let at = |x: f64, up: f64| Wrench::default().plus(DVec3::new(0.0, up, 3.0), x * DVec3::X);
         let model = [at(0.1, 100.0), at(0.1, 200.0), at(0.0, 0.0), at(0.0, 5.0)];
         let measured = [Some(at(0.13, 104.0)), Some(at(0.1, 197.0)), None, Some(at(0.0, 5.0))];
-        let on = ComparedOn { normal: [0.0, 1.0, 0.0], point_m: [0.0; 3], least_n: 10.0, has_points: true };
+        let on = ComparedOn { normal: DVec3::Y, point_m: DVec3::ZERO, least_n: 10.0, has_points: true };
         let all = Comparison::of(&model, &measured, &on, |_| true).unwrap();
         // 4, -3 and 0 N: 25/3. Points 0.03 m and 0 m apart in two frames.
         assert_eq!((all.frames, all.cop_frames), (3, 2));

@@ -337,10 +337,13 @@ mod tests {
         );
         // Halfway: 150 N up at (0.5, 0, 0.1), and 7 N m about y.
         let half = plates[0].at(0.5).unwrap();
-        assert_eq!((half.force_n, half.moment_n_m), ([0.0, 150.0, 0.0], [-15.0, 7.0, 75.0]));
+        assert_eq!(
+            (half.force_n, half.moment_n_m),
+            (DVec3::new(0.0, 150.0, 0.0), DVec3::new(-15.0, 7.0, 75.0))
+        );
         assert_eq!((plates[0].at(-0.1), plates[0].at(1.1)), (None, None));
         assert_eq!(plates[0].at(1.0).unwrap().force_n[1], 200.0);
-        assert_eq!(plates[1].at(0.0).unwrap().force_n, [1.0, 2.0, 3.0]);
+        assert_eq!(plates[1].at(0.0).unwrap().force_n, DVec3::new(1.0, 2.0, 3.0));
     }
 
     #[test]

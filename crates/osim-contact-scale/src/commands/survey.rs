@@ -113,7 +113,7 @@ fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Resu
         let terminal = &mut session.terminal;
         match (format, &surveyed) {
             (SheetFormat::Json, Surveyed::Inspected(inspected, _)) => {
-                terminal.print_records(&line(inspected))?
+                terminal.print_records(&line(inspected))?;
             }
             (SheetFormat::Json, Surveyed::Checked(found)) => terminal.print_records(&line(found))?,
             (SheetFormat::Csv, Surveyed::Inspected(inspected, _)) => {

@@ -66,7 +66,8 @@ fn the_surface(model: &Model) -> PlaneSurface {
 }
 
 #[track_caller]
-fn near(value: DVec3, expected: [f64; 3]) {
+fn near(value: impl Into<DVec3>, expected: [f64; 3]) {
+    let value = value.into();
     assert!(value.abs_diff_eq(expected.into(), 1e-15), "{value:?}, expected {expected:?}");
 }
 

@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 use osim_inspect::{Figure, InspectOptions};
 use osim_model::files::{FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase, shortest, shown};
-use osim_model::{Assignment, Fault, HalfSpace, Mass, MassSource, Model, Property, Selected, SphereId};
+use osim_model::{
+    Assignment, DVec3, Fault, HalfSpace, Mass, MassSource, Model, Property, Selected, SphereId,
+};
 use osim_motion::fit::{FitBounds, FitError, FitTrial, FitWanted, FittedHeight, MotionFit, fit_motion};
 use osim_motion::{
     Belt, ContactStates, Foot, Measured, Recording, RecordingOptions, StatesError, Summary, Table,

@@ -85,7 +85,7 @@ fn plot(what: &str, svg: &str) -> Markup {
 fn drawn(bodies: &[Body], figure: Result<Figure, Failure>) -> Result<String, Failure> {
     let svg = figure?.distinct().and_then(|figure| Drawing::Panels(figure).svg(Paper::default()));
     let name = || bodies.first().map(|body| body.name.clone()).unwrap_or_default();
-    svg.map_err(|error| Failure::outside(&name(), "plot", error.to_string()))
+    svg.map_err(|error| Failure::outside(name(), "plot", error.to_string()))
 }
 
 fn force(bodies: &[Body]) -> Result<String, Failure> {
