@@ -72,7 +72,7 @@ impl Folders {
     }
 
     /// A compiled copy of the model `output`, which PredSim and OpenCap would go on using.
-    pub fn compiled_beside(&self, output: &Path) -> Option<Finding> {
+    pub(crate) fn compiled_beside(&self, output: &Path) -> Option<Finding> {
         let compiled = self.compiled.get(folder_of(output)).filter(|compiled| !compiled.is_empty())?;
         let prefix = format!("F_{}.", output.file_stem()?.to_string_lossy());
         // The names are sorted: the first that is not before the prefix has it, or none does.

@@ -20,12 +20,12 @@ mod sweep;
 mod workers;
 mod write;
 
-pub use digest::{sha256, sha256_of_parts};
+pub use digest::sha256;
 pub use door::{head, reason};
 pub use fault::{Cause, LibraryFault};
 pub use folders::{Folders, make_folder_of};
 pub use paths::{folder_of, resolved};
-pub use source::{Disk, FOLDER_MARK, Loaded, OrdinaryFiles, Origin, Source, Sources, SplitName, Stamp};
+pub use source::{Disk, Loaded, OrdinaryFiles, Origin, Source, Sources, SplitName, Stamp};
 pub use survey::{Survey, SurveyText, Surveyed};
 pub use sweep::{OtherModels, SameContacts, SweepEnd, SweepFrontEnd, SweepRun};
 pub use workers::{in_order, threads};

@@ -92,7 +92,7 @@ fn bodies(states: &ContactStates, pairs: &[usize]) -> Vec<String> {
 /// A foot touches down where its force along the normal passes this part of body weight,
 pub const ON_BW: f64 = 0.05;
 /// and lifts off where it falls below this one.
-pub const OFF_BW: f64 = 0.03;
+pub(crate) const OFF_BW: f64 = 0.03;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stance {

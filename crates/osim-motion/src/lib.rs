@@ -29,7 +29,7 @@ pub use assigned::{AssignedBy, Measured, PlateUse};
 pub use comparison::{ComparedOn, Comparison, LeftOut};
 pub use coordinates::{CoordinateKind, ModelCoordinate};
 pub use fault::MotionFault;
-pub use feet::{Foot, OFF_BW, ON_BW, Stance, strides};
+pub use feet::{Foot, ON_BW, Stance, strides};
 pub use pair::{ContactPair, Touched};
 pub use plates::{ExternalLoads, Load, Plate};
 pub use recording::{Recording, RecordingFacts, RecordingOptions};

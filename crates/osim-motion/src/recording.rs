@@ -357,11 +357,10 @@ fn three_decimals(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::AngleUnit;
 
     fn table(rows: usize) -> Table {
         let times = (0..rows).map(|row| row as f64 / 100.0).collect();
-        Table::of_columns(times, Vec::new(), AngleUnit::Radians).unwrap()
+        Table::of_times(times).unwrap()
     }
 
     /// A cosine of 2 Hz passes a cutoff of 6 Hz, and one of 30 Hz does not.
@@ -388,7 +387,7 @@ mod tests {
         assert!(low_pass(&table(6), &[0.0; 6], 6.0).is_err());
         assert!(low_pass(&table(7), &[0.0; 7], 6.0).is_ok());
         assert!(low_pass(&table(20), &[0.0; 20], 50.0).is_err());
-        let uneven = Table::of_columns(vec![0.0, 0.1, 0.3], Vec::new(), AngleUnit::Radians).unwrap();
+        let uneven = Table::of_times(vec![0.0, 0.1, 0.3]).unwrap();
         assert!(low_pass(&uneven, &[0.0; 3], 1.0).is_err());
     }
 }

@@ -33,25 +33,12 @@ pub struct Column {
 }
 
 impl Table {
-    /// A table that was not in a file.
-    ///
-    /// # Errors
-    /// Columns of other lengths than `time_s`, or times that do not rise; lines count from the first row.
-    pub fn of_columns(
-        time_s: Vec<f64>,
-        columns: Vec<(String, Vec<f64>)>,
-        unit: AngleUnit,
-    ) -> Result<Self, MotionFault> {
+    /// A table without columns that was not in a file; times must rise.
+    #[cfg(test)]
+    pub(crate) fn of_times(time_s: Vec<f64>) -> Result<Self, MotionFault> {
         let lines: Vec<usize> = (1..=time_s.len()).collect();
         rising(&time_s, &lines)?;
-        if let Some((name, values)) = columns.iter().find(|(_, values)| values.len() != time_s.len()) {
-            let (given, rows) = (values.len(), time_s.len());
-            return Err(MotionFault::new(format!(
-                "column '{name}' has {given} values, but there are {rows} times"
-            )));
-        }
-        let columns = columns.into_iter().map(|(name, values)| Column { name, values }).collect();
-        Ok(Self { time_s, columns, declared: Some(unit), has_version: true, lines })
+        Ok(Self { time_s, columns: Vec::new(), declared: Some(AngleUnit::Radians), has_version: true, lines })
     }
 
     /// The first column of this name.
@@ -82,7 +69,7 @@ impl Table {
     }
 
     /// The time between rows, s, where all are equally far apart within one percent.
-    pub fn even_step_s(&self) -> Option<f64> {
+    pub(crate) fn even_step_s(&self) -> Option<f64> {
         let (first, last) = (self.time_s.first()?, self.time_s.last()?);
         let mean = (last - first) / self.rows().checked_sub(1).filter(|&steps| steps > 0)? as f64;
         let is_even = |pair: &[f64]| matches!(pair, [a, b] if ((b - a) - mean).abs() <= 0.01 * mean);
@@ -373,15 +360,14 @@ mod tests {
 
     #[test]
     fn even_steps_are_seen() {
-        let table =
-            |times: &[f64]| Table::of_columns(times.to_vec(), Vec::new(), AngleUnit::Radians).unwrap();
+        let table = |times: &[f64]| Table::of_times(times.to_vec()).unwrap();
         assert_eq!(table(&[0.0, 0.1, 0.3]).even_step_s(), None);
         assert!((table(&[1.0, 1.1, 1.2]).even_step_s().unwrap() - 0.1).abs() < 1e-12);
         assert_eq!(table(&[1.0]).even_step_s(), None);
     }
 
     fn gaps(times: &[f64]) -> Vec<(f64, f64)> {
-        let table = Table::of_columns(times.to_vec(), Vec::new(), AngleUnit::Radians).unwrap();
+        let table = Table::of_times(times.to_vec()).unwrap();
         table.gaps().iter().map(|gap| (gap.from_s, gap.to_s)).collect()
     }
 

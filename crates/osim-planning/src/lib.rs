@@ -57,7 +57,7 @@ pub use fit::{FitResult, run_fit};
 pub use inspector::Inspector;
 pub use motion::{MotionResult, PlatesRead, run_motion};
 pub use motion_remarks::MotionRemark;
-pub use opening::{find_presets, may_be_file, open_with, presets, scale_file};
+pub use opening::{find_presets, may_be_file, open_with, presets};
 pub use planner::{Change, changeable, check_with_trials};
 pub use plot::{HeatTable, ModelFeet, TableColumn, plot_bodies, plot_feet, plot_motion, plot_table};
 pub use remedies::check_with_remedies;

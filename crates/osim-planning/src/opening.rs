@@ -33,7 +33,7 @@ pub(crate) fn read(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Failure> {
 ///
 /// # Errors
 /// The file cannot be read, or is not a ScaleSet.
-pub fn scale_file(path: &Path, files: &dyn Files) -> Result<ScaleFile, Failure> {
+pub(crate) fn scale_file(path: &Path, files: &dyn Files) -> Result<ScaleFile, Failure> {
     let bytes = read(path, files)?;
     let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(path, fault))?;
     ScaleFile::read(&document)

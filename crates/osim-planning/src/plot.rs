@@ -221,7 +221,7 @@ impl ModelFeet {
     }
 
     /// The feet with spheres of other radii: all multiplied by `ratio`, the centres where they are.
-    pub fn with_radii(&self, name: String, ratio: f64) -> Self {
+    pub(crate) fn with_radii(&self, name: String, ratio: f64) -> Self {
         let mut scaled = Self { name, ..self.clone() };
         for sphere in scaled.feet.iter_mut().flat_map(|foot| &mut foot.spheres) {
             sphere.radius_m *= ratio;
@@ -234,7 +234,7 @@ impl ModelFeet {
     }
 
     /// Whether both have the same spheres in the same places.
-    pub fn has_same_spheres(&self, other: &Self) -> bool {
+    pub(crate) fn has_same_spheres(&self, other: &Self) -> bool {
         let spheres = |feet: &Self| -> Vec<_> { feet.feet.iter().map(|foot| foot.spheres.clone()).collect() };
         spheres(self) == spheres(other)
     }

@@ -184,7 +184,7 @@ impl StandingBody {
         deeper && self.bottoms.iter().any(Bottom::is_inside)
     }
 
-    pub fn is_above_floor(&self) -> bool {
+    pub(crate) fn is_above_floor(&self) -> bool {
         self.lowest().is_some_and(Bottom::is_above)
     }
 

@@ -35,7 +35,7 @@ impl Weight {
     }
 
     /// M g / n, in N.
-    pub fn share_n(&self) -> f64 {
+    pub(crate) fn share_n(&self) -> f64 {
         self.body_weight_n() / self.sphere_count
     }
 }

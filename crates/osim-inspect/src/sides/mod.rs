@@ -70,18 +70,18 @@ impl<'m> BothSides<'m> {
     }
 
     /// The force on the right whose spheres are the mirror images of those of `left`.
-    pub fn right_of(&self, left: &Force) -> Option<&'m Force> {
+    pub(crate) fn right_of(&self, left: &Force) -> Option<&'m Force> {
         self.sets_of(left).first().map(|pair| pair.right.0)
     }
 
     /// The forces of one side that have counterparts, in file order.
-    pub fn forces_on(&self, side: Side) -> Vec<ForceId> {
+    pub(crate) fn forces_on(&self, side: Side) -> Vec<ForceId> {
         let of = |pair: &SetPair<'_>| if side == Side::Right { pair.right.0.id } else { pair.left.0.id };
         self.sets.iter().map(of).collect::<BTreeSet<ForceId>>().into_iter().collect()
     }
 
     /// Whether the bones under the spheres of `left` are of another size than those under `right`.
-    pub fn bones_differ(&self, left: &Force, right: &Force) -> bool {
+    pub(crate) fn bones_differ(&self, left: &Force, right: &Force) -> bool {
         let sets = self.sets_of(left).iter().filter(|pair| pair.right.0.id == right.id);
         let spheres = sets.flat_map(|pair| &pair.spheres);
         let mut pairs = spheres.filter_map(|&index| self.pairs.get(index));

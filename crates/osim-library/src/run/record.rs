@@ -206,7 +206,7 @@ impl From<JsonRecord> for Record {
 }
 
 impl Record {
-    pub fn of_task(task: &Task) -> Self {
+    pub(crate) fn of_task(task: &Task) -> Self {
         let (model, model_bytes) = FileName::from(task.source.path.as_path()).into_parts();
         let (output, output_bytes) = task.output().map(|path| FileName::from(path).into_parts()).unzip();
         Self {

@@ -240,7 +240,7 @@ impl Files for MemoryFirst<'_> {
 
 impl Origin {
     /// A file of the model as it was when it was read; `None` for standard input.
-    pub fn stamp_of(&self, file: FileId) -> Option<&Stamp> {
+    pub(crate) fn stamp_of(&self, file: FileId) -> Option<&Stamp> {
         let path = if file == FileId::MAIN { &self.path } else { self.companions.get(&file)? };
         self.stamps.get(path)
     }
@@ -254,7 +254,7 @@ impl Origin {
     ///
     /// # Errors
     /// The first that is not there.
-    pub fn find_included_from(&self, output: &Path) -> Result<(), LibraryFault> {
+    pub(crate) fn find_included_from(&self, output: &Path) -> Result<(), LibraryFault> {
         for file in &self.included {
             if !folder_of(output).join(file).is_file() {
                 return Err(LibraryFault::new(format!(

@@ -6,4 +6,5 @@ mod workbook;
 
 pub(crate) use disk::MemoryFirst;
 pub use disk::{Disk, Loaded, OrdinaryFiles, Origin, Stamp};
-pub use sources::{FOLDER_MARK, Source, Sources, SplitName};
+pub(crate) use sources::FOLDER_MARK;
+pub use sources::{Source, Sources, SplitName};

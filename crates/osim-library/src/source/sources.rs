@@ -15,7 +15,7 @@ use crate::door;
 use crate::paths::{Resolver, resolved};
 
 /// End of the name of the folder that variants are written into by default. Walks over folders leave it out.
-pub const FOLDER_MARK: &str = ".sweep";
+pub(crate) const FOLDER_MARK: &str = ".sweep";
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
@@ -39,7 +39,7 @@ impl Source {
     }
 
     /// Whether the model is skipped because it has no contacts: a folder may hold such models; one that was named may not be such.
-    pub fn is_skipped(&self, failure: &Failure) -> bool {
+    pub(crate) fn is_skipped(&self, failure: &Failure) -> bool {
         failure.code == "no-contacts" && self.folder.is_some()
     }
 
@@ -53,7 +53,7 @@ impl Source {
     }
 
     /// Its name, or its path below the folder that was named.
-    pub fn below_folder(&self) -> &Path {
+    pub(crate) fn below_folder(&self) -> &Path {
         let below = self.folder.as_ref().and_then(|folder| self.path.strip_prefix(folder).ok());
         below.or_else(|| self.path.file_name().map(Path::new)).unwrap_or(&self.path)
     }

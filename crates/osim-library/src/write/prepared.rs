@@ -61,7 +61,7 @@ impl Prepared {
     }
 
     /// Prepares a file whose bytes are in several places.
-    pub fn of_parts<'p>(
+    pub(crate) fn of_parts<'p>(
         target: &Path,
         parts: impl Iterator<Item = &'p [u8]>,
         like: Option<&Metadata>,

@@ -27,7 +27,7 @@ mod similarity;
 
 pub use follow::{
     AxisFactor, BodyFactors, Difference, FactorSource, Factors, Follow, FollowRequest, Followed, OwnRadii,
-    ScaleFile, SphereBodies, bone_of_mesh,
+    ScaleFile, bone_of_mesh,
 };
 pub use placement::{PlacedSphere, Placement, is_stretched};
 pub use similarity::{

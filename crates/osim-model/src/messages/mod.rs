@@ -22,6 +22,6 @@ pub use crate::phrase;
 pub use input::{Call, Example, Input, Part, Verb};
 pub use phrase::{Dialect, IntoParts, Phrase, Plain};
 pub use shown::{
-    SHOWN_LETTERS, Shown, counted, four_significant, harmless, is_seen, listed, one_line, readable, shortest,
-    shown, shown_path, shown_whole, three_significant,
+    Shown, counted, four_significant, harmless, is_seen, listed, one_line, readable, shortest, shown,
+    shown_path, shown_whole, three_significant,
 };

@@ -9,7 +9,7 @@ use std::fmt::{self, Display, Write};
 use std::path::Path;
 
 /// Letters of a text from outside that are shown in a message.
-pub const SHOWN_LETTERS: usize = 200;
+pub(crate) const SHOWN_LETTERS: usize = 200;
 
 /// Letters of a sentence in which names of several forces and files are. No system has longer paths.
 const SENTENCE_LETTERS: usize = 5000;

@@ -189,7 +189,7 @@ const SAME_PLACE_M: f64 = 1e-9;
 const SAME_SIZE: f64 = 1e-6;
 
 impl BodySize {
-    pub fn is_as_large_as(&self, other: &Self) -> bool {
+    pub(crate) fn is_as_large_as(&self, other: &Self) -> bool {
         let close = |(a, b): (f64, f64)| (a - b).abs() <= SAME_SIZE * b.abs();
         self.factors.into_iter().zip(other.factors).all(close)
     }

@@ -106,7 +106,7 @@ impl Model {
     }
 
     /// Whether all contact values are those that `note` records.
-    pub fn has_values_of(&self, note: &Note) -> bool {
+    pub(crate) fn has_values_of(&self, note: &Note) -> bool {
         note.digest == self.contact_digest(|_| None)
     }
 

@@ -314,7 +314,7 @@ fn version_and_data_root(tree: &Tree) -> Result<(u32, ElementId), Fault> {
 /// Whether `file="…"` may be somewhere in `bytes`: cheap, and never `false` if it is there.
 ///
 /// Most models include nothing; finding that out must not cost a scan.
-pub fn may_include(bytes: &[u8]) -> bool {
+pub(crate) fn may_include(bytes: &[u8]) -> bool {
     memchr::memmem::find_iter(bytes, b"file").any(|at| {
         let before = at.checked_sub(1).and_then(|at| bytes.get(at));
         let after = bytes.get(at + 4..).unwrap_or_default().trim_ascii_start().first();

@@ -11,7 +11,7 @@ use crate::model::skeleton::Body;
 use crate::model::typed_model::Model;
 
 /// Masses closer than this (relative) count as one: a scale is not read better than to 0.1 %.
-pub const SAME_MASS: f64 = 1e-3;
+pub(crate) const SAME_MASS: f64 = 1e-3;
 
 /// Gravities closer than this (relative) count as one.
 const SAME_GRAVITY: f64 = 1e-3;

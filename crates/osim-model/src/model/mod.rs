@@ -58,14 +58,14 @@ pub use contacts::{
     Orientation, ParameterSet, SetId, Slot, Sphere, SphereId, Surfaces, contact_of_pair, contact_of_set,
     loaded_spheres, moving_spheres, root_mean_square, sphere_sets,
 };
-pub use document::{Document, may_include};
+pub use document::Document;
 pub use fault::{
     CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, MassSlip, MassesBeside, Needed,
     NeedsAnswer, NoteDoubt, Question, RadiusFrom, TreeOfForces, probable_units,
 };
 pub use finding::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
 pub use limbs::{Limb, Limbs};
-pub use mass::{Mass, MassRequest, MassSource, SAME_MASS, mass_slip, positive_mass, same_gravity, same_mass};
+pub use mass::{Mass, MassRequest, MassSource, mass_slip, positive_mass, same_gravity, same_mass};
 pub use names::{Pattern, PatternError, Side, refuse_name, refuse_name_in_paths, without_side};
 pub use note::{
     BodySize, ChangedContacts, ChangedSinceNote, Credits, Note, NotedNames, NotedParts, Scope, Source, Step,

@@ -25,7 +25,7 @@ impl Placement {
     pub const IDENTITY: Self = Self { rotation: Rotation::IDENTITY, translation_m: DVec3::ZERO };
 
     /// From OpenSim's `orientation` (body-fixed angles about x, y, z, rad) and `translation` (m).
-    pub fn of_triples(orientation: [f64; 3], translation_m: [f64; 3]) -> Self {
+    pub(crate) fn of_triples(orientation: [f64; 3], translation_m: [f64; 3]) -> Self {
         Self { rotation: Rotation::body_fixed_xyz(orientation), translation_m: translation_m.into() }
     }
 
@@ -49,7 +49,7 @@ impl Placement {
     }
 
     /// The frame as OpenSim has it after it converted an old document, through text: its angles and its place with six digits.
-    pub fn in_six_digits(&self) -> Self {
+    pub(crate) fn in_six_digits(&self) -> Self {
         let turned = self.rotation.to_body_fixed_xyz().map(six_digits);
         Self::of_triples(turned, self.translation_m.to_array().map(six_digits))
     }

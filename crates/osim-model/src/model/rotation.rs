@@ -27,7 +27,7 @@ impl Rotation {
 
     /// The angular velocity (rad/s) of a frame whose body-fixed `angles` about x, y and z (rad) change at `rates` (rad/s), seen from
     /// the body.
-    pub fn body_fixed_velocity([x, y, _]: [f64; 3], rates: [f64; 3]) -> DVec3 {
+    pub(crate) fn body_fixed_velocity([x, y, _]: [f64; 3], rates: [f64; 3]) -> DVec3 {
         let (sx, cx) = (libm::sin(x), libm::cos(x));
         let (sy, cy) = (libm::sin(y), libm::cos(y));
         let [about_x, about_y, about_z] = rates;
@@ -35,7 +35,7 @@ impl Rotation {
     }
 
     /// The angles about x, then y, then z (rad) that make this rotation, as OpenSim's `orientation` has them.
-    pub fn to_body_fixed_xyz(&self) -> [f64; 3] {
+    pub(crate) fn to_body_fixed_xyz(&self) -> [f64; 3] {
         let [[xx, xy, xz], [_, _, yz], [_, _, zz]] = self.inverse().0.to_cols_array_2d();
         let cosine = libm::sqrt(xx * xx + xy * xy);
         [libm::atan2(-yz, zz), libm::atan2(xz, cosine), libm::atan2(-xy, xx)]

@@ -168,7 +168,7 @@ fn flag_of_word(word: &str) -> Option<bool> {
 ///
 /// assert!(is_disabled(" True ") && is_disabled("2") && !is_disabled("true false") && !is_disabled("yes"));
 /// ```
-pub fn is_disabled(text: &str) -> bool {
+pub(crate) fn is_disabled(text: &str) -> bool {
     let text = trimmed(text);
     spelled_flag(text).unwrap_or_else(|| whole_number_at_start(text).is_some_and(|digits| !digits.is_empty()))
 }
@@ -189,7 +189,7 @@ fn whole_number_at_start(word: &str) -> Option<&str> {
 /// What a C++ stream reads from the start of `token`, and how many bytes of it.
 ///
 /// `None` where the stream fails (no digits, an exponent without digits, out of the range of a double).
-pub fn number_at_start(token: &str) -> Option<(f64, usize)> {
+pub(crate) fn number_at_start(token: &str) -> Option<(f64, usize)> {
     let bytes = token.as_bytes();
     let sign = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
     if bytes.get(sign).is_some_and(u8::is_ascii_alphabetic) {

@@ -105,7 +105,7 @@ impl Tree {
     }
 
     /// The text of `id` without a copy where that is possible; `None` if it is not in one piece.
-    pub fn whole_text(&self, id: ElementId) -> Option<Cow<'_, str>> {
+    pub(crate) fn whole_text(&self, id: ElementId) -> Option<Cow<'_, str>> {
         if let Some((text, _)) = self.plain_text(id) {
             return Some(Cow::Borrowed(text));
         }

@@ -138,7 +138,7 @@ impl FootForces {
     }
 
     /// Whether the plates measured a force under it.
-    pub fn has_force(&self, weight_n: f64) -> bool {
+    pub(crate) fn has_force(&self, weight_n: f64) -> bool {
         self.measured_n.iter().any(|&force_n| force_n > ON_BW * weight_n)
     }
 

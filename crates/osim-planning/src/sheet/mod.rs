@@ -94,7 +94,7 @@ impl Sheet {
     ///
     /// # Errors
     /// The comma may mean something else.
-    pub fn with_point<'c>(&self, cell: &'c str) -> Result<Cow<'c, str>, &'static str> {
+    pub(crate) fn with_point<'c>(&self, cell: &'c str) -> Result<Cow<'c, str>, &'static str> {
         with_point(cell, self.delimiter)
     }
 

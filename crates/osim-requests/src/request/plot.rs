@@ -282,7 +282,7 @@ impl PlotRequest {
 
 impl PlotRequest {
     /// Whether it is a figure of the paper, which shows its own animals.
-    pub fn is_of_paper(&self) -> bool {
+    pub(crate) fn is_of_paper(&self) -> bool {
         matches!(self.kind, Some(PlotKind::Fig4 | PlotKind::FigC5))
     }
 

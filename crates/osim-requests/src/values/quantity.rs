@@ -191,14 +191,14 @@ impl Count {
 
 impl Positive {
     /// How long a drop is followed where none is given, s.
-    pub const DROP_DURATION_S: Self = Self(2.0);
+    pub(crate) const DROP_DURATION_S: Self = Self(2.0);
     /// k̂ of the first step of a ladder where none is given: that of the softest contacts of the paper's Fig. 1(C).
-    pub const SOFT_STIFFNESS: Self = Self(1.2);
+    pub(crate) const SOFT_STIFFNESS: Self = Self(1.2);
 }
 
 impl Threshold {
     /// The threshold of section C.2.
-    pub const OF_THE_PAPER: Self = Self(contact_scaling::limits::TRANSITION_THRESHOLD);
+    pub(crate) const OF_THE_PAPER: Self = Self(contact_scaling::limits::TRANSITION_THRESHOLD);
 }
 
 // Whole numbers with bounds.

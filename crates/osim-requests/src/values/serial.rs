@@ -13,7 +13,7 @@ use serde_json::Value;
 ///
 /// # Errors
 /// What [`FromStr`] says of it.
-pub fn from_text<'d, T, D>(deserializer: D) -> Result<T, D::Error>
+pub(crate) fn from_text<'d, T, D>(deserializer: D) -> Result<T, D::Error>
 where
     T: FromStr<Err: Display>,
     D: Deserializer<'d>,
@@ -63,7 +63,7 @@ where
 ///
 /// # Errors
 /// What [`FromStr`] says of it.
-pub fn optional_from_text<'d, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
+pub(crate) fn optional_from_text<'d, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
 where
     T: FromStr<Err: Display>,
     D: Deserializer<'d>,
@@ -78,7 +78,7 @@ where
 ///
 /// # Errors
 /// Those of the values.
-pub fn from_texts<'d, T, D>(deserializer: D) -> Result<Vec<T>, D::Error>
+pub(crate) fn from_texts<'d, T, D>(deserializer: D) -> Result<Vec<T>, D::Error>
 where
     T: FromStr<Err: Display>,
     D: Deserializer<'d>,
@@ -95,7 +95,7 @@ where
 ///
 /// # Errors
 /// Those of the serialiser.
-pub fn as_texts<T: Display, S: Serializer>(values: &[T], serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn as_texts<T: Display, S: Serializer>(values: &[T], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(values.iter().map(ToString::to_string))
 }
 

@@ -24,7 +24,7 @@ pub const MASSES: &[UnitSpelling] = &[
 ];
 
 /// Units of length, in m. An inch is 0.0254 m by definition.
-pub const LENGTHS: &[UnitSpelling] =
+pub(crate) const LENGTHS: &[UnitSpelling] =
     &[("mm", 1e-3), ("cm", 1e-2), ("um", 1e-6), ("µm", 1e-6), ("m", 1.0), ("inch", 0.0254), ("in", 0.0254)];
 
 /// A finite number above 0. `units` are spellings with a unit that are refused with the number to type.
@@ -90,7 +90,7 @@ pub fn plain(text: &str) -> Option<f64> {
 ///
 /// # Errors
 /// It is none.
-pub fn positive_number(text: &str) -> Result<f64, String> {
+pub(crate) fn positive_number(text: &str) -> Result<f64, String> {
     positive(text, "a number", &[])
 }
 
@@ -106,7 +106,7 @@ pub fn number(text: &str) -> Result<f64, String> {
 ///
 /// # Errors
 /// It is none.
-pub fn number_in(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
+pub(crate) fn number_in(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
     if plain(trimmed(text)) == Some(0.0) {
         return Ok(0.0);
     }
@@ -117,7 +117,7 @@ pub fn number_in(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f
 ///
 /// # Errors
 /// It is none.
-pub fn not_negative(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
+pub(crate) fn not_negative(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
     match plain(trimmed(text)) {
         Some(value) if value < 0.0 || !value.is_finite() => Err(format!("expected {expected}, 0 or more")),
         _ => number_in(text, expected, units),
@@ -157,7 +157,7 @@ impl<'t> Range<'t> {
     }
 
     /// Whether both ends are factors, or both numbers; `None` where they are unlike.
-    pub fn are_factors(&self) -> Option<bool> {
+    pub(crate) fn are_factors(&self) -> Option<bool> {
         let is_factor = factor(self.first).is_some();
         (is_factor == factor(self.last).is_some()).then_some(is_factor)
     }
@@ -170,7 +170,7 @@ pub fn respelled(text: &str) -> Option<String> {
 
 /// What to write for a range with colons, as MATLAB has it: FROM:STEP:TO, or FROM:TO with steps of 1. `None` where there are no
 /// colons between numbers.
-pub fn with_colons(text: &str) -> Option<String> {
+pub(crate) fn with_colons(text: &str) -> Option<String> {
     let here = "ranges are FROM..TO/COUNT here, equally spaced in their logarithm";
     Some(match Colons::read(text)? {
         Colons { range: Some(range), has_steps: true } => {

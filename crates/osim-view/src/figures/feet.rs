@@ -51,7 +51,7 @@ pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
 ///
 /// # Errors
 /// It was not drawn: a number is not finite.
-pub fn feet_svg(states: &[ModelFeet], name: &str, title: Option<&str>) -> Result<String, Failure> {
+pub(crate) fn feet_svg(states: &[ModelFeet], name: &str, title: Option<&str>) -> Result<String, Failure> {
     // Names of spheres are labels: what a picture cannot show would make it unreadable.
     let drawn = scene(&feet(states, title), Paper::default()).map(|svg| harmless(&svg).into_owned());
     drawn.map_err(|error| Failure::outside(name, "plot", error.to_string()))
@@ -318,7 +318,7 @@ fn missing(state: &ModelFeet, dialect: &dyn Dialect) -> Option<String> {
 }
 
 /// Meshes that were not found, each once, as the model spells them.
-pub fn missing_meshes(state: &ModelFeet) -> Vec<String> {
+pub(crate) fn missing_meshes(state: &ModelFeet) -> Vec<String> {
     let mut known = HashSet::new();
     let missing = state.missing.iter().filter_map(|fault| match fault {
         FeetFault::MeshMissing { mesh, .. } => Some(shown(mesh).to_string()),

@@ -44,7 +44,7 @@ pub fn indentations(states: &[State<'_>]) -> Option<String> {
 }
 
 /// How many values are drawn at the top of the axis because they are above it.
-pub fn above_the_axis(indentations: &[f64]) -> usize {
+pub(crate) fn above_the_axis(indentations: &[f64]) -> usize {
     indentations.iter().filter(|value| **value > TOP).count()
 }
 

@@ -147,12 +147,12 @@ pub fn table(header: &[&str]) -> TextTable {
 }
 
 impl TextTable {
-    pub fn add_row(&mut self, cells: impl IntoIterator<Item = impl AsRef<str>>) {
+    pub(crate) fn add_row(&mut self, cells: impl IntoIterator<Item = impl AsRef<str>>) {
         self.0.add_row(cells.into_iter().map(|text| one_line(text.as_ref().to_owned())));
     }
 
     /// Aligns these columns, counted from 0, to the right.
-    pub fn right_aligned(&mut self, columns: &[usize]) {
+    pub(crate) fn right_aligned(&mut self, columns: &[usize]) {
         for &index in columns {
             if let Some(column) = self.0.column_mut(index) {
                 column.set_cell_alignment(CellAlignment::Right);
@@ -161,7 +161,7 @@ impl TextTable {
     }
 
     /// Never breaks the texts of this column, counted from 0, into lines.
-    pub fn unbroken(&mut self, index: usize) {
+    pub(crate) fn unbroken(&mut self, index: usize) {
         if let Some(column) = self.0.column_mut(index) {
             column.set_constraint(ColumnConstraint::ContentWidth);
         }
@@ -174,7 +174,7 @@ impl TextTable {
     }
 
     /// The table without blanks at the ends of its lines.
-    pub fn trim_fmt(&self) -> String {
+    pub(crate) fn trim_fmt(&self) -> String {
         self.0.trim_fmt()
     }
 }
@@ -187,7 +187,7 @@ impl fmt::Display for TextTable {
 
 /// A name in at most `width` columns: its middle is left out, since names differ at their ends; what cannot be seen in it is
 /// escaped.
-pub fn clipped(name: &str, width: usize) -> String {
+pub(crate) fn clipped(name: &str, width: usize) -> String {
     let name = shown(name).to_string();
     let letters: Vec<char> = name.chars().collect();
     if letters.len() <= width || width < 3 {

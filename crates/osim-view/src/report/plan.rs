@@ -154,7 +154,7 @@ fn moves(plan: &Plan) -> String {
 }
 
 /// Centres that move of spheres that were there before.
-pub fn moves_of_others(plan: &Plan) -> Vec<&Move> {
+pub(crate) fn moves_of_others(plan: &Plan) -> Vec<&Move> {
     let new = plan.new_spheres();
     let new: HashSet<&str> = new.iter().map(|sphere| sphere.path).collect();
     plan.moves.iter().filter(|place| !new.contains(place.path.as_str())).collect()
@@ -194,7 +194,7 @@ pub fn whose(group: &[&Change]) -> String {
 }
 
 /// The properties with several groups, which need names.
-pub fn several_groups(groups: &[Vec<&Change>]) -> HashSet<Property> {
+pub(crate) fn several_groups(groups: &[Vec<&Change>]) -> HashSet<Property> {
     let mut seen = HashSet::new();
     let properties = groups.iter().filter_map(|group| group.first()).map(|change| change.property);
     properties.filter(|&property| !seen.insert(property)).collect()
@@ -218,7 +218,7 @@ pub struct ObjectGroup<'p> {
 }
 
 /// Objects by what happens to them and by class, in the order of the first of each.
-pub fn object_groups(objects: &[ObjectChange]) -> Vec<ObjectGroup<'_>> {
+pub(crate) fn object_groups(objects: &[ObjectChange]) -> Vec<ObjectGroup<'_>> {
     let mut groups: Vec<ObjectGroup<'_>> = Vec::new();
     for object in objects {
         match groups.iter_mut().find(|group| group.deed == object.deed && group.class == object.class) {

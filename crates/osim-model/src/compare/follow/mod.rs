@@ -17,7 +17,7 @@ use crate::model::{
 };
 pub use body_factors::{AxisFactor, BodyFactors, FactorSource, bone_of_mesh};
 pub use copy::{Difference, ScaleFile};
-pub use factors::{Factors, SphereBodies};
+pub use factors::Factors;
 
 // Where the spheres of a scaled model belong, and how large they are there.
 

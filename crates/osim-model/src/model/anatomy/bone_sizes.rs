@@ -176,7 +176,7 @@ pub struct JointDistances {
 
 impl JointDistances {
     /// The distances between these joints of bodies, such as [`Anatomy::joints`](crate::model::Anatomy::joints).
-    pub fn of_joints(joints: &[AnatomyJoint]) -> Self {
+    pub(crate) fn of_joints(joints: &[AnatomyJoint]) -> Self {
         let mut neighbours: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         let mut places: BTreeMap<String, Vec<DVec3>> = BTreeMap::new();
         for joint in joints {

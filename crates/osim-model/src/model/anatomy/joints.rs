@@ -29,7 +29,7 @@ pub struct AnatomyJoint {
 
 impl AnatomyJoint {
     /// A point of the child, seen from the parent at the default pose, m.
-    pub fn in_parent(&self, point_m: DVec3) -> Option<DVec3> {
+    pub(crate) fn in_parent(&self, point_m: DVec3) -> Option<DVec3> {
         Some(self.placement?.point(point_m))
     }
 }

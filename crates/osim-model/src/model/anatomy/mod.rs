@@ -160,7 +160,7 @@ impl Anatomy {
 
     /// Where `joint` is, seen from the origin of `body` at the default pose, m; `None` unless it lies below that body, with at
     /// most 64 joints between: each joint of a long chain would walk all of it.
-    pub fn place_below(&self, body: &str, joint: &AnatomyJoint) -> Option<DVec3> {
+    pub(crate) fn place_below(&self, body: &str, joint: &AnatomyJoint) -> Option<DVec3> {
         self.seen_from(body, &joint.parent, joint.in_parent_m)
     }
 
@@ -207,7 +207,7 @@ impl Anatomy {
     }
 
     /// Whether several spheres have that name.
-    pub fn has_twins(&self, name: &str) -> bool {
+    pub(crate) fn has_twins(&self, name: &str) -> bool {
         self.index.twins.contains(name)
     }
 }
@@ -221,7 +221,7 @@ impl Model {
 
     /// For the name of each coordinate, whether it is an angle (else it is a length); `None` where it is neither. Of several of one
     /// name the first counts.
-    pub fn turning_coordinates(&self) -> collections::HashMap<&str, Option<bool>> {
+    pub(crate) fn turning_coordinates(&self) -> collections::HashMap<&str, Option<bool>> {
         let mut found = collections::HashMap::new();
         for joint in self.joints() {
             let motion = joint.motion(self.components());

@@ -124,7 +124,7 @@ impl HalfSpace {
     }
 
     /// Its own orientation, rad, with which its normal would have this `direction` of ground or of the body that carries it.
-    pub fn orientation_facing(&self, direction: DVec3) -> Option<[f64; 3]> {
+    pub(crate) fn orientation_facing(&self, direction: DVec3) -> Option<[f64; 3]> {
         let in_frame = self.frame_rotation?.inverse().to_body(direction);
         // What rounding left would turn it about y by any angle.
         Some(Orientation::facing(in_frame.map(without_noise).to_array()))

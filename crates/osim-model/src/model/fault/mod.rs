@@ -115,7 +115,7 @@ impl Fault {
     }
 
     /// Gets its line and column from the bytes of whichever file it is about.
-    pub fn located_in<'b>(self, bytes_of: impl FnOnce(FileId) -> &'b [u8]) -> Self {
+    pub(crate) fn located_in<'b>(self, bytes_of: impl FnOnce(FileId) -> &'b [u8]) -> Self {
         let file = self.file;
         self.located(bytes_of(file))
     }

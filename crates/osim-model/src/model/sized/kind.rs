@@ -136,7 +136,7 @@ kinds! {
 
 impl SizedKind {
     /// Whether it is a bound of a Moco problem, which is in a file beside the model.
-    pub const fn is_of_moco(self) -> bool {
+    pub(crate) const fn is_of_moco(self) -> bool {
         matches!(self, Self::MocoTime | Self::MocoTranslation | Self::MocoSpeed | Self::MocoAngularSpeed)
     }
 

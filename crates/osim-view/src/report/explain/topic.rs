@@ -214,7 +214,7 @@ impl QuantityTopic {
     }
 
     /// The unit, in words.
-    pub fn unit_in_words(&self) -> &'static str {
+    pub(crate) fn unit_in_words(&self) -> &'static str {
         if self.unit.is_empty() { "none, it is a pure number" } else { self.unit }
     }
 }

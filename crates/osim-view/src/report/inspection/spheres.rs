@@ -78,7 +78,7 @@ pub fn key(sphere: &SphereFigures) -> Vec<String> {
 }
 
 /// The key without a text, in all digits: if this is equal, so is the key.
-pub fn exact_key(sphere: &SphereFigures) -> Vec<Option<u64>> {
+pub(crate) fn exact_key(sphere: &SphereFigures) -> Vec<Option<u64>> {
     shown().map(|figure| sphere.value(figure).map(f64::to_bits)).collect()
 }
 
@@ -93,11 +93,11 @@ pub struct EquallyDeep<'f> {
 }
 
 /// What it is about, in words.
-pub const CAPTION: &str =
+pub(crate) const CAPTION: &str =
     "The bottoms of a limb are not level at the default pose; x/R at 1 BW with each sphere at its own height";
 
 /// The spheres of limbs that stand on all of their spheres, at different heights.
-pub fn equally_deep(figures: &Figures) -> Vec<EquallyDeep<'_>> {
+pub(crate) fn equally_deep(figures: &Figures) -> Vec<EquallyDeep<'_>> {
     let mut rows: Vec<EquallyDeep<'_>> = Vec::new();
     for limb in figures.limbs.iter().filter(|limb| stands_unevenly(limb)) {
         let first = rows.len();

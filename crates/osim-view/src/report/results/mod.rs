@@ -8,9 +8,10 @@ mod preset;
 
 pub use drop::{DropDifferenceRecord, DropRecord, DropSeriesRecord, drop_chart, drop_csv, drop_text};
 pub use fit::{EstimateRecord, FitRecord, FitWarningRecord, ResidualsRecord, fit_text};
+pub(crate) use motion::motion_feet;
 pub use motion::{
     MotionCells, MotionColumn, MotionComparisonRecord, MotionFootRecord, MotionRecord, MotionRemarkRecord,
     MotionSphereRecord, MotionStanceRecord, MotionTouchDownRecord, external_loads_xml, ground_reactions_sto,
-    motion_columns, motion_csv, motion_feet, motion_text,
+    motion_columns, motion_csv, motion_text,
 };
 pub use preset::{PresetRecord, SweepRecord, design_sheet_text, preset_text};

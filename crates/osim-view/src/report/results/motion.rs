@@ -49,7 +49,7 @@ fn feet(result: &MotionResult) -> String {
 }
 
 /// The headers and the rows of the table of feet: one row each, and one for all together.
-pub fn motion_feet(result: &MotionResult) -> (Vec<&'static str>, Vec<Vec<String>>) {
+pub(crate) fn motion_feet(result: &MotionResult) -> (Vec<&'static str>, Vec<Vec<String>>) {
     let weight_n = result.summary.weight_n;
     let bw = |force_n: f64| format!("{:.3}", force_n / weight_n);
     let with_plates = result.measured.is_some();
