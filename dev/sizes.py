@@ -76,6 +76,22 @@ def public(words):
                 yield rest[0], rest[1]
 
 
+def shown(words):
+    """The names in what is public: in signatures, fields, variants, and associated types. What has a public name there cannot hide it."""
+    found = set()
+    for place, word in enumerate(words):
+        starts = word == "pub" and words[place + 1 : place + 2] != ["("] or word == "type"
+        rest = iter(words[place + 2 :]) if starts else iter(())
+        is_type = any(one in ("enum", "trait") for one in words[place + 1 : place + 2])
+        depth = 0
+        for one in rest:
+            depth += (one in "([{<") - (one in ")]}>")
+            if one == ";" or depth < 0 or (one == "{" and not is_type) or (one == "," and depth == 0) or (one == "}" and depth == 0):
+                break
+            found.add(one)
+    return found
+
+
 def users():
     """The words of each crate's sources, and of all tests, examples, benchmarks and fuzz targets together."""
     found = {}
@@ -101,7 +117,15 @@ def rust():
     attributes = sum(of.count("must_use") + of.count("non_exhaustive") for of in inner.values())
     names = [(path.relative_to(ROOT).parts[1], kind, name) for path, of in inner.items() for kind, name in public(of)]
     known = users()
-    unused = [one for one in names if not any(one[2] in of for user, of in known.items() if user != one[0])]
+    reached = {}
+    for path, of in inner.items():
+        reached.setdefault(path.relative_to(ROOT).parts[1], set()).update(shown(of))
+    unused = [
+        one
+        for one in names
+        if not any(one[2] in of for user, of in known.items() if user != one[0])
+        and (one[1] in ("fn", "const", "static") or one[2] not in reached[one[0]])
+    ]
     rows = [
         ("crates", len({path.relative_to(ROOT).parts[1] for path in sources})),
         ("source files", len(sources)),
@@ -112,7 +136,7 @@ def rust():
         ("types", types),
         ("use, mod and //! per 1,000 lines of code", round(1000 * glue / lines)),
         ("public names outside the free libraries", len(names)),
-        ("  of them used by nothing else", len(unused)),
+        ("  of them that nothing else uses, by name or in what it uses", len(unused)),
         ("#[must_use] and #[non_exhaustive] there", attributes),
     ]
     return rows, unused
