@@ -150,5 +150,5 @@ impl Default for ColumnOptions {
 
 impl ColumnOptions {
     /// Which of its fields need or exclude others.
-    pub const RELATIONS: &'static [Relation] = &[Relation::Excludes("speed_column", "time_column")];
+    pub(crate) const RELATIONS: &'static [Relation] = &[Relation::Excludes("speed_column", "time_column")];
 }

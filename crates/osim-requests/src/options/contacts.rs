@@ -78,7 +78,7 @@ impl Default for WantedOptions {
 
 impl WantedOptions {
     /// Which of its fields need or exclude others.
-    pub const RELATIONS: &'static [Relation] = &[
+    pub(crate) const RELATIONS: &'static [Relation] = &[
         Relation::Needs("young", "poisson"),
         Relation::Needs("poisson", "young"),
         Relation::Excludes("stiffness", "young"),
@@ -173,7 +173,7 @@ impl Default for NumberOptions {
 
 impl NumberOptions {
     /// Which of its fields need or exclude others.
-    pub const RELATIONS: &'static [Relation] = &[
+    pub(crate) const RELATIONS: &'static [Relation] = &[
         Relation::Needs("young", "poisson"),
         Relation::Needs("poisson", "young"),
         Relation::Excludes("indentation", "young"),

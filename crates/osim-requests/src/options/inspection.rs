@@ -193,7 +193,7 @@ pub struct LoadOptions {
 
 impl LoadOptions {
     /// Which of its fields need or exclude others.
-    pub const RELATIONS: &'static [Relation] = &[Relation::Excludes("load", "body_weights")];
+    pub(crate) const RELATIONS: &'static [Relation] = &[Relation::Excludes("load", "body_weights")];
 
     /// The load in body weights, if none is given in newtons.
     pub fn body_weights(&self) -> f64 {

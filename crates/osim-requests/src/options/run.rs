@@ -102,7 +102,7 @@ pub struct RunOptions {
 
 impl RunOptions {
     /// Which of its fields need or exclude others.
-    pub const RELATIONS: &'static [Relation] =
+    pub(crate) const RELATIONS: &'static [Relation] =
         &[Relation::Needs("resume", "summary"), Relation::Excludes("resume", "dry_run")];
 
     /// The fields that are about many models at once.
@@ -132,7 +132,7 @@ pub struct ReportOptions {
 
 impl ReportOptions {
     /// Which of its fields need or exclude others.
-    pub const RELATIONS: &'static [Relation] = &[Relation::Needs("force", "report")];
+    pub(crate) const RELATIONS: &'static [Relation] = &[Relation::Needs("force", "report")];
 }
 
 /// Where results go.
@@ -175,7 +175,7 @@ impl OutputOptions {
     pub const MARK: &'static str = ".scaled";
 
     /// Which of its fields need or exclude others.
-    pub const RELATIONS: &'static [Relation] = &[
+    pub(crate) const RELATIONS: &'static [Relation] = &[
         Relation::Excludes("output_dir", "output"),
         Relation::Excludes("in_place", "output"),
         Relation::Excludes("in_place", "output_dir"),

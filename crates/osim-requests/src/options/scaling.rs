@@ -12,8 +12,6 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::fault::{Relation, RequestFault};
-#[cfg(feature = "schemas")]
-use crate::values::bodies::BodyScaleSchema;
 use crate::values::serial::{self, choices};
 use crate::values::{Acceleration, BodyScale, Count, Kilograms, Positive, Radius, assignment, bodies, path};
 
@@ -101,7 +99,7 @@ pub struct ScalingOptions {
 
 impl ScalingOptions {
     /// Which of its fields need or exclude others.
-    pub const RELATIONS: &'static [Relation] =
+    pub(crate) const RELATIONS: &'static [Relation] =
         &[Relation::Needs("level_axis", "level"), Relation::Needs("contacts_gravity", "target_gravity")];
 
     /// Refuses a choice of properties that leaves nothing.
@@ -212,7 +210,7 @@ pub struct FollowOptions {
     /// Factors of a body (or one, BODY=f); may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "BODY=x,y,z"))]
     #[serde(with = "bodies")]
-    #[cfg_attr(feature = "schemas", schemars(with = "BodyScaleSchema"))]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "bodies::body_scale_schema"))]
     pub body_scale: Vec<BodyScale>,
     /// How a radius follows from three factors
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t, hide_short_help = true))]
@@ -233,7 +231,7 @@ pub struct FollowOptions {
 
 impl FollowOptions {
     /// Which of its fields need or exclude others.
-    pub const RELATIONS: &'static [Relation] = &[
+    pub(crate) const RELATIONS: &'static [Relation] = &[
         Relation::Needs("body_scale_file", "follow_bodies"),
         Relation::Needs("body_scale", "follow_bodies"),
         Relation::Needs("radius_axis", "follow_bodies"),

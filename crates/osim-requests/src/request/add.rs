@@ -67,7 +67,7 @@ pub struct AddRequest {
     /// Factors of a body against the reference's (or one, BODY=f); may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "BODY=x,y,z"))]
     #[serde(with = "bodies")]
-    #[cfg_attr(feature = "schemas", schemars(with = "bodies::BodyScaleSchema"))]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "bodies::body_scale_schema"))]
     pub body_scale: Vec<BodyScale>,
     /// A body of the reference, and the one that takes its spheres here; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "BODY=BODY"))]

@@ -13,7 +13,7 @@ use crate::options::{
     AnswerOptions, CountOptions, ForceOptions, Format, LoadOptions, MassOptions, OutputOptions, RunOptions,
     WantedOptions,
 };
-use crate::values::{Axis, AxisName, Jobs, Positive, Shard, Steps, axis, path, serial, shard};
+use crate::values::{Axis, AxisName, Jobs, Positive, Shard, Steps, grid, path, serial, shard};
 
 /// One row per model; columns are named like the long options of rescale, transfer, design and set.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -62,8 +62,8 @@ pub struct SweepRequest {
     /// Values of a property (stiffness=1e5,1e6), factors (stiffness=x0.1,x1,x10), a logarithmic range
     /// (stiffness=x0.1..x10/9), or values of indentation, restitution or target_mass; may be repeated
     #[cfg_attr(feature = "clap", arg(long, value_name = "NAME=V,V,..."))]
-    #[serde(deserialize_with = "axis::deserialize", serialize_with = "serial::as_texts")]
-    #[cfg_attr(feature = "schemas", schemars(with = "axis::AxesSchema"))]
+    #[serde(deserialize_with = "grid::deserialize", serialize_with = "serial::as_texts")]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "grid::axes_schema"))]
     pub grid: Vec<Axis>,
     /// N steps from a soft contact to `indentation` and `restitution`, to search for a gait in turn
     #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]

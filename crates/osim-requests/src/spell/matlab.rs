@@ -260,7 +260,7 @@ mod tests {
         is_spelled(
             &json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "follow_bodies": true, "body_scale": {"foot l": 2, "toes": [1, 2, 3]}}),
             "transfer('a.osim', 'From', 'g.osim', 'FollowBodies', true, \
-         'BodyScale', containers.Map({'foot l', 'toes'}, {[2, 2, 2], [1, 2, 3]}))",
+     'BodyScale', containers.Map({'foot l', 'toes'}, {[2, 2, 2], [1, 2, 3]}))",
         );
         assert!(["end", "_a", "1a", "ä", ""].into_iter().all(|name| !is_field(name)) && is_field("calcn_r"));
     }

@@ -326,7 +326,7 @@ mod tests {
         );
         is_spelled(
             &json!({"verb": "add", "models": "bare.osim", "from": "a \"b\".osim", "class": "smooth", "yes": ["implausible-mass"],
-            "output": "~new.osim", "force": true, "no_note": true, "report": "page.html", "format": "json"}),
+        "output": "~new.osim", "force": true, "no_note": true, "report": "page.html", "format": "json"}),
             &[
                 r#"result = ocs.add("bare.osim", from_="a \"b\".osim", class_="smooth", no_note=True, yes=["implausible-mass"])"#,
                 r#"result.write(output="./~new.osim", force=True)"#,
@@ -350,10 +350,10 @@ mod tests {
     fn bodies_with_their_factors_are_a_dictionary() {
         is_spelled(
             &json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "follow_bodies": true, "body_scale": {"foot l": [1.1, 1.05, 1.1]},
-            "only": ["stiffness", "radius"]}),
+        "only": ["stiffness", "radius"]}),
             &[
                 "result = ocs.transfer(\"a.osim\", from_=\"g.osim\", follow_bodies=True, \
-             body_scale={\"foot l\": [1.1, 1.05, 1.1]}, only=[\"stiffness\", \"radius\"])",
+         body_scale={\"foot l\": [1.1, 1.05, 1.1]}, only=[\"stiffness\", \"radius\"])",
                 "result.write()",
             ],
         );
@@ -363,7 +363,7 @@ mod tests {
     fn other_verbs_are_called_as_their_functions_take_them() {
         is_spelled(
             &json!({"verb": "plot", "kind": "force", "models": ["a.osim", "~b.osim"], "output": "a.svg", "data": "a.csv", "force": true,
-            "axes": "real"}),
+        "axes": "real"}),
             &[
                 r#"result = ocs.plot("force", "a.osim", "./~b.osim", axes="real")"#,
                 r#"result.save("a.svg", force=True)"#,

@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn models_and_options_are_apart_and_numbers_are_short() {
         let request = br#"{"verb": "add", "models": ["a.osim", "b.osim"], "count": 3, "pad": 0.010, "feet": ["calcn_r"], "replace": true,
-        "load": null, "force": false}"#;
+    "load": null, "force": false}"#;
         let fields = Fields::of(&Request::from_json(request).unwrap());
         assert_eq!(texts(fields.models()), ["a.osim", "b.osim"]);
         let options: Vec<(&str, String)> =

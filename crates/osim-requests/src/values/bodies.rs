@@ -1,13 +1,9 @@
 //! Bodies that are called otherwise, and scale factors of bodies, in words.
 
-#[cfg(feature = "schemas")]
-use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
 use osim_model::messages::shortest;
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 #[cfg(feature = "schemas")]
 use schemars::Schema;
 #[cfg(feature = "schemas")]
@@ -136,33 +132,20 @@ pub fn serialize<S: Serializer>(scales: &[BodyScale], serializer: S) -> Result<S
 
 /// The schema of both.
 #[cfg(feature = "schemas")]
-pub struct BodyScaleSchema;
-
-#[cfg(feature = "schemas")]
-impl JsonSchema for BodyScaleSchema {
-    fn schema_name() -> Cow<'static, str> {
-        "BodyScale".into()
-    }
-
-    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
-        let text = json!({"type": "string", "pattern": "="});
-        let factor = json!({"type": "number", "minimum": 1e-9, "maximum": 1e9});
-        json_schema!({"anyOf": [
-            {
-                "type": "object",
-                "additionalProperties": {"anyOf": [
-                    {"type": "array", "items": factor, "minItems": 3, "maxItems": 3},
-                    factor,
-                ]},
-            },
-            text,
-            {"type": "array", "items": text},
-        ]})
-    }
-
-    fn inline_schema() -> bool {
-        true
-    }
+pub(crate) fn body_scale_schema(_generator: &mut SchemaGenerator) -> Schema {
+    let text = json!({"type": "string", "pattern": "="});
+    let factor = json!({"type": "number", "minimum": 1e-9, "maximum": 1e9});
+    json_schema!({"anyOf": [
+        {
+            "type": "object",
+            "additionalProperties": {"anyOf": [
+                {"type": "array", "items": factor, "minItems": 3, "maxItems": 3},
+                factor,
+            ]},
+        },
+        text,
+        {"type": "array", "items": text},
+    ]})
 }
 
 #[cfg(test)]

@@ -1,15 +1,230 @@
-//! Values along an axis, and its limits, in words.
+//! Axes of a grid, in words: `stiffness=x0.1,x1,x10`, their values and limits.
 
+use std::collections::HashSet;
 use std::fmt;
 use std::str::FromStr;
 
 use osim_model::messages::shortest;
+use osim_model::{Assignment, Property};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
+#[cfg(feature = "schemas")]
+use schemars::Schema;
+#[cfg(feature = "schemas")]
+use schemars::SchemaGenerator;
+#[cfg(feature = "schemas")]
+use schemars::json_schema;
+use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde_json::Value;
 
-use crate::values::serial::from_text;
-use crate::values::typed::{Range, factor, plain, positive_number, spaced, trimmed, with_colons};
+use crate::values::assignment::assignment;
+use crate::values::serial::{from_text, from_texts};
+use crate::values::typed::{Range, factor, plain, positive_number, respelled, spaced, trimmed, with_colons};
+
+/// Nobody runs a grid with more values than this.
+const MOST_VALUES: u32 = 100_000;
+
+/// What varies along an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AxisName {
+    /// A property, by OpenSim's name.
+    Property(Property),
+    /// Relative indentation under the load (11).
+    Indentation,
+    /// Coefficient of restitution (13).
+    Restitution,
+    /// Mass the contacts are made for, kg.
+    TargetMass,
+}
+
+impl AxisName {
+    /// The axis that was probably meant where an option or a word has its name: `NAME=FROM..TO/COUNT`. `None` for what is not a range
+    /// of an axis.
+    pub fn meant(name: &str, values: &str) -> Option<String> {
+        let name: Self = name.replace('-', "_").parse().ok()?;
+        let is_axis = Range::is_meant(values) || values.contains(',');
+        let values = respelled(values).or_else(|| is_axis.then(|| values.to_owned()))?;
+        let axis = format!("{}={values}", name.as_str());
+        axis.parse::<Axis>().is_ok().then_some(axis)
+    }
+
+    /// The name.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Property(property) => property.name(),
+            Self::Indentation => "indentation",
+            Self::Restitution => "restitution",
+            Self::TargetMass => "target_mass",
+        }
+    }
+}
+
+impl FromStr for AxisName {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "indentation" => Ok(Self::Indentation),
+            "restitution" => Ok(Self::Restitution),
+            "target-mass" | "target_mass" => Ok(Self::TargetMass),
+            other => other.parse().map(Self::Property).map_err(|why: String| match why.ends_with('?') {
+                true => why,
+                false => format!("{why}; or indentation, restitution, target_mass"),
+            }),
+        }
+    }
+}
+
+/// One value of an axis.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GridValue {
+    /// In names of files and in notes: as typed, or to six digits.
+    pub label: String,
+    /// The number.
+    pub number: f64,
+    /// Whether it is a factor of what the model has.
+    pub is_factor: bool,
+}
+
+impl GridValue {
+    /// The exact number, with `x` before a factor.
+    pub fn exact(&self) -> String {
+        format!("{}{}", if self.is_factor { "x" } else { "" }, shortest(self.number))
+    }
+}
+
+/// An axis of a grid: `NAME=V,V,...`, each a value, a factor or a range `FROM..TO/COUNT`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// What varies.
+    pub name: AxisName,
+    /// Its values, each once.
+    pub values: Vec<GridValue>,
+    /// As it was written.
+    text: String,
+}
+
+impl FromStr for Axis {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let expected = "expected NAME=V,V,... such as stiffness=x0.1,x1,x10 or stiffness=x0.1..x10/9";
+        let (name, list) = text.split_once('=').ok_or(expected)?;
+        let name: AxisName = trimmed(name).parse()?;
+        let mut values = Vec::new();
+        for item in list.split(',') {
+            if let Some(answer) = with_colons(item) {
+                return Err(answer);
+            }
+            if Range::is_meant(item) {
+                values.extend(range(name, item)?);
+            } else {
+                values.push(value(name, trimmed(item))?);
+            }
+        }
+        // Two values that differ only after the sixth digit would have one file.
+        let (mut exact, mut labels) = (HashSet::new(), HashSet::new());
+        for value in &values {
+            if !exact.insert(value.exact()) || !labels.insert(value.label.as_str()) {
+                return Err(format!("{} appears twice", value.label));
+            }
+        }
+        Ok(Self { name, values, text: text.to_owned() })
+    }
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+fn value(name: AxisName, text: &str) -> Result<GridValue, String> {
+    let (number, is_factor) = match name {
+        AxisName::Property(property) => match assignment(property.name(), text)?.1 {
+            Assignment::Factor(number) => (number, true),
+            Assignment::Value(number) => (number, false),
+        },
+        // What design and rescale take is checked by them; here it must be a number.
+        _ => (positive_number(text)?, false),
+    };
+    Ok(GridValue { label: text.to_owned(), number, is_factor })
+}
+
+/// All values of a range; the ends keep their spelling.
+fn range(name: AxisName, text: &str) -> Result<Vec<GridValue>, String> {
+    let expected = || {
+        format!(
+            "expected a range FROM..TO/COUNT with numbers above 0 and a COUNT from 2 to {MOST_VALUES}, such as x0.1..x10/9"
+        )
+    };
+    let range =
+        Range::read(text, MOST_VALUES).filter(|range| range.are_factors().is_some()).ok_or_else(expected)?;
+    let (first, last) = (value(name, range.first)?, value(name, range.last)?);
+    if first.number <= 0.0 || last.number <= 0.0 {
+        return Err(expected());
+    }
+    let x = if first.is_factor { "x" } else { "" };
+    let mut values: Vec<GridValue> = spaced(first.number, last.number, range.count)
+        .map(|number| GridValue {
+            label: format!("{x}{}", six_digits(number)),
+            number,
+            is_factor: first.is_factor,
+        })
+        .collect();
+    if let [begin, .., end] = values.as_mut_slice() {
+        (*begin, *end) = (first, last);
+    }
+    Ok(values)
+}
+
+/// Enough to distinguish points in a file's name.
+fn six_digits(number: f64) -> String {
+    let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
+    shortest(rounded)
+}
+
+/// Reads axes from texts, or from a map of names to values: one, several, or a range.
+///
+/// # Errors
+/// What is not an axis.
+pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Axis>, D::Error> {
+    let item = |value: &Value| match value {
+        Value::String(text) => text.clone(),
+        Value::Number(number) => number.as_f64().map(shortest).unwrap_or_default(),
+        other => other.to_string(),
+    };
+    let axis = |(name, values): (String, Value)| -> Result<Axis, String> {
+        let list = match &values {
+            Value::Array(values) => values.iter().map(item).collect::<Vec<_>>().join(","),
+            one => item(one),
+        };
+        format!("{name}={list}").parse()
+    };
+    match Value::deserialize(deserializer)? {
+        Value::Object(axes) => axes.into_iter().map(axis).collect::<Result<_, _>>().map_err(D::Error::custom),
+        texts => from_texts(texts).map_err(D::Error::custom),
+    }
+}
+
+/// The schema of axes.
+#[cfg(feature = "schemas")]
+pub(crate) fn axes_schema(_generator: &mut SchemaGenerator) -> Schema {
+    json_schema!({"anyOf": [
+        {"type": "string", "pattern": "="},
+        {"type": "array", "items": {"type": "string", "pattern": "="}},
+        {
+            "type": "object",
+            "additionalProperties": {"anyOf": [
+                {"type": ["string", "number"]},
+                {"type": "array", "items": {"type": ["string", "number"]}},
+            ]},
+        },
+    ]})
+}
+
+// Values along an axis, and its limits, in words.
 
 /// Values equally spaced on a logarithmic axis, as numbers or as factors of what is there: `FROM..TO/COUNT`, both ends with
 /// an `x` for factors.
@@ -23,7 +238,7 @@ pub struct Grid {
 }
 
 /// More values than this make a figure slow and show nothing more.
-const MOST: u32 = 200;
+const MOST_POINTS: u32 = 200;
 
 impl Grid {
     /// Factors from `from` to `to`.
@@ -44,7 +259,7 @@ impl FromStr for Grid {
     fn from_str(text: &str) -> Result<Self, String> {
         let expected = || {
             format!(
-                "expected FROM..TO/COUNT like 1e5..1e7/25, or factors like x0.1..x10/25, and a COUNT from 2 to {MOST}"
+                "expected FROM..TO/COUNT like 1e5..1e7/25, or factors like x0.1..x10/25, and a COUNT from 2 to {MOST_POINTS}"
             )
         };
         let range = Range::read(text, u32::MAX).ok_or_else(|| with_colons(text).unwrap_or_else(expected))?;
@@ -56,8 +271,8 @@ impl FromStr for Grid {
         if from >= to {
             return Err("the first value must be below the last".to_owned());
         }
-        if count > MOST {
-            return Err(format!("expected 2 to {MOST} values"));
+        if count > MOST_POINTS {
+            return Err(format!("expected 2 to {MOST_POINTS} values"));
         }
         Ok(Self { from, to, count, factors })
     }
@@ -131,6 +346,47 @@ impl<'d> Deserialize<'d> for Span {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn axis(text: &str) -> Axis {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn a_range_is_equally_spaced_in_its_logarithm() {
+        let axis = axis("stiffness=x0.1..x10/5");
+        let labels: Vec<&str> = axis.values.iter().map(|value| value.label.as_str()).collect();
+        assert_eq!(labels, ["x0.1", "x0.316228", "x1", "x3.16228", "x10"]);
+        // sqrt(0.1) to 17 digits.
+        assert!((axis.values[1].number - 0.316_227_766_016_837_94).abs() < 1e-16);
+        assert_eq!((axis.values[0].number, axis.values[4].number), (0.1, 10.0));
+        assert_eq!(axis.values[4].exact(), "x10");
+    }
+
+    #[test]
+    fn what_is_no_axis_is_refused() {
+        for text in [
+            "stiffness",
+            "stifness=1",
+            "stiffness=1kPa",
+            "stiffness=1,1",
+            "stiffness=1e5,100000",
+            "stiffness=x1..2/3",
+            "stiffness=1..2/1",
+            "stiffness=0..2/3",
+            "stiffness=1..2",
+            "indentation=x2",
+            "stiffness=",
+        ] {
+            assert!(text.parse::<Axis>().is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn json_names_axes_with_their_values() {
+        let json = serde_json::json!({"stiffness": "x0.1..x10/5", "dissipation": [0.5, 1, "2"]});
+        let axes = deserialize(json).unwrap();
+        assert_eq!(axes, [axis("stiffness=x0.1..x10/5"), axis("dissipation=0.5,1,2")]);
+    }
 
     fn grid(text: &str) -> Result<Grid, String> {
         text.parse()

@@ -5,7 +5,6 @@
 //! It knows no options, no files and no terminal: who asked for a value says so in its own words.
 
 pub mod assignment;
-pub mod axis;
 pub mod bodies;
 pub mod grid;
 mod lengths;
@@ -16,9 +15,8 @@ pub(crate) mod shard;
 pub mod typed;
 
 pub use assignment::{Assignments, assignment};
-pub use axis::{Axis, AxisName, GridValue};
 pub use bodies::{BodyMap, BodyScale};
-pub use grid::{Grid, Span};
+pub use grid::{Axis, AxisName, Grid, GridValue, Span};
 pub use lengths::{ContactOnset, DropHeight, Height, NewRadius, Radius};
 pub use quantity::{
     Acceleration, ConstantIndentation, Count, Dpi, FigureWidth, FontSize, Jobs, Kilograms, Metres,
