@@ -175,7 +175,7 @@ impl Figure {
         Self { title: title.into(), description, width: Width::Column, columns: 1, panels }
     }
 
-    /// The figure, if the curves of each panel can be told apart.
+    /// The figure, if the curves of each panel can be distinguished.
     ///
     /// # Errors
     /// [`PlotError::TooMany`]: a panel has more curves than [`Look::MOST_SERIES`].

@@ -1,12 +1,10 @@
 //! Reads OpenSim models: from bytes to bodies, feet and contacts, each value with its place in the file.
 //!
-//! Five floors, each of which knows only those below it:
+//! Three floors, each of which knows only those below it:
 //!
-//! 1. [`xml`]: bytes as a tree of exact spans.
-//! 2. [`messages`]: sentences, with what the caller can say as data.
-//! 3. the model: [`Model`] and what it consists of, at the root of this crate.
-//! 4. [`feet`]: meshes, the default pose, soles.
-//! 5. [`compare`]: two models beside each other.
+//! 1. [`xml`]: bytes as a tree of exact spans; [`messages`]: sentences, with what the caller can say as data.
+//! 2. the model: [`Model`] and what it consists of, at the root of this crate.
+//! 3. [`feet`]: meshes, the default pose, soles; [`compare`]: two models beside each other.
 //!
 //! ```
 //! use osim_model::{MassRequest, Model, Property, Selection, SetId};

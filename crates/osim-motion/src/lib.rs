@@ -6,13 +6,11 @@
 //! # What it will not do
 //!
 //! It opens no file and changes nothing. It enforces no constraints but couplers.
-
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod assigned;
 mod comparison;
 mod coordinates;
-mod fault;
 mod feet;
 pub mod fit;
 mod pair;
@@ -25,20 +23,19 @@ mod summary;
 mod table;
 mod wrench;
 
-pub use assigned::{AssignedBy, Measured, PlateUse};
-pub use comparison::{ComparedOn, Comparison, LeftOut};
-pub use coordinates::{CoordinateKind, ModelCoordinate};
-pub use fault::MotionFault;
-pub use feet::{Foot, ON_BW, Stance, strides};
-pub use pair::{ContactPair, Touched};
-pub use plates::{ExternalLoads, Load, Plate};
-pub use recording::{Recording, RecordingFacts, RecordingOptions};
-pub use skeleton::Poses;
-pub use sole::OnSole;
-pub use states::{Belt, ContactState, ContactStates, StatesError};
-pub use summary::{FootSummary, SphereSummary, StanceSummary, Summary, TouchDown};
-pub use table::{AngleUnit, Column, Gap, Table};
-pub use wrench::{CentreOfPressure, Wrench};
+pub use crate::assigned::{AssignedBy, Measured, PlateUse};
+pub use crate::comparison::{ComparedOn, Comparison, LeftOut};
+pub use crate::coordinates::{CoordinateKind, ModelCoordinate};
+pub use crate::feet::{Foot, ON_BW, Stance, strides};
+pub use crate::pair::{ContactPair, Touched};
+pub use crate::plates::{ExternalLoads, Load, Plate};
+pub use crate::recording::{Recording, RecordingFacts, RecordingOptions};
+pub use crate::skeleton::Poses;
+pub use crate::sole::OnSole;
+pub use crate::states::{Belt, ContactState, ContactStates, StatesError};
+pub use crate::summary::{FootSummary, SphereSummary, StanceSummary, Summary, TouchDown};
+pub use crate::table::{AngleUnit, Column, Gap, MotionFault, Table};
+pub use crate::wrench::{CentreOfPressure, Wrench};
 
 /// The example of the README compiles.
 #[cfg(doctest)]

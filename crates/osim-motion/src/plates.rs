@@ -2,8 +2,7 @@
 
 use osim_model::{DVec3, Document, ElementId, opensim_text};
 
-use crate::fault::MotionFault;
-use crate::table::{Column, Table};
+use crate::table::{Column, MotionFault, Table};
 use crate::wrench::Wrench;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -328,8 +327,8 @@ mod tests {
     #[test]
     fn plates_are_found_by_their_columns() {
         let text = "endheader\ntime 1_ground_force_vx 1_ground_force_vy 1_ground_force_vz 1_ground_force_px 1_ground_force_py \
-                1_ground_force_pz 1_ground_torque_x 1_ground_torque_y 1_ground_torque_z F2x F2y F2z other\n\
-                0 0 100 0 0.5 0 0.1 0 7 0 1 2 3 9\n1 0 200 0 0.5 0 0.1 0 7 0 1 2 3 9\n";
+            1_ground_force_pz 1_ground_torque_x 1_ground_torque_y 1_ground_torque_z F2x F2y F2z other\n\
+            0 0 100 0 0.5 0 0.1 0 7 0 1 2 3 9\n1 0 200 0 0.5 0 0.1 0 7 0 1 2 3 9\n";
         let plates = Plate::all(&table(text)).unwrap();
         assert_eq!(
             plates.iter().map(|plate| (plate.name.as_str(), plate.has_points)).collect::<Vec<_>>(),
@@ -349,8 +348,8 @@ mod tests {
     #[test]
     fn loads_name_their_columns() {
         let xml = "<OpenSimDocument Version=\"40000\"><ExternalLoads><objects><ExternalForce name=\"R\"><applied_to_body>calcn_r\
-               </applied_to_body><force_identifier>a_</force_identifier><point_identifier>b_</point_identifier>\
-               </ExternalForce></objects></ExternalLoads></OpenSimDocument>";
+           </applied_to_body><force_identifier>a_</force_identifier><point_identifier>b_</point_identifier>\
+           </ExternalForce></objects></ExternalLoads></OpenSimDocument>";
         let loads = ExternalLoads::read(xml.as_bytes()).unwrap();
         let text = "endheader\ntime a_x a_y a_z b_x b_y b_z\n0 0 10 0 0 0 0\n";
         let plates = Plate::of_loads(&table(text), &loads).unwrap();

@@ -6,8 +6,7 @@ use osim_model::feet::{Coupler, Couplers};
 use osim_model::{Model, ModelJoint};
 
 use crate::coordinates::{Columns, CoordinateKind, ModelCoordinate, columns_of, coordinates_of};
-use crate::fault::MotionFault;
-use crate::table::{AngleUnit, Table};
+use crate::table::{AngleUnit, MotionFault, Table};
 
 /// A quintic spline needs so many rows.
 const LEAST_ROWS: usize = 6;

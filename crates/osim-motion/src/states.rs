@@ -5,11 +5,10 @@ use std::collections::HashSet;
 use osim_model::feet::PoseFault;
 use osim_model::{DVec3, Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, SphereId};
 
-use crate::fault::MotionFault;
 use crate::pair::{ContactPair, Touched, pairs_of};
 use crate::recording::Recording;
 use crate::skeleton::Skeleton;
-use crate::table::Table;
+use crate::table::{MotionFault, Table};
 
 /// The velocity of the belt in ground, m/s.
 #[derive(Debug, Clone, PartialEq)]

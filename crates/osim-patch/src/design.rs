@@ -15,8 +15,7 @@ use crate::change::ChangedBy;
 use crate::note::KeptMass;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRule};
-use crate::remarks::{PLACES_STAY, bottoms_remark, rest_remark};
-use crate::rules;
+use crate::rules::{self, PLACES_STAY, bottoms_remark, rest_remark};
 use crate::scaling::factor;
 
 /// How E₁* is found: see [`Design`] for an example.

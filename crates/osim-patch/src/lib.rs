@@ -34,7 +34,6 @@
 //!
 //! It knows no file system, no terminal and no options, decodes and re-encodes nothing, never changes the document version,
 //! element order or names, and never edits `<defaults>`.
-
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod builder;
@@ -47,28 +46,26 @@ mod note_edits;
 mod objects;
 mod plan;
 mod radii;
-mod remarks;
 mod rescale;
 mod rules;
 mod scaling;
 mod set;
 mod transfer;
 
-pub use change::{Change, ChangedBy, Move};
-pub use design::{Design, DesignModulus, design};
-pub use edit::{Edit, Patch, splice};
-pub use note::{kept_note, note, note_of_rest, note_stance_limbs};
-pub use note_edits::StepDetails;
-pub use objects::{
+pub use crate::change::{Change, ChangedBy, Move};
+pub use crate::design::{Design, DesignModulus, design};
+pub use crate::edit::{Edit, Patch, splice};
+pub use crate::note::{kept_note, note, note_of_rest, note_stance_limbs};
+pub use crate::note_edits::StepDetails;
+pub use crate::objects::{
     Convert, Converted, Deed, Layout, Leftover, NewContact, NewSphere, ObjectChange, Rebuilt, add_contacts,
     added_forces, convert, leftovers, preset_model, presets_with_places, remove,
 };
-pub use plan::{Masses, Plan, RecordingErrors};
-pub use remarks::PLACES_STAY;
-pub use rescale::{FOLLOWING, FOLLOWING_NOTE, Rescale, TRANSFER_FOLLOWING, rescale};
-pub use rules::RULES;
-pub use set::{Set, set};
-pub use transfer::{
+pub use crate::plan::{Masses, Plan, RecordingErrors};
+pub use crate::rescale::{FOLLOWING, FOLLOWING_NOTE, Rescale, TRANSFER_FOLLOWING, rescale};
+pub use crate::rules::{PLACES_STAY, RULES};
+pub use crate::set::{Set, set};
+pub use crate::transfer::{
     Reference, ReferenceContact, ScalingRule, Transfer, reference_of_layout, reference_of_model, transfer,
 };
 

@@ -11,8 +11,7 @@ use osim_model::{
 use crate::builder::{New, PlanBuilder};
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::{Radii, SphereRule};
-use crate::remarks::{GRAVITY_STAYS, bottoms_remark_and_level, warn_forces};
-use crate::rules;
+use crate::rules::{self, GRAVITY_STAYS, bottoms_remark_and_level, warn_forces};
 use crate::scaling::{GravityChange, factor};
 
 /// The operation, as the note has it, of a rescaling that moved spheres with their bodies by a ScaleSet.
@@ -215,12 +214,12 @@ fn finish(
     let nothing = changes.is_empty() && moves.is_empty();
     if !nothing {
         if moves.is_empty() {
-            remarks.push(crate::remarks::PLACES_STAY.into());
+            remarks.push(rules::PLACES_STAY.into());
             remarks.extend(radii.and_then(bottoms_remark_and_level));
         } else if wanted.bodies.is_some() {
             remarks.push("body masses stay as they are; spheres follow their bodies".into());
         } else {
-            remarks.push(crate::remarks::LEVEL.into());
+            remarks.push(rules::LEVEL.into());
         }
         if wanted.target_gravity_m_s2.is_some() {
             remarks.push(GRAVITY_STAYS.into());

@@ -12,8 +12,7 @@ use crate::change::{ChangedBy, Move};
 use crate::note::KeptMass;
 use crate::plan::{Contents, Masses, NoteFacts, Plan};
 use crate::radii::Users;
-use crate::remarks::LEVEL_FEET;
-use crate::rules;
+use crate::rules::{self, LEVEL_FEET};
 
 /// What follows an operation that made feet level as well.
 const AND_LEVEL: &str = " level";
@@ -44,7 +43,7 @@ impl New {
 /// ]);
 /// assert_eq!(wanted.operation(), "set stiffness=x2 dissipation=1");
 /// let plan = set(&model, &selected, &wanted)?;
-/// let changes: Vec<_> = plan.changes.iter().map(|change| (change.from, change.to, change.equation)).collect();
+/// let changes: Vec<_> = plan.changes.iter().map(|change| (change.from, change.to, change.by.as_str())).collect();
 /// assert_eq!(changes, [(1e6, 2e6, "given"), (2.0, 1.0, "given")]);
 /// # Ok::<(), osim_model::Fault>(())
 /// ```

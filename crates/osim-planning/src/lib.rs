@@ -25,7 +25,6 @@
 //! # What it will not do
 //!
 //! It knows no disk, only [`osim_model::files::Files`], and no terminal.
-
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod afterwards;
@@ -47,25 +46,25 @@ pub mod sheet;
 mod states;
 mod sweep;
 mod table;
-mod verbs;
+pub(crate) mod verbs;
 
+pub use crate::calculator::{DesignFigure, DesignLimit, DesignSheet, design_sheet};
+pub use crate::drop_test::{ComparedDrop, DropResult, DropRow, run_drop_test};
+pub use crate::fit::{FitResult, run_fit};
+pub use crate::inspector::Inspector;
+pub use crate::motion::{MotionResult, PlatesRead, run_motion};
+pub use crate::motion_remarks::MotionRemark;
+pub use crate::opening::{find_presets, may_be_file, open_with, presets};
+pub use crate::planner::{Change, changeable, check_with_trials};
+pub use crate::plot::{HeatTable, ModelFeet, TableColumn, plot_bodies, plot_feet, plot_motion, plot_table};
+pub use crate::remedies::check_with_remedies;
+pub use crate::sheet::{cell, from_cell, marked, unmarked};
+pub use crate::states::{BeforeAfter, States};
+pub use crate::sweep::{SweepPlan, VariantMade};
+pub use crate::table::{RowFault, RowRequest, Table};
+pub use crate::verbs::prepare;
 pub use calculator::DesignQuantity;
-pub use calculator::{DesignFigure, DesignLimit, DesignSheet, design_sheet};
-pub use drop_test::{ComparedDrop, DropResult, DropRow, run_drop_test};
 pub use drop_test::{DropColumn, DropFigure};
-pub use fit::{FitResult, run_fit};
-pub use inspector::Inspector;
-pub use motion::{MotionResult, PlatesRead, run_motion};
-pub use motion_remarks::MotionRemark;
-pub use opening::{find_presets, may_be_file, open_with, presets};
-pub use planner::{Change, changeable, check_with_trials};
-pub use plot::{HeatTable, ModelFeet, TableColumn, plot_bodies, plot_feet, plot_motion, plot_table};
-pub use remedies::check_with_remedies;
-pub use sheet::{cell, from_cell, marked, unmarked};
-pub use states::{BeforeAfter, States};
-pub use sweep::{SweepPlan, VariantMade};
-pub use table::{RowFault, RowRequest, Table};
-pub use verbs::any::prepare;
 
 /// The example of the README compiles.
 #[cfg(doctest)]

@@ -10,7 +10,7 @@ use osim_requests::options::{OutputOptions, WantedOptions};
 use osim_requests::{ConstantIndentation, DesignRequest, Request};
 
 use crate::planner::check_with_trials;
-use crate::verbs::any::prepare;
+use crate::verbs::prepare;
 
 /// Checks a model that was inspected, with remedies that were tried, for a model by itself: they name no other files. `beside` is
 /// what was found in files beside it.

@@ -1,7 +1,8 @@
 //! What is known of the contacts of an OpenSim model, for people and for scripts.
 //!
 //! [`figures`] gives points titles, labels and limits, for `contact_plots` to draw; [`report`] makes tables, records and
-//! explanations; [`html`] puts both on one page about a run. Nothing is computed or decided here, and no file is opened.
+//! explanations; [`html`] puts both on one page about a run. Nothing is decided here, no file is opened, and
+//! nothing is computed but the figures and the table of the paper.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 

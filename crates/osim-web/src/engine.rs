@@ -14,10 +14,9 @@ use serde_json::json;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::change::{Planned, Report, name_of};
-use crate::knowledge::{self, Calls};
+use crate::knowledge::{self, Calls, Fields, Question};
 use crate::look::{self, Opened};
 use crate::problem::Problem;
-use crate::question::{Fields, Question};
 use crate::shelf::Shelf;
 
 /// Models that stay open: a page looks at one and compares it with another.

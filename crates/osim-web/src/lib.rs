@@ -13,8 +13,7 @@ mod engine;
 mod knowledge;
 mod look;
 mod problem;
-mod question;
 mod shelf;
 
 pub use crate::engine::Engine;
-pub use crate::question::Question;
+pub use crate::knowledge::Question;

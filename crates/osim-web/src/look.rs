@@ -16,8 +16,8 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
 
+use crate::knowledge::Fields;
 use crate::problem::Problem;
-use crate::question::Fields;
 use crate::shelf::Shelf;
 
 /// A model that was opened, with the files of a standalone set.

@@ -65,7 +65,7 @@ fn a_panel_says_what_its_axes_and_all_that_is_in_it_are() {
     ]);
     assert_eq!(svg.description, "Force against indentation.");
     let panel = force(&[("mouse", 1.0)]).panels.remove(0);
-    let two = Figure::in_column("Two", String::new(), vec![panel.clone(), panel]);
+    let two = Figure::in_column("Two", "Twice the force.".into(), vec![panel.clone(), panel]);
     Svg::read(&svg_of(two).unwrap()).says(&["A", "B"]);
 }
 

@@ -1,11 +1,10 @@
 //! The equations of the paper: force laws and how they scale, then its appendices A to C.
 
-use super::equation::{Equation, form};
-use super::symbols::{
-    ALPHA, ALPHA_1, ALPHA_2, B_V, B_X, BD, BV, C_R, CF, E, E_1, E_2, E_A, E_B, ETA, F, F_C, F_C_ALL, F_CF,
-    F_D, F_E, F_N, F_N_EQ, F_S, F_SMOOTH, G, IMPACT, K, K_HAT, M, M_A, M_B, M_ON_SPHERE, N, N_A, N_B, P,
-    POISSON, R, R_1, R_2, R_A, R_B, R_TWO, REDUCED_WIDTH, S_C, SHARE, SIGMA, SPEED, SPEED_WIDTH, T, WIDTH, X,
-    X_HAT, X_HAT_C, X_HAT_EQ, X_HAT_T, YOUNG,
+use crate::equations::symbols::{
+    ALPHA, ALPHA_1, ALPHA_2, B_V, B_X, BD, BV, C_R, CF, E, E_1, E_2, E_A, E_B, ETA, Equation, F, F_C,
+    F_C_ALL, F_CF, F_D, F_E, F_N, F_N_EQ, F_S, F_SMOOTH, G, IMPACT, K, K_HAT, M, M_A, M_B, M_ON_SPHERE, N,
+    N_A, N_B, P, POISSON, R, R_1, R_2, R_A, R_B, R_TWO, REDUCED_WIDTH, S_C, SHARE, SIGMA, SPEED, SPEED_WIDTH,
+    T, WIDTH, X, X_HAT, X_HAT_C, X_HAT_EQ, X_HAT_T, YOUNG, form,
 };
 
 pub(super) const LAWS: &[Equation] = &[

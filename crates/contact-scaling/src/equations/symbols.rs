@@ -1,5 +1,4 @@
-//! The symbols of the equations: what each means, and its unit.
-
+//! An equation and its symbols, as the register has them.
 #![allow(missing_docs, reason = "each constant says what it is")]
 
 /// One symbol of an equation.
@@ -111,3 +110,44 @@ pub const GRAVITY_RATIO: Symbol =
     symbol("g_b / g_a", "gravity where b, the model, lives, divided by that of a, the reference", "1");
 pub const V_T: Symbol = symbol("transition_velocity", "slip speed at which friction is fully there", "m/s");
 pub const U_V: Symbol = symbol("viscous_friction", "friction that grows with slip speed", "s/m");
+
+// One equation, as the register has it.
+
+/// One equation, perhaps in several forms.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Equation {
+    /// The paper's number without brackets (`10`, `C.5`), or a name where the paper has no number.
+    pub label: &'static str,
+    /// Other names under which it is found.
+    pub aliases: &'static [&'static str],
+    /// What it says, in a few words.
+    pub title: &'static str,
+    /// The equation as printed first, then solved for something else or between two bodies.
+    pub forms: &'static [Form],
+    /// Every symbol of the formulas.
+    pub symbols: &'static [Symbol],
+    /// Where it stands: the paper's section, or another source.
+    pub source: &'static str,
+}
+
+/// One way to write an equation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Form {
+    /// What sets it apart, such as `for x`; empty for the first form.
+    pub note: &'static str,
+    /// The formula in Unicode.
+    pub formula: &'static str,
+    /// The function of this crate that computes it, as `Type::name` or `module::name`; empty for a step of a derivation.
+    pub function: &'static str,
+    /// Unit of the result; `1` for a pure number, empty where nothing is computed.
+    pub unit: &'static str,
+}
+
+pub(super) const fn form(
+    note: &'static str,
+    formula: &'static str,
+    function: &'static str,
+    unit: &'static str,
+) -> Form {
+    Form { note, formula, function, unit }
+}

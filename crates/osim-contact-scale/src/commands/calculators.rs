@@ -1,14 +1,23 @@
-//! `design`, `drop-test` and `fit`: verbs that compute and change no file.
+//! `design`, `drop-test`, `fit` and `reproduce`: verbs that compute and change no file.
 
 use std::io::IsTerminal;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
-use osim_library::Disk;
-use osim_model::messages::Verb;
+use contact_plots::Paper;
+use osim_library::{Disk, Mode, Prepared, make_folder_of};
+use osim_model::files::Failure;
+use osim_model::messages::{Input, Verb};
 use osim_planning::{design_sheet, run_drop_test, run_fit};
-use osim_requests::{DesignRequest, DropTestRequest, FitRequest, RequestError, SeriesFormat};
+use osim_requests::options::Format;
+use osim_requests::{
+    DesignRequest, DropTestRequest, FitRequest, PlotKind, PlotRequest, ReproduceRequest, RequestError,
+    SeriesFormat,
+};
+use osim_view::figures;
 use osim_view::report::json::{FailureRecord, line};
 use osim_view::report::messages::mass_mismatch;
+use osim_view::report::reproduce::{ReproductionRecord, fig1_text, reproduction_csv, reproduction_text};
 use osim_view::report::results::{
     DropRecord, FitRecord, design_sheet_text, drop_chart, drop_csv, drop_text, fit_text,
 };
@@ -20,7 +29,7 @@ use crate::session::Session;
 ///
 /// # Errors
 /// Too little is known, or it contradicts itself.
-pub(super) fn design(request: &DesignRequest, session: &mut Session) -> Result<Exit> {
+pub(crate) fn design(request: &DesignRequest, session: &mut Session) -> Result<Exit> {
     let sheet = design_sheet(request).map_err(|fault| session.usage(&fault))?;
     let json = request.run.is_json();
     let text = if json { line(&sheet) } else { design_sheet_text(&sheet) };
@@ -34,7 +43,7 @@ pub(super) fn design(request: &DesignRequest, session: &mut Session) -> Result<E
 ///
 /// # Errors
 /// Wrong usage: numbers that are missing or contradict a model.
-pub(super) fn drop_test(request: &DropTestRequest, session: &mut Session) -> Result<Exit> {
+pub(crate) fn drop_test(request: &DropTestRequest, session: &mut Session) -> Result<Exit> {
     if let Some(folder) = request.subject.iter().chain(&request.compare).find(|path| path.is_dir()) {
         bail!("{}", of_folder(&folder.display().to_string(), session));
     }
@@ -73,7 +82,7 @@ fn of_folder(folder: &str, session: &Session) -> String {
 ///
 /// # Errors
 /// Wrong usage.
-pub(super) fn fit(request: &FitRequest, session: &mut Session) -> Result<Exit> {
+pub(crate) fn fit(request: &FitRequest, session: &mut Session) -> Result<Exit> {
     let json = request.run.is_json();
     match run_fit(request, &Disk) {
         Ok(fit) => {
@@ -91,4 +100,71 @@ pub(super) fn fit(request: &FitRequest, session: &mut Session) -> Result<Exit> {
             Ok(Exit::Failed)
         }
     }
+}
+
+// `reproduce`: what the paper prints and draws, computed again.
+
+/// Compares, draws and writes.
+///
+/// # Errors
+/// A file that is there already, or a folder that cannot be written.
+pub(crate) fn run(request: &ReproduceRequest, session: &mut Session) -> Result<Exit> {
+    let json = request.format == Format::Json;
+    let record = match ReproductionRecord::new(session.words) {
+        Ok(record) => record,
+        Err(failure) => return session.fail(&failure, json),
+    };
+    let mut written = String::new();
+    if let Some(folder) = &request.output_dir {
+        let files = match files(folder, &record)? {
+            Ok(files) => files,
+            Err(failure) => return session.fail(&failure, json),
+        };
+        write(&files, request.force, session)?;
+        for (path, _) in &files {
+            written.push_str(&format!("written to {}\n", path.display()));
+        }
+    }
+    if json {
+        session.terminal.print_records(&line(&record))?;
+        session.terminal.note(&written)?;
+    } else {
+        let gap = if written.is_empty() { "" } else { "\n" };
+        let text = format!("{}\n{}{gap}{written}", reproduction_text(&record), fig1_text(&record));
+        session.terminal.print(&text)?;
+    }
+    Ok(Exit::Done)
+}
+
+/// What goes into the folder: the table and both figures.
+fn files(folder: &Path, record: &ReproductionRecord) -> Result<Result<Vec<(PathBuf, String)>, Failure>> {
+    let mut files = vec![(folder.join("table1.csv"), reproduction_csv(record)?)];
+    for (name, kind) in [("fig4.svg", PlotKind::Fig4), ("fig-c5.svg", PlotKind::FigC5)] {
+        let request = PlotRequest { kind: Some(kind), ..PlotRequest::default() };
+        let drawing = figures::draw(&request, &[], None);
+        match drawing.and_then(|drawing| figures::svg(&drawing, Paper::default(), &[])) {
+            Ok(svg) => files.push((folder.join(name), svg)),
+            Err(failure) => return Ok(Err(failure)),
+        }
+    }
+    Ok(Ok(files))
+}
+
+/// Writes all of them. If one of them exists and may not be replaced, writes none.
+fn write(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<()> {
+    if let Some((there, _)) = files.iter().find(|(path, _)| !force && path.exists()) {
+        let [folder, force] = [Input::OutputDir, Input::Force].map(|input| session.words.input(input, None));
+        bail!(
+            "{} exists already: choose another folder with {folder}, or replace it with {force}",
+            there.display()
+        );
+    }
+    let refused = |fault| session.refused(&fault);
+    let mode = if force { Mode::Replace } else { Mode::New };
+    let mut prepared = Vec::new();
+    for (path, text) in files {
+        make_folder_of(path).map_err(refused)?;
+        prepared.push(Prepared::new(path, text.as_bytes(), None, mode).map_err(refused)?);
+    }
+    prepared.into_iter().try_for_each(Prepared::commit).map_err(refused)
 }

@@ -1,24 +1,27 @@
 //! Verbs that change models: one run, what is shown of each model, and what is reported in the end.
 
-use anyhow::{Result, bail};
-use osim_library::Disk;
+use std::path::Path;
+
+use anyhow::{Context, Result, bail};
 use osim_library::page::{ReportPage, bare_entry, entry};
-use osim_library::run::{ChangedModel, Counts, Detail, FrontEnd, Outcome, Run, RunRequest, Task, Written};
+use osim_library::run::{
+    ChangedModel, Counts, Detail, FrontEnd, Outcome, RowReader, Rows, Run, RunRequest, Task, Written,
+};
+use osim_library::{Disk, folder_of};
 use osim_model::FileId;
 use osim_model::files::{Failure, Files};
 use osim_model::messages::Input;
 use osim_planning::{Change, may_be_file, prepare};
 use osim_requests::options::{InspectionOptions, RunFormat, RunOptions, SheetFormat};
 use osim_requests::spell::Speller;
-use osim_requests::{InspectRequest, Request, RequestError, RescaleRequest};
+use osim_requests::{BatchRequest, InspectRequest, Request, RequestError, RescaleRequest};
 use osim_view::html::{DetailLevel, Entry};
 use osim_view::report::json::{FailureRecord, PlanRecord, line};
 use osim_view::report::plan;
 
-use crate::commands::output::{asked, end_page};
 use crate::commands::survey;
 use crate::exit::{self, Exit};
-use crate::session::{Session, Words};
+use crate::session::{Session, Words, asked, end_page};
 use crate::suggestions::meant;
 use crate::terminal::Progress;
 
@@ -26,7 +29,7 @@ use crate::terminal::Progress;
 ///
 /// # Errors
 /// Wrong usage.
-pub(super) fn change(change: Change, options: &RunOptions, session: &mut Session) -> Result<Exit> {
+pub(crate) fn change(change: Change, options: &RunOptions, session: &mut Session) -> Result<Exit> {
     let request = RunRequest::of_change(change, options).map_err(|fault| session.refused(&fault))?;
     run(request, options, session)
 }
@@ -35,7 +38,7 @@ pub(super) fn change(change: Change, options: &RunOptions, session: &mut Session
 ///
 /// # Errors
 /// Wrong usage.
-pub(super) fn change_models(request: Request, session: &mut Session) -> Result<Exit> {
+pub(crate) fn change_models(request: Request, session: &mut Session) -> Result<Exit> {
     let options = request.run_options().cloned().unwrap_or_default();
     match prepare(request, &Disk) {
         Ok(prepared) => change(prepared, &options, session),
@@ -49,7 +52,7 @@ pub(super) fn change_models(request: Request, session: &mut Session) -> Result<E
 ///
 /// # Errors
 /// Wrong usage.
-pub(super) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut Session) -> Result<Exit> {
+pub(crate) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut Session) -> Result<Exit> {
     if request.models.is_empty() {
         bail!("no model given, expected one or more .osim files or folders (see --help)");
     }
@@ -94,7 +97,7 @@ const FEW: usize = 10;
 ///
 /// # Errors
 /// Wrong usage: found before anything is written.
-pub(super) fn run(request: RunRequest, options: &RunOptions, session: &mut Session) -> Result<Exit> {
+pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Session) -> Result<Exit> {
     let mut run = Run::new(request, options).map_err(|fault| session.refused(&fault))?;
     let tasks = run.request().tasks.len();
     let several = tasks + run.request().failures.len() > 1;
@@ -246,14 +249,14 @@ fn summary(counts: &Counts, options: &RunOptions, words: Words) -> String {
 
 /// What is shown of one model.
 #[derive(Default)]
-pub(super) struct Shown {
+pub(crate) struct Shown {
     pub outputs: Vec<Output>,
     /// The model on the page; `None` without a page.
     pub entry: Option<Entry>,
 }
 
 /// One thing to report.
-pub(super) enum Output {
+pub(crate) enum Output {
     /// On standard output.
     Result(String),
     /// On standard output, for programs.
@@ -269,7 +272,7 @@ pub(super) enum Output {
 }
 
 /// Shows what a run does.
-pub(super) struct Shower<'s> {
+pub(crate) struct Shower<'s> {
     pub words: Words,
     pub options: &'s RunOptions,
     pub format: RunFormat,
@@ -363,4 +366,41 @@ fn diff(changed: &ChangedModel<'_>) -> String {
         text.push_str(&plan::unified_diff(bytes(geometry.file), &geometry.patch.to_vec(), name, name));
     }
     text
+}
+
+// `batch`: a verb per row of a table.
+
+/// Rows that are wrong are reported one by one up to this number, then counted.
+const REPORTED: usize = 20;
+
+/// Does all rows of the table.
+///
+/// # Errors
+/// It cannot be read, or is not a table with a column `model`.
+pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result<Exit> {
+    let Some(manifest) = &request.manifest else { bail!("no manifest given") };
+    let shown = manifest.display().to_string();
+    let reader = RowReader::new(request).map_err(|fault| session.refused(&fault))?;
+    let bytes = Disk.read(manifest).with_context(|| shown.clone())?;
+    let from_stdin = manifest.as_os_str() == "-";
+    let folder = if from_stdin { Path::new("") } else { folder_of(manifest) };
+    match reader.read(&bytes, &shown, folder).map_err(|fault| session.refused(&fault))? {
+        Rows::Run(rows) => run(rows, &request.run, session),
+        Rows::Wrong(wrong) => report(&wrong, &shown, request.run.is_json(), session),
+    }
+}
+
+fn report(wrong: &[Failure], shown: &str, json: bool, session: &mut Session) -> Result<Exit> {
+    for failure in wrong.iter().filter(|_| json) {
+        session.terminal.print_records(&line(&FailureRecord::new(failure, session.words)))?;
+    }
+    for failure in wrong.iter().take(REPORTED) {
+        let message = failure.message.spelled(session.words);
+        session.terminal.error_line(&format!("{}: {message}", failure.model));
+    }
+    let more = wrong.len().saturating_sub(REPORTED);
+    let more = if more > 0 { format!(", {more} of them not shown") } else { String::new() };
+    let rows = if wrong.len() == 1 { "1 row is".to_owned() } else { format!("{} rows are", wrong.len()) };
+    session.terminal.error_line(&format!("{shown}: {rows} wrong{more}: nothing was written"));
+    Ok(Exit::Usage)
 }

@@ -19,7 +19,7 @@ use crate::terminal::Terminal;
 ///
 /// # Errors
 /// Standard output cannot be written.
-pub(super) fn run(args: &CompletionsArgs, terminal: &mut Terminal) -> Result<()> {
+pub(crate) fn run(args: &CompletionsArgs, terminal: &mut Terminal) -> Result<()> {
     let mut command = plain_command();
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
@@ -103,7 +103,7 @@ const NAME: &str = env!("CARGO_PKG_NAME");
 ///
 /// # Errors
 /// An unknown verb.
-pub(super) fn manual(args: &ManArgs, session: &mut Session) -> Result<Exit> {
+pub(crate) fn manual(args: &ManArgs, session: &mut Session) -> Result<Exit> {
     let pages = pages();
     if let Some(folder) = &args.output_dir {
         let mode = if args.force { Mode::Replace } else { Mode::New };

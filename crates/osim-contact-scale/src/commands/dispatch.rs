@@ -7,11 +7,9 @@ use osim_model::files::Beside;
 use osim_requests::{DropTestRequest, PlotRequest, Request, SweepRequest};
 
 use crate::args::{Cli, VerbArgs};
-use crate::commands::{
-    batch, calculators, change, completions, lookups, motion, output, plot, reproduce, survey, sweep,
-};
+use crate::commands::{calculators, change, completions, lookups, motion, plot, survey, sweep};
 use crate::exit::Exit;
-use crate::session::Session;
+use crate::session::{self, Session};
 
 /// Runs the verb.
 ///
@@ -63,12 +61,12 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
         | Request::Set(_)
         | Request::Fit(_)
         | Request::Note(_)) => change::change_models(changing, session),
-        Request::Batch(request) => batch::run(&request, session),
+        Request::Batch(request) => change::run_batch(&request, session),
         Request::Sweep(request) => {
             let exit = sweep::run(&request, session)?;
             if !request.quiet {
                 let SweepRequest { model, choice, masses, .. } = &*request;
-                output::note_unmatched(model.as_deref(), Beside::default(), choice, masses, session)?;
+                session::note_unmatched(model.as_deref(), Beside::default(), choice, masses, session)?;
             }
             Ok(exit)
         }
@@ -78,7 +76,7 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
             let exit = calculators::drop_test(&request, session)?;
             let DropTestRequest { subject, compare, choice, masses, set_files, .. } = &*request;
             let models = subject.iter().chain(compare).map(PathBuf::as_path);
-            output::note_unmatched(models, set_files.beside(), choice, masses, session)?;
+            session::note_unmatched(models, set_files.beside(), choice, masses, session)?;
             Ok(exit)
         }
         Request::Motion(request) => motion::run(&request, session),
@@ -86,10 +84,10 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
             let exit = plot::run(&request, session)?;
             let PlotRequest { models, choice, masses, set_files, .. } = &*request;
             let models = models.iter().map(PathBuf::as_path);
-            output::note_unmatched(models, set_files.beside(), choice, masses, session)?;
+            session::note_unmatched(models, set_files.beside(), choice, masses, session)?;
             Ok(exit)
         }
-        Request::Reproduce(request) => reproduce::run(&request, session),
+        Request::Reproduce(request) => calculators::run(&request, session),
         Request::Presets(request) => lookups::presets(&request, session),
         Request::Explain(request) => lookups::explain(&request, session),
     }

@@ -21,7 +21,7 @@ use crate::terminal::Terminal;
 ///
 /// # Errors
 /// Something that is neither an equation nor a code.
-pub(super) fn explain(request: &ExplainRequest, session: &mut Session) -> Result<Exit> {
+pub(crate) fn explain(request: &ExplainRequest, session: &mut Session) -> Result<Exit> {
     let words = session.words;
     let letters = if Terminal::shows_unicode() { Letters::Unicode } else { Letters::Ascii };
     let shown = answer(request, letters, words).map_err(|unknown| anyhow!(unknown.message(words)))?;
@@ -35,7 +35,7 @@ pub(super) fn explain(request: &ExplainRequest, session: &mut Session) -> Result
 ///
 /// # Errors
 /// A file of presets that cannot be read, or an unknown name.
-pub(super) fn presets(request: &PresetsRequest, session: &mut Session) -> Result<Exit> {
+pub(crate) fn presets(request: &PresetsRequest, session: &mut Session) -> Result<Exit> {
     let presets = find_presets(request, &Disk).map_err(|fault| session.usage(&fault))?;
     for (index, preset) in presets.iter().enumerate() {
         let text = match request.format {
@@ -58,7 +58,7 @@ const STDIN: &str = "-";
 ///
 /// # Errors
 /// The file cannot be read, or holds no request that makes sense.
-pub(super) fn read_request(args: &RequestArgs, session: &mut Session) -> Result<Request> {
+pub(crate) fn read_request(args: &RequestArgs, session: &mut Session) -> Result<Request> {
     session.words = session::of_request(args.words);
     session.terminal.never_break();
     let is_stdin = args.file == Path::new(STDIN);

@@ -20,7 +20,7 @@ use crate::session::Session;
 ///
 /// # Errors
 /// Wrong usage, or a file that is there already.
-pub(super) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit> {
+pub(crate) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit> {
     if let Some(folder) = request.subject.iter().find(|path| path.is_dir()) {
         bail!("'{}' is a folder, and a motion is that of one model: name a model in it", folder.display());
     }

@@ -27,7 +27,7 @@ enum Picture {
 ///
 /// # Errors
 /// Wrong usage: an ending that is not a picture's, a body too many or too few, a file that is there already.
-pub(super) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> {
+pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> {
     if let Some(folder) = request.models.iter().find(|path| path.is_dir()) {
         bail!(
             "'{}' is a folder, and a figure shows one model, or a few: name models in it",

@@ -13,15 +13,14 @@ use osim_view::report::json::line;
 use osim_view::report::layout::Colour;
 use osim_view::report::{check, inspection};
 
-use crate::commands::output::{asked, end_page};
 use crate::exit::{self, Exit};
-use crate::session::Session;
+use crate::session::{Session, asked, end_page};
 
 /// Inspects all models; `hint` where the reader should see what to do next.
 ///
 /// # Errors
 /// Wrong usage.
-pub(super) fn inspect(request: &InspectRequest, hint: bool, session: &mut Session) -> Result<Exit> {
+pub(crate) fn inspect(request: &InspectRequest, hint: bool, session: &mut Session) -> Result<Exit> {
     let inspector = Inspector::of_inspect(request, &Disk);
     let format = request.format;
     if let Some(failure) = inspector.generic_failure() {
@@ -49,7 +48,7 @@ pub(super) fn inspect(request: &InspectRequest, hint: bool, session: &mut Sessio
 ///
 /// # Errors
 /// Wrong usage.
-pub(super) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exit> {
+pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exit> {
     let inspector = Inspector::of_check(request, &Disk);
     let survey = Survey {
         verb: Verb::Check,

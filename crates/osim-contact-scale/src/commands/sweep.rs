@@ -35,7 +35,7 @@ impl SweepFrontEnd for Watch {
 ///
 /// # Errors
 /// Wrong usage, found before anything is written.
-pub(super) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit> {
+pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit> {
     let json = request.format == Format::Json;
     let sweep = match SweepRun::new(request) {
         Ok(sweep) => sweep,

@@ -15,8 +15,8 @@ use crate::floors::Floors;
 use crate::inspection::Inspection;
 use crate::load::{InspectOptions, MassMismatch, unexplained_slip};
 use crate::rules::places::Places;
-use crate::rules::sides::KnownSide;
-use crate::rules::{Limits, contacts, gravity, model_findings, of_figures, of_floors, remedy_of, sides};
+use crate::rules::sides::{self, KnownSide};
+use crate::rules::{Limits, contacts, floors, model_findings, of_figures, of_floors, remedy_of};
 use crate::sides::BothSides;
 
 /// What trial plans show of a model: remedies are proposed only where they would not be refused.
@@ -75,8 +75,8 @@ fn findings(
         .then(|| contacts::find_contacts_of_another_mass(inspected, &remedies, places.are_right()))
         .flatten();
     // Contacts that are made right for the body first need other commands afterwards.
-    let in_other_units = gravity::find_too_large(model).is_some();
-    let another_gravity = gravity::find_sources_disagree(model, options).filter(|_| !in_other_units);
+    let in_other_units = floors::find_too_large(model).is_some();
+    let another_gravity = floors::find_sources_disagree(model, options).filter(|_| !in_other_units);
     let is_unsettled = mismatch.is_some() || another_mass.is_some() || another_gravity.is_some();
     if is_unsettled || places.are_wrong() || are_spheres_odd(model) {
         remedies = remedies.unsettled();
@@ -143,7 +143,7 @@ fn find_in_model(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>,
         found.extend(of_floors(model, &floors).into_iter().map(Found::from));
     }
     let unknown = [
-        gravity::find_no_gravity(model, inspected, || floors.are_any()),
+        floors::find_no_gravity(model, inspected, || floors.are_any()),
         contacts::find_count_unknown(inspected),
     ];
     found.extend(unknown.into_iter().flatten().map(Found::from));

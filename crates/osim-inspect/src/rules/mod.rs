@@ -4,9 +4,8 @@
 mod components;
 pub(crate) mod contacts;
 mod depth;
-mod floors;
+pub(crate) mod floors;
 mod forces;
-pub(crate) mod gravity;
 mod limits;
 mod numbers;
 pub(crate) mod places;
@@ -98,10 +97,10 @@ static OTHERS: [&Rule; 15] = [
     &contacts::MASS_UNKNOWN,
     &contacts::STALE_NOTE,
     &contacts::UNMATCHED_PATTERN,
-    &gravity::GRAVITY_NOT_DOWN,
-    &gravity::GRAVITY_SOURCES_DISAGREE,
-    &gravity::GRAVITY_TOO_LARGE,
-    &gravity::NO_GRAVITY,
+    &floors::GRAVITY_NOT_DOWN,
+    &floors::GRAVITY_SOURCES_DISAGREE,
+    &floors::GRAVITY_TOO_LARGE,
+    &floors::NO_GRAVITY,
     &places::SPHERES_LEFT_BEHIND,
     &places::SPHERES_MISPLACED,
     &places::SPHERES_NOT_COMPARED,
@@ -145,7 +144,7 @@ fn find_on_sides(model: &Model) -> Vec<Finding> {
 
 /// What is wrong with floors, and with gravity towards them.
 pub(crate) fn of_floors(model: &Model, floors: &Floors) -> Vec<Finding> {
-    let of_gravity = [gravity::find_too_large(model), gravity::find_not_down(model, floors)];
+    let of_gravity = [floors::find_too_large(model), floors::find_not_down(model, floors)];
     of_gravity.into_iter().flatten().chain(OF_FLOORS.iter().flat_map(|(_, find)| find(floors))).collect()
 }
 

@@ -19,6 +19,7 @@ const SAME: f64 = 1e-9;
 /// understood.
 ///
 /// ```
+/// use osim_model::DVec3;
 /// use osim_model::feet::DefaultPose;
 ///
 /// let text = r#"<OpenSimDocument Version="40000"><Model><BodySet><objects><Body name="foot"><mass>1</mass></Body></objects>

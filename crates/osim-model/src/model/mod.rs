@@ -6,7 +6,7 @@
 //!
 //! # Where to begin
 //!
-//! - [`Model::parse`] reads one file, [`files::ModelFiles`] one with the files that belong to it.
+//! - [`Model::parse`] reads one file, [`crate::model::files::ModelFiles`] one with the files that belong to it.
 //! - [`Model`] has [bodies](Body), [spheres](Sphere) and [forces](Force); each number is a [`Value`], which says where it comes
 //!   from and whether its text is what it looks like.
 //! - [`Selection`] chooses forces, [`MassRequest`] finds masses, [`Model::limbs`] finds limbs.
@@ -14,7 +14,7 @@
 //!
 //! # What it will not do
 //!
-//! It knows no file system (only [`files::Files`]), no terminal and no options: what the caller can say is in messages as
+//! It knows no file system (only [`crate::model::files::Files`]), no terminal and no options: what the caller can say is in messages as
 //! a [`Input`](crate::messages::Input). It reads what a model says, not what OpenSim would make of a file it cannot load.
 
 mod anatomy;
@@ -34,7 +34,6 @@ mod note;
 mod placement;
 mod property;
 mod read;
-mod rotation;
 pub(crate) mod rules;
 mod selection;
 mod sized;
@@ -70,9 +69,8 @@ pub use names::{Pattern, PatternError, Side, refuse_name, refuse_name_in_paths, 
 pub use note::{
     BodySize, ChangedContacts, ChangedSinceNote, Credits, Note, NotedNames, NotedParts, Scope, Source, Step,
 };
-pub use placement::{MovingPlacement, Placement};
+pub use placement::{Axis, LevelAxis, MovingPlacement, Placement, Rotation};
 pub use property::{Class, Origin, Property, Value};
-pub use rotation::{Axis, LevelAxis, Rotation};
 pub use rules::RULES;
 pub use selection::{Selected, Selection};
 pub use sized::{Dimension, NotRead, SizedKind, SizedValue, SizedValues};

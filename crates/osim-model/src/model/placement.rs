@@ -1,8 +1,179 @@
-//! Where a frame is in another one, and how it moves there.
+//! Where a frame is in another one: turned, moved, and moving.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 
-use crate::model::rotation::Rotation;
+/// Rotation of a frame in its body.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rotation(DMat3);
+
+impl Rotation {
+    pub const IDENTITY: Self = Self(DMat3::IDENTITY);
+
+    fn of_rows(rows: [[f64; 3]; 3]) -> Self {
+        Self(DMat3::from_cols_array_2d(&rows).transpose())
+    }
+
+    /// From OpenSim's `orientation`: body-fixed angles about x, then y, then z, in rad.
+    pub fn body_fixed_xyz([x, y, z]: [f64; 3]) -> Self {
+        let (sx, cx) = (libm::sin(x), libm::cos(x));
+        let (sy, cy) = (libm::sin(y), libm::cos(y));
+        let (sz, cz) = (libm::sin(z), libm::cos(z));
+        Self::of_rows([
+            [cy * cz, -cy * sz, sy],
+            [cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy],
+            [sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy],
+        ])
+    }
+
+    /// The angular velocity (rad/s) of a frame whose body-fixed `angles` about x, y and z (rad) change at `rates` (rad/s), seen from
+    /// the body.
+    pub(crate) fn body_fixed_velocity([x, y, _]: [f64; 3], rates: [f64; 3]) -> DVec3 {
+        let (sx, cx) = (libm::sin(x), libm::cos(x));
+        let (sy, cy) = (libm::sin(y), libm::cos(y));
+        let [about_x, about_y, about_z] = rates;
+        DVec3::new(about_x + sy * about_z, cx * about_y - sx * cy * about_z, sx * about_y + cx * cy * about_z)
+    }
+
+    /// The angles about x, then y, then z (rad) that make this rotation, as OpenSim's `orientation` has them.
+    pub(crate) fn to_body_fixed_xyz(self) -> [f64; 3] {
+        let [[xx, xy, xz], [_, _, yz], [_, _, zz]] = self.inverse().0.to_cols_array_2d();
+        let cosine = libm::sqrt(xx * xx + xy * xy);
+        [libm::atan2(-yz, zz), libm::atan2(xz, cosine), libm::atan2(-xy, xx)]
+    }
+
+    /// `first`, then this rotation: the product of their matrices.
+    pub fn after(&self, first: &Self) -> Self {
+        Self(self.0 * first.0)
+    }
+
+    /// R v: a vector of the frame, seen from the body.
+    pub fn to_body(&self, vector: impl Into<DVec3>) -> DVec3 {
+        self.0 * vector.into()
+    }
+
+    /// Rotation by `angle` (rad) about `axis`, which need not have length 1: Rodrigues' formula, R v = v cos a + (u × v) sin a +
+    /// u (u · v)(1 − cos a) with u = axis/|axis|. An axis without length or an angle of 0 turns nothing.
+    pub fn about(axis: impl Into<DVec3>, angle: f64) -> Self {
+        let axis = axis.into();
+        let length = axis.length();
+        if angle == 0.0 || length == 0.0 {
+            return Self::IDENTITY;
+        }
+        let DVec3 { x, y, z } = axis / length;
+        let (s, c) = (libm::sin(angle), libm::cos(angle));
+        let t = 1.0 - c;
+        Self::of_rows([
+            [t * x * x + c, t * x * y - s * z, t * x * z + s * y],
+            [t * x * y + s * z, t * y * y + c, t * y * z - s * x],
+            [t * x * z - s * y, t * y * z + s * x, t * z * z + c],
+        ])
+    }
+
+    /// Rᵀ: back from the body to the frame.
+    pub fn inverse(&self) -> Self {
+        Self(self.0.transpose())
+    }
+
+    /// RᵀSR v: `vector` of a frame that is turned by R, after a scaling by `factors` (S) along the axes of the body.
+    pub fn scaled_in_frame(&self, factors: [f64; 3], vector: [f64; 3]) -> [f64; 3] {
+        let (factors, vector) = (DVec3::from(factors), DVec3::from(vector));
+        if *self == Self::IDENTITY {
+            return (factors * vector).to_array();
+        }
+        self.inverse().to_body(factors * self.to_body(vector)).to_array()
+    }
+}
+
+/// Two axes this close to up (difference of their cosines) are equally near.
+const TIE: f64 = 1e-9;
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Axis {
+    X,
+    Y,
+    Z,
+}
+
+impl Axis {
+    const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
+
+    pub const fn index(self) -> usize {
+        self as usize
+    }
+
+    /// The axis with the largest component of `vector` (without its sign). `own` wins a tie: another axis has to be larger by
+    /// more than `tie`.
+    fn largest(vector: DVec3, own: Self, tie: f64) -> Self {
+        let size = |axis: Self| vector[axis.index()].abs();
+        Self::ALL.into_iter().fold(own, |best, axis| if size(axis) > size(best) + tie { axis } else { best })
+    }
+}
+
+/// The direction away from the ground, foot flat.
+///
+/// ```
+/// use osim_model::{Axis, LevelAxis};
+///
+/// // Gravity points along -z: up is z.
+/// let up = LevelAxis::of_gravity(Some([0.0, 0.0, -9.81]));
+/// assert_eq!((up.axis, up.down), (Axis::Z, false));
+/// // A sphere grows from 0.03 m to 0.05 m: its centre rises by 0.02 m, and its bottom stays.
+/// let [x, y, z] = up.centre([0.1, 0.0, 0.03], 0.03, 0.05, |bottom| bottom);
+/// assert!(x == 0.1 && y == 0.0 && (z - 0.05).abs() < 1e-15);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LevelAxis {
+    /// Which axis it is.
+    pub axis: Axis,
+    /// Whether the axis points down: then away from the ground is its negative direction.
+    pub down: bool,
+    /// Whether it is an axis of the body: then in each sphere's frame the nearest axis is taken. Otherwise it is an axis of every
+    /// sphere's own frame.
+    pub of_body: bool,
+}
+
+impl LevelAxis {
+    /// The axis of the body nearest to −`gravity` (m/s², in ground); y where a model has no gravity.
+    pub fn of_gravity(gravity: Option<[f64; 3]>) -> Self {
+        let gravity = gravity.unwrap_or([0.0, -1.0, 0.0]);
+        let axis = Axis::largest(gravity.into(), Axis::Y, 0.0);
+        Self { axis, down: gravity[axis.index()] > 0.0, of_body: true }
+    }
+
+    /// The axis in a frame that is turned by `rotation` in its body.
+    pub fn in_frame(self, rotation: &Rotation) -> Self {
+        if !self.of_body {
+            return self;
+        }
+        let sign = if self.down { -1.0 } else { 1.0 };
+        // The body's axis in the frame: a row of its rotation. The body's own axis wins a tie.
+        let turned = sign * rotation.0.row(self.axis.index());
+        let axis = Axis::largest(turned, self.axis, TIE);
+        Self { axis, down: turned[axis.index()] < 0.0, of_body: false }
+    }
+
+    fn up(self) -> DVec3 {
+        let mut up = DVec3::ZERO;
+        up[self.axis.index()] = if self.down { -1.0 } else { 1.0 };
+        up
+    }
+
+    /// Where the centre goes (m) so that the bottom stays on the sole: the bottom point is `scaled` with the body, and the new
+    /// radius is added again. All lengths are in m, all places in the sphere's frame.
+    pub fn centre(
+        self,
+        centre: [f64; 3],
+        old_radius: f64,
+        new_radius: f64,
+        scaled: impl Fn([f64; 3]) -> [f64; 3],
+    ) -> [f64; 3] {
+        let up = self.up();
+        let bottom = scaled((DVec3::from(centre) - old_radius * up).to_array());
+        (DVec3::from(bottom) + new_radius * up).to_array()
+    }
+}
+
+// Where a frame is in another one, and how it moves there.
 
 /// A frame in another one.
 ///
@@ -128,7 +299,71 @@ impl MovingPlacement {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::rotation::Rotation;
+
+    #[test]
+    fn scaling_turns_with_the_frame() {
+        // A quarter turn about z: the frame's x is the body's y.
+        let quarter = Rotation::body_fixed_xyz([0.0, 0.0, std::f64::consts::FRAC_PI_2]);
+        let [x, y, z] = quarter.scaled_in_frame([2.0, 3.0, 5.0], [1.0, 1.0, 1.0]);
+        assert!((x - 3.0).abs() < 1e-12 && (y - 2.0).abs() < 1e-12 && (z - 5.0).abs() < 1e-12);
+        let unturned = Rotation::IDENTITY.scaled_in_frame([2.0, 3.0, 5.0], [0.1, 1.0, 1.0]);
+        assert_eq!(unturned, [0.2, 3.0, 5.0]);
+    }
+
+    #[test]
+    fn body_fixed_angles_follow_the_order_x_y_z() {
+        // Rx(a) Ry(b) applied to the z axis: (sin b, -sin a cos b, cos a cos b).
+        let (a, b) = (0.3_f64, 0.7_f64);
+        let turned = Rotation::body_fixed_xyz([a, b, 0.0]);
+        for (i, expected) in [b.sin(), -a.sin() * b.cos(), a.cos() * b.cos()].into_iter().enumerate() {
+            assert!((turned.0.z_axis[i] - expected).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn angles_come_back() {
+        for angles in [[0.3, -0.7, 2.5], [-3.0, 1.2, 0.1], [0.0; 3]] {
+            let back = Rotation::body_fixed_xyz(angles).to_body_fixed_xyz();
+            assert!(back.into_iter().zip(angles).all(|(a, b)| (a - b).abs() < 1e-15), "{back:?}");
+        }
+    }
+
+    #[test]
+    fn turning_about_an_axis_is_turning_by_body_fixed_angles() {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        // Right-handed: about z, x becomes y; about twice y, z becomes x.
+        let DVec3 { x, y, z } = Rotation::about(DVec3::Z, quarter).to_body(DVec3::X);
+        assert!(x.abs() < 1e-15 && (y - 1.0).abs() < 1e-15 && z == 0.0);
+        let DVec3 { x, y, z } = Rotation::about([0.0, 2.0, 0.0], quarter).to_body(DVec3::Z);
+        assert!((x - 1.0).abs() < 1e-15 && y == 0.0 && z.abs() < 1e-15);
+        // A third of a turn about (1, 1, 1) carries x to y, y to z, z to x; its inverse carries back.
+        let third = Rotation::about([1.0, 1.0, 1.0], std::f64::consts::TAU / 3.0);
+        let turned = third.to_body([1.0, 2.0, 3.0]);
+        assert!(turned.abs_diff_eq(DVec3::new(3.0, 1.0, 2.0), 1e-14));
+        assert!(third.inverse().to_body(turned).abs_diff_eq(DVec3::new(1.0, 2.0, 3.0), 1e-14));
+        assert_eq!(Rotation::about([0.0; 3], 1.0), Rotation::IDENTITY);
+    }
+
+    #[test]
+    fn the_bottom_stays_on_the_sole() {
+        let axis = LevelAxis::of_gravity(Some([0.0, -9.81, 0.0]));
+        assert_eq!(axis, LevelAxis { axis: Axis::Y, down: false, of_body: true });
+        // Bottom at -0.06; the sole is scaled by 2, the radius by 1.5: bottom at -0.12, centre 0.06 above.
+        let [x, y, z] = axis.centre([0.1, -0.02, 0.0], 0.04, 0.06, |v| [v[0], 2.0 * v[1], v[2]]);
+        assert!((x - 0.1).abs() < 1e-15 && (y + 0.06).abs() < 1e-15 && z == 0.0);
+    }
+
+    #[test]
+    fn up_is_found_in_a_turned_frame() {
+        let up = LevelAxis::of_gravity(None);
+        // A quarter turn about z: the frame's x is the body's y; about x: its z is the body's -y.
+        let about_z = Rotation::of_rows([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+        let about_x = Rotation::of_rows([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]);
+        assert_eq!(up.in_frame(&about_z), LevelAxis { axis: Axis::X, down: false, of_body: false });
+        assert_eq!(up.in_frame(&about_x), LevelAxis { axis: Axis::Z, down: true, of_body: false });
+        let given = LevelAxis { axis: Axis::Y, down: false, of_body: false };
+        assert_eq!(given.in_frame(&about_z), given);
+    }
 
     /// A frame that turns and moves, at a time.
     fn at(time_s: f64) -> Placement {

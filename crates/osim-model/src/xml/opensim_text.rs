@@ -162,12 +162,6 @@ fn flag_of_word(word: &str) -> Option<bool> {
 }
 
 /// Whether `isDisabled` of documents up to 30508 is true. OpenSim reads it by a rule of its own.
-///
-/// ```
-/// use osim_model::xml::opensim_text::is_disabled;
-///
-/// assert!(is_disabled(" True ") && is_disabled("2") && !is_disabled("true false") && !is_disabled("yes"));
-/// ```
 pub(crate) fn is_disabled(text: &str) -> bool {
     let text = trimmed(text);
     spelled_flag(text).unwrap_or_else(|| whole_number_at_start(text).is_some_and(|digits| !digits.is_empty()))

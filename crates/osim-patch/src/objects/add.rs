@@ -6,8 +6,7 @@ use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note, Prope
 use crate::edit::edited;
 use crate::insert::Node;
 use crate::objects::layout::{Layout, NewContact};
-use crate::objects::names::{Names, refuse_misread};
-use crate::objects::rebuilt::{Deed, EarlierNote, ObjectChange, Rebuilt};
+use crate::objects::rebuilt::{Deed, EarlierNote, Names, ObjectChange, Rebuilt, refuse_misread};
 use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_parts};
 use crate::objects::spelling::{self, Carrier, InList, Surfaces, Values};
 use crate::plan::Plan;

@@ -11,8 +11,7 @@ use osim_model::{
 use crate::edit::{Edit, edited};
 use crate::insert::{unit, white_space_before};
 use crate::objects::layout::{Layout, NewContact, Pair, pairs};
-use crate::objects::names::{Names, refuse_misread};
-use crate::objects::rebuilt::{Deed, ObjectChange, Rebuilt};
+use crate::objects::rebuilt::{Deed, Names, ObjectChange, Rebuilt, refuse_misread};
 use crate::objects::sets::{GEOMETRY_SET, refuse_parts};
 use crate::objects::spelling::{self, InList, Inside, Surfaces, Values};
 use crate::rules;

@@ -3,7 +3,6 @@
 mod add;
 mod convert;
 mod layout;
-mod names;
 mod rebuilt;
 mod remove;
 mod sets;

@@ -11,8 +11,9 @@ use osim_model::{
 use crate::edit::{Edit, edited};
 use crate::insert::with_white_space_before;
 use crate::objects::add::MADE_FLOOR;
-use crate::objects::names::{Covered, geometry_names, geometry_references};
-use crate::objects::rebuilt::{Deed, EarlierNote, ObjectChange, Rebuilt};
+use crate::objects::rebuilt::{
+    Covered, Deed, EarlierNote, ObjectChange, Rebuilt, geometry_names, geometry_references,
+};
 use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_parts};
 
 /// `model` without the forces `selected` and the moving spheres that only they use; the floor goes where [`add_contacts`] made it and

@@ -8,8 +8,7 @@ use osim_model::{
 use crate::change;
 use crate::insert::Node;
 use crate::objects::layout::NewContact;
-use crate::objects::names::{Names, refuse_misread};
-use crate::objects::rebuilt::{Deed, ObjectChange};
+use crate::objects::rebuilt::{Deed, Names, ObjectChange, refuse_misread};
 
 /// The first version in which geometry has a `socket_frame`; before, OpenSim refuses it, and afterwards `body_name`.
 const FIRST_WITH_SOCKET_FRAME: u32 = 30505;

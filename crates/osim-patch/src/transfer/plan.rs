@@ -13,8 +13,7 @@ use crate::change::ChangedBy;
 use crate::objects::keeps_inside;
 use crate::plan::{Contents, Masses, NoteFacts, Plan, TRANSFER};
 use crate::radii::{Radii, SphereRule};
-use crate::remarks::{GRAVITY_STAYS, PLACES_STAY, bottoms_remark_and_level, warn_forces};
-use crate::rules;
+use crate::rules::{self, GRAVITY_STAYS, PLACES_STAY, bottoms_remark_and_level, warn_forces};
 use crate::scaling::{GravityChange, factor, predsim};
 use crate::transfer::choice::{self, Choice, ReferenceRadii};
 use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};
@@ -183,7 +182,7 @@ fn finish(
     } else if wanted.follow.is_some() {
         remarks.push("body masses stay as they are; spheres follow their bodies".into());
     } else if !moves.is_empty() {
-        remarks.push(crate::remarks::LEVEL.into());
+        remarks.push(rules::LEVEL.into());
     } else {
         remarks.push(PLACES_STAY.into());
         remarks.extend(bottoms_remark_and_level(radii));

@@ -10,10 +10,10 @@ use osim_requests::values::path;
 use osim_requests::values::typed::trimmed;
 use serde_json::{Map, Value};
 
-use super::columns::{Column, Columns, Kind};
 use crate::opening::{find_preset, looks_like_file};
 use crate::sheet::{BROKEN_FORMULA, Row, Sheet, is_broken_formula};
-use crate::verbs::any::{CHANGING, changing_verbs};
+use crate::table::columns::{Column, Columns, Kind};
+use crate::verbs::{CHANGING, changing_verbs};
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowFault {

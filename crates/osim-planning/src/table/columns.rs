@@ -6,7 +6,7 @@ use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_requests::silent_fields;
 use serde_json::Value;
 
-use crate::verbs::any::{CHANGING, changing_verbs};
+use crate::verbs::{CHANGING, changing_verbs};
 
 /// Fields of the whole run: a row cannot have its own.
 const OF_THE_RUN: [&str; 9] =

@@ -15,10 +15,10 @@ use serde_json::{Map, Value, json};
 
 use crate::planner::Change;
 use crate::sheet::{Row, Sheet};
-use crate::verbs::any::prepare;
+use crate::table::cells::{Cells, Masses};
+use crate::table::columns::{Columns, model_field};
+use crate::verbs::prepare;
 pub use cells::RowFault;
-use cells::{Cells, Masses};
-use columns::{Columns, model_field};
 
 pub struct Table {
     sheet: Sheet,

@@ -1,7 +1,6 @@
-//! What each changing verb plans for a model.
+//! Any request that changes models: each verb has a file.
 
 mod adding;
-pub(crate) mod any;
 mod convert;
 pub(crate) mod design;
 mod fitted_words;
@@ -12,3 +11,61 @@ mod remove;
 pub(crate) mod rescale;
 pub(crate) mod set;
 mod transfer;
+
+use osim_model::files::Files;
+use osim_model::messages::Verb;
+use osim_requests::{Request, RequestError, RequestFault};
+
+use crate::planner::Change;
+
+/// Verbs that change models.
+pub(crate) const CHANGING: [Verb; 9] = [
+    Verb::Rescale,
+    Verb::Transfer,
+    Verb::Add,
+    Verb::Remove,
+    Verb::Convert,
+    Verb::Design,
+    Verb::Set,
+    Verb::Fit,
+    Verb::Note,
+];
+
+/// Their names in words: `rescale, transfer, design, set, fit or note`.
+pub(crate) fn changing_verbs() -> String {
+    let names = CHANGING.map(Verb::name);
+    match names.split_last() {
+        Some((last, others)) => format!("{} or {last}", others.join(", ")),
+        None => String::new(),
+    }
+}
+
+/// Checks a request that changes models, for all of them, and reads what it needs beside them. A design without models has none
+/// to change: it is [calculated](crate::design_sheet).
+///
+/// # Errors
+/// Options that have no effect, or contradict each other; a file that cannot be read; or a verb that changes nothing.
+pub fn prepare(request: impl Into<Request>, files: &dyn Files) -> Result<Change, RequestError> {
+    let request = request.into();
+    let (details, settings) = (request.noted(), request.settings());
+    Ok(Change { details, settings, ..change(request, files)? })
+}
+
+fn change(request: Request, files: &dyn Files) -> Result<Change, RequestError> {
+    match request {
+        Request::Rescale(request) => rescale::prepare(*request, files),
+        Request::Design(request) => Ok(design::prepare(*request)?),
+        Request::Set(request) => Ok(set::prepare(*request)?),
+        Request::Note(request) => Ok(note::prepare(*request)?),
+        Request::Add(request) => adding::prepare::prepare(*request, files),
+        Request::Convert(request) => Ok(convert::prepare(*request)?),
+        Request::Remove(request) => Ok(remove::prepare(*request)?),
+        Request::Transfer(request) => transfer::prepare(*request, files),
+        Request::Fit(request) if request.is_of_motion() => fitting::prepare(*request, files),
+        Request::Fit(_) => Err(RequestFault::Missing { field: "motion" }.into()),
+        other => {
+            let message = format!("'{}', expected {}", other.verb().name(), changing_verbs());
+            Err(RequestFault::general(message).into())
+        }
+    }
+}

@@ -20,7 +20,7 @@ pub(super) struct Laws {
     pub(super) name: String,
     /// Their points.
     pub(super) series: ForceSeries,
-    /// Where it rests, in brackets behind the law of the file, if the figure does not show that; else empty.
+    /// Where it rests, in brackets after the law of the file, if the figure does not show that; else empty.
     pub(super) remark: String,
 }
 

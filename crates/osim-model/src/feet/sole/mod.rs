@@ -1,19 +1,17 @@
 //! The sole of each foot, and spheres that stand on it.
 
 mod footprint;
-mod outline;
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::{DVec2, DVec3};
 
-use super::bones::Bone;
-use super::default_pose::DefaultPose;
-use super::fault::FeetFault;
-use super::vector::{hull, sort_once};
+use crate::feet::bones::Bone;
+use crate::feet::default_pose::DefaultPose;
+use crate::feet::fault::FeetFault;
+use crate::feet::sole::footprint::{Axes, Flat, Point, spread};
+use crate::feet::vector::{hull, sort_once};
 use crate::model::{Model, Placement, Side, without_side};
 pub use footprint::Footprint;
-use footprint::{Axes, Flat, Point};
-use outline::spread;
 
 /// What counts as near the ground: height above the lowest point, as a part of the foot's greatest extent along the ground.
 const NEAR: f64 = 0.1;

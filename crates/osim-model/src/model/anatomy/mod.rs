@@ -12,8 +12,7 @@ use glam::DVec3;
 
 use crate::model::components::MAX_FRAME_CHAIN;
 use crate::model::fault::Fault;
-use crate::model::placement::{MovingPlacement, Placement};
-use crate::model::rotation::Rotation;
+use crate::model::placement::{MovingPlacement, Placement, Rotation};
 use crate::model::typed_model::Model;
 pub use functions::CoordinateFunction;
 pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};

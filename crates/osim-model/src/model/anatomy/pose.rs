@@ -4,8 +4,7 @@ use glam::DVec3;
 
 use crate::model::anatomy::functions::CoordinateFunction;
 use crate::model::document::Document;
-use crate::model::placement::{MovingPlacement, Placement};
-use crate::model::rotation::Rotation;
+use crate::model::placement::{MovingPlacement, Placement, Rotation};
 use crate::xml::{ElementId, opensim_text};
 
 /// How the coordinates of a joint change, one number for each; 0 where there are fewer.
@@ -282,13 +281,13 @@ mod tests {
         let frame = |name: &str, at: &str, turned: &str, body: &str| {
             format!(
                 "<PhysicalOffsetFrame name=\"{name}\"><socket_parent>/bodyset/{body}</socket_parent><translation>{at}</translation>\
-             <orientation>{turned}</orientation></PhysicalOffsetFrame>"
+         <orientation>{turned}</orientation></PhysicalOffsetFrame>"
             )
         };
         let joint = |class: &str, name: &str, frames: &str, inner: &str| {
             format!(
                 "<{class} name=\"{name}\"><socket_parent_frame>p</socket_parent_frame><socket_child_frame>c</socket_child_frame>\
-             {inner}<frames>{frames}</frames></{class}>"
+         {inner}<frames>{frames}</frames></{class}>"
             )
         };
         let (class, inner) = middle.split_once(':').unwrap();
@@ -310,7 +309,7 @@ mod tests {
         );
         let text = format!(
             "<OpenSimDocument Version=\"40000\"><Model name=\"m\"><BodySet><objects>{}{}{}</objects></BodySet><JointSet><objects>\
-         {middle}{last}</objects></JointSet></Model></OpenSimDocument>",
+     {middle}{last}</objects></JointSet></Model></OpenSimDocument>",
             body("calcn_r"),
             body("mid_r"),
             body("toes_r")
@@ -350,7 +349,7 @@ mod tests {
         };
         let linear = "<LinearFunction name=\"function\"><coefficients> 0.5 0</coefficients></LinearFunction>";
         let scaled = "<function><MultiplierFunction><function><PolynomialFunction><coefficients>1 0</coefficients>\
-                  </PolynomialFunction></function><scale>0.5</scale></MultiplierFunction></function>";
+              </PolynomialFunction></function><scale>0.5</scale></MultiplierFunction></function>";
         let spline = "<SimmSpline><x> -1 0 1</x><y> 0.01 0.03 0.02</y></SimmSpline>";
         let custom = format!(
             "CustomJoint:<coordinates>{}{}</coordinates><SpatialTransform>{}{}{}{}{}{}</SpatialTransform>",
@@ -377,8 +376,8 @@ mod tests {
         let joint = |n: usize| {
             format!(
                 "<WeldJoint name=\"j{n}\"><socket_parent_frame>/bodyset/b{}</socket_parent_frame>\
-             <socket_child_frame>f</socket_child_frame><frames><PhysicalOffsetFrame name=\"f\"><socket_parent>/bodyset/b{n}\
-             </socket_parent><translation>-0.1 0 0</translation></PhysicalOffsetFrame></frames></WeldJoint>",
+         <socket_child_frame>f</socket_child_frame><frames><PhysicalOffsetFrame name=\"f\"><socket_parent>/bodyset/b{n}\
+         </socket_parent><translation>-0.1 0 0</translation></PhysicalOffsetFrame></frames></WeldJoint>",
                 n - 1
             )
         };
@@ -386,7 +385,7 @@ mod tests {
         let joints: String = (1..100).map(joint).collect();
         let text = format!(
             "<OpenSimDocument Version=\"40000\"><Model name=\"m\"><BodySet><objects>{bodies}</objects></BodySet>\
-         <JointSet><objects>{joints}</objects></JointSet></Model></OpenSimDocument>"
+     <JointSet><objects>{joints}</objects></JointSet></Model></OpenSimDocument>"
         );
         let anatomy = Anatomy::of(&Model::parse(text).unwrap()).unwrap();
         let place = |n: usize| anatomy.place_below("b0", anatomy.joint(&format!("j{n}")).unwrap());

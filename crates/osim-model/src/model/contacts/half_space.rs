@@ -5,8 +5,8 @@ use glam::DVec3;
 use crate::model::components::{Base, ComponentId, Components};
 use crate::model::contacts::force::Slot;
 use crate::model::fault::FileId;
+use crate::model::placement::Rotation;
 use crate::model::property::Class;
-use crate::model::rotation::Rotation;
 use crate::xml::ElementId;
 
 /// Components of a unit vector below this are what rounding left.
@@ -213,7 +213,7 @@ mod tests {
     use std::f64::consts::{FRAC_PI_2, PI};
 
     use super::*;
-    use crate::model::rotation::Rotation;
+    use crate::model::placement::Rotation;
 
     #[test]
     fn the_solid_side_is_below() {

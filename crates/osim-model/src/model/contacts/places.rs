@@ -11,8 +11,7 @@ use crate::model::contacts::half_space::HalfSpace;
 use crate::model::contacts::read::FIRST_CONSTANT;
 use crate::model::contacts::{Sphere, SphereId};
 use crate::model::fault::Fault;
-use crate::model::placement::Placement;
-use crate::model::rotation::{LevelAxis, Rotation};
+use crate::model::placement::{LevelAxis, Placement, Rotation};
 use crate::model::typed_model::Model;
 
 /// How a half-space inside a force is turned that says nothing of it: a floor, rad. The first version of the class, which had another
