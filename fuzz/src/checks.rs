@@ -110,7 +110,7 @@ pub fn inspect(bytes: &[u8]) {
             assert!(value.span.as_ref().is_none_or(|span| span.end <= bytes.len()));
             value.checked().map_or_else(|fault| accept(&fault), drop);
         }
-        for warning in &model.warnings {
+        for warning in osim_inspect::model_findings(model) {
             assert!(!warning.message.to_string().is_empty());
         }
         let mass = MassRequest::default().of_model(model);

@@ -217,7 +217,7 @@ impl MassRequest {
     }
 }
 
-/// Whether two masses count as one: `a` is within [`SAME_MASS`] of `b` (relative to `b`).
+/// Whether two masses count as one: `a` is within `SAME_MASS` of `b` (relative to `b`).
 pub fn same_mass(a: f64, b: f64) -> bool {
     (a - b).abs() <= SAME_MASS * b.abs()
 }
