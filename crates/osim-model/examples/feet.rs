@@ -15,7 +15,7 @@ use std::path::Path;
 
 use osim_model::feet::{DefaultPose, MeshFolders, SoleRequest, SoleSphere, bones, soles};
 use osim_model::files::{FileError, Files};
-use osim_model::{Model, Side};
+use osim_model::{DVec3, Model, Side};
 
 /// Files of a disk.
 struct Disk;
@@ -96,9 +96,9 @@ fn print_soles(path: &Path, folder: &str, bodies: &[&str], request: &SoleRequest
             "{{\"bodies\": {:?}, \"side\": {:?}, \"up\": {:?}, \"height\": {:?}, \"outline\": {:?}, \"spheres\": [{}]}}",
             sole.bodies,
             sole.side.map_or("none", Side::as_str),
-            sole.up,
+            sole.up.to_array(),
             sole.height_m,
-            sole.outline_m,
+            sole.outline_m.iter().map(DVec3::to_array).collect::<Vec<_>>(),
             spheres.join(", ")
         );
     }
@@ -107,6 +107,9 @@ fn print_soles(path: &Path, folder: &str, bodies: &[&str], request: &SoleRequest
 fn shown(sphere: &SoleSphere) -> String {
     format!(
         "{{\"body\": {:?}, \"centre\": {:?}, \"radius\": {:?}, \"bottom\": {:?}}}",
-        sphere.body, sphere.centre_m, sphere.radius_m, sphere.bottom_m
+        sphere.body,
+        sphere.centre_m.to_array(),
+        sphere.radius_m,
+        sphere.bottom_m.to_array()
     )
 }

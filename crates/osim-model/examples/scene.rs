@@ -23,11 +23,11 @@ fn main() {
     let bodies = FootBodies::find(&model, &anatomy, &moving, &model.force_ids(), &pose);
     for foot in Foot::all(&model, &anatomy, &bodies, &pose) {
         let spheres = foot.spheres.iter().map(|sphere| {
-            let (name, centre, radius) = (&sphere.name, sphere.centre_m, sphere.radius_m);
+            let (name, centre, radius) = (&sphere.name, sphere.centre_m.to_array(), sphere.radius_m);
             format!("{{\"name\": {name:?}, \"centre\": {centre:?}, \"radius\": {radius:?}}}")
         });
         let joints = foot.joints.iter().map(|joint| {
-            let (name, at) = (&joint.name, joint.at_m);
+            let (name, at) = (&joint.name, joint.at_m.to_array());
             format!("{{\"name\": {name:?}, \"at\": {at:?}}}")
         });
         let floor = match foot.floor {
