@@ -7,12 +7,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use osim_library::Cause;
+use osim_library::page::Words;
 use osim_model::Excerpt;
 use osim_model::files::Failure;
 pub(crate) use osim_view::report::ExitStatus as Exit;
 use signal_hook::{consts, flag};
 
-use crate::session::Words;
 use crate::terminal::Terminal;
 
 /// An error that ends the run with a status of its own; any other is wrong usage.

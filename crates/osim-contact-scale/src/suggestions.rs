@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 
 use clap::{Command, CommandFactory};
 use osim_library::SplitName;
+use osim_library::page::Words;
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 
 use crate::args::Cli;
-use crate::session::Words;
 
 /// What to write instead of `words`, the words of a call beside its options; `None` if that is not known. With `may_be_mass`, a
 /// bare number can only be the target mass.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use osim_library::page::{ReportPage, bare_entry, entry};
+use osim_library::page::{ReportPage, Words, bare_entry, entry};
 use osim_library::run::{
     ChangedModel, Counts, Detail, FrontEnd, Outcome, RowReader, Rows, Run, RunRequest, Task, Written,
 };
@@ -21,7 +21,7 @@ use osim_view::report::plan;
 
 use crate::commands::survey;
 use crate::exit::{self, Exit};
-use crate::session::{Session, Words, asked, end_page};
+use crate::session::{Session, asked, end_page};
 use crate::suggestions::meant;
 use crate::terminal::Progress;
 

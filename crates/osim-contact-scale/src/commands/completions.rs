@@ -8,11 +8,12 @@ use clap::builder::PossibleValue;
 use clap::{Arg, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
+use osim_library::page::Words;
 use osim_library::{Mode, Prepared};
 
 use crate::args::{CompletionsArgs, ManArgs, plain_command};
 use crate::exit::Exit;
-use crate::session::{Session, Words};
+use crate::session::Session;
 use crate::terminal::Terminal;
 
 /// Prints the script for the shell that `args` names.
