@@ -123,7 +123,7 @@ def shape_of(verb: Verb) -> Shape:
             "presets", (("name", "str | None", "None", "One preset; all without it.", "name"),),
             "Presets", "Published contacts, and one's own: a list.", "presets"),
         "explain": Shape(
-            "explain", (("*topics", "str", "", "Equations, quantities, codes of warnings and errors; none lists all.", "topics"),),
+            "explain", (("*topics", "str", "", "Equations, quantities, codes of findings and errors; none lists all.", "topics"),),
             "list[Explanation]", "Each with its text.", "explain"),
         "reproduce": Shape("reproduce", (), "Reproduction", "Table 1 of the paper, as printed and computed.", "reproduce"),
         "sweep": Shape(

@@ -324,9 +324,9 @@ fn predsim_scales_otherwise() {
     let smoothing =
         report["changes"].as_array().unwrap().iter().any(|change| change["property"] == "hertz_smoothing");
     assert!(!smoothing, "PredSim leaves the smoothing");
-    let notes = report["notes"].to_string();
+    let remarks = report["remarks"].to_string();
     for number in ["0.3533", "0.3408", "0.5494", "0.5363"] {
-        assert!(notes.contains(number), "{number}: {notes}");
+        assert!(remarks.contains(number), "{number}: {remarks}");
     }
     let alone = bench.run("transfer scaled.osim --from generic.osim --rule predsim").failed();
     says(&alone, &["--height-ratio"]);

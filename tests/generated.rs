@@ -83,7 +83,7 @@ fn first_sentence(text: &str) -> String {
     text[..end.unwrap_or(text.len())].to_owned()
 }
 
-/// docs/reference/warnings.md: the codes of a severity, in the order in which they are looked for.
+/// docs/reference/findings.md: the codes of a severity, in the order in which they are looked for.
 fn findings(severity: Severity) -> String {
     let rows = rules::all().iter().filter(|rule| rule.severity == severity).map(|rule| {
         let check = match rule.repair {
@@ -121,7 +121,7 @@ fn published() -> Option<String> {
         let named = if models.len() <= NAMED { models.join(", ") } else { String::new() };
         vec![format!("`{code}`"), severity.0.as_str().to_owned(), models.len().to_string(), named]
     });
-    let warned = checked.iter().filter(|found| found.counts.error + found.counts.warn > 0).count();
+    let warned = checked.iter().filter(|found| found.counts.error + found.counts.warning > 0).count();
     let all = checked.len();
     let table = table(&["code", "severity", "models", "which, where they are few"], rows);
     Some(format!("Of {all} published models with contacts {warned} have an error or a warning.\n\n{table}"))
@@ -197,14 +197,14 @@ fn exit_statuses() -> String {
 
 /// Each part: its page, its name, its text.
 fn parts() -> Vec<(&'static str, &'static str, String)> {
-    const WARNINGS: &str = "reference/warnings.md";
+    const FINDINGS: &str = "reference/findings.md";
     const ERRORS: &str = "reference/errors.md";
     const JSON: &str = "reference/json.md";
     let published = published().map(|text| ("check.md", "published", text));
     let others = vec![
-        (WARNINGS, "findings-error", findings(Severity::Error)),
-        (WARNINGS, "findings-warn", findings(Severity::Warn)),
-        (WARNINGS, "findings-info", findings(Severity::Info)),
+        (FINDINGS, "findings-error", findings(Severity::Error)),
+        (FINDINGS, "findings-warning", findings(Severity::Warning)),
+        (FINDINGS, "findings-remark", findings(Severity::Remark)),
         ("check.md", "limits", limits()),
         (JSON, "figures", figures()),
         (JSON, "design-figures", design_figures()),

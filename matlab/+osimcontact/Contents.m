@@ -11,7 +11,7 @@
 %   convert    - Makes forces of one class from those of the other, one for each sphere.
 %   design     - Finds parameters from what is wanted: indentation, stiffness, restitution.
 %   drop_test  - Lets a model fall on its contacts and shows what they do.
-%   explain    - Explains equations, quantities, and the codes of warnings and errors.
+%   explain    - Explains equations, quantities, and the codes of findings and errors.
 %   fit        - Finds contact parameters from a measured indentation and force, or those of a model from recordings of its gait.
 %   inspect    - Shows what contacts models have.
 %   motion     - Shows what contacts do along a recorded motion, beside what force plates measured.

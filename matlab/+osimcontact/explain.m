@@ -1,9 +1,9 @@
 function results = explain(varargin)
-%EXPLAIN Explains equations, quantities, and the codes of warnings and errors.
+%EXPLAIN Explains equations, quantities, and the codes of findings and errors.
 %   RESULTS = osimcontact.explain(TOPICS, NAME, VALUE, ...)
 %
 %   TOPICS: Number of an equation (10, C.5), a word from the column "equation", a property or figure
-%       (stiffness, x/R), or a code as printed after a warning. Takes a text or a cell array of texts.
+%       (stiffness, x/R), or a code as printed after a finding. Takes a text or a cell array of texts.
 %       May be left out.
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):

@@ -229,7 +229,7 @@ class Reproduction(Answer):
 
 
 class Explanation(Answer):
-    """What an equation says, or what a warning or an error means."""
+    """What an equation says, or what a finding or an error means."""
 
     __slots__ = ()
 

@@ -33,7 +33,7 @@ class _Drawn(NamedTuple):
     """A figure that came from another process or from a file: it is drawn already, in all formats."""
 
     svg: str
-    notes: str
+    remarks: str
     csv: str
     as_pdf: bytes
     as_png: bytes
@@ -53,7 +53,7 @@ class Figure(Named):
     ----------
     svg : str
         The figure as an SVG document.
-    notes : str
+    remarks : str
         What is to be said beside it, such as the masses that were taken.
     """
 
@@ -67,8 +67,8 @@ class Figure(Named):
         return self._native.svg
 
     @property
-    def notes(self) -> str:
-        return self._native.notes
+    def remarks(self) -> str:
+        return self._native.remarks
 
     @property
     def data(self) -> Table:
@@ -221,7 +221,7 @@ class Figure(Named):
     def __reduce__(self) -> tuple[Any, ...]:
         # All that can be asked of it travels along: where it arrives, the models need not be there.
         return Figure, (
-            _Drawn(self.svg, self.notes, self._native.csv, self.to_pdf(), self.to_png(), self._native.panels),
+            _Drawn(self.svg, self.remarks, self._native.csv, self.to_pdf(), self.to_png(), self._native.panels),
         )
 
     def __repr__(self) -> str:

@@ -31,7 +31,7 @@ class Planned:
 @final
 class Figure:
     svg: str
-    notes: str
+    remarks: str
     csv: str
     panels: list[PanelLook]
     def pdf(self) -> bytes: ...

@@ -54,10 +54,11 @@ def plan(verb: str, source: Source, keywords: Mapping[str, Any], tables: Mapping
     fields[_MODEL.get(verb, "models")] = model
     is_whole = not isinstance(model, str) or model in memory or os.path.isabs(model)
     planned = Result(fields, _native.plan(fields, memory, True), None if is_whole else os.getcwd())
-    for note in planned.notes:
-        log.info("%s: %s", printable(planned.path), note)
-    for warning in planned.warnings:
-        log.warning("%s: %s", printable(planned.path), warning.message)
+    for remark in planned.remarks:
+        log.info("%s: %s", printable(planned.path), remark)
+    for finding in planned.warnings:
+        level = logging.INFO if finding.severity == "remark" else logging.WARNING
+        log.log(level, "%s: %s", printable(planned.path), finding.message)
     return planned
 
 
@@ -80,7 +81,7 @@ class Result(Named):
         The mass that the contacts are made for afterwards.
     warnings : Findings
         What the user should know about this change.
-    notes : tuple of str
+    remarks : tuple of str
         Other remarks.
     findings : Findings
         The warnings, and what `check` finds in the new model.
@@ -138,8 +139,8 @@ class Result(Named):
         return _plan_tables.objects(self.record)
 
     @property
-    def notes(self) -> tuple[str, ...]:
-        return tuple(self.record["notes"])
+    def remarks(self) -> tuple[str, ...]:
+        return tuple(self.record["remarks"])
 
     @property
     def warnings(self) -> Findings:
@@ -320,7 +321,7 @@ class Result(Named):
         parts += _section("Objects", _plan_tables.OBJECTS[:5], record["objects"], ".objects")
         parts += _section("Verdicts, as it is and after the change", _VERDICTS, self._verdicts(), ".report(path)")
         parts.append(self.findings._table_of("Findings of the new model"))
-        parts += [paragraph(note) for note in self.notes[:5]]
+        parts += [paragraph(remark) for remark in self.remarks[:5]]
         parts.append(paragraph("The whole page, with figures: .report(path). To write the new model: .write()"))
         return "".join(parts)
 
@@ -428,7 +429,7 @@ class Finding(Named):
     code : str
         Stable short name, which `explain` explains.
     severity : str
-        `error`, `warn` or `info`.
+        `error`, `warning` or `remark`.
     message : str
         This case, in words.
     why, advice : str

@@ -121,7 +121,7 @@ def plot(kind: str, models: tuple[Source, ...], keywords: Mapping[str, Any]) -> 
         memory[_TABLE] = csv_of(rows_of(of_table))
         fields["table"] = _TABLE
     figure = Figure(_native.plot(fields, memory))
-    log.info("%s", figure.notes.strip())
+    log.info("%s", figure.remarks.strip())
     return figure
 
 

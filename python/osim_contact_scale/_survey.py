@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 
 log = logging.getLogger("osim_contact_scale")
 
-#: Severities from the worst on, and what one finding of each is called.
-_SEVERITIES = {"error": "error", "warn": "warning", "info": "remark"}
+#: From the worst on.
+_SEVERITIES = ("error", "warning", "remark")
 
 #: Columns of the table of models.
 _MODEL = (
@@ -284,7 +284,7 @@ class Check(Survey):
     def models(self) -> Table:
         """A row for each model: how many findings of each severity."""
         rows = [{"model": record["model"], **record["counts"]} for record in self.records]
-        return table(rows, ("model", "error", "warn", "info"))
+        return table(rows, ("model", *_SEVERITIES))
 
     @property
     def table(self) -> Table:
@@ -309,7 +309,7 @@ class Check(Survey):
 
     def _count(self) -> str:
         totals = {name: sum(record["counts"][name] for record in self.records) for name in _SEVERITIES}
-        said = (f"{count} {_SEVERITIES[name]}{'s' if count > 1 else ''}" for name, count in totals.items() if count)
+        said = (f"{count} {name}{'s' if count > 1 else ''}" for name, count in totals.items() if count)
         return f"{super()._count()}: {', '.join(said) or 'no findings'}"
 
     def _worst(self) -> list[dict[str, Any]]:
@@ -325,8 +325,7 @@ class Check(Survey):
             for finding in record["findings"]:
                 models = kinds.setdefault((finding["severity"], finding["code"]), [])
                 models += [record["model"]] if record["model"] not in models[-1:] else []
-        order = [*_SEVERITIES]
-        ranked = sorted(kinds.items(), key=lambda kind: (order.index(kind[0][0]), -len(kind[1])))
+        ranked = sorted(kinds.items(), key=lambda kind: (_SEVERITIES.index(kind[0][0]), -len(kind[1])))
         rows = ([*kind, len(models), models[0]] for kind, models in ranked)
         columns = ("severity", "finding", "models", "for example")
         return html_table(columns, rows, ".findings.table") + paragraph("Each finding: .findings.table, or .of(number)")

@@ -685,12 +685,12 @@ def drop_test(
 def explain(
     *topics: str,
 ) -> list[Explanation]:
-    """Explains equations, quantities, and the codes of warnings and errors.
+    """Explains equations, quantities, and the codes of findings and errors.
 
     Parameters
     ----------
     topics : str
-        Equations, quantities, codes of warnings and errors; none lists all.
+        Equations, quantities, codes of findings and errors; none lists all.
 
     Returns
     -------

@@ -225,13 +225,13 @@ fn a_report_is_what_the_register_says_of_it() {
         let report = report(&bench(case), case.check);
         assert_eq!(report.schema_version, 1);
         assert!(report.model.ends_with(case.check.split(' ').next().unwrap()));
-        let mut counts = BTreeMap::from([("error".into(), 0), ("warn".into(), 0), ("info".into(), 0)]);
+        let mut counts = BTreeMap::from([("error".into(), 0), ("warning".into(), 0), ("remark".into(), 0)]);
         let mut worst = 0;
         let published = codes(&report).contains("known-contacts");
         for finding in &report.findings {
             let known = register.iter().find(|topic| topic["code"] == finding.code.as_str()).unwrap();
             // What was published so with known contacts is a remark.
-            let as_published = published && finding.severity == "info";
+            let as_published = published && finding.severity == "remark";
             assert!(as_published || known["severity"] == finding.severity.as_str(), "{finding:?}");
             assert_eq!(
                 (&known["why"], &known["advice"]),
@@ -242,7 +242,8 @@ fn a_report_is_what_the_register_says_of_it() {
             assert!(!about_spheres || finding.place.is_some() && finding.line.is_some(), "{finding:?}");
             assert!(finding.place.as_ref().is_none_or(|place| place.starts_with('/')), "{:?}", finding.place);
             *counts.get_mut(&finding.severity).unwrap() += 1;
-            let rank = ["error", "warn", "info"].iter().position(|name| *name == finding.severity).unwrap();
+            let rank =
+                ["error", "warning", "remark"].iter().position(|name| *name == finding.severity).unwrap();
             assert!(rank >= worst, "the worst comes first");
             worst = rank;
         }
@@ -362,12 +363,12 @@ fn it_says_why_figures_are_absent() {
 #[test]
 fn the_exit_status_is_that_of_the_worst_finding() {
     let of = |fixture: &str| Bench::with(&[(fixture, "model.osim")]);
-    let (info, warn, error) =
+    let (remark, warning, error) =
         (of("check/beyond_hertz_at_two.osim"), of("check/wide_transition.osim"), of("check/floats.osim"));
-    of("check/within_limits.osim").run("check model.osim --deny warn").done();
-    info.run("check model.osim --deny warn").done();
-    warn.run("check model.osim").done();
-    warn.run("check model.osim --deny warn").failed();
+    of("check/within_limits.osim").run("check model.osim --deny warning").done();
+    remark.run("check model.osim --deny warning").done();
+    warning.run("check model.osim").done();
+    warning.run("check model.osim --deny warning").failed();
     error.run("check model.osim").failed();
     error.run("check model.osim --deny sometimes").usage();
 }
@@ -419,7 +420,7 @@ fn checking() {
     bench.run("check lib").failed().wrote_nothing().looks_like("check_folder");
     bench.run("check lib --format csv").failed().looks_like("check_csv");
     bench.run("check lib --format json").failed().looks_like("check_folder_json");
-    bench.run("check lib/good.osim --deny warn").done().looks_like("check_good");
+    bench.run("check lib/good.osim --deny warning").done().looks_like("check_good");
     bench.run("check lib/bones.osim").done().looks_like("check_no_contacts");
 }
 
@@ -477,7 +478,7 @@ fn published_models_and_what_is_known_of_them() {
     ] {
         let bench = Bench::new();
         bench.write("m.osim", std::fs::read(folder.join(format!("{model}.osim"))).unwrap());
-        let out = bench.run("check m.osim --deny warn").done().out();
+        let out = bench.run("check m.osim --deny warning").done().out();
         // Those that may be for another mass are not called right.
         let certain = if model.contains("opencap") { " for certain" } else { "" };
         let says = format!("m.osim: nothing is wrong{certain}; the contact parameters are those of");

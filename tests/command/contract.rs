@@ -17,7 +17,7 @@ pub(crate) struct Plan {
     pub(crate) objects: Vec<Object>,
     pub(crate) changes: Vec<Change>,
     pub(crate) warnings: Vec<Finding>,
-    pub(crate) notes: Vec<String>,
+    pub(crate) remarks: Vec<String>,
     pub(crate) credits: Option<String>,
 }
 

@@ -31,7 +31,7 @@ fn a_force_without_a_sphere_stays_and_is_named() {
     bench
         .run("convert odd.osim --to smooth -o out.osim")
         .done()
-        .says(&["note: /forceset/floor_only holds no sphere that moves, and stays as it is"]);
+        .says(&["remark: /forceset/floor_only holds no sphere that moves, and stays as it is"]);
     assert!(bench.text("out.osim").contains("<HuntCrossleyForce name=\"floor_only\">"));
     // Where nothing else is chosen, nothing changes.
     let none = bench
@@ -65,7 +65,7 @@ fn what_was_made_is_known_while_a_part_of_it_is_left() {
     bench
         .run("remove with.osim --select force_heel* -o half.osim")
         .done()
-        .says(&["note: contacts are left, and so is the note in the file", "--contacts-mass 62"]);
+        .says(&["remark: contacts are left, and so is the note in the file", "--contacts-mass 62"]);
     bench.run("half.osim --target-mass 80 --dry-run").failed().says(&["62 kg", "--contacts-mass"]);
     let rest = bench.run("remove half.osim -o first.osim").done();
     assert!(!rest.out().contains("note:"), "{}", rest.out());
@@ -102,9 +102,9 @@ fn objects_that_name_what_went_are_named() {
             .replace("\n\t</Model>", &format!("\n\t\t<components>{reporter}</components>\n\t</Model>")),
     );
     let ran = bench.run("remove named.osim -o all.osim").done().says(&[
-        "note: ObjectGroup feet still names force_heel_r, force_ball_r, force_heel_l and 1 more, gone from this model",
-        "note: ObjectGroup heels still names heel_r, heel_l, gone from this model",
-        "note: TableReporter loads still names force_ball_r, gone from this model",
+        "remark: ObjectGroup feet still names force_heel_r, force_ball_r, force_heel_l and 1 more, gone from this model",
+        "remark: ObjectGroup heels still names heel_r, heel_l, gone from this model",
+        "remark: TableReporter loads still names force_ball_r, gone from this model",
     ]);
     assert_eq!(ran.out().matches("still names").count(), 3, "{}", ran.out());
     // What stays may be named.
@@ -122,7 +122,7 @@ fn json(ran: &crate::support::Ran) -> serde_json::Value {
 fn numbers_of_the_smoothed_law_are_told() {
     let bench = Bench::with(&[HUNT]);
     // (C.2), (C.5), (C.10) from 1e-5 m2, 300 1/m and 50 s/m at 0.032 m, which is this human's radius.
-    let told = "note: smoothing of 12 forces: constant_contact_force 0.00001 m2, hertz_smoothing 300 1/m, hunt_crossley_smoothing 50 s/m";
+    let told = "remark: smoothing of 12 forces: constant_contact_force 0.00001 m2, hertz_smoothing 300 1/m, hunt_crossley_smoothing 50 s/m";
     let defaults = "about 90 times the force of a HuntCrossleyForce at 0.1 mm";
     bench.run("convert hunt.osim --to smooth -o out.osim").done().says(&[
         told,
@@ -203,7 +203,7 @@ fn names_that_say_the_old_class_are_told() {
     bench
         .run("convert named.osim --to smooth -o out.osim")
         .done()
-        .says(&["note: names stay, also where they say the other class: HuntCrossleyForce_s1_r"]);
+        .says(&["remark: names stay, also where they say the other class: HuntCrossleyForce_s1_r"]);
 }
 
 #[test]

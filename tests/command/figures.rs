@@ -217,5 +217,5 @@ fn a_drop_and_a_check_judge_restitution_alike() {
     let drop = bench.run("drop-test soft.osim").done().out();
     assert!(drop.contains("restitution by (13) is outside the Hunt-Crossley law (at least 0.8)"), "{drop}");
     let check = bench.run("check soft.osim").out();
-    assert!(check.contains("info beyond-hunt-crossley"), "{check}");
+    assert!(check.contains("remark beyond-hunt-crossley"), "{check}");
 }

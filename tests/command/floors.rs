@@ -116,7 +116,7 @@ fn a_slope_is_a_remark_and_carries_a_part_of_the_weight() {
     let slope = edited(&human(), &[(LEVEL, "<orientation>0 0 -1.3962634015954636</orientation>")]);
     let seen = found(&slope);
     assert_eq!(codes(&seen), BTreeSet::from(["floor-slopes"]), "{seen:#?}");
-    assert_eq!(seen[0]["severity"], "info");
+    assert_eq!(seen[0]["severity"], "remark");
     assert_eq!(seen[0]["message"], "floor leans by 10 degrees: 0.9848 of the weight presses on it");
     let load = |text: &str| {
         let bench = Bench::new();

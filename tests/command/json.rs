@@ -246,7 +246,7 @@ fn a_rescaling_lists_every_change() {
         (1, "human.osim", Some("human.scaled.osim"))
     );
     assert_eq!(plan.masses(), (62.0, "bodies", 1190.0));
-    assert!(plan.geometry_output.is_none() && plan.warnings.is_empty() && !plan.notes.is_empty());
+    assert!(plan.geometry_output.is_none() && plan.warnings.is_empty() && !plan.remarks.is_empty());
     assert!(plan.objects.is_empty());
     assert!(plan.credits.unwrap().contains("[contacts made for 1190 kg at 9.81 m/s2 (osim-contact-scale "));
     // Python 3, decimal, 60 digits, from μ = 1190/62.

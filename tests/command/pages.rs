@@ -327,5 +327,5 @@ fn a_design_for_another_gravity_is_judged_under_it_before_and_after() {
     let page = bench.text("page.html");
     assert!(!page.contains("new.osim --indentation 0.16 --"), "{page}");
     let check = bench.run("check new.osim --gravity 1.62").out();
-    assert!(!check.contains("warn beyond-hertz\n"), "{check}");
+    assert!(!check.contains("warning beyond-hertz\n"), "{check}");
 }

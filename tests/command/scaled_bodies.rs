@@ -34,7 +34,11 @@ fn check_with_the_original_prints_the_command_that_puts_it_right() {
     bench.run(&format!("{arguments} -o right.osim")).done();
     for call in ["right.osim", "right.osim --from generic.osim"] {
         let found = checked(&bench, call);
-        assert_eq!((&found["counts"]["error"], &found["counts"]["warn"]), (&0.into(), &0.into()), "{found}");
+        assert_eq!(
+            (&found["counts"]["error"], &found["counts"]["warning"]),
+            (&0.into(), &0.into()),
+            "{found}"
+        );
     }
 }
 

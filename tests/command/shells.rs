@@ -107,7 +107,7 @@ fn fish_completes_verbs_options_values_and_files() {
     // Verbs and files are both possible.
     assert_eq!(complete("mo"), ["model.osim", "motion"]);
     assert_eq!(complete("lib"), ["library/"]);
-    for verb in ["check ", "check --deny warn ", "transfer ", "plot force ", "rescale model.osim "] {
+    for verb in ["check ", "check --deny warning ", "transfer ", "plot force ", "rescale model.osim "] {
         assert_eq!(complete(&format!("{verb}mod")), ["model.osim"], "{verb}");
     }
     assert_eq!(complete("transfer model.osim --from mod"), ["model.osim"]);

@@ -362,7 +362,7 @@ fn points_with_the_same_contacts_are_named() {
     let bench = Bench::with(&[EMU]);
     let own = common(&bench, "emu.osim", "stiffness");
     let call = format!("sweep emu.osim --grid stiffness=x1,{own},x2 -d out");
-    bench.run(&call).done().says(&["note: 1 of 3 models has the same contacts as an earlier one: 2 and 1"]);
+    bench.run(&call).done().says(&["remark: 1 of 3 models has the same contacts as an earlier one: 2 and 1"]);
     let ran = bench.run("sweep emu.osim --grid stiffness=x1,x2 -d other").done();
     assert!(!ran.err().contains("same contacts"), "{}", ran.err());
 }
@@ -375,12 +375,12 @@ fn models_of_another_sweep_in_the_folder_are_named() {
     assert!(!said("sweep emu.osim --grid stiffness=x1,x2 -d out").contains("another sweep"));
     let err = said("sweep emu.osim --grid stiffness=x1,x3 -d out --force");
     let expected =
-        "note: out has a model of another sweep, which the manifest does not list: emu_2_stiffness-x2.osim";
+        "remark: out has a model of another sweep, which the manifest does not list: emu_2_stiffness-x2.osim";
     assert!(err.contains(expected), "{err}");
     // A ladder has a table of its own, and what is no model of a sweep is none of its business.
     bench.write("out/emu_walks.osim", "mine");
     let err = said("sweep emu.osim --ladder 3 --indentation 0.16 -d out");
     assert!(!err.contains("another sweep"), "{err}");
     let err = said("sweep emu.osim --ladder 2 --indentation 0.16 -d out --force");
-    assert!(err.contains("note: out has 3 models of another sweep"), "{err}");
+    assert!(err.contains("remark: out has 3 models of another sweep"), "{err}");
 }

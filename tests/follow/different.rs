@@ -27,8 +27,8 @@ fn move_knee(bench: &Bench) {
     );
 }
 
-fn notes(report: &Value) -> String {
-    report["notes"].to_string()
+fn remarks(report: &Value) -> String {
+    report["remarks"].to_string()
 }
 
 fn warnings(report: &Value) -> String {
@@ -148,7 +148,7 @@ fn the_last_body_takes_the_factors_of_the_one_it_hangs_on() {
     let report = plan(&bench, "");
     for (body, foot) in [("toes_r", "calcn_r"), ("toes_l", "calcn_l")] {
         let told = format!("{body} takes the factors of {foot}, on which it hangs: 1.0200, 0.9000, 0.9500");
-        assert!(notes(&report).contains(&told), "{}", notes(&report));
+        assert!(remarks(&report).contains(&told), "{}", remarks(&report));
     }
     close(&planned(&report, "toe_r", "radius"), 0.030_573_048_163_784_02);
     let seen = read(&bench.run("inspect scaled.osim --from generic.osim --format json").done());

@@ -48,7 +48,8 @@ fn check() {
 fn check_of_several_models() {
     let bench = Bench::with(&[HUMAN, ("check/floats.osim", "floats.osim")]);
     let files = files_of(&bench);
-    let request = request!(Check, {"verb": "check", "models": ["human.osim", "floats.osim"], "deny": "warn"});
+    let request =
+        request!(Check, {"verb": "check", "models": ["human.osim", "floats.osim"], "deny": "warning"});
     let mut table = LibraryTable::default();
     let mut denied = false;
     for path in &request.models {
@@ -56,9 +57,9 @@ fn check_of_several_models() {
         table.add(&found);
         denied |= found.reaches(request.deny.severity());
     }
-    let ran = bench.run("check human.osim floats.osim --deny warn");
+    let ran = bench.run("check human.osim floats.osim --deny warning");
     assert_eq!(ran.status, Some(i32::from(denied)));
-    assert_eq!(table.text(true, &CommandLine, Colour::Plain), ran.out());
+    assert_eq!(table.text(true, &CommandLine, Colour::Plain, true), ran.out());
 }
 
 /// Applies the remedy of `code`, as data in memory and as the command that is proposed: both give the same file, and in it

@@ -226,7 +226,7 @@ fn the_last_line_counts_what_could_not_be_listed() {
     for number in 0..3 {
         symlink("nowhere", bench.path(&format!("lib/dead{number}.osim"))).unwrap();
     }
-    bench.run("lib --target-mass 500 -d out").failed().says(&["note: 4 models: 1 written, 3 failed"]);
+    bench.run("lib --target-mass 500 -d out").failed().says(&["remark: 4 models: 1 written, 3 failed"]);
 }
 
 /// A table names ordinary files. A pipe is there, and is none.

@@ -1,6 +1,6 @@
 function tests = test_messages()
 %TEST_MESSAGES Whatever a user of MATLAB reads names arguments as they are typed in MATLAB.
-    tests = {@wrong_calls, @findings_and_notes};
+    tests = {@wrong_calls, @findings_and_remarks};
 end
 
 function wrong_calls()
@@ -141,8 +141,8 @@ function without_masses()
     fclose(file);
 end
 
-function findings_and_notes()
-    % What results hold beside errors: findings with their advice and a call that helps, notes, remarks.
+function findings_and_remarks()
+    % What results hold beside errors: findings with their advice and a call that helps, remarks.
     state = warning('off', 'all');
     back = onCleanup(@() warning(state));
     without_masses();

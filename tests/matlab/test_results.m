@@ -16,7 +16,7 @@ function rescaling_follows_the_paper()
         to = [done.changes(is_this).to];
         must(numel(to) == 12 && all(abs(to / expected.(name{1}) - 1) < 1e-14), '%s is %.17g', name{1}, to(1));
     end
-    must(isempty(done.error) && isempty(done.objects) && iscellstr(done.notes), 'fields are of other kinds');
+    must(isempty(done.error) && isempty(done.objects) && iscellstr(done.remarks), 'fields are of other kinds');
 end
 
 function all_elements_have_the_same_fields()

@@ -251,7 +251,7 @@ def test_the_way_to_the_floor_is_told(added):
     floor = placing.floor_of(anatomy)["centre"][1]
     spheres = [one for one in anatomy["spheres"] if one["body"] != "ground"]
     bottoms = {one["name"]: one["centre"][1] - one["radius"] - floor for one in spheres}
-    (told,) = [found for note in added.outcome.report["notes"] if (found := FLOOR.search(note))]
+    (told,) = [found for note in added.outcome.report["remarks"] if (found := FLOOR.search(note))]
     sphere, distance, side, coordinate, there, now = told.groups()
     lowest = min(bottoms.values())
     assert bottoms[sphere] == pytest.approx(lowest, abs=1e-9)
@@ -306,4 +306,4 @@ def test_sources_that_differ_are_told(made):
     """The mesh is taken, and both values are named: 0.231 m to the toes are 41 % more than the reference's, the mesh has 17 %."""
     warnings = [one["message"] for one in made["joint_farther_than_the_mesh"].outcome.report["warnings"] if one["code"] == "factors-disagree"]
     assert len(warnings) == 2 and all("1.1707" in one and "1.413" in one for one in warnings), warnings
-    assert any("toes_l takes the factors of calcn_l" in one for one in made["no_toes"].outcome.report["notes"])
+    assert any("toes_l takes the factors of calcn_l" in one for one in made["no_toes"].outcome.report["remarks"])

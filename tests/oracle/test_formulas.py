@@ -20,7 +20,7 @@ FUNCTIONS = {"sqrt": math.sqrt, "tanh": math.tanh, "atanh": math.atanh}
 RATIOS = "M n R g"  # those of b to those of a
 HERTZ, SMOOTH = "E* R eta", "E* R alpha cf bd bv x xdot"
 
-# Label and note of a formula: the function of reference.csv, and what its inputs are called in the formula.
+# Label and variant of a formula: the function of reference.csv, and what its inputs are called in the formula.
 FORMULAS = {
     ("1", ""): ("Hertz::force", f"{HERTZ} x"),
     ("1", "for x"): ("Hertz::indentation_from_force", f"{HERTZ} F_e"),
@@ -77,7 +77,7 @@ FORMULAS = {
 
 
 def explained():
-    """Formulas in plain letters, by label and note."""
+    """Formulas in plain letters, by label and variant."""
     done = subprocess.run([command.BINARY, "explain", "--format", "json"], check=True, capture_output=True)
     topics = [json.loads(line) for line in done.stdout.decode("utf-8").splitlines()]
     spelled = {"x̂": "xhat", "α": "alpha", "x̂_c": "xhat_c"}
@@ -85,10 +85,10 @@ def explained():
     for topic in topics:
         schemas.check("explain", topic)
         for formula in topic.get("formulas", []):
-            note = formula["note"]
+            variant = formula["variant"]
             for symbol in sorted(spelled, key=len, reverse=True):
-                note = note.replace(symbol, spelled[symbol])
-            found.setdefault((topic["label"], note), formula["ascii"])
+                variant = variant.replace(symbol, spelled[symbol])
+            found.setdefault((topic["label"], variant), formula["ascii"])
     return found
 
 

@@ -135,7 +135,7 @@ def test_who_follows_what_check_prints_ends_with_contacts_that_are_right(name, k
             assert np.max(np.abs(place - down - wanted)) <= TOLERANCE, (sphere, place, wanted)
         for more in ((), ("--from", generic)):
             left = checked(centre, *more)
-            assert (left["counts"]["error"], left["counts"]["warn"]) == (0, 0), left["findings"]
+            assert (left["counts"]["error"], left["counts"]["warning"]) == (0, 0), left["findings"]
 
 
 def bodies_with_spheres(model):

@@ -136,8 +136,8 @@ fn planned(arguments: &str) -> (f64, String, String) {
     let plan = object(&bench.run(&format!("design {arguments} --dry-run --format json")).done());
     let changes = plan["changes"].as_array().unwrap();
     let stiffness = changes.iter().find(|change| change["property"] == "stiffness").unwrap();
-    let notes = plan["notes"].as_array().unwrap().iter().filter_map(|note| note.as_str());
-    let rests = notes.filter(|note| note.contains("rest at")).collect::<Vec<_>>().join("; ");
+    let remarks = plan["remarks"].as_array().unwrap().iter().filter_map(|remark| remark.as_str());
+    let rests = remarks.filter(|remark| remark.contains("rest at")).collect::<Vec<_>>().join("; ");
     (stiffness["to"].as_f64().unwrap(), stiffness["equation"].as_str().unwrap().to_owned(), rests)
 }
 

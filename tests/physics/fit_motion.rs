@@ -214,11 +214,11 @@ fn several_trials_share_their_contacts() {
     let call = "fit walker.osim --motion walk.mot --motion second.mot --plates plates.sto --plates plates.sto --loads plates.xml";
     let plan = object(&bench.run(&format!("{call} --dry-run --format json")).done());
     assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, "E1*");
-    let notes: Vec<&str> =
-        plan["notes"].as_array().unwrap().iter().map(|note| note.as_str().unwrap()).collect();
+    let remarks: Vec<&str> =
+        plan["remarks"].as_array().unwrap().iter().map(|remark| remark.as_str().unwrap()).collect();
     assert!(
-        notes.iter().any(|note| note.starts_with("the floor of trial 2 goes down by 11.0 mm")),
-        "{notes:?}"
+        remarks.iter().any(|remark| remark.starts_with("the floor of trial 2 goes down by 11.0 mm")),
+        "{remarks:?}"
     );
     bench
         .run("fit walker.osim --motion walk.mot --motion second.mot --plates plates.sto")
@@ -283,9 +283,12 @@ fn a_measured_gait_is_fitted_as_well_as_can_be() {
     // Bounded, it says what that costs.
     let (bounded, _, plan) = of("");
     assert!(bounded > free && plan["errors"]["largest_relative_indentation"].as_f64().unwrap() <= 1.0 + 1e-6);
-    let notes = plan["notes"].to_string();
-    assert!(notes.contains("scatters by 36 mm, more than R (34 mm): stiffness is not determined"), "{notes}");
-    assert!(notes.contains("--unbounded"), "{notes}");
+    let remarks = plan["remarks"].to_string();
+    assert!(
+        remarks.contains("scatters by 36 mm, more than R (34 mm): stiffness is not determined"),
+        "{remarks}"
+    );
+    assert!(remarks.contains("--unbounded"), "{remarks}");
 }
 
 /// A table of models: one row is a body with its recording.
@@ -346,9 +349,12 @@ fn each_trial_has_a_floor_of_its_own() {
         let floors: Vec<f64> =
             plan["floor_up_m"].as_array().unwrap().iter().map(|up| up.as_f64().unwrap()).collect();
         assert!(floors.len() == 2 && (floors[1] - floors[0] - 0.02).abs() < 2e-4, "{more}: {floors:?}");
-        let notes = plan["notes"].to_string();
+        let remarks = plan["remarks"].to_string();
         let floor = if more.is_empty() { "trial 2 goes up by 9.0 mm" } else { "trial 2 goes up by 20.0 mm" };
-        assert!(notes.contains(floor) && notes.contains("trial 2: the error of all its feet"), "{notes}");
+        assert!(
+            remarks.contains(floor) && remarks.contains("trial 2: the error of all its feet"),
+            "{remarks}"
+        );
     }
 }
 
@@ -368,17 +374,20 @@ fn a_foot_that_no_plate_measured_is_left_out() {
     bench.write("plates.sto", format!("{head}endheader\n{names}\n{}", emptied.collect::<String>()));
     let plan = object(&bench.run(&format!("{FIT} --dry-run --format json")).done());
     assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, "E1*");
-    let notes = plan["notes"].to_string();
-    assert!(notes.contains("right foot: left out, because the plates measured no force under it"), "{notes}");
-    assert!(notes.contains("unless a plate is missing"), "{notes}");
+    let remarks = plan["remarks"].to_string();
+    assert!(
+        remarks.contains("right foot: left out, because the plates measured no force under it"),
+        "{remarks}"
+    );
+    assert!(remarks.contains("unless a plate is missing"), "{remarks}");
 }
 
 #[test]
 fn what_a_floor_does_to_others_is_said() {
     let bench = Bench::with(&FILES);
     let plan = object(&bench.run(&format!("{FIT} --select contact_heel_r --dry-run --format json")).done());
-    let notes = plan["notes"].to_string();
-    assert!(notes.contains("the floor is also that of"), "{notes}");
+    let remarks = plan["remarks"].to_string();
+    assert!(remarks.contains("the floor is also that of"), "{remarks}");
 }
 
 #[test]

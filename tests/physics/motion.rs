@@ -221,7 +221,7 @@ fn check_says_whether_contacts_fit_a_recording() {
     assert_eq!(verdict("walker.osim", ""), (6, None));
     let (count, found) = verdict("walker.osim", recording);
     let (sign, text) = found.unwrap();
-    assert_eq!((count, sign.as_str()), (7, "warn"));
+    assert_eq!((count, sign.as_str()), (7, "warning"));
     assert!(text.contains("up to 7.61 body weights where the plates measured up to 1.53"), "{text}");
     // What it advises works.
     assert!(text.contains("fit MODEL --motion MOTION --plates PLATES"), "{text}");

@@ -48,7 +48,7 @@ def test_a_survey_of_bytes_can_be_sent():
 def test_a_figure_can_be_sent():
     figure = ocs.plot("drop", HUMAN)
     back = pickle.loads(pickle.dumps(figure))
-    assert (back.svg, back.notes, back.to_png()) == (figure.svg, figure.notes, figure.to_png())
+    assert (back.svg, back.remarks, back.to_png()) == (figure.svg, figure.remarks, figure.to_png())
     assert back.to_pdf().startswith(b"%PDF") and back.data.equals(figure.data)
     assert pickle.loads(pickle.dumps(back)).svg == figure.svg
 

@@ -255,7 +255,7 @@ def test_a_design_sheet_is_asked_for_its_quantities():
     design = sheet()
     (stiffness,) = (figure["value"] for figure in design.record["figures"] if figure["name"] == "stiffness")
     assert design["stiffness"] == design.stiffness == stiffness
-    assert {"stiffness", "figures", "notes"} <= {*design} and len(design) == len([*design])
+    assert {"stiffness", "figures", "remarks"} <= {*design} and len(design) == len([*design])
     assert dict(design)["stiffness"] == stiffness and "nonsense" not in design
 
 

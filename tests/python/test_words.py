@@ -205,7 +205,7 @@ def test_what_is_said_of_models():
     checked = ocs.check(models)
     texts = {text for finding in checked.findings for text in (finding.message, finding.why, finding.advice)}
     texts |= {str(finding.remedy) for finding in checked.findings} | {str(error) for error in checked.errors}
-    texts |= {note for record in checked.records for note in record.get("notes", ())}
+    texts |= {remark for record in checked.records for remark in record.get("remarks", ())}
     assert len(texts) > 100
     assert not [text for text in texts if text and foreign_in(text, [FIELD])]
 

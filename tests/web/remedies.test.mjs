@@ -72,7 +72,7 @@ function remediesOf(Engine, bytes) {
   const engine = engineWith(Engine, bytes);
   const { ok } = ask(engine, { do: "look", model: "model.osim", parts: [] });
   engine.free();
-  return (ok?.findings ?? []).filter(({ remedy, severity }) => remedy && severity !== "info").map(({ remedy }) => remedy);
+  return (ok?.findings ?? []).filter(({ remedy, severity }) => remedy && severity !== "remark").map(({ remedy }) => remedy);
 }
 
 /** For each verb why it is refused; nothing where it is not. */

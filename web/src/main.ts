@@ -128,9 +128,9 @@ async function ready(session: Session, stage: StageView): Promise<void> {
 }
 
 function cannot(text: string): void {
-  const note = byId("unsupported");
-  note.textContent = text;
-  note.hidden = false;
+  const box = byId("unsupported");
+  box.textContent = text;
+  box.hidden = false;
 }
 
 main();

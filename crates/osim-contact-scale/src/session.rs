@@ -102,11 +102,11 @@ pub(super) fn asked() -> String {
 
 // Choices of forces or bodies that fit nothing, for verbs whose results do not say it.
 
-/// Notes each of them for the models at `paths`. What cannot be read is named by the verb itself.
+/// A remark on each of them for the models at `paths`. What cannot be read is named by the verb itself.
 ///
 /// # Errors
 /// Standard error is closed.
-pub(super) fn note_unmatched<'p>(
+pub(super) fn remark_unmatched<'p>(
     paths: impl IntoIterator<Item = &'p Path>,
     beside: Beside<'_>,
     choice: &ForceOptions,
@@ -121,7 +121,7 @@ pub(super) fn note_unmatched<'p>(
     for path in paths.into_iter().filter(|path| path.as_os_str() != "-") {
         let Ok(open) = open_with(path, beside, &Disk) else { continue };
         for message in unmatched_patterns(&selection, &masses, &open.model) {
-            session.terminal.note_line(&message.spelled(session.words))?;
+            session.terminal.remark(&message.spelled(session.words))?;
         }
     }
     Ok(())

@@ -104,12 +104,12 @@ impl Terminal {
         self.out
     }
 
-    /// A remark beside the results, on standard error.
-    pub(crate) fn note(&mut self, text: &str) -> io::Result<()> {
+    /// Text beside the results, on standard error.
+    pub(crate) fn print_beside(&mut self, text: &str) -> io::Result<()> {
         self.aside(&fitted(text, self.err))
     }
 
-    /// A remark whose lines stay as they are, on standard error.
+    /// Text beside the results whose lines stay as they are, on standard error.
     pub(crate) fn aside(&mut self, text: &str) -> io::Result<()> {
         match io::stderr().lock().write_all(harmless(text).as_bytes()) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -133,8 +133,8 @@ impl Terminal {
     }
 
     /// A remark in one line, on standard error.
-    pub(crate) fn note_line(&mut self, text: &str) -> io::Result<()> {
-        self.note(&format!("note: {}\n", one_line(text.to_owned())))
+    pub(crate) fn remark(&mut self, text: &str) -> io::Result<()> {
+        self.print_beside(&format!("remark: {}\n", one_line(text.to_owned())))
     }
 }
 

@@ -230,8 +230,8 @@ struct PublishedContact {
 #[serde(rename_all = "lowercase")]
 enum Level {
     Error,
-    Warn,
-    Info,
+    Warning,
+    Remark,
 }
 
 impl Entry {
@@ -249,8 +249,8 @@ impl Entry {
     fn severity(&self, code: FindingCode) -> Option<Severity> {
         self.severity.get(code.as_str()).map(|level| match level {
             Level::Error => Severity::Error,
-            Level::Warn => Severity::Warn,
-            Level::Info => Severity::Info,
+            Level::Warning => Severity::Warning,
+            Level::Remark => Severity::Remark,
         })
     }
 }

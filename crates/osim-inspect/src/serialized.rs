@@ -19,7 +19,7 @@ pub const SCHEMA_VERSION: u32 = 1;
 pub struct FindingRecord {
     /// Stable short name.
     pub code: &'static str,
-    /// How bad it is: `error`, `warn` or `info`.
+    /// How bad it is: `error`, `warning` or `remark`.
     pub severity: &'static str,
     /// This case, in words.
     pub message: String,

@@ -22,7 +22,7 @@ pub struct Verdict {
     #[serde(serialize_with = "name")]
     #[cfg_attr(feature = "schemas", schemars(with = "String"))]
     pub on: VerdictOn,
-    /// How it is: `good`, `info`, `warn`, `error` or `unknown`.
+    /// How it is: `good`, `remark`, `warning`, `error` or `unknown`.
     #[cfg_attr(feature = "schemas", schemars(with = "String"))]
     pub sign: Sign,
     /// The answer in words, with the number that decides.
@@ -45,8 +45,8 @@ pub struct Verdict {
 pub enum Sign {
     /// Nothing was found.
     Good,
-    Info,
-    Warn,
+    Remark,
+    Warning,
     Error,
     /// Something that decides is not known.
     Unknown,
@@ -56,8 +56,8 @@ impl Sign {
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Good => "good",
-            Self::Info => "info",
-            Self::Warn => "warn",
+            Self::Remark => "remark",
+            Self::Warning => "warning",
             Self::Error => "error",
             Self::Unknown => "unknown",
         }
@@ -67,8 +67,8 @@ impl Sign {
 impl From<Severity> for Sign {
     fn from(severity: Severity) -> Self {
         match severity {
-            Severity::Info => Self::Info,
-            Severity::Warn => Self::Warn,
+            Severity::Remark => Self::Remark,
+            Severity::Warning => Self::Warning,
             Severity::Error => Self::Error,
         }
     }

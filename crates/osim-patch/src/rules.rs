@@ -21,7 +21,7 @@ pub const RULES: &[&Rule] = &[
 
 static ALREADY_AT_TARGET: Rule = Rule {
     code: FindingCode::AlreadyAtTarget,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "The contacts are already made for the target mass, so nothing was written.",
     why: "The mass the contacts are made for is taken from the note in the file, else `mass`, else the sum of the bodies. A model that was scaled in OpenSim weighs its new mass already while its contacts are still those of the old one; the file does not show which.",
@@ -47,7 +47,7 @@ pub(crate) fn already_at_target(contacts_mass: &Mass) -> Finding {
 
 static COMPOSITE_SURFACES: Rule = Rule {
     code: FindingCode::CompositeSurfaces,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "Sphere and half-space of a converted force have parameters of their own.",
     why: "A force of one sphere has one set of parameters. It gets those that both surfaces have together (A.3), which gives the same force; but Simbody moves the point of contact towards the softer surface, so that accelerations can differ by up to 3 %.",
@@ -74,7 +74,7 @@ pub(crate) fn composite_surfaces(force: &Force, message: String) -> Finding {
 
 static FACTOR_SPREAD: Rule = Rule {
     code: FindingCode::FactorSpread,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "Spheres of one ContactParameters follow bodies with different factors.",
     why: "One ContactParameters has one modulus for all its spheres; the mean of R squared is used before and after, so single spheres sink in more or less than they did.",
@@ -106,7 +106,7 @@ pub(crate) fn factor_spread(force: &Force, message: String) -> Finding {
 
 static FRICTION_NOT_SIMILAR: Rule = Rule {
     code: FindingCode::FrictionNotSimilar,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: None,
     what: "The friction of SmoothSphereHalfSpaceForce is not exactly similar.",
     why: "Simbody adds constant_contact_force to the squared slip speed, where similarity wants a term in proportion to g R: friction of the smooth force is similar only as far as that term is small.",
@@ -132,7 +132,7 @@ pub(crate) fn friction_not_similar<'f>(
 
 static NOTHING_TO_CHANGE: Rule = Rule {
     code: FindingCode::NothingToChange,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: None,
     what: "Something that was asked for changes nothing.",
     why: "A factor of exactly 1 leaves every byte as it is. With a radius that stays, dissipation and smoothing stay too (14, C.2, C.5, C.10).",
@@ -180,7 +180,7 @@ pub(crate) fn nothing_to_transfer() -> Finding {
 
 static REFERENCE_WITHOUT_SMOOTHING: Rule = Rule {
     code: FindingCode::ReferenceWithoutSmoothing,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "The reference has no smoothing parameters to give.",
     why: "A HuntCrossleyForce has no constant_contact_force, hertz_smoothing or hunt_crossley_smoothing, so those of the model stay (or follow its own radii where these change).",

@@ -231,7 +231,7 @@ fn worse_than(
     changed: &Changed,
 ) -> Vec<Found> {
     let found = changed.unmended(after, opened, changed.model());
-    let is_bad = |one: &&Found| one.severity >= Severity::Warn && !is_due(one) && !is_known(plan, one);
+    let is_bad = |one: &&Found| one.severity >= Severity::Warning && !is_due(one) && !is_known(plan, one);
     let bad: Vec<&Found> = found.iter().filter(is_bad).collect();
     if bad.is_empty() {
         return Vec::new();

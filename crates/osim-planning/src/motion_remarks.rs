@@ -368,5 +368,5 @@ fn verdict(result: &MotionResult) -> Verdict {
         call,
         " finds what would fit"
     ];
-    Verdict::on_recording(Sign::Warn, text)
+    Verdict::on_recording(Sign::Warning, text)
 }

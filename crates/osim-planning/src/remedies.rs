@@ -146,7 +146,7 @@ fn is_for(requests: &[Request], finding: &Found) -> bool {
 }
 
 fn has_command(finding: &Found) -> bool {
-    finding.severity >= Severity::Warn && matches!(finding.rule.repair, Repair::Command(_))
+    finding.severity >= Severity::Warning && matches!(finding.rule.repair, Repair::Command(_))
 }
 
 /// Whether a remedy did what it promises.
@@ -160,7 +160,7 @@ fn holds(its: &[&Found], request: &Request, before: &CheckResult, after: &CheckR
 }
 
 fn bad(found: &CheckResult) -> impl Iterator<Item = &Found> {
-    found.findings.iter().filter(|one| one.severity >= Severity::Warn)
+    found.findings.iter().filter(|one| one.severity >= Severity::Warning)
 }
 
 fn codes(found: &CheckResult) -> BTreeSet<FindingCode> {

@@ -30,7 +30,7 @@ pub fn of<'c>(codes: impl Fn(FindingCode) -> bool + 'c) -> impl Iterator<Item = 
 
 static BOTTOMS_MOVED: Rule = Rule {
     code: FindingCode::BottomsMoved,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "A change moves the bottoms of spheres so far that a body which stood at its default pose starts inside its floor or above it, or that a level foot is uneven.",
     why: "Radii grow around centres that stay. A simulation that starts from the default pose starts inside the floor then, and lower spheres carry what all should carry. Contacts that are made for a body which is still to be scaled are not judged by the pose of the one that is there, nor are spheres that follow their bodies.",
@@ -72,7 +72,7 @@ pub(crate) fn bottoms_moved_of_limb(limb: &str, before_m: f64, lowest: &Bottom, 
 
 static COMPILED_MODEL_BESIDE: Rule = Rule {
     code: FindingCode::CompiledModelBeside,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "A compiled file, F_ and the name of the model, lies beside the output.",
     why: "PredSim and OpenCap compile a model to F_<name> and reuse it without looking at the model's content: the old contacts would stay in use.",
@@ -93,7 +93,7 @@ pub fn compiled_model_beside(compiled: &Path) -> Finding {
 
 static HARD_LINKED: Rule = Rule {
     code: FindingCode::HardLinked,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "A model that is changed itself has other names too.",
     why: "A changed model is a new file that takes the name of the old one, so that no moment is without a whole file. Hard links to the old one are names of the old file: they keep the old model.",
@@ -119,7 +119,7 @@ const MOST_BARE_BODIES: usize = 200;
 
 static ODD_MESH: Rule = Rule {
     code: FindingCode::OddMesh,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Sizes),
     what: "The mesh of a foot does not fit the skeleton.",
     why: "`add MODEL` with `feet` lays spheres under the lowest points of meshes, and factors between models come from them: with a file in millimetres, another animal's bone of the same name, or one broken vertex, spheres are far from where the foot is. Real feet, toes and tali are 0.136 to 0.6 of the longest bone of their limb, the longest distance between two joints of one body.",

@@ -27,7 +27,7 @@ pub(crate) struct Figure {
     svg: String,
     /// Remarks beside it.
     #[pyo3(get)]
-    notes: String,
+    remarks: String,
     title: String,
     /// The numbers that are drawn, as CSV.
     #[pyo3(get)]
@@ -58,13 +58,13 @@ pub(crate) fn plot(
             return Err(Problem::defect("a request for another verb".to_owned()));
         };
         request.check_models()?;
-        let (drawing, bodies, notes) = drawn(&request, &files)?;
+        let (drawing, bodies, remarks) = drawn(&request, &files)?;
         let svg = figures::svg(&drawing, figures::paper(&request.looks), &bodies)?;
         let csv = figures::data_csv(&drawing).map_err(|error| Problem::defect(error.to_string()))?;
         let csv = String::from_utf8(csv).map_err(|error| Problem::defect(error.to_string()))?;
         Ok(Figure {
             svg,
-            notes,
+            remarks,
             title: drawing.title().to_owned(),
             csv,
             panels: looks(&drawing),
@@ -77,7 +77,7 @@ fn drawn(request: &PlotRequest, files: &RequestFiles) -> Result<(Drawing, Vec<Bo
     if request.is_of_feet() {
         let states = plot_feet(request, files)?;
         let drawing = figures::draw_feet(request, &states)?;
-        return Ok((drawing, Vec::new(), figures::feet_notes(&states, &PythonWords)));
+        return Ok((drawing, Vec::new(), figures::feet_remarks(&states, &PythonWords)));
     }
     if request.is_of_motion() {
         let drawing = figures::draw_motion(request, &plot_motion(request, files)?)?;
@@ -86,8 +86,8 @@ fn drawn(request: &PlotRequest, files: &RequestFiles) -> Result<(Drawing, Vec<Bo
     let table = plot_table(request, files)?;
     let bodies = plot_bodies(request, files)?;
     let drawing = figures::draw(request, &bodies, table.as_ref())?;
-    let notes = figures::weights(&bodies, &PythonWords);
-    Ok((drawing, bodies, notes))
+    let remarks = figures::weights(&bodies, &PythonWords);
+    Ok((drawing, bodies, remarks))
 }
 
 fn looks(drawing: &Drawing) -> Vec<PanelLook> {

@@ -34,7 +34,7 @@ export type Request = { verb: string; models?: string[] } & Record<string, unkno
 
 export interface Finding {
   code: string;
-  severity: "info" | "warn" | "error";
+  severity: "remark" | "warning" | "error";
   message: string;
   line: number | null;
   place: string | null;
@@ -60,7 +60,7 @@ export interface Inspection {
 export interface Verdict {
   question: string;
   on: string;
-  sign: "good" | "info" | "warn" | "error" | "unknown";
+  sign: "good" | "remark" | "warning" | "error" | "unknown";
   text: string;
   place: string | null;
   /** Codes of the findings that are about it. */
@@ -85,8 +85,8 @@ export interface ChangeRecord {
   target_mass_kg: number | null;
   objects: { change: string; class: string; name: string }[];
   changes: { property: string; from: unknown; to: unknown; factor: number | null }[];
-  warnings: { message: string }[];
-  notes: string[];
+  warnings: { severity: Finding["severity"]; message: string }[];
+  remarks: string[];
 }
 
 interface ResultFile {
@@ -119,7 +119,7 @@ export interface Sheet {
     given: boolean;
     limit: { text: string; within_limit: boolean } | null;
   }[];
-  notes: string[];
+  remarks: string[];
 }
 
 export interface Spelled {

@@ -66,11 +66,11 @@ export function calculatorView(session: Session, addFile: Context["addFile"]): v
   });
 }
 
-function sheetTable({ figures, notes }: Sheet): HTMLElement {
+function sheetTable({ figures, remarks }: Sheet): HTMLElement {
   const heads = ["quantity", "value", "unit", "equation", "remark"].map((text) => ({ text, words: text !== "value" }));
   const [head, body] = [el("tr", {}, ...headCells(heads)), el("tbody", {}, ...figures.map(figureRow))];
   const box = boxedTable("Result of the calculation", "What follows for one contact sphere.", head, body);
-  return el("div", {}, box, el("ul", {}, ...notes.map((note) => el("li", {}, sentence(note)))));
+  return el("div", {}, box, el("ul", {}, ...remarks.map((remark) => el("li", {}, sentence(remark)))));
 }
 
 function figureRow({ name, value, unit, equation, given, limit }: Sheet["figures"][number]): HTMLElement {

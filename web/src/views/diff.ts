@@ -16,15 +16,15 @@ export interface Asked {
 
 export function diffView(session: Session): Asked {
   const lines = el("pre", { class: "diff", tabindex: 0, "aria-label": "Lines that change" });
-  const note = el("p", { class: "quiet" });
+  const explanation = el("p", { class: "quiet" });
   const title = el("h3", { id: "diff-title" }, "Lines that change");
-  const element = el("details", { class: "section", id: "diff" }, el("summary", {}, title), note, lines);
+  const element = el("details", { class: "section", id: "diff" }, el("summary", {}, title), explanation, lines);
   const show = async (request: Request) => {
     const text = await session.engine.diff(request).then(({ next }) => next.text, (error) => failureOf(error).message);
     const all = text.split("\n");
     lines.replaceChildren(...all.slice(0, MOST_LINES).map(line));
     const cut = all.length > MOST_LINES ? ` The first ${MOST_LINES} of ${all.length} lines are shown.` : "";
-    note.textContent = `Lines with − go away, lines with + come in their place.${cut}`;
+    explanation.textContent = `Lines with − go away, lines with + come in their place.${cut}`;
   };
   return asked(element, show);
 }

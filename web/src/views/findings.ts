@@ -37,6 +37,6 @@ function item(finding: Finding, apply: Apply): HTMLElement {
     el("span", { class: `tag ${severity}` }, severity), " ",
     el("a", { class: "code", href: `#${findingAnchor(code)}` }, code), " ", sentence(message),
     ...(where ? [" ", el("span", { class: "quiet" }, where)] : []));
-  const act = remedy && severity !== "info" ? [el("p", {}, button(`Apply: ${remedy.text}`, () => apply(finding), { class: "apply" }))] : [];
+  const act = remedy && severity !== "remark" ? [el("p", {}, button(`Apply: ${remedy.text}`, () => apply(finding), { class: "apply" }))] : [];
   return el("li", {}, text, ...act);
 }

@@ -96,11 +96,11 @@ export class LibraryView {
     input.placeholder = "as in the form";
     const field = formOf(this.session.verb.value)?.fields.find(({ name: one }) => one === "target_mass");
     const problem = (field && model.targetMass !== "" && problemOf(field, model.targetMass)) || "";
-    const note = el("p", { class: "problem", id: `mass-problem-${model.id}`, role: "alert" }, problem);
+    const problemText = el("p", { class: "problem", id: `mass-problem-${model.id}`, role: "alert" }, problem);
     setAttribute(input, "aria-invalid", problem !== "" && "true");
-    setAttribute(input, "aria-describedby", note.id);
+    setAttribute(input, "aria-describedby", problemText.id);
     input.addEventListener("change", () => this.session.update(model.id, (open) => ({ ...open, targetMass: input.value.trim(), outcome: null })));
-    return el("td", { class: "own" }, input, note);
+    return el("td", { class: "own" }, input, problemText);
   }
 
   #close(model: OpenModel): HTMLElement {

@@ -67,7 +67,7 @@ export class ResultView {
     }
     const { warnings } = preview.change.record;
     this.#warnings.hidden = warnings.length === 0;
-    this.#warnings.replaceChildren(...warnings.map(({ message }) => el("li", {}, el("span", { class: "tag warn" }, "warn"), " ", message)));
+    this.#warnings.replaceChildren(...warnings.map(({ severity, message }) => el("li", {}, el("span", { class: `tag ${severity}` }, severity), " ", message)));
     this.#diff.ask(preview.request);
   }
 

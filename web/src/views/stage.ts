@@ -25,8 +25,8 @@ export class StageView {
   readonly #canvas = el("canvas", { id: "stage-canvas", tabindex: 0, role: "img", "aria-describedby": "stage-keys" });
   readonly #words = el("div", { class: "stage-words" });
   readonly #inWords = el("details", { class: "section" });
-  readonly #note = el("p", { class: "quiet stage-note" });
-  readonly #meshes = el("p", { class: "quiet stage-note" });
+  readonly #remark = el("p", { class: "quiet stage-remark" });
+  readonly #meshes = el("p", { class: "quiet stage-remark" });
   readonly #stage: Stage | undefined;
   readonly #fall: FallView;
   readonly #recording: RecordingView;
@@ -67,7 +67,7 @@ export class StageView {
       matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#stage?.recolour());
       this.#section.append(el("div", { class: "stage-bar" }, ...bars), frame, el("p", { class: "hidden", id: "stage-keys" }, KEYS));
     }
-    this.#section.append(this.#note, this.#meshes, this.#recording.element, this.#fall.element, words);
+    this.#section.append(this.#remark, this.#meshes, this.#recording.element, this.#fall.element, words);
     // Only now the canvas has the colours of the page.
     this.#stage?.recolour();
     session.models.watch(() => this.#update());
@@ -115,7 +115,7 @@ export class StageView {
     this.#stage?.unpose();
     this.#stage?.show({ now, after, standing: this.#standing });
     setAttribute(this.#canvas, "aria-label", `${now.spheres.length} contact spheres under the body, which can be turned; in words below`);
-    setText(this.#note, noteOf(now, this.#standing));
+    setText(this.#remark, remarkOf(now, this.#standing));
     if (this.#inWords.open) this.#words.replaceChildren(inWords(now, after));
   }
 
@@ -171,7 +171,7 @@ function meshNote(bones: Bones | undefined): string {
   return [lacking, ...broken.map((why) => `${why}.`)].filter(Boolean).join(" ");
 }
 
-function noteOf(scene: Scene, standing: boolean): string {
+function remarkOf(scene: Scene, standing: boolean): string {
   if (scene.why_not_placed !== null) return `Some bodies are left out: ${scene.why_not_placed}.`;
   const gap = lowestGap(scene);
   if (gap === undefined || !standing || Math.abs(gap) < 5e-4) return "";

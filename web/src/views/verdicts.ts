@@ -6,7 +6,7 @@ import { type Apply, findingItems } from "./findings";
 import { sentence } from "./failure";
 
 const SIGNS: Readonly<Record<Verdict["sign"], [string, string]>> = {
-  good: ["✓", "yes"], info: ["i", "remark"], warn: ["!", "warning"], error: ["×", "no"], unknown: ["?", "not known"],
+  good: ["✓", "yes"], remark: ["i", "remark"], warning: ["!", "warning"], error: ["×", "no"], unknown: ["?", "not known"],
 };
 
 /** The verdicts with their findings, then findings that belong to none. */
@@ -29,7 +29,7 @@ function line({ question, on, sign, text, place }: Verdict, findings: readonly F
     el("span", { class: `sign ${sign}`, role: "img", "aria-label": spoken }, mark), " ",
     el("span", { class: "asked" }, question), " ", el("span", { class: "short quiet" }, text));
   // What is wrong and can be put right is not hidden.
-  const acts = findings.some(({ remedy, severity }) => remedy && severity !== "info");
+  const acts = findings.some(({ remedy, severity }) => remedy && severity !== "remark");
   const body = findings.length > 0
     ? el("ul", { class: "findings" }, ...findingItems(findings, apply))
     : el("p", {}, sentence(text), el("span", { class: "quiet" }, where));

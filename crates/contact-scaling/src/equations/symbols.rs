@@ -134,7 +134,7 @@ pub struct Equation {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Form {
     /// What sets it apart, such as `for x`; empty for the first form.
-    pub note: &'static str,
+    pub variant: &'static str,
     /// The formula in Unicode.
     pub formula: &'static str,
     /// The function of this crate that computes it, as `Type::name` or `module::name`; empty for a step of a derivation.
@@ -144,10 +144,10 @@ pub struct Form {
 }
 
 pub(super) const fn form(
-    note: &'static str,
+    variant: &'static str,
     formula: &'static str,
     function: &'static str,
     unit: &'static str,
 ) -> Form {
-    Form { note, formula, function, unit }
+    Form { variant, formula, function, unit }
 }

@@ -7,11 +7,11 @@ use std::path::Path;
 
 use contact_scaling::equations;
 
-/// One row of a table: label, note, formula (perhaps with a remark behind it), functions, unit.
+/// One row of a table: label, variant, formula (perhaps with a remark behind it), functions, unit.
 #[derive(Debug, PartialEq)]
 struct Row {
     label: String,
-    note: String,
+    variant: String,
     formula: String,
     function: String,
     unit: String,
@@ -28,12 +28,12 @@ fn row(line: &str) -> Option<Row> {
     if cells[0] == "number" || cells[0].starts_with("---") {
         return None;
     }
-    let (label, note) = cells[0].split_once(", ").unwrap_or((cells[0], ""));
+    let (label, variant) = cells[0].split_once(", ").unwrap_or((cells[0], ""));
     let formula = cells[1].replace("\\*", "*").replace('`', "");
     let function = cells[2].split('`').skip(1).step_by(2).find(|name| name.contains("::")).unwrap_or("");
     Some(Row {
         label: label.strip_prefix('(').and_then(|l| l.strip_suffix(')')).unwrap_or(label).to_owned(),
-        note: note.replace("\\*", "*"),
+        variant: variant.replace("\\*", "*"),
         formula: formula.split(" (and ").next().unwrap().to_owned(),
         function: function.to_owned(),
         unit: cells[3].to_owned(),
@@ -44,7 +44,7 @@ fn rows_of_the_register() -> Vec<Row> {
     let rows = equations::all().flat_map(|equation| {
         equation.forms.iter().map(|form| Row {
             label: equation.label.to_owned(),
-            note: form.note.to_owned(),
+            variant: form.variant.to_owned(),
             formula: form.formula.to_owned(),
             function: form.function.to_owned(),
             unit: form.unit.to_owned(),
@@ -57,7 +57,7 @@ fn rows_of_the_register() -> Vec<Row> {
 fn the_register_and_the_page_agree() {
     let (mut page, mut register) = (rows_of_the_page(), rows_of_the_register());
     assert!(page.len() > 50, "the tables of docs/reference/equations.md were not understood");
-    let key = |row: &Row| (row.label.clone(), row.note.clone(), row.formula.clone());
+    let key = |row: &Row| (row.label.clone(), row.variant.clone(), row.formula.clone());
     page.sort_by_key(key);
     register.sort_by_key(key);
     for (page, register) in page.iter().zip(&register) {

@@ -110,7 +110,7 @@ pub(crate) enum VerbArgs {
     Reproduce(Later<ReproduceRequest>),
     /// List presets, or show one
     Presets(Later<PresetsRequest>),
-    /// Explain an equation, a quantity, a warning or an error (alone: list them all)
+    /// Explain an equation, a quantity, a finding or an error (alone: list them all)
     Explain(Later<ExplainRequest>),
     /// Do what a request says: a verb with its options, as JSON
     Request(Later<RequestArgs>),

@@ -61,7 +61,7 @@ pub(crate) fn drop_test(request: &DropTestRequest, session: &mut Session) -> Res
     let is_for_programs = matches!(request.format, SeriesFormat::Json | SeriesFormat::Csv);
     session.terminal.print_as(&text, is_for_programs)?;
     for (name, mismatch) in &drop.mismatches {
-        session.terminal.note(&mass_mismatch(name, mismatch, session.words))?;
+        session.terminal.print_beside(&mass_mismatch(name, mismatch, session.words))?;
     }
     Ok(Exit::Done)
 }
@@ -127,7 +127,7 @@ pub(crate) fn run(request: &ReproduceRequest, session: &mut Session) -> Result<E
     }
     if json {
         session.terminal.print_records(&line(&record))?;
-        session.terminal.note(&written)?;
+        session.terminal.print_beside(&written)?;
     } else {
         let gap = if written.is_empty() { "" } else { "\n" };
         let text = format!("{}\n{}{gap}{written}", reproduction_text(&record), fig1_text(&record));

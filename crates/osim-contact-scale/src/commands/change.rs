@@ -108,14 +108,14 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
         exit = exit.and(tell_failure(failure, format, session));
     }
     for remark in run.request().remarks.iter().filter(|_| !options.quiet) {
-        session.terminal.note_line(remark)?;
+        session.terminal.remark(remark)?;
     }
     run.read_previous().map_err(|fault| session.refused(&fault))?;
     let mut page =
         ReportPage::of_run(&run, options, asked(), session.words).map_err(|fault| session.refused(&fault))?;
     run.begin().map_err(|fault| session.refused(&fault))?;
     for kept in run.kept() {
-        session.terminal.note_line(kept)?;
+        session.terminal.remark(kept)?;
     }
     let counts = work_off(&run, options, format, &mut page, session)?;
     if let Err(fault) = run.finish() {
@@ -125,9 +125,9 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     exit = exit.and(end_page(page, session));
     let (counts, untold) = counts;
     if !options.quiet && several {
-        session.terminal.note(&summary(&counts, options, session.words))?;
+        session.terminal.print_beside(&summary(&counts, options, session.words))?;
     } else if !options.quiet && counts.interrupted() {
-        session.terminal.note("stopped\n")?;
+        session.terminal.print_beside("stopped\n")?;
     }
     Ok(exit.and(exit_of(&counts, untold)))
 }
@@ -204,7 +204,7 @@ fn say(all: &[Output], session: &mut Session) -> Result<()> {
             Output::Record(text) => session.terminal.print_records(text)?,
             Output::Diff(text) => session.terminal.print_diff(text)?,
             Output::Model(bytes) => session.terminal.write_bytes(bytes)?,
-            Output::Note(text) => session.terminal.note(text)?,
+            Output::Beside(text) => session.terminal.print_beside(text)?,
             Output::Aside(text) => session.terminal.aside(text)?,
         }
     }
@@ -242,7 +242,7 @@ fn summary(counts: &Counts, options: &RunOptions, words: Words) -> String {
     };
     let parts = if parts.is_empty() { "none done".to_owned() } else { parts.join(", ") };
     let models = if all == 1 { "model" } else { "models" };
-    format!("note: {all} {models}: {parts}{stopped}\n")
+    format!("remark: {all} {models}: {parts}{stopped}\n")
 }
 
 // What is shown of a model that was changed, made on the thread that changed it.
@@ -266,7 +266,7 @@ pub(crate) enum Output {
     /// On standard output, byte for byte.
     Model(Vec<u8>),
     /// On standard error, beside the results.
-    Note(String),
+    Beside(String),
     /// On standard error, where programs take it as it is.
     Aside(String),
 }
@@ -319,7 +319,7 @@ impl Shower<'_> {
         if let Some(text) = self.text(changed) {
             outputs.push(match (to_stdout, self.format) {
                 (true, RunFormat::Json) => Output::Aside(text),
-                (true, _) => Output::Note(text),
+                (true, _) => Output::Beside(text),
                 (false, RunFormat::Json) => Output::Record(text),
                 (false, _) => Output::Result(text),
             });

@@ -41,7 +41,7 @@ pub(crate) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit
     };
     let is_for_programs = matches!(request.format, MotionFormat::Json | MotionFormat::Csv);
     session.terminal.print_as(&text, is_for_programs)?;
-    session.terminal.note(&written)?;
+    session.terminal.print_beside(&written)?;
     Ok(Exit::Done)
 }
 

@@ -56,11 +56,11 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
     };
     for body in &bodies {
         if let Some(mismatch) = &body.mismatch {
-            session.terminal.note(&mass_mismatch(&body.name, mismatch, session.words))?;
+            session.terminal.print_beside(&mass_mismatch(&body.name, mismatch, session.words))?;
         }
     }
-    let notes = figures::weights(&bodies, session.words);
-    output.write(&drawing, &bodies, &notes, request, session)
+    let remarks = figures::weights(&bodies, session.words);
+    output.write(&drawing, &bodies, &remarks, request, session)
 }
 
 /// Draws and writes a figure of feet.
@@ -74,8 +74,8 @@ fn feet(request: &PlotRequest, output: &Output<'_>, session: &mut Session) -> Re
     };
     match figures::draw_feet(request, &states) {
         Ok(drawing) => {
-            let notes = figures::feet_notes(&states, session.words);
-            output.write(&drawing, &[], &notes, request, session)
+            let remarks = figures::feet_remarks(&states, session.words);
+            output.write(&drawing, &[], &remarks, request, session)
         }
         Err(failure) => session.fail(&failure, false),
     }
@@ -158,7 +158,7 @@ impl<'o> Output<'o> {
         &self,
         drawing: &Drawing,
         bodies: &[Body],
-        notes: &str,
+        remarks: &str,
         request: &PlotRequest,
         session: &mut Session,
     ) -> Result<Exit> {
@@ -190,10 +190,10 @@ impl<'o> Output<'o> {
         let written: String =
             files.iter().map(|(path, _)| format!("written to {}\n", path.display())).collect();
         if self.path.is_some() {
-            session.terminal.print(&format!("{notes}{written}"))?;
+            session.terminal.print(&format!("{remarks}{written}"))?;
         } else {
             session.terminal.print_records(&svg)?;
-            session.terminal.note(&format!("{notes}{written}"))?;
+            session.terminal.print_beside(&format!("{remarks}{written}"))?;
         }
         Ok(Exit::Done)
     }

@@ -61,8 +61,8 @@ pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exi
     };
     let shown = show(&survey, request.format, session)?;
     if shown.without_contacts > 0 {
-        let text = format!("note: models without contacts skipped: {}\n", shown.without_contacts);
-        session.terminal.note(&text)?;
+        let text = format!("remark: models without contacts skipped: {}\n", shown.without_contacts);
+        session.terminal.print_beside(&text)?;
     }
     let is_denied = shown.worst >= Some(request.deny.severity());
     Ok(if is_denied { shown.exit.and(Exit::Failed) } else { shown.exit })
@@ -94,7 +94,7 @@ fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Resu
         shown.exit = shown.exit.and(session.fail(failure, json)?);
     }
     for remark in &survey.sources.remarks {
-        session.terminal.note_line(remark)?;
+        session.terminal.remark(remark)?;
     }
     let mut text = survey.text(Colour::Ansi);
     let each = |name: &str, surveyed: Surveyed| -> Result<()> {

@@ -59,18 +59,18 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     let end = make(&sweep, request, session)?;
     if end.worse > 0 && !request.quiet {
         let (worse, made) = (end.worse, end.made + end.earlier);
-        session.terminal.note(&format!(
-            "note: {worse} of {made} models have errors or warnings that the model itself has not: column worse of the manifest\n"
+        session.terminal.print_beside(&format!(
+            "remark: {worse} of {made} models have errors or warnings that the model itself has not: column worse of the manifest\n"
         ))?;
     }
     if !request.quiet {
-        session.terminal.note(&aside(&end, &sweep))?;
+        session.terminal.print_beside(&aside(&end, &sweep))?;
     }
     if end.not_begun > 0 {
         let (made, count) = (end.made + end.earlier, sweep.count());
         let resume = session.words.input(Input::Resume, None);
-        session.terminal.note(&format!(
-            "note: stopped: {made} of {count} models are made; go on with the same call and {resume}\n"
+        session.terminal.print_beside(&format!(
+            "remark: stopped: {made} of {count} models are made; go on with the same call and {resume}\n"
         ))?;
     }
     let record = begun(&sweep, end.manifest.as_deref());
@@ -83,28 +83,28 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     })
 }
 
-/// What the table does not show: one note for each, or nothing.
+/// What the table does not show: one remark for each, or nothing.
 fn aside(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
-    let mut notes = String::new();
+    let mut remarks = String::new();
     if let Some((point, earlier)) = end.same.first {
         let such = if end.same.count > 1 { "such as " } else { "" };
-        notes.push_str(&format!(
-            "note: {} of {} models {} the same contacts as an earlier one: {such}{point} and {earlier}\n",
+        remarks.push_str(&format!(
+            "remark: {} of {} models {} the same contacts as an earlier one: {such}{point} and {earlier}\n",
             end.same.count,
             end.made + end.earlier,
             if end.same.count > 1 { "have" } else { "has" },
         ));
     }
     if let Some(first) = &end.others.first {
-        notes.push_str(&format!(
-            "note: {} has {} of another sweep, which the manifest does not list: {}{}\n",
+        remarks.push_str(&format!(
+            "remark: {} has {} of another sweep, which the manifest does not list: {}{}\n",
             sweep.folder().display(),
             if end.others.count > 1 { format!("{} models", end.others.count) } else { "a model".to_owned() },
             if end.others.count > 1 { "such as " } else { "" },
             first
         ));
     }
-    notes
+    remarks
 }
 
 /// What is known before a model is made.
@@ -145,15 +145,15 @@ fn announce(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session)
     #[expect(clippy::cast_precision_loss, reason = "shown in MB")]
     let megabytes = |bytes: usize| bytes as f64 / 1e6;
     let text = format!(
-        "note: {count}{of} models of {:.2} MB each, {:.1} MB together, into {}\n",
+        "remark: {count}{of} models of {:.2} MB each, {:.1} MB together, into {}\n",
         megabytes(size),
         megabytes(size.saturating_mul(count)),
         sweep.folder().display()
     );
-    session.terminal.note(&text)?;
+    session.terminal.print_beside(&text)?;
     if request.ladder.is_some() {
-        session.terminal.note(
-            "note: steps are equal in k R n/F by the Hertz law (B.3); relative_indentation_model_law in the manifest is where the \
+        session.terminal.print_beside(
+            "remark: steps are equal in k R n/F by the Hertz law (B.3); relative_indentation_model_law in the manifest is where the \
              contacts rest by the law of their class\n",
         )?;
     }

@@ -67,25 +67,25 @@ pub struct Counts {
     /// What OpenSim computes otherwise than it looks, or as nonsense.
     pub error: usize,
     /// Limits of the paper, and traps.
-    pub warn: usize,
+    pub warning: usize,
     /// Worth knowing.
-    pub info: usize,
+    pub remark: usize,
 }
 
 impl Counts {
     /// Those of the worst severity that there is, without the others.
     pub const fn worst(self) -> Self {
-        let Self { error, warn, info } = self;
-        match (error, warn) {
-            (0, 0) => Self { error, warn, info },
-            (0, _) => Self { error, warn, info: 0 },
-            _ => Self { error, warn: 0, info: 0 },
+        let Self { error, warning, remark } = self;
+        match (error, warning) {
+            (0, 0) => Self { error, warning, remark },
+            (0, _) => Self { error, warning, remark: 0 },
+            _ => Self { error, warning: 0, remark: 0 },
         }
     }
 
     /// "1 error, 2 warnings"; `none` where there is nothing.
     pub fn describe(self, none: &str) -> String {
-        let all = [(self.error, "error"), (self.warn, "warning"), (self.info, "remark")];
+        let all = [(self.error, "error"), (self.warning, "warning"), (self.remark, "remark")];
         let parts: Vec<String> = all
             .into_iter()
             .filter(|(count, _)| *count > 0)
@@ -100,14 +100,14 @@ impl CheckResult {
     pub fn new(model: &Model, inspected: &Inspection, findings: Vec<Found>) -> Self {
         let mut findings = in_order(findings);
         // A remark is worth knowing, and no reason to change the model.
-        for remark in findings.iter_mut().filter(|finding| finding.severity == Severity::Info) {
+        for remark in findings.iter_mut().filter(|finding| finding.severity == Severity::Remark) {
             remark.remedy = None;
         }
         let count = |severity| findings.iter().filter(|finding| finding.severity == severity).count();
         let counts = Counts {
             error: count(Severity::Error),
-            warn: count(Severity::Warn),
-            info: count(Severity::Info),
+            warning: count(Severity::Warning),
+            remark: count(Severity::Remark),
         };
         Self {
             schema_version: SCHEMA_VERSION,

@@ -9,7 +9,7 @@ use osim_model::{
 
 pub(super) static CONNECTEE_BY_NAME: Rule = Rule {
     code: FindingCode::ConnecteeByName,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "A component was found by its name because the path written leads nowhere.",
     why: "OpenSim may fail to load such a model, or connect it to something else.",
@@ -75,7 +75,7 @@ pub(super) fn find_mixed_pair(model: &Model) -> Vec<Finding> {
 
 pub(super) static CONTACT_DEFAULTS: Rule = Rule {
     code: FindingCode::ContactDefaults,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "The defaults of the document hold contact objects.",
     why: "OpenSim keeps the defaults of one model for every model loaded later in the same session, so another model can silently take these values.",
@@ -112,7 +112,7 @@ pub(super) fn find_contact_defaults(model: &Model) -> Vec<Finding> {
 
 pub(super) static INCLUDED_FILE: Rule = Rule {
     code: FindingCode::IncludedFile,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: None,
     what: "Contacts are in a file that the model includes.",
     why: "The contacts were read from the file that the model names; a change would have to go into that file too.",
@@ -182,7 +182,7 @@ pub(super) fn find_in_components(model: &Model) -> Vec<Finding> {
 
 pub(super) static NOT_HERTZ: Rule = Rule {
     code: FindingCode::NotHertz,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: None,
     what: "Contacts of a class that is not Hertz's.",
     why: "ElasticFoundationForce, ExponentialContactForce and MeyerFregly2016Force do not follow the equations used here; they are left as they are.",
@@ -206,7 +206,7 @@ fn find_not_hertz(model: &Model, id: ComponentId) -> Option<Finding> {
 
 pub(super) static DUPLICATE_NAMES: Rule = Rule {
     code: FindingCode::DuplicateNames,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "Two components have the same name.",
     why: "OpenSim renames the second one when it loads the model, so a path or a name means the first one only.",
@@ -254,7 +254,7 @@ fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Opti
 
 pub(super) static LOOP_OF_JOINTS: Rule = Rule {
     code: FindingCode::LoopOfJoints,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "A body has more than one joint: joints form a loop, or OpenSim ignores some.",
     why: "Of joints inside a body, as documents up to version 3 have them, OpenSim takes the first and ignores the others. Elsewhere it cuts a loop of joints: it divides a body into equal parts that a constraint holds together, and their masses still make the body's. Where a WeldJoint or a FreeJoint between two bodies is in the loop it divides nothing, and counts the mass of a body twice. Left, right and limbs follow the first joint of each body.",

@@ -15,7 +15,7 @@ use crate::load::InspectOptions;
 
 pub(crate) static BARE_MODEL: Rule = Rule {
     code: FindingCode::BareModel,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: None,
     what: "The model has no contacts.",
     why: "Nothing carries the model: it has no HuntCrossleyForce or SmoothSphereHalfSpaceForce whose moving spheres meet a half-space.",
@@ -32,7 +32,7 @@ pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option
 
 pub(crate) static UNMATCHED_PATTERN: Rule = Rule {
     code: FindingCode::UnmatchedPattern,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: None,
     what: "A choice of forces or bodies fits no name in the model.",
     why: "Nothing is chosen or left out by it. Most often the name has a slip, or is that of another model.",
@@ -66,7 +66,7 @@ pub(crate) fn find_unmatched_patterns(
 
 pub(crate) static MASS_UNKNOWN: Rule = Rule {
     code: FindingCode::MassUnknown,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Mass),
     what: "What the model weighs, or what its contacts are made for, is not known.",
     why: "Every factor follows from these masses.",
@@ -86,7 +86,7 @@ pub(crate) fn mass_unknown(fault: &Fault) -> Finding {
 
 pub(crate) static STALE_NOTE: Rule = Rule {
     code: FindingCode::StaleNote,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Mass),
     what: "The note that this program left in the file no longer fits its contacts.",
     why: "The note says which mass the contacts were made for. Contacts were changed after it was written, or only some of them were scaled, or the note is damaged.",
@@ -102,7 +102,7 @@ pub(crate) fn stale_note(fault: &Fault) -> Option<Finding> {
 
 pub(crate) static COUNT_UNKNOWN: Rule = Rule {
     code: FindingCode::CountUnknown,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Mass),
     what: "How many spheres share the weight is not known.",
     why: "Limbs are found by left and right sides below the joint tree. Where that does not work, figures under body weight are absent, and indentations are not judged.",
@@ -123,7 +123,7 @@ pub(crate) fn find_count_unknown(inspected: &Inspection) -> Option<Finding> {
 
 pub(crate) static KNOWN_CONTACTS: Rule = Rule {
     code: FindingCode::KnownContacts,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: None,
     what: "The contacts are published ones, and are used as they were published.",
     why: "What is unusual about the published contacts is a remark here. A warning says what is wrong for this model.",
@@ -143,7 +143,7 @@ pub(crate) fn known_contacts(known: KnownContacts) -> Finding {
 
 pub(crate) static CONTACTS_OF_ANOTHER_MASS: Rule = Rule {
     code: FindingCode::ContactsOfAnotherMass,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Mass),
     what: "The contacts are published ones, made for a body of another mass.",
     why: "Radius, stiffness, dissipation and number of spheres are those of a published model, but the body weighs something else: contacts that are not scaled sink in more or less than they did there.",

@@ -125,7 +125,7 @@ impl ManyLimbs {
         };
         match there < CENTRE {
             // No animal stands on one of four limbs: its contacts may be right.
-            true => finding.with_advice(self.stands_on_two(carriers)).with_severity(Severity::Warn).into(),
+            true => finding.with_advice(self.stands_on_two(carriers)).with_severity(Severity::Warning).into(),
             false => {
                 let remedy = limits.remedies.published(Some(carriers)).map(Request::from);
                 Found::new(finding.with_advice(of_another_body(carriers)), remedy)
@@ -155,7 +155,7 @@ fn of_another_body(carriers: f64) -> Phrase {
 
 pub(super) static BEYOND_HERTZ: Rule = Rule {
     code: FindingCode::BeyondHertz,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in deeper than Hertz' law is accurate for, at body weight on one limb.",
     why: "Hertz' law was found accurate up to a relative indentation of {indentation}, a contact patch of 0.4 R. Beyond, the contact is a non-linear spring and no longer a material; most published gait models are there (Falisse et al. 2022: 0.353).",
@@ -177,7 +177,7 @@ pub(super) fn find_beyond_hertz(limits: &Limits<'_>) -> Option<Found> {
 
 pub(super) static BEYOND_HERTZ_AT_TWO: Rule = Rule {
     code: FindingCode::BeyondHertzAtTwo,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in deeper than Hertz' law is accurate for, at two body weights and not at one.",
     why: "A foot carries more than body weight in running and landing. At twice body weight the relative indentation is above {indentation}, up to which Hertz' law is accurate.",

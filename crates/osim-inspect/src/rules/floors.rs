@@ -110,7 +110,7 @@ fn on_limb_finding(judged: &JudgedPlane) -> Option<Finding> {
 
 pub(super) static FLOOR_SLOPES: Rule = Rule {
     code: FindingCode::FloorSlopes,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Floor),
     what: "A floor leans by more than 1 degree, and by no more than 45: a slope.",
     why: "On a slope only the part of gravity along its normal presses spheres into it; figures under body weight use that part. Published slopes have up to 20.5 degrees.",
@@ -247,7 +247,7 @@ fn not_down_finding(model: &Model, judged: &JudgedPlane) -> Option<Finding> {
 
 pub(crate) static GRAVITY_SOURCES_DISAGREE: Rule = Rule {
     code: FindingCode::GravitySourcesDisagree,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Mass),
     what: "The note gives another gravity than the model.",
     why: "Under another gravity than they were made for, spheres sink in more or less; figures are those under the model's own.",

@@ -13,7 +13,7 @@ use crate::rules::spheres::about_spheres;
 
 pub(super) static SEVERAL_SPHERES_ONE_FORCE: Rule = Rule {
     code: FindingCode::SeveralSpheres,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Solver),
     what: "One HuntCrossleyForce has several spheres.",
     why: "In Simbody, when one sphere of a HuntCrossleyForce leaves the ground faster than 2/(3 dissipation), the spheres evaluated after it lose their force in that step.",
@@ -37,7 +37,7 @@ pub(super) fn find_several_spheres_one_force(model: &Model) -> Vec<Finding> {
 
 pub(super) static SPHERE_IN_TWO_FORCES: Rule = Rule {
     code: FindingCode::SphereInTwoForces,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Mass),
     what: "One sphere is used by two contact forces.",
     why: "Both forces act, so the sphere is stiffer than either stiffness says, and the sphere count by which parameters scale is not what it seems.",
@@ -62,7 +62,7 @@ pub(super) fn find_sphere_in_two_forces(model: &Model) -> Vec<Finding> {
 
 pub(super) static MOCO_DIALECT: Rule = Rule {
     code: FindingCode::MocoDialect,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "The sphere's radius is inside the force, as in Moco 0.1 to 0.3.",
     why: "OpenSim 4.2 and later cannot read such forces; the model works in OpenSim Moco 0.1 to 0.3 only.",
@@ -105,7 +105,7 @@ pub(super) fn convert_moco_forces(
 
 pub(super) static DEAD_DERIVATIVE_SMOOTHING: Rule = Rule {
     code: FindingCode::DeadDerivativeSmoothing,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Solver),
     what: "The file has a derivative_smoothing element, which OpenSim ignores.",
     why: "derivative_smoothing was the name of constant_contact_force in early Moco. OpenSim ignores it and uses its default of 1e-5 m2 for constant_contact_force.",
@@ -134,7 +134,7 @@ pub(super) fn find_dead_derivative_smoothing(model: &Model) -> Vec<Finding> {
 
 pub(super) static TERRAIN: Rule = Rule {
     code: FindingCode::Terrain,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: None,
     what: "A sphere stands on ground or a body welded to it, or such a body has mass.",
     why: "Such a sphere or body is scenery: it does not grow with the animal and carries nobody. It counts in no limb, no mass and no figure, and no verb changes it. A body on which others hang is none: a model whose pelvis is held weighs all that it weighs.",

@@ -234,7 +234,7 @@ const LARGEST_FRICTION: f64 = 10.0;
 
 pub(super) static LARGE_FRICTION: Rule = Rule {
     code: FindingCode::LargeFriction,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Sizes),
     what: "A coefficient of friction is larger than that of any surface.",
     why: "Between a foot and a floor it is about 0.3 to 1. More than 10 mostly is a percentage, or lacks its decimal point; a foot that slides is then stopped by a force of many times its weight.",

@@ -212,7 +212,7 @@ fn size_text([x, y, z]: [f64; 3]) -> String {
 
 pub(super) static SPHERES_MISPLACED: Rule = Rule {
     code: FindingCode::SpheresMisplaced,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Sizes),
     what: "Spheres do not fit their bones, as in no published model, as in one of another size, or as on the other foot.",
     why: "OpenSim scaled the bones and left the spheres behind, the spheres were taken from a model of another size, or left and right were swapped. Then they push where the foot is not.",
@@ -264,7 +264,7 @@ fn misplaced_by_reach(model: &Model, odd: &[Reach]) -> Option<Finding> {
 
 pub(super) static SPHERES_NOT_COMPARED: Rule = Rule {
     code: FindingCode::SpheresNotCompared,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Sizes),
     what: "Whether spheres followed a scaling of their bodies cannot be seen in this file.",
     why: "The bones were scaled; OpenSim leaves contact spheres where they were, and this file alone does not show whether somebody moved them afterwards.",

@@ -17,7 +17,7 @@ use crate::sides::{BothSides, Difference, Placed, SAME_PLACE, SpherePair};
 
 pub(super) static LEFT_RIGHT_DIFFER: Rule = Rule {
     code: FindingCode::LeftRightDiffer,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Sides),
     what: "Left and right contacts differ.",
     why: "Contacts of a symmetric model are nearly always meant to be symmetric; a difference usually is a slip of the hand. Contacts are compared with those at the mirrored place, whatever their names are; numbers that follow the sizes of the bones are right.",
@@ -186,7 +186,7 @@ fn only(numbers: &[f64]) -> Option<f64> {
 
 pub(super) static LEFT_RIGHT_CLOSE: Rule = Rule {
     code: FindingCode::LeftRightClose,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Sides),
     what: "Left and right contacts differ as little as those of published models.",
     why: "Of 150 published models with contacts on both sides, the radii of five differ by 0.7 to 5.7 %, and the transition velocity of one by 5 %. Up to 10 % in radii and 20 % in transition velocities are taken to be meant.",
@@ -201,7 +201,7 @@ pub(super) static LEFT_RIGHT_CLOSE: Rule = Rule {
 
 pub(super) static LEFT_RIGHT_PLACES: Rule = Rule {
     code: FindingCode::LeftRightPlaces,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Sides),
     what: "A sphere is not at the mirrored place of its counterpart on the other side.",
     why: "In published models each sphere is at most 2.3 % of the limb's longest bone from the mirror image of its counterpart, in the frames of the two bodies and by the sizes of their bones. More is a sign that was forgotten, another unit, or another body.",
@@ -256,7 +256,7 @@ fn describe_places(pair: &SpherePair<'_>) -> String {
 
 pub(super) static LEFT_RIGHT_MISSING: Rule = Rule {
     code: FindingCode::LeftRightMissing,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Sides),
     what: "A sphere has no counterpart on the other side.",
     why: "The other side has the body but fewer spheres, so that each of them carries more of the weight. Of 150 published models with contacts on both sides four have unlike numbers, all with prostheses.",
@@ -289,7 +289,7 @@ pub(super) fn find_left_right_missing(sides: &BothSides<'_>) -> Option<Finding> 
 
 pub(super) static LEFT_RIGHT_OFF: Rule = Rule {
     code: FindingCode::LeftRightOff,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Sides),
     what: "A contact is switched off on one side alone.",
     why: "The side that is switched off carries nothing there: the body sinks in, or falls to that side.",
@@ -329,7 +329,7 @@ pub(super) fn find_left_right_off(sides: &BothSides<'_>) -> Option<Finding> {
 
 pub(super) static LEFT_RIGHT_SWAPPED: Rule = Rule {
     code: FindingCode::LeftRightSwapped,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Sides),
     what: "Spheres on the right have names of the left, and the reverse.",
     why: "No name of 1,321 published spheres contradicts the side of its body. Where both sides of a table are swapped, each foot has the places of the other: the mirror image of a foot under a foot, and results are of the wrong side.",
@@ -358,7 +358,7 @@ fn is_swapped(pair: &SpherePair<'_>) -> bool {
 
 pub(super) static ONE_SIDE_ONLY: Rule = Rule {
     code: FindingCode::OneSideOnly,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Sides),
     what: "Spheres are on one side alone: the other one has none, or no body for them.",
     why: "A model that kicks, hops on one leg or has a prosthesis may need no more; one that walks falls to the other side.",

@@ -55,7 +55,7 @@ fn bring_to_floor(remedies: &Remedies<'_>, spheres: &[&SphereFigures]) -> Option
 
 pub(super) static FORCE_BEFORE_CONTACT: Rule = Rule {
     code: FindingCode::ForceBeforeContact,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Solver),
     what: "A sphere that only just touches the floor carries a large part of its share of body weight already.",
     why: "Smoothing lets force through before contact (Fig. C.5): the floor repels the foot, as if the spheres were larger. In Falisse et al. (2022), where that did no harm, it is 0.074 of the share.",
@@ -81,7 +81,7 @@ pub(super) fn find_force_before_contact(limits: &Limits<'_>) -> Option<Found> {
 
 pub(super) static LARGE_CONSTANT_INDENTATION: Rule = Rule {
     code: FindingCode::LargeConstantIndentation,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Solver),
     what: "The constant indentation of constant_contact_force is a large part of the radius.",
     why: "constant_contact_force is a squared indentation and does not grow with the sphere by itself: OpenSim's default of 1e-5 m2, made for spheres of 32 mm, is 3.2 mm. On smaller spheres it holds the body up before they touch (C.2).",
@@ -104,7 +104,7 @@ pub(super) fn find_large_constant_indentation(limits: &Limits<'_>) -> Option<Fou
 
 pub(super) static WIDE_TRANSITION: Rule = Rule {
     code: FindingCode::WideTransition,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Solver),
     what: "Contact sets in over more of the radius than in published models.",
     why: "hertz_smoothing is an inverse length: OpenSim's default of 300 1/m, made for spheres of 32 mm, spreads the onset of contact over 10 mm. On smaller spheres that is a large part of the radius, half of it before they touch (C.7).",
@@ -131,7 +131,7 @@ fn narrow_transition(remedies: &Remedies<'_>) -> Option<Request> {
 
 pub(super) static BEYOND_HUNT_CROSSLEY: Rule = Rule {
     code: FindingCode::BeyondHuntCrossley,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Solver),
     what: "Restitution by (13) is so low that the Hunt-Crossley law is not accurate.",
     why: "The Hunt-Crossley law describes materials that give back most of the impact speed. Below a restitution of {restitution} at the impact speed, dissipation is a damper that makes a simulation calm; energies lost in contact are not those of a material.",

@@ -46,7 +46,7 @@ const PLACE_OF_GYRATION_SIDEWAYS: f64 = 2.0;
 
 pub(super) static ODD_PLACE: Rule = Rule {
     code: FindingCode::OddPlace,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Sizes),
     what: "A sphere is far from the body that carries it.",
     why: "Spheres of published feet are at most 0.353 of the limb's longest bone from the nearest joint of their body, and at most 2.7 of its radii of gyration from its centre of mass; sideways at most 0.149 of that bone. Much more is a place in millimetres, or one in another frame.",
@@ -160,7 +160,7 @@ const RADIUS_OF_BONE: std::ops::RangeInclusive<f64> = 0.005..=0.3;
 
 pub(super) static ODD_RADIUS: Rule = Rule {
     code: FindingCode::OddRadius,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Sizes),
     what: "The radius of a sphere does not fit the length of its limb.",
     why: "Radii of published feet are 0.011 to 0.2 of the limb's longest bone, and in 95 % of them R / M^(1/3) is between 0.0002 and 0.029 m/kg^(1/3). Much more or less is another unit, mostly millimetres, or another animal's sphere.",
@@ -226,7 +226,7 @@ const CROWD_OF_RADIUS: f64 = 0.5;
 
 pub(super) static CROWDED_SPHERES: Rule = Rule {
     code: FindingCode::CrowdedSpheres,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Sizes),
     what: "The spheres of a body are all in nearly one place.",
     why: "The spheres of a published foot extend over at least 0.077 of the limb's longest bone, and no two are closer than 1.36 radii. Spheres that nearly coincide carry like one that is several times as stiff. Mostly places in metres were taken for millimetres.",

@@ -12,7 +12,7 @@ use crate::rules::limits::Limits;
 
 pub(super) static NOT_ON_FLOOR: Rule = Rule {
     code: FindingCode::NotOnFloor,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Standing),
     what: "At the default pose the spheres are more than half a radius inside the floor and deeper than where they carry the body, or more than 20 mm above it.",
     why: "A simulation that starts there is thrown into the air by forces of many body weights, or falls first. Most published models are made so, and a simulation of theirs starts from another pose.",
@@ -54,7 +54,7 @@ const ROUNDING: f64 = 1e-9;
 
 pub(super) static UNEVEN_BOTTOMS: Rule = Rule {
     code: FindingCode::UnevenBottoms,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Standing),
     what: "The bottoms of a limb's spheres differ in height by more than half a radius at the default pose, and the foot lies flat there.",
     why: "The lower spheres carry the body, the higher ones little or nothing, so that figures of a level foot do not hold. Of 134 published models with level floors two differ so much.",
@@ -152,7 +152,7 @@ const REMARK: f64 = 0.3;
 
 pub(super) static UNLEVEL_FOOT: Rule = Rule {
     code: FindingCode::UnlevelFoot,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Standing),
     what: "The bottoms of a limb's spheres differ in height by more than 0.3 radii at the default pose; by more than half a radius only because the foot leans there.",
     why: "The lower spheres are deeper than the figures of a level foot say. Of 134 published models with level floors 16 differ so much.",

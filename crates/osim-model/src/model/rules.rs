@@ -18,7 +18,7 @@ pub const RULES: &[&Rule] = &[
 
 static MASS_SOURCES_DISAGREE: Rule = Rule {
     code: FindingCode::MassSourcesDisagree,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: Some(VerdictOn::Mass),
     what: "The note, `mass` and the bodies give different masses.",
     why: "The factor of every change follows from the mass the contacts are made for; a wrong one scales all of them wrongly.",
@@ -58,7 +58,7 @@ impl Model {
 
 static DISABLED_FORCE: Rule = Rule {
     code: FindingCode::DisabledForce,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Sides),
     what: "A contact force that is switched off is changed with the others.",
     why: "A force that does not apply carries no load, so its spheres are not counted; it is still scaled, so that it is right once it is switched on.",
@@ -81,7 +81,7 @@ fn find_disabled_force(force: &Force) -> Option<Finding> {
 
 static MIXED_RADII: Rule = Rule {
     code: FindingCode::MixedRadii,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: Some(VerdictOn::Sizes),
     what: "Radii differ within one ContactParameters.",
     why: "One ContactParameters has one modulus for all its spheres. The mean of R squared is used before and after: equal relative indentation, load in proportion to R squared.",
@@ -103,7 +103,7 @@ fn find_mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
 
 static SEVERAL_PARAMETER_SETS: Rule = Rule {
     code: FindingCode::SeveralParameterSets,
-    severity: Severity::Info,
+    severity: Severity::Remark,
     verdict: None,
     what: "A force has several ContactParameters.",
     why: "The surfaces have moduli of their own and the contact uses their composite (A.3); all are multiplied by the same factor.",
@@ -120,7 +120,7 @@ fn find_several_parameter_sets(force: &Force) -> Option<Finding> {
 
 static FACTORS_DISAGREE: Rule = Rule {
     code: FindingCode::FactorsDisagree,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "Two sources give different scale factors of a body.",
     why: "A sphere's place and size follow from its body's factors; the first source in the order given, scale file, mesh, joint offset was taken.",
@@ -139,7 +139,7 @@ pub(crate) fn factors_disagree(message: String) -> Finding {
 
 static NOT_A_SCALED_COPY: Rule = Rule {
     code: FindingCode::NotAScaledCopy,
-    severity: Severity::Warn,
+    severity: Severity::Warning,
     verdict: None,
     what: "A model is not a scaled copy of the reference whose contacts follow its bodies.",
     why: "In a scaled copy, joint offsets and meshes give each factor exactly. Between different models offsets are not factors: a body then gets the ratio of the mesh factors of the same bone, else one ratio of distances to a joint below it, and the last body of a limb the factors of the body it hangs on.",

@@ -266,7 +266,7 @@ impl AtRest {
     }
 
     /// What to know about it where it is shown.
-    pub(super) fn note(self) -> Option<String> {
+    pub(super) fn remark(self) -> Option<String> {
         let share = readable(self.speed_state);
         let default = if self.is_default { " (OpenSim's default)" } else { "" };
         (share != "1").then(|| {

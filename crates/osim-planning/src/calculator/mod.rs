@@ -31,7 +31,7 @@ pub struct DesignSheet {
     /// The figures, in the order in which they follow.
     pub figures: Vec<DesignFigure>,
     /// Things to know about them.
-    pub notes: Vec<String>,
+    pub remarks: Vec<String>,
 }
 
 /// One figure.
@@ -69,7 +69,7 @@ pub struct DesignLimit {
 
 impl DesignSheet {
     fn new() -> Self {
-        Self { schema_version: SCHEMA_VERSION, figures: Vec::new(), notes: Vec::new() }
+        Self { schema_version: SCHEMA_VERSION, figures: Vec::new(), remarks: Vec::new() }
     }
 
     fn add(&mut self, quantity: DesignQuantity, value: f64, given: bool) {
@@ -273,10 +273,10 @@ fn sized(
         let frequency = stiffness::equilibrium_frequency(x, radius, given.gravity_m_s2).map_err(refused)?;
         sheet.add(DesignQuantity::EquilibriumFrequency, frequency, false);
     }
-    sheet.notes.extend(at_rest.and_then(AtRest::note));
+    sheet.remarks.extend(at_rest.and_then(AtRest::remark));
     if x > 1.0 {
-        let note = "a relative indentation above 1: the sphere is softer than its load allows";
-        sheet.notes.push(note.to_owned());
+        let text = "a relative indentation above 1: the sphere is softer than its load allows";
+        sheet.remarks.push(text.to_owned());
     }
     Ok(())
 }
@@ -292,7 +292,7 @@ fn dissipation(
         (Some(speed), _) => speed,
         (None, Some(radius)) => {
             let text = "the impact speed is that of a fall from a quarter of the radius, sqrt(gR/2)";
-            sheet.notes.push(text.to_owned());
+            sheet.remarks.push(text.to_owned());
             restitution::drop_speed(gravity, radius).map_err(refused)?
         }
         (None, None) => {

@@ -152,7 +152,7 @@ fn wrong(
     let options =
         InspectOptions { masses, selection: request.choice.selection(), stance, ..InspectOptions::default() };
     let found = unmended(&options, open, &open.model).into_iter();
-    found.filter(|one| one.severity >= Severity::Warn && !is_due(one)).map(|one| one.code()).collect()
+    found.filter(|one| one.severity >= Severity::Warning && !is_due(one)).map(|one| one.code()).collect()
 }
 
 /// The common value; figures of like spheres may differ in their last digits.

@@ -293,7 +293,7 @@ fn the_worst_comes_first_and_each_severity_is_counted() {
         FindingCode::BeyondHuntCrossley,
     ];
     assert_eq!(codes(&result), expected);
-    assert_eq!((result.counts.error, result.counts.warn, result.counts.info), (1, 1, 2));
+    assert_eq!((result.counts.error, result.counts.warning, result.counts.remark), (1, 1, 2));
     assert_eq!((result.model.as_str(), result.schema_version), ("model.osim", 1));
 }
 
@@ -321,17 +321,17 @@ fn a_name_that_is_no_text_is_kept_in_its_bytes() {
 
 #[test]
 fn a_result_reaches_the_severity_of_its_worst_finding() {
-    let info = check_foot(&[Smooth { stiffness: stiffness_for(0.2, 2.0 * WEIGHT), ..SOLE }]);
-    let warn = check_foot(&[Smooth { hertz_smoothing: 100.0, ..SOLE }]);
+    let remark = check_foot(&[Smooth { stiffness: stiffness_for(0.2, 2.0 * WEIGHT), ..SOLE }]);
+    let warning = check_foot(&[Smooth { hertz_smoothing: 100.0, ..SOLE }]);
     let error = check_foot(&[Smooth { constant_contact_force: touching(1.5 * WEIGHT), ..SOLE }]);
     for (result, expected) in [
         (&check_foot(&[SOLE]), [false; 3]),
-        (&info, [true, false, false]),
-        (&warn, [true, true, false]),
+        (&remark, [true, false, false]),
+        (&warning, [true, true, false]),
         (&error, [true; 3]),
     ] {
         let reached =
-            [Severity::Info, Severity::Warn, Severity::Error].map(|severity| result.reaches(severity));
+            [Severity::Remark, Severity::Warning, Severity::Error].map(|severity| result.reaches(severity));
         assert_eq!(reached, expected, "{:?}", codes(result));
     }
 }
@@ -341,9 +341,9 @@ fn counts_are_told_in_words() {
     let mut counts = check_foot(&[SOLE]).counts;
     counts.error = 1;
     assert_eq!(counts.describe("-"), "1 error");
-    (counts.error, counts.warn, counts.info) = (2, 1, 3);
+    (counts.error, counts.warning, counts.remark) = (2, 1, 3);
     assert_eq!(counts.describe("-"), "2 errors, 1 warning, 3 remarks");
-    (counts.error, counts.warn, counts.info) = (0, 2, 1);
+    (counts.error, counts.warning, counts.remark) = (0, 2, 1);
     assert_eq!(counts.describe("-"), "2 warnings, 1 remark");
 }
 

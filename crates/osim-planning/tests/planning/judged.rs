@@ -148,7 +148,7 @@ fn compare(
     };
     compared.plans += 1;
     let is_worse = |one: &Finding| {
-        one.severity >= Severity::Warn && one.message.to_string().starts_with("in the new model: ")
+        one.severity >= Severity::Warning && one.message.to_string().starts_with("in the new model: ")
     };
     compared.worse += plan.warnings.iter().filter(|one| is_worse(one)).count();
     if let (Some(renumbered), Some(changed)) = (plan.renumbered(&opened.model), changed) {

@@ -92,7 +92,7 @@ fn one_value_that_is_off_by_two_per_cent_makes_them_unknown() {
 #[test]
 fn what_was_published_so_is_a_remark_and_nothing_else_is() {
     let found = check(FALISSE);
-    assert_eq!((found.counts.error, found.counts.warn), (0, 0), "{:?}", found.findings);
+    assert_eq!((found.counts.error, found.counts.warning), (0, 0), "{:?}", found.findings);
     let codes: Vec<&str> = found.findings.iter().map(|finding| finding.code().as_str()).collect();
     assert_eq!(codes, ["beyond-hertz", "beyond-hunt-crossley", "known-contacts"]);
     assert!(found.findings[0].as_published && !found.findings[2].as_published);
@@ -101,7 +101,7 @@ fn what_was_published_so_is_a_remark_and_nothing_else_is() {
     let forgotten = FALISSE.replacen("<mass>60<", "<mass>58<", 1);
     let found = check(&forgotten);
     let other = found.findings.iter().find(|one| one.code() == FindingCode::ContactsOfAnotherMass).unwrap();
-    assert_eq!(other.severity, Severity::Warn);
+    assert_eq!(other.severity, Severity::Warning);
     assert!(
         other.message.to_string().contains("made for 62 kg, and the body weighs 60 kg"),
         "{}",

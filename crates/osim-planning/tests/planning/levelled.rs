@@ -77,7 +77,7 @@ fn an_uneven_foot_has_a_remedy_after_which_nothing_is_wrong() {
     let after = changed(UNEVEN, &json!({"verb": "set", "level": true}));
     assert!(is_level(&after) && !is_level(UNEVEN));
     let found = check_with(NAME, &after, &InspectOptions::default());
-    assert_eq!((found.counts.error, found.counts.warn, found.steps.len()), (0, 0, 0));
+    assert_eq!((found.counts.error, found.counts.warning, found.steps.len()), (0, 0, 0));
     assert!(!has(&found, FindingCode::UnlevelFoot));
     // The lowest stays where it was.
     assert!((lowest(&after) - lowest(UNEVEN)).abs() < 1e-12);

@@ -53,7 +53,7 @@ fn what_is_proposed_for_a_horse_puts_it_right_on_one_limb_and_on_two() {
     for options in [InspectOptions::default(), trot()] {
         let found = check_with(NAME, &text, &options);
         assert!(!has(&found, FindingCode::SunkIn));
-        assert_eq!((found.counts.error, found.counts.warn), (0, 0));
+        assert_eq!((found.counts.error, found.counts.warning), (0, 0));
     }
     // The verdict has the note's story.
     let found = check_with(NAME, &text, &trot());
@@ -89,7 +89,7 @@ fn a_horse_that_two_limbs_carry_is_not_told_to_change() {
     // x̂ = 0.560829 / 0.35^(2/3) = 1.12924 on one limb, 0.711375 on two.
     let found = check_with(NAME, &horse(0.35), &InspectOptions::default());
     let own = find(&found, FindingCode::SunkIn);
-    assert_eq!((own.severity, own.remedy.is_none()), (Severity::Warn, true));
+    assert_eq!((own.severity, own.remedy.is_none()), (Severity::Warning, true));
     let said = own.message.to_string();
     assert!(said.ends_with("; on 2 of its 4 limbs it is 0.7114 R"), "{said}");
     assert!(own.advice.to_string().contains("Nothing, if at least two of its 4 limbs always carry it"));

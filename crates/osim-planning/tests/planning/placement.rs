@@ -313,7 +313,7 @@ fn symptoms_of_misplaced_spheres_come_after_them_and_have_no_command() {
     let text = with_x(NOBODYS, "s2_r", 1.3 * 143.04).replace("<stiffness>1000000<", "<stiffness>10000<");
     let found = check(&text, None);
     assert!(found.findings.iter().all(|one| one.remedy.is_none()));
-    let warned: Vec<_> = found.findings.iter().filter(|one| one.severity == Severity::Warn).collect();
+    let warned: Vec<_> = found.findings.iter().filter(|one| one.severity == Severity::Warning).collect();
     assert!(warned.len() > 1, "{warned:?}");
     assert_eq!(warned[0].code(), FindingCode::SpheresMisplaced);
 }

@@ -144,7 +144,7 @@ fn a_forgotten_stiffness_is_taken_from_a_preset() {
 #[test]
 fn a_model_that_cannot_be_read_again_has_findings_and_no_remedy() {
     let result = check("-", HUMAN);
-    assert_eq!((result.counts.warn, result.counts.info), (0, 3));
+    assert_eq!((result.counts.warning, result.counts.remark), (0, 3));
     assert!(result.findings.iter().all(|finding| finding.remedy.is_none()));
 }
 

@@ -115,11 +115,11 @@ fn given(forms: &[(&'static Equation, &'static Form)], returns: Returns) -> Stri
 fn summary(forms: &[(&'static Equation, &'static Form)]) -> String {
     let Some((equation, form)) = forms.first() else { return String::new() };
     let title = equation.title;
-    match form.note {
+    match form.variant {
         "" => format!("{title}."),
         "a to b" => format!("{title}, from a to b."),
-        note if note.starts_with("for ") => format!("{title}, solved {note}."),
-        note => format!("{title}, {note}."),
+        variant if variant.starts_with("for ") => format!("{title}, solved {variant}."),
+        variant => format!("{title}, {variant}."),
     }
 }
 

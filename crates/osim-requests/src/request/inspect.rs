@@ -66,7 +66,7 @@ choices! {
     /// From which severity on a finding is a failure.
     Deny: Error {
         /// Limits of the paper and traps, too.
-        Warn = "warn", "Limits of the paper and traps, too";
+        Warning = "warning", "Limits of the paper and traps, too";
         /// What OpenSim computes differently from what is written, or wrongly.
         Error = "error", "What OpenSim computes differently from what is written, or wrongly";
     }
@@ -76,7 +76,7 @@ impl Deny {
     /// The severity.
     pub const fn severity(self) -> Severity {
         match self {
-            Self::Warn => Severity::Warn,
+            Self::Warning => Severity::Warning,
             Self::Error => Severity::Error,
         }
     }

@@ -29,14 +29,14 @@ pub struct PresetsRequest {
     pub format: Format,
 }
 
-/// Explains equations, quantities, and the codes of warnings and errors.
+/// Explains equations, quantities, and the codes of findings and errors.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[cfg_attr(feature = "clap", derive(clap::Args))]
 #[serde(default)]
 pub struct ExplainRequest {
     /// Number of an equation (10, C.5), a word from the column "equation", a property or figure (stiffness, x/R), or a code
-    /// as printed after a warning
+    /// as printed after a finding
     #[cfg_attr(feature = "clap", arg(value_name = "EQUATION|QUANTITY|CODE"))]
     #[serde(deserialize_with = "serial::from_texts")]
     pub topics: Vec<String>,

@@ -134,7 +134,7 @@ fn every_verb_has_a_schema_that_its_own_requests_fulfil() {
             json!({"model": "a.osim", "grid": {"stiffness": "x0.1..x10/9", "dissipation": [0.5, 1]}}),
         ),
         (Verb::Inspect, json!({"models": ["a.osim"], "format": "json"})),
-        (Verb::Check, json!({"models": ["a.osim"], "deny": "warn", "stance_limbs": 2})),
+        (Verb::Check, json!({"models": ["a.osim"], "deny": "warning", "stance_limbs": 2})),
         (Verb::DropTest, json!({"subject": "falisse2022", "height": "x0.25", "samples": 11})),
         (
             Verb::Plot,

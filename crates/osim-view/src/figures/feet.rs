@@ -270,7 +270,7 @@ fn levels(foot: &Foot, up: &str) -> Vec<Level> {
 }
 
 /// What is drawn of each state, one line each; what was not available, and what is wrong with the places of spheres.
-pub fn feet_notes(states: &[ModelFeet], dialect: &dyn Dialect) -> String {
+pub fn feet_remarks(states: &[ModelFeet], dialect: &dyn Dialect) -> String {
     states.iter().map(|state| of_state(state, dialect)).collect()
 }
 

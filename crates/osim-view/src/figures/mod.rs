@@ -27,7 +27,7 @@ pub use curves::{drops, force, impact_loops, loops, state};
 pub use draw::{data_csv, draw, draw_feet, draw_motion, not_drawn, paper, svg};
 pub(crate) use feet::feet_svg;
 pub(crate) use feet::missing_meshes;
-pub use feet::{feet, feet_notes};
+pub use feet::{feet, feet_remarks};
 pub use heat::heat;
 pub(crate) use indentations::above_the_axis;
 pub use indentations::{State as Indentations, indentations};

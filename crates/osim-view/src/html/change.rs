@@ -194,7 +194,7 @@ pub(super) fn what_changed(fragment: &mut Fragment, plan: &Plan) {
     let warnings = warnings(&mut fragment.topics, plan);
     let body = html! {
         p { (sentence(&plan.taken.to_string())) }
-        @if plan.is_empty() { p.note { "Nothing had to change." } }
+        @if plan.is_empty() { p.aside { "Nothing had to change." } }
         (objects) (changes) (spheres) (moves)
         @if !plan.remarks.is_empty() { ul { @for remark in &plan.remarks { li { (sentence(&remark.to_string())) } } } }
         (warnings)

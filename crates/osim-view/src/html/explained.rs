@@ -113,7 +113,7 @@ pub(super) fn section(topics: &Topics, dialect: &dyn Dialect) -> String {
                 @for equation in equations { (of_equation(equation, dialect)) }
             }
             @if !topics.codes.is_empty() {
-                h3 { "Findings and warnings" }
+                h3 { "Findings" }
                 @for rule in rules::of(|code| topics.codes.contains(&code)) { (of_rule(rule, dialect)) }
             }
             @if !topics.errors.is_empty() {
@@ -143,7 +143,7 @@ fn of_equation(equation: &Equation, dialect: &dyn Dialect) -> Markup {
         div.explained id=(anchor("equation", equation.label)) {
             h4 { (reference(equation.label)) " " (equation.title) }
             @for form in equation.forms {
-                p.formula { code { (form.formula) } @if !form.note.is_empty() { " " span.quiet { (form.note) } } }
+                p.formula { code { (form.formula) } @if !form.variant.is_empty() { " " span.quiet { (form.variant) } } }
             }
             @if !equation.symbols.is_empty() {
                 ul.symbols {

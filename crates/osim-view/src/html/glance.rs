@@ -61,7 +61,7 @@ impl Tally {
             self.references.push(reference.clone());
         }
         self.seen += 1;
-        let counts = [facts.counts.error, facts.counts.warn, facts.counts.info];
+        let counts = [facts.counts.error, facts.counts.warning, facts.counts.remark];
         self.with.iter_mut().zip(counts).for_each(|(with, count)| *with += usize::from(count > 0));
         facts
             .codes
@@ -94,7 +94,7 @@ impl Tally {
                 @if self.failed > 0 { li.bad { b { (self.failed) } " failed" } }
                 @for (outcome, count) in &self.outcomes { li { b { (count) } " " (outcome) } }
                 @if self.seen > 0 {
-                    @for (severity, (with, what)) in [Severity::Error, Severity::Warn, Severity::Info]
+                    @for (severity, (with, what)) in [Severity::Error, Severity::Warning, Severity::Remark]
                         .into_iter().zip(self.with.iter().zip(["errors", "warnings", "remarks"])) {
                         @if *with > 0 { li class=(severity.as_str()) { b { (with) } " with " (what) } }
                     }
@@ -176,7 +176,7 @@ pub(super) fn of_one(entry: &Entry, code: &Markup) -> Markup {
         section id=(id) aria-labelledby="glance-title" {
             h2 id="glance-title" { (title) }
             @if entry.failed || entry.facts.is_none() {
-                p.note { b { (entry.model) } ": " (entry.summary) (code) }
+                p.aside { b { (entry.model) } ": " (entry.summary) (code) }
             } @else {
                 ul.counts {
                     li { (entry.summary) @if entry.earlier { " (done by an earlier run)" } }

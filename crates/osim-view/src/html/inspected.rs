@@ -107,7 +107,7 @@ fn standing(inspected: &Inspection) -> Markup {
                 @for (number, sentence) in sentences(body).iter().enumerate() { @if number > 0 { "; " } (sentence) } "."
             }
         }
-        @if let Some(why) = &inspected.why_no_standing { p.note { "Where it stands is not known: " (why) "." } }
+        @if let Some(why) = &inspected.why_no_standing { p.aside { "Where it stands is not known: " (why) "." } }
     }
 }
 

@@ -78,7 +78,7 @@ pub(super) fn table_opening(columns: Columns, left_out: &[String]) -> String {
     let (id, title) = MODELS;
     let before = html! {
         h2 id="models-title" { (title) }
-        @for text in left_out { p.note { (text) } }
+        @for text in left_out { p.aside { (text) } }
     };
     let head = html! {
         caption { span { (columns.explained()) } }

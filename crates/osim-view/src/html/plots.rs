@@ -73,7 +73,7 @@ pub(super) fn figures(bodies: &[Body], has_reference: bool, dialect: &dyn Dialec
     reasons.dedup();
     html! {
         div.plots { @for (what, drawn) in &drawn { @if let Ok(svg) = drawn { (plot(what, svg)) } } }
-        @for reason in reasons { p.note { "Not drawn: " (reason) "." } }
+        @for reason in reasons { p.aside { "Not drawn: " (reason) "." } }
     }
 }
 
@@ -133,7 +133,7 @@ pub(super) fn feet_figure(states: &[ModelFeet]) -> Option<Markup> {
     Some(html! {
         figure { div.plot.feet role="group" aria-label="Feet" tabindex="0" { (PreEscaped(svg)) } figcaption { (caption) } }
         @if !missing.is_empty() {
-            p.note { "No bones are drawn of " (osim_model::messages::listed(&missing, LISTED)) ": they are neither beside the model nor in its folder Geometry." }
+            p.aside { "No bones are drawn of " (osim_model::messages::listed(&missing, LISTED)) ": they are neither beside the model nor in its folder Geometry." }
         }
     })
 }
@@ -143,7 +143,7 @@ pub(super) fn feet_figure(states: &[ModelFeet]) -> Option<Markup> {
 /// The section, made where a recording is compared: a page that never compares one does without all that it needs.
 pub fn recording(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> Section {
     let body = html! {
-        p.note {
+        p.aside {
             (result.motion.to_string()) ": " (result.states.frames()) " frames."
         }
         ul { @for remark in remarks { li { (sentence(&remark.message.spelled(dialect))) } } }
@@ -177,6 +177,6 @@ fn recording_figure(result: &MotionResult, dialect: &dyn Dialect) -> Markup {
                 figcaption { "For each foot: its force beside the plates'; how deep each sphere is, over time and over strides; where the force acts on the sole; forces of one stance along the foot." }
             } }
         },
-        Err(failure) => html! { p.note { "Not drawn: " (failure.message.spelled(dialect)) "." } },
+        Err(failure) => html! { p.aside { "Not drawn: " (failure.message.spelled(dialect)) "." } },
     }
 }

@@ -128,7 +128,7 @@ impl Chosen {
         }
         self.models += 1;
         let one = Rc::new(Candidate { number, model: model.to_owned(), facts: facts.clone(), drawn });
-        let found = (facts.counts.error, facts.counts.warn);
+        let found = (facts.counts.error, facts.counts.warning);
         if found > self.most_found.as_ref().map_or((0, 0), |(most, _)| *most) {
             self.most_found = Some((found, Rc::clone(&one)));
         }
@@ -170,7 +170,7 @@ impl Chosen {
             }
         }
         // A finding that no model has yet that is drawn.
-        for severity in [Severity::Error, Severity::Warn, Severity::Info] {
+        for severity in [Severity::Error, Severity::Warning, Severity::Remark] {
             let of_severity = self.findings.iter().filter(|((_, how_bad), _)| *how_bad == severity);
             for ((code, _), (count, one)) in of_severity {
                 let shown = chosen.iter().any(|(other, _)| other.facts.codes.contains_key(code));

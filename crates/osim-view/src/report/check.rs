@@ -37,7 +37,7 @@ fn line(verdict: &Verdict, colour: Colour) -> String {
 /// What was published so with known contacts is named once, and not explained, except that they may be for another mass.
 pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
     let known = found.findings.iter().find(|finding| finding.code() == FindingCode::KnownContacts);
-    let clean = known.filter(|_| found.counts.error + found.counts.warn == 0);
+    let clean = known.filter(|_| found.counts.error + found.counts.warning == 0);
     let shown: Vec<&Found> = found
         .findings
         .iter()
@@ -177,7 +177,7 @@ impl LibraryTable {
         for (model, counts) in &self.models {
             let count = |count: usize| if count == 0 { "-".to_owned() } else { count.to_string() };
             let cells = match counts {
-                Ok(counts) => [count(counts.error), count(counts.warn), count(counts.info)],
+                Ok(counts) => [count(counts.error), count(counts.warning), count(counts.remark)],
                 Err(why) => [*why, "", ""].map(str::to_owned),
             };
             models.add_row([vec![shown(model, 48)], cells.to_vec()].concat());
@@ -200,7 +200,7 @@ impl LibraryTable {
         text.push_str(&format!("\n{}\n", codes.trim_fmt()));
         text = painted_rows(&text, colour);
         text.push_str(&self.to_put_right(words.prompt()));
-        text.push_str(&format!("\n{}\n", more.spelled(words)));
+        text.push_str(&format!("\n{}", wrapped(&more.spelled(words), "")));
         text
     }
 
@@ -223,7 +223,8 @@ fn painted_rows(text: &str, colour: Colour) -> String {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {
         let word = line.split_ascii_whitespace().next().unwrap_or_default();
-        let found = [Severity::Error, Severity::Warn].into_iter().find(|severity| severity.as_str() == word);
+        let found =
+            [Severity::Error, Severity::Warning].into_iter().find(|severity| severity.as_str() == word);
         match found {
             Some(found) => out.push_str(&line.replacen(word, &severity(found, colour), 1)),
             None => out.push_str(line),

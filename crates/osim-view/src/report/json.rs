@@ -138,7 +138,7 @@ pub struct PlanRecord {
     /// Things the user should know.
     pub warnings: Vec<FindingRecord>,
     /// Remarks on every change of this kind.
-    pub notes: Vec<String>,
+    pub remarks: Vec<String>,
     /// The credits of the new model as OpenSim reads them, with the note about its contacts; null where it has none. Set them, too,
     /// where changes are made in a model in memory.
     pub credits: Option<String>,
@@ -273,7 +273,7 @@ impl PlanRecord {
             errors: plan.errors.map(RecordingErrorsRecord::from),
             floor_up_m: (!plan.floor_up_m.is_empty()).then(|| plan.floor_up_m.clone()),
             warnings: plan.warnings.iter().map(FindingRecord::from).collect(),
-            notes: plan.remarks.iter().map(Phrase::to_string).collect(),
+            remarks: plan.remarks.iter().map(Phrase::to_string).collect(),
             credits,
         }
     }

@@ -81,7 +81,7 @@ fn cut(text: &str, ends: impl Iterator<Item = usize>) -> impl Iterator<Item = &s
 // Lines of text, broken where a terminal ends.
 
 /// What begins a sentence for people: its other lines are further in.
-const HEADS: [&str; 3] = ["error: ", "warning: ", "note: "];
+const HEADS: [&str; 3] = ["error: ", "warning: ", "remark: "];
 
 /// What begins a command, which is copied as a whole. A terminal breaks it, too, but does not copy that.
 const COMMANDS: [&str; 3] = ["$ ", "> ", "osim-contact-scale "];
@@ -252,9 +252,9 @@ pub(crate) fn painted(text: &str, colour: Colour) -> String {
 /// The word for `severity`, in its colour.
 pub(crate) fn severity(severity: Severity, colour: Colour) -> String {
     let style = match (colour, severity) {
-        (Colour::Plain, _) | (_, Severity::Info) => Style::new(),
+        (Colour::Plain, _) | (_, Severity::Remark) => Style::new(),
         (Colour::Ansi, Severity::Error) => AnsiColor::Red.on_default().bold(),
-        (Colour::Ansi, Severity::Warn) => OUTSIDE_STYLE,
+        (Colour::Ansi, Severity::Warning) => OUTSIDE_STYLE,
     };
     format!("{style}{}{style:#}", severity.as_str())
 }
@@ -262,8 +262,8 @@ pub(crate) fn severity(severity: Severity, colour: Colour) -> String {
 /// The word for a verdict's `sign`, in its colour.
 pub(crate) fn sign(sign: Sign, colour: Colour) -> String {
     match sign {
-        Sign::Info => severity(Severity::Info, colour),
-        Sign::Warn => severity(Severity::Warn, colour),
+        Sign::Remark => severity(Severity::Remark, colour),
+        Sign::Warning => severity(Severity::Warning, colour),
         Sign::Error => severity(Severity::Error, colour),
         Sign::Good | Sign::Unknown => sign.as_str().to_owned(),
     }
@@ -316,7 +316,7 @@ mod tests {
             broken("  Why: one two three four five six\n", 20),
             "  Why: one two three\n  four five six\n"
         );
-        assert_eq!(broken("note: one two three four", 16), "note: one two\n  three four");
+        assert_eq!(broken("remark: one two three four", 16), "remark: one two\n  three four");
         // Two letters that fill no column, and a colour that fills none.
         assert_eq!(
             broken("\u{1b}[1mwarn\u{1b}[0m x̂ = x/R of the sphere", 17),

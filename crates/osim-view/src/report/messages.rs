@@ -2,15 +2,15 @@
 
 use osim_inspect::MassMismatch;
 use osim_model::messages::{Dialect, one_line};
-use osim_model::{Finding, FindingCode, Severity};
+use osim_model::{Finding, FindingCode};
 
-/// Warnings, one line each: `warning: line 12: message [code]`. What is a remark in `check` is a note.
+/// Findings, one line each: `warning: line 12: message [code]`.
 pub fn warnings(warnings: &[Finding]) -> String {
     let mut text = String::new();
     for warning in warnings {
         let line = warning.line.map(|line| format!("line {line}: ")).unwrap_or_default();
-        let word = if warning.severity == Severity::Info { "note" } else { "warning" };
-        text.push_str(&format!("{word}: {line}{} [{}]\n", warning.message, warning.code()));
+        let severity = warning.severity.as_str();
+        text.push_str(&format!("{severity}: {line}{} [{}]\n", warning.message, warning.code()));
     }
     text
 }

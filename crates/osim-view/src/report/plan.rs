@@ -27,7 +27,7 @@ pub fn text(plan: &Plan, model: &str, output: &str) -> String {
         }
     }
     for remark in &plan.remarks {
-        text.push_str(&format!("note: {}\n", one_line(remark.to_string())));
+        text.push_str(&format!("remark: {}\n", one_line(remark.to_string())));
     }
     text.push_str(&warnings(&plan.warnings));
     text.push_str(&format!("{}\n", one_line(output.to_owned())));

@@ -21,7 +21,7 @@ fn a_plan_is_one_line_with_its_fields_in_order() {
     assert!(text.starts_with(head), "{text}");
     let value: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(value["changes"].as_array().unwrap().len(), plan.changes.len());
-    assert_eq!(value["notes"][0], "body masses and sphere locations stay as they are");
+    assert_eq!(value["remarks"][0], "body masses and sphere locations stay as they are");
 }
 
 #[cfg(unix)]

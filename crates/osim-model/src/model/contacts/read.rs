@@ -158,14 +158,14 @@ impl<'r> ContactReader<'r> {
             };
         };
         if found.by_name {
-            self.note_by_name(id, &connectee.text, connectee.element, found.component);
+            self.record_by_name(id, &connectee.text, connectee.element, found.component);
         }
         let path =
             found.component.map_or_else(|| "/ground".to_owned(), |object| self.components.tree.path(object));
         Ok(Attachment { path, base: self.components.base(found.component)?, component: found.component })
     }
 
-    fn note_by_name(
+    fn record_by_name(
         &mut self,
         owner: ComponentId,
         text: &str,
@@ -203,7 +203,7 @@ impl<'r> ContactReader<'r> {
         .or_else(|| self.components.resolve(force, text, accept))
         .ok_or_else(|| self.components.unresolved(force, text, "contact geometry of that name"))?;
         if by_name {
-            self.note_by_name(force, text, element, Some(id));
+            self.record_by_name(force, text, element, Some(id));
         }
         match self.components.tag(id) {
             "ContactSphere" => {
@@ -317,7 +317,7 @@ impl<'r> ContactReader<'r> {
                     sets.push(set);
                 }
             }
-            None => self.note_misnamed_set(id, document, element),
+            None => self.record_misnamed_set(id, document, element),
         }
         let class = Class::HuntCrossleyForce;
         let transition_velocity =
@@ -325,7 +325,7 @@ impl<'r> ContactReader<'r> {
         self.push_force(id, ForceKind::HuntCrossley, sets, transition_velocity)
     }
 
-    fn note_misnamed_set(&mut self, id: ComponentId, document: &Document, element: ElementId) {
+    fn record_misnamed_set(&mut self, id: ComponentId, document: &Document, element: ElementId) {
         let tree = document.tree();
         let set = tree.children(element).find(|&child| tree.name(child) == CONTACT_PARAMETERS_SET);
         if let Some(set) = set {

@@ -115,9 +115,9 @@ impl fmt::Display for FindingCode {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// Worth knowing; nothing is wrong.
-    Info,
+    Remark,
     /// Outside a limit of the paper, or a trap: look at it.
-    Warn,
+    Warning,
     /// OpenSim computes something else than the file seems to say, or nonsense.
     Error,
 }
@@ -126,8 +126,8 @@ impl Severity {
     /// As in the JSON and on the command line.
     pub const fn as_str(self) -> &'static str {
         match self {
-            Self::Info => "info",
-            Self::Warn => "warn",
+            Self::Remark => "remark",
+            Self::Warning => "warning",
             Self::Error => "error",
         }
     }

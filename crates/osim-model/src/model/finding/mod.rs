@@ -19,7 +19,7 @@ pub use code::{FindingCode, Severity, VerdictOn};
 /// assert_eq!((finding.code(), finding.code().as_str()), (FindingCode::DisabledForce, "disabled-force"));
 /// assert_eq!(finding.place.as_deref(), Some("/forceset/contact_heel_r"));
 /// // What a code means is the same for every case of it.
-/// assert_eq!(finding.rule.severity, Severity::Info);
+/// assert_eq!(finding.rule.severity, Severity::Remark);
 /// assert!(finding.advice.to_string().starts_with("Nothing, if that is meant"));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```

@@ -55,7 +55,7 @@ impl Desk {
         let warned: BTreeSet<_> = plan
             .warnings
             .iter()
-            .filter(|warning| warning.severity >= Severity::Warn)
+            .filter(|warning| warning.severity >= Severity::Warning)
             // What a verb's own numbers make worse is not what the remedy did.
             .filter(|warning| !warning.message.to_string().starts_with("in the new model"))
             .map(|warning| warning.code().as_str())
@@ -108,6 +108,6 @@ impl Desk {
 
 /// What is at least a warning, as code and place; about spheres it is one for all.
 pub fn wrong(found: &CheckResult) -> BTreeSet<(FindingCode, Option<String>)> {
-    let bad = found.findings.iter().filter(|one| one.severity >= Severity::Warn);
+    let bad = found.findings.iter().filter(|one| one.severity >= Severity::Warning);
     bad.map(|one| (one.code(), one.place.clone().filter(|_| one.spheres.is_empty()))).collect()
 }

@@ -146,7 +146,7 @@ fn try_model(name: &str, text: &str, given: &Value, with_verbs: bool, counts: &m
     let mut desk = Desk::of(text, given);
     let Some(found) = desk.check(Path::new(NAME)) else { return };
     counts.models += 1;
-    let bad = found.findings.iter().filter(|one| one.severity >= Severity::Warn);
+    let bad = found.findings.iter().filter(|one| one.severity >= Severity::Warning);
     counts.findings.0 += bad.clone().count();
     counts.findings.1 += bad.clone().filter(|one| one.remedy.is_none()).count();
     for one in bad.filter(|one| one.remedy.is_none() && matches!(one.rule.repair, Repair::Command(_))) {

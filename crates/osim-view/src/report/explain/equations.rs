@@ -21,7 +21,7 @@ pub fn equation(name: &str) -> Option<&'static Equation> {
 // What is in the column "equation" where no equation of the paper does: rules of this project.
 
 const fn rule(formula: &'static str) -> Form {
-    Form { note: "", formula, function: "", unit: "" }
+    Form { variant: "", formula, function: "", unit: "" }
 }
 
 const fn symbol(symbol: &'static str, meaning: &'static str, unit: &'static str) -> Symbol {
@@ -37,7 +37,7 @@ const RULES: &[Equation] = &[
         label: "given",
         aliases: &[],
         title: "The number you gave, or the old one times the factor you gave",
-        forms: &[rule("new = given"), Form { note: "by a factor", ..rule("new = factor × now") }],
+        forms: &[rule("new = given"), Form { variant: "by a factor", ..rule("new = factor × now") }],
         symbols: &[],
         source: "your request: set, `radius=METRES` or xFACTOR",
     },
@@ -46,8 +46,8 @@ const RULES: &[Equation] = &[
         aliases: &["follow bodies"],
         title: "Place and size from the scaled body",
         forms: &[
-            Form { note: "radius", ..rule("R_b = (s_x s_y s_z)^(1/3) R_a") },
-            Form { note: "centre", ..rule("new centre = (s_x x, s_y y, s_z z)") },
+            Form { variant: "radius", ..rule("R_b = (s_x s_y s_z)^(1/3) R_a") },
+            Form { variant: "centre", ..rule("new centre = (s_x x, s_y y, s_z z)") },
         ],
         symbols: &[
             R_B,
@@ -62,8 +62,8 @@ const RULES: &[Equation] = &[
         aliases: &[],
         title: "The bottom stays on the sole, or comes down to the lowest of its foot",
         forms: &[
-            Form { note: "rescale, transfer", ..rule("new centre = centre + (R_b − R_a) up") },
-            Form { note: "set, add", ..rule("new centre = centre − (h − h_min) n") },
+            Form { variant: "rescale, transfer", ..rule("new centre = centre + (R_b − R_a) up") },
+            Form { variant: "set, add", ..rule("new centre = centre − (h − h_min) n") },
         ],
         symbols: &[
             R_B,
@@ -84,8 +84,8 @@ const RULES: &[Equation] = &[
         aliases: &[],
         title: "PredSim's rule, to compare with",
         forms: &[
-            Form { note: "stiffness", ..rule("E₁*_b = (M_b / M_a) / h² E₁*_a") },
-            Form { note: "dissipation", ..rule("α_b = α_a / h") },
+            Form { variant: "stiffness", ..rule("E₁*_b = (M_b / M_a) / h² E₁*_a") },
+            Form { variant: "dissipation", ..rule("α_b = α_a / h") },
         ],
         symbols: &[
             symbol("E₁*", "plane strain modulus of one of the two surfaces (OpenSim: stiffness)", "N/m²"),

@@ -1,4 +1,4 @@
-//! What an equation says, and what a warning or an error means and asks for.
+//! What an equation says, and what a finding or an error means and asks for.
 
 mod equations;
 mod errors;

@@ -99,7 +99,7 @@ pub enum TopicRecord {
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct FormulaRecord {
     /// What sets it apart, such as `for x`; empty for the first form.
-    pub note: &'static str,
+    pub variant: &'static str,
     /// The formula in Unicode.
     pub formula: &'static str,
     /// The same in ASCII.
@@ -188,7 +188,7 @@ impl TopicRecord {
 
 impl FormulaRecord {
     fn new(form: &Form) -> Self {
-        Self { note: form.note, formula: form.formula, ascii: ascii(form.formula), unit: form.unit }
+        Self { variant: form.variant, formula: form.formula, ascii: ascii(form.formula), unit: form.unit }
     }
 }
 

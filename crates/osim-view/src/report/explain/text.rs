@@ -24,8 +24,8 @@ fn of_equation(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -> 
     let spelled = |template: &'static str| letters.spelled(&Phrase::template(template).spelled(dialect));
     let mut text = format!("{}  {}\n\n", reference(equation.label), equation.title);
     for form in equation.forms {
-        let note = if form.note.is_empty() { String::new() } else { format!("    ({})", form.note) };
-        text.push_str(&letters.spelled(&format!("    {}{note}\n", form.formula)));
+        let variant = if form.variant.is_empty() { String::new() } else { format!("    ({})", form.variant) };
+        text.push_str(&letters.spelled(&format!("    {}{variant}\n", form.formula)));
     }
     let mut symbols = table(&["symbol", "meaning", "unit"]);
     for symbol in equation.symbols {
@@ -63,7 +63,7 @@ fn of_finding(rule: &Rule, dialect: &dyn Dialect) -> String {
         [("What: ", rule.what()), ("Why:  ", rule.why()), ("Do:   ", rule.advice()), ("Fix:  ", repair)];
     let body: String =
         parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect))).collect();
-    format!("{}\n\n{body}{}", rule.code, book("Book: ", "warnings"))
+    format!("{}\n\n{body}{}", rule.code, book("Book: ", "findings"))
 }
 
 fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> String {
@@ -218,7 +218,7 @@ mod tests {
     fn every_equation_can_be_spelled() {
         for equation in equations() {
             let symbols = equation.symbols.iter().flat_map(|s| [s.symbol, s.meaning, s.unit]);
-            let formulas = equation.forms.iter().flat_map(|form| [form.note, form.formula, form.unit]);
+            let formulas = equation.forms.iter().flat_map(|form| [form.variant, form.formula, form.unit]);
             for text in symbols.chain(formulas).chain([equation.label, equation.title, equation.source]) {
                 assert!(ascii(text).is_ascii(), "{}", ascii(text));
             }

@@ -122,7 +122,7 @@ impl ModelsTable {
 
     /// Adds a model that was inspected, and how much is wrong with it.
     pub fn add(&mut self, inspected: &Inspection, counts: Counts) {
-        self.with_findings += usize::from(counts.error + counts.warn > 0);
+        self.with_findings += usize::from(counts.error + counts.warning > 0);
         self.without_contacts += usize::from(inspected.forces.is_empty());
         let cells = Column::ALL.map(|column| column.cell(inspected, counts));
         self.rows.push((inspected.model.clone(), cells));
@@ -324,7 +324,7 @@ fn extreme(values: impl Iterator<Item = Judged>, worse: fn(f64, f64) -> f64) -> 
 /// How many findings of the worst severity, and whether there are contacts at all.
 fn findings(inspected: &Inspection, counts: Counts) -> String {
     // What is found in a model without contacts is that it has none.
-    if inspected.forces.is_empty() && counts.error + counts.warn == 0 {
+    if inspected.forces.is_empty() && counts.error + counts.warning == 0 {
         return NO_CONTACTS.to_owned();
     }
     counts.worst().describe(NOTHING)

@@ -28,7 +28,7 @@ pub fn motion_text(result: &MotionResult, remarks: &[MotionRemark], dialect: &dy
         readable(result.gravity_m_s2)
     );
     for remark in remarks {
-        let mark = if remark.code == "foot" { "" } else { "note: " };
+        let mark = if remark.code == "foot" { "" } else { "remark: " };
         text.push_str(&wrapped(&format!("{mark}{}", remark.message.spelled(dialect)), ""));
         text.push('\n');
     }

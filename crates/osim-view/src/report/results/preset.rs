@@ -151,12 +151,12 @@ pub fn design_sheet_text(sheet: &DesignSheet) -> String {
     }
     table.right_aligned(&[1]);
     let mut text = format!("{}\n", table.trim_fmt());
-    for note in &sheet.notes {
-        text.push_str(&format!("note: {note}\n"));
+    for remark in &sheet.remarks {
+        text.push_str(&format!("remark: {remark}\n"));
     }
     if sheet.figures.iter().any(|figure| figure.quantity == DesignQuantity::Stiffness) {
         text.push_str(
-            "note: 'stiffness' (E1*) is what to type into OpenSim, 2^(3/2) times the composite modulus E*\n",
+            "remark: 'stiffness' (E1*) is what to type into OpenSim, 2^(3/2) times the composite modulus E*\n",
         );
     }
     text
