@@ -54,7 +54,7 @@ fn in_full_it_is_what_each_model_alone_is() {
     let bench = library();
     let full = bench.run("inspect lib/human.osim lib/animals/emu.osim --full").done().out();
     for model in ["lib/human.osim", "lib/animals/emu.osim"] {
-        let alone = bench.run(&format!("inspect {model}")).done().out();
+        let alone = bench.run(&format!("inspect {model} --full")).done().out();
         assert!(full.contains(&alone), "{model}:\n{full}");
     }
     // A folder with one model is that model.

@@ -9,6 +9,7 @@ use osim_planning::{Inspector, open_with, prepare};
 use osim_requests::spell::{CommandLine, FrontEnd};
 use osim_requests::{CheckRequest, Request};
 use osim_view::report::check::{LibraryTable, csv_rows, text};
+use osim_view::report::extent::Extent;
 use osim_view::report::json::line;
 use osim_view::report::layout::Colour;
 use serde_json::json;
@@ -38,7 +39,9 @@ fn check() {
     for model in ["human.osim", "unequal.osim"] {
         let found = checked(&check_of(model), Path::new(model), &files);
         let said = |more: &str| bench.run(&format!("check {model}{more}")).out();
-        assert_eq!(text(&found, CommandLine.prompt(), Colour::Plain), said(""));
+        for (extent, option) in [(Extent::Brief, ""), (Extent::Full, " --full")] {
+            assert_eq!(text(&found, CommandLine.prompt(), Colour::Plain, extent), said(option));
+        }
         assert_eq!(line(&found), said(" --format json"));
         assert_eq!(csv_rows(&found, true).unwrap(), said(" --format csv"));
     }

@@ -5,6 +5,7 @@ use osim_model::files::InMemory;
 use osim_planning::{Inspector, open_with};
 use osim_requests::InspectRequest;
 use osim_requests::spell::CommandLine;
+use osim_view::report::extent::Extent;
 use osim_view::report::inspection::{csv_rows, text};
 use osim_view::report::json::line;
 use osim_view::report::layout::Colour;
@@ -28,7 +29,9 @@ fn inspected(request: &InspectRequest, files: &InMemory) -> Vec<Inspection> {
 #[track_caller]
 fn same(bench: &Bench, words: &str, json: &Value) {
     let all = inspected(&request!(Inspect, json), &files_of(bench));
-    let texts: Vec<String> = all.iter().map(|model| text(model, &CommandLine, Colour::Plain)).collect();
+    let extent = Extent::new(words.ends_with("--full"));
+    let texts: Vec<String> =
+        all.iter().map(|model| text(model, &CommandLine, Colour::Plain, extent)).collect();
     assert_eq!(texts.join("\n"), bench.run(words).done().out());
     let lines: String = all.iter().map(line).collect();
     assert_eq!(lines, bench.run(&format!("{words} --format json")).done().out());

@@ -11,6 +11,7 @@ use osim_requests::Jobs;
 use osim_requests::options::ReportOptions;
 use osim_view::html::{About, Columns, DetailLevel, Entry, Examined, NamedDigest, Section};
 use osim_view::report::check::{self, LibraryTable};
+use osim_view::report::extent::Extent;
 use osim_view::report::inspection::{self, ModelsTable};
 use osim_view::report::layout::Colour;
 
@@ -31,8 +32,10 @@ pub struct Survey<'s> {
     pub inspector: &'s Inspector,
     /// The page that is asked for.
     pub report: &'s ReportOptions,
-    /// Whether each model is shown in full, however many there are.
-    pub is_in_full: bool,
+    /// Whether each model is shown by itself, however many there are.
+    pub shows_each: bool,
+    /// How much the text of a model shows; in full each is shown by itself, too.
+    pub extent: Extent,
     /// The words of messages.
     pub words: Words,
 }
@@ -113,7 +116,15 @@ impl Survey<'_> {
 
     /// The text of its models, without any of them.
     pub fn text(&self, colour: Colour) -> SurveyText {
-        let mut text = SurveyText { words: self.words, colour, is_first: true, models: None, library: None };
+        let mut text = SurveyText {
+            words: self.words,
+            colour,
+            extent: self.extent,
+            is_first: true,
+            names_full: true,
+            models: None,
+            library: None,
+        };
         if self.is_table() && self.verb == Verb::Check {
             text.library = Some(LibraryTable::default());
         } else if self.is_table() {
@@ -129,7 +140,7 @@ impl Survey<'_> {
         let models = self.sources.models.len();
         let several =
             if self.verb == Verb::Check { models } else { models + self.sources.failures.len() } > 1;
-        several && !self.is_in_full
+        several && !self.shows_each && !self.extent.is_full()
     }
 
     fn look(&self, source: &Source, folders: Option<&Folders>, with_page: bool) -> (Surveyed, Option<Entry>) {
@@ -210,7 +221,10 @@ impl Survey<'_> {
 pub struct SurveyText {
     words: Words,
     colour: Colour,
+    extent: Extent,
     is_first: bool,
+    /// Whether a table says how all models are shown in full.
+    names_full: bool,
     /// What models hold.
     models: Option<ModelsTable>,
     /// What is wrong with models.
@@ -220,7 +234,7 @@ pub struct SurveyText {
 impl SurveyText {
     /// For a front end in which several models cannot be asked for in full: the text does not name the option.
     pub fn without_full(self) -> Self {
-        Self { models: self.models.map(ModelsTable::without_full), ..self }
+        Self { names_full: false, ..self }
     }
 
     /// Adds the model that was named `name`. Returns what is shown of it now: nothing where there is a table.
@@ -231,11 +245,11 @@ impl SurveyText {
             }
             (Surveyed::Inspected(inspected, _), None, _) => {
                 let gap = if std::mem::take(&mut self.is_first) { "" } else { "\n" };
-                return format!("{gap}{}", inspection::text(inspected, self.words, self.colour));
+                return format!("{gap}{}", inspection::text(inspected, self.words, self.colour, self.extent));
             }
             (Surveyed::Checked(found), _, Some(table)) => table.add(found),
             (Surveyed::Checked(found), _, None) => {
-                return check::text(found, self.words.prompt(), self.colour);
+                return check::text(found, self.words.prompt(), self.colour, self.extent);
             }
             (Surveyed::Failed(failure), models, library) => {
                 models.iter_mut().for_each(|table| table.add_failed(name, failure.code));
@@ -248,8 +262,9 @@ impl SurveyText {
 
     /// The table, where there is one, for lines of `width` characters; `None` is a file, whose lines have no end.
     pub fn end(self, width: Option<usize>) -> String {
-        let models = self.models.map(|table| table.text(width, self.words, self.colour));
-        let library = self.library.map(|table| table.text(width.is_none(), self.words, self.colour));
+        let models = self.models.map(|table| table.text(width, self.words, self.colour, self.names_full));
+        let library =
+            self.library.map(|table| table.text(width.is_none(), self.words, self.colour, self.names_full));
         models.or(library).unwrap_or_default()
     }
 }

@@ -8,6 +8,7 @@ use osim_library::{LibraryFault, Source, Sources, Survey, Surveyed};
 use osim_model::messages::harmless;
 use osim_planning::Inspector;
 use osim_requests::{Jobs, Request};
+use osim_view::report::extent::Extent;
 use osim_view::report::json::FailureRecord;
 use osim_view::report::layout::Colour;
 use pyo3::prelude::*;
@@ -37,16 +38,17 @@ pub(crate) fn survey<'py>(
     let (rows, remarks, text) = guarded(py, || {
         let files = RequestFiles::given(&memory, true);
         let request = Request::from_map(fields)?;
-        let (models, inspector, report, is_in_full) = match &request {
+        let (models, inspector, report, shows_each, full) = match &request {
             // Factors of bodies have no room in a row.
             Request::Inspect(request) => (
                 &request.models,
                 Inspector::of_inspect(request, &files),
                 &request.report,
-                request.full || request.from.is_some(),
+                request.from.is_some(),
+                request.full,
             ),
             Request::Check(request) => {
-                (&request.models, Inspector::of_check(request, &files), &request.report, false)
+                (&request.models, Inspector::of_check(request, &files), &request.report, false, request.full)
             }
             other => return Err(Problem::defect(format!("a survey for {}", other.verb().name()))),
         };
@@ -59,7 +61,8 @@ pub(crate) fn survey<'py>(
             memory: files.memory(),
             inspector: &inspector,
             report,
-            is_in_full,
+            shows_each,
+            extent: Extent::new(full),
             words: WORDS,
         };
         // Python checked it with its own name.

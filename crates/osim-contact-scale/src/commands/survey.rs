@@ -9,6 +9,7 @@ use osim_model::messages::{Call, Input, Verb};
 use osim_planning::Inspector;
 use osim_requests::options::SheetFormat;
 use osim_requests::{CheckRequest, InspectRequest};
+use osim_view::report::extent::Extent;
 use osim_view::report::json::line;
 use osim_view::report::layout::Colour;
 use osim_view::report::{check, inspection};
@@ -34,7 +35,8 @@ pub(crate) fn inspect(request: &InspectRequest, hint: bool, session: &mut Sessio
         inspector: &inspector,
         report: &request.report,
         // Factors of bodies have no room in a table.
-        is_in_full: request.full || request.from.is_some() || format != SheetFormat::Table,
+        shows_each: request.from.is_some() || format != SheetFormat::Table,
+        extent: Extent::new(request.full),
         words: session.words,
     };
     let shown = show(&survey, format, session)?;
@@ -56,7 +58,8 @@ pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exi
         memory: &BTreeMap::new(),
         inspector: &inspector,
         report: &request.report,
-        is_in_full: request.format != SheetFormat::Table,
+        shows_each: request.format != SheetFormat::Table,
+        extent: Extent::new(request.full),
         words: session.words,
     };
     let shown = show(&survey, request.format, session)?;

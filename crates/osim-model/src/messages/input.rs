@@ -76,7 +76,7 @@ inputs! {
     Friction = "friction", "scale friction speeds too";
     From = "from", "where the contacts come from";
     FromMocoSetup = "from_moco_setup", "Moco setup of the original";
-    Full = "full", "every model in full";
+    Full = "full", "everything in full";
     Geometry = "geometry", "file of the contact geometry set";
     GeometryDir = "geometry_dir", "folder of the bones' meshes";
     GeometryOutput = "geometry_output", "output file of the geometry set";

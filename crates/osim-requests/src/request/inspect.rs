@@ -39,7 +39,7 @@ pub struct InspectRequest {
     /// List what else would follow the size of a body of this mass, kg: muscles, springs, actuators
     #[cfg_attr(feature = "clap", arg(long, value_name = "KG", allow_hyphen_values = true))]
     pub target_mass: Option<Kilograms>,
-    /// Show each of several models in full, not in one row
+    /// Show everything: each model, all rows, all explanations, all digits
     #[cfg_attr(feature = "clap", arg(long))]
     pub full: bool,
     /// How to print
@@ -131,6 +131,9 @@ pub struct CheckRequest {
     /// With `motion`: the unit of its angles, where its header does not say it
     #[cfg_attr(feature = "clap", arg(long, value_enum, hide_short_help = true))]
     pub angles: Option<AngleChoice>,
+    /// Show everything: each model, all rows, all explanations, all digits
+    #[cfg_attr(feature = "clap", arg(long))]
+    pub full: bool,
     /// Exit with 1 where a finding is as bad as this, or worse
     #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub deny: Deny,

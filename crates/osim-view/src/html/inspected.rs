@@ -13,6 +13,7 @@ use crate::html::fragment::{DetailLevel, Fragment, Section, table};
 use crate::html::special::{Drawn, Facts};
 use crate::html::sphere_figures::{self, State};
 use crate::html::{findings, plots, reference};
+use crate::report::extent::Extent;
 use crate::report::inspection::table::{decimals, described, groups, metres, sentences};
 
 /// A model that was inspected, and what a page shows of it.
@@ -77,11 +78,11 @@ pub(super) fn fill(fragment: &mut Fragment, inspected: Inspected<'_>, dialect: &
 }
 
 fn forces(inspected: &Inspection) -> Markup {
-    let groups = groups(inspected);
+    let groups = groups(inspected, Extent::Brief);
     let rows: Vec<Markup> = groups
         .iter()
         .map(|group| {
-            html! { tr { th scope="row" { (described(&group.forces)) } @for cell in &group.cells { td { (cell) } } } }
+            html! { tr { th scope="row" { (described(&group.forces, Extent::Brief)) } @for cell in &group.cells { td { (cell) } } } }
         })
         .collect();
     if rows.is_empty() {
@@ -104,7 +105,7 @@ fn standing(inspected: &Inspection) -> Markup {
         @for body in &inspected.standing {
             p {
                 "Standing" @if several { " of " (body.body) } ": "
-                @for (number, sentence) in sentences(body).iter().enumerate() { @if number > 0 { "; " } (sentence) } "."
+                @for (number, sentence) in sentences(body, Extent::Brief).iter().enumerate() { @if number > 0 { "; " } (sentence) } "."
             }
         }
         @if let Some(why) = &inspected.why_no_standing { p.aside { "Where it stands is not known: " (why) "." } }

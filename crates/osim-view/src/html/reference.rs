@@ -7,6 +7,7 @@ use osim_inspect::{ReferenceState, SizeList};
 use osim_model::messages::{four_significant, readable};
 
 use crate::html::fragment::{Fragment, table};
+use crate::report::extent::Extent;
 use crate::report::similarity::{about, cells, gaps, headings};
 
 pub(super) const SECTION: (&str, &str) = ("reference", "The contact beside that of the reference");
@@ -187,7 +188,7 @@ pub(super) fn size_section(fragment: &mut Fragment, list: &SizeList) {
         .kinds
         .iter()
         .map(|row| {
-            let [name, count, numbers, similar, last] = cells(list, row);
+            let [name, count, numbers, similar, last] = cells(list, row, Extent::Brief);
             html! {
                 tr {
                     th scope="row" { (name) }
@@ -199,9 +200,9 @@ pub(super) fn size_section(fragment: &mut Fragment, list: &SizeList) {
     let [name, count, numbers, similar, last] = headings(list);
     let last = format!(" {last}");
     let body = html! {
-        @for sentence in about(list) { p { (sentence) "." } }
+        @for sentence in about(list, Extent::Brief) { p { (sentence) "." } }
         (table("What else follows size", "Factors, new over old.", &[name, count, numbers, similar, &last], &rows))
-        @for sentence in gaps(list) { p.note { (sentence) "." } }
+        @for sentence in gaps(list, Extent::Brief) { p.aside { (sentence) "." } }
     };
     fragment.section("similarity", "What else follows size", &body);
 }

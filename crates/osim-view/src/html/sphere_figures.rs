@@ -7,6 +7,7 @@ use osim_inspect::{Figure, Figures, SphereFigures};
 
 use crate::html::explained::{listed, marked_outside};
 use crate::html::fragment::{Fragment, boxed, table};
+use crate::report::extent::Extent;
 use crate::report::inspection::spheres::{
     CAPTION, FigureText, Spheres, equally_deep, heading, key, limit, value,
 };
@@ -44,8 +45,8 @@ impl<'s> Lookup<'s> {
         }
         let first = state.figures.spheres().next().filter(|_| state.is_reference);
         found.any = first.filter(|first| {
-            let first = key(first);
-            state.figures.spheres().all(|other| key(other) == first)
+            let first = key(first, Extent::Brief);
+            state.figures.spheres().all(|other| key(other, Extent::Brief) == first)
         });
         found
     }
@@ -99,7 +100,7 @@ pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
 
 /// The spheres at their own heights, where these differ.
 fn standing(state: &State<'_>) -> Markup {
-    let rows: Vec<Markup> = equally_deep(state.figures)
+    let rows: Vec<Markup> = equally_deep(state.figures, Extent::Brief)
         .iter()
         .map(|row| {
             html! {
@@ -129,7 +130,10 @@ fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {
         for sphere in &limb.spheres {
             let spheres: Vec<Option<&SphereFigures>> =
                 lookups.iter().map(|state| state.sphere_like(sphere)).collect();
-            let key = spheres.iter().flat_map(|sphere| sphere.map(key).unwrap_or_default()).collect();
+            let key = spheres
+                .iter()
+                .flat_map(|sphere| sphere.map(|sphere| key(sphere, Extent::Brief)).unwrap_or_default())
+                .collect();
             let limb = limb.limb.as_deref().unwrap_or_default();
             let place = *places.entry(key).or_insert(groups.len());
             let is_new = limbs.insert((place, limb));
@@ -166,7 +170,7 @@ fn sheet(
     let speed = states.first().and_then(|state| state.figures.impact_speed_m_s);
     let rows: Vec<Markup> = Spheres::new(mixed, spheres().copied())
         .figures()
-        .filter(|&figure| spheres().any(|sphere| value(figure, sphere).is_some()))
+        .filter(|&figure| spheres().any(|sphere| value(figure, sphere, Extent::Brief).is_some()))
         .map(|figure| line(fragment, figure, speed.filter(|_| !several), groups, outside))
         .collect();
     let caption = match states.last() {
@@ -204,7 +208,7 @@ fn line(
     groups: &[Group<'_>],
     outside: &mut bool,
 ) -> Markup {
-    let name = heading(figure, speed);
+    let name = heading(figure, speed, Extent::Brief);
     let part = name.starts_with(' ');
     let name = fragment.topics.linked(name.trim_start_matches(' '));
     html! {
@@ -217,7 +221,7 @@ fn line(
 }
 
 fn cell(figure: Figure, sphere: Option<&SphereFigures>, outside: &mut bool) -> Markup {
-    match sphere.and_then(|sphere| value(figure, sphere)) {
+    match sphere.and_then(|sphere| value(figure, sphere, Extent::Brief)) {
         None => html! { td { "–" } },
         Some(FigureText { text, outside: false }) => html! { td { (text) } },
         Some(FigureText { text, outside: true }) => {

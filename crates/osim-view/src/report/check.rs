@@ -8,6 +8,7 @@ use osim_model::messages::{Phrase, one_line};
 use osim_model::{FindingCode, Severity};
 use osim_requests::spell::FrontEnd;
 
+use crate::report::extent::Extent;
 use crate::report::layout::{Colour, clipped, csv_text, severity, sign, table, wrapped, wrapped_with_path};
 use crate::report::messages::in_a_cell;
 use crate::report::similarity;
@@ -34,16 +35,17 @@ fn line(verdict: &Verdict, colour: Colour) -> String {
 
 /// The verdicts, then every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` is before each remedy.
 ///
-/// What was published so with known contacts is named once, and not explained, except that they may be for another mass.
-pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
+/// What was published so with known contacts is named once, and explained only in full, except that they may be for another mass.
+pub fn text(found: &CheckResult, prompt: &str, colour: Colour, extent: Extent) -> String {
     let known = found.findings.iter().find(|finding| finding.code() == FindingCode::KnownContacts);
     let clean = known.filter(|_| found.counts.error + found.counts.warning == 0);
     let shown: Vec<&Found> = found
         .findings
         .iter()
         .filter(|finding| {
-            (!finding.as_published || is_of_another_mass(finding))
-                && clean.is_none_or(|known| known.code() != finding.code())
+            extent.is_full()
+                || (!finding.as_published || is_of_another_mass(finding))
+                    && clean.is_none_or(|known| known.code() != finding.code())
         })
         .collect();
     let published = published(found);
@@ -68,7 +70,7 @@ pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
         let (alike, others) = rest.split_at(same);
         text.push('\n');
         let more = if first.code() == FindingCode::KnownContacts { published.as_str() } else { "" };
-        text.push_str(&block(first, alike, more, colour));
+        text.push_str(&block(first, alike, more, colour, extent));
         if !at_end {
             text.push_str(&commands(alike.iter().filter_map(|finding| finding.command.as_ref()), prompt));
         }
@@ -79,9 +81,9 @@ pub fn text(found: &CheckResult, prompt: &str, colour: Colour) -> String {
         text.push_str(&format!("\nTo put it right{order}:\n"));
         text.push_str(&commands(&found.commands, prompt));
     }
-    if let Some(list) = found.similarity.as_ref().filter(|list| list.is_worth_showing()) {
+    if let Some(list) = found.similarity.as_ref().filter(|list| extent.is_full() || list.is_worth_showing()) {
         text.push('\n');
-        text.push_str(&similarity::text(list));
+        text.push_str(&similarity::text(list, extent));
     }
     text
 }
@@ -114,7 +116,7 @@ fn published(found: &CheckResult) -> String {
     }
 }
 
-fn block(first: &Found, alike: &[&Found], more: &str, colour: Colour) -> String {
+fn block(first: &Found, alike: &[&Found], more: &str, colour: Colour, extent: Extent) -> String {
     let mut text = format!("{} {}\n", severity(first.severity, colour), first.code());
     for finding in alike {
         let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();
@@ -122,6 +124,9 @@ fn block(first: &Found, alike: &[&Found], more: &str, colour: Colour) -> String 
         let place = finding.place.as_deref().filter(|place| !message.contains(*place));
         let place = place.map(|place| format!("{place}: ")).unwrap_or_default();
         text.push_str(&wrapped(&format!("  {line}{place}{message}{more}"), "    "));
+        if extent.is_full() && finding.spheres.len() > 1 {
+            text.push_str(&wrapped(&format!("    spheres: {}", finding.spheres.join(", ")), "      "));
+        }
     }
     text.push_str(&wrapped(&format!("  Why: {}", first.why), "       "));
     text.push_str(&wrapped(&format!("  Do:  {}.", first.advice), "       "));
@@ -170,8 +175,15 @@ impl LibraryTable {
 
     /// One row for each model, then one for each code, then the commands that put them right.
     ///
-    /// Names are clipped where a line has an end; in a file or a pipe they are whole.
-    pub fn text(mut self, whole_names: bool, words: &dyn FrontEnd, colour: Colour) -> String {
+    /// Names are clipped where a line has an end; in a file or a pipe they are whole. `names_full`: the front end can ask for all models
+    /// in full.
+    pub fn text(
+        mut self,
+        whole_names: bool,
+        words: &dyn FrontEnd,
+        colour: Colour,
+        names_full: bool,
+    ) -> String {
         let shown = |name: &str, width| if whole_names { name.to_owned() } else { clipped(name, width) };
         let mut models = table(&["model", "errors", "warnings", "remarks"]);
         for (model, counts) in &self.models {
@@ -194,9 +206,11 @@ impl LibraryTable {
             codes.add_row(vec![severity, code.to_string(), count.to_string(), shown(model, 36)]);
         }
         codes.right_aligned(&[2]);
-        let more = Phrase::template(
-            "In full, with commands that fix it: `check MODEL`. What one means: `explain topics=FINDING`",
-        );
+        let more = Phrase::template(if names_full {
+            "In full, with commands that fix it: `check MODEL`; all of them: `full`. What one means: `explain topics=FINDING`"
+        } else {
+            "In full, with commands that fix it: `check MODEL`. What one means: `explain topics=FINDING`"
+        });
         text.push_str(&format!("\n{}\n", codes.trim_fmt()));
         text = painted_rows(&text, colour);
         text.push_str(&self.to_put_right(words.prompt()));

@@ -8,6 +8,7 @@
 //! use osim_inspect::InspectOptions;
 //! use osim_model::Model;
 //! use osim_requests::spell::CommandLine;
+//! use osim_view::report::extent::Extent;
 //! use osim_view::report::inspection;
 //! use osim_view::report::layout::Colour;
 //!
@@ -15,7 +16,7 @@
 //! let model = Model::parse(include_bytes!("../../../osim-model/tests/data/one_foot.osim").as_slice())?;
 //! let mut inspected = InspectOptions::default().inspect("one_foot.osim", &model, None);
 //! inspected.spell(&CommandLine);
-//! let text = inspection::text(&inspected, &CommandLine, Colour::Plain);
+//! let text = inspection::text(&inspected, &CommandLine, Colour::Plain, Extent::Brief);
 //! assert!(text.contains("model weighs 10 kg (mass of 1 body)"));
 //! # Ok(())
 //! # }
@@ -28,6 +29,7 @@
 
 pub mod check;
 pub mod explain;
+pub mod extent;
 pub mod inspection;
 pub mod json;
 pub mod layout;

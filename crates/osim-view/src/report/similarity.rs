@@ -1,16 +1,17 @@
 //! What else follows the size of a body, as text.
 
 use osim_inspect::{SizeList, SizeRow, SizeSpread};
-use osim_model::messages::{four_significant, listed, three_significant};
+use osim_model::messages::{four_significant, three_significant};
 
+use crate::report::extent::Extent;
 use crate::report::layout::{table, wrapped};
 
 /// Names that are listed; more are counted.
 const NAMED: usize = 6;
 
 /// What the list is, in sentences for any page.
-pub fn about(list: &SizeList) -> Vec<String> {
-    let mut sentences = vec![ratios(list)];
+pub fn about(list: &SizeList, extent: Extent) -> Vec<String> {
+    let mut sentences = vec![ratios(list, extent)];
     sentences.push(
         "\"similar\" is the factor of geometric similarity at equal gravity, which is one choice among several: nothing here is changed"
             .to_owned(),
@@ -24,11 +25,11 @@ pub fn about(list: &SizeList) -> Vec<String> {
 }
 
 /// What the list leaves out, in sentences for any page.
-pub fn gaps(list: &SizeList) -> Vec<String> {
+pub fn gaps(list: &SizeList, extent: Extent) -> Vec<String> {
     let mut sentences = Vec::new();
     let pairs = [(&list.only_in_model, "the original"), (&list.only_in_original, "the model")];
     for (names, other) in pairs.into_iter().filter(|(names, _)| !names.is_empty()) {
-        sentences.push(format!("no counterpart in {other}: {}", listed(names, NAMED)));
+        sentences.push(format!("no counterpart in {other}: {}", extent.names(names, NAMED)));
     }
     for unread in &list.not_read {
         sentences.push(format!("not read: {} {} ({})", unread.count, unread.class, unread.why));
@@ -37,19 +38,19 @@ pub fn gaps(list: &SizeList) -> Vec<String> {
 }
 
 /// The list, a line a kind.
-pub fn text(list: &SizeList) -> String {
+pub fn text(list: &SizeList, extent: Extent) -> String {
     let mut text = "What else follows size:\n".to_owned();
-    for sentence in about(list) {
+    for sentence in about(list, extent) {
         text.push_str(&wrapped(&format!("  {sentence}"), "    "));
     }
     let mut rows = table(&headings(list));
     for row in &list.kinds {
-        rows.add_row(cells(list, row));
+        rows.add_row(cells(list, row, extent));
     }
     rows.right_aligned(&[1]);
     text.push_str(&rows.trim_fmt());
     text.push('\n');
-    for sentence in gaps(list) {
+    for sentence in gaps(list, extent) {
         text.push_str(&wrapped(&format!("  {sentence}"), "    "));
     }
     text
@@ -63,37 +64,40 @@ pub fn headings(list: &SizeList) -> [&'static str; 5] {
     }
 }
 
-pub fn cells(list: &SizeList, row: &SizeRow) -> [String; 5] {
-    let similar = row.similarity_factor.map_or_else(|| "?".to_owned(), three_significant);
+pub fn cells(list: &SizeList, row: &SizeRow, extent: Extent) -> [String; 5] {
+    let three = |value| extent.number(value, three_significant);
+    let similar = row.similarity_factor.map_or_else(|| "?".to_owned(), three);
     let (name, count) = (row.description.to_owned(), row.count.to_string());
     if list.is_of_two_models() {
-        [name, count, found(row), similar, row.verdict_words.to_owned()]
+        [name, count, found(row, extent), similar, row.verdict_words.to_owned()]
     } else {
-        let now = format!("{} {}", three_significant(row.value.median), row.unit);
+        let now = format!("{} {}", three(row.value.median), row.unit);
         [name, count, now, similar, row.similarity_formula.clone()]
     }
 }
 
 /// By what factor numbers changed: `same`, or the median and the range.
-fn found(row: &SizeRow) -> String {
+fn found(row: &SizeRow, extent: Extent) -> String {
     match (row.pairs, row.same, &row.factor) {
         (Some(pairs), Some(same), _) if pairs > 0 && same == pairs => "same".to_owned(),
-        (_, _, Some(factor)) => spread(factor),
+        (_, _, Some(factor)) => spread(factor, extent),
         (Some(1..), ..) => "0 before".to_owned(),
         _ => "-".to_owned(),
     }
 }
 
-fn spread(SizeSpread { median, min, max, .. }: &SizeSpread) -> String {
-    let [median, min, max] = [median, min, max].map(|value| three_significant(*value));
+fn spread(SizeSpread { median, min, max, .. }: &SizeSpread, extent: Extent) -> String {
+    let [median, min, max] = [median, min, max].map(|value| extent.number(*value, three_significant));
     if min == max { median } else { format!("{median} ({min} to {max})") }
 }
 
-fn ratios(list: &SizeList) -> String {
+fn ratios(list: &SizeList, extent: Extent) -> String {
+    let three = |value| extent.number(value, three_significant);
     let (Some(mass), Some(length)) = (list.mass_ratio, list.length_ratio) else {
         return "masses are not known: what similarity would give is not known".to_owned();
     };
-    let kg = |mass: Option<f64>| mass.map_or_else(|| "?".to_owned(), four_significant);
+    let kg =
+        |mass: Option<f64>| mass.map_or_else(|| "?".to_owned(), |mass| extent.number(mass, four_significant));
     let from = match list.compared_bodies {
         0 => "its cube root".to_owned(),
         1 => "by the joints of 1 body".to_owned(),
@@ -101,13 +105,13 @@ fn ratios(list: &SizeList) -> String {
     };
     let mut text = format!(
         "masses M = {} ({} to {} kg), lengths L = {} ({from})",
-        three_significant(mass),
+        three(mass),
         kg(list.original_mass_kg),
         kg(list.mass_kg),
-        three_significant(length)
+        three(length)
     );
     if let Some(gravity) = list.gravity_ratio.filter(|ratio| (ratio - 1.0).abs() > 1e-3) {
-        text.push_str(&format!("; gravity times {}, which is counted", three_significant(gravity)));
+        text.push_str(&format!("; gravity times {}, which is counted", three(gravity)));
     }
     text
 }

@@ -1,8 +1,10 @@
 //! Tables and CSV.
 
-use osim_inspect::InspectOptions;
+use osim_inspect::{Figure, InspectOptions};
 use osim_model::FileId;
+use osim_model::messages::shortest;
 use osim_requests::spell::{CommandLine, FrontEnd, Python};
+use osim_view::report::extent::Extent;
 use osim_view::report::layout::Colour;
 use osim_view::report::{check, inspection, plan};
 
@@ -15,7 +17,7 @@ const MIXED: &str = "format/mixed_radii.osim";
 fn a_model_is_told_in_80_columns() {
     let model = open(SMOOTH);
     let (seen, _) = inspected(&InspectOptions::default(), &model, &CommandLine);
-    let text = inspection::text(&seen, &CommandLine, Colour::Plain);
+    let text = inspection::text(&seen, &CommandLine, Colour::Plain, Extent::Brief);
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
     insta::assert_snapshot!("inspection", text);
 }
@@ -24,7 +26,7 @@ fn a_model_is_told_in_80_columns() {
 fn a_table_says_what_to_do_next_in_the_words_of_its_front_end() {
     let model = open("check/beyond_hertz.osim");
     let (seen, _) = inspected(&InspectOptions::default(), &model, &Python);
-    let text = inspection::text(&seen, &Python, Colour::Plain);
+    let text = inspection::text(&seen, &Python, Colour::Plain, Extent::Brief);
     assert!(text.contains("(! outside the limit: ocs.check(\"model.osim\") says more)"), "{text}");
 }
 
@@ -33,8 +35,10 @@ fn colours_are_all_that_they_add() {
     let model = open("check/wide_transition.osim");
     let (seen, found) = inspected(&InspectOptions::default(), &model, &CommandLine);
     for [plain, painted] in [
-        [Colour::Plain, Colour::Ansi].map(|colour| inspection::text(&seen, &CommandLine, colour)),
-        [Colour::Plain, Colour::Ansi].map(|colour| check::text(&found, CommandLine.prompt(), colour)),
+        [Colour::Plain, Colour::Ansi]
+            .map(|colour| inspection::text(&seen, &CommandLine, colour, Extent::Brief)),
+        [Colour::Plain, Colour::Ansi]
+            .map(|colour| check::text(&found, CommandLine.prompt(), colour, Extent::Brief)),
     ] {
         assert!(!plain.contains('\u{1b}') && painted.contains('\u{1b}'));
         let stripped: String = painted
@@ -67,7 +71,7 @@ fn models() -> inspection::ModelsTable {
 fn many_models_fit_any_terminal() {
     let table = models();
     for width in [140, 100, 80, 60] {
-        let text = table.text(Some(width), &CommandLine, Colour::Plain);
+        let text = table.text(Some(width), &CommandLine, Colour::Plain, true);
         assert!(longest_line(&text) <= width.max(80), "{width}:\n{text}");
         let rows: Vec<&str> = text.lines().filter(|line| line.contains(".osim")).collect();
         assert!(rows.iter().all(|row| row.chars().count() <= width), "{width}:\n{text}");
@@ -80,7 +84,7 @@ fn many_models_fit_any_terminal() {
 
 #[test]
 fn a_pipe_gets_whole_names_and_all_columns() {
-    let text = models().text(None, &CommandLine, Colour::Plain);
+    let text = models().text(None, &CommandLine, Colour::Plain, true);
     assert!(text.contains("/study/adults/human_62kg_smooth_sphere.osim"), "{text}");
     for heading in ["kg", "n", "class", "E1*", " R ", "x/R", "c_r", "findings"] {
         assert!(text.lines().next().unwrap().contains(heading), "{heading}:\n{text}");
@@ -136,7 +140,8 @@ fn csv_has_one_row_for_each_sphere_that_stands() {
 fn findings_are_told_with_what_to_do() {
     let model = open(MIXED);
     let (_, found) = inspected(&InspectOptions::default(), &model, &CommandLine);
-    insta::assert_snapshot!("check", check::text(&found, CommandLine.prompt(), Colour::Plain));
+    let text = check::text(&found, CommandLine.prompt(), Colour::Plain, Extent::Brief);
+    insta::assert_snapshot!("check", text);
 }
 
 #[test]
@@ -146,7 +151,7 @@ fn a_library_is_one_table() {
         library.add(&inspected(&InspectOptions::default(), &open(name), &CommandLine).1);
     }
     library.add_failed("broken.osim", "malformed-xml");
-    insta::assert_snapshot!("library", library.text(true, &CommandLine, Colour::Plain));
+    insta::assert_snapshot!("library", library.text(true, &CommandLine, Colour::Plain, true));
 }
 
 #[test]
@@ -164,4 +169,34 @@ fn a_plan_is_told_in_full_in_a_line_and_as_a_diff() {
     assert_eq!(removed, plan.changes.len() - inserted + 1, "{diff}");
     // The header has one, and the line of the credits is another.
     assert_eq!(added, plan.changes.len() + 2, "{diff}");
+}
+
+#[test]
+fn in_full_an_inspection_has_every_digit_and_every_name() {
+    let (seen, _) = inspected(&InspectOptions::default(), &open(SMOOTH), &CommandLine);
+    let [brief, full] = [Extent::Brief, Extent::Full]
+        .map(|extent| inspection::text(&seen, &CommandLine, Colour::Plain, extent));
+    for sphere in seen.figures.spheres() {
+        let values = Figure::ALL.iter().filter_map(|&figure| sphere.value(figure));
+        for text in values.map(shortest).chain([sphere.sphere.clone()]) {
+            assert!(full.contains(&text), "{text}:\n{full}");
+        }
+    }
+    assert!(brief.contains(" more") && !full.contains(" more\n"), "{brief}\n{full}");
+}
+
+#[test]
+fn in_full_a_check_explains_every_finding_and_names_its_spheres() {
+    // What is outside limits in published contacts is in brief only counted.
+    let (_, found) = inspected(&InspectOptions::default(), &open(SMOOTH), &CommandLine);
+    let [brief, full] = [Extent::Brief, Extent::Full]
+        .map(|extent| check::text(&found, CommandLine.prompt(), Colour::Plain, extent));
+    let explained = |text: &str| text.lines().filter(|line| line.starts_with("  Why: ")).count();
+    let mut codes: Vec<_> = found.findings.iter().map(|finding| finding.code()).collect();
+    codes.dedup();
+    assert!(explained(&brief) < codes.len(), "{brief}");
+    assert_eq!(explained(&full), codes.len(), "{full}");
+    for sphere in found.findings.iter().flat_map(|finding| &finding.spheres) {
+        assert!(full.contains(sphere.as_str()), "{sphere}:\n{full}");
+    }
 }

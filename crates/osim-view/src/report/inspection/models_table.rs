@@ -37,7 +37,6 @@ pub struct ModelsTable {
     with_findings: usize,
     without_contacts: usize,
     failed: usize,
-    has_no_full: bool,
 }
 
 /// The cells of a row, in the order of [`Column::ALL`].
@@ -115,11 +114,6 @@ struct Fitting {
 }
 
 impl ModelsTable {
-    /// For a front end in which several models cannot be asked for in full: the text does not name the option.
-    pub fn without_full(self) -> Self {
-        Self { has_no_full: true, ..self }
-    }
-
     /// Adds a model that was inspected, and how much is wrong with it.
     pub fn add(&mut self, inspected: &Inspection, counts: Counts) {
         self.with_findings += usize::from(counts.error + counts.warning > 0);
@@ -138,8 +132,15 @@ impl ModelsTable {
 
     /// One row for each model in lines of at most `width` columns, then what the headings mean, and how many there are.
     ///
-    /// Names are whole and no column is left out where lines have no end, in a file or a pipe.
-    pub fn text(&self, width: Option<usize>, dialect: &dyn Dialect, colour: Colour) -> String {
+    /// Names are whole and no column is left out where lines have no end, in a file or a pipe. `names_full`: the front end can ask for
+    /// all models in full.
+    pub fn text(
+        &self,
+        width: Option<usize>,
+        dialect: &dyn Dialect,
+        colour: Colour,
+        names_full: bool,
+    ) -> String {
         // A line with an end has no room for the folder that they are all in.
         let folder = width.map(|_| self.common_folder()).unwrap_or_default();
         let Fitting { columns, name_width } = self.fitting(width, folder);
@@ -156,7 +157,7 @@ impl ModelsTable {
         table.right_aligned(&numbers.map(|(index, _)| index + 1).collect::<Vec<_>>());
         let table = painted(&format!("{}\n", table.trim_fmt()), colour);
         let folder = if folder.is_empty() { String::new() } else { wrapped_with_path(folder, "", "") };
-        format!("{folder}{table}\n{}{}", legend(&columns, dialect, self.has_no_full), self.counted())
+        format!("{folder}{table}\n{}{}", legend(&columns, dialect, names_full), self.counted())
     }
 
     /// The folder in which all models are, with the mark at its end; empty where there is none.
@@ -222,7 +223,7 @@ fn folder_of(name: &str) -> &str {
 }
 
 /// What the headings mean, which columns are left out, and where more is.
-fn legend(columns: &[Column], dialect: &dyn Dialect, has_no_full: bool) -> String {
+fn legend(columns: &[Column], dialect: &dyn Dialect, names_full: bool) -> String {
     let meanings = columns.iter().map(|column| column.meaning()).filter(|meaning| !meaning.is_empty());
     let meanings: Vec<&str> = meanings.collect();
     let mut text = wrapped(&format!("({}; {OUTSIDE}: outside the limit)", meanings.join("; ")), " ");
@@ -235,10 +236,10 @@ fn legend(columns: &[Column], dialect: &dyn Dialect, has_no_full: bool) -> Strin
         );
         text.push_str(&wrapped(&left_out, " "));
     }
-    let more = Phrase::template(if has_no_full {
-        "One model in full: `inspect MODEL`. What was found: `check MODEL`."
-    } else {
+    let more = Phrase::template(if names_full {
         "One model in full: `inspect MODEL`; all of them: `full`. What was found: `check MODEL`."
+    } else {
+        "One model in full: `inspect MODEL`. What was found: `check MODEL`."
     });
     text.push_str(&wrapped(&more.spelled(dialect), ""));
     text

@@ -6,8 +6,9 @@ use osim_inspect::{
     Figure, Figures, InspectedForce, Inspection, LimbFigures, Quantity, Shown, SphereFigures,
 };
 use osim_model::Property;
-use osim_model::messages::{Dialect, Phrase, four_significant, listed, shortest};
+use osim_model::messages::{Dialect, Phrase, four_significant, shortest};
 
+use crate::report::extent::Extent;
 use crate::report::layout::{OUTSIDE, csv_text, table, wrapped};
 
 /// What the spheres of a table have in common.
@@ -40,9 +41,11 @@ impl Spheres {
 }
 
 /// The first cell of a row; for restitution with the impact speed (m/s), if there is one.
-pub fn heading(figure: Figure, impact_speed_m_s: Option<f64>) -> String {
+pub fn heading(figure: Figure, impact_speed_m_s: Option<f64>, extent: Extent) -> String {
     match (figure, impact_speed_m_s) {
-        (Figure::RestitutionExact, Some(speed)) => format!("restitution at {} m/s", four_significant(speed)),
+        (Figure::RestitutionExact, Some(speed)) => {
+            format!("restitution at {} m/s", extent.number(speed, four_significant))
+        }
         _ => figure.info().heading(),
     }
 }
@@ -59,27 +62,28 @@ pub struct FigureText {
 }
 
 /// The figure of a sphere as it is shown; `None` if it is not known.
-pub fn value(figure: Figure, sphere: &SphereFigures) -> Option<FigureText> {
+pub fn value(figure: Figure, sphere: &SphereFigures, extent: Extent) -> Option<FigureText> {
     let outside = sphere.is_within(figure) == Some(false);
     match sphere.value(figure) {
-        Some(value) => Some(FigureText { text: four_significant(value), outside }),
+        Some(value) => Some(FigureText { text: extent.number(value, four_significant), outside }),
         // (13) has no answer below 0, and that is outside.
         None => outside.then(|| FigureText { text: "below 0".to_owned(), outside }),
     }
 }
 
-fn shown() -> impl Iterator<Item = Figure> {
-    Figure::ALL.iter().copied().filter(|figure| figure.shown() != Shown::Nowhere)
+fn shown(extent: Extent) -> impl Iterator<Item = Figure> {
+    Figure::ALL.iter().copied().filter(move |figure| extent.is_full() || figure.shown() != Shown::Nowhere)
 }
 
 /// What is shown of a sphere: spheres with the same figures share a column.
-pub fn key(sphere: &SphereFigures) -> Vec<String> {
-    shown().map(|figure| sphere.value(figure).map(four_significant).unwrap_or_default()).collect()
+pub fn key(sphere: &SphereFigures, extent: Extent) -> Vec<String> {
+    let text = |figure| sphere.value(figure).map(|value| extent.number(value, four_significant));
+    shown(extent).map(|figure| text(figure).unwrap_or_default()).collect()
 }
 
 /// The key without a text, in all digits: if this is equal, so is the key.
-pub(crate) fn exact_key(sphere: &SphereFigures) -> Vec<Option<u64>> {
-    shown().map(|figure| sphere.value(figure).map(f64::to_bits)).collect()
+pub(crate) fn exact_key(sphere: &SphereFigures, extent: Extent) -> Vec<Option<u64>> {
+    shown(extent).map(|figure| sphere.value(figure).map(f64::to_bits)).collect()
 }
 
 // How deep spheres are where each is at its own height, as rows: the text and the page share them.
@@ -97,12 +101,15 @@ pub(crate) const CAPTION: &str =
     "The bottoms of a limb are not level at the default pose; x/R at 1 BW with each sphere at its own height";
 
 /// The spheres of limbs that stand on all of their spheres, at different heights.
-pub(crate) fn equally_deep(figures: &Figures) -> Vec<EquallyDeep<'_>> {
+pub(crate) fn equally_deep(figures: &Figures, extent: Extent) -> Vec<EquallyDeep<'_>> {
     let mut rows: Vec<EquallyDeep<'_>> = Vec::new();
     for limb in figures.limbs.iter().filter(|limb| stands_unevenly(limb)) {
         let first = rows.len();
         for sphere in &limb.spheres {
-            let value = |figure| sphere.value(figure).map(four_significant).unwrap_or_default();
+            let value = |figure| {
+                let value = sphere.value(figure);
+                value.map(|value| extent.number(value, four_significant)).unwrap_or_default()
+            };
             let indentation = [Figure::StandingIndentation, Figure::StandingIndentationModelLaw].map(value);
             match rows.iter_mut().skip(first).find(|row| row.indentation == indentation) {
                 Some(row) => row.spheres.push(&sphere.sphere),
@@ -149,8 +156,8 @@ struct Alike<'a> {
 }
 
 /// The figures; empty if there are none and no reason is to be given.
-pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect) -> String {
-    let groups = groups(inspected);
+pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, extent: Extent) -> String {
+    let groups = groups(inspected, extent);
     let mut text = String::new();
     if let Some(why) = &inspected.figures.why_no_body_weight {
         text.push_str(&wrapped(&format!("no figures under body weight: {why}"), ""));
@@ -161,12 +168,12 @@ pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect) -> Str
     for (number, chunk) in groups.chunks(GROUPS_ABREAST).enumerate() {
         for (index, group) in chunk.iter().enumerate() {
             let label = format!("S{}", number * GROUPS_ABREAST + index + 1);
-            text.push_str(&wrapped(&format!("{label}  {}", listed(&group.names, NAMED)), "    "));
+            text.push_str(&wrapped(&format!("{label}  {}", extent.names(&group.names, NAMED)), "    "));
         }
         text.push('\n');
-        text.push_str(&sheet(inspected, chunk, number * GROUPS_ABREAST));
+        text.push_str(&sheet(inspected, chunk, number * GROUPS_ABREAST, extent));
     }
-    text.push_str(&standing(inspected));
+    text.push_str(&standing(inspected, extent));
     if text.contains(OUTSIDE) {
         let more = Phrase::template("outside the limit: `check MODEL` says more").spelled(dialect);
         text.push_str(&format!("  ({OUTSIDE} {more})\n"));
@@ -175,28 +182,28 @@ pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect) -> Str
 }
 
 /// The spheres at their own heights, where these differ.
-fn standing(inspected: &Inspection) -> String {
-    let rows = equally_deep(&inspected.figures);
+fn standing(inspected: &Inspection, extent: Extent) -> String {
+    let rows = equally_deep(&inspected.figures, extent);
     if rows.is_empty() {
         return String::new();
     }
     let mut table = table(&["limb", "Hertz", "model's law", "spheres"]);
     for row in rows {
         let [hertz, model_law] = &row.indentation;
-        table.add_row([row.limb, hertz, model_law, &listed(&row.spheres, NAMED)]);
+        table.add_row([row.limb, hertz, model_law, &extent.names(&row.spheres, NAMED)]);
     }
     table.right_aligned(&[1, 2]);
     format!("\n{}{}\n", wrapped(&format!("{CAPTION}:"), ""), table.trim_fmt())
 }
 
-fn groups(inspected: &Inspection) -> Vec<Alike<'_>> {
+fn groups(inspected: &Inspection, extent: Extent) -> Vec<Alike<'_>> {
     let mut groups: Vec<Alike<'_>> = Vec::new();
     let (mut places, mut exact) = (HashMap::new(), HashMap::new());
     for limb in &inspected.figures.limbs {
         let mixed = limb.is_mixed();
         for sphere in &limb.spheres {
-            let found = || *places.entry(key(sphere)).or_insert(groups.len());
-            let place = *exact.entry(exact_key(sphere)).or_insert_with(found);
+            let found = || *places.entry(key(sphere, extent)).or_insert(groups.len());
+            let place = *exact.entry(exact_key(sphere, extent)).or_insert_with(found);
             match groups.get_mut(place) {
                 Some(group) => group.names.push(&sphere.sphere),
                 None => groups.push(Alike { names: vec![&sphere.sphere], first: sphere, mixed }),
@@ -206,25 +213,28 @@ fn groups(inspected: &Inspection) -> Vec<Alike<'_>> {
     groups
 }
 
-fn sheet(inspected: &Inspection, groups: &[Alike<'_>], before: usize) -> String {
+fn sheet(inspected: &Inspection, groups: &[Alike<'_>], before: usize, extent: Extent) -> String {
     let labels = (1..=groups.len()).map(|index| format!("S{}", before + index));
     let header: Vec<String> = ["figure".to_owned(), "limit".to_owned()].into_iter().chain(labels).collect();
     let mut table = table(&header.iter().map(String::as_str).collect::<Vec<_>>());
     let mixed = groups.iter().any(|group| group.mixed);
-    for figure in Spheres::new(mixed, groups.iter().map(|group| group.first)).figures() {
-        let values: Vec<String> = groups.iter().map(|group| cell(figure, group.first)).collect();
+    let spheres = Spheres::new(mixed, groups.iter().map(|group| group.first));
+    let figures: Vec<Figure> =
+        if extent.is_full() { Figure::ALL.to_vec() } else { spheres.figures().collect() };
+    for figure in figures {
+        let values: Vec<String> = groups.iter().map(|group| cell(figure, group.first, extent)).collect();
         if values.iter().all(|value| value == NOTHING) {
             continue;
         }
-        let name = heading(figure, inspected.figures.impact_speed_m_s);
+        let name = heading(figure, inspected.figures.impact_speed_m_s, extent);
         table.add_row([vec![name, limit(figure)], values].concat());
     }
     table.right_aligned(&(2..2 + groups.len()).collect::<Vec<_>>());
     format!("{}\n", table.trim_fmt())
 }
 
-fn cell(figure: Figure, sphere: &SphereFigures) -> String {
-    match value(figure, sphere) {
+fn cell(figure: Figure, sphere: &SphereFigures, extent: Extent) -> String {
+    match value(figure, sphere, extent) {
         None => NOTHING.to_owned(),
         Some(FigureText { text, outside: false }) => format!("{text}  "),
         Some(FigureText { text, outside: true }) => format!("{text} {OUTSIDE}"),

@@ -4,50 +4,50 @@ use std::collections::HashMap;
 
 use osim_inspect::{InspectedForce, InspectedSphere, Inspection, OnFeet, StandingBody, StandingSphere};
 use osim_model::Property;
-use osim_model::messages::{
-    Dialect, Phrase, four_significant, listed, one_line, readable, shown, three_significant,
-};
+use osim_model::messages::{Dialect, Phrase, four_significant, one_line, readable, shown, three_significant};
 
+use crate::report::extent::Extent;
 use crate::report::inspection::spheres;
-use crate::report::layout::{Colour, clipped, painted, table, wrapped};
+use crate::report::layout::{Colour, painted, table, wrapped};
 use crate::report::messages::warnings;
 use crate::report::similarity;
 
 /// Masses, limbs, spheres, forces, and what they do. What the inspection says is taken as it is spelled.
-pub fn text(inspected: &Inspection, dialect: &dyn Dialect, colour: Colour) -> String {
-    let mut text = head(inspected);
+pub fn text(inspected: &Inspection, dialect: &dyn Dialect, colour: Colour, extent: Extent) -> String {
+    let mut text = head(inspected, extent);
     if !inspected.spheres.is_empty() {
         text.push('\n');
-        text.push_str(&spheres(&inspected.spheres));
+        text.push_str(&spheres(&inspected.spheres, extent));
     }
     if !inspected.forces.is_empty() {
         text.push('\n');
-        text.push_str(&forces(inspected));
+        text.push_str(&forces(inspected, extent));
     }
     if !inspected.forces.is_empty() {
-        let figures = spheres::sphere_sheet(inspected, dialect);
+        let figures = spheres::sphere_sheet(inspected, dialect, extent);
         text.push_str(if figures.is_empty() { "" } else { "\n" });
         text.push_str(&painted(&figures, colour));
-        text.push_str(&standing(inspected));
+        text.push_str(&standing(inspected, extent));
     }
     if inspected.body_factors.is_some() {
         text.push('\n');
-        text.push_str(&body_factors(inspected));
+        text.push_str(&body_factors(inspected, extent));
     }
     if let Some(list) = &inspected.similarity {
         text.push('\n');
-        text.push_str(&similarity::text(list));
+        text.push_str(&similarity::text(list, extent));
     }
     text.push_str(&warnings(&inspected.warnings));
     text
 }
 
-fn head(inspected: &Inspection) -> String {
+fn head(inspected: &Inspection, extent: Extent) -> String {
+    let number = |value| extent.number(value, readable);
     let title =
         format!("{}: {} (document version {})", inspected.model, inspected.name, inspected.document_version);
     let mut text = format!("{}\n", one_line(title));
     let weighs = match inspected.mass_kg {
-        Some(mass) => format!("model weighs {} kg ({})", readable(mass), inspected.mass_source),
+        Some(mass) => format!("model weighs {} kg ({})", number(mass), inspected.mass_source),
         None => "what the model weighs is not known".to_owned(),
     };
     let contacts = match &inspected.contacts_mass_kg {
@@ -59,14 +59,14 @@ fn head(inspected: &Inspection) -> String {
         text.push_str(&wrapped(sentence, ""));
     }
     if let Some(known) = &inspected.known_contacts {
-        let made_for = readable(known.made_for_kg);
+        let made_for = number(known.made_for_kg);
         text.push_str(&wrapped(
             &format!("the contact parameters are those of {}, made for {made_for} kg", known.title),
             "",
         ));
     }
     match inspected.gravity_m_s2 {
-        Some(gravity) => text.push_str(&format!("gravity {} m/s2\n", readable(gravity))),
+        Some(gravity) => text.push_str(&format!("gravity {} m/s2\n", number(gravity))),
         None => text.push_str("gravity cannot be read\n"),
     }
     let why = inspected.limbs_unknown.as_ref().map(Phrase::to_string);
@@ -88,19 +88,20 @@ fn head(inspected: &Inspection) -> String {
 }
 
 /// One row per sphere; x, y, z are those of its lowest point.
-fn spheres(spheres: &[InspectedSphere]) -> String {
+fn spheres(spheres: &[InspectedSphere], extent: Extent) -> String {
     let mut table = table(&["sphere", "body", "limb", "radius", "lowest x", "y", "z"]);
     let decimals = decimals(spheres);
+    let length = |value| extent.number(value, |value| metres(value, decimals));
     for sphere in spheres {
         let body = sphere.body.as_deref().unwrap_or(&sphere.frame);
         let mut cells = vec![
-            clipped(&sphere.name, 17),
-            clipped(body, 12),
-            clipped(sphere.limb.as_deref().unwrap_or("-"), 10),
-            metres(sphere.radius_m, decimals),
+            extent.name(&sphere.name, 17),
+            extent.name(body, 12),
+            extent.name(sphere.limb.as_deref().unwrap_or("-"), 10),
+            length(sphere.radius_m),
         ];
         match sphere.lowest_point_m {
-            Some(point) => cells.extend(point.map(|value| metres(value, decimals))),
+            Some(point) => cells.extend(point.map(length)),
             None => cells.extend(["?", "?", "?"].map(str::to_owned)),
         }
         table.add_row(cells);
@@ -113,13 +114,13 @@ fn spheres(spheres: &[InspectedSphere]) -> String {
 }
 
 /// Forces with the same parameters share a row; a legend says which they are.
-fn forces(inspected: &Inspection) -> String {
-    let groups = groups(inspected);
+fn forces(inspected: &Inspection, extent: Extent) -> String {
+    let groups = groups(inspected, extent);
     let mut table = table(&["", "E1*", "E*", "alpha", "friction", "slip", "cf", "bd", "bv"]);
     let mut legend = String::new();
     for (index, group) in groups.into_iter().enumerate() {
         let label = format!("F{}", index + 1);
-        legend.push_str(&wrapped(&format!("{label}  {}", described(&group.forces)), "    "));
+        legend.push_str(&wrapped(&format!("{label}  {}", described(&group.forces, extent)), "    "));
         table.add_row([vec![label], group.cells].concat());
     }
     table.right_aligned(&[1, 2, 3, 4, 5, 6, 7, 8]);
@@ -133,13 +134,13 @@ fn forces(inspected: &Inspection) -> String {
 }
 
 /// Where bodies are over their floors, and what puts them on their feet.
-fn standing(inspected: &Inspection) -> String {
+fn standing(inspected: &Inspection, extent: Extent) -> String {
     let several = inspected.standing.len() > 1;
     let mut text = String::new();
     for body in &inspected.standing {
         let which = if several { format!(" of {}", shown(&body.body)) } else { String::new() };
         text.push_str(&format!("\nStanding{which}:\n"));
-        for sentence in sentences(body) {
+        for sentence in sentences(body, extent) {
             text.push_str(&wrapped(&format!("  {sentence}"), "    "));
         }
     }
@@ -150,11 +151,12 @@ fn standing(inspected: &Inspection) -> String {
 }
 
 /// Each body's factors, compared with the generic model; `?` if no source has them.
-fn body_factors(inspected: &Inspection) -> String {
+fn body_factors(inspected: &Inspection, extent: Extent) -> String {
+    let number = |factor| extent.number(factor, |factor| format!("{factor:.6}"));
     let mut table = table(&["scaled body", "x", "y", "z", "from"]);
     for body in inspected.body_factors.iter().flatten() {
         let mut cells = vec![body.body.clone()];
-        cells.extend(body.factors.map(|factor| factor.map_or_else(|| "?".to_owned(), |f| format!("{f:.6}"))));
+        cells.extend(body.factors.map(|factor| factor.map_or_else(|| "?".to_owned(), number)));
         let mut sources: Vec<&str> = body.sources.iter().flatten().copied().collect();
         sources.dedup();
         cells.push(sources.join(", "));
@@ -170,7 +172,7 @@ fn body_factors(inspected: &Inspection) -> String {
 const NAMED: usize = 6;
 
 /// The text about a body: where it is at the default pose, and where it stands on all its feet and on one limb.
-pub fn sentences(body: &StandingBody) -> Vec<String> {
+pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
     let Some((lowest, place)) = body.lowest().zip(body.place()) else { return Vec::new() };
     let mut said = format!("at the default pose {}, the lowest sphere, is {place}", shown(&lowest.sphere));
     if let Some(why) = &body.why_no_coordinate {
@@ -179,7 +181,7 @@ pub fn sentences(body: &StandingBody) -> Vec<String> {
     let mut sentences = vec![said];
     let rests = [("on all feet", body.as_posed.as_ref()), ("on one limb", other_than_all(body))];
     let known = rests.into_iter().filter_map(|(how, rest)| Some((how, rest?)));
-    sentences.extend(known.map(|(how, rest)| on_feet(body, how, rest)));
+    sentences.extend(known.map(|(how, rest)| on_feet(body, how, rest, extent)));
     if body.as_posed.is_none() {
         let why = match body.weight_n {
             None => "a mass or gravity is missing",
@@ -196,20 +198,20 @@ fn other_than_all(body: &StandingBody) -> Option<&OnFeet> {
     (one.spheres != all.spheres).then_some(one)
 }
 
-fn on_feet(body: &StandingBody, how: &str, rest: &OnFeet) -> String {
+fn on_feet(body: &StandingBody, how: &str, rest: &OnFeet, extent: Extent) -> String {
     let limb = rest.limb.as_deref().map(|limb| format!(", {}", shown(limb))).unwrap_or_default();
-    let load = four_significant(rest.load_n);
+    let load = extent.number(rest.load_n, four_significant);
     if !rest.carried {
-        return format!("{how}{limb}: its spheres cannot carry the {load} N; {}", depths(rest));
+        return format!("{how}{limb}: its spheres cannot carry the {load} N; {}", depths(rest, extent));
     }
     let place = body.coordinate_on(rest).map(|set| format!(" with {set}")).unwrap_or_default();
-    format!("{how}{limb}: carries {load} N{place}; {}", depths(rest))
+    format!("{how}{limb}: carries {load} N{place}; {}", depths(rest, extent))
 }
 
 /// Which spheres touch, and how deep they are.
-fn depths(rest: &OnFeet) -> String {
+fn depths(rest: &OnFeet, extent: Extent) -> String {
     let touching: Vec<&StandingSphere> = rest.touching().collect();
-    let deep = |one: &StandingSphere| three_significant(one.relative_indentation);
+    let deep = |one: &StandingSphere| extent.number(one.relative_indentation, three_significant);
     let least = touching
         .iter()
         .copied()
@@ -227,13 +229,13 @@ fn depths(rest: &OnFeet) -> String {
     match (touching.len(), rest.spheres.len()) {
         (1, 1) => format!("its only sphere touches, {x}"),
         (some, of) if some == of => format!("all {of} spheres touch, {x}"),
-        (some, of) => format!("{some} of {of} spheres touch ({}), {x}", named(&touching)),
+        (some, of) => format!("{some} of {of} spheres touch ({}), {x}", named(&touching, extent)),
     }
 }
 
-fn named(spheres: &[&StandingSphere]) -> String {
+fn named(spheres: &[&StandingSphere], extent: Extent) -> String {
     let names: Vec<String> = spheres.iter().map(|one| shown(&one.sphere).to_string()).collect();
-    listed(&names, NAMED)
+    extent.names(&names, NAMED)
 }
 
 // Forces with the same parameters together.
@@ -247,16 +249,16 @@ pub struct ForceGroup<'m> {
 }
 
 /// The forces of a model, those with the same parameters together.
-pub fn groups(inspected: &Inspection) -> Vec<ForceGroup<'_>> {
+pub fn groups(inspected: &Inspection, extent: Extent) -> Vec<ForceGroup<'_>> {
     let mut groups: Vec<ForceGroup<'_>> = Vec::new();
     let (mut places, mut exact) = (HashMap::new(), HashMap::new());
     for force in &inspected.forces {
         let how = (force.kind, force.applies, force.selected);
-        let found = || *places.entry((parameters(force), how)).or_insert(groups.len());
+        let found = || *places.entry((parameters(force, extent), how)).or_insert(groups.len());
         let place = *exact.entry((exact_parameters(force), how)).or_insert_with(found);
         match groups.get_mut(place) {
             Some(group) => group.forces.push(force),
-            None => groups.push(ForceGroup { cells: parameters(force), forces: vec![force] }),
+            None => groups.push(ForceGroup { cells: parameters(force, extent), forces: vec![force] }),
         }
     }
     groups
@@ -268,16 +270,17 @@ pub fn has_default(force: &InspectedForce) -> bool {
 }
 
 /// How many forces of which class, and their names.
-pub fn described(members: &[&InspectedForce]) -> String {
+pub fn described(members: &[&InspectedForce], extent: Extent) -> String {
     const SHOWN: usize = 6;
     let Some(first) = members.first() else { return String::new() };
     let name = |force: &&InspectedForce| match force.set {
         Some(set) if set > 0 => format!("{} (set {set})", force.name),
         _ => force.name.clone(),
     };
-    let mut names: Vec<String> = members.iter().take(SHOWN).map(name).collect();
-    if members.len() > SHOWN {
-        names.push(format!("{} more", members.len() - SHOWN));
+    let most = if extent.is_full() { members.len() } else { SHOWN };
+    let mut names: Vec<String> = members.iter().take(most).map(name).collect();
+    if members.len() > most {
+        names.push(format!("{} more", members.len() - most));
     }
     let mut text = format!("{} x {}: {}", members.len(), first.kind, names.join(", "));
     if !first.applies {
@@ -289,17 +292,23 @@ pub fn described(members: &[&InspectedForce]) -> String {
     text
 }
 
-fn parameters(force: &InspectedForce) -> Vec<String> {
+fn parameters(force: &InspectedForce, extent: Extent) -> Vec<String> {
     let one = |property: Property| match force.parameters.get(property) {
         Some(value) => {
-            format!("{}{}", short(value), if force.origin.is_default(property) { "*" } else { "" })
+            format!(
+                "{}{}",
+                extent.number(value, short),
+                if force.origin.is_default(property) { "*" } else { "" }
+            )
         }
         None => "-".to_owned(),
     };
     let friction = [Property::StaticFriction, Property::DynamicFriction, Property::ViscousFriction].map(one);
     vec![
         one(Property::Stiffness),
-        force.composite_modulus_n_m2.map_or_else(|| "-".to_owned(), four_significant),
+        force
+            .composite_modulus_n_m2
+            .map_or_else(|| "-".to_owned(), |modulus| extent.number(modulus, four_significant)),
         one(Property::Dissipation),
         friction.join("/"),
         one(Property::TransitionVelocity),

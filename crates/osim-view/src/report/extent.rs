@@ -1,0 +1,41 @@
+//! How much of what is known a text shows.
+
+use osim_model::messages::{listed, shortest, shown_whole};
+
+use crate::report::layout::clipped;
+
+/// How much a text shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Extent {
+    /// Rounded numbers, the first names of a long list, and explanations of what has to be put right.
+    #[default]
+    Brief,
+    /// All explanations, rows, names and digits.
+    Full,
+}
+
+impl Extent {
+    /// [`Extent::Full`] if `full` was asked for.
+    pub const fn new(full: bool) -> Self {
+        if full { Self::Full } else { Self::Brief }
+    }
+
+    pub const fn is_full(self) -> bool {
+        matches!(self, Self::Full)
+    }
+
+    /// `value` as `rounded` writes it; in full the shortest digits that read back to the same number.
+    pub(crate) fn number(self, value: f64, rounded: impl FnOnce(f64) -> String) -> String {
+        if self.is_full() { shortest(value) } else { rounded(value) }
+    }
+
+    /// The first `most` names and how many more there are; in full all names.
+    pub(crate) fn names<S: AsRef<str>>(self, names: &[S], most: usize) -> String {
+        listed(names, if self.is_full() { names.len() } else { most })
+    }
+
+    /// A name in at most `width` columns; in full all of it.
+    pub(crate) fn name(self, name: &str, width: usize) -> String {
+        if self.is_full() { shown_whole(name).to_string() } else { clipped(name, width) }
+    }
+}
