@@ -1,6 +1,6 @@
 //! Text from outside (names in a model, file names, cells, options) is printed so that it can do no harm.
 
-use osim_model::messages::is_seen;
+use osim_model::messages::is_visible;
 
 use crate::support::{Bench, HUMAN, Ran, fixture};
 
@@ -32,10 +32,10 @@ fn renamed(name: &str, line: &str) -> String {
 
 /// Everything that is printed is seen, and begins no line.
 #[track_caller]
-fn harmless(ran: &Ran, call: &str) {
+fn terminal_safe(ran: &Ran, call: &str) {
     for (stream, text) in [("output", ran.out()), ("error", ran.err())] {
         let bad: Vec<char> =
-            text.chars().filter(|&letter| !matches!(letter, '\n' | '\t') && !is_seen(letter)).collect();
+            text.chars().filter(|&letter| !matches!(letter, '\n' | '\t') && !is_visible(letter)).collect();
         assert!(bad.is_empty(), "{call}: standard {stream} has {bad:?}:\n{text}");
         assert!(FAKE.iter().all(|fake| !text.contains(fake)), "{call}: standard {stream}:\n{text}");
     }
@@ -93,7 +93,7 @@ fn names_in_a_model_cannot_steer_a_terminal_or_a_spreadsheet() {
         // A check says that OpenSim refuses such names.
         let meant_to_fail = ["explain", "nobody", "none*", "check"].iter().any(|word| call.contains(word));
         assert_eq!(ran.status != Some(0), meant_to_fail, "{call}: {}", ran.err());
-        harmless(&ran, &call);
+        terminal_safe(&ran, &call);
         if call.contains("csv") {
             no_formula(&ran.stdout, &call);
         }
@@ -160,7 +160,7 @@ fn names_of_files_cannot_steer_a_terminal_or_a_spreadsheet() {
         ". --target-mass 100 --in-place --summary places.csv",
     ] {
         let ran = bench.run(call);
-        harmless(&ran, call);
+        terminal_safe(&ran, call);
         if call.contains("csv") && !call.contains("summary") {
             no_formula(&ran.stdout, call);
         }

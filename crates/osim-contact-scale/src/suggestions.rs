@@ -25,7 +25,7 @@ pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Optio
     if let Some((word, kg)) = mass.and_then(|word| Some((word, kilograms(word)?))) {
         let text: Phrase = phrase![
             format!("'{}' is neither a verb nor a file: did you mean ", word.display()),
-            Input::TargetMass.being(kg),
+            Input::TargetMass.with_value(kg),
             "?"
         ];
         return Some(text.spelled(terms));
@@ -69,7 +69,7 @@ pub(crate) fn axis_meant(words: &[String], terms: Words) -> Option<String> {
     };
     let (word, axis) = found.or_else(of_option)?;
     let text: Phrase =
-        phrase![format!("'{word}' is not how an axis is written: write "), Input::Grid.being(axis)];
+        phrase![format!("'{word}' is not how an axis is written: write "), Input::Grid.with_value(axis)];
     Some(text.spelled(terms))
 }
 

@@ -9,7 +9,7 @@ use std::io::{self, ErrorKind, IsTerminal, Write as _};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
-use osim_model::messages::{harmless, one_line};
+use osim_model::messages::{terminal_safe, one_line};
 use osim_view::report::layout::{WIDTH, broken};
 use terminal_size::Width;
 
@@ -40,13 +40,13 @@ impl Terminal {
 
     /// Results for people, on standard output.
     pub(crate) fn print(&mut self, text: &str) -> io::Result<()> {
-        let text = fitted(&harmless(text), self.out).into_owned();
+        let text = fitted(&terminal_safe(text), self.out).into_owned();
         self.write_bytes(text.as_bytes())
     }
 
     /// Results for programs, on standard output: each record is one line.
     pub(crate) fn print_records(&mut self, text: &str) -> io::Result<()> {
-        self.write_bytes(harmless(text).as_bytes())
+        self.write_bytes(terminal_safe(text).as_bytes())
     }
 
     /// Results in the format that was asked for.
@@ -111,7 +111,7 @@ impl Terminal {
 
     /// Text beside the results whose lines stay as they are, on standard error.
     pub(crate) fn aside(&mut self, text: &str) -> io::Result<()> {
-        match io::stderr().lock().write_all(harmless(text).as_bytes()) {
+        match io::stderr().lock().write_all(terminal_safe(text).as_bytes()) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
             result => result,
         }
@@ -119,7 +119,7 @@ impl Terminal {
 
     /// A failure, on standard error; where even that is closed nobody can read it.
     pub(crate) fn error(&mut self, text: &str) {
-        let _ = io::stderr().lock().write_all(fitted(&harmless(text), self.err).as_bytes());
+        let _ = io::stderr().lock().write_all(fitted(&terminal_safe(text), self.err).as_bytes());
     }
 
     /// A failure in one sentence, on standard error.
@@ -129,7 +129,7 @@ impl Terminal {
 
     /// Lines of a file with marks below them, on standard error: broken, the marks would be in the wrong place.
     pub(crate) fn excerpt(&mut self, text: &str) {
-        let _ = io::stderr().lock().write_all(harmless(text).as_bytes());
+        let _ = io::stderr().lock().write_all(terminal_safe(text).as_bytes());
     }
 
     /// A remark in one line, on standard error.
@@ -165,12 +165,12 @@ fn without_controls(text: &str) -> Cow<'_, str> {
 /// Text that cannot steer a terminal but for the colours of its letters.
 fn harmless_but_colours(text: &str) -> String {
     let mut parts = text.split("\u{1b}[");
-    let mut out = harmless(parts.next().unwrap_or_default()).into_owned();
+    let mut out = terminal_safe(parts.next().unwrap_or_default()).into_owned();
     for part in parts {
         let end = part.find(|c: char| !c.is_ascii_digit() && c != ';');
         let colour = end.filter(|&end| part[end..].starts_with('m')).map(|end| part.split_at(end + 1));
         let (mark, (colour, rest)) = colour.map_or((r"\u{1b}[", ("", part)), |split| ("\u{1b}[", split));
-        out.extend([mark, colour, &harmless(rest)]);
+        out.extend([mark, colour, &terminal_safe(rest)]);
     }
     out
 }

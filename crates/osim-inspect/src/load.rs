@@ -166,7 +166,7 @@ impl MassMismatch {
             format!(
                 "its contacts are made for {contacts} kg (note in the file) and carry its body of {body} kg here: say "
             ),
-            Input::Mass.being(contacts),
+            Input::Mass.with_value(contacts),
             &self.answer(),
             ", or scale the body first",
         ]
@@ -177,7 +177,7 @@ impl MassMismatch {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass_kg));
         phrase![
             format!("; figures are those under {body} kg: for the others say "),
-            Input::Mass.being(contacts),
+            Input::Mass.with_value(contacts),
             &self.answer(),
         ]
     }

@@ -10,7 +10,7 @@ use osim_library::run::{
     ChangedModel, Counts, Detail, FrontEnd, Record, RowReader, Rows, Run, RunRequest, Status,
 };
 use osim_library::{LibraryFault, sha256};
-use osim_model::messages::{Call, Dialect, Example, Input, Plain};
+use osim_model::messages::{Call, Dialect, Example, Input, FieldNames};
 use osim_planning::prepare;
 use osim_requests::options::RunOptions;
 use osim_requests::spell::Speller;
@@ -25,11 +25,11 @@ struct Words;
 
 impl Dialect for Words {
     fn input(&self, input: Input, example: Option<&Example>) -> String {
-        Plain.input(input, example)
+        FieldNames.input(input, example)
     }
 
     fn call(&self, call: &Call) -> String {
-        Plain.call(call)
+        FieldNames.call(call)
     }
 }
 

@@ -38,9 +38,9 @@ pub(crate) fn already_at_target(contacts_mass: &Mass) -> Finding {
         format!("contacts are taken as made for {} kg already (", readable(contacts_mass.kg)),
         &contacts_mass.source.describe(),
         "); if they were made for another mass, say ",
-        Input::ContactsMass.like("KG"),
+        Input::ContactsMass.with_placeholder("KG"),
         " or ",
-        Verb::Transfer.call().with(Input::From, "MODEL"),
+        Verb::Transfer.call().with_placeholder(Input::From, "MODEL"),
     ];
     Finding::new(&ALREADY_AT_TARGET, message)
 }

@@ -212,9 +212,9 @@ fn failure(path: &Path, fault: &MotionFault) -> Failure {
     if fault.needs_angles {
         message.push(&phrase![
             ": say ",
-            Input::Angles.being("degrees"),
+            Input::Angles.with_value("degrees"),
             " or ",
-            Input::Angles.being("radians")
+            Input::Angles.with_value("radians")
         ]);
     }
     let mut failure = Failure::outside(path, "motion", message);

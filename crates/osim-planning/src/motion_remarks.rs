@@ -147,7 +147,7 @@ impl MotionResult {
                         "in stance the feet move over the floor at {} m/s. On a treadmill, say ",
                         two(speed)
                     ),
-                    Input::Belt.being(two(-mean.x)),
+                    Input::Belt.with_value(two(-mean.x)),
                     ", and slip is taken against the belt"
                 ],
             );
@@ -193,7 +193,7 @@ impl MotionResult {
                 left_out.frames,
                 two(left_out.most_n)
             );
-            remarks.say("left-out-by-opensim", phrase![text, Verb::Convert.of_model()]);
+            remarks.say("left-out-by-opensim", phrase![text, Verb::Convert.call_with_model()]);
         }
         for constraint in &facts.unenforced {
             remarks.say("constraint", format!("not enforced here: {constraint}"));
@@ -357,7 +357,7 @@ fn verdict(result: &MotionResult) -> Verdict {
     if worst.normal_rms_n / weight_n <= FITS_BW {
         return Verdict::on_recording(Sign::Good, Phrase::from(rms));
     }
-    let call = Verb::Fit.of_model().with(Input::Motion, "MOTION").with(Input::Plates, "PLATES");
+    let call = Verb::Fit.call_with_model().with_placeholder(Input::Motion, "MOTION").with_placeholder(Input::Plates, "PLATES");
     let text = phrase![
         format!(
             "{}: up to {:.2} body weights where the plates measured up to {:.2}; {rms}. ",

@@ -180,7 +180,7 @@ impl Change {
 
     /// Takes out of `message` the ways out that the verb does not have.
     pub fn keep_ways_out(&self, message: &mut Phrase) {
-        message.keep_for(&|input| takes(self.verb, input));
+        message.choose_alternatives(&|input| takes(self.verb, input));
     }
 
     /// Files that are read beside the models.
@@ -213,7 +213,7 @@ impl Change {
 fn against_note(said: &MassRequest, model: &Model) -> Option<NeedsAnswer> {
     let (said_kg, noted_kg) = said.contacts_mass_kg.zip(said.otherwise_noted_kg(model))?;
     let text = phrase![
-        Input::ContactsMass.being(readable(said_kg)),
+        Input::ContactsMass.with_value(readable(said_kg)),
         format!(" is for all models of this call, and the note in this one says {} kg: ", readable(noted_kg)),
         "do this model in a call of its own, or give each model its mass in a table (",
         Verb::Batch.call(),

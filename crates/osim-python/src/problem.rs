@@ -139,7 +139,7 @@ impl From<RequestFault> for Problem {
     fn from(fault: RequestFault) -> Self {
         // In Python every property is a keyword of its own.
         if matches!(fault, RequestFault::Missing { field: "set" }) {
-            let example = Verb::Set.of_model().saying(Input::Stiffness, "x2");
+            let example = Verb::Set.call_with_model().with_value(Input::Stiffness, "x2");
             return Self::general("RequestError", "usage", phrase!["say what to set, as in ", example]);
         }
         if let Some(Wrong { message, keyword }) = Wrong::of(&fault) {

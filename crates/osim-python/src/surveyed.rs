@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use osim_library::page::ReportPage;
 use osim_library::{LibraryFault, Source, Sources, Survey, Surveyed};
-use osim_model::messages::harmless;
+use osim_model::messages::terminal_safe;
 use osim_planning::Inspector;
 use osim_requests::{Jobs, Request};
 use osim_view::report::extent::Extent;
@@ -112,7 +112,7 @@ fn done(
     watch.ended()?;
     page.map_or(Ok(()), ReportPage::finish)?;
     text.push_str(&pieces.end(None));
-    Ok((rows, survey.sources.remarks.clone(), harmless(&text).into_owned()))
+    Ok((rows, survey.sources.remarks.clone(), terminal_safe(&text).into_owned()))
 }
 
 fn row(py: Python<'_>, surveyed: Surveyed) -> PyResult<Row<'_>> {

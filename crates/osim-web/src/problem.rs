@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use osim_model::Excerpt;
 use osim_model::files::Failure;
-use osim_model::messages::{Input, Phrase, harmless};
+use osim_model::messages::{Input, Phrase, terminal_safe};
 use osim_requests::spell::Page;
 use osim_requests::{RequestError, RequestFault};
 use serde::Serialize;
@@ -44,7 +44,7 @@ impl Shown {
         // A place between two letters is shown by the one that follows.
         let next = || text.get(start..).and_then(|rest| rest.chars().next()).map_or(0, char::len_utf8);
         let end = if end > start { end } else { start + next() };
-        let piece = |piece: Option<&str>| harmless(piece.unwrap_or_default()).into_owned();
+        let piece = |piece: Option<&str>| terminal_safe(piece.unwrap_or_default()).into_owned();
         Self {
             before: piece(text.get(..start)),
             marked: piece(text.get(start..end)),

@@ -140,16 +140,16 @@ fn next_steps(session: &Session, has_contacts: bool) -> String {
     let words = session.words;
     let row = |call: &Call, what: &str| format!("  {:<50}{what}\n", words.command(call));
     let steps = if has_contacts {
-        let rescale = Verb::Rescale.of_model().with(Input::TargetMass, "KG");
-        let transfer = Verb::Transfer.of_model().with(Input::From, "OTHER");
+        let rescale = Verb::Rescale.call_with_model().with_placeholder(Input::TargetMass, "KG");
+        let transfer = Verb::Transfer.call_with_model().with_placeholder(Input::From, "OTHER");
         [
-            row(&Verb::Check.of_model(), "what to fix, and how"),
+            row(&Verb::Check.call_with_model(), "what to fix, and how"),
             row(&rescale, "scale its contacts to another mass"),
             row(&transfer, "take the contacts of a known model"),
         ]
         .concat()
     } else {
-        let add = Verb::Add.of_model().with(Input::From, "OTHER");
+        let add = Verb::Add.call_with_model().with_placeholder(Input::From, "OTHER");
         row(&add, "give it the contacts of another model")
     };
     format!(

@@ -47,7 +47,7 @@ pub(crate) static UNMATCHED_PATTERN: Rule = Rule {
 /// A message for each pattern of `selection` and of `masses` that fits no name in `model`.
 pub fn unmatched_patterns(selection: &Selection, masses: &MassRequest, model: &Model) -> Vec<Phrase> {
     let said = |input: Input, pattern: &Pattern, what: &str| {
-        phrase![input.being(pattern.to_string()), format!(": no {what} of the model has such a name")]
+        phrase![input.with_value(pattern.to_string()), format!(": no {what} of the model has such a name")]
     };
     let forces = selection.unmatched(model).into_iter();
     let forces = forces.map(|(input, pattern)| said(input, pattern, "contact force"));

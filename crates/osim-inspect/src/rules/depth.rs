@@ -134,7 +134,7 @@ impl ManyLimbs {
     }
 
     fn stands_on_two(&self, carriers: f64) -> Phrase {
-        let check = Verb::Check.of_model().saying(Input::StanceLimbs, readable(carriers));
+        let check = Verb::Check.call_with_model().with_value(Input::StanceLimbs, readable(carriers));
         phrase![
             format!("Nothing, if at least two of its {} limbs always carry it: say so, with ", self.limbs),
             check,
@@ -147,7 +147,7 @@ impl ManyLimbs {
 fn of_another_body(carriers: f64) -> Phrase {
     phrase![
         "If the contacts were made for another body, take those of a known model, as large against this body, with ",
-        Input::StanceLimbs.being(readable(carriers)),
+        Input::StanceLimbs.with_value(readable(carriers)),
         ": scaled by mass alone they are still those of another number of spheres. If they were made for this one, make them stiffer, for \
          the x/R that is meant with so many limbs",
     ]

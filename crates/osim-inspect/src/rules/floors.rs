@@ -272,7 +272,7 @@ pub(crate) fn find_sources_disagree(model: &Model, options: &InspectOptions) -> 
         format!(
             "its contacts are made for {noted} m/s2 (note in the file), and its gravity is {own} m/s2: set <gravity>"
         ),
-        Input::Gravity.either(phrase![", or say ", Input::Gravity.being(noted)], ""),
+        Input::Gravity.either(phrase![", or say ", Input::Gravity.with_value(noted)], ""),
     ];
     Some(Finding::new(&GRAVITY_SOURCES_DISAGREE, message))
 }

@@ -158,7 +158,7 @@ fn find_in_file(evidence: &Evidence, model: &Model) -> Option<Finding> {
         }
         Evidence::Reach(odd) => misplaced_by_reach(model, odd),
         Evidence::Unknown => {
-            let generic = Verb::Check.of_model().with(Input::From, "GENERIC");
+            let generic = Verb::Check.call_with_model().with_placeholder(Input::From, "GENERIC");
             let text = phrase![
                 "the bones were scaled; whether the spheres followed cannot be seen here: ",
                 generic,
@@ -232,7 +232,7 @@ fn misplaced_sphere(sphere: &PlacedSphere) -> Finding {
     } else {
         let text = phrase![
             format!("{name} was moved: it is at {here} mm, and at {belongs} mm by the factors of its body: "),
-            Input::MovedSpheres.like("replace"),
+            Input::MovedSpheres.with_placeholder("replace"),
             " places it again"
         ];
         Finding::new(&SPHERES_MISPLACED, text)

@@ -85,7 +85,7 @@ fn only_kind(body: &Body) -> Result<&SphereKind, Failure> {
                     "its spheres have {} different contacts, and a sweep is about one: choose it with ",
                     kinds.len()
                 ),
-                Input::Select.like("GLOB"),
+                Input::Select.with_placeholder("GLOB"),
             ];
             Err(Failure::outside(&body.name, "plot", message))
         }
@@ -108,7 +108,7 @@ pub fn heat(
     if y.first() == Some(&0.0) {
         let message = phrase![
             "its contacts have no dissipation that could be multiplied: give values like ",
-            Input::Dissipation.being("0.1..4/25"),
+            Input::Dissipation.with_value("0.1..4/25"),
         ];
         return Err(Failure::outside(&body.name, "plot", message));
     }

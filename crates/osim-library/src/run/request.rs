@@ -136,13 +136,13 @@ fn check_usage(
         return refused(phrase![
             Input::Output,
             " is for one model: write several into a folder with ",
-            Input::OutputDir.like("DIR"),
+            Input::OutputDir.with_placeholder("DIR"),
         ]);
     }
     if to_stdout && several {
         return refused(phrase![
             "one model goes to standard output: name it alone, or write several into a folder with ",
-            Input::OutputDir.like("DIR"),
+            Input::OutputDir.with_placeholder("DIR"),
         ]);
     }
     if to_stdout && (run.diff || run.format == Some(RunFormat::Json)) {
@@ -150,7 +150,7 @@ fn check_usage(
             "the model goes to standard output: leave out ",
             Input::Diff,
             " and ",
-            Input::Format.being("json"),
+            Input::Format.with_value("json"),
             ", or write it to a file with ",
             Input::Output,
         ]);

@@ -41,7 +41,7 @@ impl<'r> RowReader<'r> {
             return Err(LibraryFault::new(phrase![
                 Input::Output,
                 " is for one model: give the rows a column 'output', or write all into a folder with ",
-                Input::OutputDir.like("DIR"),
+                Input::OutputDir.with_placeholder("DIR"),
             ]));
         }
         Ok(Self { request })

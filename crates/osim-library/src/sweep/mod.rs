@@ -87,7 +87,7 @@ impl<'s> SweepRun<'s> {
         request.check()?;
         let (plan, origin) = Self::plan(request, model).map_err(|mut error| {
             if let RequestError::Failure(failure) = &mut error {
-                failure.message.keep_for(&|input| takes(Verb::Sweep, input));
+                failure.message.choose_alternatives(&|input| takes(Verb::Sweep, input));
             }
             error
         })?;
@@ -210,7 +210,7 @@ impl<'s> SweepRun<'s> {
             if resolver.resolved(&path) == model {
                 return Err(LibraryFault::new(phrase![
                     "a variant would replace the model itself: write into another folder with ",
-                    Input::OutputDir.like("DIR"),
+                    Input::OutputDir.with_placeholder("DIR"),
                 ]));
             }
             if path.exists() {
@@ -232,7 +232,7 @@ impl<'s> SweepRun<'s> {
                 "), replace them (",
                 Input::Force,
                 "), or choose another folder with ",
-                Input::OutputDir.like("DIR"),
+                Input::OutputDir.with_placeholder("DIR"),
             ])),
             None => Ok(()),
         }

@@ -124,7 +124,7 @@ impl<'t> MadeFiles<'t> {
             drop(known_elsewhere.set(Ok(known_by(tables)?)));
         }
         make_folder_of(tables.own())?;
-        let way_out = phrase!["write into another folder with ", Input::OutputDir.like("DIR")];
+        let way_out = phrase!["write into another folder with ", Input::OutputDir.with_placeholder("DIR")];
         let mut partial = Partial::open(tables.own(), resume, &way_out)?;
         // The new table may get its name without the files that this sweep does not make: they stay known.
         if !only_in_table.is_empty() {
@@ -253,7 +253,7 @@ fn each_line(
         message.push(" and replace all with ");
         message.push(Input::Force);
         message.push(", or choose another folder with ");
-        message.push(Input::OutputDir.like("DIR"));
+        message.push(Input::OutputDir.with_placeholder("DIR"));
         LibraryFault::new(message)
     })
 }

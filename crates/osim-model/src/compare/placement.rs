@@ -81,7 +81,7 @@ impl Placement {
             // Those who only look at a model cannot say factors.
             let in_words = |fault: Fault| {
                 let mut why = fault.phrase();
-                why.keep_for(&|input| input != Input::BodyScale);
+                why.choose_alternatives(&|input| input != Input::BodyScale);
                 why
             };
             let scaled = Anatomy::of(model).map_err(in_words)?;

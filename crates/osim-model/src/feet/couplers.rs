@@ -160,7 +160,7 @@ fn coupler(document: &Document, constraint: ElementId) -> Option<Coupler> {
     }
     let text = |tag| tree.child(constraint, tag).map(|child| tree.text_of(child)).unwrap_or_default();
     let (independent, dependent) = (text("independent_coordinate_names"), text("dependent_coordinate_name"));
-    let [independent] = opensim_text::list(&independent).collect::<Vec<_>>()[..] else { return None };
+    let [independent] = opensim_text::list_words(&independent).collect::<Vec<_>>()[..] else { return None };
     let function = tree.children(tree.child(constraint, "coupled_coordinates_function")?).next()?;
     // OpenSim moves the other coordinate then.
     if tree.name(function) == "Constant" {

@@ -1,13 +1,13 @@
-//! The names of everything that a caller can say, and calls as they are in a sentence.
+//! The names of all inputs that a caller can give and of all verbs, and how a sentence refers to them.
 
 use std::borrow::Cow;
 use std::fmt;
 
-use super::shown::shown_whole;
+use super::printable::shown_whole;
 
 macro_rules! inputs {
     ($($variant:ident = $name:literal, $label:literal;)+) => {
-        /// Something that a caller can say, by the name of its field in a request.
+        /// An input that a caller can give, named as its field in a request.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Input {
             $(#[doc = concat!("`", $name, "`: ", $label, ".")] $variant,)+
@@ -271,11 +271,11 @@ verbs! {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Part {
     Text(Cow<'static, str>),
-    /// Something that the reader can say.
+    /// An input that the reader can give.
     Input(Input, Option<Example>),
-    /// Something that the reader can do.
+    /// A call that the reader can make.
     Call(Call),
-    /// Words for verbs that take an input, and those for verbs that do not.
+    /// Two wordings: for verbs that take an input, and for verbs that do not.
     Either(Input, Box<[Vec<Part>; 2]>),
 }
 
@@ -299,38 +299,33 @@ impl Verb {
         Call { verb: self, with_model: false, inputs: Vec::new() }
     }
 
-    pub const fn of_model(self) -> Call {
+    pub const fn call_with_model(self) -> Call {
         Call { verb: self, with_model: true, inputs: Vec::new() }
     }
 }
 
 impl Call {
-    /// With an input and a placeholder for its value.
-    pub fn with(mut self, input: Input, placeholder: &'static str) -> Self {
+    /// Adds an input with a placeholder for its value.
+    pub fn with_placeholder(mut self, input: Input, placeholder: &'static str) -> Self {
         self.inputs.push((input, Some(Example::Placeholder(placeholder.into()))));
         self
     }
 
-    pub fn saying(mut self, input: Input, value: impl Into<String>) -> Self {
+    pub fn with_value(mut self, input: Input, value: impl Into<String>) -> Self {
         self.inputs.push((input, Some(Example::Value(value.into()))));
         self
     }
 
-    /// With an input that has no value.
-    pub fn and(mut self, input: Input) -> Self {
-        self.inputs.push((input, None));
-        self
-    }
 }
 
 impl Input {
     /// The input with a placeholder for its value: `--mass KG`.
-    pub const fn like(self, placeholder: &'static str) -> Part {
+    pub const fn with_placeholder(self, placeholder: &'static str) -> Part {
         Part::Input(self, Some(Example::Placeholder(Cow::Borrowed(placeholder))))
     }
 
     /// The input with a value: `--radius keep`.
-    pub fn being(self, value: impl Into<String>) -> Part {
+    pub fn with_value(self, value: impl Into<String>) -> Part {
         Part::Input(self, Some(Example::Value(value.into())))
     }
 }

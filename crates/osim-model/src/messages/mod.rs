@@ -1,6 +1,6 @@
-//! Sentences about things that a caller can say, without the words of any front end.
+//! Messages that name inputs and calls as data, without the words of any front end.
 //!
-//! A message often ends in a way out: "say what the model weighs with …". What stands there is `--mass KG` on the command
+//! A message often ends in a way out: "say what the model weighs with …". Then follows `--mass KG` on the command
 //! line, `mass=` in Python and a field on a page. So a [`Phrase`] keeps the [`Input`] as data, and each front end spells
 //! it by its own [`Dialect`].
 //!
@@ -9,19 +9,19 @@
 //!
 //! fn main() {
 //!     let name = "heel\u{1b}[2J";
-//!     let message = phrase![format!("sphere {} has no radius, set one with ", shown(name)), Input::Radius.like("METRES")];
+//!     let message = phrase![format!("sphere {} has no radius, set one with ", shown(name)), Input::Radius.with_placeholder("METRES")];
 //!     assert_eq!(message.to_string(), r"sphere heel\u{1b}[2J has no radius, set one with `radius`");
 //! }
 //! ```
 
 mod input;
 mod phrase;
-mod shown;
+mod printable;
 
 pub use crate::phrase;
 pub use input::{Call, Example, Input, Part, Verb};
-pub use phrase::{Dialect, IntoParts, Phrase, Plain};
-pub use shown::{
-    Shown, counted, four_significant, harmless, is_seen, listed, one_line, readable, shortest, shown,
+pub use phrase::{Dialect, IntoParts, Phrase, FieldNames};
+pub use printable::{
+    Shown, counted, four_significant, terminal_safe, is_visible, listed, one_line, readable, shortest, shown,
     shown_path, shown_whole, three_significant,
 };

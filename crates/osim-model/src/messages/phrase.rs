@@ -5,7 +5,7 @@ use std::fmt;
 
 use super::input::{Call, Example, Part};
 use super::input::{Input, Verb};
-use super::shown::one_line;
+use super::printable::one_line;
 
 /// A piece of text in which inputs and calls are data until a front end spells them.
 ///
@@ -27,7 +27,7 @@ impl Phrase {
     pub fn template(text: &str) -> Self {
         let mut phrase = Self::default();
         for (index, piece) in text.split('`').enumerate() {
-            match (index % 2 == 1).then(|| reference(piece)).flatten() {
+            match (index % 2 == 1).then(|| template_part(piece)).flatten() {
                 Some(part) => phrase.push(part),
                 None if index % 2 == 1 => phrase.push(format!("`{piece}`")),
                 None if piece.is_empty() => {}
@@ -68,21 +68,21 @@ impl Phrase {
         text
     }
 
-    /// Keeps, where words depend on it, those for a verb that takes the inputs for which `takes` is true. Without this call they are
-    /// those for a verb that takes all.
+    /// Decides each [`Input::either`] of the phrase: the first words stay if `takes` is true for its input, else the second. Without
+    /// this call the phrase has the first words.
     ///
     /// ```
     /// use osim_model::messages::{Input, phrase};
     ///
-    /// let file = phrase![", or give the ScaleSet that was applied with ", Input::BodyScaleFile.like("FILE")];
-    /// let mut way_out = phrase!["say it with ", Input::BodyScale.like("BODY=x,y,z"), Input::BodyScaleFile.either(&file, "")];
-    /// way_out.keep_for(&|input| input != Input::BodyScaleFile);
+    /// let file = phrase![", or give the ScaleSet that was applied with ", Input::BodyScaleFile.with_placeholder("FILE")];
+    /// let mut way_out = phrase!["say it with ", Input::BodyScale.with_placeholder("BODY=x,y,z"), Input::BodyScaleFile.either(&file, "")];
+    /// way_out.choose_alternatives(&|input| input != Input::BodyScaleFile);
     /// assert_eq!(way_out.to_string(), "say it with `body_scale`");
     /// ```
-    pub fn keep_for(&mut self, takes: &dyn Fn(Input) -> bool) {
+    pub fn choose_alternatives(&mut self, takes: &dyn Fn(Input) -> bool) {
         if self.0.iter().any(|part| matches!(part, Part::Either(..))) {
             let parts = std::mem::take(&mut self.0);
-            keep(parts, takes, &mut self.0);
+            choose(parts, takes, &mut self.0);
         }
     }
 
@@ -95,7 +95,7 @@ impl Phrase {
 }
 
 impl Input {
-    /// Words for a verb that takes this input, and those for one that does not: see [`Phrase::keep_for`].
+    /// Two wordings: `taken` for a verb that takes this input, `otherwise` for one that does not. [`Phrase::choose_alternatives`] decides.
     pub fn either(self, taken: impl Into<Phrase>, otherwise: impl Into<Phrase>) -> Part {
         Part::Either(self, Box::new([taken.into().0, otherwise.into().0]))
     }
@@ -133,13 +133,13 @@ fn spell_into(text: &mut String, parts: &[Part], dialect: &dyn Dialect) {
     }
 }
 
-/// Adds the parts, and of words that depend on an input those for a verb that takes what `takes` says.
-fn keep(parts: Vec<Part>, takes: &dyn Fn(Input) -> bool, kept: &mut Vec<Part>) {
+/// Adds the parts to `kept`, with one of the two wordings of each [`Part::Either`].
+fn choose(parts: Vec<Part>, takes: &dyn Fn(Input) -> bool, kept: &mut Vec<Part>) {
     for part in parts {
         match part {
             Part::Either(input, words) => {
                 let [taken, otherwise] = *words;
-                keep(if takes(input) { taken } else { otherwise }, takes, kept);
+                choose(if takes(input) { taken } else { otherwise }, takes, kept);
             }
             part => kept.push(part),
         }
@@ -147,25 +147,25 @@ fn keep(parts: Vec<Part>, takes: &dyn Fn(Input) -> bool, kept: &mut Vec<Part>) {
 }
 
 /// An input or a call as a template has it.
-fn reference(text: &str) -> Option<Part> {
+fn template_part(text: &str) -> Option<Part> {
     let mut words = text.split(' ');
     let first = words.next()?;
     let Some(verb) = Verb::named(first) else {
-        let (input, example) = input(first)?;
+        let (input, example) = template_input(first)?;
         return words.next().is_none().then_some(Part::Input(input, example));
     };
     let mut call = verb.call();
     for word in words {
         match word {
             "MODEL" => call.with_model = true,
-            word => call.inputs.push(input(word)?),
+            word => call.inputs.push(template_input(word)?),
         }
     }
     Some(Part::Call(call))
 }
 
 /// `name` or `name=VALUE`; what begins with a capital letter is a placeholder.
-fn input(word: &str) -> Option<(Input, Option<Example>)> {
+fn template_input(word: &str) -> Option<(Input, Option<Example>)> {
     let (name, value) = word.split_once('=').map_or((word, None), |(name, value)| (name, Some(value)));
     let input = Input::ALL.iter().find(|input| input.name() == name)?;
     let example = value.map(|value| match value.starts_with(|c: char| c.is_ascii_uppercase()) {
@@ -175,10 +175,10 @@ fn input(word: &str) -> Option<(Input, Option<Example>)> {
     Some((*input, example))
 }
 
-/// In plain field names, for callers that have no dialect.
+/// Inputs are spelled as the names of their fields ([`FieldNames`]).
 impl fmt::Display for Phrase {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.spelled(&Plain))
+        f.write_str(&self.spelled(&FieldNames))
     }
 }
 
@@ -235,7 +235,7 @@ impl IntoParts for &Phrase {
 /// ```
 /// use osim_model::messages::{Input, phrase};
 ///
-/// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
+/// let way_out = phrase!["say what the model weighs with ", Input::Mass.with_placeholder("KG")];
 /// assert_eq!(way_out.to_string(), "say what the model weighs with `mass`");
 /// ```
 #[macro_export]
@@ -272,7 +272,7 @@ macro_rules! phrase {
 ///     }
 /// }
 ///
-/// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
+/// let way_out = phrase!["say what the model weighs with ", Input::Mass.with_placeholder("KG")];
 /// assert_eq!(way_out.spelled(&Python), "say what the model weighs with mass=KG");
 /// ```
 pub trait Dialect {
@@ -282,11 +282,11 @@ pub trait Dialect {
     fn call(&self, call: &Call) -> String;
 }
 
-/// The names of the fields in a request, for callers that have no dialect.
+/// Spells an input as the name of its field in a request, for callers that have no dialect of their own.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Plain;
+pub struct FieldNames;
 
-impl Dialect for Plain {
+impl Dialect for FieldNames {
     fn input(&self, input: Input, example: Option<&Example>) -> String {
         match example {
             Some(Example::Value(value)) => format!("`{}` {value}", input.name()),
@@ -306,9 +306,9 @@ impl Dialect for Plain {
 mod tests {
     use super::*;
 
-    struct Shouting;
+    struct Uppercase;
 
-    impl Dialect for Shouting {
+    impl Dialect for Uppercase {
         fn input(&self, input: Input, example: Option<&Example>) -> String {
             let example = example.map(|example| format!(" {example}")).unwrap_or_default();
             format!("{}{example}", input.name().to_uppercase())
@@ -322,15 +322,15 @@ mod tests {
     #[test]
     fn a_front_end_spells_inputs_and_calls() {
         let phrase =
-            phrase!["say ", Input::Mass.like("KG"), " or ", Verb::Check.of_model(), ", ", 62.to_string()];
-        assert_eq!(phrase.spelled(&Shouting), "say MASS KG or CHECK, 62");
+            phrase!["say ", Input::Mass.with_placeholder("KG"), " or ", Verb::Check.call_with_model(), ", ", 62.to_string()];
+        assert_eq!(phrase.spelled(&Uppercase), "say MASS KG or CHECK, 62");
         assert_eq!(phrase.inputs(), [Input::Mass]);
     }
 
     #[test]
     fn what_is_spelled_stays_as_it_is() {
-        let mut phrase = phrase!["say ", Input::Radius.being("keep")];
-        phrase.spell(&Shouting);
+        let mut phrase = phrase!["say ", Input::Radius.with_value("keep")];
+        phrase.spell(&Uppercase);
         assert_eq!(phrase.to_string(), "say RADIUS keep");
         assert_eq!(phrase, Phrase::from("say RADIUS keep".to_owned()));
     }
@@ -340,20 +340,20 @@ mod tests {
         let phrase = Phrase::template(
             "`mass`, `radius=keep`, `load=N` or `design MODEL indentation=0.16`: see `docs`",
         );
-        assert_eq!(phrase.spelled(&Shouting), "MASS, RADIUS keep, LOAD N or DESIGN: see `docs`");
+        assert_eq!(phrase.spelled(&Uppercase), "MASS, RADIUS keep, LOAD N or DESIGN: see `docs`");
         assert_eq!(phrase.inputs(), [Input::Mass, Input::Radius, Input::Load, Input::Indentation]);
     }
 
     #[test]
     fn text_from_outside_is_never_taken_for_an_input() {
-        assert_eq!(Phrase::from("{mass} `mass`".to_owned()).spelled(&Shouting), "{mass} `mass`");
+        assert_eq!(Phrase::from("{mass} `mass`".to_owned()).spelled(&Uppercase), "{mass} `mass`");
     }
 
     #[test]
     fn text_from_outside_cannot_begin_a_line_or_steer_a_terminal() {
         let name = "a\nerror: \u{1b}[2J\u{202e}";
-        let phrase = phrase![format!("the sphere {name} has no radius, say "), Input::Radius.being(name)];
-        let printed = phrase.spelled(&Shouting);
+        let phrase = phrase![format!("the sphere {name} has no radius, say "), Input::Radius.with_value(name)];
+        let printed = phrase.spelled(&Uppercase);
         assert_eq!(
             printed,
             r"the sphere a\nerror: \u{1b}[2J\u{202e} has no radius, say RADIUS a\nerror: \u{1b}[2J\u{202e}"

@@ -107,7 +107,7 @@ fn of_list(document: &Document, body: ElementId) -> Vec<Attached> {
     let Some(visible) = tree.child(body, "VisibleObject") else { return Vec::new() };
     let names = mesh_file(document, visible, "geometry_files");
     let factors = mesh_scale(document, visible).map(six_digits);
-    opensim_text::list(&names).map(|name| (name.to_owned(), factors, Placement::IDENTITY)).collect()
+    opensim_text::list_words(&names).map(|name| (name.to_owned(), factors, Placement::IDENTITY)).collect()
 }
 
 /// Six numbers: body-fixed angles about x, y and z (rad), and a translation (m).

@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 
-use crate::messages::is_seen;
+use crate::messages::is_visible;
 use crate::model::fault::Fault;
 
 /// Letters with which OpenSim refuses a whole model.
@@ -26,7 +26,7 @@ const CHOOSE: &str = "choose letters, digits, '_' or '-'";
 /// An empty name, one that is a step in OpenSim's paths, or one with a letter that OpenSim or XML refuses or that is not seen.
 pub fn refuse_name(name: &str) -> Result<(), Fault> {
     refuse_name_in_paths(name)?;
-    match name.chars().find(|&letter| !is_seen(letter)) {
+    match name.chars().find(|&letter| !is_visible(letter)) {
         Some(letter) => Err(Fault::refused(format!(
             "the name '{name}' has a letter in it that is not seen (U+{:04X}), perhaps from copying: {CHOOSE}",
             u32::from(letter)

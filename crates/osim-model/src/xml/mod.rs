@@ -20,7 +20,7 @@
 //! It decodes and encodes nothing as a whole, knows no namespaces and no DTD, and reads no other file.
 
 pub mod opensim_text;
-mod plain;
+mod plain_scan;
 mod position;
 mod raw_text;
 mod scan;

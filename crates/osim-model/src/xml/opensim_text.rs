@@ -6,12 +6,12 @@
 //! |---|---|
 //! | white space | that of C: blank, tab, line feed, vertical tab, form feed, carriage return. A no-break space or a byte order mark is a letter |
 //! | around a value | left out, but not where it comes from CDATA or a reference: after a number, a flag or a list it then spoils all of it (`12&#32;` is the default), in a path or name it is a letter |
-//! | comments | before and after a value they do not count; one inside, an element, an instruction, a second CDATA section, or text beside CDATA, and OpenSim refuses the model ([`RawText::whole`]) |
+//! | comments | before and after a value they do not count; one inside, an element, an instruction, a second CDATA section, or text beside CDATA, and OpenSim refuses the model ([`RawText::in_one_piece`]) |
 //! | values of one kind | words, each read as far as it looks like one (`1,5e6` is 1); one word that cannot be read at all spoils everything, and the default counts |
 //! | number | of the words the first; `nan` and `inf` only as a whole word, in any case; above the range of a double: unreadable |
 //! | three numbers | the first three of 3, 6, 9 ... words; commas and brackets have no meaning (`0.1,0.2,0.3` is one word) |
 //! | flag | `true` or `false` in any case as a whole word, else a whole number at the start of the word: 0 is false, 1 is true (`0.0`, `00`, `-0`, `0abc`, `1abc`), others cannot be read |
-//! | `isDisabled` | the same, but of the whole text, and what cannot be read is false, any whole number but 0 true |
+//! | `isDisabled` | as a flag, but of the whole text; what cannot be read is false, any whole number but 0 true |
 //! | list of names | words; commas and brackets are letters |
 //! | path of a socket, name, `file=` | the whole text; no white space is left out of an attribute |
 //! | no text | the default: `<defaults>`, else that of the class |
@@ -21,7 +21,7 @@ pub use super::raw_text::{is_white, trimmed};
 
 /// Whole numbers of so many digits are exact as doubles.
 const EXACT_DIGITS: usize = 15;
-/// Powers of ten, which are exact, too.
+/// Powers of ten that are exact as doubles.
 const POWERS_OF_TEN: [f64; EXACT_DIGITS + 1] =
     [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
@@ -30,7 +30,7 @@ const POWERS_OF_TEN: [f64; EXACT_DIGITS + 1] =
 /// Exhaustive: a text is empty, read in part, not read, or refused.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NumberFault {
-    /// Nothing there, or only white space.
+    /// No text, or only white space.
     Empty,
     /// OpenSim reads a number from the start of the text and ignores the rest.
     Prefix {
@@ -58,24 +58,24 @@ pub fn words(text: &str) -> impl Iterator<Item = &str> {
 /// it.
 ///
 /// ```
-/// use osim_model::xml::opensim_text::list;
+/// use osim_model::xml::opensim_text::list_words;
 ///
-/// assert_eq!(list("floor\u{b}heel_r").collect::<Vec<_>>(), ["floor", "heel_r"]);
-/// assert_eq!(list("floor heel_r ").count(), 0);
+/// assert_eq!(list_words("floor\u{b}heel_r").collect::<Vec<_>>(), ["floor", "heel_r"]);
+/// assert_eq!(list_words("floor heel_r ").count(), 0);
 /// ```
-pub fn list(text: &str) -> impl Iterator<Item = &str> {
+pub fn list_words(text: &str) -> impl Iterator<Item = &str> {
     words(if text.ends_with(is_white) { "" } else { text })
 }
 
 /// Reads one number strictly; where OpenSim reads something else, says what.
 pub fn number(raw: &RawText) -> Result<f64, NumberFault> {
-    if !raw.whole {
+    if !raw.in_one_piece {
         return Err(NumberFault::Interrupted);
     }
     if trimmed(&raw.text).is_empty() {
         return Err(NumberFault::Empty);
     }
-    let mut tokens = list(&raw.text);
+    let mut tokens = list_words(&raw.text);
     let (value, length, token) = tokens
         .next()
         .and_then(|token| number_at_start(token).map(|(value, length)| (value, length, token)))
@@ -94,7 +94,7 @@ pub fn number(raw: &RawText) -> Result<f64, NumberFault> {
 /// All numbers of `text`; `None` where OpenSim can read none and takes its default.
 pub fn numbers(text: &str) -> Option<Vec<f64>> {
     let all: Vec<f64> =
-        list(text).map(|word| number_at_start(word).map(|(value, _)| value)).collect::<Option<_>>()?;
+        list_words(text).map(|word| number_at_start(word).map(|(value, _)| value)).collect::<Option<_>>()?;
     (!all.is_empty()).then_some(all)
 }
 
@@ -110,7 +110,7 @@ pub fn numbers(text: &str) -> Option<Vec<f64>> {
 /// ```
 pub fn triple(text: &str) -> Option<[f64; 3]> {
     let (mut first, mut count) = ([0.0; 3], 0_usize);
-    for word in list(text) {
+    for word in list_words(text) {
         let (value, _) = number_at_start(word)?;
         if let Some(place) = first.get_mut(count) {
             *place = value;
@@ -133,7 +133,7 @@ pub fn triple(text: &str) -> Option<[f64; 3]> {
 pub fn is_plain_triple(text: &str) -> bool {
     let is_number = |word: &str| number_at_start(word).is_some_and(|(_, length)| length == word.len());
     let before_comma = |word: &str| is_number(word.strip_suffix(',').unwrap_or(word));
-    let all: Vec<&str> = list(text).collect();
+    let all: Vec<&str> = list_words(text).collect();
     matches!(all[..], [x, y, z] if before_comma(x) && before_comma(y) && is_number(z))
 }
 
@@ -146,7 +146,7 @@ pub fn is_plain_triple(text: &str) -> bool {
 /// assert_eq!((flag("2"), flag("yes"), flag("true yes")), (None, None, None));
 /// ```
 pub fn flag(text: &str) -> Option<bool> {
-    let all: Vec<bool> = list(text).map(flag_of_word).collect::<Option<_>>()?;
+    let all: Vec<bool> = list_words(text).map(flag_of_word).collect::<Option<_>>()?;
     all.first().copied()
 }
 
@@ -250,7 +250,7 @@ mod tests {
     }
 
     #[track_caller]
-    fn reads(content: &str, expected: &Result<f64, NumberFault>) {
+    fn assert_number(content: &str, expected: &Result<f64, NumberFault>) {
         assert_eq!(&number(&raw(&format!("<a>{content}</a>"))), expected, "{content}");
     }
 
@@ -271,7 +271,7 @@ mod tests {
             ("inf", f64::INFINITY),
             ("-Infinity", f64::NEG_INFINITY),
         ] {
-            reads(text, &Ok(value));
+            assert_number(text, &Ok(value));
         }
         assert!(number(&raw("<a>NaN</a>")).unwrap().is_nan());
     }
@@ -280,27 +280,27 @@ mod tests {
     fn where_opensim_reads_something_else_the_text_is_refused() {
         for (text, value) in [("1,5e6", 1.0), ("2e6N", 2e6), (" 3e6 4e6 ", 3e6), ("1d6", 1.0), ("0x10", 0.0)]
         {
-            reads(text, &Err(NumberFault::Prefix { opensim_reads: value }));
+            assert_number(text, &Err(NumberFault::Prefix { opensim_reads: value }));
         }
-        reads("", &Err(NumberFault::Empty));
-        reads(" \n ", &Err(NumberFault::Empty));
-        reads("abc", &Err(NumberFault::Unreadable));
-        reads("1e400", &Err(NumberFault::Unreadable));
+        assert_number("", &Err(NumberFault::Empty));
+        assert_number(" \n ", &Err(NumberFault::Empty));
+        assert_number("abc", &Err(NumberFault::Unreadable));
+        assert_number("1e400", &Err(NumberFault::Unreadable));
         for text in ["1e", "1e+", "-NaN", "+nan", "inf5", "3e6 abc", "3 1e400"] {
-            reads(text, &Err(NumberFault::Unreadable));
+            assert_number(text, &Err(NumberFault::Unreadable));
         }
-        reads("3 4x", &Err(NumberFault::Prefix { opensim_reads: 3.0 }));
-        reads("1e-400", &Ok(0.0));
-        reads("2<![CDATA[e6]]>", &Err(NumberFault::Interrupted));
-        reads("2e6<x/>", &Err(NumberFault::Interrupted));
-        reads("1<!-- in -->e6", &Err(NumberFault::Interrupted));
+        assert_number("3 4x", &Err(NumberFault::Prefix { opensim_reads: 3.0 }));
+        assert_number("1e-400", &Ok(0.0));
+        assert_number("2<![CDATA[e6]]>", &Err(NumberFault::Interrupted));
+        assert_number("2e6<x/>", &Err(NumberFault::Interrupted));
+        assert_number("1<!-- in -->e6", &Err(NumberFault::Interrupted));
         for text in
             ["\u{a0}1e6", "\u{feff}12", "12&#32;", "12&#10;", "<![CDATA[1e6 ]]>", "&#160;1", "12 &bogus;"]
         {
-            reads(text, &Err(NumberFault::Unreadable));
+            assert_number(text, &Err(NumberFault::Unreadable));
         }
         for text in ["<![CDATA[1]]><![CDATA[2]]>", "1<?pi?>2", "<![CDATA[]]>1e6"] {
-            reads(text, &Err(NumberFault::Interrupted));
+            assert_number(text, &Err(NumberFault::Interrupted));
         }
     }
 
@@ -314,10 +314,10 @@ mod tests {
             "<![CDATA[ 1e6]]> ",
             "<?pi?>1e6 <!-- x --> ",
         ] {
-            reads(text, &Ok(1e6));
+            assert_number(text, &Ok(1e6));
         }
-        reads("1\u{b}2", &Err(NumberFault::Prefix { opensim_reads: 1.0 }));
-        reads("12\u{a0}", &Err(NumberFault::Prefix { opensim_reads: 12.0 }));
+        assert_number("1\u{b}2", &Err(NumberFault::Prefix { opensim_reads: 1.0 }));
+        assert_number("12\u{a0}", &Err(NumberFault::Prefix { opensim_reads: 12.0 }));
     }
 
     /// Numbers of few digits are not read as others are: each as the standard library reads it, to the last bit.

@@ -10,7 +10,7 @@ pub struct Position {
     pub column: usize,
 }
 
-/// How many lines end before each block of a file; built once, then a look-up counts within one block.
+/// Finds lines of byte offsets: it counts the line ends before each block of a file once, and those within a block at each look-up.
 ///
 /// Counting is far cheaper than remembering every line end, and few places are ever asked for.
 #[derive(Debug, Clone)]
@@ -66,18 +66,18 @@ mod tests {
     use super::*;
 
     #[track_caller]
-    fn at(text: &str, offset: usize) -> (usize, usize) {
+    fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
         let position = LineIndex::new(text.as_bytes()).position(text.as_bytes(), offset);
         (position.line, position.column)
     }
 
     #[test]
     fn lines_and_columns_count_from_one() {
-        assert_eq!(at("ab\ncd", 0), (1, 1));
-        assert_eq!(at("ab\ncd", 2), (1, 3));
-        assert_eq!(at("ab\ncd", 3), (2, 1));
-        assert_eq!(at("ab\r\ncd", 5), (2, 2));
-        assert_eq!(at("ab", 99), (1, 3));
+        assert_eq!(line_and_column("ab\ncd", 0), (1, 1));
+        assert_eq!(line_and_column("ab\ncd", 2), (1, 3));
+        assert_eq!(line_and_column("ab\ncd", 3), (2, 1));
+        assert_eq!(line_and_column("ab\r\ncd", 5), (2, 2));
+        assert_eq!(line_and_column("ab", 99), (1, 3));
     }
 
     #[test]
@@ -85,13 +85,13 @@ mod tests {
         // One line end in every eight bytes, and a file of exactly three blocks.
         let text = "1234567\n".repeat(3 * BLOCK / 8);
         for offset in [0, 7, 8, BLOCK - 1, BLOCK, BLOCK + 8, 2 * BLOCK + 1, 3 * BLOCK - 1, 3 * BLOCK] {
-            assert_eq!(at(&text, offset).0, offset / 8 + 1, "{offset}");
+            assert_eq!(line_and_column(&text, offset).0, offset / 8 + 1, "{offset}");
         }
     }
 
     #[test]
     fn columns_are_characters_and_a_byte_order_mark_is_none() {
-        assert_eq!(at("α<b", 2), (1, 2));
-        assert_eq!(at("\u{feff}<b", 3), (1, 1));
+        assert_eq!(line_and_column("α<b", 2), (1, 2));
+        assert_eq!(line_and_column("\u{feff}<b", 3), (1, 1));
     }
 }

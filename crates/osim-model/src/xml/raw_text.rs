@@ -16,16 +16,16 @@ pub struct RawText {
     pub span: Range<usize>,
     /// Whether the text is in one piece. With a comment, an element or a second section of CDATA in it, OpenSim reads the value
     /// as an error.
-    pub whole: bool,
+    pub in_one_piece: bool,
 }
 
 impl Tree {
     pub fn raw_text(&self, id: ElementId) -> RawText {
         if let Some((text, span)) = self.plain_text(id) {
-            return RawText { text: text.to_owned(), span, whole: true };
+            return RawText { text: text.to_owned(), span, in_one_piece: true };
         }
         let start = self.open_span(id).end;
-        let mut raw = RawText { text: String::new(), span: start..start, whole: true };
+        let mut raw = RawText { text: String::new(), span: start..start, in_one_piece: true };
         let (mut begun, mut interrupted, mut texts, mut sections) = (false, false, false, 0);
         // Where the text ends without white space that only lies between it and the tag.
         let mut end = 0;
@@ -61,17 +61,17 @@ impl Tree {
                 }
                 // An element where text should be.
                 _ => {
-                    raw.whole = false;
+                    raw.in_one_piece = false;
                     continue;
                 }
             }
-            raw.whole &= !interrupted;
+            raw.in_one_piece &= !interrupted;
             raw.span = if begun { raw.span.start..span.end } else { span };
             begun = true;
         }
         raw.text.truncate(end);
         // OpenSim takes text or one section of CDATA.
-        raw.whole &= sections == 0 || (sections == 1 && !texts);
+        raw.in_one_piece &= sections == 0 || (sections == 1 && !texts);
         raw
     }
 
@@ -110,7 +110,7 @@ impl Tree {
             return Some(Cow::Borrowed(text));
         }
         let raw = self.raw_text(id);
-        raw.whole.then_some(Cow::Owned(raw.text))
+        raw.in_one_piece.then_some(Cow::Owned(raw.text))
     }
 }
 
@@ -182,7 +182,7 @@ mod tests {
             ("<a>1<!-- x --> </a>", true),
             ("<a>1<!-- x -->2</a>", false),
         ] {
-            assert_eq!(Tree::scan(xml).unwrap().raw_text(ElementId::ROOT).whole, whole, "{xml}");
+            assert_eq!(Tree::scan(xml).unwrap().raw_text(ElementId::ROOT).in_one_piece, whole, "{xml}");
         }
     }
 }

@@ -5,10 +5,10 @@ use std::collections::HashSet;
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::reader::Reader;
 
-use super::plain::scan_plain;
+use super::plain_scan::scan_plain;
 use super::tree::{FileText, PieceKind, StoredElement, StoredPiece, Tree};
 
-/// Ways of not being one well-formed document.
+/// Why a file is not one well-formed XML document.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SyntaxFault {
     /// No element at all, or text before the first one.
@@ -16,7 +16,7 @@ pub enum SyntaxFault {
         "this is not XML, expected an OpenSim model that starts with <?xml ...> or <OpenSimDocument ...>"
     )]
     NotXml,
-    /// Nothing is in it, or white space alone.
+    /// No text, or only white space.
     #[error("the file is empty, expected an OpenSim model: get it again from where it came")]
     Empty,
     /// UTF-16 (or something else with two bytes a character).
@@ -42,7 +42,7 @@ pub enum SyntaxFault {
     /// An end tag of another name.
     #[error("</{found}> closes <{expected}>, expected </{expected}>")]
     MismatchedEnd { expected: String, found: String },
-    /// An end tag without a start.
+    /// An end tag without a start tag.
     #[error("</{found}> closes nothing")]
     UnexpectedEnd { found: String },
     #[error("<{tag}>: {what}")]
@@ -60,7 +60,7 @@ pub enum SyntaxFault {
     TooLarge,
 }
 
-/// A file that is not one document, and where that shows.
+/// A file that is not one well-formed document, and the first place where that shows.
 #[derive(Debug)]
 pub struct SyntaxError {
     pub fault: SyntaxFault,
@@ -137,7 +137,7 @@ fn refuse_foreign_encodings(bytes: &[u8]) -> Result<(), Fault> {
 
 struct Scanner<'t> {
     text: &'t str,
-    /// Bytes before what the reader sees.
+    /// Length of the byte order mark, which quick-xml does not get.
     base: usize,
     pieces: Vec<StoredPiece>,
     elements: Vec<StoredElement>,

@@ -34,7 +34,7 @@ pub struct Piece<'t> {
     pub text: &'t str,
 }
 
-/// A piece as the tree keeps it: it ends where the next one starts.
+/// A piece as the tree stores it, without its end: it ends where the next one starts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct StoredPiece {
     pub(super) start: u32,
@@ -49,7 +49,7 @@ impl ElementId {
     /// The first element of the file.
     pub const ROOT: Self = Self(0);
 
-    /// Its place among all elements of the file, from 0: to count and to print, the handle itself is for the tree.
+    /// The number of the element among all of its file, from 0.
     pub const fn index(self) -> usize {
         self.0 as usize
     }
@@ -245,7 +245,7 @@ fn plain_attribute<'t>(attributes: &'t str, key: &str) -> Option<Option<&'t str>
         if rest.is_empty() {
             return Some(None);
         }
-        let (name, value) = rest.split_at_checked(rest.bytes().position(|byte| !is_plain(byte))?)?;
+        let (name, value) = rest.split_at_checked(rest.bytes().position(|byte| !is_name_byte(byte))?)?;
         let quote = value.as_bytes().get(1).copied().filter(|&byte| matches!(byte, b'"' | b'\''))?;
         let value = value.strip_prefix('=')?.get(1..)?;
         let (value, behind) = value.split_at_checked(memchr::memchr(quote, value.as_bytes())?)?;
@@ -259,7 +259,7 @@ fn plain_attribute<'t>(attributes: &'t str, key: &str) -> Option<Option<&'t str>
     }
 }
 
-/// Child elements in file order, from [`Tree::children`].
+/// Iterator over child elements in file order, from [`Tree::children`].
 #[derive(Debug, Clone)]
 pub struct Children<'t> {
     tree: &'t Tree,
@@ -286,12 +286,12 @@ impl Iterator for Children<'_> {
 #[derive(Debug, Clone)]
 pub(crate) struct FileText {
     text: String,
-    /// The bytes as they are, where they are not the text's.
+    /// The bytes of the file, if they are not UTF-8.
     original: Option<Vec<u8>>,
 }
 
 impl FileText {
-    /// Takes the bytes over; they are copied only where they are not UTF-8.
+    /// Takes the bytes of a file; copies them only if they are not UTF-8.
     pub(crate) fn new(bytes: Vec<u8>) -> Self {
         match String::from_utf8(bytes) {
             Ok(text) => Self { text, original: None },
@@ -334,8 +334,8 @@ pub(super) fn decode(raw: Cow<'_, str>) -> Cow<'_, str> {
 }
 
 /// Whether `byte` may be in a plain name.
-pub(super) fn is_plain(byte: u8) -> bool {
-    NAME.get(byte as usize).is_some_and(|&plain| plain)
+pub(super) fn is_name_byte(byte: u8) -> bool {
+    NAME_BYTES.get(byte as usize).is_some_and(|&plain| plain)
 }
 
 /// Whether XML calls `byte` white space.
@@ -343,7 +343,7 @@ pub(super) fn is_space(byte: u8) -> bool {
     matches!(byte, b' ' | b'\n' | b'\t' | b'\r')
 }
 
-static NAME: [bool; 256] = {
+static NAME_BYTES: [bool; 256] = {
     let mut table = [false; 256];
     let mut byte = 0_u8;
     while byte < 128 {

@@ -290,7 +290,7 @@ fn renamed_members(tree: &Tree, model: ElementId, renamed: &[(String, Vec<String
         let raw = tree.raw_text(members);
         let text = tree.text_of(members);
         let mut changed = false;
-        let words = osim_model::opensim_text::list(&text).flat_map(|word| {
+        let words = osim_model::opensim_text::list_words(&text).flat_map(|word| {
             match renamed.iter().find(|(old, _)| old == word) {
                 Some((_, new)) => {
                     changed = true;

@@ -158,7 +158,7 @@ pub(super) fn geometry_references(document: &Document) -> impl Iterator<Item = E
 
 /// The names that the text of such an element gives, without their paths.
 pub(super) fn geometry_names(text: &str) -> impl Iterator<Item = &str> {
-    opensim_text::list(text).map(|word| word.rsplit('/').next().unwrap_or(word))
+    opensim_text::list_words(text).map(|word| word.rsplit('/').next().unwrap_or(word))
 }
 
 /// Whether elements of this name name contact geometry.

@@ -234,7 +234,7 @@ fn named_in(tree: &Tree, leaf: ElementId, gone: &HashSet<&str>) -> Vec<String> {
         Some(set) => Some(format!("/{set}/{word}")).filter(|path| gone.contains(path.as_str())),
         None => object_of(word, gone),
     };
-    opensim_text::list(&text)
+    opensim_text::list_words(&text)
         .filter_map(path)
         .map(|path| path.rsplit('/').next().unwrap_or_default().to_owned())
         .collect()

@@ -66,7 +66,7 @@ impl Given {
         let gravity_m_s2 = request.load.gravity().unwrap_or(STANDARD_GRAVITY_M_S2);
         let mass_kg = request.masses.mass.map(Kilograms::get);
         if request.load.body_weights.is_some() && mass_kg.is_none() {
-            let message = phrase![Input::BodyWeights, " needs ", Input::Mass.like("KG")];
+            let message = phrase![Input::BodyWeights, " needs ", Input::Mass.with_placeholder("KG")];
             return Err(RequestFault::refused(Input::BodyWeights, message));
         }
         let weight = mass_kg.map(|kg| kg * gravity_m_s2 * request.load.body_weights());
@@ -125,31 +125,31 @@ impl Given {
                 load,
                 "load per sphere",
                 phrase![
-                    Input::Mass.like("KG"),
+                    Input::Mass.with_placeholder("KG"),
                     " (or ",
-                    Input::Load.like("N"),
+                    Input::Load.with_placeholder("N"),
                     ") with ",
-                    Input::Spheres.like("N"),
+                    Input::Spheres.with_placeholder("N"),
                 ],
             ),
-            (self.radius_m.is_some(), "radius", Input::Radius.like("METRES").into()),
-            (self.indentation.is_some(), "indentation", Input::Indentation.like("X").into()),
+            (self.radius_m.is_some(), "radius", Input::Radius.with_placeholder("METRES").into()),
+            (self.indentation.is_some(), "indentation", Input::Indentation.with_placeholder("X").into()),
             (
                 self.composite_modulus.is_some(),
                 "modulus",
                 phrase![
-                    Input::Stiffness.like("E1"),
+                    Input::Stiffness.with_placeholder("E1"),
                     " (or ",
-                    Input::Young.like("E"),
+                    Input::Young.with_placeholder("E"),
                     " with ",
-                    Input::Poisson.like("NU"),
+                    Input::Poisson.with_placeholder("NU"),
                     ")",
                 ],
             ),
             (
                 self.contact_stiffness.is_some(),
                 "contact stiffness",
-                Input::ContactStiffness.like("N/M").into(),
+                Input::ContactStiffness.with_placeholder("N/M").into(),
             ),
         ];
         let known: Vec<_> = have.iter().filter(|(have, ..)| *have).map(|(_, name, _)| *name).collect();
@@ -170,14 +170,14 @@ impl Given {
 
     fn half_a_load(&self) -> Phrase {
         match (self.load_n.is_some(), self.spheres.is_some()) {
-            (true, false) => phrase!["; the load needs ", Input::Spheres.like("N"), " too"],
+            (true, false) => phrase!["; the load needs ", Input::Spheres.with_placeholder("N"), " too"],
             (false, true) => phrase![
                 "; ",
                 Input::Spheres,
                 " needs ",
-                Input::Mass.like("KG"),
+                Input::Mass.with_placeholder("KG"),
                 " or ",
-                Input::Load.like("N"),
+                Input::Load.with_placeholder("N"),
                 " too",
             ],
             _ => phrase![],

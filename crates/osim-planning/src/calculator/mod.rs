@@ -299,7 +299,7 @@ fn dissipation(
             let message = phrase![
                 Input::Restitution,
                 " needs ",
-                Input::ImpactSpeed.like("M/S"),
+                Input::ImpactSpeed.with_placeholder("M/S"),
                 ", or a radius to take sqrt(gR/2) from",
             ];
             return Err(RequestFault::refused(Input::Restitution, message));
@@ -327,7 +327,7 @@ fn smoothed(
 ) -> Result<(), RequestFault> {
     let need = |input: Input| {
         radius.ok_or_else(|| {
-            let message = phrase![input, " needs a radius: say ", Input::Radius.like("METRES")];
+            let message = phrase![input, " needs a radius: say ", Input::Radius.with_placeholder("METRES")];
             RequestFault::refused(input, message)
         })
     };

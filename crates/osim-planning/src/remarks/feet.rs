@@ -263,7 +263,7 @@ pub(crate) fn pad_slip(sole: &Sole, pad_m: f64) -> Option<NeedsAnswer> {
     let write = if units.is_empty() { "" } else { ", write " };
     let bodies: Vec<String> = sole.bodies.iter().map(|body| shown(body).to_string()).collect();
     let text = phrase![
-        Input::Pad.being(readable(pad_m)),
+        Input::Pad.with_value(readable(pad_m)),
         format!(
             " is more than the length of the foot of {}, {} m: it is in m{write}{}",
             bodies.join(", "),
@@ -284,7 +284,7 @@ pub(crate) fn scale_slip(scales: &[BodyScale]) -> Option<NeedsAnswer> {
         false => String::new(),
     };
     let text = phrase![
-        Input::BodyScale.being(scale.to_string()),
+        Input::BodyScale.with_value(scale.to_string()),
         format!(
             " makes a bone {} times as long as the reference's: between a mouse and a giraffe it is 38 times{percent}",
             readable(factor)

@@ -87,7 +87,7 @@ fn with_way_out(found: Found) -> Finding {
     let Found { mut finding, remedy, .. } = found;
     finding.line = None;
     finding.message.push(": smooth less with ");
-    finding.message.push(Input::ConstantContactForce.like("M2"));
+    finding.message.push(Input::ConstantContactForce.with_placeholder("M2"));
     let design = remedy.and_then(|remedy| match remedy {
         Request::Design(design) => design.wanted.constant_indentation.map(ConstantIndentation::get),
         _ => None,
@@ -96,7 +96,7 @@ fn with_way_out(found: Found) -> Finding {
         finding.message.push(", or change the result with ");
         finding
             .message
-            .push(Verb::Design.of_model().saying(Input::ConstantIndentation, readable(indentation)));
+            .push(Verb::Design.call_with_model().with_value(Input::ConstantIndentation, readable(indentation)));
     }
     finding
 }

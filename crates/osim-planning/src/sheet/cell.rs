@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use osim_model::messages::is_seen;
+use osim_model::messages::is_visible;
 
 /// Marks a cell as text, as in spreadsheets themselves.
 const TEXT_MARK: char = '\'';
@@ -104,7 +104,7 @@ fn steers(letter: char) -> bool {
 fn escaped_letter(text: &str) -> Option<(char, &str)> {
     let (digits, rest) = text.split_once('}')?;
     let letter = char::from_u32(u32::from_str_radix(digits, 16).ok()?)?;
-    (letter == '\\' || !is_seen(letter)).then_some((letter, rest))
+    (letter == '\\' || !is_visible(letter)).then_some((letter, rest))
 }
 
 #[cfg(test)]

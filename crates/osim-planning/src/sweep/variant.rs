@@ -297,7 +297,7 @@ impl Ladder {
     pub(super) fn of(request: &SweepRequest, model: &ModelFiles, count: u32) -> Result<Self, RequestFault> {
         let Some(indentation) = request.wanted.indentation else {
             let message =
-                phrase![Input::Ladder, " needs ", Input::Indentation.like("X"), " for its last step"];
+                phrase![Input::Ladder, " needs ", Input::Indentation.with_placeholder("X"), " for its last step"];
             return Err(RequestFault::refused(Input::Ladder, message));
         };
         let last = stiffness::dimensionless_hertz(indentation.get())

@@ -55,7 +55,7 @@ fn refuse_smoothing(request: &ConvertRequest, to: ForceKind) -> Result<(), Reque
     match given.filter(|_| to == ForceKind::HuntCrossley) {
         Some(input) => {
             let needs =
-                phrase![input, " needs ", Input::To.being("smooth"), ": a HuntCrossleyForce is not smoothed"];
+                phrase![input, " needs ", Input::To.with_value("smooth"), ": a HuntCrossleyForce is not smoothed"];
             Err(RequestFault::refused(input, needs))
         }
         None => Ok(()),

@@ -66,20 +66,20 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
     if wanted.indentation.is_none() && (request.load.load.is_some() || request.load.body_weights.is_some()) {
         let why = phrase![
             "a load says nothing without ",
-            Input::Indentation.like("X"),
+            Input::Indentation.with_placeholder("X"),
             ": leave it out, or say the indentation it should give",
         ];
         return Err(RequestFault::general(why));
     }
     if wanted.radius() == Some(RadiusRule::Isometric) {
         let why = phrase![
-            Input::Radius.being("isometric"),
+            Input::Radius.with_value("isometric"),
             " says nothing here, expected keep, a radius in metres or a factor like x1.5",
         ];
         return refused(Input::Radius, why);
     }
     if wanted.stiffness.is_some() {
-        let call = Verb::Set.of_model().with(Input::Stiffness, "VALUE");
+        let call = Verb::Set.call_with_model().with_placeholder(Input::Stiffness, "VALUE");
         let why = phrase![Input::Stiffness, " is known, not designed: write it with ", call];
         return refused(Input::Stiffness, why);
     }
@@ -106,11 +106,11 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
     if !wanted.asks() {
         return Err(RequestFault::general(phrase![
             "nothing is wanted: say for example ",
-            Input::Indentation.like("X"),
+            Input::Indentation.with_placeholder("X"),
             ", ",
-            Input::Restitution.like("CR"),
+            Input::Restitution.with_placeholder("CR"),
             " or ",
-            Input::ConstantIndentation.like("X"),
+            Input::ConstantIndentation.with_placeholder("X"),
         ]));
     }
     Ok(())

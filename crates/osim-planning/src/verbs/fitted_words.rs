@@ -182,7 +182,7 @@ fn stiffness(factor: &FittedParameter) -> Phrase {
     );
     if high / low > WIDE {
         text.push_str(": it is not determined");
-        return phrase![text, ". Keep the published one with ", Input::Fit.being("height")];
+        return phrase![text, ". Keep the published one with ", Input::Fit.with_value("height")];
     }
     text.into()
 }

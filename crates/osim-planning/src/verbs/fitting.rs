@@ -79,7 +79,7 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
             "no height is fitted: leave out ",
             Input::HeightIn,
             ", or add ",
-            Input::Fit.being("height")
+            Input::Fit.with_value("height")
         ];
         return Err(RequestFault::refused(Input::HeightIn, why).into());
     }

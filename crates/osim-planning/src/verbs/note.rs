@@ -50,9 +50,9 @@ pub(super) fn prepare(request: NoteRequest) -> Result<Change, RequestFault> {
         (None, None) => {
             return Err(RequestFault::general(phrase![
                 "the mass is missing: say which mass the contacts in the file were made for with ",
-                Input::ContactsMass.like("KG"),
+                Input::ContactsMass.with_placeholder("KG"),
                 ", or how many limbs share the weight with ",
-                Input::StanceLimbs.like("N"),
+                Input::StanceLimbs.with_placeholder("N"),
             ]));
         }
     };

@@ -63,7 +63,7 @@ fn note_stays(note: &Note) -> Phrase {
     let mut said = phrase!["contacts are left, and so is the note in the file, as one about a part of them"];
     if let Some(kg) = note.contacts_mass_kg {
         said.push(": for the next change say ");
-        said.push(Input::ContactsMass.being(readable(kg)));
+        said.push(Input::ContactsMass.with_value(readable(kg)));
         said.push(" if these are still made for that mass");
     }
     said

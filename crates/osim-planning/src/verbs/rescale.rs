@@ -59,7 +59,7 @@ pub(crate) fn with_bodies(
             Input::TargetMass,
             phrase![
                 "the target is missing: say which mass the contacts should be made for with ",
-                Input::TargetMass.like("KG"),
+                Input::TargetMass.with_placeholder("KG"),
             ],
         ));
     };

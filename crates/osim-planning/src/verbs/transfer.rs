@@ -130,7 +130,7 @@ fn check(request: &TransferRequest) -> Result<(), RequestFault> {
         ];
         if let Some((input, _)) = gravities.into_iter().find(|(_, given)| *given) {
             let message =
-                phrase![input, " says nothing with ", Input::Rule.being("predsim"), ", which has no gravity"];
+                phrase![input, " says nothing with ", Input::Rule.with_value("predsim"), ", which has no gravity"];
             return Err(RequestFault::refused(input, message));
         }
     }
@@ -147,7 +147,7 @@ fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
         let message = phrase![
             Input::Level,
             " says nothing here: radii stay, and bottoms with them; say other radii with ",
-            Input::Radius.being("isometric"),
+            Input::Radius.with_value("isometric"),
             " (or metres, or a factor), or move spheres with their bodies by ",
             Input::FollowBodies,
         ];

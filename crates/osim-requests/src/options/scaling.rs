@@ -110,7 +110,7 @@ impl ScalingOptions {
             return Err(RequestFault::refused(
                 Input::Only,
                 phrase![
-                    Input::Only.being(property.name()),
+                    Input::Only.with_value(property.name()),
                     ": it has no dimension, so it is the same at every size; change it with set",
                 ],
             ));

@@ -303,7 +303,7 @@ impl PlotRequest {
         if (self.kind == Some(PlotKind::Motion)) != self.motion.is_some() {
             return Err(RequestFault::general(phrase![
                 "a figure of motion, and no other, has a recording: say ",
-                Input::Motion.like("FILE"),
+                Input::Motion.with_placeholder("FILE"),
             ]));
         }
         if self.heat.table.is_some() {

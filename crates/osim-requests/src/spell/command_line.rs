@@ -19,7 +19,7 @@ const WITH_COMMAS: [&str; 3] = ["feet", "keep", "only"];
 /// use osim_model::messages::{Input, phrase};
 /// use osim_requests::spell::CommandLine;
 ///
-/// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
+/// let way_out = phrase!["say what the model weighs with ", Input::Mass.with_placeholder("KG")];
 /// assert_eq!(way_out.spelled(&CommandLine), "say what the model weighs with --mass KG");
 /// ```
 #[derive(Debug, Clone, Copy, Default)]
@@ -208,7 +208,7 @@ mod tests {
     fn a_model_alone_is_rescaled() {
         assert_eq!(spelled("`rescale MODEL target_mass=KG`"), "MODEL --target-mass KG");
         assert_eq!(spelled("`rescale`"), "rescale");
-        let call = Verb::Rescale.of_model().with(Input::TargetMass, "KG");
+        let call = Verb::Rescale.call_with_model().with_placeholder(Input::TargetMass, "KG");
         assert_eq!(CommandLine.command(&call), "osim-contact-scale MODEL --target-mass KG");
     }
 

@@ -12,7 +12,7 @@ use crate::spell::speller::{FieldValue, Fields, FrontEnd, Speller, digits, is_as
 /// use osim_model::messages::{Dialect, Input, Verb};
 /// use osim_requests::spell::Matlab;
 ///
-/// let call = Verb::DropTest.of_model().saying(Input::Duration, "2");
+/// let call = Verb::DropTest.call_with_model().with_value(Input::Duration, "2");
 /// assert_eq!(Matlab.call(&call), "osimcontact.drop_test('model.osim', 'Duration', 2)");
 /// ```
 #[derive(Debug, Clone, Copy, Default)]

@@ -14,7 +14,7 @@ const MEANT: &str = "“It is meant as it is: go on”";
 /// use osim_model::messages::{Input, phrase};
 /// use osim_requests::spell::Page;
 ///
-/// let way_out = phrase!["say what the model weighs with ", Input::Mass.like("KG")];
+/// let way_out = phrase!["say what the model weighs with ", Input::Mass.with_placeholder("KG")];
 /// assert_eq!(way_out.spelled(&Page), "say what the model weighs with the field “mass of the model”");
 /// ```
 #[derive(Debug, Clone, Copy, Default)]

@@ -52,9 +52,9 @@ const PATHS: [&str; 24] = [
 /// use osim_model::messages::Dialect;
 /// use osim_requests::spell::Python;
 ///
-/// let call = Verb::Transfer.of_model().saying(Input::From, "falisse2022");
+/// let call = Verb::Transfer.call_with_model().with_value(Input::From, "falisse2022");
 /// assert_eq!(Python.call(&call), r#"ocs.transfer("model.osim", from_="falisse2022")"#);
-/// let drawn = Verb::Plot.of_model().saying(Input::Kind, "feet").with(Input::Output, "FILE.svg");
+/// let drawn = Verb::Plot.call_with_model().with_value(Input::Kind, "feet").with_placeholder(Input::Output, "FILE.svg");
 /// assert_eq!(Python.call(&drawn), r#"ocs.plot("feet", "model.osim").save("FILE.svg")"#);
 /// ```
 #[derive(Debug, Clone, Copy, Default)]

@@ -3,7 +3,7 @@
 use contact_plots::{Datum, Drawing, Paper, PlotError};
 use osim_inspect::series::{Body, HeatRequest};
 use osim_model::files::Failure;
-use osim_model::messages::{Input, Phrase, harmless, phrase, shortest};
+use osim_model::messages::{Input, Phrase, terminal_safe, phrase, shortest};
 use osim_planning::{HeatTable, ModelFeet, MotionResult, cell};
 use osim_requests::{AxesChoice, FigureOptions, PlotKind, PlotRequest, Positive, Span, no_fig1};
 
@@ -108,7 +108,7 @@ pub fn paper(looks: &FigureOptions) -> Paper {
 /// It was not drawn: the failure says why, and a way out where there is one.
 pub fn svg(drawing: &Drawing, paper: Paper, bodies: &[Body]) -> Result<String, Failure> {
     // Names of spheres are labels: what a picture cannot show would make it unreadable.
-    let drawn = drawing.svg(paper).map(|svg| harmless(&svg).into_owned());
+    let drawn = drawing.svg(paper).map(|svg| terminal_safe(&svg).into_owned());
     drawn.map_err(|error| not_drawn(error, bodies))
 }
 
@@ -116,7 +116,7 @@ pub fn svg(drawing: &Drawing, paper: Paper, bodies: &[Body]) -> Result<String, F
 pub fn not_drawn(error: PlotError, bodies: &[Body]) -> Failure {
     let why: Phrase = match error {
         PlotError::TooMany { .. } => {
-            phrase![error.to_string(), ": choose with ", Input::Select.like("GLOB")]
+            phrase![error.to_string(), ": choose with ", Input::Select.with_placeholder("GLOB")]
         }
         PlotError::NoAxis { which: "horizontal", .. } => phrase![
             error.to_string(),

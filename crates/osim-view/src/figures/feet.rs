@@ -7,7 +7,7 @@ use contact_plots::{
 };
 use osim_model::feet::{FeetFault, FloorPlace, Foot, FootFrame, FootSphere, silhouette};
 use osim_model::files::Failure;
-use osim_model::messages::{Dialect, Input, four_significant, harmless, listed, phrase, shown};
+use osim_model::messages::{Dialect, Input, four_significant, terminal_safe, listed, phrase, shown};
 use osim_model::{DVec2, DVec3};
 use osim_planning::ModelFeet;
 
@@ -53,7 +53,7 @@ pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
 /// It was not drawn: a number is not finite.
 pub(crate) fn feet_svg(states: &[ModelFeet], name: &str, title: Option<&str>) -> Result<String, Failure> {
     // Names of spheres are labels: what a picture cannot show would make it unreadable.
-    let drawn = scene(&feet(states, title), Paper::default()).map(|svg| harmless(&svg).into_owned());
+    let drawn = scene(&feet(states, title), Paper::default()).map(|svg| terminal_safe(&svg).into_owned());
     drawn.map_err(|error| Failure::outside(name, "plot", error.to_string()))
 }
 
@@ -308,7 +308,7 @@ fn missing(state: &ModelFeet, dialect: &dyn Dialect) -> Option<String> {
     if !names.is_empty() {
         let text = phrase![
             format!("no bones are drawn of {}: name the folder of the meshes with ", listed(&names, LISTED)),
-            Input::GeometryDir.like("DIR"),
+            Input::GeometryDir.with_placeholder("DIR"),
         ];
         reasons.push(text.spelled(dialect));
     }

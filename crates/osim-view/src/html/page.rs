@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use osim_model::messages::{Input, Verb, harmless};
+use osim_model::messages::{Input, Verb, terminal_safe};
 use osim_requests::spell::FrontEnd;
 
 use crate::html::entry::Entry;
@@ -91,7 +91,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
             return self.add_alone(&entry, fragment.map(|fragment| *fragment));
         }
         if entry.failed {
-            return self.kept.failures.add(&harmless(&models_table::failure(&entry, &mut self.topics)));
+            return self.kept.failures.add(&terminal_safe(&models_table::failure(&entry, &mut self.topics)));
         }
         let number = self.tally.models();
         if let (Some(facts), Some(drawn)) = (&entry.facts, entry.drawn.take()) {
@@ -100,7 +100,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         self.rows_only |= fragment.is_some() && self.in_full >= IN_FULL;
         let fragment = fragment.filter(|_| self.in_full < IN_FULL);
         let details = fragment.is_some().then_some(number);
-        self.kept.rows.add(&harmless(&models_table::row(
+        self.kept.rows.add(&terminal_safe(&models_table::row(
             &entry,
             self.about.columns,
             details,
@@ -109,16 +109,16 @@ impl<'d, S: DeferredText> Page<'d, S> {
         let Some(fragment) = fragment else { return Ok(()) };
         self.in_full += 1;
         self.topics.add(&fragment.topics);
-        self.kept.details.add(&harmless(&models_table::details(&entry, number, &fragment.html())))
+        self.kept.details.add(&terminal_safe(&models_table::details(&entry, number, &fragment.html())))
     }
 
     fn add_alone(&mut self, entry: &Entry, fragment: Option<Fragment>) -> io::Result<()> {
         let glance = glance::of_one(entry, &models_table::code(entry, &mut self.topics));
-        self.kept.rows.add(&harmless(&glance.0))?;
+        self.kept.rows.add(&terminal_safe(&glance.0))?;
         let Some(fragment) = fragment else { return Ok(()) };
         self.topics.add(&fragment.topics);
         self.sections = fragment.sections.iter().map(|section| (section.id, section.title)).collect();
-        self.kept.details.add(&harmless(&fragment.html()))
+        self.kept.details.add(&terminal_safe(&fragment.html()))
     }
 
     /// Writes the page.
@@ -134,7 +134,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         // Codes that are counted are explained.
         let findings = if several { self.tally.findings(&mut self.topics).0 } else { String::new() };
         let sections = self.all_sections();
-        page.write_all(harmless(&shell::opening(&title, self.class(), &sections)).as_bytes())?;
+        page.write_all(terminal_safe(&shell::opening(&title, self.class(), &sections)).as_bytes())?;
         if several {
             self.write_library(&findings, page)?;
         } else {
@@ -159,12 +159,12 @@ impl<'d, S: DeferredText> Page<'d, S> {
         page.write_all(findings.as_bytes())?;
         page.write_all(models_table::SECTION_END.as_bytes())?;
         self.write_asked(page)?;
-        page.write_all(harmless(&self.tally.chart().0).as_bytes())?;
+        page.write_all(terminal_safe(&self.tally.chart().0).as_bytes())?;
         page.write_all(models_table::table_opening(self.about.columns, &left_out).as_bytes())?;
         self.kept.rows.pour_into(page)?;
         page.write_all(models_table::TABLE_END.as_bytes())?;
         if !self.chosen.is_empty() {
-            page.write_all(harmless(&models_table::section(&self.chosen, self.dialect).0).as_bytes())?;
+            page.write_all(terminal_safe(&models_table::section(&self.chosen, self.dialect).0).as_bytes())?;
         }
         if self.in_full > 0 {
             page.write_all(models_table::DETAILS_BEGIN.as_bytes())?;
@@ -175,7 +175,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
     }
 
     fn write_asked(&self, page: &mut dyn Write) -> io::Result<()> {
-        page.write_all(harmless(&shell::asked(self.about.verb, &self.about.asked)).as_bytes())
+        page.write_all(terminal_safe(&shell::asked(self.about.verb, &self.about.asked)).as_bytes())
     }
 
     /// The class of the page in the style sheet.
@@ -207,14 +207,14 @@ impl<'d, S: DeferredText> Page<'d, S> {
     fn left_out(&self) -> Vec<String> {
         let mut left_out = Vec::new();
         if self.rows_only {
-            let call = Verb::Inspect.of_model().with(Input::Report, "FILE.html");
+            let call = Verb::Inspect.call_with_model().with_placeholder(Input::Report, "FILE.html");
             left_out.push(format!(
                 "Only the first {IN_FULL} models are shown in full. For any other, ask for a page of its own: {}",
                 self.dialect.command(&call)
             ));
         }
         if self.chosen.models() > MOST {
-            let plot = Verb::Plot.of_model().saying(Input::Kind, "force").with(Input::Output, "FILE.svg");
+            let plot = Verb::Plot.call_with_model().with_value(Input::Kind, "force").with_placeholder(Input::Output, "FILE.svg");
             left_out.push(format!(
                 "At most {} models have plots; “{}” says why each was chosen. For any other, ask for a page of its own, or \
                  for a picture: {}",

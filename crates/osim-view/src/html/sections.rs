@@ -2,7 +2,7 @@
 
 use osim_inspect::ReferenceState;
 use osim_inspect::series::Body;
-use osim_model::messages::{Dialect, harmless};
+use osim_model::messages::{Dialect, terminal_safe};
 use osim_patch::Plan;
 use serde::Serialize;
 
@@ -31,10 +31,10 @@ pub struct Sections {
 impl Sections {
     fn of(fragment: Fragment, dialect: &dyn Dialect) -> Self {
         let explained = explained::each(&fragment.topics, dialect).into_iter();
-        let explained = explained.map(|(id, html)| Explained { id, html: harmless(&html.0).into_owned() });
+        let explained = explained.map(|(id, html)| Explained { id, html: terminal_safe(&html.0).into_owned() });
         let sections = fragment.sections.into_iter();
         let sections =
-            sections.map(|section| Section { html: harmless(&section.html).into_owned(), ..section });
+            sections.map(|section| Section { html: terminal_safe(&section.html).into_owned(), ..section });
         Self { sections: sections.collect(), explained: explained.collect() }
     }
 

@@ -7,7 +7,7 @@ use std::path::Path;
 use osim_inspect::{ContactsMass, FindingRecord, SCHEMA_VERSION};
 use osim_model::Model;
 use osim_model::files::{Failure, FileName};
-use osim_model::messages::{Dialect, Phrase, is_seen};
+use osim_model::messages::{Dialect, Phrase, is_visible};
 use osim_patch::{Change, Deed, Move, NewSphere, ObjectChange, Plan, RecordingErrors};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -35,7 +35,7 @@ impl Formatter for Seen {
         if fragment.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
             return writer.write_all(fragment.as_bytes());
         }
-        fragment.chars().try_for_each(|letter| match is_seen(letter) {
+        fragment.chars().try_for_each(|letter| match is_visible(letter) {
             true => write!(writer, "{letter}"),
             false => {
                 letter.encode_utf16(&mut [0; 2]).iter().try_for_each(|unit| write!(writer, "\\u{unit:04x}"))
@@ -349,7 +349,7 @@ mod tests {
         let text = "a\nb\u{1b}\u{7f}\u{9b}\u{202e}\u{e0001} Füße x\u{302} \"\\";
         let written = line(&text);
         assert!(
-            written.chars().all(|letter| letter == '\n' || osim_model::messages::is_seen(letter)),
+            written.chars().all(|letter| letter == '\n' || osim_model::messages::is_visible(letter)),
             "{written:?}"
         );
         assert_eq!(written.matches('\n').count(), 1);

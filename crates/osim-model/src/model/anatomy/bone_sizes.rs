@@ -122,7 +122,7 @@ fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 
         let whole = mesh_scale(document, visible);
         if document.version() < GEOMETRY_SETS {
             let names = mesh_file(document, visible, "geometry_files");
-            found.extend(opensim_text::list(&names).map(|name| (name.to_owned(), whole)));
+            found.extend(opensim_text::list_words(&names).map(|name| (name.to_owned(), whole)));
         }
         let set = tree.child(visible, "GeometrySet").and_then(|set| tree.child(set, "objects"));
         for geometry in set.into_iter().flat_map(|set| tree.children(set)) {

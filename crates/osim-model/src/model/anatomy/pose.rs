@@ -248,7 +248,7 @@ fn function_of(
 ) -> Option<(Option<usize>, CoordinateFunction, bool)> {
     let tree = document.tree();
     let names = tree.child(axis, "coordinates").map(|list| tree.text_of(list)).unwrap_or_default();
-    let mut names = opensim_text::list(&names);
+    let mut names = opensim_text::list_words(&names);
     let coordinate = match names.next() {
         Some(name) => Some(coordinates.iter().position(|known| *known == name)?),
         None => None,

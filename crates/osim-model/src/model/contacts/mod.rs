@@ -218,7 +218,7 @@ impl Model {
                 at = components.tree.get(force).and_then(|object| object.parent);
             }
             let Some(force) = at else { continue };
-            for name in opensim_text::list(&tree.text_of(geometry)) {
+            for name in opensim_text::list_words(&tree.text_of(geometry)) {
                 let last = name.rsplit('/').next().unwrap_or(name);
                 users.entry(last.to_owned()).or_default().push(components.name(force).into_owned());
             }

@@ -308,7 +308,7 @@ impl<'r> ContactReader<'r> {
                     set.inherited = inherited;
                     if let Some(geometry) = document.property_element(item, "geometry") {
                         let names = document.whole_text(geometry).map_err(|fault| self.said_of(id, fault))?;
-                        for name in opensim_text::list(&names) {
+                        for name in opensim_text::list_words(&names) {
                             let surface = self.surface(id, name, geometry, None)?;
                             set.add(surface);
                         }

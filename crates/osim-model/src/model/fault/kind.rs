@@ -194,12 +194,12 @@ impl FaultKind {
                 phrase![*input, format!(" is {value}, expected {expected}")]
             }
             Self::UnknownBody { body } => {
-                phrase![Input::BodyScale.being(body), ": the model has no body of that name"]
+                phrase![Input::BodyScale.with_value(body), ": the model has no body of that name"]
             }
             Self::NoContacts { detail } => phrase![
                 detail.clone(),
                 ": give it contacts with ",
-                Verb::Add.of_model().with(Input::From, "OTHER"),
+                Verb::Add.call_with_model().with_placeholder(Input::From, "OTHER"),
             ],
             Self::ContactsExist { forces } => phrase![
                 format!("the model has contacts already: {forces}; make them right with "),
@@ -217,11 +217,11 @@ impl FaultKind {
                 };
                 phrase![
                     format!("the model lacks {is} spheres in the reference: name what takes them here with "),
-                    Input::BodyMap.being(format!("{first}=BODY")),
+                    Input::BodyMap.with_value(format!("{first}=BODY")),
                 ]
             }
             Self::UnknownReferenceSphere { sphere, reference, known } => phrase![
-                Input::ReferenceSphere.being(sphere),
+                Input::ReferenceSphere.with_value(sphere),
                 match known.as_slice() {
                     [] => format!(" is not in {reference}, whose contact belongs to no named sphere"),
                     known => format!(" is not in {reference}, which has {}", known.join(", ")),
@@ -241,7 +241,7 @@ impl FaultKind {
                  slip, so in every model at rest: give it a small value, such as that of ",
                 Verb::Design
                     .call()
-                    .saying(Input::ConstantIndentation, limits::SUGGESTED_CONSTANT_INDENTATION.to_string()),
+                    .with_value(Input::ConstantIndentation, limits::SUGGESTED_CONSTANT_INDENTATION.to_string()),
             ],
             Self::StrictlyRefused { text } => {
                 phrase![text.clone(), " (refused because of ", Input::Strict, ")"]
@@ -251,12 +251,12 @@ impl FaultKind {
                     "{force} keeps its sphere inside itself, as Moco 0.1 to 0.3 wrote it, and OpenSim 4.2 and later cannot read that: \
                      first do "
                 ),
-                Verb::Convert.call().saying(Input::To, "smooth"),
+                Verb::Convert.call().with_value(Input::To, "smooth"),
                 ", then this with what it wrote",
             ],
             Self::LeaveOut { text, force, otherwise } => {
                 let other = if otherwise.is_empty() { String::new() } else { format!(", or {otherwise}") };
-                phrase![format!("{text}: leave this force out with "), Input::Exclude.being(force), other]
+                phrase![format!("{text}: leave this force out with "), Input::Exclude.with_value(force), other]
             }
             other => other.without_inputs().into(),
         }

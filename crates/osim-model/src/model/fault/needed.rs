@@ -199,7 +199,7 @@ impl Needed {
                 format!(
                     "body '{body}' has no mass (OpenSim reads NaN): give it a <mass>, or say what the model weighs with "
                 ),
-                Input::Mass.like("KG"),
+                Input::Mass.with_placeholder("KG"),
             ],
             Self::ModelMass { bodies, kg } => phrase![
                 match bodies {
@@ -207,14 +207,14 @@ impl Needed {
                     count => format!("the {count} bodies weigh {} kg in all", readable(*kg)),
                 },
                 ": say what the model weighs with ",
-                Input::Mass.like("KG"),
+                Input::Mass.with_placeholder("KG"),
                 ", or which mass its contacts are made for with ",
-                Input::ContactsMass.like("KG"),
+                Input::ContactsMass.with_placeholder("KG"),
             ],
             Self::MassOfLoop => phrase![
                 "joints form a loop with a WeldJoint or FreeJoint between bodies, where OpenSim counts the mass of a body twice: \
                  say what the model weighs with ",
-                Input::Mass.like("KG"),
+                Input::Mass.with_placeholder("KG"),
             ],
             Self::ContactsMass { noted_kg, doubt, input } => contacts_mass(*noted_kg, *doubt, *input),
             Self::KnownContactsMass { title, made_for_kg, bodies_kg, input } => {
@@ -224,7 +224,7 @@ impl Needed {
                 "it is not certain which gravity the contacts are made for, because ",
                 doubt.as_str(),
                 ": give that gravity with ",
-                Input::ContactsGravity.like("G"),
+                Input::ContactsGravity.with_placeholder("G"),
             ],
             Self::Selection { trees, input } => {
                 let each: Vec<_> =
@@ -233,7 +233,7 @@ impl Needed {
                     "contact spheres stand on bodies that are joined only through ground: ",
                     each.join("; "),
                     ": say which forces are meant with ",
-                    input.like("GLOB"),
+                    input.with_placeholder("GLOB"),
                 ]
             }
             other => other.about_spheres(),
@@ -246,7 +246,7 @@ impl Needed {
                 "how many spheres share the body weight is not known: ",
                 why,
                 ": say it with ",
-                of.input().like("N"),
+                of.input().with_placeholder("N"),
             ],
             Self::SharedSphere { sphere, changed, left, can_choose, radius } => {
                 let mut text = shared_sphere(sphere, changed, left, *can_choose);
@@ -265,12 +265,12 @@ impl Needed {
                     unmatched.join(", ")
                 ),
                 ": say whose contact to take with ",
-                Input::ReferenceSphere.like("NAME"),
+                Input::ReferenceSphere.with_placeholder("NAME"),
             ],
             Self::ReferenceContactOfForce { force } => phrase![
                 format!("the spheres of {force} have different contacts in the reference"),
                 ": say whose contact to take with ",
-                Input::ReferenceSphere.like("NAME"),
+                Input::ReferenceSphere.with_placeholder("NAME"),
             ],
             Self::ReferenceRadius { reference, unmatched } => phrase![
                 format!(
@@ -278,22 +278,22 @@ impl Needed {
                     unmatched.join(", ")
                 ),
                 ": say the radius with ",
-                Input::Radius.like("METRES"),
+                Input::Radius.with_placeholder("METRES"),
                 ", or whose with ",
-                Input::ReferenceSphere.like("NAME"),
+                Input::ReferenceSphere.with_placeholder("NAME"),
                 ", or keep radii with ",
-                Input::Radius.being("keep"),
+                Input::Radius.with_value("keep"),
             ],
             Self::BodyFactors { body, axes } => phrase![
                 format!("how body {body} was scaled along {} is not in the files", in_words(axes)),
                 Input::BodyScale.either(
                     phrase![
                         ": say it with ",
-                        Input::BodyScale.being(format!("{body}=x,y,z")),
+                        Input::BodyScale.with_value(format!("{body}=x,y,z")),
                         Input::BodyScaleFile.either(
                             phrase![
                                 ", or give the ScaleSet that was applied with ",
-                                Input::BodyScaleFile.like("FILE")
+                                Input::BodyScaleFile.with_placeholder("FILE")
                             ],
                             ""
                         ),
@@ -301,7 +301,7 @@ impl Needed {
                     Input::BodyScaleFile.either(
                         phrase![
                             ": give the ScaleSet that was applied with ",
-                            Input::BodyScaleFile.like("FILE")
+                            Input::BodyScaleFile.with_placeholder("FILE")
                         ],
                         ""
                     ),
@@ -314,9 +314,9 @@ impl Needed {
                     spheres.join(", ")
                 ),
                 ": keep them with ",
-                Input::MovedSpheres.being("keep"),
+                Input::MovedSpheres.with_value("keep"),
                 ", or place them again with ",
-                Input::MovedSpheres.being("replace"),
+                Input::MovedSpheres.with_value("replace"),
             ],
             other => other.about_request(),
         }
@@ -337,32 +337,32 @@ impl Needed {
             ],
             Self::Geometry => phrase![
                 "this is a ForceSet that stands alone: its spheres are in another file, ",
-                Input::Geometry.either(phrase!["name it with ", Input::Geometry.like("FILE")], WHOLE_MODELS),
+                Input::Geometry.either(phrase!["name it with ", Input::Geometry.with_placeholder("FILE")], WHOLE_MODELS),
             ],
             Self::ForceSet => phrase![
                 "this is a ContactGeometrySet, which has no forces: ",
                 Input::Geometry.either(
-                    phrase!["name the ForceSet file and give this one as ", Input::Geometry.like("FILE")],
+                    phrase!["name the ForceSet file and give this one as ", Input::Geometry.with_placeholder("FILE")],
                     WHOLE_MODELS,
                 ),
             ],
             Self::Load => phrase![
                 "an indentation needs a load: say ",
-                Input::Load.like("N"),
+                Input::Load.with_placeholder("N"),
                 " or ",
-                Input::BodyWeights.like("B"),
+                Input::BodyWeights.with_placeholder("B"),
             ],
             Self::NotedSizes => phrase![
                 "the note in the file does not say how bodies were scaled since (there is none, or spheres were moved): take \
                  the contacts of the model that was scaled (transfer), or name the Scale Tool's file with ",
-                Input::BodyScaleFile.like("FILE"),
+                Input::BodyScaleFile.with_placeholder("FILE"),
             ],
             Self::Gravity { purpose } => purpose.phrase(),
             // `HeightRatio`; the others were answered before.
             _ => phrase![
-                Input::Rule.being("predsim"),
+                Input::Rule.with_value("predsim"),
                 " needs the ratio of heights: say ",
-                Input::HeightRatio.like("RATIO"),
+                Input::HeightRatio.with_placeholder("RATIO"),
                 ", or ",
                 Input::FollowBodies,
             ],

@@ -142,7 +142,7 @@ impl Question {
     }
 
     pub fn answer(self) -> Phrase {
-        phrase![Input::Yes.being(self.code())]
+        phrase![Input::Yes.with_value(self.code())]
     }
 }
 
@@ -281,7 +281,7 @@ fn mass(input: Input, kg: f64, of: (Option<f64>, Option<MassesBeside>), slip: Ma
         MassSlip::Tenth => format!("about {}: masses are in kg", than("1/10 of")),
         MassSlip::NoAnimal => "outside 1 mg to 200 t: masses are in kg".to_owned(),
     };
-    phrase![input.being(readable(kg)), format!(" is {why}")]
+    phrase![input.with_value(readable(kg)), format!(" is {why}")]
 }
 
 /// The units in which a length was probably given that is `times` as long as usual, and how many of each are a metre.

@@ -50,7 +50,7 @@ impl GravityFor {
         let mut text = phrase![whose, NO_GRAVITY];
         for (index, &(input, unit)) in self.answers().iter().enumerate() {
             text.push(if index == 0 { ": say " } else { " or " });
-            text.push(input.like(unit));
+            text.push(input.with_placeholder(unit));
         }
         if self.answers().is_empty() {
             text.push(": set <gravity> in its file");
@@ -79,12 +79,12 @@ pub enum RadiusFrom {
 impl RadiusFrom {
     pub(super) fn phrase(self) -> Phrase {
         match self {
-            Self::Rule => phrase!["leave radii as they are with ", Input::Radius.being("keep")],
-            Self::Bodies => phrase!["leave radii as they are with ", Input::Keep.being("radius")],
+            Self::Rule => phrase!["leave radii as they are with ", Input::Radius.with_value("keep")],
+            Self::Bodies => phrase!["leave radii as they are with ", Input::Keep.with_value("radius")],
             Self::ContactStiffness => phrase!["leave out ", Input::ContactStiffness],
             Self::Assignment => "set no radius".into(),
             Self::Level => phrase!["leave out ", Input::Level],
-            Self::Fit => phrase!["fit what moves no sphere, such as ", Input::Fit.being("height")],
+            Self::Fit => phrase!["fit what moves no sphere, such as ", Input::Fit.with_value("height")],
         }
     }
 }
@@ -98,7 +98,7 @@ pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_ch
     if can_choose {
         text.push(&phrase![
             "choose all of them with ",
-            Input::Select.like("GLOB"),
+            Input::Select.with_placeholder("GLOB"),
             ", excluding none of these, or "
         ]);
     }
@@ -113,7 +113,7 @@ pub(super) fn contacts_mass(noted_kg: Option<f64>, doubt: NoteDoubt, input: Inpu
         doubt.as_str(),
         noted.unwrap_or_default(),
         ": give that mass with ",
-        input.like("KG")
+        input.with_placeholder("KG")
     ]
 }
 
@@ -126,7 +126,7 @@ pub(super) fn known_contacts_mass(title: &str, made_for_kg: f64, bodies_kg: f64,
             "{contacts} those of {title} for a body of {made_for} kg, but the bodies weigh {bodies} kg: if nobody changed the \
              contacts, confirm their mass with "
         ),
-        input.being(made_for.clone()),
+        input.with_value(made_for.clone()),
     ]
 }
 
@@ -255,7 +255,7 @@ impl FactorQuestion {
 
 /// The way out of a verb that takes the factors of `bodies`.
 fn say(how: &'static str, bodies: &[&String]) -> Part {
-    let named = bodies.iter().map(|body| Input::BodyScale.being(format!("{body}=x,y,z")).into());
+    let named = bodies.iter().map(|body| Input::BodyScale.with_value(format!("{body}=x,y,z")).into());
     let named = Phrase::joined(named, " and ").unwrap_or_default();
     Input::BodyScale.either(phrase![how, &named], "")
 }

@@ -52,7 +52,7 @@ impl<'d> Credits<'d> {
         let mut span = read.span;
         let mut raw = tree.slice(span.clone());
         let is_cdata = raw.starts_with(CDATA.0);
-        let broken = !read.whole || (is_cdata && raw.matches(CDATA.1).count() > 1);
+        let broken = !read.in_one_piece || (is_cdata && raw.matches(CDATA.1).count() > 1);
         if broken {
             let property = "credits".to_owned();
             let fault = Fault::over(FaultKind::BrokenText { property }, tree.span(element));

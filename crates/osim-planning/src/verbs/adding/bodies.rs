@@ -25,7 +25,7 @@ pub(super) fn listed(texts: &[String]) -> Result<Vec<String>, RequestFault> {
             let message = phrase![
                 Input::Feet,
                 ": a name is missing; expected the bodies that touch the ground with commas between them, as in ",
-                Input::Feet.like("calcn_r,calcn_l"),
+                Input::Feet.with_placeholder("calcn_r,calcn_l"),
             ];
             return Err(RequestFault::refused(Input::Feet, message));
         }
@@ -70,7 +70,7 @@ impl From<Fault> for AddFault {
                 "the {bodies} bodies weigh {} kg in all: say what the model weighs with ",
                 readable(kg)
             );
-            return Self::Beside("no-mass", phrase![text, Input::Mass.like("KG")]);
+            return Self::Beside("no-mass", phrase![text, Input::Mass.with_placeholder("KG")]);
         }
         Self::Model(Box::new(fault))
     }
@@ -85,21 +85,21 @@ impl From<FeetFault> for AddFault {
                 Self::Beside("no-such-body", phrase![&said, meant(&body, &bodies)])
             }
             FeetFault::NoMesh { .. } => {
-                Self::Beside("no-mesh", phrase![&said, ": ", Input::Contacts.like("TABLE")])
+                Self::Beside("no-mesh", phrase![&said, ": ", Input::Contacts.with_placeholder("TABLE")])
             }
             FeetFault::MeshMissing { .. } => {
-                Self::Beside("mesh-missing", phrase![&said, ": ", Input::GeometryDir.like("DIR")])
+                Self::Beside("mesh-missing", phrase![&said, ": ", Input::GeometryDir.with_placeholder("DIR")])
             }
             FeetFault::TooManySpheres { .. } => {
-                Self::Beside("too-many-spheres", phrase![&said, " with ", Input::Count.like("N")])
+                Self::Beside("too-many-spheres", phrase![&said, " with ", Input::Count.with_placeholder("N")])
             }
             FeetFault::Pose(_) => {
                 let way_out = ": give the places in a table, ";
-                Self::Beside("unknown-pose", phrase![&said, way_out, Input::Contacts.like("TABLE")])
+                Self::Beside("unknown-pose", phrase![&said, way_out, Input::Contacts.with_placeholder("TABLE")])
             }
             other @ (FeetFault::Mesh { .. } | FeetFault::Unreadable { .. } | FeetFault::Factors { .. }) => {
                 let way_out = "; or give the places in a table: ";
-                Self::Beside(other.code(), phrase![&said, way_out, Input::Contacts.like("TABLE")])
+                Self::Beside(other.code(), phrase![&said, way_out, Input::Contacts.with_placeholder("TABLE")])
             }
             other => Self::Beside(other.code(), said),
         }

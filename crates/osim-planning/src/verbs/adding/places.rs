@@ -224,7 +224,7 @@ impl FeetPlaces {
         {
             let folder = folder.display().to_string();
             remarks.push(phrase![
-                Input::GeometryDir.being(folder),
+                Input::GeometryDir.with_value(folder),
                 ": there is no such folder; the meshes are beside the model",
             ]);
         }
@@ -250,9 +250,9 @@ fn tilted(sole: &Sole, model: &Model) -> Option<NeedsAnswer> {
         )],
         true => phrase![
             ": name the bodies that touch the ground with ",
-            Input::Feet.like("BODY,BODY"),
+            Input::Feet.with_placeholder("BODY,BODY"),
             ", or give the places in a table, ",
-            Input::Contacts.like("TABLE"),
+            Input::Contacts.with_placeholder("TABLE"),
         ],
     });
     Some(NeedsAnswer::Other { question: Question::TiltedFoot, text })

@@ -96,24 +96,24 @@ fn check(request: &AddRequest) -> Result<(), RequestFault> {
     }
     if request.has_places() && request.radius == NewRadius::Follow {
         let message = phrase![
-            Input::Radius.being("follow"),
+            Input::Radius.with_value("follow"),
             " says nothing here: nothing is scaled where places are given; expected metres",
         ];
         return Err(RequestFault::refused(Input::Radius, message));
     }
     if !request.feet.is_empty() && request.count.is_none() {
         let message =
-            phrase![Input::Count.like("N"), " is missing: how many spheres are to be under each foot?"];
+            phrase![Input::Count.with_placeholder("N"), " is missing: how many spheres are to be under each foot?"];
         return Err(RequestFault::refused(Input::Count, message));
     }
     if !request.feet.is_empty() && request.pad.is_none() {
         return Err(RequestFault::refused(
             Input::Pad,
-            phrase![Input::Pad.like("METRES"), " is missing: ", PADS],
+            phrase![Input::Pad.with_placeholder("METRES"), " is missing: ", PADS],
         ));
     }
     if let Some(pad) = request.pad.map(Metres::get).filter(|pad| *pad > LARGEST_PAD) {
-        let message = phrase![Input::Pad.being(readable(pad)), ": expected metres, at most 1e9; ", PADS];
+        let message = phrase![Input::Pad.with_value(readable(pad)), ": expected metres, at most 1e9; ", PADS];
         return Err(RequestFault::refused(Input::Pad, message));
     }
     Ok(())
@@ -130,7 +130,7 @@ fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, Req
         let table = ContactTable::read(&bytes).map_err(|fault| failure_of_table(path, &fault))?;
         if table.has_radii && radius_m.is_some() {
             let message = phrase![
-                Input::Radius.like("METRES"),
+                Input::Radius.with_placeholder("METRES"),
                 " and the table's column radius say different things: leave one out",
             ];
             return Err(RequestFault::refused(Input::Radius, message).into());
@@ -206,20 +206,20 @@ fn wanted(request: &AddRequest) -> Result<Wanted, RequestFault> {
     if numbers.indentation.is_none() && numbers.young.is_none() {
         return Err(RequestFault::general(phrase![
             "nothing says how stiff the contacts are: say whose numbers they get with ",
-            Input::From.like("MODEL|PRESET"),
+            Input::From.with_placeholder("MODEL|PRESET"),
             ", or what is wanted of them with ",
-            Input::Indentation.like("X"),
+            Input::Indentation.with_placeholder("X"),
             " (and ",
-            Input::Restitution.like("CR"),
+            Input::Restitution.with_placeholder("CR"),
             "), or with ",
-            Input::Young.like("E"),
+            Input::Young.with_placeholder("E"),
             " and ",
-            Input::Poisson.like("NU"),
+            Input::Poisson.with_placeholder("NU"),
         ]));
     }
     let Some(class) = request.class else {
         let message = phrase![
-            Input::Class.like("smooth|hunt-crossley"),
+            Input::Class.with_placeholder("smooth|hunt-crossley"),
             " is missing: only a reference would say which class the forces have",
         ];
         return Err(RequestFault::refused(Input::Class, message));
@@ -272,7 +272,7 @@ fn of_defaults(request: &AddRequest, kind: ForceKind) -> Vec<Phrase> {
 /// Only a reference has radii of its own.
 fn no_radius() -> RequestFault {
     let message = phrase![
-        Input::Radius.like("METRES"),
+        Input::Radius.with_placeholder("METRES"),
         " is missing: without a reference, and without a column radius in a table, nothing says how large the spheres are",
     ];
     RequestFault::refused(Input::Radius, message)
@@ -282,11 +282,11 @@ fn no_radius() -> RequestFault {
 fn no_source() -> RequestFault {
     RequestFault::general(phrase![
         "nothing says where the contacts are: ",
-        Input::From.like("MODEL|PRESET"),
+        Input::From.with_placeholder("MODEL|PRESET"),
         " takes those of another model at this one's size, ",
-        Input::Contacts.like("TABLE"),
+        Input::Contacts.with_placeholder("TABLE"),
         " those of a table, and ",
-        Input::Feet.like("BODY,BODY"),
+        Input::Feet.with_placeholder("BODY,BODY"),
         " lays spheres under bones",
     ])
 }

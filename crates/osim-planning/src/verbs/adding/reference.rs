@@ -68,9 +68,9 @@ impl Numbers {
         own.radius(name)?.ok_or_else(|| {
             let message = phrase![
                 format!("radii differ in {}: say the radius with ", reference.name),
-                Input::Radius.like("METRES"),
+                Input::Radius.with_placeholder("METRES"),
                 ", or whose with ",
-                Input::ReferenceSphere.like("NAME"),
+                Input::ReferenceSphere.with_placeholder("NAME"),
             ];
             AddFault::Beside("which-reference", message)
         })
@@ -89,7 +89,7 @@ impl Numbers {
         let force = format!("force_{name}");
         let mut contact = match self {
             Self::Reference(own) => {
-                let mut like = own.like(Some(name))?.clone();
+                let mut like = own.with_placeholder(Some(name))?.clone();
                 (like.force, like.sphere) = (force, name.to_owned());
                 like
             }
@@ -144,7 +144,7 @@ impl OfReference {
 
     /// The radius of the sphere in the reference that a sphere called `name` is made from; `None` if that is not clear.
     fn radius(&self, name: Option<&str>) -> Result<Option<f64>, Fault> {
-        let like = self.like(name)?;
+        let like = self.with_placeholder(name)?;
         let named = self.transferring.reference_sphere.is_some() || Some(like.sphere.as_str()) == name;
         let all = self.layout.contacts.iter().all(|contact| contact.radius_m == like.radius_m);
         Ok((named || all).then_some(like.radius_m))
@@ -196,7 +196,7 @@ impl FromReference {
         if let Some(BodyMap { reference, model: body, .. }) = said {
             let bodies: Vec<&str> = model.bodies().iter().map(|body| body.name.as_str()).collect();
             let message = phrase![
-                Input::BodyMap.being(format!("{reference}={body}")),
+                Input::BodyMap.with_value(format!("{reference}={body}")),
                 format!(": the model has no body {body}, it has {}", bodies.join(", ")),
             ];
             return Err(AddFault::Beside("no-such-body", message));
@@ -264,7 +264,7 @@ pub(super) fn check_maps(
         .filter_map(|sphere| model.sphere(sphere)?.body.as_deref())
         .collect();
     for (index, map) in request.body_map.iter().enumerate() {
-        let said = Input::BodyMap.being(format!("{}={}", map.reference, map.model));
+        let said = Input::BodyMap.with_value(format!("{}={}", map.reference, map.model));
         let why = if !bodies.contains(map.reference.as_str()) {
             let carriers: Vec<&str> = carriers.iter().copied().collect();
             format!(

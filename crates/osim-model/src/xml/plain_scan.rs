@@ -1,22 +1,22 @@
-//! The scan of what nearly every model is: plain tags, attributes in quotes, text and comments.
+//! A fast scan for files of plain tags, attributes in quotes, text and comments: nearly every model is one.
 //!
 //! It is several times as fast as a full parser, because it stops at anything else (`&`, CDATA, DOCTYPE, names with odd
 //! letters, tags that do not match) and leaves the whole file to [`scan`](super::scan), which knows all of XML
 //! and says what is wrong. Where this scan finishes, both find the same pieces and elements: a test over all fixtures
 //! and real models and a fuzz target hold them to it.
 
-use super::tree::{PieceKind, StoredElement, StoredPiece, is_plain, is_space};
+use super::tree::{PieceKind, StoredElement, StoredPiece, is_name_byte, is_space};
 
 /// More attributes than this on one tag are compared by the full scan.
 const FEW_ATTRIBUTES: usize = 8;
 /// Bytes per piece and per element in dense models; what is reserved beyond need is never touched.
 const BYTES_PER_PIECE: usize = 8;
 const BYTES_PER_ELEMENT: usize = 20;
-/// Bytes of a text that are looked at eight by eight.
+/// This many bytes of a text are searched eight by eight before memchr takes over.
 const SHORT_TEXT: usize = 16;
 const EACH_BYTE: u64 = u64::from_ne_bytes([1; 8]);
 
-/// Pieces and elements of `text` from byte `base` on; `None` for anything that is not plain.
+/// Pieces and elements of `text` from byte `base` (after a byte order mark) on; `None` for anything that is not plain.
 pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, Vec<StoredElement>)> {
     let length = text.len();
     let mut scan = Scan {
@@ -153,7 +153,7 @@ impl Scan<'_> {
     /// Length of the name at `from`.
     fn name(&self, from: usize) -> Option<usize> {
         let rest = self.bytes.get(from..)?;
-        let length = rest.iter().position(|&byte| !is_plain(byte))?;
+        let length = rest.iter().position(|&byte| !is_name_byte(byte))?;
         rest.first().filter(|&&first| first.is_ascii_alphabetic() || first == b'_').map(|_| length)
     }
 
@@ -178,7 +178,7 @@ impl Scan<'_> {
         }
     }
 
-    /// After `="value"`.
+    /// The place after `="value"`.
     fn value(&self, at: usize) -> Option<usize> {
         let quote = self.byte(at + 1);
         if self.byte(at) != b'=' || !matches!(quote, b'"' | b'\'') {
@@ -190,8 +190,8 @@ impl Scan<'_> {
     }
 }
 
-/// How long the text is that `rest` begins with: up to `<` or `&`. Most texts are a line end with tabs, or one number: they end before
-/// a search for letters is under way.
+/// The length of the text at the start of `rest`, up to `<` or `&`. Most texts are a line end with tabs, or one number: for these the
+/// search eight by eight is quicker than memchr.
 fn text_length(rest: &[u8]) -> usize {
     let mut length = 0;
     while let Some(eight) = rest.get(length..).and_then(|rest| rest.first_chunk::<8>()) {
@@ -199,7 +199,7 @@ fn text_length(rest: &[u8]) -> usize {
             break;
         }
         let word = u64::from_le_bytes(*eight);
-        let are = |letter: u8| marks_zeros(word ^ (EACH_BYTE * u64::from(letter)));
+        let are = |letter: u8| zero_byte_bits(word ^ (EACH_BYTE * u64::from(letter)));
         let ends = are(b'<') | are(b'&');
         if ends != 0 {
             return length + ends.trailing_zeros() as usize / 8;
@@ -210,8 +210,8 @@ fn text_length(rest: &[u8]) -> usize {
     memchr::memchr2(b'<', b'&', behind).map_or(rest.len(), |at| length + at)
 }
 
-/// Nothing but the highest bit of each byte that is 0; above the lowest of these the bits say nothing.
-const fn marks_zeros(word: u64) -> u64 {
+/// Sets the highest bit of the lowest byte of `word` that is 0. Bits above that one are not reliable.
+const fn zero_byte_bits(word: u64) -> u64 {
     word.wrapping_sub(EACH_BYTE) & !word & (EACH_BYTE << 7)
 }
 
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[track_caller]
-    fn leaves(text: &str) {
+    fn assert_left_to_full_scan(text: &str) {
         assert!(scan_plain(text, 0).is_none(), "{text}");
     }
 
@@ -279,7 +279,7 @@ mod tests {
             "<a><!-- </a>",
             "<? x?><a/>",
         ] {
-            leaves(text);
+            assert_left_to_full_scan(text);
         }
     }
 }

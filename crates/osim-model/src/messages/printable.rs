@@ -1,4 +1,4 @@
-//! Text from outside, as people may see it.
+//! Text from outside as it may be printed, and how numbers are spelled.
 //!
 //! Names in a model, file names and cells of tables can hold anything: escape sequences that recolour a terminal or
 //! clear it, line ends that look like a line of ours, letters that turn the direction of what follows, megabytes. None
@@ -14,10 +14,10 @@ pub(crate) const SHOWN_LETTERS: usize = 200;
 /// Letters of a sentence in which names of several forces and files are. No system has longer paths.
 const SENTENCE_LETTERS: usize = 5000;
 
-/// Letters at its end, where names differ.
+/// Letters shown from the end of a shortened text, where names differ.
 const LAST_LETTERS: usize = 40;
 
-/// A text from outside that prints on one line: letters that are not seen as they are (control characters, line ends,
+/// A text from outside that prints on one line: letters that are invisible or steer a terminal (control characters, line ends,
 /// letters that turn the direction of writing, unusual blanks) as `\n` or `\u{1b}`, and of a long text its beginning
 /// and its end.
 ///
@@ -34,7 +34,7 @@ pub struct Shown<'t> {
     most: usize,
 }
 
-/// The text as it may be shown in a message: on one line, and short.
+/// The text on one line, shortened to 200 letters, for a message.
 pub const fn shown(text: &str) -> Shown<'_> {
     Shown { text, most: SHOWN_LETTERS }
 }
@@ -50,7 +50,7 @@ pub fn one_line(text: String) -> String {
     if plain { text } else { Shown { text: &text, most: SENTENCE_LETTERS }.to_string() }
 }
 
-/// A path as it may be shown, whole. What is not UTF-8 in it is shown as `�`.
+/// A path on one line, not shortened. What is not UTF-8 in it is shown as `�`.
 pub fn shown_path(path: &Path) -> String {
     shown_whole(&path.to_string_lossy()).to_string()
 }
@@ -60,14 +60,14 @@ impl Display for Shown<'_> {
         // Few texts are long: the others are not counted.
         let letters = if self.text.len() <= self.most { 0 } else { self.text.chars().count() };
         if letters <= self.most {
-            return visible(self.text, f);
+            return write_visible(self.text, f);
         }
         let first: String = self.text.chars().take(self.most.saturating_sub(LAST_LETTERS)).collect();
         let skipped = letters.saturating_sub(LAST_LETTERS);
         let last: String = self.text.chars().skip(skipped).collect();
-        visible(&first, f)?;
+        write_visible(&first, f)?;
         f.write_str("...")?;
-        visible(&last, f)?;
+        write_visible(&last, f)?;
         write!(f, " ({letters} letters)")
     }
 }
@@ -78,19 +78,19 @@ impl fmt::Debug for Shown<'_> {
     }
 }
 
-fn visible(text: &str, f: &mut impl Write) -> fmt::Result {
+fn write_visible(text: &str, f: &mut impl Write) -> fmt::Result {
     if text.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
         return f.write_str(text);
     }
-    text.chars().try_for_each(|letter| match is_seen(letter) {
+    text.chars().try_for_each(|letter| match is_visible(letter) {
         true => f.write_char(letter),
         false => write!(f, "{}", letter.escape_debug()),
     })
 }
 
-/// Whether a letter is seen as it is, and steers nothing. An accent that stands alone is: it may belong to the letter
+/// Whether a letter is visible, and steers no terminal. An accent that stands alone counts as visible: it may belong to the letter
 /// before it.
-pub fn is_seen(letter: char) -> bool {
+pub fn is_visible(letter: char) -> bool {
     if letter.is_ascii() {
         return matches!(letter, ' '..='~');
     }
@@ -106,12 +106,12 @@ pub fn is_seen(letter: char) -> bool {
 /// Names are shown by [`shown`] already; this is the last check, for texts in which that was forgotten.
 ///
 /// ```
-/// use osim_model::messages::harmless;
+/// use osim_model::messages::terminal_safe;
 ///
-/// assert_eq!(harmless("a\tb\r\nc\n"), "a\tb\r\nc\n");
-/// assert_eq!(harmless("\u{1b}]0;title\u{7}"), r"\u{1b}]0;title\u{7}");
+/// assert_eq!(terminal_safe("a\tb\r\nc\n"), "a\tb\r\nc\n");
+/// assert_eq!(terminal_safe("\u{1b}]0;title\u{7}"), r"\u{1b}]0;title\u{7}");
 /// ```
-pub fn harmless(text: &str) -> Cow<'_, str> {
+pub fn terminal_safe(text: &str) -> Cow<'_, str> {
     if text.bytes().all(|byte| matches!(byte, b' '..=b'~' | b'\n' | b'\t')) {
         return Cow::Borrowed(text);
     }
@@ -119,7 +119,7 @@ pub fn harmless(text: &str) -> Cow<'_, str> {
     let mut letters = text.chars().peekable();
     while let Some(letter) = letters.next() {
         let ends_line = letter == '\r' && letters.peek() == Some(&'\n');
-        if ends_line || matches!(letter, '\n' | '\t' | '\u{a0}') || is_seen(letter) {
+        if ends_line || matches!(letter, '\n' | '\t' | '\u{a0}') || is_visible(letter) {
             out.push(letter);
         } else {
             out.extend(letter.escape_debug());
@@ -148,13 +148,13 @@ pub fn shortest(value: f64) -> String {
     let magnitude = value.abs();
     if magnitude == 0.0 || (1e-5..1e15).contains(&magnitude) {
         // In this range `{}` is the shortest digits without an exponent.
-        return text_of(format_args!("{value}"));
+        return formatted(format_args!("{value}"));
     }
-    text_of(format_args!("{value:e}"))
+    formatted(format_args!("{value:e}"))
 }
 
-/// A number has few letters: its text gets room for all of them at once.
-fn text_of(number: fmt::Arguments<'_>) -> String {
+/// Formats a number into a string that is allocated once.
+fn formatted(number: fmt::Arguments<'_>) -> String {
     const LONGEST: usize = 24;
     let mut text = String::with_capacity(LONGEST);
     // Writing to a string cannot fail.
@@ -194,7 +194,7 @@ fn significant(value: f64, digits: usize) -> String {
     readable(rounded(value, decimals))
 }
 
-/// `value` with so many decimals in its exponential form; itself where that is more than a double holds.
+/// `value` rounded to `decimals` digits after the first; unchanged if that is not finite.
 fn rounded(value: f64, decimals: usize) -> f64 {
     let rounded = format!("{value:.decimals$e}").parse().ok();
     rounded.filter(|rounded: &f64| rounded.is_finite()).unwrap_or(value)
@@ -223,11 +223,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn letters_of_all_languages_are_seen() {
+    fn letters_of_all_languages_stay_as_they_are() {
         for text in ["heel_r", "Ferse (rechts), 5 N/m²", "左足", "x̂ = x / R", "E₁*", "Füße", "\"'\\"]
         {
             assert_eq!(shown(text).to_string(), text);
-            assert_eq!(harmless(text), text);
+            assert_eq!(terminal_safe(text), text);
         }
     }
 
@@ -239,18 +239,18 @@ mod tests {
         for printed in [shown(hostile).to_string(), shown_whole(hostile).to_string()] {
             assert!(printed.bytes().all(|byte| matches!(byte, b' '..=b'~')), "{printed:?}");
         }
-        assert_eq!(harmless(hostile).matches(|letter: char| !matches!(letter, ' '..='~')).count(), 2);
+        assert_eq!(terminal_safe(hostile).matches(|letter: char| !matches!(letter, ' '..='~')).count(), 2);
     }
 
-    /// Our own pages keep a figure and its mark together with it. In a name it would look like a blank, and be none.
+    /// Our tables use a no-break space between a number and its mark. In a name it would look like a blank without being one.
     #[test]
-    fn a_no_break_space_stays_in_text_and_is_seen_in_a_name() {
-        assert_eq!(harmless("0.3533\u{a0}!"), "0.3533\u{a0}!");
+    fn a_no_break_space_stays_in_text_and_is_escaped_in_a_name() {
+        assert_eq!(terminal_safe("0.3533\u{a0}!"), "0.3533\u{a0}!");
         assert_eq!(shown("heel\u{a0}r").to_string(), r"heel\u{a0}r");
     }
 
     #[test]
-    fn of_a_long_text_both_ends_are_shown_and_its_length() {
+    fn a_long_text_shows_both_ends_and_its_length() {
         let text = format!("begin{}end", "ä".repeat(1000));
         let printed = shown(&text).to_string();
         assert!(printed.starts_with("beginä") && printed.ends_with("end (1008 letters)"), "{printed}");
@@ -267,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn the_layout_is_frozen() {
+    fn shortest_numbers_keep_their_layout() {
         for (value, text) in [
             (1e6, "1000000"),
             (0.032, "0.032"),
@@ -304,7 +304,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn reads_back_exactly(value in any::<f64>().prop_filter("finite", |v| v.is_finite())) {
+        fn shortest_numbers_read_back_exactly(value in any::<f64>().prop_filter("finite", |v| v.is_finite())) {
             prop_assert_eq!(shortest(value).parse::<f64>().unwrap().to_bits(), value.to_bits());
         }
     }
