@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use contact_scaling::limits;
 use osim_inspect::{CheckResult, Figure};
-use osim_model::files::{Beside, InMemory, ModelFiles};
+use osim_model::files::{CompanionPaths, InMemory, ModelFiles};
 use osim_model::messages::{Call, Dialect, Example, Input, Phrase};
 use osim_model::{FindingCode, Repair, Severity};
 use osim_planning::{DesignQuantity, Inspector, rules};
@@ -87,7 +87,7 @@ fn first_sentence(text: &str) -> String {
 fn findings(severity: Severity) -> String {
     let rows = rules::all().iter().filter(|rule| rule.severity == severity).map(|rule| {
         let check = match rule.repair {
-            Repair::OfChange(_) => "no",
+            Repair::OnlyInChange(_) => "no",
             Repair::Command(_) => "command",
             Repair::NotPossible(_) => "yes",
         };
@@ -134,7 +134,7 @@ const NAMED: usize = 3;
 fn checked(path: &Path) -> Option<CheckResult> {
     let name = Path::new(path.file_name().unwrap());
     let bytes = std::fs::read(path).unwrap();
-    let files = ModelFiles::read(name, bytes, Beside::default(), &InMemory::default()).ok()?;
+    let files = ModelFiles::read(name, bytes, CompanionPaths::default(), &InMemory::default()).ok()?;
     let opened = files.open().ok()?;
     let inspector = Inspector::new(&InspectionOptions::default());
     let inspected = inspector.inspect(&opened).ok()?;

@@ -113,7 +113,7 @@ pub fn inspect(bytes: &[u8]) {
         for warning in osim_inspect::model_findings(model) {
             assert!(!warning.message.to_string().is_empty());
         }
-        let mass = MassRequest::default().of_model(model);
+        let mass = MassRequest::default().model_mass(model);
         mass.as_ref().map_or_else(accept, drop);
         let selected = match Selection::default().apply(model) {
             Ok(selected) => selected,
@@ -202,7 +202,7 @@ fn values_as_planned(before: &Model, plan: &Plan, after: &Model) {
 
 /// What the note says is where the next run starts.
 fn second_run(again: &Model, request: &Request, scope: Scope) {
-    let told = MassRequest::default().of_contacts(again);
+    let told = MassRequest::default().contacts_mass(again);
     if scope == Scope::Partial {
         return accept(&told.expect_err("a partial note must be asked about"));
     }

@@ -56,7 +56,7 @@ impl Request {
 /// From the file, else any.
 fn contacts_mass(model: &Model) -> Mass {
     let told = MassRequest { contacts_mass_kg: Some(ANY_MASS_KG), ..MassRequest::default() };
-    let found = MassRequest::default().of_contacts(model).or_else(|_| told.of_contacts(model));
+    let found = MassRequest::default().contacts_mass(model).or_else(|_| told.contacts_mass(model));
     found.expect("62 kg is a mass").0
 }
 

@@ -43,7 +43,7 @@ fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
             let change: Change = prepare(read(&request), &files).unwrap();
             let Ok(changed) = Changed::new(&change, Path::new("model.osim"), &files) else { continue };
             let asked = Cell::new(0);
-            let beside = change.set_files.beside();
+            let beside = change.set_files.companion_paths();
             let new_files = || {
                 asked.set(asked.get() + 1);
                 changed.as_files(
@@ -66,7 +66,7 @@ fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
                 let written = ModelFiles::read(
                     Path::new("model.osim"),
                     changed.results[0].bytes.clone(),
-                    osim_model::files::Beside::default(),
+                    osim_model::files::CompanionPaths::default(),
                     &files,
                 )
                 .unwrap()

@@ -87,7 +87,7 @@ impl Changed {
         for made in &self.results {
             match made.from {
                 FileId::MAIN => {
-                    after = after.with_bytes(made.bytes.clone()).named(made.name.display().to_string());
+                    after = after.with_bytes(made.bytes.clone()).with_name(made.name.display().to_string());
                 }
                 other => after.replace_companion(other, made.bytes.clone()),
             }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use osim_model::files::{Beside, InMemory, ModelFiles, OpenModel};
+use osim_model::files::{CompanionPaths, InMemory, ModelFiles, OpenModel};
 use osim_model::messages::Verb;
 use osim_planning::{BeforeAfter, Inspector, ModelFeet, open_with, prepare};
 use osim_requests::spell::CommandLine;
@@ -71,7 +71,7 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
     let change = prepare(read(json), &files).unwrap();
     let path = change.models[0].as_path();
     let changed = Changed::new(&change, path, &files).unwrap();
-    let new_files = || changed_files(path, &change.set_files.beside(), &files, &changed);
+    let new_files = || changed_files(path, &change.set_files.companion_paths(), &files, &changed);
     let both =
         BeforeAfter::of(&change, &changed.opened, &changed.plan, new_files, &CommandLine, true).unwrap();
 
@@ -104,7 +104,7 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
 }
 
 /// The files of the model as they are after the change.
-fn changed_files(path: &Path, beside: &Beside<'_>, files: &InMemory, changed: &Changed) -> ModelFiles {
+fn changed_files(path: &Path, beside: &CompanionPaths<'_>, files: &InMemory, changed: &Changed) -> ModelFiles {
     let bytes = changed.opened.files().next().unwrap().1.to_vec();
     let before = ModelFiles::read(path, bytes, *beside, files).unwrap();
     changed.as_files(&before)

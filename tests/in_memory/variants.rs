@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use osim_model::files::{Beside, FileName, Files, ModelFiles};
+use osim_model::files::{CompanionPaths, FileName, Files, ModelFiles};
 use osim_planning::SweepPlan;
 use osim_view::report::json::line;
 use osim_view::report::results::SweepRecord;
@@ -19,7 +19,7 @@ fn same(words: &str, json: &Value) {
     let request = request!(Sweep, json);
     let path = request.model.clone().unwrap();
     let bytes = files.read(&path).unwrap();
-    let model = ModelFiles::read(&path, bytes, Beside::default(), &files).unwrap();
+    let model = ModelFiles::read(&path, bytes, CompanionPaths::default(), &files).unwrap();
     let plan = SweepPlan::new(&request, model).unwrap();
     plan.check_ends().unwrap();
     let ran = bench.run(&format!("sweep {words} -d out --format json")).done();
@@ -72,7 +72,7 @@ fn axes_that_undo_each_other() {
         "grid": {"stiffness": [1e5], "indentation": [0.1]},
     });
     let path = Path::new("human.osim");
-    let model = ModelFiles::read(path, files.read(path).unwrap(), Beside::default(), &files).unwrap();
+    let model = ModelFiles::read(path, files.read(path).unwrap(), CompanionPaths::default(), &files).unwrap();
     let Err(osim_requests::RequestError::Fault(fault)) = SweepPlan::new(&request, model) else { panic!() };
     let ran = bench.run("sweep human.osim --grid stiffness=1e5 --grid indentation=0.1").usage();
     assert_eq!(format!("error: {}\n", fault.spelled(&osim_requests::spell::CommandLine)), ran.err());

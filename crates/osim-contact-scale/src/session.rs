@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use osim_inspect::unmatched_patterns;
 use osim_library::page::{ReportPage, Words};
 use osim_library::{Disk, LibraryFault};
-use osim_model::files::{Beside, Failure};
+use osim_model::files::{CompanionPaths, Failure};
 use osim_planning::open_with;
 use osim_requests::options::{ForceOptions, MassOptions};
 use osim_requests::spell::{CommandLine, JsonRequest, Matlab, shell_quoted};
@@ -108,7 +108,7 @@ pub(super) fn asked() -> String {
 /// Standard error is closed.
 pub(super) fn remark_unmatched<'p>(
     paths: impl IntoIterator<Item = &'p Path>,
-    beside: Beside<'_>,
+    beside: CompanionPaths<'_>,
     choice: &ForceOptions,
     masses: &MassOptions,
     session: &mut Session,

@@ -158,7 +158,7 @@ struct Answers {
 
 impl Answers {
     fn of(model: &Model, list: &[Centre<'_>]) -> Arc<Self> {
-        let last = model.of_bodies(|_| Mutex::new(Arc::<Self>::default()));
+        let last = model.derived_from_bodies(|_| Mutex::new(Arc::<Self>::default()));
         let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);
         let own = list.iter().map(|place| (place.body, place.at_m));
         if !own.clone().eq(last.places.iter().map(|(body, at_m)| (body.as_str(), *at_m))) {

@@ -1,7 +1,7 @@
 //! Whether a floor is a floor: how it is turned against gravity, and what it hangs on.
 
 use foldhash::{HashMap, HashMapExt, HashSet};
-use osim_model::feet::{ContactPlane, DefaultPose, Movements, STEEPEST_RAD};
+use osim_model::feet::{ContactPlane, DefaultPose, Movements, STEEPEST_FLOOR_RAD};
 use osim_model::{DVec3, ForceId, Model, Orientation, Side, Sphere, SphereId};
 
 // Each plane that spheres press on, judged.
@@ -136,12 +136,12 @@ impl<'m> Judge<'m> {
 /// The spheres of `plane` that hang on the same limbs as the body that carries it, and cannot be lifted from it: between both,
 /// joints turn, and none slides. Spheres that do not move in ground are terrain, such as those on a platform.
 fn hung_on(stance: &Stance<'_>, plane: &ContactPlane) -> Vec<SphereId> {
-    let Some(carrier) = plane.body.as_deref().filter(|body| stance.movements.moves(body)) else {
+    let Some(carrier) = plane.body.as_deref().filter(|body| stance.movements.can_move(body)) else {
         return Vec::new();
     };
     let is_hung = |id: &SphereId| {
         let body = stance.model.sphere(*id).and_then(|sphere| sphere.body.as_deref());
-        let moving = body.filter(|body| stance.movements.moves(body));
+        let moving = body.filter(|body| stance.movements.can_move(body));
         let freedom = moving.and_then(|body| stance.movements.between(carrier, body));
         freedom.is_some_and(|freedom| freedom.turns && !freedom.slides)
     };
@@ -172,7 +172,7 @@ impl Lie {
         let surface = plane.surface.filter(|_| known && !in_degrees)?;
         Some(match surface.tilt_rad.to_degrees() {
             degrees if degrees <= LEVEL_DEGREES => Self::Level,
-            degrees if surface.tilt_rad <= STEEPEST_RAD => Self::Slope(degrees),
+            degrees if surface.tilt_rad <= STEEPEST_FLOOR_RAD => Self::Slope(degrees),
             degrees => Self::Steep(degrees),
         })
     }
@@ -242,7 +242,7 @@ impl<'m> Stance<'m> {
     fn limb_spheres(&self, plane: &ContactPlane) -> Vec<SphereId> {
         let is_limb = |sphere: &Sphere, body: &str| {
             let has_side = Side::of_name(body).or_else(|| Side::of_name(&sphere.name)).is_some();
-            self.movements.moves(body) && (has_side || self.has_others(body))
+            self.movements.can_move(body) && (has_side || self.has_others(body))
         };
         let of_limb = |id: &SphereId| {
             let Some(sphere) = self.model.sphere(*id) else { return false };

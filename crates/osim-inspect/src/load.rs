@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{
-    CountOf, Fault, ForceId, Limb, Limbs, MassRequest, MassSource, Model, Needed, NeedsAnswer, Selection,
-    mass_slip, same_mass,
+    CountedSpheres, Fault, ForceId, Limb, Limbs, MassRequest, MassSource, Model, Needed, NeedsAnswer, Selection,
+    implausible_mass, same_mass,
 };
 use osim_requests::options::{InspectionOptions, StanceOptions};
 use osim_requests::{Acceleration, Count, Positive};
@@ -76,16 +76,16 @@ impl From<&InspectionOptions> for InspectOptions {
 ///
 /// ```
 /// use osim_inspect::LoadSharing;
-/// use osim_model::{CountOf, Model, Selection};
+/// use osim_model::{CountedSpheres, Model, Selection};
 ///
 /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
 /// // One sphere on one limb; n on two such limbs is 2.
 /// let model = Model::parse(bytes)?;
 /// let selected = Selection::default().apply(&model)?;
 /// let sharing = LoadSharing::of(&model, &selected.forces);
-/// assert_eq!(sharing.count(None, 2.0, CountOf::Model)?, 2.0);
+/// assert_eq!(sharing.count(None, 2.0, CountedSpheres::Model)?, 2.0);
 /// // A number that was given goes before.
-/// assert_eq!(sharing.count(Some(6.0), 2.0, CountOf::Model)?, 6.0);
+/// assert_eq!(sharing.count(Some(6.0), 2.0, CountedSpheres::Model)?, 6.0);
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -119,7 +119,7 @@ impl LoadSharing {
     ///
     /// # Errors
     /// None was given, and left and right are not known, or limbs have different numbers of spheres.
-    pub fn count(&self, given: Option<f64>, stance_limbs: f64, of: CountOf) -> Result<f64, Fault> {
+    pub fn count(&self, given: Option<f64>, stance_limbs: f64, of: CountedSpheres) -> Result<f64, Fault> {
         if let Some(count) = given {
             return Ok(count);
         }
@@ -153,8 +153,8 @@ impl MassMismatch {
         if masses.model_kg.is_some() {
             return None;
         }
-        let body = masses.of_model(model).ok()?;
-        let (contacts, _) = masses.of_contacts(model).ok()?;
+        let body = masses.model_mass(model).ok()?;
+        let (contacts, _) = masses.contacts_mass(model).ok()?;
         let noted = contacts.source == MassSource::Note && !same_mass(contacts.kg, body.kg);
         noted.then_some(Self { body_kg: body.kg, contacts_mass_kg: contacts.kg })
     }
@@ -184,7 +184,7 @@ impl MassMismatch {
 
     /// The answer to give with the mass of the contacts, if it would be asked about.
     fn answer(&self) -> Phrase {
-        match mass_slip(Input::Mass, self.contacts_mass_kg, Some(self.body_kg)) {
+        match implausible_mass(Input::Mass, self.contacts_mass_kg, Some(self.body_kg)) {
             Some(asks) => phrase![" with ", &asks.question().answer()],
             None => Phrase::default(),
         }
@@ -194,12 +194,12 @@ impl MassMismatch {
 /// The first of the masses said that looks like a slip for `model`: neither its note nor the contacts that the selected forces are
 /// known to have say it.
 pub fn unexplained_slip(masses: &MassRequest, model: &Model, selection: &Selection) -> Option<NeedsAnswer> {
-    unexplained(masses.slips(model), masses, model, selection)
+    unexplained(masses.implausible_masses(model), masses, model, selection)
 }
 
 /// Masses that may be in pounds, and may as well not be: reason for a remark, and not for a question.
-pub fn perhaps_in_pounds(masses: &MassRequest, model: &Model, selection: &Selection) -> Option<NeedsAnswer> {
-    unexplained(masses.perhaps_in_pounds(model), masses, model, selection)
+pub fn masses_perhaps_in_pounds(masses: &MassRequest, model: &Model, selection: &Selection) -> Option<NeedsAnswer> {
+    unexplained(masses.masses_perhaps_in_pounds(model), masses, model, selection)
 }
 
 fn unexplained(
@@ -224,7 +224,7 @@ fn unexplained(
 
 #[cfg(test)]
 mod tests {
-    use osim_model::MassSlip;
+    use osim_model::MassMistake;
 
     use super::*;
 
@@ -241,7 +241,7 @@ mod tests {
         Model::parse(format!("{}{lighter}{}", &text[..start], &text[end..])).unwrap()
     }
 
-    fn asked(model: &Model, contacts_mass_kg: Option<f64>, target_mass_kg: Option<f64>) -> Option<MassSlip> {
+    fn asked(model: &Model, contacts_mass_kg: Option<f64>, target_mass_kg: Option<f64>) -> Option<MassMistake> {
         let said = MassRequest { contacts_mass_kg, target_mass_kg, ..MassRequest::default() };
         match unexplained_slip(&said, model, &Selection::default())? {
             NeedsAnswer::Mass { slip, .. } => Some(slip),
@@ -258,10 +258,10 @@ mod tests {
             (&known, Some(62.0), None, None),
             // Nobody's contacts, and a target in the unit of the bodies.
             (&own, Some(62.0), Some(28.0), None),
-            (&own, Some(62.0), None, Some(MassSlip::Pounds)),
-            (&known, Some(61.5), None, Some(MassSlip::Pounds)),
-            (&own, Some(62.0), Some(30.0), Some(MassSlip::Pounds)),
-            (&own, Some(28_000.0), Some(28.0), Some(MassSlip::Grams)),
+            (&own, Some(62.0), None, Some(MassMistake::Pounds)),
+            (&known, Some(61.5), None, Some(MassMistake::Pounds)),
+            (&own, Some(62.0), Some(30.0), Some(MassMistake::Pounds)),
+            (&own, Some(28_000.0), Some(28.0), Some(MassMistake::Grams)),
         ] {
             assert_eq!(
                 asked(model, contacts_mass_kg, target_mass_kg),
@@ -275,9 +275,9 @@ mod tests {
     fn a_target_in_grams_is_asked_about_for_a_body_of_another_size_too() {
         let model = child("1000000");
         for (target_mass_kg, expected) in [
-            (20_000.0, Some(MassSlip::Grams)),
-            (28.0 * 201.0, Some(MassSlip::Grams)),
-            (28.0 * 4999.0, Some(MassSlip::Grams)),
+            (20_000.0, Some(MassMistake::Grams)),
+            (28.0 * 201.0, Some(MassMistake::Grams)),
+            (28.0 * 4999.0, Some(MassMistake::Grams)),
             (28.0 * 199.0, None),
             (28.0 * 5001.0, None),
             (28.0, None),

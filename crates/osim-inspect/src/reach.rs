@@ -143,7 +143,7 @@ impl Bones {
     pub(crate) fn of(model: &Model) -> Option<&Self> {
         let mut spheres = model.spheres().iter();
         let are_read = spheres.all(|sphere| sphere.radius_m().is_ok() && model.rotation_of(sphere).is_ok());
-        are_read.then(|| model.of_bodies(Self::read))
+        are_read.then(|| model.derived_from_bodies(Self::read))
     }
 
     fn read(model: &Model) -> Self {
@@ -241,14 +241,14 @@ mod tests {
 
     /// The largest J, and the least and largest L, of a model of the corpus, from files `names`.
     fn measured(names: &[&str]) -> Option<(f64, f64, f64)> {
-        use osim_model::files::{Beside, InMemory, ModelFiles};
+        use osim_model::files::{CompanionPaths, InMemory, ModelFiles};
         let folder = std::env::var_os("OSIM_CORPUS").map(std::path::PathBuf::from)?;
         let read = |name: &str| std::fs::read(folder.join(name)).unwrap();
         let mut files = InMemory::default();
         names.iter().for_each(|name| files.add(name, read(name)));
         let beside = match names {
-            [_, geometry, model] => Beside { geometry: Some(geometry.as_ref()), model: Some(model.as_ref()) },
-            _ => Beside::default(),
+            [_, geometry, model] => CompanionPaths { geometry: Some(geometry.as_ref()), model: Some(model.as_ref()) },
+            _ => CompanionPaths::default(),
         };
         let opened =
             ModelFiles::read(names[0].as_ref(), read(names[0]), beside, &files).unwrap().open().unwrap();

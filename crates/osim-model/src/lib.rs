@@ -11,7 +11,7 @@
 //!
 //! # fn main() -> Result<(), osim_model::Fault> {
 //! let model = Model::parse(include_bytes!("../tests/data/one_foot.osim").as_slice())?;
-//! let weighs = MassRequest::default().of_model(&model)?;
+//! let weighs = MassRequest::default().model_mass(&model)?;
 //! let selected = Selection::default().apply(&model)?;
 //! let force = model.force(selected.forces[0]).unwrap();
 //! let stiffness = force.value(SetId::FIRST, Property::Stiffness).unwrap();

@@ -51,7 +51,7 @@ fn kind_of(model: &Model, joint: &ModelJoint, index: usize) -> CoordinateKind {
     use CoordinateKind::{Coupled, Rotational, Translational};
     match (joint.class.as_str(), index) {
         ("SliderJoint", _) | ("PlanarJoint", 1..) | ("FreeJoint", 3..) => Translational,
-        ("CustomJoint", _) => match joint.pure_axis(model, index) {
+        ("CustomJoint", _) => match joint.is_pure_rotation(model, index) {
             Some(true) => Rotational,
             Some(false) => Translational,
             None => Coupled,

@@ -21,7 +21,7 @@ impl Foot {
     /// The feet of `model` by the limbs of its applied `forces`; where limbs are not known, by the side of the spheres' bodies.
     pub fn all(model: &Model, states: &ContactStates, forces: &[ForceId]) -> Vec<Self> {
         let limbs = model.limbs(forces);
-        let groups: Vec<(String, Option<Side>, Vec<usize>)> = match limbs.known() {
+        let groups: Vec<(String, Option<Side>, Vec<usize>)> = match limbs.if_known() {
             Some(limbs) => {
                 let by_sphere = reactions_by_sphere(states);
                 let of = |spheres: &[SphereId]| {

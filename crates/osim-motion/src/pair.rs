@@ -86,7 +86,7 @@ struct Parts<'m> {
 impl Parts<'_> {
     fn pair(&self, sphere: &Sphere, touched: Touched) -> Result<ContactPair, Fault> {
         let Self { model, force, set, .. } = *self;
-        let of_force = |error: contact_scaling::DomainError| Fault::new(error).of(force.path.clone());
+        let of_force = |error: contact_scaling::DomainError| Fault::new(error).at_element(force.path.clone());
         let contact = contact_of_pair(force, self.surfaces, set, self.other_set)?;
         let radius_m = sphere.radius_m()?;
         let other = match touched {

@@ -188,11 +188,11 @@ impl Recording {
         self.facts.unenforced = couplers.unknown.iter().map(ToString::to_string).collect();
         let place = |name: &str| self.coordinates.iter().position(|coordinate| coordinate.name == name);
         let mut known: Vec<(&Coupler, usize, usize)> = Vec::new();
-        for coupler in &couplers.all {
+        for coupler in &couplers.couplers {
             let Some((from, to)) = place(&coupler.independent).zip(place(&coupler.dependent)) else {
                 continue;
             };
-            if coupler.at(0.0).is_none() {
+            if coupler.value_and_slope(0.0).is_none() {
                 return Err(MotionFault::new(format!(
                     "it is not known how coordinate {} follows from {}: the function of their coupler is not understood",
                     coupler.dependent, coupler.independent
@@ -212,7 +212,7 @@ impl Recording {
                 for (coupler, from, to) in &known {
                     let at = values.get(*from).copied().zip(speeds.get(*from).copied());
                     let Some((value, speed)) = at else { continue };
-                    let Some((follows, slope)) = coupler.at(value) else { continue };
+                    let Some((follows, slope)) = coupler.value_and_slope(value) else { continue };
                     let (Some(value), Some(rate)) = (values.get_mut(*to), speeds.get_mut(*to)) else {
                         continue;
                     };

@@ -2,7 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
-use osim_model::feet::{Crossing, PoseFault, joint_walk};
+use osim_model::feet::{JointStep, PoseFault, joints_from_ground};
 use osim_model::{Model, ModelJoint, MovingPlacement, Placement, Speeds};
 
 use crate::recording::Recording;
@@ -41,10 +41,10 @@ impl<'m> Skeleton<'m> {
             places.insert(std::ptr::from_ref(joint), (number, first));
             first += joint.coordinates.len();
         }
-        let walk = joint_walk(joints);
+        let walk = joints_from_ground(joints);
         let wanted = above(&walk, bodies);
         let mut skeleton = Self { model, steps: Vec::new(), bodies: HashMap::new(), loops: Vec::new() };
-        for Crossing { joint, from, to, forward, closes, .. } in walk {
+        for JointStep { joint, from, to, forward, closes, .. } in walk {
             let touches = [from, to].into_iter().flatten().any(|body| wanted.contains(body));
             if closes && touches {
                 skeleton.loops.push(joint.name.clone());
@@ -89,10 +89,10 @@ impl<'m> Skeleton<'m> {
             let range = step.first..step.first + step.joint.coordinates.len();
             let speeds = speeds.get(range.clone()).unwrap_or_default();
             let speeds = match of_opensim.get(step.number) {
-                Some(true) => Speeds::OfOpenSim(speeds),
+                Some(true) => Speeds::Generalized(speeds),
                 _ => Speeds::Rates(speeds),
             };
-            let moving = step.joint.moving(self.model, values.get(range).unwrap_or_default(), speeds);
+            let moving = step.joint.moving_placement(self.model, values.get(range).unwrap_or_default(), speeds);
             let moving = moving.unwrap_or(MovingPlacement::still(Placement::IDENTITY));
             let moving = if step.forward { moving } else { moving.inverse() };
             let there = step.from.and_then(|body| places.get(body)).map(|above| above.then(&moving));
@@ -102,7 +102,7 @@ impl<'m> Skeleton<'m> {
 }
 
 /// `bodies` and all that they hang on.
-fn above<'m>(walk: &[Crossing<'m>], bodies: &HashSet<&str>) -> HashSet<&'m str> {
+fn above<'m>(walk: &[JointStep<'m>], bodies: &HashSet<&str>) -> HashSet<&'m str> {
     let mut wanted: HashSet<&str> = HashSet::new();
     // A body is reached before those below it: from the end, each is known before the one that it hangs on.
     for crossing in walk.iter().rev().filter(|crossing| !crossing.closes) {

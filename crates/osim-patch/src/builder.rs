@@ -60,7 +60,7 @@ impl<'m> PlanBuilder<'m> {
         let of_set = force.set(set).filter(|set| set.value(property).is_some());
         if of_set.is_some_and(|set| set.inherited) {
             let kind = FaultKind::ParametersInDefaults { force: force.path.clone() };
-            return Err(Fault::new(kind).of(force.path.clone()));
+            return Err(Fault::new(kind).at_element(force.path.clone()));
         }
         let (Some(slot), Some(from)) = (force.slot(set, property), force.checked(set, property)?) else {
             return Ok(());
@@ -161,7 +161,7 @@ impl<'m> PlanBuilder<'m> {
     fn refuse_included(&self, file: FileId, path: &str) -> Result<(), Fault> {
         let Some(included) = self.model.included_file(file) else { return Ok(()) };
         let kind = FaultKind::IncludedFile { path: path.to_owned(), file: included.to_owned() };
-        Err(Fault::new(kind).of(path))
+        Err(Fault::new(kind).at_element(path))
     }
 
     fn push(&mut self, change: Change) -> Result<(), Fault> {
@@ -174,7 +174,7 @@ impl<'m> PlanBuilder<'m> {
         }
         if change.property == Property::ConstantContactForce && change.to == 0.0 {
             let kind = FaultKind::ZeroConstantContactForce;
-            return Err(Fault::at(kind, change.slot.offset).of(change.path).in_file(change.slot.file));
+            return Err(Fault::at(kind, change.slot.offset).at_element(change.path).in_file(change.slot.file));
         }
         self.refuse_included(change.slot.file, &change.path)?;
         if self.planned.insert(ValueKey::from((&change.slot, change.property))) {
@@ -235,7 +235,7 @@ fn composite_now(
              give each sphere a force of its own",
             force.path
         ))
-        .of(force.path.clone()));
+        .at_element(force.path.clone()));
     }
     Ok(first)
 }

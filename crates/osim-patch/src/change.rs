@@ -11,7 +11,7 @@ use osim_model::{Fault, FaultKind, FileId, Property, Slot, ValueKey};
 /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
 /// # let model = Model::parse(bytes)?;
 /// # let selected = Selection::default().apply(&model)?;
-/// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
+/// # let (mass, _) = MassRequest::default().contacts_mass(&model)?;
 /// // One sphere of 0.03 m, scaled from 10 to 80 kg.
 /// let plan = rescale(&model, &selected, &Rescale::new(80.0, mass))?;
 /// let find = |property| plan.changes.iter().find(|change| change.property == property).unwrap();
@@ -60,7 +60,7 @@ pub struct Change {
 /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
 /// # let model = Model::parse(bytes)?;
 /// # let selected = Selection::default().apply(&model)?;
-/// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
+/// # let (mass, _) = MassRequest::default().contacts_mass(&model)?;
 /// // From 10 to 80 kg, and the bottoms of the spheres stay where they are.
 /// let mut wanted = Rescale::new(80.0, mass);
 /// wanted.level = Some(LevelAxis::of_gravity(model.gravity_m_s2));
@@ -150,7 +150,7 @@ impl Change {
 
     /// `fault`, pointing at the number.
     pub(crate) fn at(&self, fault: Fault) -> Fault {
-        Fault::at(fault.kind, self.slot.offset).of(self.path.clone()).in_file(self.slot.file)
+        Fault::at(fault.kind, self.slot.offset).at_element(self.path.clone()).in_file(self.slot.file)
     }
 
     fn origin(&self) -> String {
@@ -175,7 +175,7 @@ impl Move {
         let from = || self.from.map(readable).join(" ");
         let origin = || format!("{}, in the place of {}", self.by.in_words(), from());
         triple_text(self.to, self.slot.tag, origin).map_err(|fault| {
-            Fault::at(fault.kind, self.slot.offset).of(self.path.clone()).in_file(self.slot.file)
+            Fault::at(fault.kind, self.slot.offset).at_element(self.path.clone()).in_file(self.slot.file)
         })
     }
 

@@ -20,7 +20,7 @@ use crate::{note_edits, rules};
 /// assert!(plan.changes.is_empty() && plan.moves.is_empty());
 ///
 /// let noted = Model::parse(plan.patched(&model, FileId::MAIN)?)?;
-/// let (mass, _) = MassRequest::default().of_contacts(&noted)?;
+/// let (mass, _) = MassRequest::default().contacts_mass(&noted)?;
 /// assert_eq!((mass.kg, mass.source), (62.0, MassSource::Note));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
@@ -32,7 +32,7 @@ pub fn note(
 ) -> Result<Plan, Fault> {
     let kg = positive_mass(Input::ContactsMass, contacts_mass_kg)?;
     let contacts_mass = Mass { kg, source: MassSource::ContactsMass };
-    let taken = phrase![&contacts_mass.made_for(), ": the note in the file says so; no number changes"];
+    let taken = phrase![&contacts_mass.contacts_made_for(), ": the note in the file says so; no number changes"];
     let facts = NoteFacts {
         target_mass_kg: Some(kg),
         gravity_m_s2,
@@ -83,7 +83,7 @@ pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<No
     let Some(old) = &model.note else {
         return model.doubt_about_note().map(|_| doubtful(model, new, operation));
     };
-    let mut note = old.recorded_again(model, new);
+    let mut note = old.with_updated_record(model, new);
     note.version = env!("CARGO_PKG_VERSION").to_owned();
     note.steps = note_edits::steps_after(note_edits::earlier_steps(model), Step::new(operation));
     Some(note)
@@ -104,7 +104,7 @@ fn doubtful(model: &Model, new: &Model, operation: &str) -> Note {
         radii: new.radii_digest(|_| None),
         parts: new.noted_parts(|_| None),
         places: None,
-        made: note_edits::made(model, None),
+        added_to_file: note_edits::made(model, None),
         added: Vec::new(),
     }
 }
@@ -117,7 +117,7 @@ pub fn note_of_rest(model: &Model, rebuilt: &Rebuilt) -> Option<Note> {
     let note = kept_note(model, rebuilt, "remove").filter(|_| !is_out && !is_about_nothing)?;
     // Where nobody said a mass, that of the bodies is as good for a part.
     let scope = if note.contacts_mass_kg.is_none() { note.scope } else { Scope::Partial };
-    Some(Note { scope, made: rebuilt.made.clone(), ..note })
+    Some(Note { scope, added_to_file: rebuilt.made.clone(), ..note })
 }
 
 /// Whether a note of the contacts of `model` is about something in `rebuilt`, too.

@@ -30,7 +30,7 @@ pub(crate) fn adds_credits(document: &Document) -> bool {
 pub(crate) fn made(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> String {
     let document = model.document();
     let earlier = model.note.as_ref();
-    let mut letters: BTreeSet<char> = earlier.map(|note| note.made.chars()).into_iter().flatten().collect();
+    let mut letters: BTreeSet<char> = earlier.map(|note| note.added_to_file.chars()).into_iter().flatten().collect();
     letters.retain(char::is_ascii_alphabetic);
     let was_placed = letters.remove(&Note::PLACED) && earlier.is_some_and(|note| is_unmoved(note, model));
     let follow = |followed: &BTreeSet<SphereId>| {
@@ -40,14 +40,14 @@ pub(crate) fn made(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Stri
         letters.insert(Note::PLACED);
     }
     letters.extend(if adds_credits(document) { Some(MADE_CREDITS) } else { opened(document) });
-    if letters.is_empty() { Note::nothing_made() } else { letters.into_iter().collect() }
+    if letters.is_empty() { Note::nothing_added() } else { letters.into_iter().collect() }
 }
 
 /// Letters of a note with `others`, each once.
 pub(crate) fn with_letters(made: &str, others: &str) -> String {
     let letters: BTreeSet<char> =
         made.chars().chain(others.chars()).filter(char::is_ascii_alphabetic).collect();
-    if letters.is_empty() { Note::nothing_made() } else { letters.into_iter().collect() }
+    if letters.is_empty() { Note::nothing_added() } else { letters.into_iter().collect() }
 }
 
 /// Letters of a note of objects that are new in a model with a note about others, which has the letters `earlier`.
@@ -132,7 +132,7 @@ fn leave_with(
 /// Takes the note out of `document`, and the element `<credits>` where it was added for it.
 pub(crate) fn remove_note(document: &Document) -> Vec<Edit> {
     let tree = document.tree();
-    let made = Note::find(document).map(|note| note.made).unwrap_or_default();
+    let made = Note::find(document).map(|note| note.added_to_file).unwrap_or_default();
     let mut edits: Vec<Edit> = Note::comment_spans(document).map(|span| without(tree, span)).collect();
     if let Ok(Some(credits)) = Credits::of(document) {
         let is_bare = credits.is_note_only() && contains_only_text(tree, credits.element);

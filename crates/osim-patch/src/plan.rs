@@ -26,7 +26,7 @@ use crate::objects::{EarlierNote, ObjectChange, Rebuilt};
 /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
 /// # let model = Model::parse(bytes)?;
 /// # let selected = Selection::default().apply(&model)?;
-/// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
+/// # let (mass, _) = MassRequest::default().contacts_mass(&model)?;
 /// // One sphere of 0.03 m, scaled from 10 to 80 kg.
 /// let plan = rescale(&model, &selected, &Rescale::new(80.0, mass))?;
 ///
@@ -239,8 +239,8 @@ impl Plan {
             radii: model.radii_digest(|key| changed.get(&key).copied()),
             parts: model.noted_parts(|key| changed.get(&key).copied()),
             places: Some(model.places_digest(|sphere| moved.get(sphere.path.as_str()).copied())),
-            made: note_edits::made(model, facts.followed),
-            added: model.note.as_ref().map(|note| note.added.clone()).unwrap_or_default(),
+            added_to_file: note_edits::made(model, facts.followed),
+            added_forces: model.note.as_ref().map(|note| note.added_forces.clone()).unwrap_or_default(),
         });
         Self {
             changes,
@@ -262,12 +262,12 @@ impl Plan {
         if let Some(note) = &mut self.note {
             let model = rebuilt.model();
             if rebuilt.earlier_note == EarlierNote::OfOthers {
-                let earlier = model.note.as_ref().map_or("", |note| note.made.as_str());
-                note.made = note_edits::without_letters(&note.made, earlier);
-                note.added.clear();
+                let earlier = model.note.as_ref().map_or("", |note| note.added_to_file.as_str());
+                note.added_to_file = note_edits::without_letters(&note.added_to_file, earlier);
+                note.added_forces.clear();
             }
-            note.added.extend(rebuilt.added.iter().cloned());
-            note.made = note_edits::with_letters(&note.made, &rebuilt.made);
+            note.added_forces.extend(rebuilt.added.iter().cloned());
+            note.added_to_file = note_edits::with_letters(&note.added_to_file, &rebuilt.made);
         }
         self.rebuilt = Some(rebuilt);
         self
@@ -318,7 +318,7 @@ impl Plan {
     }
 
     /// The first new radius that looks like a slip: a sphere larger than the bones around it. Radii that stay are not asked about.
-    pub fn radius_slip(&self, model: &Model) -> Option<Fault> {
+    pub fn implausible_radius(&self, model: &Model) -> Option<Fault> {
         let mut radii = self.changes.iter().filter(|change| change.property == Property::Radius).peekable();
         radii.peek()?;
         let model = self.ground(model);
@@ -328,8 +328,8 @@ impl Plan {
         radii.find_map(|change| {
             let sphere = spheres.get(change.path.as_str())?;
             let said = change.by == ChangedBy::Given && change.factor.is_none();
-            let asks = distances.radius_slip(sphere, change.to, said)?;
-            Some(Fault::at(asks, sphere.radius.offset).of(change.path.clone()).in_file(change.file()))
+            let asks = distances.implausible_radius(sphere, change.to, said)?;
+            Some(Fault::at(asks, sphere.radius.offset).at_element(change.path.clone()).in_file(change.file()))
         })
     }
 
@@ -392,7 +392,7 @@ impl Plan {
             }
         }
         for (parent, object) in &absent {
-            edits.extend(insert(tree, *parent, object.class.order(), &object.elements));
+            edits.extend(insert(tree, *parent, object.class.element_order(), &object.elements));
         }
         // A geometry set changes together with its force set and gets the same note; a model that was only read none.
         let noted = file == FileId::MAIN
@@ -421,12 +421,12 @@ impl Plan {
 
     /// The new model without its bytes, as long as it is only looked at: numbers and note are new, places in the file are those of before
     /// ([`Model::renumbered`]). `None` where more changes than numbers of contacts.
-    pub fn renumbered(&self, model: &Model) -> Option<Model> {
+    pub fn with_contact_numbers(&self, model: &Model) -> Option<Model> {
         if self.rebuilt.is_some() || !self.moves.is_empty() {
             return None;
         }
         let numbers: BTreeMap<ValueKey, f64> = self.changes.iter().map(Change::number).collect();
-        model.renumbered(|key| numbers.get(&key).copied(), self.note())
+        model.with_contact_numbers(|key| numbers.get(&key).copied(), self.note())
     }
 
     /// The patched bytes of `file`; identical to the original where nothing changes.

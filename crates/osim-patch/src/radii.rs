@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::compare::ScaleFile;
 use osim_model::{
-    Fault, Force, ForceId, LevelAxis, Model, Needed, Property, PropertySet, RadiusFrom, RadiusRule, SphereId,
+    Fault, Force, ForceId, LevelAxis, Model, Needed, Property, PropertySet, RadiusChangeReason, RadiusRule, SphereId,
     moving_spheres, root_mean_square,
 };
 
@@ -109,7 +109,7 @@ impl Radii {
         for (&sphere, pair) in &self.0 {
             let Some(found) = plan.model.sphere(sphere) else { continue };
             let Some(body) = found.body.as_deref() else { continue };
-            let factors = bodies.of(body).map_err(|fault| fault.of(found.path.clone()))?;
+            let factors = bodies.of(body).map_err(|fault| fault.at_element(found.path.clone()))?;
             let (location, rotation) = (found.location_m, plan.model.rotation_of(found)?);
             let scaled = |vector| rotation.scaled_in_frame(factors, vector);
             let place = match level {
@@ -117,7 +117,7 @@ impl Radii {
                 None => scaled(location),
             };
             if place != location {
-                users.refuse(plan.model, forces, sphere, RadiusFrom::Bodies)?;
+                users.refuse(plan.model, forces, sphere, RadiusChangeReason::Bodies)?;
             }
             plan.location(sphere, place, ChangedBy::Follow)?;
         }
@@ -167,11 +167,11 @@ impl SphereRule {
         }
     }
 
-    fn source(self) -> RadiusFrom {
+    fn source(self) -> RadiusChangeReason {
         match self {
-            Self::Rule(_) | Self::Like(_) => RadiusFrom::Rule,
-            Self::Designed(_) => RadiusFrom::ContactStiffness,
-            Self::Followed(_) => RadiusFrom::Bodies,
+            Self::Rule(_) | Self::Like(_) => RadiusChangeReason::Rule,
+            Self::Designed(_) => RadiusChangeReason::ContactStiffness,
+            Self::Followed(_) => RadiusChangeReason::Bodies,
         }
     }
 
@@ -212,7 +212,7 @@ impl<'m> Users<'m> {
                 }
             }
         }
-        Self { forces, others: model.users_of_other_classes() }
+        Self { forces, others: model.forces_of_other_classes() }
     }
 
     /// A radius may change only if every applied force that uses the sphere changes with it.
@@ -221,7 +221,7 @@ impl<'m> Users<'m> {
         model: &Model,
         chosen: &[ForceId],
         sphere: SphereId,
-        radius: RadiusFrom,
+        radius: RadiusChangeReason,
     ) -> Result<(), Fault> {
         let Some(shared) = model.sphere(sphere) else { return Ok(()) };
         let mut left: Vec<&str> = self.forces.get(&sphere).cloned().unwrap_or_default();
@@ -234,11 +234,11 @@ impl<'m> Users<'m> {
         let changed: Vec<ForceId> = chosen.iter().copied().filter(uses).collect();
         let needed = Needed::SharedSphere {
             sphere: shared.path.clone(),
-            changed: model.names_of(&changed),
+            changed: model.short_force_names(&changed),
             can_choose: left.len() == forces,
             radius,
             left: left.into_iter().map(str::to_owned).collect(),
         };
-        Err(Fault::at(needed, shared.radius.offset).of(shared.path.clone()).in_file(shared.file))
+        Err(Fault::at(needed, shared.radius.offset).at_element(shared.path.clone()).in_file(shared.file))
     }
 }

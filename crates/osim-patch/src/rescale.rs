@@ -31,7 +31,7 @@ pub const TRANSFER_FOLLOWING: &str = "transfer follow-bodies";
 /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
 /// let model = Model::parse(bytes)?;
 /// let selected = Selection::default().apply(&model)?;
-/// let (contacts_mass, _) = MassRequest::default().of_contacts(&model)?;
+/// let (contacts_mass, _) = MassRequest::default().contacts_mass(&model)?;
 ///
 /// // From 10 to 80 kg, with the spheres as they are.
 /// let mut wanted = Rescale::new(80.0, contacts_mass);
@@ -56,7 +56,7 @@ pub struct Rescale {
     /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
     /// # let model = Model::parse(bytes)?;
     /// # let selected = Selection::default().apply(&model)?;
-    /// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
+    /// # let (mass, _) = MassRequest::default().contacts_mass(&model)?;
     /// // One sphere of 0.03 m, scaled from 10 to 80 kg.
     /// let mut wanted = Rescale::new(80.0, mass);
     /// for (rule, radius_m) in [
@@ -83,7 +83,7 @@ pub struct Rescale {
     /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
     /// # let model = Model::parse(bytes)?;
     /// # let selected = Selection::default().apply(&model)?;
-    /// # let (mass, _) = MassRequest::default().of_contacts(&model)?;
+    /// # let (mass, _) = MassRequest::default().contacts_mass(&model)?;
     /// // <dissipation>2</dissipation>, from 10 to 640 kg, with spheres that stay.
     /// let mut wanted = Rescale::new(640.0, mass);
     /// wanted.radius = RadiusRule::Keep;
@@ -227,7 +227,7 @@ fn finish(
     }
     let target_mass_kg = if nothing { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
     let contacts_mass = wanted.contacts_mass.clone();
-    let mut taken = contacts_mass.made_for();
+    let mut taken = contacts_mass.contacts_made_for();
     if !nothing {
         let ratio = readable(target_mass_kg / contacts_mass.kg);
         taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(target_mass_kg)));

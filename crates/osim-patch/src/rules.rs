@@ -26,7 +26,7 @@ static ALREADY_AT_TARGET: Rule = Rule {
     what: "The contacts are already made for the target mass, so nothing was written.",
     why: "The mass the contacts are made for is taken from the note in the file, else `mass`, else the sum of the bodies. A model that was scaled in OpenSim weighs its new mass already while its contacts are still those of the old one; the file does not show which.",
     advice: "Say what the contacts were made for with `contacts_mass=KG`, or take those of a known model with `transfer from=MODEL`",
-    repair: Repair::OfChange("only you know what the contacts were made for"),
+    repair: Repair::OnlyInChange("only you know what the contacts were made for"),
     example: Example::Request {
         good: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 90}"#,
         bad: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 62}"#,
@@ -52,7 +52,7 @@ static COMPOSITE_SURFACES: Rule = Rule {
     what: "Sphere and half-space of a converted force have parameters of their own.",
     why: "A force of one sphere has one set of parameters. It gets those that both surfaces have together (A.3), which gives the same force; but Simbody moves the point of contact towards the softer surface, so that accelerations can differ by up to 3 %.",
     advice: "Nothing, if 3 % do not matter; otherwise give both surfaces the same parameters first",
-    repair: Repair::OfChange("only you know which parameters are meant"),
+    repair: Repair::OnlyInChange("only you know which parameters are meant"),
     example: Example::Request {
         good: r#"{"verb": "convert", "models": ["format/v40000.osim"], "to": "hunt-crossley"}"#,
         bad: r#"{"verb": "convert", "models": ["format/three_materials.osim"], "to": "hunt-crossley"}"#,
@@ -69,7 +69,7 @@ pub(crate) fn composite_surfaces_message(force: &Force, sphere: &str, plane: &st
 }
 
 pub(crate) fn composite_surfaces(force: &Force, message: String) -> Finding {
-    Finding::at(&COMPOSITE_SURFACES, force.line, message).about(&force.path)
+    Finding::at(&COMPOSITE_SURFACES, force.line, message).with_place(&force.path)
 }
 
 static FACTOR_SPREAD: Rule = Rule {
@@ -79,7 +79,7 @@ static FACTOR_SPREAD: Rule = Rule {
     what: "Spheres of one ContactParameters follow bodies with different factors.",
     why: "One ContactParameters has one modulus for all its spheres; the mean of R squared is used before and after, so single spheres sink in more or less than they did.",
     advice: "Give each sphere its own force, or accept it; `strict` refuses instead",
-    repair: Repair::OfChange("forces cannot be divided yet: only numbers are changed"),
+    repair: Repair::OnlyInChange("forces cannot be divided yet: only numbers are changed"),
     example: Example::Request {
         good: r#"{"verb": "transfer", "models": ["scale_tool/scaled_hunt_crossley.osim"], "from": "scale_tool/generic_hunt_crossley.osim", "follow_bodies": true}"#,
         bad: r#"{"verb": "transfer", "models": ["scale_tool/scaled_hunt_crossley.osim"], "from": "scale_tool/generic_hunt_crossley.osim", "follow_bodies": true, "body_scale": {"toes_r": 1.1}}"#,
@@ -111,7 +111,7 @@ static FRICTION_NOT_SIMILAR: Rule = Rule {
     what: "The friction of SmoothSphereHalfSpaceForce is not exactly similar.",
     why: "Simbody adds constant_contact_force to the squared slip speed, where similarity wants a term in proportion to g R: friction of the smooth force is similar only as far as that term is small.",
     advice: "Compare slip speeds with the root of constant_contact_force before relying on it",
-    repair: Repair::OfChange("it lies in how OpenSim computes friction"),
+    repair: Repair::OnlyInChange("it lies in how OpenSim computes friction"),
     example: Example::Request {
         good: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 90}"#,
         bad: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 90, "friction": true}"#,
@@ -137,7 +137,7 @@ static NOTHING_TO_CHANGE: Rule = Rule {
     what: "Something that was asked for changes nothing.",
     why: "A factor of exactly 1 leaves every byte as it is. With a radius that stays, dissipation and smoothing stay too (14, C.2, C.5, C.10).",
     advice: "Nothing, if that is meant; else say what should change",
-    repair: Repair::OfChange("nothing is wrong"),
+    repair: Repair::OnlyInChange("nothing is wrong"),
     example: Example::Request {
         good: r#"{"verb": "set", "models": ["table1/human_62kg_smooth_sphere.osim"], "set": {"stiffness": 2000000}}"#,
         bad: r#"{"verb": "set", "models": ["table1/human_62kg_smooth_sphere.osim"], "set": {"stiffness": 1000000}}"#,
@@ -185,7 +185,7 @@ static REFERENCE_WITHOUT_SMOOTHING: Rule = Rule {
     what: "The reference has no smoothing parameters to give.",
     why: "A HuntCrossleyForce has no constant_contact_force, hertz_smoothing or hunt_crossley_smoothing, so those of the model stay (or follow its own radii where these change).",
     advice: "Take the contacts from a model with SmoothSphereHalfSpaceForce, or check the smoothing with `inspect`",
-    repair: Repair::OfChange("only you know which smoothing is meant"),
+    repair: Repair::OnlyInChange("only you know which smoothing is meant"),
     example: Example::Request {
         good: r#"{"verb": "transfer", "models": ["table1/human_62kg_smooth_sphere.osim"], "from": "table1/human_500kg_smooth_sphere.osim"}"#,
         bad: r#"{"verb": "transfer", "models": ["table1/human_62kg_smooth_sphere.osim"], "from": "table1/human_500kg_hunt_crossley.osim"}"#,

@@ -3,7 +3,7 @@
 use foldhash::HashMap;
 use osim_model::messages::{Verb, phrase};
 use osim_model::{
-    Assignment, Fault, HalfSpace, Mass, Model, Needed, Property, RadiusFrom, Selected, SphereId,
+    Assignment, Fault, HalfSpace, Mass, Model, Needed, Property, RadiusChangeReason, Selected, SphereId,
     moving_spheres,
 };
 
@@ -117,7 +117,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
             for sphere in moving_spheres(model, &selected.forces) {
                 let from = plan.model.radius_m(sphere)?;
                 if New::assigned(value, from, by).to != from {
-                    users.refuse(model, &selected.forces, sphere, RadiusFrom::Assignment)?;
+                    users.refuse(model, &selected.forces, sphere, RadiusChangeReason::Assignment)?;
                 }
                 plan.radius(sphere, New::assigned(value, from, by))?;
                 found = true;
@@ -137,12 +137,12 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         }
     }
     for &(sphere, location_m) in wanted.level.iter().flatten() {
-        users.refuse(model, &selected.forces, sphere, RadiusFrom::Level)?;
+        users.refuse(model, &selected.forces, sphere, RadiusChangeReason::Level)?;
         plan.location(sphere, location_m, ChangedBy::Level)?;
     }
     let is_level = !plan.moves.is_empty();
     for &(sphere, location_m) in &wanted.centres {
-        users.refuse(model, &selected.forces, sphere, RadiusFrom::Fit)?;
+        users.refuse(model, &selected.forces, sphere, RadiusChangeReason::Fit)?;
         plan.location(sphere, location_m, ChangedBy::Fit)?;
     }
     for (plane, location_m) in &wanted.planes {
@@ -154,7 +154,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     let mut taken = phrase![];
     if let Some(mass) = &wanted.contacts_mass {
-        taken.push(&mass.made_for());
+        taken.push(&mass.contacts_made_for());
         taken.push("; ");
     }
     taken.push(format!("{operation}; nothing else follows"));

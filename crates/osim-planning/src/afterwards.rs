@@ -6,7 +6,7 @@ use osim_inspect::{
     Bottom, Changeable, Found, InspectOptions, Kin, LoadSharing, Stance, StandingBody, check_model,
     check_numbers, model_findings, unmatched_patterns,
 };
-use osim_model::feet::{LEANING_RAD, PoseFault, Standing};
+use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Phrase, Verb, phrase};
 use osim_model::{
@@ -159,7 +159,7 @@ impl Changed {
     /// # Errors
     /// Those of [`Plan::changed`].
     fn of(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
-        plan.renumbered(&opened.model)
+        plan.with_contact_numbers(&opened.model)
             .map_or_else(|| Self::read(plan, opened), |model| Ok(Self::InNumbers(model)))
     }
 
@@ -205,8 +205,8 @@ fn worse_findings(
     changed: &Changed,
 ) -> Result<Vec<Finding>, Failure> {
     let masses = &change.options.masses;
-    let weighs = masses.of_model(&opened.model).ok();
-    let weighs = weighs.or_else(|| Some(masses.of_contacts(&opened.model).ok()?.0));
+    let weighs = masses.model_mass(&opened.model).ok();
+    let weighs = weighs.or_else(|| Some(masses.contacts_mass(&opened.model).ok()?.0));
     let weighs_kg = weighs.map(|mass| mass.kg);
     // A model that is as it was before nobody has to be asked about.
     let is_meant = change.is_as_given() || plan.takes_back() || change.answers.has(Question::WrongAfterwards);
@@ -266,7 +266,7 @@ fn is_known(plan: &Plan, one: &Found) -> bool {
 /// Lines are those of a file that nobody has yet: they are left out.
 fn of_new_model(found: &Found) -> Finding {
     let message = phrase!["in the new model: ", &found.message];
-    found.finding.clone().with_message(message).on_line(None)
+    found.finding.clone().with_message(message).with_line(None)
 }
 
 fn asks(wrong: &Found) -> NeedsAnswer {
@@ -341,7 +341,7 @@ impl<'m> Bodies<'m> {
     fn uneven(&self, before: &Self) -> Vec<Finding> {
         let (old, new) = (before.bottoms(), self.bottoms());
         let pair = |path: &str| Some((*old.get(path)?, *new.get(path)?));
-        let limbs = self.sharing.limbs().known().unwrap_or_default().iter();
+        let limbs = self.sharing.limbs().if_known().unwrap_or_default().iter();
         let of_limb = |limb: &Limb| {
             let spheres = limb.spheres.iter().filter_map(|&id| self.model.sphere(id));
             uneven(&limb.name, &spheres.filter_map(|sphere| pair(&sphere.path)).collect::<Vec<_>>())
@@ -369,7 +369,7 @@ fn uneven(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
     let highest = bottoms.iter().map(|(_, is)| *is).max_by(by_height)?;
     let small_m = SMALL * lowest.radius_m;
     // Where a foot leans the pose decides which of its spheres is low.
-    let leans = bottoms.iter().any(|(_, is)| is.tilt_rad > LEANING_RAD);
+    let leans = bottoms.iter().any(|(_, is)| is.tilt_rad > MOST_LEAN_RAD);
     let is_uneven = moved_m > small_m && now_m - before_m > small_m && !leans;
     is_uneven.then(|| rules::bottoms_moved_of_limb(limb, before_m, lowest, highest))
 }

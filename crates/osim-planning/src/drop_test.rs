@@ -10,7 +10,7 @@ use osim_inspect::series::standing_spheres;
 use osim_inspect::{LoadSharing, MassMismatch, Quantity, Stance, unexplained_slip, weight_share};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase};
-use osim_model::{CountOf, Fault, GravityFor, MassRequest, Model, Needed};
+use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, Model, Needed};
 use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestError, RequestFault};
 
 use self::Value::{Always, Shown};
@@ -55,7 +55,7 @@ struct Own {
     spheres: Option<f64>,
     stance_limbs: Option<f64>,
     gravity_m_s2: Option<f64>,
-    count_of: CountOf,
+    count_of: CountedSpheres,
 }
 
 impl Own {
@@ -102,7 +102,7 @@ fn about_subject(request: &DropTestRequest) -> Own {
         spheres: request.counts.spheres(),
         stance_limbs: request.counts.stance_limbs.map(Count::get),
         gravity_m_s2: request.numbers.gravity(),
-        count_of: CountOf::Model,
+        count_of: CountedSpheres::Model,
     }
 }
 
@@ -112,7 +112,7 @@ fn about_other(request: &DropTestRequest) -> Own {
         spheres: request.compare_spheres.map(Count::get),
         stance_limbs: None,
         gravity_m_s2: None,
-        count_of: CountOf::Compared,
+        count_of: CountedSpheres::Compared,
     }
 }
 
@@ -146,7 +146,7 @@ fn of_model(request: &DropTestRequest, open: &OpenModel, own: &Own) -> Result<Fa
     let slip = unexplained_slip(&masses, model, &request.choice.selection());
     request.answers.ask(slip).map_err(Fault::new)?;
     let selected = request.choice.selection().apply(model)?;
-    let mass = masses.of_model(model)?;
+    let mass = masses.model_mass(model)?;
     let sharing = LoadSharing::of(model, &selected.forces);
     let count = sharing.count(own.spheres, own.limbs_of(model), own.count_of)?;
     let spheres = standing_spheres(model, &selected.forces, count)?;
@@ -154,7 +154,7 @@ fn of_model(request: &DropTestRequest, open: &OpenModel, own: &Own) -> Result<Fa
     let Some(gravity) = gravity else {
         // `gravity` is about the first body alone.
         let purpose = match own.count_of {
-            CountOf::Compared => GravityFor::Compared,
+            CountedSpheres::Compared => GravityFor::Compared,
             _ => GravityFor::Weight,
         };
         return Err(Fault::new(Needed::Gravity { purpose }));

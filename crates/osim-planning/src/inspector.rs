@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{CheckResult, InspectOptions, Inspection, ReferenceContacts, SizeList, unexplained_slip};
-use osim_model::compare::{Factors, ModelSize, Placement, ScaleFile, Similarity, moco_bounds};
+use osim_model::compare::{Factors, ModelSize, SpherePlacements, ScaleFile, Similarity, moco_bounds};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::{Anatomy, Document, Fault, Finding, MassRequest, Model, Severity};
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
@@ -83,7 +83,7 @@ fn checked_generic(
     }
     if let Some(path) = &request.from_moco_setup {
         let model = open(from, files)?.model;
-        generic.size = generic.size.with(moco_bounds(&moco_setup(path, files)?, &model));
+        generic.size = generic.size.with_values(moco_bounds(&moco_setup(path, files)?, &model));
     }
     Ok(generic)
 }
@@ -202,7 +202,7 @@ impl Inspector {
         let (Some(Ok(generic)), Some(_)) = (&self.generic, &self.places) else { return None };
         let mut size = ModelSize::of(model, &self.options.masses);
         if let Some(setup) = &generic.moco {
-            size = size.with(moco_bounds(setup, model));
+            size = size.with_values(moco_bounds(setup, model));
         }
         Some(Similarity::between(&size, &generic.size).into())
     }
@@ -223,7 +223,7 @@ impl Inspector {
     fn compare(&self, model: &Model, inspection: &mut Inspection) {
         let (Some(Ok(generic)), Some(files)) = (&self.generic, &self.places) else { return };
         let (from, scale_file) = (&files.from, files.body_scale_file.as_deref());
-        let placement = Placement::compare(model, from, scale_file, &generic.anatomy, generic.file.as_ref());
+        let placement = SpherePlacements::compare(model, from, scale_file, &generic.anatomy, generic.file.as_ref());
         inspection.placement = Some(placement);
         inspection.reference_contacts = Some(generic.contacts.clone());
     }

@@ -43,7 +43,7 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
         return Err(RequestFault::Missing { field: "subject" }.into());
     };
     let Some(motion) = &request.motion else { return Err(RequestFault::Missing { field: "motion" }.into()) };
-    let opened = open_with(subject, request.set_files.beside(), files)?;
+    let opened = open_with(subject, request.set_files.companion_paths(), files)?;
     let options = recording_options(motion, request.angles, request.low_pass);
     let table = table(motion, files)?;
     let recording =
@@ -131,7 +131,7 @@ impl OnGround {
 /// # Errors
 /// No mass, or no gravity.
 pub(crate) fn weight(masses: &MassRequest, model: &Model) -> Result<(f64, f64), Fault> {
-    let mass = masses.of_model(model)?;
+    let mass = masses.model_mass(model)?;
     let gravity = model.gravity().filter(|&gravity| gravity > 0.0);
     let needed =
         || Fault::refused("the model has no gravity, so that there is no body weight to compare forces with");

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use contact_scaling::{Contact, ContactValues, DomainError, Preset, Scale, ScaleValues, SmoothingValues};
 use osim_model::compare::{ScaleFile, refuse_without_moco_phase};
-use osim_model::files::{Beside, Failure, FileError, Files, InMemory, ModelFiles, OpenModel};
+use osim_model::files::{CompanionPaths, Failure, FileError, Files, InMemory, ModelFiles, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_model::{Document, FileId, LineIndex};
 use osim_patch::{preset_model, presets_with_places};
@@ -15,11 +15,11 @@ use toml::Spanned;
 
 /// Opens a model that stands alone.
 pub(crate) fn open(path: &Path, files: &dyn Files) -> Result<OpenModel, Failure> {
-    open_with(path, Beside::default(), files)
+    open_with(path, CompanionPaths::default(), files)
 }
 
 /// Opens a model with the files that are given beside it.
-pub fn open_with(path: &Path, beside: Beside<'_>, files: &dyn Files) -> Result<OpenModel, Failure> {
+pub fn open_with(path: &Path, beside: CompanionPaths<'_>, files: &dyn Files) -> Result<OpenModel, Failure> {
     let bytes = read(path, files)?;
     ModelFiles::read(path, bytes, beside, files)?.open()
 }
@@ -35,9 +35,9 @@ pub(crate) fn read(path: &Path, files: &dyn Files) -> Result<Vec<u8>, Failure> {
 /// The file cannot be read, or is not a ScaleSet.
 pub(crate) fn scale_file(path: &Path, files: &dyn Files) -> Result<ScaleFile, Failure> {
     let bytes = read(path, files)?;
-    let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(path, fault))?;
+    let document = Document::parse(bytes).map_err(|fault| Failure::from_fault(path, fault))?;
     ScaleFile::read(&document)
-        .map_err(|fault| Failure::of_fault(path, fault.in_file(FileId::MAIN).located(document.bytes())))
+        .map_err(|fault| Failure::from_fault(path, fault.in_file(FileId::MAIN).located(document.bytes())))
 }
 
 /// Reads a setup of Moco.
@@ -46,9 +46,9 @@ pub(crate) fn scale_file(path: &Path, files: &dyn Files) -> Result<ScaleFile, Fa
 /// The file cannot be read, or has no problem of Moco in it.
 pub(crate) fn moco_setup(path: &Path, files: &dyn Files) -> Result<Document, Failure> {
     let bytes = read(path, files)?;
-    let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(path, fault))?;
+    let document = Document::parse(bytes).map_err(|fault| Failure::from_fault(path, fault))?;
     let problem = refuse_without_moco_phase(&document);
-    problem.map_err(|fault| Failure::of_fault(path, fault.in_file(FileId::MAIN)))?;
+    problem.map_err(|fault| Failure::from_fault(path, fault.in_file(FileId::MAIN)))?;
     Ok(document)
 }
 
@@ -98,7 +98,7 @@ impl Named {
 /// The preset of this name that has places, as a model; also where a file is called so.
 pub(crate) fn placed_preset(name: &Path) -> Result<Option<OpenModel>, Failure> {
     let Some(text) = name.to_str().and_then(preset_model) else { return Ok(None) };
-    ModelFiles::read(name, text.into(), Beside::default(), &InMemory::default())?.open().map(Some)
+    ModelFiles::read(name, text.into(), CompanionPaths::default(), &InMemory::default())?.open().map(Some)
 }
 
 /// All that may be named: presets, and those that only a model can say.
@@ -141,7 +141,7 @@ impl Subject {
         Ok(match Named::find(path, None, presets, files)? {
             Named::Preset(preset) => Self::Preset(preset),
             Named::Placed(open) => Self::Model(open),
-            Named::File => Self::Model(Box::new(open_with(path, set_files.beside(), files)?)),
+            Named::File => Self::Model(Box::new(open_with(path, set_files.companion_paths(), files)?)),
         })
     }
 }

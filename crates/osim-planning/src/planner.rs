@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{
-    Changeable, CheckResult, InspectOptions, Inspection, ReferenceState, check_model, perhaps_in_pounds,
+    Changeable, CheckResult, InspectOptions, Inspection, ReferenceState, check_model, masses_perhaps_in_pounds,
     unexplained_slip,
 };
 use osim_model::files::{Failure, Files, OpenModel};
@@ -130,7 +130,7 @@ impl Change {
     /// # Errors
     /// It cannot be read.
     pub fn open(&self, path: &Path, files: &dyn Files) -> Result<OpenModel, Failure> {
-        open_with(path, self.set_files.beside(), files)
+        open_with(path, self.set_files.companion_paths(), files)
     }
 
     /// Plans for a model without files beside it: no note, no warnings about the model, and nothing about what gets worse.
@@ -164,10 +164,10 @@ impl Change {
 
     /// Asks about radii that look like a slip, and says what is odd about masses and no reason to ask.
     fn ask_about_radii(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
-        let odd = perhaps_in_pounds(&self.masses(), model, &self.options.selection);
+        let odd = masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
         let is_meant = self.answers.has(Question::MassInPounds);
         plan.remarks.extend(odd.filter(|_| !is_meant).map(|odd| odd.doubt()));
-        match plan.radius_slip(model) {
+        match plan.implausible_radius(model) {
             Some(fault) if !self.answers.has(Question::ImplausibleRadius) => Err(fault),
             _ => Ok(plan),
         }
@@ -211,7 +211,7 @@ impl Change {
 
 /// What is asked before a mass that was said for several models is taken for one whose own note says another.
 fn against_note(said: &MassRequest, model: &Model) -> Option<NeedsAnswer> {
-    let (said_kg, noted_kg) = said.contacts_mass_kg.zip(said.otherwise_noted_kg(model))?;
+    let (said_kg, noted_kg) = said.contacts_mass_kg.zip(said.disagreeing_note_kg(model))?;
     let text = phrase![
         Input::ContactsMass.with_value(readable(said_kg)),
         format!(" is for all models of this call, and the note in this one says {} kg: ", readable(noted_kg)),

@@ -66,7 +66,7 @@ fn feet_of(
     feet.add_bones(&open.model, beside, geometry, files);
     let Some(target_mass) = request.target_mass else { return Ok((feet, None)) };
     let failed = |fault| open.failure(fault);
-    let (contacts_mass, _) = request.masses.request().of_contacts(&open.model).map_err(failed)?;
+    let (contacts_mass, _) = request.masses.request().contacts_mass(&open.model).map_err(failed)?;
     let ratios =
         Ratios::isometric(target_mass.get() / contacts_mass.kg).map_err(|error| failed(Fault::new(error)))?;
     let scaled = feet.with_radii(format!("scaled to {} kg", readable(target_mass.get())), ratios.radius());
@@ -204,7 +204,7 @@ impl ModelFeet {
     pub fn add_bones(&mut self, model: &Model, path: &Path, geometry_dir: Option<&Path>, files: &dyn Files) {
         let mut folders = MeshFolders::of_model(path);
         if let Some(folder) = geometry_dir {
-            folders = folders.and(folder);
+            folders = folders.with_folder(folder);
         }
         let attached = AttachedBones::of(model);
         for (foot, bodies) in self.feet.iter_mut().zip(&self.bodies) {

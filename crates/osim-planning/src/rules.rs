@@ -35,7 +35,7 @@ static BOTTOMS_MOVED: Rule = Rule {
     what: "A change moves the bottoms of spheres so far that a body which stood at its default pose starts inside its floor or above it, or that a level foot is uneven.",
     why: "Radii grow around centres that stay. A simulation that starts from the default pose starts inside the floor then, and lower spheres carry what all should carry. Contacts that are made for a body which is still to be scaled are not judged by the pose of the one that is there, nor are spheres that follow their bodies.",
     advice: "Give the coordinate its new value, or keep bottoms where they are with `level`; nothing, if simulations start from a pose of their own and the foot is meant to be so",
-    repair: Repair::OfChange("a change is what it is about, and not a model"),
+    repair: Repair::OnlyInChange("a change is what it is about, and not a model"),
     example: Example::Request {
         good: r#"{"verb": "set", "models": ["check/within_limits.osim"], "set": {"radius": "x1.05"}}"#,
         bad: r#"{"verb": "set", "models": ["check/within_limits.osim"], "set": {"radius": "x2"}}"#,
@@ -51,7 +51,7 @@ pub(crate) fn bottoms_moved_of_body(
     let which = if several { format!(" of {}", shown(&now.body)) } else { String::new() };
     let (was, is) = (before.place()?, now.place()?);
     let text = format!("the default pose{which} was {was} and is {is} now; {}", now.way_to_stand());
-    Some(Finding::new(&BOTTOMS_MOVED, text).about(&now.lowest()?.path))
+    Some(Finding::new(&BOTTOMS_MOVED, text).with_place(&now.lowest()?.path))
 }
 
 /// A limb whose bottoms differed by `before_m` and differ more now, from `lowest` to `highest`.
@@ -67,7 +67,7 @@ pub(crate) fn bottoms_moved_of_limb(limb: &str, before_m: f64, lowest: &Bottom, 
         shown(&lowest.sphere),
         shown(&highest.sphere),
     );
-    Finding::new(&BOTTOMS_MOVED, text).about(&highest.path)
+    Finding::new(&BOTTOMS_MOVED, text).with_place(&highest.path)
 }
 
 static COMPILED_MODEL_BESIDE: Rule = Rule {
@@ -98,7 +98,7 @@ static HARD_LINKED: Rule = Rule {
     what: "A model that is changed itself has other names too.",
     why: "A changed model is a new file that takes the name of the old one, so that no moment is without a whole file. Hard links to the old one are names of the old file: they keep the old model.",
     advice: "Make the other names again, or change the model under one of its names into a file of its own",
-    repair: Repair::OfChange("only you know what the other names are for"),
+    repair: Repair::OnlyInChange("only you know what the other names are for"),
     example: Example::InWords {
         good: "`model.osim` is the only name of its file",
         bad: "`model.osim` and `copy.osim` are two names of one file, and one of them is changed in place",

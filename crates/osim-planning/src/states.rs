@@ -167,7 +167,7 @@ impl States<'_> {
     }
 
     fn options_after(self) -> InspectOptions {
-        let weighs = self.change.options.masses.of_model(&self.opened.model).ok();
+        let weighs = self.change.options.masses.model_mass(&self.opened.model).ok();
         self.change.options_after(self.plan, weighs.map(|mass| mass.kg))
     }
 }
@@ -221,7 +221,7 @@ mod tests {
                 let Ok(plan) = change.plan(&opened, &files) else { continue };
                 change.planner = Box::new(NoPlans);
                 let bytes = plan.patched(&opened.model, FileId::MAIN).unwrap();
-                let beside = change.set_files.beside();
+                let beside = change.set_files.companion_paths();
                 let changed = || ModelFiles::read(Path::new("model.osim"), bytes, beside, &files).unwrap();
                 BeforeAfter::of(&change, &opened, &plan, changed, &CommandLine, false).unwrap();
                 compared += 1;

@@ -116,7 +116,7 @@ impl Planned {
         for made in &self.results {
             match made.from {
                 FileId::MAIN => {
-                    after = after.with_bytes(made.bytes.clone()).named(made.name.display().to_string());
+                    after = after.with_bytes(made.bytes.clone()).with_name(made.name.display().to_string());
                 }
                 other => after.replace_companion(other, made.bytes.clone()),
             }

@@ -39,7 +39,7 @@ impl Opened {
         let failed =
             |error: osim_model::files::FileError| Failure::outside(path, "unreadable", error.to_string());
         let bytes = shelf.read(path).map_err(failed)?;
-        let all = ModelFiles::read(path, bytes, set_files.beside(), shelf)?;
+        let all = ModelFiles::read(path, bytes, set_files.companion_paths(), shelf)?;
         let files = all.with_bytes(Vec::new());
         Ok(Self { path: path.to_owned(), set_files: set_files.clone(), model: all.open()?, files })
     }

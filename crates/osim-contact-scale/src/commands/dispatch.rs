@@ -66,7 +66,7 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
             let exit = sweep::run(&request, session)?;
             if !request.quiet {
                 let SweepRequest { model, choice, masses, .. } = &*request;
-                session::remark_unmatched(model.as_deref(), Beside::default(), choice, masses, session)?;
+                session::remark_unmatched(model.as_deref(), CompanionPaths::default(), choice, masses, session)?;
             }
             Ok(exit)
         }
@@ -76,7 +76,7 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
             let exit = calculators::drop_test(&request, session)?;
             let DropTestRequest { subject, compare, choice, masses, set_files, .. } = &*request;
             let models = subject.iter().chain(compare).map(PathBuf::as_path);
-            session::remark_unmatched(models, set_files.beside(), choice, masses, session)?;
+            session::remark_unmatched(models, set_files.companion_paths(), choice, masses, session)?;
             Ok(exit)
         }
         Request::Motion(request) => motion::run(&request, session),
@@ -84,7 +84,7 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
             let exit = plot::run(&request, session)?;
             let PlotRequest { models, choice, masses, set_files, .. } = &*request;
             let models = models.iter().map(PathBuf::as_path);
-            session::remark_unmatched(models, set_files.beside(), choice, masses, session)?;
+            session::remark_unmatched(models, set_files.companion_paths(), choice, masses, session)?;
             Ok(exit)
         }
         Request::Reproduce(request) => calculators::run(&request, session),

@@ -6,10 +6,10 @@
 
 use contact_scaling::{SharedLoad, Spheres, equilibrium, mixed_radii, restitution};
 use foldhash::{HashMap, HashMapExt};
-use osim_model::feet::{ByLaw, DefaultPose, Standing};
+use osim_model::feet::{RestLaw, DefaultPose, Standing};
 use osim_model::messages::Phrase;
 use osim_model::{
-    CountOf, Fault, ForceId, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId, loaded_spheres,
+    CountedSpheres, Fault, ForceId, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId, loaded_spheres,
 };
 
 use super::register::Figure;
@@ -74,7 +74,7 @@ impl Figures {
         }
         if limbs.is_empty() && why.is_none() {
             // Forces of several bodies, and nobody chose among them.
-            why = sharing.limbs().unknown().cloned();
+            why = sharing.limbs().why_unknown().cloned();
         }
         Ok(Self {
             mass_kg: mass.map(|mass| mass.kg),
@@ -96,7 +96,7 @@ struct Group<'p> {
 
 /// The spheres of each limb among `all`, in their order; all together where limbs are not known.
 fn by_limb<'a>(limbs: &Limbs, all: &'a [SphereLoads]) -> Vec<Vec<&'a SphereLoads>> {
-    let Some(limbs) = limbs.known() else { return vec![all.iter().collect()] };
+    let Some(limbs) = limbs.if_known() else { return vec![all.iter().collect()] };
     let mut limb_of: HashMap<SphereId, usize> = HashMap::new();
     for (place, limb) in limbs.iter().enumerate() {
         limb_of.extend(limb.spheres.iter().map(|&sphere| (sphere, place)));
@@ -127,7 +127,7 @@ fn groups<'p>(
     let at_least_one = |count: &f64| *count >= 1.0;
     let members = by_limb(limbs, loads).into_iter().enumerate().filter(|(_, members)| !members.is_empty());
     let group = |(place, members): (usize, Vec<&'p SphereLoads>)| {
-        let limb = limbs.known().and_then(|limbs| limbs.get(place));
+        let limb = limbs.if_known().and_then(|limbs| limbs.get(place));
         let count = match limb {
             None => spheres,
             Some(limb) => Some(LoadSharing::count_on(limb, spheres, stance_limbs)),
@@ -145,7 +145,7 @@ fn groups<'p>(
 
 fn limbs_unknown(limbs: &Limbs) -> Option<Phrase> {
     match limbs {
-        Limbs::Unknown(why) => Some(Needed::SphereCount { of: CountOf::Model, why: why.clone() }.phrase()),
+        Limbs::Unknown(why) => Some(Needed::SphereCount { of: CountedSpheres::Model, why: why.clone() }.phrase()),
         Limbs::Known(_) => None,
     }
 }
@@ -291,7 +291,7 @@ impl Stand {
             let relative = spheres.map(|one| (one.sphere, one.relative_indentation));
             relative.filter(|(_, x_hat)| x_hat.is_finite()).collect()
         };
-        Self { hertz: rest(ByLaw::Hertz), model_law: rest(ByLaw::OfFile) }
+        Self { hertz: rest(RestLaw::Hertz), model_law: rest(RestLaw::OfFile) }
     }
 
     /// x̂ of one sphere by both laws.

@@ -211,7 +211,7 @@ fn asked_of_rescale(request: &RescaleRequest, model: &Model, masses: &MassReques
         let ratio = (target_mass_kg / contacts_mass_kg).cbrt();
         asked.extend(model.spheres().iter().filter_map(|sphere| {
             let radius_m = sphere.radius_m().ok()?;
-            distances.radius_slip(sphere, radius_m * ratio, false)
+            distances.implausible_radius(sphere, radius_m * ratio, false)
         }));
     }
     asked

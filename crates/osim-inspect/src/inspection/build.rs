@@ -6,7 +6,7 @@ use osim_model::compare::{BodyFactors, Factors};
 use osim_model::feet::Standing;
 use osim_model::files::FileName;
 use osim_model::{
-    CountOf, DVec3, Fault, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId,
+    CountedSpheres, DVec3, Fault, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId,
     SphereId, Value, loaded_spheres,
 };
 
@@ -42,8 +42,8 @@ impl InspectOptions {
         rests: Rests,
     ) -> Inspection {
         let mut warnings = model_findings(model).to_vec();
-        let mass = self.masses.of_model(model);
-        let contacts_mass = self.masses.of_contacts(model).map(|(mass, disagreements)| {
+        let mass = self.masses.model_mass(model);
+        let contacts_mass = self.masses.contacts_mass(model).map(|(mass, disagreements)| {
             warnings.extend(disagreements);
             mass
         });
@@ -73,7 +73,7 @@ impl InspectOptions {
         let stance_limbs = self.stance.limbs_of(model);
         let figures = Figures::of(model, &selected, &sharing, weight, &self.stance, known);
         let standing = StandingBody::those(model, known, sharing.limbs(), stance_limbs, rests);
-        let count = sharing.count(self.stance.spheres, stance_limbs, CountOf::Model).ok();
+        let count = sharing.count(self.stance.spheres, stance_limbs, CountedSpheres::Model).ok();
         let contacts = contacts(model, &selected, contacts_mass.as_ref(), count);
         let known = KnownContacts::find(model, &selected.forces, count, mass.as_ref().map(|mass| mass.kg));
         let found = Found {
@@ -163,7 +163,7 @@ impl Inspection {
             gravity_m_s2: model.gravity(),
             contacts_mass_kg: found.contacts_mass.map(ContactsMass::new),
             note: None,
-            limbs: found.limbs.known().map(|limbs| {
+            limbs: found.limbs.if_known().map(|limbs| {
                 let limb = |limb: &Limb| InspectedLimb {
                     name: limb.name.clone(),
                     side: limb.side.as_str(),
@@ -204,7 +204,7 @@ fn names(model: &Model, spheres: &[SphereId]) -> Vec<String> {
 }
 
 fn spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
-    let known = limbs.known().unwrap_or_default().iter();
+    let known = limbs.if_known().unwrap_or_default().iter();
     let limbs: HashMap<SphereId, &str> =
         known.flat_map(|limb| limb.spheres.iter().map(|&sphere| (sphere, limb.name.as_str()))).collect();
     let limb_of = |id: SphereId| limbs.get(&id).map(|&name| name.to_owned());

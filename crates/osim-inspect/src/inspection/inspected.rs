@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use contact_scaling::DimensionlessContact;
-use osim_model::compare::Placement;
+use osim_model::compare::SpherePlacements;
 use osim_model::messages::{Dialect, Phrase, readable};
 use osim_model::{Finding, Mass, Origin, Property};
 #[cfg(feature = "schemas")]
@@ -78,7 +78,7 @@ pub struct Inspection {
     pub known_contacts: Option<KnownContacts>,
     /// Its spheres compared with those of the model that was scaled, where `check` was given one.
     #[serde(skip)]
-    pub placement: Option<Placement>,
+    pub placement: Option<SpherePlacements>,
     /// The contacts of that model.
     #[serde(skip)]
     pub reference_contacts: Option<ReferenceContacts>,
@@ -117,7 +117,7 @@ impl ContactsMass {
             value: mass.kg,
             source: mass.source.as_str(),
             description: mass.source.describe(),
-            recorded: mass.source.is_of_contacts(),
+            recorded: mass.source.is_about_contacts(),
         }
     }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use foldhash::HashMap;
-use osim_model::feet::{OverFloor, Rest, RestingSphere, Standing};
+use osim_model::feet::{RestOnFloor, RestingSphere, SphereOverFloor, Standing};
 use osim_model::messages::{readable, shown};
 use osim_model::{Limb, Limbs, Model, SphereId};
 #[cfg(feature = "schemas")]
@@ -143,7 +143,7 @@ impl StandingBody {
         rests: Rests,
     ) -> Vec<Self> {
         let share = 1.0 / stance_limbs;
-        let limbs = limbs.known().unwrap_or_default();
+        let limbs = limbs.if_known().unwrap_or_default();
         let places = limbs.iter().enumerate();
         let limb_of = places.flat_map(|(at, limb)| limb.spheres.iter().map(move |&sphere| (sphere, at)));
         let limb_of: HashMap<SphereId, usize> = limb_of.collect();
@@ -214,7 +214,7 @@ fn is_odd(bottoms: &[Bottom]) -> bool {
 }
 
 fn bottoms(model: &Model, standing: &Standing) -> Vec<Bottom> {
-    let bottom = |over: &OverFloor| {
+    let bottom = |over: &SphereOverFloor| {
         let sphere = model.sphere(over.sphere)?;
         let (height_m, radius_m, tilt_rad) = (over.gap_m, sphere.radius.number, over.tilt_rad);
         Some(Bottom { sphere: sphere.name.clone(), path: sphere.path.clone(), height_m, radius_m, tilt_rad })
@@ -233,7 +233,7 @@ fn lower(standing: &Standing, limb_of: &HashMap<SphereId, usize>) -> Option<usiz
     lowest.into_iter().reduce(|a, b| if b.1 < a.1 - LEVEL_M { b } else { a }).map(|(limb, _)| limb)
 }
 
-fn on_feet(model: &Model, standing: &Standing, rest: &Rest, limb: Option<&Limb>) -> OnFeet {
+fn on_feet(model: &Model, standing: &Standing, rest: &RestOnFloor, limb: Option<&Limb>) -> OnFeet {
     let sphere = |one: &RestingSphere| {
         let sphere = model.sphere(one.sphere)?;
         Some(StandingSphere {
@@ -245,7 +245,7 @@ fn on_feet(model: &Model, standing: &Standing, rest: &Rest, limb: Option<&Limb>)
     };
     OnFeet {
         limb: limb.map(|limb| limb.name.clone()),
-        value_m: standing.value(rest.down_m),
+        value_m: standing.coordinate_at(rest.down_m),
         down_m: rest.down_m,
         load_n: rest.load_n,
         carried: rest.is_carried(),

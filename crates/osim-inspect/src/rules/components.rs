@@ -42,13 +42,13 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
     let finding = |irregularity: &Irregularity| match irregularity {
         Irregularity::TakenByName { owner, text, taken, line } => {
             let text = format!("'{text}' of {owner} leads nowhere; took {taken}, the only one of that name");
-            Finding::at(&CONNECTEE_BY_NAME, *line, text).about(owner)
+            Finding::at(&CONNECTEE_BY_NAME, *line, text).with_place(owner)
         }
         Irregularity::MisnamedSet { force, name, line } => {
             let text = format!(
                 "{force}: the parameter set is called '{name}', so OpenSim reads no parameters at all; call it contact_parameters"
             );
-            Finding::at(&MISNAMED_PARAMETER_SET, *line, text).about(force)
+            Finding::at(&MISNAMED_PARAMETER_SET, *line, text).with_place(force)
         }
     };
     model.irregularities.iter().map(finding).collect()
@@ -200,7 +200,7 @@ fn find_not_hertz(model: &Model, id: ComponentId) -> Option<Finding> {
     NOT_HERTZ_CLASSES.contains(&tag).then(|| {
         let path = components.tree.path(id);
         let text = format!("{path} is of the class {tag}: left as it is");
-        Finding::at(&NOT_HERTZ, components.line(id), text).about(&path)
+        Finding::at(&NOT_HERTZ, components.line(id), text).with_place(&path)
     })
 }
 
@@ -226,7 +226,7 @@ fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Op
     is_named.then(|| {
         let path = components.tree.path(id);
         let text = format!("'{shared}' appears twice: OpenSim calls this one {path}");
-        Finding::at(&DUPLICATE_NAMES, components.line(id), text).about(&path)
+        Finding::at(&DUPLICATE_NAMES, components.line(id), text).with_place(&path)
     })
 }
 
@@ -249,7 +249,7 @@ fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Opti
     let written = (components.tag(id) == "Body").then(|| components.name(id)).filter(|name| !name.is_empty());
     let why = refuse_name_in_paths(written.as_deref().unwrap_or(in_paths)).err()?;
     let path = components.tree.path(id);
-    Some(Finding::at(&REFUSED_NAME, components.line(id), why.to_string()).about(&path))
+    Some(Finding::at(&REFUSED_NAME, components.line(id), why.to_string()).with_place(&path))
 }
 
 pub(super) static LOOP_OF_JOINTS: Rule = Rule {

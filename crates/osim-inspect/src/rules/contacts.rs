@@ -49,9 +49,9 @@ pub fn unmatched_patterns(selection: &Selection, masses: &MassRequest, model: &M
     let said = |input: Input, pattern: &Pattern, what: &str| {
         phrase![input.with_value(pattern.to_string()), format!(": no {what} of the model has such a name")]
     };
-    let forces = selection.unmatched(model).into_iter();
+    let forces = selection.unmatched_patterns(model).into_iter();
     let forces = forces.map(|(input, pattern)| said(input, pattern, "contact force"));
-    let bodies = masses.unmatched(model).map(|pattern| said(Input::ExcludeBody, pattern, "body"));
+    let bodies = masses.unmatched_patterns(model).map(|pattern| said(Input::ExcludeBody, pattern, "body"));
     forces.chain(bodies).collect()
 }
 

@@ -32,7 +32,7 @@ fn turned_finding(judged: &JudgedPlane, rule: &'static Rule, degrees: f64) -> Op
         three_significant(degrees),
         surface.level_orientation.map(readable).join(" "),
     );
-    Some(Finding::at(rule, own.line, text).about(&plane.path))
+    Some(Finding::at(rule, own.line, text).with_place(&plane.path))
 }
 
 pub(super) static FLOOR_UPSIDE_DOWN: Rule = Rule {
@@ -105,7 +105,7 @@ fn on_limb_finding(judged: &JudgedPlane) -> Option<Finding> {
         shown(body),
         frame.ground,
     );
-    Some(Finding::at(&FLOOR_ON_LIMB, frame.line, text).about(&plane.path))
+    Some(Finding::at(&FLOOR_ON_LIMB, frame.line, text).with_place(&plane.path))
 }
 
 pub(super) static FLOOR_SLOPES: Rule = Rule {
@@ -135,7 +135,7 @@ fn slope_finding(judged: &JudgedPlane) -> Option<Finding> {
         three_significant(degrees),
         readable((1e4 * degrees.to_radians().cos()).round() / 1e4),
     );
-    Some(Finding::at(&FLOOR_SLOPES, plane.line, text).about(&plane.path))
+    Some(Finding::at(&FLOOR_SLOPES, plane.line, text).with_place(&plane.path))
 }
 
 // Gravity: none, in another unit, not towards the floor, or another one than in the note.
@@ -165,7 +165,7 @@ pub(crate) fn find_no_gravity(
     // Where figures are made, it may also have been given.
     let needed = Needed::Gravity { purpose: GravityFor::Figures };
     let is_missing = own.or(inspected.figures.gravity_m_s2).is_none() && are_floors();
-    is_missing.then(|| Finding::new(&NO_GRAVITY, needed.phrase()).on_line(model.gravity_line()))
+    is_missing.then(|| Finding::new(&NO_GRAVITY, needed.phrase()).with_line(model.gravity_line()))
 }
 
 pub(crate) static GRAVITY_TOO_LARGE: Rule = Rule {
@@ -203,7 +203,7 @@ pub(crate) fn find_too_large(model: &Model) -> Option<Finding> {
         let metres = gravity.map(|value| readable(value / unit)).join(" ");
         text.push_str(&format!("; write <gravity>{metres}</gravity>"));
     }
-    Some(Finding::new(&GRAVITY_TOO_LARGE, text).on_line(model.gravity_line()))
+    Some(Finding::new(&GRAVITY_TOO_LARGE, text).with_line(model.gravity_line()))
 }
 
 pub(crate) static GRAVITY_NOT_DOWN: Rule = Rule {
@@ -242,7 +242,7 @@ fn not_down_finding(model: &Model, judged: &JudgedPlane) -> Option<Finding> {
         shown(&judged.plane.name),
         down.to_array().map(readable).join(" "),
     );
-    Some(Finding::new(&GRAVITY_NOT_DOWN, text).on_line(model.gravity_line()))
+    Some(Finding::new(&GRAVITY_NOT_DOWN, text).with_line(model.gravity_line()))
 }
 
 pub(crate) static GRAVITY_SOURCES_DISAGREE: Rule = Rule {

@@ -29,7 +29,7 @@ pub(super) fn find_several_spheres_one_force(model: &Model) -> Vec<Finding> {
             force.spheres().into_iter().filter(|&s| model.sphere(s).is_some_and(|s| !s.fixed)).count();
         if matches!(force.kind, ForceKind::HuntCrossley) && moving > 1 {
             let text = format!("{} holds {moving} spheres: Simbody can drop the force of some", force.path);
-            found.push(Finding::at(&SEVERAL_SPHERES_ONE_FORCE, force.line, text).about(&force.path));
+            found.push(Finding::at(&SEVERAL_SPHERES_ONE_FORCE, force.line, text).with_place(&force.path));
         }
     }
     found
@@ -55,7 +55,7 @@ pub(super) fn find_sphere_in_two_forces(model: &Model) -> Vec<Finding> {
     let finding = |(sphere, forces): (&Sphere, Vec<&Force>)| {
         let paths: Vec<&str> = forces.iter().map(|force| force.path.as_str()).collect();
         let text = format!("sphere {} meets the ground through {}", sphere.path, paths.join(" and "));
-        Finding::at(&SPHERE_IN_TWO_FORCES, sphere.line, text).about(&sphere.path)
+        Finding::at(&SPHERE_IN_TWO_FORCES, sphere.line, text).with_place(&sphere.path)
     };
     shared.map(finding).collect()
 }
@@ -77,7 +77,7 @@ pub(super) fn find_moco_dialect(model: &Model) -> Vec<Finding> {
     let inside = model.spheres().iter().filter(|sphere| sphere.is_inside_force());
     let finding = |sphere: &Sphere| {
         let text = format!("{} keeps its sphere inside: OpenSim 4.2 and later cannot read it", sphere.path);
-        Finding::at(&MOCO_DIALECT, sphere.line, text).about(&sphere.path)
+        Finding::at(&MOCO_DIALECT, sphere.line, text).with_place(&sphere.path)
     };
     inside.map(finding).collect()
 }
@@ -126,7 +126,7 @@ pub(super) fn find_dead_derivative_smoothing(model: &Model) -> Vec<Finding> {
         if let Some(dead) = document.tree().child(force.element(), "derivative_smoothing") {
             let line = document.line(document.tree().span(dead).start);
             let text = format!("{}: derivative_smoothing is ignored by OpenSim", force.path);
-            found.push(Finding::at(&DEAD_DERIVATIVE_SMOOTHING, line, text).about(&force.path));
+            found.push(Finding::at(&DEAD_DERIVATIVE_SMOOTHING, line, text).with_place(&force.path));
         }
     }
     found
@@ -152,7 +152,7 @@ fn terrain_bodies(model: &Model) -> Option<Finding> {
     let heavy: Vec<(&Body, f64)> = model
         .bodies()
         .iter()
-        .filter(|body| body.scenery)
+        .filter(|body| body.excluded_from_mass)
         .filter_map(|body| Some((body, body.mass_kg().ok().filter(|kg| *kg > 0.0)?)))
         .collect();
     let (first, kg) = heavy.first()?;
@@ -169,7 +169,7 @@ fn terrain_bodies(model: &Model) -> Option<Finding> {
             if count == 2 { "body" } else { "bodies" }
         ),
     };
-    Some(Finding::new(&TERRAIN, text).about(&first.path))
+    Some(Finding::new(&TERRAIN, text).with_place(&first.path))
 }
 
 fn terrain_spheres(model: &Model) -> Option<Finding> {

@@ -51,8 +51,8 @@ impl<'l> Limits<'l> {
         };
         let line =
             self.inspected.spheres.iter().find(|sphere| sphere.path == worst.path).map(|sphere| sphere.line);
-        let finding = Finding::new(rule, format!("{text} ({which})")).about(&worst.path);
-        finding.on_line(line).of_spheres(all.iter().map(|sphere| sphere.sphere.clone()).collect())
+        let finding = Finding::new(rule, format!("{text} ({which})")).with_place(&worst.path);
+        finding.with_line(line).with_spheres(all.iter().map(|sphere| sphere.sphere.clone()).collect())
     }
 
     /// A finding at the force that presses the worst sphere: its parameters are what can be changed.
@@ -62,7 +62,7 @@ impl<'l> Limits<'l> {
             sphere.forces.contains(&force.name) && force.spheres.contains(&sphere.sphere)
         };
         match self.inspected.forces.iter().find(presses) {
-            Some(force) => finding.about(&force.path).on_line(Some(force.line)),
+            Some(force) => finding.with_place(&force.path).with_line(Some(force.line)),
             None => finding,
         }
     }

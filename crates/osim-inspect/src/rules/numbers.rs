@@ -38,7 +38,7 @@ fn find_in_values(model: &Model) -> Vec<Finding> {
     let finding = |(path, file, value): (&str, FileId, &Value)| {
         let (rule, text) = OF_VALUES.iter().find_map(|(rule, of)| Some((*rule, of(value)?)))?;
         let line = model.file(file).line(value.offset);
-        Some(Finding::at(rule, line, format!("{} of {path} {text}", value.property)).about(path))
+        Some(Finding::at(rule, line, format!("{} of {path} {text}", value.property)).with_place(path))
     };
     parameters.chain(radii).chain(masses).filter_map(finding).collect()
 }
@@ -52,7 +52,7 @@ fn find_in_triples(model: &Model) -> Vec<Finding> {
             tag: sphere.location_slot().tag,
             read: sphere.location_m,
         };
-        Some(read.finding(model, &sphere.path)?.about(&sphere.path))
+        Some(read.finding(model, &sphere.path)?.with_place(&sphere.path))
     });
     let gravity = model.gravity_object().and_then(|(file, object)| {
         let read = model.file(file).triple(object, "gravity").unwrap_or(Model::DEFAULT_GRAVITY);
@@ -177,7 +177,7 @@ pub(super) fn find_default_stiffness(model: &Model) -> Vec<Finding> {
         for set in &force.sets {
             if let Some(value) = set.value(Property::Stiffness).filter(|value| is_default_stiffness(value)) {
                 let text = format!("{}: stiffness is OpenSim's default, {} N/m2", force.path, value.number);
-                found.push(Finding::at(&DEFAULT_STIFFNESS, set.line, text).about(&force.path));
+                found.push(Finding::at(&DEFAULT_STIFFNESS, set.line, text).with_place(&force.path));
             }
         }
     }
@@ -218,7 +218,7 @@ pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
             let line = model.file(force.file).line(value.offset);
             let text =
                 format!("{}: constant_contact_force is 0: OpenSim computes NaN without slip", force.path);
-            found.push(Finding::at(&ZERO_CONSTANT_CONTACT_FORCE, line, text).about(&force.path));
+            found.push(Finding::at(&ZERO_CONSTANT_CONTACT_FORCE, line, text).with_place(&force.path));
         }
     }
     found
@@ -265,7 +265,7 @@ fn large_friction_in(force: &Force) -> Option<Finding> {
         force.path,
         readable(large.number)
     );
-    Some(Finding::at(&LARGE_FRICTION, set.line, text).about(&force.path))
+    Some(Finding::at(&LARGE_FRICTION, set.line, text).with_place(&force.path))
 }
 
 pub(super) static ANGLE_IN_DEGREES: Rule = Rule {
@@ -306,5 +306,5 @@ fn angles_in_degrees(orientation: &Orientation) -> Option<Finding> {
         listed(angles),
         listed(angles.map(f64::to_radians)),
     );
-    Some(Finding::at(&ANGLE_IN_DEGREES, *line, text).about(path))
+    Some(Finding::at(&ANGLE_IN_DEGREES, *line, text).with_place(path))
 }

@@ -1,6 +1,6 @@
 //! Findings about the places of spheres: from the model that was scaled if it was given, else from this file alone.
 
-use osim_model::compare::{PlacedSphere, Placement, is_stretched};
+use osim_model::compare::{PlacedSphere, SpherePlacements, is_stretched};
 use osim_model::messages::{Input, Verb, phrase, readable};
 use osim_model::{
     Example, Finding, FindingCode, Model, Note, Repair, Rule, ScaledSinceNote, Severity, Sphere, VerdictOn,
@@ -16,10 +16,10 @@ use crate::rules::spheres::about_spheres;
 
 /// What is known of the places of spheres.
 pub(crate) enum Places<'i> {
-    Compared(&'i Placement),
+    Compared(&'i SpherePlacements),
     Alone(Evidence),
     /// They cannot be compared: what this file alone shows.
-    NotCompared(&'i Placement, Evidence),
+    NotCompared(&'i SpherePlacements, Evidence),
 }
 
 /// What the note in the file says about sizes, where that settles it: bodies were scaled since, or the spheres were placed with
@@ -122,14 +122,14 @@ fn follow_by_note(remedies: &Remedies<'_>, model: &Model) -> Option<Request> {
 }
 
 /// Contacts of the model that OpenSim scaled, on spheres that follow their bodies.
-fn follow_by_original(remedies: &Remedies<'_>, placement: &Placement) -> Option<Request> {
+fn follow_by_original(remedies: &Remedies<'_>, placement: &SpherePlacements) -> Option<Request> {
     if !placement.can_follow() {
         return None;
     }
     let follow = FollowOptions {
         follow_bodies: true,
         body_scale_file: placement.body_scale_file.clone(),
-        moved_spheres: placement.has_resized().then_some(MovedChoice::Replace),
+        moved_spheres: placement.has_changed_spheres().then_some(MovedChoice::Replace),
         ..FollowOptions::default()
     };
     let scaling = ScalingOptions { level: placement.suits_level, ..ScalingOptions::default() };
@@ -171,7 +171,7 @@ fn find_in_file(evidence: &Evidence, model: &Model) -> Option<Finding> {
 }
 
 /// One finding for each sphere that is not where it belongs; one alone where the two models cannot be compared.
-fn find_compared(placement: &Placement) -> Vec<Finding> {
+fn find_compared(placement: &SpherePlacements) -> Vec<Finding> {
     if let Some(why) = &placement.unknown {
         let text = phrase!["the spheres cannot be compared with those of the model that was scaled: ", why];
         return vec![Finding::new(&SPHERES_NOT_COMPARED, text)];
@@ -237,7 +237,7 @@ fn misplaced_sphere(sphere: &PlacedSphere) -> Finding {
         ];
         Finding::new(&SPHERES_MISPLACED, text)
     };
-    finding.about(path).on_line(Some(*line)).of_spheres(vec![name.clone()])
+    finding.with_place(path).with_line(Some(*line)).with_spheres(vec![name.clone()])
 }
 
 fn millimetres(place: [f64; 3]) -> String {

@@ -56,7 +56,7 @@ fn find_difference(
 ) -> Option<Finding> {
     let first = differences.iter().find(|difference| difference.is_small == are_small)?;
     let text = format!("{} and {} differ: {}", left.path, right.path, first.text);
-    Some(Finding::at(rule, left.line, text).about(&left.path))
+    Some(Finding::at(rule, left.line, text).with_place(&left.path))
 }
 
 /// The side that has contacts that are known, where the other one has not: those of the reference that the caller named, or published

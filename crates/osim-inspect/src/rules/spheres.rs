@@ -18,8 +18,8 @@ pub(super) fn about_spheres<'s>(
     spheres: impl Iterator<Item = &'s Sphere> + Clone,
 ) -> Option<Finding> {
     let first = spheres.clone().next()?;
-    let finding = Finding::at(rule, first.line, text).about(&first.path);
-    Some(finding.of_spheres(spheres.map(|sphere| sphere.name.clone()).collect()))
+    let finding = Finding::at(rule, first.line, text).with_place(&first.path);
+    Some(finding.with_spheres(spheres.map(|sphere| sphere.name.clone()).collect()))
 }
 
 /// What follows the words about the first of `count` cases.

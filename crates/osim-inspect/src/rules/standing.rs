@@ -1,7 +1,7 @@
 //! How the body stands at its default pose: over the floor, and with its soles level.
 
 use foldhash::HashMap;
-use osim_model::feet::LEANING_RAD;
+use osim_model::feet::MOST_LEAN_RAD;
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
 
@@ -44,7 +44,7 @@ fn not_on_floor_finding(body: &StandingBody, of_several: bool) -> Option<Finding
     let which = if of_several { format!("with {} ", shown(&body.body)) } else { String::new() };
     let (place, way) = (body.place()?, body.way_to_stand());
     let text = format!("a simulation {which}from the default pose starts {place}; {way}");
-    Some(Finding::new(&NOT_ON_FLOOR, text).about(&body.lowest()?.path))
+    Some(Finding::new(&NOT_ON_FLOOR, text).with_place(&body.lowest()?.path))
 }
 
 /// Bottoms that differ by more than this, in the radius of the lowest sphere, are too uneven.
@@ -99,7 +99,7 @@ impl<'i> Uneven<'i> {
 
     /// Whether that is a warning: a foot that leans has such contacts by its pose.
     fn is_too_much(&self) -> bool {
-        self.is_beyond(TOO_MUCH) && self.tilt_rad <= LEANING_RAD
+        self.is_beyond(TOO_MUCH) && self.tilt_rad <= MOST_LEAN_RAD
     }
 
     fn of(bottoms: &HashMap<&str, &'i Bottom>, limb: &'i LimbFigures) -> Option<Self> {
@@ -116,7 +116,7 @@ impl<'i> Uneven<'i> {
     pub(super) fn finding(&self, rule: &'static Rule) -> Finding {
         let Self { limb, lowest, highest, share, tilt_rad } = self;
         let millimetres = readable(((highest.height_m - lowest.height_m) * 1e4).round() / 10.0);
-        let tilted = match *tilt_rad > LEANING_RAD {
+        let tilted = match *tilt_rad > MOST_LEAN_RAD {
             true => format!("; the foot leans by {:.0} degrees there", tilt_rad.to_degrees()),
             false => String::new(),
         };
@@ -128,7 +128,7 @@ impl<'i> Uneven<'i> {
             shown(&highest.sphere),
             self.shares(),
         );
-        Finding::new(rule, text).about(&highest.path)
+        Finding::new(rule, text).with_place(&highest.path)
     }
 
     /// How deep the two are where the limb carries the body.

@@ -8,7 +8,7 @@ use contact_scaling::{
 use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::readable;
 use osim_model::{
-    CountOf, Fault, ForceId, GravityFor, MassRequest, Model, Needed, Selection, loaded_spheres, short_digest,
+    CountedSpheres, Fault, ForceId, GravityFor, MassRequest, Model, Needed, Selection, loaded_spheres, short_digest,
 };
 
 use crate::figures::Figures;
@@ -84,7 +84,7 @@ impl Body {
     ) -> Result<Self, Failure> {
         let kinds = kinds(model, forces).map_err(failed)?;
         let weight = weight(model, forces, masses, stance).map_err(failed);
-        let contacts_mass_kg = masses.of_contacts(model).map(|(mass, _)| mass.kg).map_err(failed);
+        let contacts_mass_kg = masses.contacts_mass(model).map(|(mass, _)| mass.kg).map_err(failed);
         let mismatch = MassMismatch::find(model, masses);
         Ok(Self { name, kinds, weight, contacts_mass_kg, mismatch })
     }
@@ -232,9 +232,9 @@ fn none_applies() -> Fault {
 }
 
 fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stance) -> Result<Weight, Fault> {
-    let mass_kg = masses.of_model(model)?.kg;
+    let mass_kg = masses.model_mass(model)?.kg;
     let sharing = LoadSharing::of(model, forces);
-    let sphere_count = sharing.count(stance.spheres, stance.limbs_of(model), CountOf::Model)?;
+    let sphere_count = sharing.count(stance.spheres, stance.limbs_of(model), CountedSpheres::Model)?;
     let gravity = stance.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
     let Some(gravity_m_s2) = gravity else {
         return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Weight }));

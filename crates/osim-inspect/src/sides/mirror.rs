@@ -26,7 +26,7 @@ impl<'m> Bones<'m> {
     pub(crate) fn ratios(&self, left: &str, right: &str) -> Option<[f64; 3]> {
         self.of_meshes(left, right).or_else(|| {
             let distances = self.model.joint_distances();
-            let ratio = distances.of_body(left)? / distances.of_body(right)?;
+            let ratio = distances.longest_in_body(left)? / distances.longest_in_body(right)?;
             (ratio.is_finite() && ratio > 0.0).then_some([ratio; 3])
         })
     }

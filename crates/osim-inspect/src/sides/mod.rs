@@ -40,7 +40,7 @@ impl<'m> BothSides<'m> {
         let bones = Bones::of(model);
         let spheres = users.on_sides(model);
         let has = |side| spheres.iter().any(|placed| placed.side == side);
-        let bodies = model.of_bodies(BodyPairs::of);
+        let bodies = model.derived_from_bodies(BodyPairs::of);
         let (mut found, mut one_side) = (Pairs::default(), Vec::new());
         match (has(Side::Right), has(Side::Left)) {
             (true, true) => found = Pairs::of(spheres, bodies, &bones),

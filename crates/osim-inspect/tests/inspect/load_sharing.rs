@@ -5,7 +5,7 @@
 use osim_inspect::series::Body;
 use osim_inspect::{Figure, InspectOptions, LoadSharing, Stance};
 use osim_model::files::Failure;
-use osim_model::{CountOf, Fault, ForceId, Model, Pattern, Selection};
+use osim_model::{CountedSpheres, Fault, ForceId, Model, Pattern, Selection};
 
 /// 62 kg on 6 spheres a foot, R = 0.032 m, E₁* = 1e6 N/m²: Table 1 of the paper, where x̂ is 0.353.
 const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
@@ -66,7 +66,7 @@ fn what_is_joined_to_the_body_only_through_ground_does_not_count() {
     assert_eq!(model.forces_of_same_body(&named(&["ball_floor"])), named(&["ball_floor", "kick"]));
     assert_eq!(model.forces_of_same_body(&named(&["contact_toe_l"])), named(&feet));
     let sharing = LoadSharing::of(&model, &named(&["contact_toe_l"]));
-    assert_eq!(sharing.count(None, 1.0, CountOf::Model), Ok(2.0));
+    assert_eq!(sharing.count(None, 1.0, CountedSpheres::Model), Ok(2.0));
     assert!(model.forces_of_same_body(&[]).is_empty());
 }
 
@@ -74,17 +74,17 @@ fn what_is_joined_to_the_body_only_through_ground_does_not_count() {
 fn a_count_is_given_or_found_or_asked_for() {
     let human = Model::parse(HUMAN).unwrap();
     let sharing = LoadSharing::of(&human, &ids(&human, "_r"));
-    assert_eq!(sharing.limbs().known().map(<[_]>::len), Some(2));
-    assert_eq!(sharing.count(None, 1.0, CountOf::Model), Ok(6.0));
-    assert_eq!(sharing.count(None, 2.0, CountOf::Model), Ok(12.0));
-    assert_eq!(sharing.count(Some(5.0), 2.0, CountOf::Model), Ok(5.0));
+    assert_eq!(sharing.limbs().if_known().map(<[_]>::len), Some(2));
+    assert_eq!(sharing.count(None, 1.0, CountedSpheres::Model), Ok(6.0));
+    assert_eq!(sharing.count(None, 2.0, CountedSpheres::Model), Ok(12.0));
+    assert_eq!(sharing.count(Some(5.0), 2.0, CountedSpheres::Model), Ok(5.0));
 
     let unequal = Model::parse(UNEQUAL).unwrap();
     let sharing = LoadSharing::of(&unequal, &unequal.force_ids());
-    let asked = sharing.count(None, 1.0, CountOf::Reference).unwrap_err();
+    let asked = sharing.count(None, 1.0, CountedSpheres::Reference).unwrap_err();
     assert_eq!(asked.code(), "sphere-count");
     // Figures are given for each limb all the same.
-    let limbs = sharing.limbs().known().unwrap();
+    let limbs = sharing.limbs().if_known().unwrap();
     let counts: Vec<f64> = limbs.iter().map(|limb| LoadSharing::count_on(limb, None, 1.0)).collect();
     let spheres: Vec<usize> = limbs.iter().map(|limb| limb.spheres.len()).collect();
     assert!(spheres[0] != spheres[1]);

@@ -37,7 +37,7 @@ fn codes(model: &Model) -> Vec<&str> {
 // OpenSim 4.6: 70 kg without the joint and with a PinJoint (c is divided), 110 kg with a WeldJoint or a FreeJoint.
 #[test]
 fn a_loop_is_reported_and_its_mass_asked_for_where_opensim_counts_twice() {
-    let weighs = |model: &Model, mass: MassRequest| mass.of_model(model).map(|mass| mass.kg);
+    let weighs = |model: &Model, mass: MassRequest| mass.model_mass(model).map(|mass| mass.kg);
     for (class, found) in
         [("", [""; 0].as_slice()), ("PinJoint", &["loop-of-joints"]), ("BallJoint", &["loop-of-joints"])]
     {

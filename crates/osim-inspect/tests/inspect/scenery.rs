@@ -66,9 +66,9 @@ fn what_is_welded_to_ground_weighs_nothing_unless_the_animal_hangs_on_it() {
         (&["animal", "trunk"], &[free, (weld, "animal", "trunk")], 3.0, &[]),
     ] {
         let model = model(bodies, joints);
-        assert_eq!(MassRequest::default().of_model(&model).unwrap().kg, kg, "{joints:?}");
+        assert_eq!(MassRequest::default().model_mass(&model).unwrap().kg, kg, "{joints:?}");
         let found: Vec<&str> =
-            model.bodies().iter().filter(|body| body.scenery).map(|body| &*body.name).collect();
+            model.bodies().iter().filter(|body| body.excluded_from_mass).map(|body| &*body.name).collect();
         assert_eq!(found, scenery, "{joints:?}");
         let said = model_findings(&model).iter().any(|finding| finding.code() == FindingCode::Terrain);
         assert_eq!(said, !scenery.is_empty(), "{joints:?}");
@@ -78,5 +78,5 @@ fn what_is_welded_to_ground_weighs_nothing_unless_the_animal_hangs_on_it() {
 #[test]
 fn a_model_that_is_all_scenery_has_no_mass() {
     let model = model(&["goal"], &[("WeldJoint", "ground", "goal")]);
-    assert_eq!(MassRequest::default().of_model(&model).unwrap_err().code(), "no-mass");
+    assert_eq!(MassRequest::default().model_mass(&model).unwrap_err().code(), "no-mass");
 }

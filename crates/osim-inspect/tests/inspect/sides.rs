@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{BothSides, model_findings};
-use osim_model::files::{Beside, Files, InMemory, ModelFiles};
+use osim_model::files::{CompanionPaths, Files, InMemory, ModelFiles};
 use osim_model::{Finding, FindingCode, Model, Severity, Side};
 
 /// Two legs of four bodies: a heel and a ball on the calcaneus, the ball in a frame of its own that is turned, and toes.
@@ -427,7 +427,7 @@ fn no_published_model_is_accused() {
         (moco("ContactForceSet.xml"), moco("ContactGeometrySet.xml"), moco("model_without_contacts.osim"));
     let files: InMemory =
         [&forces, &geometry, &body].into_iter().map(|path| (path, std::fs::read(path).unwrap())).collect();
-    let beside = Beside { geometry: Some(&geometry), model: Some(&body) };
+    let beside = CompanionPaths { geometry: Some(&geometry), model: Some(&body) };
     let opened =
         ModelFiles::read(&forces, files.read(&forces).unwrap(), beside, &files).unwrap().open().unwrap();
     found.push(("moco_3d_walking".to_owned(), judged(&opened.model)));

@@ -190,7 +190,7 @@ impl Loaded {
         let unreadable =
             |error: FileError| Failure::outside(source.path.as_path(), "unreadable", error.to_string());
         let bytes = disk.read(&source.path).map_err(unreadable)?;
-        let files = ModelFiles::read(&source.path, bytes, set_files.beside(), &disk)?;
+        let files = ModelFiles::read(&source.path, bytes, set_files.companion_paths(), &disk)?;
         Ok(Self::of(&source.path, files, stamped.into_stamps()))
     }
 
@@ -201,7 +201,7 @@ impl Loaded {
         set_files: &SetFiles,
         files: &dyn Files,
     ) -> Result<Self, Failure> {
-        Ok(Self::of(path, ModelFiles::read(path, bytes, set_files.beside(), files)?, HashMap::new()))
+        Ok(Self::of(path, ModelFiles::read(path, bytes, set_files.companion_paths(), files)?, HashMap::new()))
     }
 
     fn of(path: &Path, files: ModelFiles, stamps: HashMap<PathBuf, Stamp>) -> Self {

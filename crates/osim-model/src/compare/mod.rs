@@ -2,7 +2,7 @@
 //! contact spheres of a scaled model belong.
 //!
 //! OpenSim's scaling leaves `ContactSphere` radius and location as they were. [`Factors`] says how much each body grew,
-//! [`Follow`] where spheres then belong, [`Placement`] whether they are there.
+//! [`Follow`] where spheres then belong, [`SpherePlacements`] whether they are there.
 //!
 //! ```
 //! use std::collections::BTreeMap;
@@ -13,7 +13,7 @@
 //! let anatomy = Anatomy::of(&Model::parse(bytes)?)?;
 //! let given = BTreeMap::from([("foot_r".to_owned(), [1.2, 1.1, 1.0])]);
 //! let factors = Factors::find(&anatomy, &anatomy, None, &given)?;
-//! assert_eq!(factors.of("foot_r")?, [1.2, 1.1, 1.0]);
+//! assert_eq!(factors.body_factors("foot_r")?, [1.2, 1.1, 1.0]);
 //! # Ok::<(), osim_model::Fault>(())
 //! ```
 //!
@@ -22,15 +22,15 @@
 //! It plans and changes nothing, and knows no files, no options and no terminal.
 
 mod follow;
-mod placement;
+mod sphere_placements;
 mod similarity;
 
 pub use follow::{
-    AxisFactor, BodyFactors, Difference, FactorSource, Factors, Follow, FollowRequest, Followed, OwnRadii,
+    AxisFactor, BodyFactors, CopyDifference, FactorSource, Factors, Follow, FollowRequest, FollowedSphere, OwnRadii,
     ScaleFile, bone_of_mesh,
 };
-pub use placement::{PlacedSphere, Placement, is_stretched};
+pub use sphere_placements::{PlacedSphere, SpherePlacements, is_stretched};
 pub use similarity::{
     ComparedFactors, LengthFrom, ModelSize, Similarity, SimilarityRow, SizeRatios, SizeVerdict, Spread,
-    formula, moco_bounds, refuse_without_moco_phase,
+    similarity_formula, moco_bounds, refuse_without_moco_phase,
 };

@@ -69,7 +69,7 @@ impl<'m> AttachedBones<'m> {
         if meshes.is_empty() {
             return Err(FeetFault::NoMesh { body: body.to_owned() });
         }
-        meshes.iter().map(|mesh| bone(mesh, folders, files)).collect()
+        meshes.iter().map(|mesh| read_bone(mesh, folders, files)).collect()
     }
 }
 
@@ -88,7 +88,7 @@ pub fn bones(
     Ok(all)
 }
 
-pub(crate) fn bone(
+pub(crate) fn read_bone(
     attached: &AttachedMesh,
     folders: &MeshFolders,
     files: &dyn Files,
@@ -168,7 +168,7 @@ impl MeshFolders {
     /// use std::path::Path;
     /// use osim_model::feet::MeshFolders;
     ///
-    /// let folders = MeshFolders::of_model(Path::new("models/walker.osim")).and("bones");
+    /// let folders = MeshFolders::of_model(Path::new("models/walker.osim")).with_folder("bones");
     /// let names: Vec<_> = folders.iter().collect();
     /// assert_eq!(names, [Path::new("models"), Path::new("models/Geometry"), Path::new("bones")]);
     /// ```
@@ -177,8 +177,8 @@ impl MeshFolders {
         Self(vec![folder.to_owned(), folder.join("Geometry")])
     }
 
-    /// And another one, after those before.
-    pub fn and(mut self, folder: impl Into<PathBuf>) -> Self {
+    /// The folders with another one at the end.
+    pub fn with_folder(mut self, folder: impl Into<PathBuf>) -> Self {
         self.0.push(folder.into());
         self
     }
@@ -192,7 +192,7 @@ impl MeshFolders {
     /// in each folder, then each of its other names.
     pub(crate) fn find(&self, mesh: &str, files: &dyn Files) -> Option<(PathBuf, bool)> {
         let as_written = Some((mesh.to_owned(), false));
-        let names = as_written.into_iter().chain(aliases(mesh));
+        let names = as_written.into_iter().chain(other_names(mesh));
         let places =
             names.flat_map(|(name, mirrored)| self.iter().map(move |folder| (folder.join(&name), mirrored)));
         places.into_iter().find(|(path, _)| files.exists(path))
@@ -202,13 +202,13 @@ impl MeshFolders {
 /// Other names of the file `mesh`, and whether each is that of the other side: without its folder, in small letters, with the
 /// marks of its side or (a bone without a mark is the right one) without; then those of the other side, which is its mirror image
 /// in z.
-fn aliases(mesh: &str) -> Vec<(String, bool)> {
+fn other_names(mesh: &str) -> Vec<(String, bool)> {
     let name = mesh.rsplit(['/', '\\']).next().unwrap_or(mesh);
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
     let (bone, side) = without_mark(&stem.to_lowercase());
     let other = if side == Side::Right { Side::Left } else { Side::Right };
-    let own = spellings(&bone, side).into_iter().map(|stem| (stem, false));
-    let mirrored = spellings(&bone, other).into_iter().map(|stem| (stem, true));
+    let own = names_of_side(&bone, side).into_iter().map(|stem| (stem, false));
+    let mirrored = names_of_side(&bone, other).into_iter().map(|stem| (stem, true));
     let mut stems = vec![(stem.to_owned(), false), (stem.to_lowercase(), false)];
     stems.extend(own.chain(mirrored));
     let lower = ending.to_lowercase();
@@ -232,7 +232,7 @@ fn without_mark(stem: &str) -> (String, Side) {
 }
 
 /// The names of files of a bone of one side.
-fn spellings(bone: &str, side: Side) -> Vec<String> {
+fn names_of_side(bone: &str, side: Side) -> Vec<String> {
     let (before, behind) = if side == Side::Right { RIGHT } else { LEFT };
     let marked = before.iter().map(|mark| format!("{mark}{bone}"));
     let marked = marked.chain(behind.iter().map(|mark| format!("{bone}{mark}")));
@@ -245,11 +245,11 @@ fn spellings(bone: &str, side: Side) -> Vec<String> {
 
 /// A mesh is at most this many times as long as the longest bone of its limb. Feet, toes and tali on the models of the corpus, with the
 /// files of its Geometry, are 0.136 to 0.6 of it; a foot without a limb, whose longest bone is its own, is 1.2.
-const LONGEST: f64 = 3.0;
-/// And at least this part of it: a bone in the toe of a hoofed animal is 0.03.
-const SHORTEST: f64 = 0.01;
-/// What is usual for a foot, for guesses about units.
-const USUAL: f64 = 0.5;
+const MOST_BONE_LENGTHS: f64 = 3.0;
+/// A mesh is at least this many times as long as the longest bone of its limb: a bone in the toe of a hoofed animal is 0.03 of it.
+const LEAST_BONE_LENGTHS: f64 = 0.01;
+/// A mesh of a foot is usually this many times as long as the longest bone of its limb: for guesses about units.
+const USUAL_BONE_LENGTHS: f64 = 0.5;
 
 /// A mesh that does not fit the skeleton.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -271,14 +271,14 @@ pub fn odd_meshes(
 ) -> Vec<OddMesh> {
     let attached = model.attached_meshes();
     let shown = attached.iter().filter(|mesh| bodies.contains(mesh.body.as_str()));
-    let odd = |mesh| match bone(mesh, folders, files) {
+    let odd = |mesh| match read_bone(mesh, folders, files) {
         Ok(bone) => odd_size(model, &bone),
-        Err(fault) => of_fault(&fault),
+        Err(fault) => odd_vertex(&fault),
     };
     shown.filter_map(odd).collect()
 }
 
-/// The bone, if it is far too long or too short for its limb: for the longest distance between two joints of one body.
+/// The finding that a bone is far too long or too short for its limb: compared with the longest distance between two joints of one body.
 ///
 /// ```
 /// use osim_model::feet::{Bone, odd_size};
@@ -293,21 +293,21 @@ pub fn odd_meshes(
 /// ```
 pub fn odd_size(model: &Model, bone: &Bone) -> Option<OddMesh> {
     let distances = model.joint_distances();
-    let longest_m = distances.of_limb(&bone.body).or_else(|| distances.around_body(&bone.body))?;
+    let longest_m = distances.longest_in_limb(&bone.body).or_else(|| distances.longest_around_body(&bone.body))?;
     let length_m = length_m(bone);
     let times = length_m / longest_m;
-    if !times.is_finite() || (SHORTEST..=LONGEST).contains(&times) {
+    if !times.is_finite() || (LEAST_BONE_LENGTHS..=MOST_BONE_LENGTHS).contains(&times) {
         return None;
     }
     let text = format!(
-        "mesh {} on {} is {} m long, {} times the longest bone of its limb ({} m between its joints), expected {SHORTEST} to {LONGEST} \
+        "mesh {} on {} is {} m long, {} times the longest bone of its limb ({} m between its joints), expected {LEAST_BONE_LENGTHS} to {MOST_BONE_LENGTHS} \
          times{}",
         shown(&bone.mesh),
         shown(&bone.body),
         three_significant(length_m),
         three_significant(times),
         three_significant(longest_m),
-        way_out(times)
+        repair_advice(times)
     );
     Some(OddMesh { body: bone.body.clone(), mesh: bone.mesh.clone(), text })
 }
@@ -318,14 +318,14 @@ fn length_m(bone: &Bone) -> f64 {
     length(points().fold(DVec3::NEG_INFINITY, DVec3::max) - points().fold(DVec3::INFINITY, DVec3::min))
 }
 
-/// Factors that would fit, or another bone.
-fn way_out(times: f64) -> String {
-    let (verb, units) = match times > LONGEST {
-        true => ("divide", probable_units(times / USUAL)),
-        false => ("multiply", probable_units(USUAL / times)),
+/// What to do about a mesh of the wrong length: other scale factors, or another bone.
+fn repair_advice(times: f64) -> String {
+    let (verb, units) = match times > MOST_BONE_LENGTHS {
+        true => ("divide", probable_units(times / USUAL_BONE_LENGTHS)),
+        false => ("multiply", probable_units(USUAL_BONE_LENGTHS / times)),
     };
     // A file in mm with the factors of one in metres is too long; one in metres with those of mm is too short.
-    let file = |unit: &str| if times > LONGEST { unit.to_owned() } else { format!("m and not in {unit}") };
+    let file = |unit: &str| if times > MOST_BONE_LENGTHS { unit.to_owned() } else { format!("m and not in {unit}") };
     let ways: Vec<String> = units
         .iter()
         .map(|(unit, per_metre)| {
@@ -338,8 +338,8 @@ fn way_out(times: f64) -> String {
     }
 }
 
-/// A file with a broken vertex; other files that cannot be read show nothing of sizes.
-fn of_fault(fault: &FeetFault) -> Option<OddMesh> {
+/// The finding that a mesh has a broken vertex; `None` for other faults, which say nothing about sizes.
+fn odd_vertex(fault: &FeetFault) -> Option<OddMesh> {
     let FeetFault::Mesh { body, mesh, fault: MeshFault::StrayPoint { .. }, .. } = fault else { return None };
     Some(OddMesh { body: body.clone(), mesh: mesh.clone(), text: fault.phrase().to_string() })
 }
@@ -350,38 +350,38 @@ mod tests {
     use crate::model::files::InMemory;
 
     #[track_caller]
-    fn found(there: &[&str], mesh: &str) -> Option<(String, bool)> {
+    fn file_found(there: &[&str], mesh: &str) -> Option<(String, bool)> {
         let files = InMemory::from_iter(there.iter().map(|path| (*path, "")));
-        let folders = MeshFolders::of_model(Path::new("models/m.osim")).and("bones");
+        let folders = MeshFolders::of_model(Path::new("models/m.osim")).with_folder("bones");
         let (path, mirrored) = folders.find(mesh, &files)?;
         Some((path.to_string_lossy().replace('\\', "/"), mirrored))
     }
 
     #[track_caller]
-    fn finds(there: &[&str], mesh: &str, path: &str, mirrored: bool) {
-        assert_eq!(found(there, mesh), Some((path.to_owned(), mirrored)));
+    fn assert_file_found(there: &[&str], mesh: &str, path: &str, mirrored: bool) {
+        assert_eq!(file_found(there, mesh), Some((path.to_owned(), mirrored)));
     }
 
     #[test]
     fn the_name_itself_comes_first_and_then_its_other_names() {
-        finds(&["bones/foot.vtp", "models/Geometry/r_foot.vtp"], "foot.vtp", "bones/foot.vtp", false);
-        finds(&["models/Geometry/r_foot.vtp"], "foot.vtp", "models/Geometry/r_foot.vtp", false);
-        finds(&["models/foot.vtp"], "r_foot.vtp", "models/foot.vtp", false);
-        finds(&["bones/talus_rv.vtp"], "talus.vtp", "bones/talus_rv.vtp", false);
-        finds(&["bones/l_foot.vtp", "bones/r_foot.vtp"], "foot_l.vtp", "bones/l_foot.vtp", false);
-        finds(&["bones/foot.vtp"], "Geometry\\FOOT.VTP", "bones/foot.vtp", false);
-        finds(&["models/Geometry/sub/a.vtp"], "sub/a.vtp", "models/Geometry/sub/a.vtp", false);
+        assert_file_found(&["bones/foot.vtp", "models/Geometry/r_foot.vtp"], "foot.vtp", "bones/foot.vtp", false);
+        assert_file_found(&["models/Geometry/r_foot.vtp"], "foot.vtp", "models/Geometry/r_foot.vtp", false);
+        assert_file_found(&["models/foot.vtp"], "r_foot.vtp", "models/foot.vtp", false);
+        assert_file_found(&["bones/talus_rv.vtp"], "talus.vtp", "bones/talus_rv.vtp", false);
+        assert_file_found(&["bones/l_foot.vtp", "bones/r_foot.vtp"], "foot_l.vtp", "bones/l_foot.vtp", false);
+        assert_file_found(&["bones/foot.vtp"], "Geometry\\FOOT.VTP", "bones/foot.vtp", false);
+        assert_file_found(&["models/Geometry/sub/a.vtp"], "sub/a.vtp", "models/Geometry/sub/a.vtp", false);
     }
 
     #[test]
     fn a_bone_of_the_other_side_is_its_mirror_image() {
-        finds(&["bones/r_foot.vtp"], "l_foot.vtp", "bones/r_foot.vtp", true);
-        finds(&["bones/l_foot.vtp"], "foot.vtp", "bones/l_foot.vtp", true);
-        finds(&["bones/foot.vtp"], "foot_lv.vtp", "bones/foot.vtp", true);
+        assert_file_found(&["bones/r_foot.vtp"], "l_foot.vtp", "bones/r_foot.vtp", true);
+        assert_file_found(&["bones/l_foot.vtp"], "foot.vtp", "bones/l_foot.vtp", true);
+        assert_file_found(&["bones/foot.vtp"], "foot_lv.vtp", "bones/foot.vtp", true);
     }
 
     #[test]
     fn other_bones_are_not_taken() {
-        assert_eq!(found(&["bones/bofoot.vtp", "bones/foot.stl"], "foot.vtp"), None);
+        assert_eq!(file_found(&["bones/bofoot.vtp", "bones/foot.stl"], "foot.vtp"), None);
     }
 }

@@ -1,4 +1,4 @@
-//! Values of coordinates at the default pose: their defaults, what constraints make of them, and what holds them.
+//! Values of coordinates at the default pose: their defaults, or what constraints make of them; and whether each is free.
 
 use foldhash::{HashMap, HashMapExt, HashSet};
 
@@ -7,11 +7,11 @@ use crate::model::{CoordinateFunction, Document, ElementId, FileId, JointCoordin
 use crate::xml::opensim_text;
 
 /// OpenSim leaves coordinates that are this close to what a constraint says.
-const ASSEMBLED: f64 = 1e-10;
+const ASSEMBLY_TOLERANCE: f64 = 1e-10;
 /// How often constraints that depend on each other are followed, at most.
 const PASSES: usize = 8;
 /// From this version on, a constraint says whether it is enforced, not whether it is disabled.
-const ENFORCED: u32 = 30509;
+const FIRST_WITH_IS_ENFORCED: u32 = 30509;
 
 /// A coordinate that an enforced CoordinateCouplerConstraint makes a function of another one.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,35 +27,35 @@ pub struct Coupler {
 impl Coupler {
     /// The dependent coordinate where the independent one has this value, and by how much it changes with it; `None` where the
     /// function is not known.
-    pub fn at(&self, independent: f64) -> Option<(f64, f64)> {
+    pub fn value_and_slope(&self, independent: f64) -> Option<(f64, f64)> {
         let function = self.function.as_ref()?;
         Some((self.factor * function.value(independent), self.factor * function.slope(independent)))
     }
 }
 
-/// What the enforced constraints of a model say of its coordinates.
+/// The enforced constraints of a model that make coordinates functions of others.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Couplers {
     /// Coordinates that are functions of others, in file order.
-    pub all: Vec<Coupler>,
+    pub couplers: Vec<Coupler>,
     /// Constraints that are not understood.
     pub unknown: Vec<PoseFault>,
 }
 
 impl Couplers {
     pub fn of(model: &Model) -> Self {
-        let mut couplers = Self { all: Vec::new(), unknown: Vec::new() };
+        let mut couplers = Self { couplers: Vec::new(), unknown: Vec::new() };
         for (document, constraint) in constraints(model) {
             match coupler(document, constraint) {
-                Some(coupler) => couplers.all.push(coupler),
-                None => couplers.unknown.push(unknown(document, constraint)),
+                Some(coupler) => couplers.couplers.push(coupler),
+                None => couplers.unknown.push(unknown_constraint(document, constraint)),
             }
         }
         couplers
     }
 }
 
-fn unknown(document: &Document, constraint: ElementId) -> PoseFault {
+fn unknown_constraint(document: &Document, constraint: ElementId) -> PoseFault {
     let tree = document.tree();
     PoseFault::Constraint {
         constraint: tree.attribute(constraint, "name").unwrap_or_default().into_owned(),
@@ -63,18 +63,18 @@ fn unknown(document: &Document, constraint: ElementId) -> PoseFault {
     }
 }
 
-/// What the coordinates of a model are at its default pose.
+/// The values of the coordinates of a model at its default pose.
 #[derive(Debug)]
 pub(crate) struct CoordinateValues {
-    /// Of all whose value is known.
+    /// By name, those whose value is known, rad or m.
     pub(crate) values: HashMap<String, f64>,
     /// The first constraint that is not understood.
     pub(crate) doubt: Option<PoseFault>,
 }
 
 impl CoordinateValues {
-    pub(crate) fn of(model: &Model) -> &Self {
-        model.of_bodies(coordinate_values)
+    pub(crate) fn at_default_pose(model: &Model) -> &Self {
+        model.derived_from_bodies(coordinate_values)
     }
 }
 
@@ -83,7 +83,7 @@ fn coordinate_values(model: &Model) -> CoordinateValues {
     for joint in model.joints() {
         let document = model.file(joint.file);
         for coordinate in &joint.coordinates {
-            let value = prescribed(document, coordinate.element).unwrap_or(coordinate.default);
+            let value = prescribed_value(document, coordinate.element).unwrap_or(coordinate.default);
             if let Some(value) = value {
                 values.entry(coordinate.name.clone()).or_insert(value);
             }
@@ -91,7 +91,7 @@ fn coordinate_values(model: &Model) -> CoordinateValues {
     }
     let couplers = Couplers::of(model);
     let doubt = couplers.unknown.first().cloned();
-    let unknown = couple(&mut values, &couplers.all);
+    let unknown = apply_couplers(&mut values, &couplers.couplers);
     for dependent in unknown {
         // Its joint says that it has no value.
         values.remove(&dependent);
@@ -106,17 +106,17 @@ fn dependent_coordinates(model: &Model) -> HashSet<String> {
 }
 
 /// The value at time 0 of a coordinate that is prescribed: `Some(None)` where its function is not known.
-fn prescribed(document: &Document, coordinate: ElementId) -> Option<Option<f64>> {
+fn prescribed_value(document: &Document, coordinate: ElementId) -> Option<Option<f64>> {
     Some(prescribed_function(document, coordinate)?.map(|function| function.value(0.0)))
 }
 
 /// The function of time that sets a coordinate, if one does: `Some(None)` for a function that is not known.
 pub fn prescribed_function(document: &Document, coordinate: ElementId) -> Option<Option<CoordinateFunction>> {
-    Some(CoordinateFunction::read(document, prescribing(document, coordinate)?))
+    Some(CoordinateFunction::read(document, prescribing_element(document, coordinate)?))
 }
 
 /// The function that prescribes a coordinate, if one does.
-fn prescribing(document: &Document, coordinate: ElementId) -> Option<ElementId> {
+fn prescribing_element(document: &Document, coordinate: ElementId) -> Option<ElementId> {
     let is_prescribed = matches!(document.flag(coordinate, "prescribed"), Ok(Some(true)));
     let tree = document.tree();
     let function = tree.children(tree.child(coordinate, "prescribed_function")?).next()?;
@@ -125,27 +125,27 @@ fn prescribing(document: &Document, coordinate: ElementId) -> Option<ElementId> 
 
 /// Whether a function of time sets a coordinate.
 fn is_prescribed(document: &Document, coordinate: ElementId) -> bool {
-    prescribing(document, coordinate).is_some()
+    prescribing_element(document, coordinate).is_some()
 }
 
 /// Enforced constraints of all files of the model.
 fn constraints(model: &Model) -> Vec<(&Document, ElementId)> {
     let files = [FileId::MAIN].into_iter().chain(model.companions().map(|(file, _)| file));
-    let mut found = Vec::new();
+    let mut enforced = Vec::new();
     for document in files.map(|file| model.file(file)) {
         let tree = document.tree();
         let root = document.data_root();
-        let own = (tree.name(root) == "ConstraintSet").then_some(root);
-        let set = own.or_else(|| tree.child(root, "ConstraintSet"));
+        let standalone_set = (tree.name(root) == "ConstraintSet").then_some(root);
+        let set = standalone_set.or_else(|| tree.child(root, "ConstraintSet"));
         let members = set.and_then(|set| tree.child(set, "objects"));
         let members = members.into_iter().flat_map(|members| tree.children(members));
-        found.extend(members.filter(|&id| is_enforced(document, id)).map(|id| (document, id)));
+        enforced.extend(members.filter(|&id| is_enforced(document, id)).map(|id| (document, id)));
     }
-    found
+enforced
 }
 
 fn is_enforced(document: &Document, constraint: ElementId) -> bool {
-    if document.version() >= ENFORCED {
+    if document.version() >= FIRST_WITH_IS_ENFORCED {
         return !matches!(document.flag(constraint, "isEnforced"), Ok(Some(false)));
     }
     let tree = document.tree();
@@ -176,20 +176,20 @@ fn coupler(document: &Document, constraint: ElementId) -> Option<Coupler> {
 }
 
 /// Sets dependent coordinates to the values that follow. Returns the names of those whose values are not known.
-fn couple(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Vec<String> {
+fn apply_couplers(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Vec<String> {
     let mut unknown = Vec::new();
     for pass in 0..PASSES {
         let mut changed = false;
         for coupler in couplers {
             let Some(&independent) = values.get(&coupler.independent) else { continue };
-            let Some((value, _)) = coupler.at(independent) else {
+            let Some((value, _)) = coupler.value_and_slope(independent) else {
                 if pass == 0 {
                     unknown.push(coupler.dependent.clone());
                 }
                 continue;
             };
             if let Some(dependent) = values.get_mut(&coupler.dependent)
-                && (*dependent - value).abs() > ASSEMBLED
+                && (*dependent - value).abs() > ASSEMBLY_TOLERANCE
             {
                 *dependent = value;
                 changed = true;
@@ -202,37 +202,37 @@ fn couple(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Vec<String
     unknown
 }
 
-// Whether a coordinate is free, or what keeps it at its value.
+// Whether a coordinate is free, locked or driven.
 
-/// What keeps a coordinate at its value.
+/// Whether a coordinate can change, and if not, why.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Held {
-    /// Nothing: it is free.
-    Not,
+pub(crate) enum CoordinateState {
+    /// It can change.
+Free,
     Locked,
     /// A function of time, or another coordinate, sets it.
     Driven,
 }
 
-/// Knows of each coordinate of a model what keeps it.
-pub(crate) struct HeldCoordinates<'m> {
+/// Finds the states of the coordinates of a model.
+pub(crate) struct CoordinateStates<'m> {
     model: &'m Model,
     dependent: HashSet<String>,
 }
 
-impl<'m> HeldCoordinates<'m> {
+impl<'m> CoordinateStates<'m> {
     pub(crate) fn of(model: &'m Model) -> Self {
         Self { model, dependent: dependent_coordinates(model) }
     }
 
-    pub(crate) fn held(&self, joint: &ModelJoint, coordinate: &JointCoordinate) -> Held {
+    pub(crate) fn state(&self, joint: &ModelJoint, coordinate: &JointCoordinate) -> CoordinateState {
         let document = self.model.file(joint.file);
         if matches!(document.flag(coordinate.element, "locked"), Ok(Some(true))) {
-            Held::Locked
+            CoordinateState::Locked
         } else if self.dependent.contains(&coordinate.name) || is_prescribed(document, coordinate.element) {
-            Held::Driven
+            CoordinateState::Driven
         } else {
-            Held::Not
+            CoordinateState::Free
         }
     }
 }

@@ -10,8 +10,8 @@ use super::couplers::CoordinateValues;
 use super::fault::PoseFault;
 use crate::model::{Model, ModelJoint, Placement};
 
-/// Two ways from ground to a body that end as close as this are one, m and rad.
-const SAME: f64 = 1e-9;
+/// If two ways over joints lead to places as close as this, they lead to one place, m.
+const SAME_PLACE: f64 = 1e-9;
 
 /// Where each body is in ground at the default pose, as OpenSim's `initSystem` leaves it: coordinates at `default_value`, locked
 /// and clamped ones too; prescribed ones where their function is at time 0; those that a CoordinateCouplerConstraint makes
@@ -36,13 +36,13 @@ pub struct DefaultPose(Arc<Placements>);
 #[derive(Debug, Clone, PartialEq)]
 struct Placements {
     placements: HashMap<String, Result<Placement, PoseFault>>,
-    /// What makes all of them doubtful.
+    /// Why none of the placements is certain.
     doubt: Option<PoseFault>,
 }
 
 impl DefaultPose {
     pub fn of(model: &Model) -> Self {
-        Self(Arc::clone(model.of_bodies(|model| Arc::new(Placements::of(model)))))
+        Self(Arc::clone(model.derived_from_bodies(|model| Arc::new(Placements::of(model)))))
     }
 
     /// The frame of `body` in ground.
@@ -58,25 +58,25 @@ impl DefaultPose {
 impl Placements {
     fn of(model: &Model) -> Self {
         let joints = model.joints();
-        let known = CoordinateValues::of(model);
-        let places = Places { model, values: &known.values };
+        let known = CoordinateValues::at_default_pose(model);
+        let places = JointPlacements { model, values: &known.values };
         let mut pose = Self { placements: HashMap::new(), doubt: known.doubt.clone() };
         let open = pose.place_all(joints, &places);
         pose.doubt = pose.doubt.or(open);
         pose
     }
 
-    /// Goes from ground to all bodies; a joint that closes a loop elsewhere than where the other way ends.
-    fn place_all(&mut self, joints: &[ModelJoint], places: &Places<'_>) -> Option<PoseFault> {
+    /// Places all bodies, from ground on. Returns a fault if a joint closes a loop, but not at the place to which the other way leads.
+    fn place_all(&mut self, joints: &[ModelJoint], places: &JointPlacements<'_>) -> Option<PoseFault> {
         let mut open = None;
-        for Crossing { joint, from, to, forward, closes } in joint_walk(joints) {
-            let placement = self.across(joint, from, forward, places);
+        for JointStep { joint, from, to, forward, closes } in joints_from_ground(joints) {
+            let placement = self.placement_beyond(joint, from, forward, places);
             let known = match to {
                 None => Some(Ok(Placement::IDENTITY)),
                 Some(body) => self.placements.get(body).cloned(),
             };
             match (known, to) {
-                (Some(known), _) if closes && !same(&known, &placement) => {
+                (Some(known), _) if closes && !are_one_place(&known, &placement) => {
                     open = open.or(Some(PoseFault::Loop { joint: joint.name.clone() }));
                 }
                 (None, Some(body)) => {
@@ -89,14 +89,14 @@ impl Placements {
     }
 
     /// Where the body at the other end of `joint` is.
-    fn across(
+    fn placement_beyond(
         &self,
         joint: &ModelJoint,
         here: Option<&str>,
         forward: bool,
-        places: &Places<'_>,
+        places: &JointPlacements<'_>,
     ) -> Result<Placement, PoseFault> {
-        let placement = places.of(joint)?;
+        let placement = places.placement(joint)?;
         let placement = if forward { placement } else { placement.inverse() };
         match here.and_then(|body| self.placements.get(body)) {
             Some(here) => Ok(here.clone()?.then(&placement)),
@@ -105,15 +105,15 @@ impl Placements {
     }
 }
 
-/// What is known of the joints.
-struct Places<'m> {
+/// Computes where the child of a joint is in its parent at the default pose.
+struct JointPlacements<'m> {
     model: &'m Model,
     values: &'m HashMap<String, f64>,
 }
 
-impl Places<'_> {
+impl JointPlacements<'_> {
     /// The child's frame in the parent's.
-    fn of(&self, joint: &ModelJoint) -> Result<Placement, PoseFault> {
+    fn placement(&self, joint: &ModelJoint) -> Result<Placement, PoseFault> {
         let mut values = Vec::new();
         for coordinate in &joint.coordinates {
             let missing =
@@ -126,18 +126,18 @@ impl Places<'_> {
     }
 }
 
-/// Whether two ways end at one place; if one is not known, the other counts.
-fn same(known: &Result<Placement, PoseFault>, other: &Result<Placement, PoseFault>) -> bool {
+/// Whether two placements are one; also if one of them is not known.
+fn are_one_place(known: &Result<Placement, PoseFault>, other: &Result<Placement, PoseFault>) -> bool {
     let (Ok(known), Ok(other)) = (known, other) else { return true };
     let places = [DVec3::ZERO, DVec3::X, DVec3::Y];
-    places.into_iter().all(|point| known.point(point).abs_diff_eq(other.point(point), SAME))
+    places.into_iter().all(|point| known.point(point).abs_diff_eq(other.point(point), SAME_PLACE))
 }
 
-// The way from ground over all joints.
+// All joints in the order in which they are reached from ground.
 
-/// A joint on the way from ground.
+/// A joint that is reached from ground over other joints.
 #[derive(Debug, Clone, Copy)]
-pub struct Crossing<'j> {
+pub struct JointStep<'j> {
     pub joint: &'j ModelJoint,
     /// The body at which it is reached; `None` is ground.
     pub from: Option<&'j str>,
@@ -145,22 +145,22 @@ pub struct Crossing<'j> {
     pub to: Option<&'j str>,
     /// Whether it leads from its parent to its child.
     pub forward: bool,
-    /// Whether another way has reached the body before: the joint closes a loop.
+    /// Whether `to` was reached over other joints before: the joint closes a loop.
     pub closes: bool,
 }
 
-/// The joints that hang on ground, each once, in an order in which the body that one is reached at is reached before it.
+/// The joints that are connected to ground, each once, in an order in which the body `from` of each is reached before it.
 ///
 /// ```
-/// use osim_model::feet::joint_walk;
+/// use osim_model::feet::joints_from_ground;
 ///
 /// # let bytes: &[u8] = include_bytes!("../../tests/data/one_foot.osim");
 /// let model = osim_model::Model::parse(bytes)?;
-/// let reached: Vec<Option<&str>> = joint_walk(model.joints()).iter().map(|crossing| crossing.to).collect();
-/// assert!(joint_walk(model.joints()).first().is_none_or(|first| first.from.is_none()), "{reached:?}");
+/// let reached: Vec<Option<&str>> = joints_from_ground(model.joints()).iter().map(|crossing| crossing.to).collect();
+/// assert!(joints_from_ground(model.joints()).first().is_none_or(|first| first.from.is_none()), "{reached:?}");
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
-pub fn joint_walk(joints: &[ModelJoint]) -> Vec<Crossing<'_>> {
+pub fn joints_from_ground(joints: &[ModelJoint]) -> Vec<JointStep<'_>> {
     let mut at: HashMap<Option<&str>, Vec<usize>> = HashMap::new();
     for (index, joint) in joints.iter().enumerate() {
         at.entry(joint.parent.as_deref()).or_default().push(index);
@@ -182,7 +182,7 @@ pub fn joint_walk(joints: &[ModelJoint]) -> Vec<Crossing<'_>> {
             if !closes {
                 waiting.push_back(to);
             }
-            walk.push(Crossing { joint, from, to, forward, closes });
+            walk.push(JointStep { joint, from, to, forward, closes });
         }
     }
     walk
@@ -208,7 +208,7 @@ impl<'j> Welds<'j> {
     }
 
     /// Whether two bodies are one, or welded to each other; `None` is ground.
-    pub(crate) fn hold(&self, one: Option<&'j str>, other: Option<&'j str>) -> bool {
+    pub(crate) fn are_welded(&self, one: Option<&'j str>, other: Option<&'j str>) -> bool {
         self.leader(one) == self.leader(other)
     }
 

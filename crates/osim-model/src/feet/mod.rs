@@ -32,32 +32,32 @@
 //! It changes nothing and opens no file by itself. It poses nothing but the default pose, and knows no constraints but couplers.
 
 mod bones;
-mod contacts;
+mod contact_planes;
 mod couplers;
 mod default_pose;
 mod fault;
 mod mesh;
 mod movements;
-mod scene;
+mod foot;
 mod sole;
 mod sole_pose;
 mod standing;
 mod vector;
 
 pub use bones::{AttachedBones, Bone, MeshFolders, OddMesh, attached_surface, bones, odd_meshes, odd_size};
-pub use contacts::{ContactPlane, PlaneSurface, STEEPEST_RAD, SpherePair, sphere_pairs};
+pub use contact_planes::{ContactPlane, PlaneSurface, STEEPEST_FLOOR_RAD, SpherePair, sphere_pairs};
 pub use couplers::{Coupler, Couplers, prescribed_function};
-pub use default_pose::{Crossing, DefaultPose, joint_walk};
+pub use default_pose::{JointStep, DefaultPose, joints_from_ground};
 pub use fault::{FeetFault, PoseFault};
 pub use mesh::{MeshFault, Surface, mesh_points, mesh_surface};
 pub use movements::{Freedom, Movements};
-pub use scene::{
+pub use foot::{
     FloorPlace, Foot, FootBodies, FootBone, FootFrame, FootJoint, FootSphere, ViewAxes, silhouette,
 };
 pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, soles};
-pub use sole_pose::Tilting;
+pub use sole_pose::TiltingCoordinate;
 pub use standing::{
-    ByLaw, LEANING_RAD, LevelledSphere, Lift, NotLevelled, NotLifted, OverFloor, Rest, RestingSphere,
-    Standing, levelled,
+    RestLaw, MOST_LEAN_RAD, LevelledSphere, Lift, NotLevelled, NotLifted, SphereOverFloor, RestOnFloor, RestingSphere,
+    Standing, levelled_spheres,
 };
 pub use vector::angle;

@@ -5,17 +5,17 @@ use std::sync::Arc;
 use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
-use super::couplers::{CoordinateValues, Held, HeldCoordinates};
+use super::couplers::{CoordinateValues, CoordinateState, CoordinateStates};
 use crate::model::{Model, ModelJoint, Placement};
 
 /// How far a coordinate is moved to see what it moves, rad or m.
-const STEP: f64 = 0.1;
-/// A rotation that changes its cells by no more than this is the same.
-const SAME: f64 = 1e-9;
-/// Bodies on the way to ground, at most.
+const TRIAL_STEP: f64 = 0.1;
+/// Rotations and translations whose components differ by no more than this are one.
+const SAME_CELL: f64 = 1e-9;
+/// The most bodies on a path to ground.
 const MOST_JOINTS: usize = 64;
 
-/// What is free between two bodies.
+/// How two bodies can move against each other.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Freedom {
     /// A coordinate turns one of them.
@@ -26,7 +26,7 @@ pub struct Freedom {
 
 /// The joint above a body.
 #[derive(Debug, Clone)]
-struct Above {
+struct JointAbove {
     /// The body it hangs on; `None` is ground.
     parent: Option<String>,
     freedom: Freedom,
@@ -35,21 +35,21 @@ struct Above {
 /// How the bodies of a model can move. Coordinates that are locked or prescribed, or that a coupler makes depend on another, are
 /// not free; of a joint that is not understood, everything is.
 #[derive(Debug, Clone)]
-pub struct Movements(Arc<Ways>);
+pub struct Movements(Arc<PathsToGround>);
 
-/// The ways from bodies to ground.
+/// The paths over joints from bodies to ground.
 #[derive(Debug, Clone)]
-struct Ways {
-    above: HashMap<String, Above>,
-    ends: HashMap<String, End>,
+struct PathsToGround {
+    above: HashMap<String, JointAbove>,
+    ends: HashMap<String, PathEnd>,
 }
 
-/// What is known of the way from a body to ground.
+/// The last body on the path from a body to ground, and whether the path is rigid.
 #[derive(Debug, Clone)]
-struct End {
-    /// The last body on it.
+struct PathEnd {
+    /// The last body on the path, which hangs on ground or on nothing.
     top: String,
-    /// Whether anything is free on it.
+    /// Whether a joint on the path can move.
     moves: bool,
 }
 
@@ -61,18 +61,18 @@ impl Freedom {
         self.turns || self.slides
     }
 
-    fn and(self, other: Self) -> Self {
+    fn with(self, other: Self) -> Self {
         Self { turns: self.turns || other.turns, slides: self.slides || other.slides }
     }
 }
 
 impl Movements {
     pub fn of(model: &Model) -> Self {
-        Self(Arc::clone(model.of_bodies(|model| Arc::new(Ways::of(model)))))
+        Self(Arc::clone(model.derived_from_bodies(|model| Arc::new(PathsToGround::of(model)))))
     }
 
     /// Whether `body` can move in ground.
-    pub fn moves(&self, body: &str) -> bool {
+    pub fn can_move(&self, body: &str) -> bool {
         // A body that hangs on nothing moves as it likes.
         self.0.ends.get(body).is_none_or(|end| end.moves)
     }
@@ -84,25 +84,25 @@ impl Movements {
 
     /// What is free between two bodies; `None` where they hang together only through ground.
     pub fn between(&self, one: &str, other: &str) -> Option<Freedom> {
-        let (one, other) = (self.0.way(one), self.0.way(other));
+        let (one, other) = (self.0.path(one), self.0.path(other));
         let (mut here, mut there) = (one.len(), other.len());
         // From the top down, as long as both ways are one.
         while here > 0
             && there > 0
-            && one.get(here - 1).map(|way| way.0) == other.get(there - 1).map(|way| way.0)
+            && one.get(here - 1).map(|path| path.0) == other.get(there - 1).map(|path| path.0)
         {
             here -= 1;
             there -= 1;
         }
         let own = one.iter().take(here).chain(other.iter().take(there));
-        (here < one.len()).then(|| own.fold(Freedom::default(), |all, (_, freedom)| all.and(*freedom)))
+        (here < one.len()).then(|| own.fold(Freedom::default(), |all, (_, freedom)| all.with(*freedom)))
     }
 }
 
-impl Ways {
+impl PathsToGround {
     fn of(model: &Model) -> Self {
         let coordinates =
-            Coordinates { model, known: CoordinateValues::of(model), held: HeldCoordinates::of(model) };
+            Coordinates { model, known: CoordinateValues::at_default_pose(model), states: CoordinateStates::of(model) };
         let mut above = HashMap::new();
         for joint in model.joints() {
             let (body, parent) = match (&joint.child, &joint.parent) {
@@ -113,42 +113,42 @@ impl Ways {
             };
             above
                 .entry(body.clone())
-                .or_insert_with(|| Above { parent, freedom: coordinates.freedom_of(joint) });
+                .or_insert_with(|| JointAbove { parent, freedom: coordinates.freedom_of(joint) });
         }
-        Self { ends: ends(&above), above }
+        Self { ends: path_ends(&above), above }
     }
 
     /// `body` and those above it, each with what the joint above it leaves free.
-    fn way<'b>(&'b self, body: &'b str) -> Vec<(&'b str, Freedom)> {
-        let mut way = Vec::new();
+    fn path<'b>(&'b self, body: &'b str) -> Vec<(&'b str, Freedom)> {
+        let mut path = Vec::new();
         let mut at = Some(body);
-        while let Some(body) = at.filter(|_| way.len() < MOST_JOINTS) {
+        while let Some(body) = at.filter(|_| path.len() < MOST_JOINTS) {
             let above = self.above.get(body);
-            way.push((body, above.map_or(Freedom::ALL, |above| above.freedom)));
+            path.push((body, above.map_or(Freedom::ALL, |above| above.freedom)));
             at = above.and_then(|above| above.parent.as_deref());
         }
-        way
+        path
     }
 }
 
-/// The ends of the ways of all bodies that hang on others or on ground, each joint looked at once.
-fn ends(above: &HashMap<String, Above>) -> HashMap<String, End> {
-    let mut ends: HashMap<String, End> = HashMap::new();
+/// The ends of the paths of all bodies that hang on others or on ground, each joint visited once.
+fn path_ends(above: &HashMap<String, JointAbove>) -> HashMap<String, PathEnd> {
+    let mut ends: HashMap<String, PathEnd> = HashMap::new();
     for body in above.keys() {
-        let (mut way, mut at) = (Vec::new(), Some(body.as_str()));
+        let (mut path, mut at) = (Vec::new(), Some(body.as_str()));
         // Joints in a circle end where they have all been passed.
         while let Some((name, joint)) = at.and_then(|name| Some((name, above.get(name)?))) {
-            if ends.contains_key(name) || way.len() > above.len() {
+            if ends.contains_key(name) || path.len() > above.len() {
                 break;
             }
-            way.push((name, joint.freedom));
+            path.push((name, joint.freedom));
             at = joint.parent.as_deref();
         }
         let known = at.and_then(|name| ends.get(name).cloned());
-        let last = at.or(way.last().map(|(name, _)| *name)).unwrap_or(body);
-        let alone = || End { top: last.to_owned(), moves: at.is_some() };
+        let last = at.or(path.last().map(|(name, _)| *name)).unwrap_or(body);
+        let alone = || PathEnd { top: last.to_owned(), moves: at.is_some() };
         let mut end = known.unwrap_or_else(alone);
-        for (name, freedom) in way.into_iter().rev() {
+        for (name, freedom) in path.into_iter().rev() {
             end.moves |= freedom.is_any();
             ends.insert(name.to_owned(), end.clone());
         }
@@ -160,31 +160,31 @@ fn ends(above: &HashMap<String, Above>) -> HashMap<String, End> {
 struct Coordinates<'m> {
     model: &'m Model,
     known: &'m CoordinateValues,
-    held: HeldCoordinates<'m>,
+    states: CoordinateStates<'m>,
 }
 
 impl Coordinates<'_> {
     fn freedom_of(&self, joint: &ModelJoint) -> Freedom {
         if joint.coordinates.is_empty() {
-            return unwritten(&joint.class);
+            return freedom_of_class(&joint.class);
         }
         let own = joint.coordinates.iter().map(|coordinate| self.known.values.get(&coordinate.name).copied());
         let placed = own
             .collect::<Option<Vec<f64>>>()
             .and_then(|values| Some((joint.placement(self.model, &values)?, values)));
         let Some((here, values)) = placed else { return Freedom::ALL };
-        let is_free = |coordinate| self.held.held(joint, coordinate) == Held::Not;
+        let is_free = |coordinate| self.states.state(joint, coordinate) == CoordinateState::Free;
         let free = joint.coordinates.iter().enumerate().filter(|(_, coordinate)| is_free(coordinate));
         free.fold(Freedom::default(), |all, (index, _)| {
             let mut moved = values.clone();
-            moved.iter_mut().skip(index).take(1).for_each(|value| *value += STEP);
-            all.and(joint.placement(self.model, &moved).map_or(Freedom::ALL, |there| moved_by(&here, &there)))
+            moved.iter_mut().skip(index).take(1).for_each(|value| *value += TRIAL_STEP);
+            all.with(joint.placement(self.model, &moved).map_or(Freedom::ALL, |there| freedom_between(&here, &there)))
         })
     }
 }
 
-/// What a joint leaves free whose coordinates the file leaves to OpenSim.
-fn unwritten(class: &str) -> Freedom {
+/// The freedom of a joint whose coordinates are not in the file, by its class.
+fn freedom_of_class(class: &str) -> Freedom {
     match class {
         "WeldJoint" | "CustomJoint" => Freedom::default(),
         "PinJoint" | "UniversalJoint" | "BallJoint" | "GimbalJoint" => Freedom { turns: true, slides: false },
@@ -192,8 +192,8 @@ fn unwritten(class: &str) -> Freedom {
     }
 }
 
-fn moved_by(here: &Placement, there: &Placement) -> Freedom {
-    let differ = |a: DVec3, b: DVec3| (a - b).abs().cmpgt(DVec3::splat(SAME)).any();
+fn freedom_between(here: &Placement, there: &Placement) -> Freedom {
+    let differ = |a: DVec3, b: DVec3| (a - b).abs().cmpgt(DVec3::splat(SAME_CELL)).any();
     let turned = |axis| differ(here.rotation.to_body(axis), there.rotation.to_body(axis));
     let turns = DVec3::AXES.into_iter().any(turned);
     Freedom { turns, slides: !turns && differ(here.translation_m, there.translation_m) }

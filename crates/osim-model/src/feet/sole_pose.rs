@@ -9,16 +9,16 @@ use super::vector::angle;
 use crate::messages::{readable, shown};
 use crate::model::{Model, ModelJoint, Placement, without_side};
 
-/// What tilts a foot by less than this does not matter, rad: 0.3 degrees.
-const TILTS: f64 = 0.005;
+/// A coordinate that tilts a foot by less than this does not count, rad: 0.3 degrees.
+const LEAST_TILT_RAD: f64 = 0.005;
 /// Coordinates that are named at most.
-const NAMED: usize = 4;
+const MOST_NAMED: usize = 4;
 /// Joints above a body, at most.
 const MOST_JOINTS: usize = 64;
 
 /// A coordinate whose default value tilts a foot.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Tilting {
+pub struct TiltingCoordinate {
     /// Its name, such as `ankle_angle_r`.
     pub name: String,
     /// Its value at the default pose, rad.
@@ -27,15 +27,15 @@ pub struct Tilting {
 
 impl Sole {
     /// The coordinates that tilt this foot or a part of it at the default pose of `model`, from the foot up.
-    pub fn tilted_by(&self, model: &Model) -> Vec<Tilting> {
+    pub fn tilted_by(&self, model: &Model) -> Vec<TiltingCoordinate> {
         let joints = model.joints();
-        let known = CoordinateValues::of(model);
+        let known = CoordinateValues::at_default_pose(model);
         let pose = DefaultPose::of(model);
-        let mut found: Vec<Tilting> = Vec::new();
+        let mut tilting: Vec<TiltingCoordinate> = Vec::new();
         for joint in self.joints_above(joints) {
-            let own: Option<Vec<f64>> =
+            let values: Option<Vec<f64>> =
                 joint.coordinates.iter().map(|one| known.values.get(&one.name).copied()).collect();
-            let Some(own) = own else { continue };
+            let Some(values) = values else { continue };
             let parent = match &joint.parent {
                 Some(body) => pose.placement(body).copied().unwrap_or(Placement::IDENTITY),
                 None => Placement::IDENTITY,
@@ -45,15 +45,15 @@ impl Sole {
                 Some(placed.rotation.inverse().to_body(self.up))
             };
             for (index, coordinate) in joint.coordinates.iter().enumerate() {
-                let mut without = own.clone();
+                let mut without = values.clone();
                 let Some(value) = without.get_mut(index).map(std::mem::take) else { continue };
-                let tilts = up(&own).zip(up(&without)).is_some_and(|(a, b)| a.distance(b) > TILTS);
-                if tilts && !found.iter().any(|known| known.name == coordinate.name) {
-                    found.push(Tilting { name: coordinate.name.clone(), value });
+                let tilts = up(&values).zip(up(&without)).is_some_and(|(a, b)| a.distance(b) > LEAST_TILT_RAD);
+                if tilts && !tilting.iter().any(|known| known.name == coordinate.name) {
+                    tilting.push(TiltingCoordinate { name: coordinate.name.clone(), value });
                 }
             }
         }
-        found
+        tilting
     }
 
     /// What is wrong with a foot that does not lie flat at the default pose, and by how much; `None` where it does.
@@ -76,8 +76,8 @@ impl Sole {
             "the foot of {} does not lie flat at the default pose: {tilt}, and bones near the ground cover {} of its length and {} \
              of its width, expected at most 10 degrees, and 80 % or more",
             bodies.join(", "),
-            percent(print.of_length),
-            percent(print.of_width),
+            percent(print.share_of_length),
+            percent(print.share_of_width),
         ))
     }
 
@@ -99,13 +99,13 @@ impl Sole {
     }
 }
 
-impl Tilting {
+impl TiltingCoordinate {
     /// Their names and values for a sentence: `ankle_angle_r = 0.2 rad`; of many the first.
     pub fn listed(all: &[Self]) -> String {
         let one = |own: &Self| format!("{} = {} rad", shown(&own.name), readable(own.value));
-        let mut named: Vec<String> = all.iter().take(NAMED).map(one).collect();
-        if all.len() > NAMED {
-            named.push(format!("{} more", all.len() - NAMED));
+        let mut named: Vec<String> = all.iter().take(MOST_NAMED).map(one).collect();
+        if all.len() > MOST_NAMED {
+            named.push(format!("{} more", all.len() - MOST_NAMED));
         }
         named.join(", ")
     }
@@ -121,7 +121,7 @@ impl Sole {
     /// By how much the poses of this foot and `other` differ from mirror images of each other at the default pose of `model`, rad: the
     /// largest angle between where one's body sees up, or the way to the other foot, and the mirror image of where the other's body
     /// sees it. `None` unless they are the feet of both sides and have a body in common.
-    pub fn posed_unlike(&self, other: &Self, model: &Model) -> Option<f64> {
+    pub fn pose_asymmetry(&self, other: &Self, model: &Model) -> Option<f64> {
         (self.side? != other.side?).then_some(())?;
         let pose = DefaultPose::of(model);
         let pair = |body: &String| {

@@ -18,24 +18,24 @@ pub(super) fn twice_area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
 }
 
 /// Sorts points along x, then y, and keeps each once.
-pub(super) fn sort_once(points: &mut Vec<DVec2>) {
+pub(super) fn sort_and_dedup(points: &mut Vec<DVec2>) {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     points.dedup();
 }
 
 /// The corners of the convex hull, the other way round than a clock goes, from the one with the least x on; `points` are sorted, each
 /// once. Corners in a line are left out. (Andrew, A. M. (1979): Another efficient algorithm for convex hulls in two dimensions.)
-pub(super) fn hull(points: &[DVec2]) -> Vec<DVec2> {
+pub(super) fn convex_hull(points: &[DVec2]) -> Vec<DVec2> {
     if points.len() < 2 {
         return points.to_vec();
     }
-    let mut corners = half(points.iter().copied());
-    corners.extend(half(points.iter().rev().copied()));
+    let mut corners = half_hull(points.iter().copied());
+    corners.extend(half_hull(points.iter().rev().copied()));
     corners
 }
 
 /// The lower side of points from left to right, or the upper one from right to left, without its last corner.
-fn half(points: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
+fn half_hull(points: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
     let mut chain: Vec<DVec2> = Vec::new();
     for point in points {
         while let [.., a, b] = chain[..]
@@ -75,14 +75,14 @@ mod tests {
     fn the_hull_of_a_square_has_four_corners() {
         let square = [[0.0, 0.0], [0.0, 1.0], [0.0, 2.0], [0.5, 1.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0]];
         let corners = places(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]);
-        assert_eq!(hull(&places(&square)), corners);
+        assert_eq!(convex_hull(&places(&square)), corners);
     }
 
     #[test]
     fn lines_and_points_have_hulls_too() {
-        assert_eq!(hull(&[DVec2::ONE]), [DVec2::ONE]);
+        assert_eq!(convex_hull(&[DVec2::ONE]), [DVec2::ONE]);
         let line = places(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]);
-        assert_eq!(hull(&line), places(&[[0.0, 0.0], [2.0, 2.0]]));
-        assert!(hull(&[]).is_empty());
+        assert_eq!(convex_hull(&line), places(&[[0.0, 0.0], [2.0, 2.0]]));
+        assert!(convex_hull(&[]).is_empty());
     }
 }

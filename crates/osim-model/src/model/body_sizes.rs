@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
-use crate::model::anatomy::bone_sizes::{GEOMETRY_SETS, mesh_file, mesh_scale};
-use crate::model::anatomy::joints::on_base;
+use crate::model::anatomy::bone_sizes::{FIRST_WITH_GEOMETRY_SETS, mesh_file, mesh_scale};
+use crate::model::anatomy::joints::placement_on_base;
 use crate::model::components::{ComponentId, Components};
 use crate::model::contacts::{Sphere, moving_spheres};
 use crate::model::document::Document;
@@ -16,9 +16,9 @@ use crate::model::typed_model::Model;
 use crate::xml::{ElementId, opensim_text};
 
 /// Documents before this version have a `<VisibleObject>`; OpenSim rounds its numbers as it converts them.
-const GEOMETRY: u32 = 30502;
-/// From then on, OpenSim reads no list of this name.
-const LAST_GEOMETRY: u32 = 30505;
+const FIRST_WITH_ATTACHED_GEOMETRY: u32 = 30502;
+/// The last version in which OpenSim reads a list `<geometry>`, too.
+const LAST_WITH_GEOMETRY_LIST: u32 = 30505;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct AttachedMesh {
@@ -46,8 +46,8 @@ impl Model {
             let tag = components.tag(*id);
             tag == "Body" || tag == "PhysicalOffsetFrame"
         });
-        let of_frame = |(id, _)| {
-            let (body, placement) = on_base(components, Some(id))?;
+        let meshes_of_frame = |(id, _)| {
+            let (body, placement) = placement_on_base(components, Some(id))?;
             let body = components.name(body?).into_owned();
             let attached = attached_meshes(components, id).into_iter().filter(|(file, ..)| !file.is_empty());
             Some(attached.map(move |(file, factors, inner)| AttachedMesh {
@@ -57,26 +57,26 @@ impl Model {
                 placement: placement.then(&inner),
             }))
         };
-        frames.filter_map(of_frame).flatten().collect()
+        frames.filter_map(meshes_of_frame).flatten().collect()
     }
 }
 
-type Attached = (String, [f64; 3], Placement);
+type FileFactorsPlacement = (String, [f64; 3], Placement);
 
-/// Files that are attached to one frame, with factors and where they are in it.
-fn attached_meshes(components: &Components, frame: ComponentId) -> Vec<Attached> {
+/// Mesh files that are attached to one frame, with their scale factors and where they are in it.
+fn attached_meshes(components: &Components, frame: ComponentId) -> Vec<FileFactorsPlacement> {
     let document = components.doc(frame);
     let element = components.element(frame);
     match document.version() {
-        version if version < GEOMETRY_SETS => of_list(document, element),
-        version if version < GEOMETRY => of_set(document, element),
-        _ => of_meshes(document, element),
+        version if version < FIRST_WITH_GEOMETRY_SETS => meshes_of_file_list(document, element),
+        version if version < FIRST_WITH_ATTACHED_GEOMETRY => meshes_of_geometry_set(document, element),
+        _ => meshes_of_attached_geometry(document, element),
     }
 }
 
-fn of_meshes(document: &Document, frame: ElementId) -> Vec<Attached> {
+fn meshes_of_attached_geometry(document: &Document, frame: ElementId) -> Vec<FileFactorsPlacement> {
     let tree = document.tree();
-    let early = || (document.version() <= LAST_GEOMETRY).then(|| tree.child(frame, "geometry")).flatten();
+    let early = || (document.version() <= LAST_WITH_GEOMETRY_LIST).then(|| tree.child(frame, "geometry")).flatten();
     let list = tree.child(frame, "attached_geometry").or_else(early);
     let meshes = list.into_iter().flat_map(|list| tree.children(list));
     let meshes = meshes.filter(|&mesh| tree.name(mesh) == "Mesh");
@@ -85,24 +85,24 @@ fn of_meshes(document: &Document, frame: ElementId) -> Vec<Attached> {
         .collect()
 }
 
-fn of_set(document: &Document, body: ElementId) -> Vec<Attached> {
+fn meshes_of_geometry_set(document: &Document, body: ElementId) -> Vec<FileFactorsPlacement> {
     let tree = document.tree();
     let Some(visible) = tree.child(body, "VisibleObject") else { return Vec::new() };
     let set = tree.child(visible, "GeometrySet").and_then(|set| tree.child(set, "objects"));
     let geometries = set.into_iter().flat_map(|set| tree.children(set));
-    let whole = (mesh_scale(document, visible), mesh_placement(document, visible));
+    let common = (mesh_scale(document, visible), mesh_placement(document, visible));
     geometries
         .filter(|&geometry| tree.name(geometry) == "DisplayGeometry")
         .map(|geometry| {
-            let factors = DVec3::from(whole.0) * DVec3::from(mesh_scale(document, geometry));
-            let placement = whole.1.then(&mesh_placement(document, geometry)).in_six_digits();
+            let factors = DVec3::from(common.0) * DVec3::from(mesh_scale(document, geometry));
+            let placement = common.1.then(&mesh_placement(document, geometry)).in_six_digits();
             (mesh_file(document, geometry, "geometry_file"), factors.to_array().map(six_digits), placement)
         })
         .collect()
 }
 
-/// A list of names; the transform does not count there.
-fn of_list(document: &Document, body: ElementId) -> Vec<Attached> {
+/// The files of `<geometry_files>`, for which OpenSim ignores the `<transform>`.
+fn meshes_of_file_list(document: &Document, body: ElementId) -> Vec<FileFactorsPlacement> {
     let tree = document.tree();
     let Some(visible) = tree.child(body, "VisibleObject") else { return Vec::new() };
     let names = mesh_file(document, visible, "geometry_files");
@@ -110,31 +110,31 @@ fn of_list(document: &Document, body: ElementId) -> Vec<Attached> {
     opensim_text::list_words(&names).map(|name| (name.to_owned(), factors, Placement::IDENTITY)).collect()
 }
 
-/// Six numbers: body-fixed angles about x, y and z (rad), and a translation (m).
+/// The placement in `<transform>`: body-fixed angles about x, y and z (rad), and a translation (m).
 fn mesh_placement(document: &Document, element: ElementId) -> Placement {
     let tree = document.tree();
     let text = tree.child(element, "transform").map(|child| tree.text_of(child)).unwrap_or_default();
     match opensim_text::numbers(&text).as_deref() {
-        Some([a, b, c, x, y, z]) => Placement::of_triples([*a, *b, *c], [*x, *y, *z]),
+        Some([a, b, c, x, y, z]) => Placement::from_triples([*a, *b, *c], [*x, *y, *z]),
         _ => Placement::IDENTITY,
     }
 }
 
 #[derive(Debug, Clone, Default)]
 pub struct BodyShape {
-    /// Its centre of mass, m.
+    /// The centre of mass of the body, m.
     pub centre_m: DVec3,
     /// The root mean square of the distance of its mass from that centre, m: √(½ trace(I)/m). `None` where mass or inertia is not
     /// above 0.
     pub gyration_m: Option<f64>,
-    /// Its joints, also those to ground, m.
+    /// The places of its joints, also of those to ground, m.
     pub joints_m: Vec<DVec3>,
 }
 
 impl Model {
     /// The shapes of all bodies, by name.
     pub fn body_shapes(&self) -> &HashMap<String, BodyShape> {
-        self.of_bodies(BodyShape::all)
+        self.derived_from_bodies(BodyShape::all)
     }
 }
 
@@ -145,7 +145,7 @@ impl BodyShape {
         for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
             shapes.entry(components.name(id).into_owned()).or_insert_with(|| shape_of(components, id));
         }
-        for (body, place_m) in model.body_facts.joints.ends(components) {
+        for (body, place_m) in model.body_facts.joints.places_on_bodies(components) {
             if let Some(shape) = shapes.get_mut(body) {
                 shape.joints_m.push(place_m);
             }
@@ -157,14 +157,14 @@ impl BodyShape {
 fn shape_of(components: &Components, body: ComponentId) -> BodyShape {
     let centre_m = components.doc(body).triple(components.element(body), "mass_center");
     let gyration_m = number(components, body, "mass")
-        .zip(trace(components, body))
+        .zip(inertia_trace(components, body))
         .map(|(mass, trace)| (trace / 2.0 / mass).sqrt());
     let gyration_m = gyration_m.filter(|radius| radius.is_finite() && *radius > 0.0);
     BodyShape { centre_m: centre_m.unwrap_or_default().into(), gyration_m, joints_m: Vec::new() }
 }
 
 /// Ixx + Iyy + Izz, which documents before version 4 have in elements of their own.
-pub(crate) fn trace(components: &Components, body: ComponentId) -> Option<f64> {
+pub(crate) fn inertia_trace(components: &Components, body: ComponentId) -> Option<f64> {
     let moments = match numbers(components, body, "inertia").as_deref() {
         Some([xx, yy, zz, ..]) => [Some(*xx), Some(*yy), Some(*zz)],
         _ => ["inertia_xx", "inertia_yy", "inertia_zz"].map(|tag| number(components, body, tag)),
@@ -201,13 +201,13 @@ impl BodySize {
 pub struct ScaledSinceNote {
     /// Mesh factors now over those in the note, along x, y and z, by body. Exactly 1 where they are equal.
     pub factors: BTreeMap<String, [f64; 3]>,
-    left_behind: bool,
+    spheres_left_behind: bool,
 }
 
 impl ScaledSinceNote {
     /// Whether some body has another size now, and a sphere of it belongs elsewhere.
     pub const fn is_scaled(&self) -> bool {
-        self.left_behind
+        self.spheres_left_behind
     }
 
     /// Whether every body that carries spheres of `model` has factors.
@@ -235,12 +235,12 @@ impl Model {
             Some((now.body.clone(), factors))
         });
         let factors: BTreeMap<String, [f64; 3]> = ratios.collect();
-        let left_behind = moving_spheres(self, &self.force_ids()).into_iter().any(|id| {
+        let spheres_left_behind = moving_spheres(self, &self.force_ids()).into_iter().any(|id| {
             let Some(sphere) = self.sphere(id) else { return false };
             let factors = sphere.body.as_ref().and_then(|body| factors.get(body));
             factors.is_some_and(|factors| self.belongs_elsewhere(sphere, *factors))
         });
-        Some(ScaledSinceNote { factors, left_behind })
+        Some(ScaledSinceNote { factors, spheres_left_behind })
     }
 
     /// Whether a body that carries spheres has other mesh factors than when `note` was written.

@@ -128,8 +128,8 @@ pub enum RadiusAxis {
 }
 
 impl RadiusAxis {
-    /// The ratio of radii, of the factors along x, y and z.
-    pub fn of(self, [x, y, z]: [f64; 3]) -> f64 {
+    /// The ratio of radii for these factors along x, y and z.
+    pub fn radius_ratio(self, [x, y, z]: [f64; 3]) -> f64 {
         match self {
             Self::X => x,
             Self::Y => y,
@@ -160,12 +160,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn radii_follow_the_axis_asked_for() {
+    fn radius_ratios_follow_the_requested_axis() {
         let factors = [1.0, 2.0, 4.0];
-        let of = |axis: RadiusAxis| axis.of(factors);
-        assert_eq!((of(RadiusAxis::X), of(RadiusAxis::Y), of(RadiusAxis::Z)), (1.0, 2.0, 4.0));
-        assert_eq!((of(RadiusAxis::Min), of(RadiusAxis::Max)), (1.0, 4.0));
-        assert!((of(RadiusAxis::GeometricMean) - 2.0).abs() < 1e-15);
-        assert_eq!(RadiusAxis::GeometricMean.of([1.3, 1.3, 1.3]), 1.3);
+        let ratio = |axis: RadiusAxis| axis.radius_ratio(factors);
+        assert_eq!((ratio(RadiusAxis::X), ratio(RadiusAxis::Y), ratio(RadiusAxis::Z)), (1.0, 2.0, 4.0));
+        assert_eq!((ratio(RadiusAxis::Min), ratio(RadiusAxis::Max)), (1.0, 4.0));
+        assert!((ratio(RadiusAxis::GeometricMean) - 2.0).abs() < 1e-15);
+        assert_eq!(RadiusAxis::GeometricMean.radius_ratio([1.3, 1.3, 1.3]), 1.3);
     }
 }

@@ -13,9 +13,9 @@ use crate::model::typed_model::Model;
 use crate::xml::ElementId;
 
 /// Bytes of the digest of all numbers in a note, and of that of a reference.
-const BYTES: usize = 8;
+const DIGEST_BYTES: usize = 8;
 /// Bytes of the digests of radii, places and names.
-const BYTES_OF_PART: usize = 4;
+const PART_DIGEST_BYTES: usize = 4;
 
 /// The key of a number of a model: its file, its object and its property.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -38,10 +38,10 @@ impl From<(&Slot, Property)> for ValueKey {
 }
 
 impl Model {
-    /// Digest of all contact values: parameters of every contact force and radii of their spheres, in their order.
+    /// A digest of all contact values: parameters of every contact force and radii of their spheres, in their order.
     ///
-    /// `changed` gives the new value of those that a plan changes. The same numbers have the same digest whatever their
-    /// spelling, wherever they are in the file, and whatever the spheres and forces are called.
+    /// `changed` gives the new value of those that a plan changes. Equal numbers have
+    /// equal digests, whatever their spelling, their place in the file, and the names of spheres and forces.
     pub fn contact_digest(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> String {
         let mut hash = Sha256::new();
         let mut feed = |set: usize, property: Property, number: f64| {
@@ -78,7 +78,7 @@ impl Model {
         radii.sort_unstable();
         let mut hash = Sha256::new();
         radii.into_iter().for_each(|radius| hash.update(radius.to_le_bytes()));
-        digits(hash, BYTES_OF_PART)
+        digits(hash, PART_DIGEST_BYTES)
     }
 
     /// Digest of the locations of all spheres of contact forces, in their frames, with the bodies that carry them, in whatever
@@ -98,7 +98,7 @@ impl Model {
             hash.update([0]);
             location.into_iter().for_each(|coordinate| hash.update(coordinate.to_le_bytes()));
         }
-        digits(hash, BYTES_OF_PART)
+        digits(hash, PART_DIGEST_BYTES)
     }
 
     fn spheres_of_forces(&self) -> impl Iterator<Item = &Sphere> {
@@ -141,13 +141,13 @@ impl Model {
     }
 }
 
-/// The first 16 digits of the SHA-256 of `bytes`, by which a note knows a reference again.
+/// The first 16 digits of the SHA-256 of `bytes`, by which a note recognises a reference.
 pub fn short_digest(bytes: &[u8]) -> String {
     first_digits(Sha256::new_with_prefix(bytes))
 }
 
 fn first_digits(hash: Sha256) -> String {
-    digits(hash, BYTES)
+    digits(hash, DIGEST_BYTES)
 }
 
 fn digits(hash: Sha256, bytes: usize) -> String {
@@ -155,10 +155,10 @@ fn digits(hash: Sha256, bytes: usize) -> String {
     digits.filter_map(|digit| char::from_digit(digit.into(), 16)).collect()
 }
 
-// What contacts are called, and a digest of each of their properties: the record by which a note shows what changed.
+// Names of the contacts and a digest of each of their properties: by these a note shows what changed.
 
-/// Bytes of the digest of one property: it only names what the digest of all numbers found to be different.
-const BYTES_OF_PROPERTY: usize = 2;
+/// Bytes of the digest of one property. It is short: it only says which property differs once the digest of all numbers does.
+const PROPERTY_DIGEST_BYTES: usize = 2;
 
 impl Model {
     /// What a note records of the contacts beside the digests of all numbers. `changed` gives the new value of those that a plan
@@ -169,8 +169,8 @@ impl Model {
         let spheres = spheres.filter_map(|sphere| self.sphere(sphere)).map(|sphere| sphere.name.as_str());
         let forces = self.forces().iter().map(|force| force.name.as_str());
         NotedParts {
-            spheres: names(spheres.collect()),
-            forces: names(forces.collect()),
+            spheres: noted_names(spheres.collect()),
+            forces: noted_names(forces.collect()),
             properties: self.property_digests(changed),
         }
     }
@@ -179,10 +179,10 @@ impl Model {
     fn property_digests(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> BTreeMap<Property, String> {
         let mut values: BTreeMap<Property, Vec<u64>> = BTreeMap::new();
         for force in self.forces() {
-            let own = (force.element, &force.transition_velocity);
+            let of_force = (force.element, &force.transition_velocity);
             let of_sets =
                 force.sets.iter().flat_map(|set| set.values.iter().map(|value| (set.element, value)));
-            for (element, value) in of_sets.chain([own]) {
+            for (element, value) in of_sets.chain([of_force]) {
                 let key = ValueKey::new(force.file, element, value.property);
                 let number = changed(key).unwrap_or(value.number);
                 values.entry(value.property).or_default().push(number.to_bits());
@@ -192,34 +192,34 @@ impl Model {
             bits.sort_unstable();
             let mut hash = Sha256::new();
             bits.into_iter().for_each(|bits| hash.update(bits.to_le_bytes()));
-            digits(hash, BYTES_OF_PROPERTY)
+            digits(hash, PROPERTY_DIGEST_BYTES)
         };
         values.into_iter().map(|(property, bits)| (property, digest(bits))).collect()
     }
 }
 
-fn names(mut names: Vec<&str>) -> NotedNames {
+fn noted_names(mut names: Vec<&str>) -> NotedNames {
     names.sort_unstable();
     let mut hash = Sha256::new();
     for name in &names {
         hash.update(name.as_bytes());
         hash.update([0]);
     }
-    NotedNames { count: names.len(), digest: digits(hash, BYTES_OF_PART) }
+    NotedNames { count: names.len(), digest: digits(hash, PART_DIGEST_BYTES) }
 }
 
-// The record of a note after a change that takes contacts out or makes them of another class, and leaves what they are made for.
+// The record of a note after a change that removes contacts or converts them, and keeps the mass that they are made for.
 
 impl Note {
-    /// This note of `before`, with the record of `after`. What others changed before stays recorded as it was, so that it is found.
-    pub fn recorded_again(&self, before: &Model, after: &Model) -> Self {
+    /// This note, with the record of the contacts of `after`. Differences between the note and `before` stay, so that they are found later.
+    pub fn with_updated_record(&self, before: &Model, after: &Model) -> Self {
         let mut note = self.clone();
         let parts = after.noted_parts(|_| None);
         if before.has_values_of(self) {
             note.digest = after.contact_digest(|_| None);
             note.parts = parts;
         } else {
-            note.parts = self.parts.again(&before.noted_parts(|_| None), parts);
+            note.parts = self.parts.updated(&before.noted_parts(|_| None), parts);
         }
         if before.has_radii_of(self) {
             note.radii = after.radii_digest(|_| None);
@@ -232,19 +232,19 @@ impl Note {
 }
 
 impl NotedParts {
-    /// `after`, with what `before` does not have as it was noted.
-    fn again(&self, before: &Self, mut after: Self) -> Self {
+    /// The parts of `after`, but those of this note where they differ from `before`.
+    fn updated(&self, before: &Self, mut after: Self) -> Self {
         for (property, noted) in &self.properties {
             if before.properties.get(property) != Some(noted) {
                 after.properties.insert(*property, noted.clone());
             }
         }
-        let names = |noted: &NotedNames, before: &NotedNames, after: NotedNames| {
+        let unless_different = |noted: &NotedNames, before: &NotedNames, after: NotedNames| {
             if noted == before { after } else { noted.clone() }
         };
         Self {
-            spheres: names(&self.spheres, &before.spheres, after.spheres),
-            forces: names(&self.forces, &before.forces, after.forces),
+            spheres: unless_different(&self.spheres, &before.spheres, after.spheres),
+            forces: unless_different(&self.forces, &before.forces, after.forces),
             properties: after.properties,
         }
     }

@@ -22,8 +22,8 @@ const FILE_SETS: [&str; 9] = [
     "MarkerSet",
     "ProbeSet",
 ];
-/// Such sets of a force.
-const PARAMETER_SETS: [&str; 2] =
+/// Sets of parameters in a contact force, which OpenSim also reads from files of their own.
+const PARAMETER_FILE_SETS: [&str; 2] =
     ["HuntCrossleyForce::ContactParametersSet", "ElasticFoundationForce::ContactParametersSet"];
 
 /// A scanned OpenSim document, with its bytes.
@@ -71,8 +71,8 @@ impl Document {
         })
     }
 
-    /// Says that there is no `file="…"` in it, where that is known.
-    pub(crate) fn including_nothing(self) -> Self {
+    /// The document of a file that is known to have no `file="…"` in it.
+    pub(crate) fn known_to_include_nothing(self) -> Self {
         Self { may_include: OnceLock::from(false), ..self }
     }
 
@@ -127,12 +127,12 @@ impl Document {
     /// The effective value of `property`, spelled `tag`, of `object`: element, else `<defaults>`, else class default.
     pub(crate) fn value(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
         if let Some(element) = self.tree.child(object, tag) {
-            return self.own_value(element, property, || self.inherited(object, class, property, tag).number);
+            return self.value_of_element(element, property, || self.inherited(object, class, property, tag).number);
         }
         self.inherited(object, class, property, tag)
     }
 
-    fn own_value(&self, element: ElementId, property: Property, fallback: impl FnOnce() -> f64) -> Value {
+    fn value_of_element(&self, element: ElementId, property: Property, fallback: impl FnOnce() -> f64) -> Value {
         let raw = self.tree.raw_text(element);
         let (number, fault) = match number(&raw) {
             Ok(number) => (number, None),
@@ -155,7 +155,7 @@ impl Document {
                 origin: Origin::Defaults,
                 span: None,
                 offset,
-                ..self.own_value(element, property, || class.default(property))
+                ..self.value_of_element(element, property, || class.default(property))
             },
             None => Value {
                 property,
@@ -193,7 +193,7 @@ impl Document {
         let is_set = match self.tree.name(parent) {
             "components" | "frames" => return Some(file),
             "Model" => FILE_SETS.contains(&tag),
-            _ => PARAMETER_SETS.contains(&tag),
+            _ => PARAMETER_FILE_SETS.contains(&tag),
         };
         (is_set && self.tree.child(parent, tag) == Some(id)).then_some(file)
     }
@@ -229,7 +229,7 @@ impl Document {
     pub(crate) fn whole_text(&self, element: ElementId) -> Result<Cow<'_, str>, Fault> {
         self.tree.whole_text(element).ok_or_else(|| {
             let property = self.tree.name(element).to_owned();
-            Fault::over(FaultKind::BrokenText { property }, self.tree.span(element))
+            Fault::at_span(FaultKind::BrokenText { property }, self.tree.span(element))
         })
     }
 
@@ -255,9 +255,9 @@ impl Document {
         tag: &str,
         read: impl Fn(ElementId) -> Result<Option<T>, Fault>,
     ) -> Result<Option<T>, Fault> {
-        let own = self.tree.child(object, tag).map(&read).transpose()?.flatten();
-        if own.is_some() {
-            return Ok(own);
+        let own_value = self.tree.child(object, tag).map(&read).transpose()?.flatten();
+        if own_value.is_some() {
+            return Ok(own_value);
         }
         let inherited = self.default_property(self.tree.name(object), tag);
         Ok(inherited.map(read).transpose()?.flatten())
@@ -296,17 +296,17 @@ fn version_and_data_root(tree: &Tree) -> Result<(u32, ElementId), Fault> {
     let root = ElementId::ROOT;
     if tree.name(root) != "OpenSimDocument" {
         let kind = FaultKind::NotOpenSim { root: tree.name(root).to_owned() };
-        return Err(Fault::over(kind, tree.open_span(root)));
+        return Err(Fault::at_span(kind, tree.open_span(root)));
     }
-    let found = trimmed(&tree.attribute(root, "Version").unwrap_or_default()).to_owned();
-    let Ok(version) = found.parse::<u32>() else {
-        return Err(Fault::over(FaultKind::NoVersion { found }, tree.open_span(root)));
+    let version_text = trimmed(&tree.attribute(root, "Version").unwrap_or_default()).to_owned();
+    let Ok(version) = version_text.parse::<u32>() else {
+        return Err(Fault::at_span(FaultKind::NoVersion { found: version_text }, tree.open_span(root)));
     };
     match tree.children(root).next() {
         Some(data_root) => Ok((version, data_root)),
         None => {
             let kind = FaultKind::WrongDataRoot { tag: "(nothing)".to_owned() };
-            Err(Fault::over(kind, tree.open_span(root)))
+            Err(Fault::at_span(kind, tree.open_span(root)))
         }
     }
 }

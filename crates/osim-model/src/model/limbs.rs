@@ -21,7 +21,7 @@ pub struct Limb {
     pub spheres: Vec<SphereId>,
 }
 
-/// The limbs, or why they are not known: a match on it is complete.
+/// The limbs of a model, or why they are not known.
 ///
 /// ```
 /// use osim_model::{Model, Selection, Side};
@@ -31,7 +31,7 @@ pub struct Limb {
 /// let model = Model::parse(bytes)?;
 /// let selected = Selection::default().apply(&model)?;
 /// let limbs = model.limbs(&selected.forces);
-/// let [limb] = limbs.known().unwrap_or_default() else { panic!("not one limb") };
+/// let [limb] = limbs.if_known().unwrap_or_default() else { panic!("not one limb") };
 /// assert_eq!((limb.name.as_str(), limb.side), ("foot_r", Side::Right));
 /// assert_eq!(limbs.spheres_per_limb(), Ok(1));
 /// # Ok::<(), osim_model::Fault>(())
@@ -40,12 +40,12 @@ pub struct Limb {
 pub enum Limbs {
     /// Every sphere belongs to exactly one of these.
     Known(Vec<Limb>),
-    /// What is not known; the user is asked instead.
+    /// Why they are not known; the user is asked instead.
     Unknown(Phrase),
 }
 
 impl Limbs {
-    pub fn known(&self) -> Option<&[Limb]> {
+    pub fn if_known(&self) -> Option<&[Limb]> {
         match self {
             Self::Known(limbs) => Some(limbs),
             Self::Unknown(_) => None,
@@ -53,7 +53,7 @@ impl Limbs {
     }
 
     /// Why they are not known, where they are not.
-    pub fn unknown(&self) -> Option<&Phrase> {
+    pub fn why_unknown(&self) -> Option<&Phrase> {
         match self {
             Self::Known(_) => None,
             Self::Unknown(why) => Some(why),
@@ -82,12 +82,12 @@ impl Limbs {
 impl Model {
     /// Groups the moving spheres of the applied forces among `forces` that meet a half-space.
     pub fn limbs(&self, forces: &[ForceId]) -> Limbs {
-        let footings = match self.footings(forces) {
-            Ok(footings) => footings,
+        let carriers = match self.carriers(forces) {
+            Ok(carriers) => carriers,
             Err(why) => return Limbs::Unknown(why.into()),
         };
         let mut limbs = Vec::new();
-        match self.split(&footings, &mut limbs) {
+        match self.split(&carriers, &mut limbs) {
             Ok(()) => Limbs::Known(limbs),
             Err(why) => Limbs::Unknown(why.into()),
         }
@@ -111,7 +111,7 @@ impl Model {
     /// The forces whose moving spheres hang on the same body on top of the joint tree as those of `forces`: a ball is joined
     /// to its player only through ground.
     pub fn forces_of_same_body(&self, forces: &[ForceId]) -> Vec<ForceId> {
-        let own: HashSet<ForceId> = forces.iter().copied().collect();
+        let given: HashSet<ForceId> = forces.iter().copied().collect();
         let tops = |id: ForceId| -> HashSet<ComponentId> {
             let spheres = self.force(id).map(Force::spheres).unwrap_or_default();
             let moving = spheres.into_iter().filter_map(|id| self.sphere(id)).filter(|sphere| !sphere.fixed);
@@ -122,7 +122,7 @@ impl Model {
             moving.filter_map(top).collect()
         };
         let chosen: HashSet<ComponentId> = forces.iter().flat_map(|&id| tops(id)).collect();
-        let same = |id: &ForceId| own.contains(id) || !tops(*id).is_disjoint(&chosen);
+        let same = |id: &ForceId| given.contains(id) || !tops(*id).is_disjoint(&chosen);
         self.force_ids().into_iter().filter(same).collect()
     }
 
@@ -135,7 +135,7 @@ impl Model {
         })
     }
 
-    fn footings(&self, forces: &[ForceId]) -> Result<Vec<Footing>, String> {
+    fn carriers(&self, forces: &[ForceId]) -> Result<Vec<SphereCarrier>, String> {
         let loaded = self.loaded_spheres(forces);
         if loaded.is_empty() {
             return Err("no moving sphere meets a half-space through a force that applies".to_owned());
@@ -148,11 +148,11 @@ impl Model {
             };
             bodies.entry(body).or_default().push(index);
         }
-        let footing = |(body, spheres): (ComponentId, Vec<SphereId>)| {
+        let carrier = |(body, spheres): (ComponentId, Vec<SphereId>)| {
             let side = self.side_of(body, &spheres);
-            Footing { body, side, spheres }
+            SphereCarrier { body, side, spheres }
         };
-        Ok(bodies.into_iter().map(footing).collect())
+        Ok(bodies.into_iter().map(carrier).collect())
     }
 
     /// The side of a body from its own name, else from the names of its spheres if they agree.
@@ -164,12 +164,12 @@ impl Model {
         })
     }
 
-    /// Splits the footings from the top down until no group holds both sides.
-    fn split(&self, footings: &[Footing], limbs: &mut Vec<Limb>) -> Result<(), String> {
-        let tree = FootingTree::new(footings, self.skeleton());
+    /// Splits the carriers from the top of the joint tree down until no group has both sides.
+    fn split(&self, carriers: &[SphereCarrier], limbs: &mut Vec<Limb>) -> Result<(), String> {
+        let tree = CarrierTree::new(carriers, self.skeleton());
         if !tree.all_sides().are_both() {
-            let top = footings.first().map(|footing| self.skeleton().top(footing.body));
-            limbs.push(self.limb(&footings.iter().collect::<Vec<_>>(), top)?);
+            let top = carriers.first().map(|carrier| self.skeleton().top(carrier.body));
+            limbs.push(self.limb(&carriers.iter().collect::<Vec<_>>(), top)?);
             return Ok(());
         }
         let [top] = tree.tops() else {
@@ -195,19 +195,19 @@ impl Model {
     }
 
     /// The limb of a `group`, called after the body on its top.
-    fn limb(&self, group: &[&Footing], top: Option<ComponentId>) -> Result<Limb, String> {
+    fn limb(&self, group: &[&SphereCarrier], top: Option<ComponentId>) -> Result<Limb, String> {
         let mut spheres: Vec<SphereId> =
-            group.iter().flat_map(|footing| footing.spheres.iter().copied()).collect();
+            group.iter().flat_map(|carrier| carrier.spheres.iter().copied()).collect();
         spheres.sort_unstable();
         let name = top.map(|id| self.components().name(id)).unwrap_or_default();
-        let side = group.first().and_then(|footing| footing.side);
+        let side = group.first().and_then(|carrier| carrier.side);
         match side {
-            Some(side) if group.iter().all(|footing| footing.side == Some(side)) => {
+            Some(side) if group.iter().all(|carrier| carrier.side == Some(side)) => {
                 Ok(Limb { name: name.into_owned(), side, spheres })
             }
             _ => {
-                let unknown = group.iter().find(|footing| footing.side.is_none());
-                let body = unknown.map(|footing| self.components().name(footing.body)).unwrap_or(name);
+                let unknown = group.iter().find(|carrier| carrier.side.is_none());
+                let body = unknown.map(|carrier| self.components().name(carrier.body)).unwrap_or(name);
                 Err(format!("whether body {body} is left or right cannot be determined from its name"))
             }
         }
@@ -216,21 +216,21 @@ impl Model {
 
 // The joint tree above the bodies on which a model stands, each body of it looked at once.
 
-/// Spheres on one body.
-struct Footing {
+/// A body that carries spheres under load.
+struct SphereCarrier {
     pub body: ComponentId,
     pub side: Option<Side>,
     pub spheres: Vec<SphereId>,
 }
 
-/// Whether there is a right and a left one.
+/// Which sides of the animal are present.
 #[derive(Debug, Clone, Copy, Default)]
-struct Sides {
+struct SidesPresent {
     right: bool,
     left: bool,
 }
 
-impl Sides {
+impl SidesPresent {
     fn are_both(self) -> bool {
         self.right && self.left
     }
@@ -241,46 +241,46 @@ impl Sides {
     }
 }
 
-impl From<Option<Side>> for Sides {
+impl From<Option<Side>> for SidesPresent {
     fn from(side: Option<Side>) -> Self {
         Self { right: side == Some(Side::Right), left: side == Some(Side::Left) }
     }
 }
 
-/// One body: what it carries and what hangs on it.
+/// One body of the tree: its spheres, and the bodies that hang on it.
 #[derive(Default)]
-struct Node {
-    footing: Option<usize>,
-    /// Of its footing and all below.
-    sides: Sides,
+struct CarrierNode {
+    carrier: Option<usize>,
+    /// The sides of the body itself, if it carries spheres, and of all bodies below it that do.
+    sides: SidesPresent,
     children: Vec<ComponentId>,
 }
 
-/// The bodies from those with footings up to the tops.
-struct FootingTree<'f> {
-    footings: &'f [Footing],
-    nodes: HashMap<ComponentId, Node>,
+/// The bodies that carry spheres, and all bodies above them in the joint tree.
+struct CarrierTree<'f> {
+    carriers: &'f [SphereCarrier],
+    nodes: HashMap<ComponentId, CarrierNode>,
     tops: Vec<ComponentId>,
 }
 
-impl<'f> FootingTree<'f> {
-    /// `footings` in the order of their bodies.
-    fn new(footings: &'f [Footing], skeleton: &Skeleton) -> Self {
-        let mut tree = Self { footings, nodes: HashMap::new(), tops: Vec::new() };
+impl<'f> CarrierTree<'f> {
+    /// The tree above `carriers`, which are in the order of their bodies.
+    fn new(carriers: &'f [SphereCarrier], skeleton: &Skeleton) -> Self {
+        let mut tree = Self { carriers, nodes: HashMap::new(), tops: Vec::new() };
         // Each body after the one above it.
         let mut order = Vec::new();
-        for (index, footing) in footings.iter().enumerate() {
-            let mut way = Vec::new();
-            let mut at = Some(footing.body);
+        for (index, carrier) in carriers.iter().enumerate() {
+            let mut path = Vec::new();
+            let mut at = Some(carrier.body);
             while let Some(body) = at.filter(|body| !tree.nodes.contains_key(body)) {
-                tree.nodes.insert(body, Node::default());
-                way.push(body);
+                tree.nodes.insert(body, CarrierNode::default());
+                path.push(body);
                 at = skeleton.parent(body);
             }
-            order.extend(way.into_iter().rev());
-            if let Some(node) = tree.nodes.get_mut(&footing.body) {
-                node.footing = Some(index);
-                node.sides = footing.side.into();
+            order.extend(path.into_iter().rev());
+            if let Some(node) = tree.nodes.get_mut(&carrier.body) {
+                node.carrier = Some(index);
+                node.sides = carrier.side.into();
             }
         }
         for &body in order.iter().rev() {
@@ -304,20 +304,20 @@ impl<'f> FootingTree<'f> {
         &self.tops
     }
 
-    /// The sides of what `body` and those below it carry.
-    fn sides(&self, body: ComponentId) -> Sides {
+    /// The sides of the carriers among `body` and the bodies below it.
+    fn sides(&self, body: ComponentId) -> SidesPresent {
         self.nodes.get(&body).map(|node| node.sides).unwrap_or_default()
     }
 
-    fn all_sides(&self) -> Sides {
-        let mut all = Sides::default();
+    fn all_sides(&self) -> SidesPresent {
+        let mut all = SidesPresent::default();
         self.tops.iter().for_each(|&top| all.add(self.sides(top)));
         all
     }
 
     /// Whether spheres are on `body` itself.
     fn carries(&self, body: ComponentId) -> bool {
-        self.nodes.get(&body).is_some_and(|node| node.footing.is_some())
+        self.nodes.get(&body).is_some_and(|node| node.carrier.is_some())
     }
 
     /// The bodies that hang on `body`, in file order.
@@ -325,14 +325,14 @@ impl<'f> FootingTree<'f> {
         self.nodes.get(&body).map(|node| node.children.as_slice()).unwrap_or_default()
     }
 
-    /// The footings on `body` and below it, in file order.
-    fn below(&self, body: ComponentId) -> Vec<&'f Footing> {
-        let mut found = BTreeMap::new();
+    /// The carriers among `body` and the bodies below it, in file order.
+    fn below(&self, body: ComponentId) -> Vec<&'f SphereCarrier> {
+        let mut below = BTreeMap::new();
         let mut waiting = vec![body];
         while let Some(node) = waiting.pop().and_then(|body| self.nodes.get(&body)) {
-            found.extend(node.footing.and_then(|index| Some((index, self.footings.get(index)?))));
+            below.extend(node.carrier.and_then(|index| Some((index, self.carriers.get(index)?))));
             waiting.extend(&node.children);
         }
-        found.into_values().collect()
+        below.into_values().collect()
     }
 }

@@ -1,12 +1,12 @@
-//! Masses: what the model weighs, the mass its contacts were made for, and those that look like slips.
+//! What the model weighs, the mass that its contacts were made for, and masses that look wrong.
 
 use std::collections::BTreeMap;
 
 use crate::messages::{Input, Phrase, phrase, readable};
-use crate::model::fault::{Fault, FaultKind, MassSlip, MassesBeside, Needed, NeedsAnswer, POUND_KG};
+use crate::model::fault::{Fault, FaultKind, MassMistake, MassesOfOtherRows, Needed, NeedsAnswer, POUND_KG};
 use crate::model::finding::Finding;
 use crate::model::names::{Pattern, any_matches};
-use crate::model::rules::{self, SaidMass};
+use crate::model::rules::{self, MassFromSource};
 use crate::model::skeleton::Body;
 use crate::model::typed_model::Model;
 
@@ -16,19 +16,19 @@ pub(crate) const SAME_MASS: f64 = 1e-3;
 /// Gravities closer than this (relative) count as one.
 const SAME_GRAVITY: f64 = 1e-3;
 
-/// What the user says about masses. Give what is known and take the rest from [`MassRequest::default`]: fields may be added.
+/// The masses that the caller gives, and which bodies to sum.
 ///
 /// ```
 /// # let model = osim_model::Model::parse(include_bytes!("../../tests/data/one_foot.osim").as_slice())?;
 /// use osim_model::{MassRequest, MassSource};
 ///
 /// // No mass is given: the bodies are summed. There is one, of 10 kg.
-/// let mass = MassRequest::default().of_model(&model)?;
+/// let mass = MassRequest::default().model_mass(&model)?;
 /// assert_eq!((mass.kg, mass.source), (10.0, MassSource::Bodies(1)));
 ///
 /// // The contacts were made for another mass, and the user knows which.
-/// let said = MassRequest { contacts_mass_kg: Some(62.0), ..MassRequest::default() };
-/// let (mass, warnings) = said.of_contacts(&model)?;
+/// let request = MassRequest { contacts_mass_kg: Some(62.0), ..MassRequest::default() };
+/// let (mass, warnings) = request.contacts_mass(&model)?;
 /// assert_eq!((mass.kg, mass.source), (62.0, MassSource::ContactsMass));
 /// // The bodies say something else, which may be a mistake.
 /// assert_eq!(warnings[0].code().as_str(), "mass-sources-disagree");
@@ -45,8 +45,8 @@ pub struct MassRequest {
     pub target_mass_kg: Option<f64>,
     /// Bodies that do not belong to the animal and are not summed.
     pub exclude_bodies: Vec<Pattern>,
-    /// Of a row of a table: what its other rows say of the same masses.
-    pub beside: BTreeMap<Input, MassesBeside>,
+    /// For a row of a table: the masses in the same columns of its other rows.
+    pub other_rows: BTreeMap<Input, MassesOfOtherRows>,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -79,7 +79,7 @@ impl MassSource {
     }
 
     /// Whether the source is about the contacts, and not only about the body that carries them.
-    pub const fn is_of_contacts(&self) -> bool {
+    pub const fn is_about_contacts(&self) -> bool {
         !matches!(self, Self::Mass | Self::Bodies(_))
     }
 
@@ -105,27 +105,27 @@ pub struct Mass {
 }
 
 impl Mass {
-    /// As the mass that contacts were made for, in words. If no source is about the contacts, it is taken.
-    pub fn made_for(&self) -> Phrase {
+    /// This mass as the one that contacts were made for, in words; "taken as" if its source is not about the contacts.
+    pub fn contacts_made_for(&self) -> Phrase {
         let taken =
-            if self.source.is_of_contacts() { "contacts made for" } else { "contacts taken as made for" };
+            if self.source.is_about_contacts() { "contacts made for" } else { "contacts taken as made for" };
         phrase![format!("{taken} {} kg (", readable(self.kg)), &self.source.describe(), ")"]
     }
 }
 
 impl MassRequest {
-    /// Patterns of bodies by which no body of `model` is called: probably a slip.
-    pub fn unmatched<'p>(&'p self, model: &Model) -> impl Iterator<Item = &'p Pattern> {
-        let is_idle = |pattern: &Pattern| !model.bodies().iter().any(|body| pattern.matches(&body.name));
-        self.exclude_bodies.iter().filter(move |pattern| is_idle(pattern))
+    /// Patterns of excluded bodies that match no body of `model`, probably by a mistake.
+    pub fn unmatched_patterns<'p>(&'p self, model: &Model) -> impl Iterator<Item = &'p Pattern> {
+        let matches_nothing = |pattern: &Pattern| !model.bodies().iter().any(|body| pattern.matches(&body.name));
+        self.exclude_bodies.iter().filter(move |pattern| matches_nothing(pattern))
     }
 
-    /// What the model weighs: as said, else the sum of its bodies but scenery ([`crate::model::Body::scenery`]), left to right in file order.
+    /// What the model weighs: as the caller gave it, else the sum of its bodies ([`Body::excluded_from_mass`] says which do not count), left to right in file order.
     ///
     /// # Errors
     /// A body without a mass, no body at all, a sum that is not above 0, or a loop of joints in which OpenSim counts a body
     /// twice.
-    pub fn of_model(&self, model: &Model) -> Result<Mass, Fault> {
+    pub fn model_mass(&self, model: &Model) -> Result<Mass, Fault> {
         if let Some(kg) = self.model_kg {
             return Ok(Mass { kg: positive_mass(Input::Mass, kg)?, source: MassSource::Mass });
         }
@@ -134,7 +134,7 @@ impl MassRequest {
         }
         let mut kg = 0.0;
         let mut bodies = 0;
-        let is_summed = |body: &&Body| !body.scenery && !any_matches(&self.exclude_bodies, &body.name);
+        let is_summed = |body: &&Body| !body.excluded_from_mass && !any_matches(&self.exclude_bodies, &body.name);
         for body in model.bodies().iter().filter(is_summed) {
             kg += body.mass_kg()?;
             bodies += 1;
@@ -145,12 +145,12 @@ impl MassRequest {
         Err(Fault::new(Needed::ModelMass { bodies, kg }))
     }
 
-    /// The mass that the contacts were made for: as said, else the note, else what the model weighs; and a warning for each
+    /// The mass that the contacts were made for: as the caller gave it, else the note, else what the model weighs; and a warning for each
     /// other source that disagrees with it.
     ///
     /// # Errors
-    /// A note that no longer fits the file, or any error of [`MassRequest::of_model`].
-    pub fn of_contacts(&self, model: &Model) -> Result<(Mass, Vec<Finding>), Fault> {
+    /// A note that no longer fits the file, or any error of [`MassRequest::model_mass`].
+    pub fn contacts_mass(&self, model: &Model) -> Result<(Mass, Vec<Finding>), Fault> {
         let noted_kg = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
         let mass = if let Some(kg) = self.contacts_mass_kg {
             Mass { kg: positive_mass(Input::ContactsMass, kg)?, source: MassSource::ContactsMass }
@@ -159,7 +159,7 @@ impl MassRequest {
         } else if let Some(kg) = noted_kg {
             Mass { kg, source: MassSource::Note }
         } else {
-            self.of_model(model)?
+            self.model_mass(model)?
         };
         let warnings = self.disagreements(model, &mass);
         Ok((mass, warnings))
@@ -173,25 +173,26 @@ impl MassRequest {
     }
 
     /// A warning where the note in `model` can be relied on and gives another mass than the caller.
-    pub fn noted_otherwise(&self, model: &Model) -> Option<Finding> {
+    pub fn disagreement_with_note(&self, model: &Model) -> Option<Finding> {
         let kg = self.contacts_mass_kg?;
-        let noted = self.otherwise_noted_kg(model)?;
-        let taken = SaidMass { kg, source: MassSource::ContactsMass.describe() };
+        let noted = self.disagreeing_note_kg(model)?;
+        let taken = MassFromSource { kg, source: MassSource::ContactsMass.describe() };
         Some(rules::mass_sources_disagree(
             &taken,
-            &SaidMass { kg: noted, source: "the note in the file".into() },
+            &MassFromSource { kg: noted, source: "the note in the file".into() },
         ))
     }
 
     /// What the note in `model` gives, kg, where it can be relied on and the caller gave another mass.
-    pub fn otherwise_noted_kg(&self, model: &Model) -> Option<f64> {
-        let said = self.contacts_mass_kg?;
+    pub fn disagreeing_note_kg(&self, model: &Model) -> Option<f64> {
+        let given = self.contacts_mass_kg?;
         let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg)?;
-        (!same_mass(noted, said) && model.doubt_about_note().is_none()).then_some(noted)
+        (!same_mass(noted, given) && model.doubt_about_note().is_none()).then_some(noted)
     }
 
-    /// What disagrees about the weight of a model that gets other contacts: what its own were made for does not matter.
-    pub fn disagreements_of_weight(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
+    /// A warning for each other source of the model's mass that disagrees with `taken`. The note is not asked, because the model gets
+    /// other contacts.
+    pub fn weight_disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
         self.disagreements_with(model, taken, None)
     }
 
@@ -201,7 +202,7 @@ impl MassRequest {
             others.push((kg, Input::Mass.into()));
         }
         let bodies = Self { model_kg: None, ..self.clone() };
-        if let (Ok(mass), false) = (bodies.of_model(model), matches!(taken.source, MassSource::Bodies(_))) {
+        if let (Ok(mass), false) = (bodies.model_mass(model), matches!(taken.source, MassSource::Bodies(_))) {
             others.push((mass.kg, phrase!["the ", &mass.source.describe()]));
         }
         // The usual case: the body was scaled to the target already, and the user says what the contacts were made for.
@@ -210,9 +211,9 @@ impl MassRequest {
                 && self.target_mass_kg.is_some_and(|target_mass_kg| same_mass(kg, target_mass_kg))
         };
         let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
-        let taken_as = SaidMass { kg: taken.kg, source: taken.source.describe() };
+        let taken_as = MassFromSource { kg: taken.kg, source: taken.source.describe() };
         let warning =
-            |(kg, source): (f64, Phrase)| rules::mass_sources_disagree(&taken_as, &SaidMass { kg, source });
+            |(kg, source): (f64, Phrase)| rules::mass_sources_disagree(&taken_as, &MassFromSource { kg, source });
         others.into_iter().filter(|(kg, _)| differs(*kg)).map(warning).collect()
     }
 }
@@ -235,66 +236,67 @@ pub fn positive_mass(input: Input, kg: f64) -> Result<f64, Fault> {
     Err(Fault::new(FaultKind::BadInput { input, value: kg, expected: "a mass in kg above 0" }))
 }
 
-// Masses that look like slips: in another unit, or with a figure too many.
+// Masses that look wrong: in another unit, or with a digit too many or too few.
 
-/// How near to a factor of 1000 a ratio of masses counts as that factor.
-const NEAR: f64 = 0.15;
-/// How near to a mass in pounds asks for an answer: a body weighs the same in both units, but for what scales and people round.
+/// A ratio of masses that is as near to 1000 or 1/1000 as this (relative) counts as that factor.
+const NEAR_THOUSAND: f64 = 0.15;
+/// As near to the mass in pounds as this (relative), the program asks: only rounding lies between.
 const NEAR_POUNDS: f64 = 0.01;
-/// How near to a mass in pounds is a remark: in between are heavy people.
+/// As near to the mass in pounds as this (relative), the program remarks on it: such a mass may also be that of a heavy person.
 const PERHAPS_POUNDS: f64 = 0.15;
 /// Lighter than any animal that contacts are made for, kg: 1 mg.
 const LIGHTEST_KG: f64 = 1e-6;
 /// Heavier than any: 200 t, kg.
 const HEAVIEST_KG: f64 = 200e3;
-/// From this many times the bodies' mass on, a target looks like grams: 1000 times, for a body within a factor of 5.
+/// A target mass that is so many times the mass of the bodies looks like grams: 1000 times, for a body within a factor of 5.
 const GRAMS_OF_A_TARGET: std::ops::RangeInclusive<f64> = 200.0..=5000.0;
 
-/// Whether `kg`, which the caller gave as `input`, looks like a slip for a model whose bodies weigh `bodies_kg` together.
-pub fn mass_slip(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<NeedsAnswer> {
-    within(input, kg, bodies_kg, NEAR_POUNDS)
+/// The question about the mass `kg` that the caller gave as `input`, if it looks wrong for a model whose bodies weigh `bodies_kg`
+/// together.
+pub fn implausible_mass(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<NeedsAnswer> {
+    suspicious_mass(input, kg, bodies_kg, NEAR_POUNDS)
 }
 
-/// The question about a mass, where one counts as in pounds that is so near to it.
-fn within(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f64) -> Option<NeedsAnswer> {
+/// The question about a mass that looks wrong. It counts as in pounds if it is as near to that as `near_pounds` (relative).
+fn suspicious_mass(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f64) -> Option<NeedsAnswer> {
     // What the bodies weigh is the right unit.
-    if is_of_bodies(input, kg, bodies_kg) {
+    if is_mass_of_bodies(input, kg, bodies_kg) {
         return None;
     }
     let near =
         |factor: f64| bodies_kg.is_some_and(|bodies| (kg / bodies / factor - 1.0).abs() <= near_pounds);
-    let slip = far_off(input, kg, bodies_kg)
-        .or_else(|| near(1.0 / POUND_KG).then_some(MassSlip::Pounds))
-        .or_else(|| near(POUND_KG).then_some(MassSlip::BodiesInPounds))?;
-    Some(NeedsAnswer::Mass { input, kg, bodies_kg, beside: None, slip })
+    let mistake = gross_mistake(input, kg, bodies_kg)
+        .or_else(|| near(1.0 / POUND_KG).then_some(MassMistake::Pounds))
+        .or_else(|| near(POUND_KG).then_some(MassMistake::BodiesInPounds))?;
+    Some(NeedsAnswer::Mass { input, kg, bodies_kg, other_rows: None, mistake })
 }
 
-/// The question about the mass in a row of a table, whose other rows have the masses `beside`: many bodies of half the size or twice are
+/// The question about the mass in a row of a table, whose other rows have the masses `other_rows`: many bodies of half the size or twice are
 /// meant, one is not.
-fn among(input: Input, kg: f64, bodies_kg: Option<f64>, beside: MassesBeside) -> Option<NeedsAnswer> {
-    if is_of_bodies(input, kg, bodies_kg) {
+fn suspicious_mass_in_table(input: Input, kg: f64, bodies_kg: Option<f64>, other_rows: MassesOfOtherRows) -> Option<NeedsAnswer> {
+    if is_mass_of_bodies(input, kg, bodies_kg) {
         return None;
     }
-    if let Some(slip) = far_off(input, kg, bodies_kg) {
-        return Some(NeedsAnswer::Mass { input, kg, bodies_kg, beside: None, slip });
+    if let Some(mistake) = gross_mistake(input, kg, bodies_kg) {
+        return Some(NeedsAnswer::Mass { input, kg, bodies_kg, other_rows: None, mistake });
     }
-    let slip = beside.slip(kg)?;
-    Some(NeedsAnswer::Mass { input, kg, bodies_kg, beside: Some(beside), slip })
+    let mistake = other_rows.mistake(kg)?;
+    Some(NeedsAnswer::Mass { input, kg, bodies_kg, other_rows: Some(other_rows), mistake })
 }
 
-fn is_of_bodies(input: Input, kg: f64, bodies_kg: Option<f64>) -> bool {
+fn is_mass_of_bodies(input: Input, kg: f64, bodies_kg: Option<f64>) -> bool {
     input == Input::TargetMass && bodies_kg.is_some_and(|bodies| same_mass(kg, bodies))
 }
 
 /// Grams, tonnes, or a mass that no animal has.
-fn far_off(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<MassSlip> {
+fn gross_mistake(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<MassMistake> {
     let grams_of_target = input == Input::TargetMass
         && bodies_kg.is_some_and(|bodies| GRAMS_OF_A_TARGET.contains(&(kg / bodies)));
-    let near = |factor: f64| bodies_kg.is_some_and(|bodies| (kg / bodies / factor - 1.0).abs() <= NEAR);
+    let near = |factor: f64| bodies_kg.is_some_and(|bodies| (kg / bodies / factor - 1.0).abs() <= NEAR_THOUSAND);
     match () {
-        () if near(1000.0) || grams_of_target => Some(MassSlip::Grams),
-        () if near(1.0 / 1000.0) => Some(MassSlip::Tonnes),
-        () if !(LIGHTEST_KG..=HEAVIEST_KG).contains(&kg) => Some(MassSlip::NoAnimal),
+        () if near(1000.0) || grams_of_target => Some(MassMistake::Grams),
+        () if near(1.0 / 1000.0) => Some(MassMistake::Tonnes),
+        () if !(LIGHTEST_KG..=HEAVIEST_KG).contains(&kg) => Some(MassMistake::NoAnimal),
         () => None,
     }
 }
@@ -303,32 +305,32 @@ impl MassRequest {
     /// The sum of the bodies, whatever the caller says that the model weighs; `None` where it is not known.
     pub fn bodies_kg(&self, model: &Model) -> Option<f64> {
         let bodies = Self { model_kg: None, ..self.clone() };
-        bodies.of_model(model).ok().map(|mass| mass.kg)
+        bodies.model_mass(model).ok().map(|mass| mass.kg)
     }
 
-    /// The masses said that look like slips for this model. What its note says is not a slip; and a caller who gives the target
-    /// in the unit of the bodies gives the other masses in it, too.
-    pub fn slips(&self, model: &Model) -> Vec<NeedsAnswer> {
-        self.odd(model, NEAR_POUNDS)
+/// The questions about the given masses that look wrong for this model. A mass that its note confirms is right; and a caller who gives
+    /// the target mass in the unit of the bodies gives the other masses in it, too.
+    pub fn implausible_masses(&self, model: &Model) -> Vec<NeedsAnswer> {
+        self.suspicious_masses(model, NEAR_POUNDS)
     }
 
-    /// Those among the masses said that may be in pounds, and may as well not be: too far from it for a question. The rows of a
-    /// table are judged by each other instead. Of lighter ones, such as a child's, nothing is said: bodies in pounds are rare.
-    pub fn perhaps_in_pounds(&self, model: &Model) -> Vec<NeedsAnswer> {
-        let loosely = self.odd(model, PERHAPS_POUNDS);
-        let asked = self.odd(model, NEAR_POUNDS);
+/// The given masses that may be in pounds, but are too far from that for a question. Rows of a table are compared with each other
+    /// instead.
+    pub fn masses_perhaps_in_pounds(&self, model: &Model) -> Vec<NeedsAnswer> {
+        let loosely = self.suspicious_masses(model, PERHAPS_POUNDS);
+        let asked = self.suspicious_masses(model, NEAR_POUNDS);
         let is_in_pounds =
-            |one: &NeedsAnswer| matches!(one, NeedsAnswer::Mass { slip: MassSlip::Pounds, .. });
+            |one: &NeedsAnswer| matches!(one, NeedsAnswer::Mass { mistake: MassMistake::Pounds, .. });
         loosely.into_iter().filter(|one| is_in_pounds(one) && !asked.contains(one)).collect()
     }
 
-    fn odd(&self, model: &Model, near_pounds: f64) -> Vec<NeedsAnswer> {
-        let said = [
+    fn suspicious_masses(&self, model: &Model, near_pounds: f64) -> Vec<NeedsAnswer> {
+        let given_masses = [
             (Input::TargetMass, self.target_mass_kg),
             (Input::ContactsMass, self.contacts_mass_kg),
             (Input::Mass, self.model_kg),
         ];
-        if said.iter().all(|(_, kg)| kg.is_none()) {
+        if given_masses.iter().all(|(_, kg)| kg.is_none()) {
             return Vec::new();
         }
         let noted_kg = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
@@ -337,15 +339,15 @@ impl MassRequest {
             .target_mass_kg
             .zip(bodies_kg)
             .is_some_and(|(target_mass_kg, bodies)| same_mass(target_mass_kg, bodies));
-        let asks = |(input, kg): (Input, Option<f64>)| {
+        let question = |(input, kg): (Input, Option<f64>)| {
             let kg = kg.filter(|&kg| !noted_kg.is_some_and(|noted| same_mass(kg, noted)))?;
-            let asks = match self.beside.get(&input) {
-                Some(&beside) => among(input, kg, bodies_kg, beside)?,
-                None => within(input, kg, bodies_kg, near_pounds)?,
+            let asks = match self.other_rows.get(&input) {
+                Some(&other_rows) => suspicious_mass_in_table(input, kg, bodies_kg, other_rows)?,
+                None => suspicious_mass(input, kg, bodies_kg, near_pounds)?,
             };
             let explained = unit_is_known && input == Input::ContactsMass && asks.is_about_pounds();
             (!explained).then_some(asks)
         };
-        said.into_iter().filter_map(asks).collect()
+        given_masses.into_iter().filter_map(question).collect()
     }
 }

@@ -44,7 +44,7 @@ pub use crate::xml::opensim_text::{self, NumberFault};
 pub use crate::xml::{
     Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree,
 };
-pub use anatomy::bone_sizes::{ByBody, JointDistances};
+pub use anatomy::bone_sizes::{TriplesByBody, JointDistances};
 pub use anatomy::{
     Anatomy, AnatomyJoint, AnatomySphere, CoordinateFunction, JointCoordinate, ModelJoint, Speeds,
 };
@@ -59,12 +59,12 @@ pub use contacts::{
 };
 pub use document::Document;
 pub use fault::{
-    CountOf, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, MassSlip, MassesBeside, Needed,
-    NeedsAnswer, NoteDoubt, Question, RadiusFrom, TreeOfForces, probable_units,
+    CountedSpheres, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, MassMistake, MassesOfOtherRows, Needed,
+    NeedsAnswer, NoteDoubt, Question, RadiusChangeReason, ForcesOfAnimal, probable_units,
 };
 pub use finding::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
 pub use limbs::{Limb, Limbs};
-pub use mass::{Mass, MassRequest, MassSource, mass_slip, positive_mass, same_gravity, same_mass};
+pub use mass::{Mass, MassRequest, MassSource, implausible_mass, positive_mass, same_gravity, same_mass};
 pub use names::{Pattern, PatternError, Side, refuse_name, refuse_name_in_paths, without_side};
 pub use note::{
     BodySize, ChangedContacts, ChangedSinceNote, Credits, Note, NotedNames, NotedParts, Scope, Source, Step,

@@ -10,9 +10,9 @@ use crate::messages::is_visible;
 use crate::model::fault::Fault;
 
 /// Letters with which OpenSim refuses a whole model.
-const REFUSED: &str = "\\*+/ \t\r\n\u{b}\u{c}";
-/// What a name may be.
-const CHOOSE: &str = "choose letters, digits, '_' or '-'";
+const REFUSED_LETTERS: &str = "\\*+/ \t\r\n\u{b}\u{c}";
+/// The advice after each refusal of a name.
+const NAME_ADVICE: &str = "choose letters, digits, '_' or '-'";
 
 /// Refuses a name that OpenSim would, and one with letters that nobody sees.
 ///
@@ -28,7 +28,7 @@ pub fn refuse_name(name: &str) -> Result<(), Fault> {
     refuse_name_in_paths(name)?;
     match name.chars().find(|&letter| !is_visible(letter)) {
         Some(letter) => Err(Fault::refused(format!(
-            "the name '{name}' has a letter in it that is not seen (U+{:04X}), perhaps from copying: {CHOOSE}",
+            "the name '{name}' has a letter in it that is not seen (U+{:04X}), perhaps from copying: {NAME_ADVICE}",
             u32::from(letter)
         ))),
         None => Ok(()),
@@ -44,12 +44,12 @@ pub fn refuse_name_in_paths(name: &str) -> Result<(), Fault> {
     }
     if [".", ".."].contains(&name) {
         return Err(Fault::refused(format!(
-            "the name '{name}' is a step in OpenSim's paths, so that nothing would find what has it: {CHOOSE}"
+            "the name '{name}' is a step in OpenSim's paths, so that nothing would find what has it: {NAME_ADVICE}"
         )));
     }
-    match name.chars().find(|&letter| REFUSED.contains(letter)) {
+    match name.chars().find(|&letter| REFUSED_LETTERS.contains(letter)) {
         Some(letter) => Err(Fault::refused(format!(
-            "the name '{name}' has {} in it, with which OpenSim refuses the model: {CHOOSE}",
+            "the name '{name}' has {} in it, with which OpenSim refuses the model: {NAME_ADVICE}",
             match letter {
                 ' ' => "a blank".to_owned(),
                 '\t' => "a tab".to_owned(),
@@ -91,7 +91,7 @@ impl Pattern {
     }
 }
 
-/// Whether `name` is as one of `patterns` says.
+/// Whether one of `patterns` matches `name`.
 pub(crate) fn any_matches(patterns: &[Pattern], name: &str) -> bool {
     patterns.iter().any(|pattern| pattern.matches(name))
 }
@@ -128,7 +128,7 @@ impl PartialEq for Pattern {
 
 impl Eq for Pattern {}
 
-// Left and right, as names say it.
+// Left and right in names.
 
 /// Side of the body, read from names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -158,7 +158,7 @@ impl Side {
     pub fn of_name(name: &str) -> Option<Self> {
         let lower = in_lower_case(name);
         let word = |long: &str, short: &str| {
-            has(&lower, long) || lower.split(|c: char| !c.is_alphanumeric()).any(|token| token == short)
+            contains_word(&lower, long) || lower.split(|c: char| !c.is_alphanumeric()).any(|token| token == short)
         };
         let camel = |letter: char| {
             let (first, last) = (first_three(name), last_two(name));
@@ -184,14 +184,14 @@ fn last_two(name: &str) -> Option<[char; 2]> {
     Some([letters.next()?, last])
 }
 
-/// Most names are so already.
+/// `name` in lower case, without a copy if it is so already.
 fn in_lower_case(name: &str) -> Cow<'_, str> {
     let stays = |byte: u8| byte.is_ascii() && !byte.is_ascii_uppercase();
     if name.bytes().all(stays) { Cow::Borrowed(name) } else { Cow::Owned(name.to_lowercase()) }
 }
 
 /// Whether `word` is in `text`: quicker than `contains`, which prepares itself for long texts.
-fn has(text: &str, word: &str) -> bool {
+fn contains_word(text: &str, word: &str) -> bool {
     let (text, word) = (text.as_bytes(), word.as_bytes());
     text.windows(word.len()).any(|part| part.first() == word.first() && part == word)
 }
@@ -207,7 +207,7 @@ fn has(text: &str, word: &str) -> bool {
 pub fn without_side(name: &str) -> String {
     let mut lower = in_lower_case(name);
     for side in ["right", "left"] {
-        if has(&lower, side) {
+        if contains_word(&lower, side) {
             lower = Cow::Owned(lower.replace(side, "#"));
         }
     }

@@ -9,7 +9,7 @@ pub struct Rotation(DMat3);
 impl Rotation {
     pub const IDENTITY: Self = Self(DMat3::IDENTITY);
 
-    fn of_rows(rows: [[f64; 3]; 3]) -> Self {
+    fn from_rows(rows: [[f64; 3]; 3]) -> Self {
         Self(DMat3::from_cols_array_2d(&rows).transpose())
     }
 
@@ -18,7 +18,7 @@ impl Rotation {
         let (sx, cx) = (libm::sin(x), libm::cos(x));
         let (sy, cy) = (libm::sin(y), libm::cos(y));
         let (sz, cz) = (libm::sin(z), libm::cos(z));
-        Self::of_rows([
+        Self::from_rows([
             [cy * cz, -cy * sz, sy],
             [cx * sz + sx * sy * cz, cx * cz - sx * sy * sz, -sx * cy],
             [sx * sz - cx * sy * cz, sx * cz + cx * sy * sz, cx * cy],
@@ -62,7 +62,7 @@ impl Rotation {
         let DVec3 { x, y, z } = axis / length;
         let (s, c) = (libm::sin(angle), libm::cos(angle));
         let t = 1.0 - c;
-        Self::of_rows([
+        Self::from_rows([
             [t * x * x + c, t * x * y - s * z, t * x * z + s * y],
             [t * x * y + s * z, t * y * y + c, t * y * z - s * x],
             [t * x * z - s * y, t * y * z + s * x, t * z * z + c],
@@ -85,7 +85,7 @@ impl Rotation {
 }
 
 /// Two axes this close to up (difference of their cosines) are equally near.
-const TIE: f64 = 1e-9;
+const AXIS_TIE: f64 = 1e-9;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Axis {
@@ -101,11 +101,11 @@ impl Axis {
         self as usize
     }
 
-    /// The axis with the largest component of `vector` (without its sign). `own` wins a tie: another axis has to be larger by
+    /// The axis with the largest component of `vector` (without its sign). `preferred` wins a tie: another axis has to be larger by
     /// more than `tie`.
-    fn largest(vector: DVec3, own: Self, tie: f64) -> Self {
+    fn largest(vector: DVec3, preferred: Self, tie: f64) -> Self {
         let size = |axis: Self| vector[axis.index()].abs();
-        Self::ALL.into_iter().fold(own, |best, axis| if size(axis) > size(best) + tie { axis } else { best })
+        Self::ALL.into_iter().fold(preferred, |best, axis| if size(axis) > size(best) + tie { axis } else { best })
     }
 }
 
@@ -118,7 +118,7 @@ impl Axis {
 /// let up = LevelAxis::of_gravity(Some([0.0, 0.0, -9.81]));
 /// assert_eq!((up.axis, up.down), (Axis::Z, false));
 /// // A sphere grows from 0.03 m to 0.05 m: its centre rises by 0.02 m, and its bottom stays.
-/// let [x, y, z] = up.centre([0.1, 0.0, 0.03], 0.03, 0.05, |bottom| bottom);
+/// let [x, y, z] = up.levelled_centre([0.1, 0.0, 0.03], 0.03, 0.05, |bottom| bottom);
 /// assert!(x == 0.1 && y == 0.0 && (z - 0.05).abs() < 1e-15);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -148,7 +148,7 @@ impl LevelAxis {
         let sign = if self.down { -1.0 } else { 1.0 };
         // The body's axis in the frame: a row of its rotation. The body's own axis wins a tie.
         let turned = sign * rotation.0.row(self.axis.index());
-        let axis = Axis::largest(turned, self.axis, TIE);
+        let axis = Axis::largest(turned, self.axis, AXIS_TIE);
         Self { axis, down: turned[axis.index()] < 0.0, of_body: false }
     }
 
@@ -160,7 +160,7 @@ impl LevelAxis {
 
     /// Where the centre goes (m) so that the bottom stays on the sole: the bottom point is `scaled` with the body, and the new
     /// radius is added again. All lengths are in m, all places in the sphere's frame.
-    pub fn centre(
+    pub fn levelled_centre(
         self,
         centre: [f64; 3],
         old_radius: f64,
@@ -196,7 +196,7 @@ impl Placement {
     pub const IDENTITY: Self = Self { rotation: Rotation::IDENTITY, translation_m: DVec3::ZERO };
 
     /// From OpenSim's `orientation` (body-fixed angles about x, y, z, rad) and `translation` (m).
-    pub(crate) fn of_triples(orientation: [f64; 3], translation_m: [f64; 3]) -> Self {
+    pub(crate) fn from_triples(orientation: [f64; 3], translation_m: [f64; 3]) -> Self {
         Self { rotation: Rotation::body_fixed_xyz(orientation), translation_m: translation_m.into() }
     }
 
@@ -222,7 +222,7 @@ impl Placement {
     /// The frame as OpenSim has it after it converted an old document, through text: its angles and its place with six digits.
     pub(crate) fn in_six_digits(&self) -> Self {
         let turned = self.rotation.to_body_fixed_xyz().map(six_digits);
-        Self::of_triples(turned, self.translation_m.to_array().map(six_digits))
+        Self::from_triples(turned, self.translation_m.to_array().map(six_digits))
     }
 }
 
@@ -321,7 +321,7 @@ mod tests {
     }
 
     #[test]
-    fn angles_come_back() {
+    fn body_fixed_angles_round_trip() {
         for angles in [[0.3, -0.7, 2.5], [-3.0, 1.2, 0.1], [0.0; 3]] {
             let back = Rotation::body_fixed_xyz(angles).to_body_fixed_xyz();
             assert!(back.into_iter().zip(angles).all(|(a, b)| (a - b).abs() < 1e-15), "{back:?}");
@@ -349,7 +349,7 @@ mod tests {
         let axis = LevelAxis::of_gravity(Some([0.0, -9.81, 0.0]));
         assert_eq!(axis, LevelAxis { axis: Axis::Y, down: false, of_body: true });
         // Bottom at -0.06; the sole is scaled by 2, the radius by 1.5: bottom at -0.12, centre 0.06 above.
-        let [x, y, z] = axis.centre([0.1, -0.02, 0.0], 0.04, 0.06, |v| [v[0], 2.0 * v[1], v[2]]);
+        let [x, y, z] = axis.levelled_centre([0.1, -0.02, 0.0], 0.04, 0.06, |v| [v[0], 2.0 * v[1], v[2]]);
         assert!((x - 0.1).abs() < 1e-15 && (y + 0.06).abs() < 1e-15 && z == 0.0);
     }
 
@@ -357,8 +357,8 @@ mod tests {
     fn up_is_found_in_a_turned_frame() {
         let up = LevelAxis::of_gravity(None);
         // A quarter turn about z: the frame's x is the body's y; about x: its z is the body's -y.
-        let about_z = Rotation::of_rows([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
-        let about_x = Rotation::of_rows([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]);
+        let about_z = Rotation::from_rows([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+        let about_x = Rotation::from_rows([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]);
         assert_eq!(up.in_frame(&about_z), LevelAxis { axis: Axis::X, down: false, of_body: false });
         assert_eq!(up.in_frame(&about_x), LevelAxis { axis: Axis::Z, down: true, of_body: false });
         let given = LevelAxis { axis: Axis::Y, down: false, of_body: false };
@@ -366,7 +366,7 @@ mod tests {
     }
 
     /// A frame that turns and moves, at a time.
-    fn at(time_s: f64) -> Placement {
+    fn placement_at(time_s: f64) -> Placement {
         Placement {
             rotation: Rotation::body_fixed_xyz([0.3 + 0.5 * time_s, -0.7 * time_s, 1.1 - 0.2 * time_s]),
             translation_m: DVec3::new(0.1 + time_s, 0.2 - 2.0 * time_s, -0.3 * time_s),
@@ -374,31 +374,31 @@ mod tests {
     }
 
     /// Where it is, with its velocities at time 0, by the rates of its angles.
-    fn moving() -> MovingPlacement {
+    fn moving_frame() -> MovingPlacement {
         let angular_velocity = Rotation::body_fixed_velocity([0.3, 0.0, 1.1], [0.5, -0.7, -0.2]);
-        MovingPlacement { at: at(0.0), angular_velocity, velocity_m_s: DVec3::new(1.0, -2.0, -0.3) }
+        MovingPlacement { at: placement_at(0.0), angular_velocity, velocity_m_s: DVec3::new(1.0, -2.0, -0.3) }
     }
 
     #[track_caller]
-    fn close(value: DVec3, expected: DVec3) {
+    fn assert_close(value: DVec3, expected: DVec3) {
         assert!(value.abs_diff_eq(expected, 1e-8), "{value:?} {expected:?}");
     }
 
     /// How a point that `place` gives at a time moves at time 0.
-    fn by_places(place: impl Fn(f64) -> DVec3) -> DVec3 {
+    fn difference_quotient(place: impl Fn(f64) -> DVec3) -> DVec3 {
         let step = 1e-5;
         (place(step) - place(-step)) / (2.0 * step)
     }
 
     #[test]
-    fn velocities_are_those_of_the_places() {
+    fn velocities_are_difference_quotients_of_places() {
         let point = [0.4, -0.5, 0.6];
-        close(moving().velocity_of(point), by_places(|time| at(time).point(point)));
-        close(moving().velocity_at(at(0.0).point(point)), moving().velocity_of(point));
-        close(moving().inverse().velocity_of(point), by_places(|time| at(time).inverse().point(point)));
-        let twice = moving().then(&moving().inverse().then(&moving()));
-        close(twice.velocity_of(point), moving().velocity_of(point));
-        let chained = moving().then(&moving());
-        close(chained.velocity_of(point), by_places(|time| at(time).then(&at(time)).point(point)));
+        assert_close(moving_frame().velocity_of(point), difference_quotient(|time| placement_at(time).point(point)));
+        assert_close(moving_frame().velocity_at(placement_at(0.0).point(point)), moving_frame().velocity_of(point));
+        assert_close(moving_frame().inverse().velocity_of(point), difference_quotient(|time| placement_at(time).inverse().point(point)));
+        let twice = moving_frame().then(&moving_frame().inverse().then(&moving_frame()));
+        assert_close(twice.velocity_of(point), moving_frame().velocity_of(point));
+        let chained = moving_frame().then(&moving_frame());
+        assert_close(chained.velocity_of(point), difference_quotient(|time| placement_at(time).then(&placement_at(time)).point(point)));
     }
 }

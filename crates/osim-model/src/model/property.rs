@@ -121,34 +121,34 @@ impl FromStr for Property {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        Self::ALL.into_iter().find(|property| property.name() == text).ok_or_else(|| match near(text) {
-            near if near.is_empty() => {
+        Self::ALL.into_iter().find(|property| property.name() == text).ok_or_else(|| match probable_names(text) {
+            names if names.is_empty() => {
                 let names = Self::ALL.map(Self::name);
                 format!("there is no property '{text}', expected one of {}", names.join(", "))
             }
-            near => format!("there is no property '{text}': did you mean {}?", near.join(" or ")),
+            names => format!("there is no property '{text}': did you mean {}?", names.join(" or ")),
         })
     }
 }
 
 /// Names that were probably meant by `text`: those spelled almost like it, else those that it is a part of, or that end as it does.
-fn near(text: &str) -> Vec<&'static str> {
-    /// Letters that differ.
-    const TYPED_WRONG: usize = 2;
-    /// Shorter parts are in too many names.
-    const LONG: usize = 5;
+fn probable_names(text: &str) -> Vec<&'static str> {
+    /// A name spelled with at most so many wrong letters is meant.
+    const MOST_TYPING_ERRORS: usize = 2;
+    /// A part of a name counts if it has at least so many letters.
+    const SHORTEST_PART: usize = 5;
 
     let flat = |text: &str| text.to_lowercase().replace(['-', '_', ' '], "");
     let end = |text: &str| flat(text.rsplit(['-', '_', ' ']).next().unwrap_or_default());
     let (typed, ending) = (flat(text), end(text));
     let names = || Property::ALL.into_iter().map(Property::name);
     let apart = |name: &str| strsim::osa_distance(&flat(name), &typed);
-    let closest = names().map(apart).min().filter(|&apart| apart <= TYPED_WRONG && apart < typed.len());
+    let closest = names().map(apart).min().filter(|&apart| apart <= MOST_TYPING_ERRORS && apart < typed.len());
     if let Some(closest) = closest {
         return names().filter(|name| apart(name) == closest).collect();
     }
     let is_part = |name: &&str| {
-        (typed.len() >= LONG && flat(name).contains(&typed)) || (ending.len() >= LONG && end(name) == ending)
+        (typed.len() >= SHORTEST_PART && flat(name).contains(&typed)) || (ending.len() >= SHORTEST_PART && end(name) == ending)
     };
     names().filter(is_part).collect()
 }
@@ -193,7 +193,7 @@ impl Class {
     }
 
     /// All child elements in the order in which OpenSim writes them; an absent one is inserted at its place.
-    pub const fn order(self) -> &'static [&'static str] {
+    pub const fn element_order(self) -> &'static [&'static str] {
         match self {
             Self::HuntCrossleyForce => &[
                 "isDisabled",
@@ -347,16 +347,16 @@ pub struct Value {
 impl Value {
     /// The number, if it can be scaled: one plain number within its domain.
     pub fn checked(&self) -> Result<f64, Fault> {
-        let over = |kind: FaultKind| match &self.span {
-            Some(span) => Fault::over(kind, span.clone()),
+        let at_value = |kind: FaultKind| match &self.span {
+            Some(span) => Fault::at_span(kind, span.clone()),
             None => Fault::at(kind, self.offset),
         };
         if let Some(fault) = &self.fault {
             let (property, text) = (self.property.name().to_owned(), self.text.clone());
-            return Err(over(FaultKind::Number { property, text, fault: fault.clone() }));
+            return Err(at_value(FaultKind::Number { property, text, fault: fault.clone() }));
         }
         if !self.property.allows(self.number) {
-            return Err(over(FaultKind::Domain {
+            return Err(at_value(FaultKind::Domain {
                 property: self.property.name().to_owned(),
                 value: self.number,
                 expected: self.property.domain(),
@@ -368,18 +368,18 @@ impl Value {
 
 #[cfg(test)]
 mod tests {
-    use super::near;
+    use super::probable_names;
 
     #[test]
-    fn what_was_meant_is_found() {
+    fn probable_names_are_found() {
         let smoothing = ["hertz_smoothing", "hunt_crossley_smoothing"];
-        assert_eq!(near("hertz_smothing"), ["hertz_smoothing"]);
-        assert_eq!(near("hertz-smoothing"), ["hertz_smoothing"]);
-        assert_eq!(near("HertzSmoothing"), ["hertz_smoothing"]);
-        assert_eq!(near("smoothing"), smoothing);
-        assert_eq!(near("derivative_smoothing"), smoothing);
-        assert_eq!(near("friction"), ["static_friction", "dynamic_friction", "viscous_friction"]);
-        assert_eq!(near("stifness"), ["stiffness"]);
-        assert!(near("k").is_empty() && near("damping").is_empty() && near("").is_empty());
+        assert_eq!(probable_names("hertz_smothing"), ["hertz_smoothing"]);
+        assert_eq!(probable_names("hertz-smoothing"), ["hertz_smoothing"]);
+        assert_eq!(probable_names("HertzSmoothing"), ["hertz_smoothing"]);
+        assert_eq!(probable_names("smoothing"), smoothing);
+        assert_eq!(probable_names("derivative_smoothing"), smoothing);
+        assert_eq!(probable_names("friction"), ["static_friction", "dynamic_friction", "viscous_friction"]);
+        assert_eq!(probable_names("stifness"), ["stiffness"]);
+        assert!(probable_names("k").is_empty() && probable_names("damping").is_empty() && probable_names("").is_empty());
     }
 }

@@ -47,7 +47,7 @@ impl Model {
             .or(Some(Self::DEFAULT_GRAVITY))
             .filter(|gravity| gravity.iter().all(|value| value.is_finite()));
         let name = document.tree().attribute(document.data_root(), "name").unwrap_or_default().into_owned();
-        let (note, note_fault) = match Note::look_for(document)? {
+        let (note, note_fault) = match Note::find_or_unreadable(document)? {
             Some(Ok(note)) => (Some(note), None),
             Some(Err(_)) => (None, Some(NoteDoubt::Unreadable)),
             None => (None, None),
@@ -116,20 +116,20 @@ fn check_data_root(document: &Document, alone: bool) -> Result<(), Fault> {
         "ContactGeometrySet" => FaultKind::Needed(Needed::ForceSet),
         tag => FaultKind::WrongDataRoot { tag: tag.to_owned() },
     };
-    Err(Fault::over(kind, tree.open_span(root)))
+    Err(Fault::at_span(kind, tree.open_span(root)))
 }
 
-// A model with other numbers of its contacts, made without bytes: for who judges a change before it is written.
+// A model with other numbers of its contacts, made without bytes, so that a change can be judged before it is written.
 
 impl Model {
     /// The model that reading its file would give once it has these numbers: `changed` gives the new value of those that change, and `note`
     /// is its new note. Lines and other places in the file are those of the file as it is now, and new numbers have no text.
     ///
     /// `None` where this cannot be known without a file: other files belong to the model, or an earlier note goes or cannot be read.
-    pub fn renumbered(&self, changed: impl Fn(ValueKey) -> Option<f64>, note: Option<&Note>) -> Option<Self> {
+    pub fn with_contact_numbers(&self, changed: impl Fn(ValueKey) -> Option<f64>, note: Option<&Note>) -> Option<Self> {
         let is_alone = self.components.companions().is_empty() && self.document().is_model();
         let note = match note {
-            Some(note) => Some(note.as_read()?),
+            Some(note) => Some(note.read_back()?),
             None if self.note.is_some() => return None,
             None => None,
         };
@@ -151,31 +151,31 @@ impl Model {
             irregularities: self.irregularities.clone(),
             findings: OnceLock::new(),
         };
-        model.take_numbers(changed);
+        model.set_contact_numbers(changed);
         Some(model)
     }
 
-    fn take_numbers(&mut self, changed: impl Fn(ValueKey) -> Option<f64>) {
-        let take = |file, object, value: &mut Value| {
+    fn set_contact_numbers(&mut self, changed: impl Fn(ValueKey) -> Option<f64>) {
+        let set_number = |file, object, value: &mut Value| {
             if let Some(number) = changed(ValueKey::new(file, object, value.property)) {
-                value.take(number);
+                value.set_number(number);
             }
         };
         for sphere in &mut self.spheres {
-            take(sphere.file, sphere.element, &mut sphere.radius);
+            set_number(sphere.file, sphere.element, &mut sphere.radius);
         }
         for force in &mut self.forces {
             for set in &mut force.sets {
-                set.values.iter_mut().for_each(|value| take(force.file, set.element, value));
+                set.values.iter_mut().for_each(|value| set_number(force.file, set.element, value));
             }
-            take(force.file, force.element, &mut force.transition_velocity);
+            set_number(force.file, force.element, &mut force.transition_velocity);
         }
     }
 }
 
 impl Value {
-    /// Becomes what is read where `number` is written; nobody asks for the text of a number that is one.
-    fn take(&mut self, number: f64) {
+    /// Becomes the value that would be read if `number` were written. It gets no text.
+    fn set_number(&mut self, number: f64) {
         (self.number, self.origin, self.fault) = (number, Origin::Element, None);
         self.text.clear();
     }

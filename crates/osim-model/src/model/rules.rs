@@ -27,14 +27,14 @@ static MASS_SOURCES_DISAGREE: Rule = Rule {
     example: Example::Models { good: "walks/child.osim", bad: "walks/scaled_noted.osim" },
 };
 
-/// A mass, and where it is from, in words.
-pub(crate) struct SaidMass {
+/// A mass, and its source in words.
+pub(crate) struct MassFromSource {
     pub(crate) kg: f64,
     pub(crate) source: Phrase,
 }
 
-/// Contacts are taken as made for one mass, and something else says another.
-pub(crate) fn mass_sources_disagree(taken: &SaidMass, other: &SaidMass) -> Finding {
+/// The finding that another source gives a mass other than the one that was taken.
+pub(crate) fn mass_sources_disagree(taken: &MassFromSource, other: &MassFromSource) -> Finding {
     let message = phrase![
         format!("contacts are taken as made for {} kg (", readable(taken.kg)),
         &taken.source,
@@ -49,10 +49,10 @@ impl Model {
     /// What is special about `forces` without being wrong, in the order of the codes.
     pub fn remarks_on(&self, forces: &[ForceId]) -> Vec<Finding> {
         let forces = || forces.iter().filter_map(|&id| self.force(id));
-        let mut found: Vec<Finding> = forces().filter_map(|force| find_mixed_radii(self, force)).collect();
-        found.extend(forces().filter_map(find_several_parameter_sets));
-        found.extend(forces().filter_map(find_disabled_force));
-        found
+        let mut remarks: Vec<Finding> = forces().filter_map(|force| find_mixed_radii(self, force)).collect();
+        remarks.extend(forces().filter_map(find_several_parameter_sets));
+        remarks.extend(forces().filter_map(find_disabled_force));
+remarks
     }
 }
 
@@ -76,7 +76,7 @@ fn find_disabled_force(force: &Force) -> Option<Finding> {
         "{} is switched off: it is changed with the others, and its spheres are not counted",
         force.path
     );
-    (!force.applies).then(|| Finding::at(&DISABLED_FORCE, force.line, text).about(&force.path))
+    (!force.applies).then(|| Finding::at(&DISABLED_FORCE, force.line, text).with_place(&force.path))
 }
 
 static MIXED_RADII: Rule = Rule {
@@ -98,7 +98,7 @@ fn find_mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
         radii.next().is_some_and(|first| radii.any(|radius| radius != first))
     })?;
     let text = format!("{} has spheres of different radii: the mean of R squared is used", force.path);
-    Some(Finding::at(&MIXED_RADII, set.line, text).about(&force.path))
+    Some(Finding::at(&MIXED_RADII, set.line, text).with_place(&force.path))
 }
 
 static SEVERAL_PARAMETER_SETS: Rule = Rule {
@@ -115,7 +115,7 @@ static SEVERAL_PARAMETER_SETS: Rule = Rule {
 fn find_several_parameter_sets(force: &Force) -> Option<Finding> {
     let used = force.sets.iter().filter(|set| !set.spheres.is_empty() || set.half_spaces > 0).count();
     let text = format!("{} has {} ContactParameters: all get the same factor", force.path, force.sets.len());
-    (used > 1).then(|| Finding::at(&SEVERAL_PARAMETER_SETS, force.line, text).about(&force.path))
+    (used > 1).then(|| Finding::at(&SEVERAL_PARAMETER_SETS, force.line, text).with_place(&force.path))
 }
 
 static FACTORS_DISAGREE: Rule = Rule {
@@ -125,7 +125,7 @@ static FACTORS_DISAGREE: Rule = Rule {
     what: "Two sources give different scale factors of a body.",
     why: "A sphere's place and size follow from its body's factors; the first source in the order given, scale file, mesh, joint offset was taken.",
     advice: "Look at `inspect from`, and say `body_scale=BODY=x,y,z` where another source is right",
-    repair: Repair::OfChange("only you know which source is right"),
+    repair: Repair::OnlyInChange("only you know which source is right"),
     example: Example::Request {
         good: r#"{"verb": "transfer", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim", "follow_bodies": true}"#,
         bad: r#"{"verb": "transfer", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim", "follow_bodies": true, "body_scale": {"calcn_r": [1.02, 0.91, 0.95]}}"#,
@@ -144,7 +144,7 @@ static NOT_A_SCALED_COPY: Rule = Rule {
     what: "A model is not a scaled copy of the reference whose contacts follow its bodies.",
     why: "In a scaled copy, joint offsets and meshes give each factor exactly. Between different models offsets are not factors: a body then gets the ratio of the mesh factors of the same bone, else one ratio of distances to a joint below it, and the last body of a limb the factors of the body it hangs on.",
     advice: "Nothing, if another model is meant; else name the generic model that this one was scaled from, or say `body_scale=BODY=x,y,z`",
-    repair: Repair::OfChange("only you know which model this one was scaled from"),
+    repair: Repair::OnlyInChange("only you know which model this one was scaled from"),
     example: Example::Request {
         good: r#"{"verb": "inspect", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim"}"#,
         bad: r#"{"verb": "inspect", "models": ["scale_tool/scaled_smooth.osim"], "from": "feet/human_40000.osim"}"#,

@@ -7,7 +7,7 @@ use foldhash::{HashMap, HashMapExt};
 use crate::messages::{Input, listed};
 use crate::model::components::Base;
 use crate::model::contacts::{Force, ForceId};
-use crate::model::fault::{Fault, FaultKind, Needed, TreeOfForces};
+use crate::model::fault::{Fault, FaultKind, Needed, ForcesOfAnimal};
 use crate::model::names::{Pattern, any_matches};
 use crate::model::typed_model::Model;
 
@@ -22,7 +22,7 @@ use crate::model::typed_model::Model;
 /// // All forces in which a moving sphere meets a half-space: contact_heel_r is the only one.
 /// let selected = Selection::default().apply(&model)?;
 /// assert!(selected.complete);
-/// assert_eq!(model.names_of(&selected.forces), "contact_heel_r");
+/// assert_eq!(model.short_force_names(&selected.forces), "contact_heel_r");
 ///
 /// // Those of the left foot: there are none.
 /// let left = "*_l".parse().map(|pattern| Selection { select: vec![pattern], ..Selection::default() });
@@ -31,9 +31,9 @@ use crate::model::typed_model::Model;
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Selection {
-    /// Only forces whose name is as one of these says; empty for the default choice.
+    /// Only forces whose name matches one of these; empty for the default choice.
     pub select: Vec<Pattern>,
-    /// Never forces whose name is as one of these says.
+    /// No forces whose name matches one of these.
     pub exclude: Vec<Pattern>,
     /// Whether forces that are switched off are left out.
     pub skip_disabled: bool,
@@ -49,8 +49,8 @@ pub struct Selected {
 }
 
 impl Selected {
-    pub fn those(model: &Model, wanted: impl Fn(&Force) -> bool) -> Self {
-        let forces = ids(model, wanted);
+    pub fn matching(model: &Model, wanted: impl Fn(&Force) -> bool) -> Self {
+        let forces = force_ids_where(model, wanted);
         Self { complete: is_complete(model, &forces), forces }
     }
 }
@@ -63,10 +63,10 @@ impl Selection {
     pub fn apply(&self, model: &Model) -> Result<Selected, Fault> {
         let explicit = !self.select.is_empty();
         let candidates = match explicit {
-            true => ids(model, |force| has_moving_sphere(model, force)),
-            false => ids(model, |force| model.meets_half_space(force)),
+            true => force_ids_where(model, |force| has_moving_sphere(model, force)),
+            false => force_ids_where(model, |force| model.meets_half_space(force)),
         };
-        let selected = self.chosen_of(model, &candidates)?;
+        let selected = self.choose_among(model, &candidates)?;
         if !explicit {
             refuse_several_trees(model, &selected.forces)?;
         }
@@ -76,23 +76,23 @@ impl Selection {
     /// Applies the choice to all contact forces of `model`, whatever meets in them: for changes that are the same for every
     /// animal.
     pub fn apply_to_all(&self, model: &Model) -> Result<Selected, Fault> {
-        self.chosen_of(model, &ids(model, |_| true))
+        self.choose_among(model, &force_ids_where(model, |_| true))
     }
 
-    /// Patterns by which no contact force of `model` is called, each with the input that it was given as: probably a slip.
-    pub fn unmatched(&self, model: &Model) -> Vec<(Input, &Pattern)> {
+    /// Patterns that match no contact force of `model`, probably by a mistake, each with the input that gave it.
+    pub fn unmatched_patterns(&self, model: &Model) -> Vec<(Input, &Pattern)> {
         let selected = self.select.iter().map(|pattern| (Input::Select, pattern));
         let given = selected.chain(self.exclude.iter().map(|pattern| (Input::Exclude, pattern)));
-        let is_idle = |pattern: &Pattern| !model.forces().iter().any(|force| pattern.matches(&force.name));
-        given.filter(|(_, pattern)| is_idle(pattern)).collect()
+        let matches_nothing = |pattern: &Pattern| !model.forces().iter().any(|force| pattern.matches(&force.name));
+        given.filter(|(_, pattern)| matches_nothing(pattern)).collect()
     }
 
     /// Applies the choice to those of `candidates`: they are known, so nothing is asked about several animals.
     pub fn apply_among(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
-        self.chosen_of(model, candidates)
+        self.choose_among(model, candidates)
     }
 
-    fn chosen_of(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
+    fn choose_among(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
         let explicit = !self.select.is_empty();
         if candidates.is_empty() {
             return Err(no_contacts(model));
@@ -106,13 +106,13 @@ impl Selection {
         };
         let forces: Vec<ForceId> = candidates.iter().copied().filter(wanted).collect();
         if forces.is_empty() {
-            return Err(Fault::new(FaultKind::NothingSelected { forces: model.names_of(candidates) }));
+            return Err(Fault::new(FaultKind::NothingSelected { forces: model.short_force_names(candidates) }));
         }
         Ok(Selected { complete: is_complete(model, &forces), forces })
     }
 }
 
-fn ids(model: &Model, wanted: impl Fn(&Force) -> bool) -> Vec<ForceId> {
+fn force_ids_where(model: &Model, wanted: impl Fn(&Force) -> bool) -> Vec<ForceId> {
     model.forces().iter().filter(|force| wanted(force)).map(|force| force.id).collect()
 }
 
@@ -124,7 +124,7 @@ fn is_complete(model: &Model, forces: &[ForceId]) -> bool {
 
 impl Model {
     /// Up to six names of forces, so that a message stays readable.
-    pub fn names_of(&self, forces: &[ForceId]) -> String {
+    pub fn short_force_names(&self, forces: &[ForceId]) -> String {
         const SHOWN: usize = 6;
         let named: Vec<&str> =
             forces.iter().filter_map(|&id| self.force(id)).map(|force| force.name.as_str()).collect();
@@ -152,7 +152,7 @@ fn no_contacts(model: &Model) -> Fault {
     Fault::new(FaultKind::NoContacts { detail })
 }
 
-/// Player and ball: bodies joined only through ground are not one animal, and only the user knows which is meant.
+/// Asks which forces are meant if their bodies are joined only through ground, such as player and ball.
 fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> {
     let mut trees: Vec<(String, Vec<ForceId>)> = Vec::new();
     let mut by_name: HashMap<Cow<'_, str>, usize> = HashMap::new();
@@ -163,8 +163,8 @@ fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> 
                 continue;
             }
             let top = model.components().name(model.skeleton().top(body));
-            let known = *by_name.entry(top.clone()).or_insert(trees.len());
-            match trees.get_mut(known) {
+            let index = *by_name.entry(top.clone()).or_insert(trees.len());
+            match trees.get_mut(index) {
                 Some((_, forces)) if forces.last() == Some(&force.id) => {}
                 Some((_, forces)) => forces.push(force.id),
                 None => trees.push((top.into_owned(), vec![force.id])),
@@ -174,7 +174,7 @@ fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> 
     if trees.len() < 2 {
         return Ok(());
     }
-    let tree = |(top, forces): (String, Vec<ForceId>)| TreeOfForces { top, forces: model.names_of(&forces) };
+    let tree = |(top, forces): (String, Vec<ForceId>)| ForcesOfAnimal { top, forces: model.short_force_names(&forces) };
     let trees = trees.into_iter().map(tree).collect();
     Err(Fault::new(Needed::Selection { trees, input: Input::Select }))
 }

@@ -15,11 +15,11 @@ pub struct Body {
     /// `mass` in kg; NaN where the file gives none. [`Body::mass_kg`] checks it.
     pub mass: Value,
     pub file: FileId,
-    /// Whether only WeldJoints are between it and ground: spheres on it are scenery.
+    /// Whether only WeldJoints are between it and ground: spheres on it count in nothing.
     pub fixed: bool,
-    /// Whether it is fixed and no body hangs on it, such as a platform or a goalkeeper: the model weighs what it weighs without it. What
-    /// stands on it by a joint along which it can move away does not hang on it.
-    pub scenery: bool,
+/// Whether it does not count in the mass of the model: it is fixed, and no body hangs on it, such as a platform. A body joined to it
+    /// by a joint along which it can move away does not hang on it.
+    pub excluded_from_mass: bool,
 }
 
 impl Body {
@@ -34,7 +34,7 @@ impl Body {
                 Err(fault) => fault,
             }
         };
-        Err(fault.of(self.path.clone()).in_file(self.file))
+        Err(fault.at_element(self.path.clone()).in_file(self.file))
     }
 }
 
@@ -42,12 +42,12 @@ impl Body {
 #[derive(Debug)]
 pub struct Skeleton {
     pub(crate) bodies: Vec<Body>,
-    joined: Joined,
+    joined: JointRelations,
 }
 
-/// What joints say: which component hangs on which.
+/// Which component hangs on which, by the joints.
 #[derive(Debug, Default)]
-struct Joined {
+struct JointRelations {
     parents: HashMap<ComponentId, Base>,
     loops: Loops,
     /// Joints that OpenSim does not read: all but the first of a body in documents that have joints in bodies.
@@ -56,25 +56,25 @@ struct Joined {
     tops: HashMap<ComponentId, ComponentId>,
     /// Bodies welded to ground, directly or through others.
     welded: HashSet<ComponentId>,
-    /// Those on which no body hangs.
-    scenery: HashSet<ComponentId>,
+    /// Bodies welded to ground on which no body hangs.
+    excluded_from_mass: HashSet<ComponentId>,
 }
 
 /// Joints along which a body moves away from the other one.
-const MOVE_AWAY: [&str; 3] = ["FreeJoint", "PlanarJoint", "SliderJoint"];
+const SEPARATING_JOINTS: [&str; 3] = ["FreeJoint", "PlanarJoint", "SliderJoint"];
 
 impl Skeleton {
     /// Reads all bodies and joints. A joint whose frames lead nowhere is left out: only limbs need it, and a body
     /// without a joint to a parent stands on ground.
     pub(crate) fn read(components: &Components) -> Self {
-        let joined = Joined::read(components);
+        let joined = JointRelations::read(components);
         let bodies = components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body");
         let bodies = bodies.filter(|(id, _)| !components.is_ground(*id)).map(|(id, component)| {
             let document = components.document(component.file);
             let mass = document.value(component.element, Class::Body, Property::Mass, "mass");
             let (name, path) = (components.name(id).into_owned(), components.tree.path(id));
-            let (fixed, scenery) = (joined.welded.contains(&id), joined.scenery.contains(&id));
-            Body { name, path, mass, file: component.file, fixed, scenery }
+            let (fixed, excluded_from_mass) = (joined.welded.contains(&id), joined.excluded_from_mass.contains(&id));
+            Body { name, path, mass, file: component.file, fixed, excluded_from_mass }
         });
         Self { bodies: bodies.collect(), joined }
     }
@@ -98,7 +98,7 @@ impl Skeleton {
         self.joined.tops.get(&body).copied().unwrap_or(body)
     }
 
-    /// Whether it is ground or a body welded to ground: what is there is scenery.
+    /// Whether it is ground or a body welded to ground.
     pub(crate) fn is_fixed(&self, base: Base) -> bool {
         match base {
             Base::Ground => true,
@@ -108,7 +108,7 @@ impl Skeleton {
     }
 }
 
-impl Joined {
+impl JointRelations {
     fn read(components: &Components) -> Self {
         let mut joined = Self::default();
         let mut links = Vec::new();
@@ -125,33 +125,33 @@ impl Joined {
             }
         }
         joined.loops = Loops::of(&links);
-        joined.index();
+        joined.find_tops();
         joined.welded = welded_to(vec![Base::Ground], &links);
-        joined.scenery = scenery(&joined.welded, &links);
+        joined.excluded_from_mass = excluded_from_mass(&joined.welded, &links);
         joined
     }
 
     /// Finds the top of each body, each link looked at once. Joints that form a loop have no top:
     /// the loop is cut above the body that comes first in the files.
-    fn index(&mut self) {
+    fn find_tops(&mut self) {
         let mut joined: Vec<ComponentId> = self.parents.keys().copied().collect();
         joined.sort_unstable();
         for body in joined {
-            // Up to a body that is known, or to a top.
-            let mut way = vec![body];
-            let mut on_way = HashSet::from_iter([body]);
+            // Up to a body whose top is known, or to a top.
+            let mut path = vec![body];
+            let mut on_path = HashSet::from_iter([body]);
             let top = loop {
-                let Some(&last) = way.last() else { break body };
+                let Some(&last) = path.last() else { break body };
                 if let Some(&top) = self.tops.get(&last) {
                     break top;
                 }
                 let Some(parent) = self.parent(last) else { break last };
-                if !on_way.insert(parent) {
+                if !on_path.insert(parent) {
                     break self.cut_loop(parent);
                 }
-                way.push(parent);
+                path.push(parent);
             };
-            self.tops.extend(way.into_iter().map(|id| (id, top)));
+            self.tops.extend(path.into_iter().map(|id| (id, top)));
         }
     }
 
@@ -175,8 +175,8 @@ impl Joined {
         let owner = components.tree.get(joint).and_then(|component| component.parent);
         let inside = owner.filter(|&id| components.tag(id) == "Body").map(Base::Body);
         let child = end("child_frame", &["child_body"]).or_else(|| end("child_body", &[])).or(inside);
-        let known = |end: Option<Base>| end.filter(|end| *end != Base::Unknown);
-        let ends = [known(parent)?, known(child)?];
+        let if_known = |end: Option<Base>| end.filter(|end| *end != Base::Unknown);
+        let ends = [if_known(parent)?, if_known(child)?];
         match (parent, child) {
             (Some(parent), Some(Base::Body(child))) => {
                 self.parents.entry(child).or_insert(parent);
@@ -188,7 +188,7 @@ impl Joined {
             _ => {}
         }
         let tag = components.tag(joint);
-        let (counts_twice, moves_away) = (weld || tag == "FreeJoint", MOVE_AWAY.contains(&tag));
+        let (counts_twice, moves_away) = (weld || tag == "FreeJoint", SEPARATING_JOINTS.contains(&tag));
         Some(JointLink { joint, ends, weld, counts_twice, moves_away })
     }
 
@@ -220,9 +220,9 @@ fn welded_to(from: Vec<Base>, links: &[JointLink]) -> HashSet<ComponentId> {
     welded
 }
 
-/// Those of the bodies welded to ground on which no body hangs, directly or through others. A body that hangs on one makes it part of
-/// the animal: a model whose pelvis is held weighs what it weighs.
-fn scenery(welded: &HashSet<ComponentId>, links: &[JointLink]) -> HashSet<ComponentId> {
+/// The bodies welded to ground on which no body hangs, directly or through others. A body with others on it is part of the animal, such
+/// as a pelvis that is welded to ground.
+fn excluded_from_mass(welded: &HashSet<ComponentId>, links: &[JointLink]) -> HashSet<ComponentId> {
     let is_fixed = |end: &Base| matches!(end, Base::Body(body) if welded.contains(body));
     let is_free = |end: &Base| matches!(end, Base::Body(body) if !welded.contains(body));
     let holds = |link: &&JointLink| !link.moves_away && link.ends.iter().any(is_free);
@@ -255,7 +255,7 @@ impl JointLink {
     }
 }
 
-/// What OpenSim does not take as a tree.
+/// Loops of joints, which OpenSim does not read as a tree.
 #[derive(Debug, Default)]
 pub struct Loops {
     /// Joints of loops, or between two of them, in file order.

@@ -4,7 +4,7 @@ use std::any::Any;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
-use crate::model::anatomy::bone_sizes::{ByBody, JointDistances, frame_offsets, mesh_factors};
+use crate::model::anatomy::bone_sizes::{TriplesByBody, JointDistances, frame_offsets, mesh_factors};
 use crate::model::anatomy::joints::{AnatomyJoint, Joints};
 use crate::model::components::{Companion, ComponentId, Components};
 use crate::model::contacts::{Force, ForceId, HalfSpace, Irregularity, SetId, Sphere, SphereId};
@@ -16,7 +16,7 @@ use crate::model::property::Property;
 use crate::model::skeleton::{Body, Skeleton};
 use crate::xml::ElementId;
 
-/// Everything that is known about a model.
+/// A model with its bodies, contact spheres and contact forces.
 ///
 /// ```
 /// # let bytes: &[u8] = include_bytes!("../../tests/data/one_foot.osim");
@@ -45,7 +45,7 @@ pub struct Model {
     pub note: Option<Note>,
     /// What was read although it is written wrongly, in the order of reading.
     pub irregularities: Vec<Irregularity>,
-    /// What rules found in it, once somebody has asked.
+    /// The findings of all rules about one model, once they were tried.
     pub(crate) findings: OnceLock<Vec<Finding>>,
 }
 
@@ -86,7 +86,7 @@ impl Model {
         }
     }
 
-    /// What `find`, all rules about one model, found in this one: they are tried once.
+    /// The findings of `find`, which tries all rules about one model. They are tried once.
     pub fn findings(&self, find: impl FnOnce(&Self) -> Vec<Finding>) -> &[Finding] {
         self.findings.get_or_init(|| find(self))
     }
@@ -102,14 +102,14 @@ impl Model {
     }
 
     /// The factors of the meshes of each body, by their files.
-    pub fn mesh_factors(&self) -> &ByBody {
+    pub fn mesh_factors(&self) -> &TriplesByBody {
         self.body_facts.mesh_factors(&self.components)
     }
 
-    /// What `make` makes of this model: made once for it and for those with other numbers of its contacts, so that it must follow
-    /// from bodies, joints and constraints alone. There is one of each type.
+/// The value that `make` derives from this model. It is made once for each type, and shared with the models that differ in numbers of
+    /// contacts only: so it must depend on bodies, joints and constraints alone.
     pub fn of_bodies<T: Any + Send + Sync>(&self, make: impl FnOnce(&Self) -> T) -> &T {
-        self.body_facts.made.get_or_make(|| make(self))
+        self.body_facts.derived.get_or_make(|| make(self))
     }
 
     /// Handles of all contact forces, in file order.
@@ -176,56 +176,56 @@ impl Model {
     }
 }
 
-// What a model says of its bodies and joints: read when somebody first asks for it, and the same with other numbers of its contacts.
+// Facts about bodies and joints, which do not depend on the numbers of contacts.
 
-/// What several who check or plan a change ask for.
+/// Facts about the bodies of a model, each computed once, when it is first asked for.
 #[derive(Debug, Default)]
 pub(crate) struct BodyFacts {
     pub(crate) joints: Joints,
-    mesh_factors: OnceLock<ByBody>,
-    frame_offsets: OnceLock<ByBody>,
+    mesh_factors: OnceLock<TriplesByBody>,
+    frame_offsets: OnceLock<TriplesByBody>,
     distances: OnceLock<JointDistances>,
-    /// What others made of them.
-    made: Made,
+    /// Values that other modules derived from bodies and joints.
+    derived: DerivedValues,
 }
 
 impl BodyFacts {
-    pub(crate) fn mesh_factors(&self, components: &Components) -> &ByBody {
+    pub(crate) fn mesh_factors(&self, components: &Components) -> &TriplesByBody {
         self.mesh_factors.get_or_init(|| mesh_factors(components))
     }
 
-    pub(crate) fn frame_offsets(&self, components: &Components) -> &ByBody {
+    pub(crate) fn frame_offsets(&self, components: &Components) -> &TriplesByBody {
         self.frame_offsets.get_or_init(|| frame_offsets(components))
     }
 
     pub(crate) fn joint_distances(&self, components: &Components) -> &JointDistances {
-        self.distances.get_or_init(|| JointDistances::of_joints(self.joints.between_bodies(components)))
+        self.distances.get_or_init(|| JointDistances::from_joints(self.joints.between_bodies(components)))
     }
 }
 
-/// The first of a chain of such things. None is ever taken out, so that they are lent as long as the chain lives.
+/// A linked list of values of different types. None is ever removed, so that references to them live as long as the list.
 #[derive(Debug, Default)]
-struct Made(OnceLock<Box<Link>>);
+struct DerivedValues(OnceLock<Box<DerivedValue>>);
 
 #[derive(Debug)]
-struct Link {
-    thing: Box<dyn Any + Send + Sync>,
-    next: Made,
+struct DerivedValue {
+    value: Box<dyn Any + Send + Sync>,
+    next: DerivedValues,
 }
 
-impl Made {
-    /// The thing of type `T`, made if there is none yet. Two threads may both make one; the first counts.
+impl DerivedValues {
+    /// The value of type `T`, made if there is none yet. Two threads may both make one; the first counts.
     fn get_or_make<T: Any + Send + Sync>(&self, make: impl FnOnce() -> T) -> &T {
-        if let Some(known) = self.get() {
-            return known;
+        if let Some(value) = self.get() {
+            return value;
         }
-        // What is made may ask for other things meanwhile.
-        let mut new = Some(Box::new(Link { thing: Box::new(make()), next: Self::default() }));
+        // `make` may ask for other values meanwhile.
+        let mut new = Some(Box::new(DerivedValue { value: Box::new(make()), next: Self::default() }));
         let mut at = self;
         loop {
             new = new.and_then(|link| at.0.set(link).err());
-            if let Some(known) = self.get() {
-                return known;
+            if let Some(value) = self.get() {
+                return value;
             }
             if let Some(link) = at.0.get() {
                 at = &link.next;
@@ -235,7 +235,7 @@ impl Made {
 
     fn get<T: Any>(&self) -> Option<&T> {
         let links = std::iter::successors(self.0.get(), |link| link.next.0.get());
-        links.into_iter().find_map(|link| link.thing.downcast_ref())
+        links.into_iter().find_map(|link| link.value.downcast_ref())
     }
 }
 
@@ -244,13 +244,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_thing_is_made_once() {
-        let made = Made::default();
-        let number = made.get_or_make(|| {
-            assert_eq!(made.get_or_make(|| "made meanwhile"), &"made meanwhile");
+    fn each_derived_value_is_made_once() {
+        let derived = DerivedValues::default();
+        let number = derived.get_or_make(|| {
+            assert_eq!(derived.get_or_make(|| "made meanwhile"), &"made meanwhile");
             1_i32
         });
-        assert_eq!((number, made.get_or_make(|| 2_i32)), (&1, &1));
-        assert_eq!((made.get_or_make(|| "another"), made.get_or_make(|| 3_u8)), (&"made meanwhile", &3));
+        assert_eq!((number, derived.get_or_make(|| 2_i32)), (&1, &1));
+        assert_eq!((derived.get_or_make(|| "another"), derived.get_or_make(|| 3_u8)), (&"made meanwhile", &3));
     }
 }

@@ -62,7 +62,7 @@ fn factors_come_first_and_then_the_frame() {
 #[test]
 fn a_missing_mesh_says_where_it_was_looked_for() {
     let model = model("human_40000.osim");
-    let folders = MeshFolders::of_model(Path::new("models/human.osim")).and("bones");
+    let folders = MeshFolders::of_model(Path::new("models/human.osim")).with_folder("bones");
     let fault = |bodies: &[&str], files: &InMemory| bones(&model, bodies, &folders, files).unwrap_err();
     let missing = fault(&["calcn_r"], &InMemory::default());
     assert_eq!(

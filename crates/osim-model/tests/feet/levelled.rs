@@ -1,7 +1,7 @@
 //! Feet whose bottoms are made level, by numbers made by hand. The real OpenSim: `tests/oracle/test_level.py`.
 
 use osim_model::Model;
-use osim_model::feet::{LevelledSphere, NotLevelled, levelled};
+use osim_model::feet::{LevelledSphere, NotLevelled, levelled_spheres};
 
 /// A foot 0.5 m up with a heel of 0.04 m whose bottom is at 0.44 m, and a toe of 0.03 m in a frame that is turned by a right angle about z
 /// (its x is the foot's y) whose bottom is at 0.5 m; the floor is turned by `slope` about z.
@@ -34,13 +34,13 @@ fn foot(body: &str, slope: f64) -> Model {
     Model::parse(text).unwrap()
 }
 
-fn of(model: &Model) -> Result<Vec<LevelledSphere>, NotLevelled> {
-    levelled(model, &model.force_ids())
+fn levelled(model: &Model) -> Result<Vec<LevelledSphere>, NotLevelled> {
+    levelled_spheres(model, &model.force_ids())
 }
 
 #[track_caller]
 fn assert_toe(model: &Model, expected: [f64; 3]) {
-    let moved = of(model).unwrap();
+    let moved = levelled(model).unwrap();
     let [toe] = moved.as_slice() else { panic!("{moved:?}") };
     assert_eq!(model.sphere(toe.sphere).unwrap().name, "toe");
     let close = toe.location_m.iter().zip(expected).all(|(is, wanted)| (is - wanted).abs() < 1e-15);
@@ -65,7 +65,7 @@ fn on_a_slope_it_comes_down_along_the_normal() {
 #[test]
 fn the_pose_decides_on_a_foot_that_leans() {
     // 0.06 rad are 3.4 degrees.
-    let Err(fault) = of(&foot("foot_r", 0.06)) else { panic!("it is made level") };
+    let Err(fault) = levelled(&foot("foot_r", 0.06)) else { panic!("it is made level") };
     assert!(matches!(fault, NotLevelled::Leans { .. }));
     let said = fault.to_string();
     assert!(
@@ -76,6 +76,6 @@ fn the_pose_decides_on_a_foot_that_leans() {
 
 #[test]
 fn without_limbs_nobody_knows_which_spheres_are_one_foot() {
-    let Err(fault) = of(&foot("block", 0.0)) else { panic!("it is made level") };
+    let Err(fault) = levelled(&foot("block", 0.0)) else { panic!("it is made level") };
     assert!(matches!(fault, NotLevelled::NoLimbs { .. }), "{fault}");
 }

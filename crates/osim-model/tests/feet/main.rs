@@ -8,6 +8,6 @@ mod levelled;
 mod meshes;
 mod planes;
 mod pose;
-mod scene;
+mod foot_view;
 mod soles;
 mod standing;

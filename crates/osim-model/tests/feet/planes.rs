@@ -153,7 +153,7 @@ fn joints_say_how_bodies_move() {
     assert_eq!(of(&leg_free, "shank", "shank"), Some((false, false)));
     // Only through ground.
     assert_eq!(of(&leg_free, "chair", "foot"), None);
-    assert!(leg_free.moves("foot") && !leg_free.moves("chair"));
+    assert!(leg_free.can_move("foot") && !leg_free.can_move("chair"));
     assert_eq!(leg_free.top("foot"), "pelvis");
     assert_eq!(of(&leg("<locked>true</locked>"), "foot", "pelvis"), Some((true, false)));
 }

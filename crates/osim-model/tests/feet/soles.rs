@@ -227,7 +227,7 @@ fn a_tilted_box_covers_what_geometry_says() {
     assert!((print.length_m - length).abs() < 1e-9, "{print:?}");
     // A point each millimetre.
     assert!(
-        (print.of_length - covered).abs() < 0.01 && (print.of_width - 1.0).abs() < 1e-9,
+        (print.share_of_length - covered).abs() < 0.01 && (print.share_of_width - 1.0).abs() < 1e-9,
         "{print:?} {covered}"
     );
     assert!((print.pitch_rad - tilt).abs() < 1e-6 && print.roll_rad.abs() < 1e-6, "{print:?}");

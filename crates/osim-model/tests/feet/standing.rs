@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use osim_model::feet::{ByLaw, Lift, NotLifted, Rest, Standing};
+use osim_model::feet::{RestLaw, Lift, NotLifted, Rest, Standing};
 use osim_model::{Model, SphereId};
 
 /// E* = 375,000 N/m2: a sphere of 0.04 m that is 0.01 m deep carries 4/3 E* 0.2 m^1/2 0.001 m^3/2 = 100 N.
@@ -146,8 +146,8 @@ fn one_sphere_carries_100_n_at_0_01_m() {
     let rest = rest(&standing);
     assert!(close(rest.spheres[0].relative_indentation, 0.25), "{rest:?}");
     assert!((rest.spheres[0].force_n - 100.0).abs() < 1e-10 && rest.is_carried());
-    assert!(close(standing.value(rest.down_m).unwrap(), 0.14 - 0.01), "{rest:?}");
-    assert!(close(standing.value(standing.spheres[0].gap_m).unwrap(), 0.14));
+    assert!(close(standing.coordinate_at(rest.down_m).unwrap(), 0.14 - 0.01), "{rest:?}");
+    assert!(close(standing.coordinate_at(standing.spheres[0].gap_m).unwrap(), 0.14));
 }
 
 /// x = 0.01 m and 0.0025 m: x^(3/2) is 1 and 0.125 thousandths, which carry 100 and 12.5 N.
@@ -176,7 +176,7 @@ fn a_sphere_out_of_reach_carries_nothing_and_one_alone_can_be_chosen() {
     // Half of the weight on one of two limbs: x goes with F^(2/3).
     let half = standing.rest(&[high], 0.5).unwrap().unwrap();
     assert!(close(half.spheres[0].relative_indentation, 0.25 * 0.5_f64.powf(2.0 / 3.0)));
-    let hertz = standing.rest_under(&[high], 100.0, ByLaw::Hertz).unwrap().unwrap();
+    let hertz = standing.rest_under(&[high], 100.0, RestLaw::Hertz).unwrap().unwrap();
     assert!(close(hertz.down_m, alone.down_m));
 }
 
@@ -200,7 +200,7 @@ fn on_a_slope_the_part_along_the_normal_counts() {
     assert!(close(standing.spheres[0].gap_m, 0.32 - 0.04));
     let rest = rest(&standing);
     assert!(close(rest.spheres[0].relative_indentation * 0.04, 0.01 * 0.8_f64.powf(2.0 / 3.0)));
-    let down = standing.value(rest.down_m).unwrap() - 0.5;
+    let down = standing.coordinate_at(rest.down_m).unwrap() - 0.5;
     assert!(close(down * 0.8, -rest.down_m));
 }
 
@@ -209,7 +209,7 @@ fn a_coordinate_that_points_down_is_raised_to_go_down() {
     let down = Moves { coordinate: "depth", axis: "0 -1 0", more: "<default_value>-0.5</default_value>" };
     let standing = foot(10.0, &[-0.1], joint("ground", "foot", &[down])).only();
     assert_eq!(lift(&standing).rise, -1.0);
-    assert!(close(standing.value(rest(&standing).down_m).unwrap(), -0.13));
+    assert!(close(standing.coordinate_at(rest(&standing).down_m).unwrap(), -0.13));
 }
 
 /// The cart stays above: the coordinate below it moves the foot alone.

@@ -238,7 +238,7 @@ fn frames_lead_to_their_body_in_every_spelling() {
             assert!(!sphere.fixed, "{file}");
             assert_eq!(sphere.radius.number, RADIUS, "{file}");
             let limbs = model.limbs(&model.force_ids()[..1]);
-            assert_eq!(limbs.known().map(<[_]>::len), Some(1), "{file}: {limbs:?}");
+            assert_eq!(limbs.if_known().map(<[_]>::len), Some(1), "{file}: {limbs:?}");
         });
     }
     // OpenSim 4.6 does not find these; the only component of that name is taken, and it is said.
@@ -361,7 +361,7 @@ fn masses_are_summed_in_file_order_without_ground_and_scenery() {
         ("v30000_two_feet", 53.0),
         ("terrain_welded", 53.0),
     ] {
-        let mass = read(file, |model| osim_model::MassRequest::default().of_model(model).unwrap().kg);
+        let mass = read(file, |model| osim_model::MassRequest::default().model_mass(model).unwrap().kg);
         assert_eq!(mass, kg, "{file}");
     }
 }

@@ -105,7 +105,7 @@ fn refuse_scenery(body: &Body) -> Result<(), Fault> {
          body that moves, or give this one another joint in OpenSim",
         body.name
     );
-    Err(Fault::refused(text).of(body.path.clone()))
+    Err(Fault::refused(text).at_element(body.path.clone()))
 }
 
 fn force(

@@ -115,7 +115,7 @@ fn refuse_included(model: &Model, force: &Force) -> Result<(), Fault> {
     match model.included_file(force.file) {
         Some(file) => {
             let (path, file) = (force.path.clone(), file.to_owned());
-            Err(Fault::new(FaultKind::IncludedFile { path, file }).of(force.path.clone()))
+            Err(Fault::new(FaultKind::IncludedFile { path, file }).at_element(force.path.clone()))
         }
         None => Ok(()),
     }
@@ -127,8 +127,8 @@ fn has_half_space(force: &Force) -> bool {
 
 fn pairs_of(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
     let leave_out = |text: String, otherwise: &'static str| {
-        let kind = FaultKind::LeaveOut { text, force: force.name.clone(), otherwise };
-        Fault::new(kind).of(force.path.clone())
+        let kind = FaultKind::ForceCannotChange { text, force: force.name.clone(), otherwise };
+        Fault::new(kind).at_element(force.path.clone())
     };
     if !has_half_space(force) {
         let text = format!(
@@ -160,7 +160,7 @@ fn composite(model: &Model, force: &Force, pair: &Pair, wanted: &Convert) -> Res
     let text = rules::composite_surfaces_message(force, sphere, &pair.plane.name);
     if wanted.strict {
         let kind = FaultKind::StrictlyRefused { text };
-        return Err(Fault::new(kind).of(force.path.clone()));
+        return Err(Fault::new(kind).at_element(force.path.clone()));
     }
     Ok(rules::composite_surfaces(force, text))
 }
@@ -189,7 +189,7 @@ fn divided(
             false => (sphere.path.clone(), pair.plane.path.clone()),
         };
         for used in [&name, &sphere_path, &plane_path] {
-            refuse_misread(model, used).map_err(|fault| fault.of(force.path.clone()))?;
+            refuse_misread(model, used).map_err(|fault| fault.at_element(force.path.clone()))?;
         }
         let mut values = pair.values.clone();
         if wanted.to == ForceKind::SmoothSphereHalfSpace {
@@ -204,7 +204,7 @@ fn divided(
         let origin = |property: Property| origin(property, sphere, pair);
         let written = Values { numbers: &values, origin: &origin };
         let node = spelling::force(model.document(), wanted.to, &name, &surfaces, &written, force.applies)
-            .map_err(|fault| Fault::at(fault.kind, span.start).of(force.path.clone()))?;
+            .map_err(|fault| Fault::at(fault.kind, span.start).at_element(force.path.clone()))?;
         let written = node.text(&space, unit);
         // The first begins where the old one did.
         text.push_str(if index == 0 {

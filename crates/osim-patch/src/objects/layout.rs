@@ -62,7 +62,7 @@ impl Layout {
                 let Some(body) = own.body.clone() else { continue };
                 let place = model.centre_m(sphere).ok_or_else(|| {
                     Fault::refused(format!("the place of {} on its body cannot be read", own.path))
-                        .of(own.path.clone())
+                        .at_element(own.path.clone())
                 })?;
                 if layout.floor.is_empty() {
                     layout.floor = plane.name.clone();
@@ -88,7 +88,7 @@ impl Layout {
     pub fn check(&self) -> Result<(), Fault> {
         let zero = |contact: &&NewContact| contact.values.contains(&(Property::ConstantContactForce, 0.0));
         match self.contacts.iter().find(zero) {
-            Some(contact) => Err(Fault::new(FaultKind::ZeroConstantContactForce).of(contact.force.clone())),
+            Some(contact) => Err(Fault::new(FaultKind::ZeroConstantContactForce).at_element(contact.force.clone())),
             None => Ok(()),
         }
     }

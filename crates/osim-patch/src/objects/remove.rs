@@ -49,7 +49,7 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<Rebuilt, Fault> {
         going_names.insert(sphere.name.clone());
         objects.push(removed("ContactSphere", &sphere.name, &sphere.path, sphere.body.clone()));
     }
-    let mut made = model.note.as_ref().map(|note| note.made.clone()).unwrap_or_default();
+    let mut made = model.note.as_ref().map(|note| note.added_to_file.clone()).unwrap_or_default();
     if made.contains(MADE_FLOOR) {
         let planes = |force: &Force| -> Vec<HalfSpace> {
             force.sets.iter().flat_map(|set| model.half_spaces_of(set)).collect()
@@ -95,7 +95,7 @@ fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Faul
     match model.included_file(file) {
         Some(included) => {
             let kind = FaultKind::IncludedFile { path: path.to_owned(), file: included.to_owned() };
-            Err(Fault::new(kind).of(path))
+            Err(Fault::new(kind).at_element(path))
         }
         None => Ok(()),
     }
@@ -104,9 +104,9 @@ fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Faul
 /// The forces of `model` that were added to it, by the record in its note; `None` where it has no such record.
 pub fn added_forces(model: &Model) -> Option<Vec<ForceId>> {
     let note = model.note.as_ref()?;
-    let all = note.made.contains(Note::ALL_ADDED);
+    let all = note.added_to_file.contains(Note::ALL_ADDED);
     let is_added = |force: &&Force| {
-        if all { force.sets.iter().any(|set| set.half_spaces > 0) } else { note.has_added(&force.name) }
+        if all { force.sets.iter().any(|set| set.half_spaces > 0) } else { note.has_added_force(&force.name) }
     };
     let forces: Vec<ForceId> = model.forces().iter().filter(is_added).map(|force| force.id).collect();
     (!forces.is_empty()).then_some(forces)
@@ -114,7 +114,7 @@ pub fn added_forces(model: &Model) -> Option<Vec<ForceId>> {
 
 /// Whether of those that were added beside others none stays: the note was about them.
 fn takes_all_added(model: &Model, going: &HashSet<ForceId>) -> bool {
-    let beside_others = model.note.as_ref().is_some_and(|note| !note.added.is_empty());
+    let beside_others = model.note.as_ref().is_some_and(|note| !note.added_forces.is_empty());
     beside_others && added_forces(model).is_some_and(|added| added.iter().all(|force| going.contains(force)))
 }
 
@@ -157,7 +157,7 @@ fn refuse_users(model: &Model, elements: &[ElementId], going: &HashSet<String>) 
         let text = tree.text_of(element);
         let Some(name) = geometry_names(&text).find(|name| going.contains(*name)) else { continue };
         if !gone.covers(&span) {
-            return Err(Fault::over(in_use(document, element, name), span));
+            return Err(Fault::at_span(in_use(document, element, name), span));
         }
     }
     Ok(())

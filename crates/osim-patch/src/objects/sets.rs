@@ -165,7 +165,7 @@ pub(super) fn refuse_parts(model: &Model) -> Result<(), Fault> {
     let document = model.document();
     let (tree, root) = (document.tree(), document.data_root());
     if tree.name(root) != "Model" {
-        return Err(Fault::over(
+        return Err(Fault::at_span(
             FaultKind::Refused(
                 "this is a set that stands alone: whole contacts are added to, changed in and removed from models only; name the \
                  model that it belongs to"
@@ -177,7 +177,7 @@ pub(super) fn refuse_parts(model: &Model) -> Result<(), Fault> {
     for (element, file) in document.included_files() {
         if [FORCES, GEOMETRY].contains(&tree.name(element)) {
             let (path, span) = (tree.name(element).to_owned(), tree.open_span(element));
-            return Err(Fault::over(FaultKind::IncludedFile { path, file }, span));
+            return Err(Fault::at_span(FaultKind::IncludedFile { path, file }, span));
         }
     }
     Ok(())

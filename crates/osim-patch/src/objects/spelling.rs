@@ -37,7 +37,7 @@ fn triple(tag: &str, values: [f64; 3], name: &str) -> Result<Node, Fault> {
     // The mirror image of 0 is 0, without a minus.
     let values = values.map(|value| value + 0.0);
     let text = change::triple_text(values, tag, || format!("the place that {name} is to have"));
-    Ok(Node::leaf(tag, text.map_err(|fault| fault.of(name))?))
+    Ok(Node::leaf(tag, text.map_err(|fault| fault.at_element(name))?))
 }
 
 /// A `ContactSphere`.
@@ -47,7 +47,7 @@ pub(super) fn sphere_node(version: u32, carrier: &Carrier<'_>, contact: &NewCont
     let radius = change::number_text(contact.radius_m, Property::Radius, || {
         format!("the radius that {name} is to have")
     });
-    let radius = Node::leaf("radius", radius.map_err(|fault| fault.of(name))?);
+    let radius = Node::leaf("radius", radius.map_err(|fault| fault.at_element(name))?);
     Ok(Node::object(Class::ContactSphere.tag(), name, vec![carrier.node(version), place, radius]))
 }
 
@@ -102,7 +102,7 @@ pub(super) fn force(
         };
         let leaf = |&property: &Property| {
             let text = change::number_text(value(property)?, property, || (values.origin)(property));
-            Some(text.map(|text| Node::leaf(property.name(), text)).map_err(|fault| fault.of(name)))
+            Some(text.map(|text| Node::leaf(property.name(), text)).map_err(|fault| fault.at_element(name)))
         };
         class.parameters().iter().filter_map(leaf).collect::<Result<Vec<_>, _>>()
     };
@@ -191,9 +191,9 @@ impl Inside {
         (sphere, plane): (&Sphere, &HalfSpace),
         names: &mut Names,
     ) -> Result<(String, String), Fault> {
-        refuse_ignored_offset(model, force, sphere, plane).map_err(|fault| fault.of(force.path.clone()))?;
+        refuse_ignored_offset(model, force, sphere, plane).map_err(|fault| fault.at_element(force.path.clone()))?;
         for frame in [&sphere.frame, &plane.frame_path] {
-            refuse_misread(model, frame).map_err(|fault| fault.of(force.path.clone()))?;
+            refuse_misread(model, frame).map_err(|fault| fault.at_element(force.path.clone()))?;
         }
         Ok((self.sphere(model, force, sphere, names)?, self.plane(model, force, plane, names)?))
     }

@@ -149,7 +149,7 @@ impl<'t> Choice<'t> {
         for other in contacts {
             if !dimensionless(other)?.agrees_with(&base, SAME_CONTACT) {
                 let needed = Needed::ReferenceContactOfForce { force: force.path.clone() };
-                return Err(Fault::new(needed).of(force.path.clone()));
+                return Err(Fault::new(needed).at_element(force.path.clone()));
             }
         }
         Ok(first)
@@ -282,5 +282,5 @@ fn different_materials(force: &Force, property: Property) -> Fault {
          serve all; give each sphere a force of its own",
         force.path
     ))
-    .of(force.path.clone())
+    .at_element(force.path.clone())
 }

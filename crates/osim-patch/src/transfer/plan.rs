@@ -28,7 +28,7 @@ use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};
 ///   [`Needed::ReferenceContactOfForce`](osim_model::Needed::ReferenceContactOfForce),
 ///   [`Needed::ReferenceRadius`](osim_model::Needed::ReferenceRadius)), or the reference has no such sphere
 ///   ([`FaultKind::UnknownReferenceSphere`]).
-/// - A force that keeps its sphere inside itself, as in Moco 0.1 to 0.3 ([`FaultKind::OldDialect`]).
+/// - A force that keeps its sphere inside itself, as in Moco 0.1 to 0.3 ([`FaultKind::SphereInsideForce`]).
 /// - Spheres of one force follow bodies with different factors, and that is to be refused
 ///   ([`FaultKind::StrictlyRefused`]).
 pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result<Plan, Fault> {
@@ -41,7 +41,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     let change =
         GravityChange::new(reference.gravity_m_s2, wanted.target_gravity_m_s2, GravityFor::Reference)?;
     let gravity = change.ratio;
-    let followed = |sphere: SphereId| wanted.follow.as_ref().and_then(|follow| follow.of(sphere));
+    let followed = |sphere: SphereId| wanted.follow.as_ref().and_then(|follow| follow.sphere(sphere));
     let reference_radii = ReferenceRadii::of(&wanted.reference);
     let rule_of = |sphere: SphereId| match (followed(sphere), wanted.radius) {
         (Some(followed), RadiusRule::Isometric) => SphereRule::Like(followed.radius_m),
@@ -109,8 +109,8 @@ fn refuse_old_dialect(model: &Model, selected: &Selected) -> Result<(), Fault> {
     let mut forces = selected.forces.iter().filter_map(|&id| model.force(id));
     match forces.find(|force| keeps_inside(model, force)) {
         Some(force) => {
-            let kind = FaultKind::OldDialect { force: force.path.clone() };
-            Err(Fault::new(kind).of(force.path.clone()).in_file(force.file))
+            let kind = FaultKind::SphereInsideForce { force: force.path.clone() };
+            Err(Fault::new(kind).at_element(force.path.clone()).in_file(force.file))
         }
         None => Ok(()),
     }
@@ -245,7 +245,7 @@ fn check_spread(
         };
         let Some(text) = rules::factor_spread_message(force, radii.spread(force, old)) else { continue };
         if wanted.strict {
-            return Err(Fault::new(FaultKind::StrictlyRefused { text }).of(force.path.clone()));
+            return Err(Fault::new(FaultKind::StrictlyRefused { text }).at_element(force.path.clone()));
         }
         plan.warnings.push(rules::factor_spread(force, text));
     }

@@ -38,7 +38,7 @@ pub struct ReferenceContact {
 /// // A model of 10 kg on one sphere.
 /// let model = Model::parse(bytes)?;
 /// let selected = Selection::default().apply(&model)?;
-/// let mass = MassRequest::default().of_model(&model)?;
+/// let mass = MassRequest::default().model_mass(&model)?;
 /// let own = reference_of_model(&model, &selected, mass, 1.0)?;
 /// assert_eq!((own.name.as_str(), own.gravity_m_s2), ("one_foot", Some(9.81)));
 /// assert_eq!((own.contacts[0].spheres[0].as_str(), own.contacts[0].radii_m[0]), ("heel_r", 0.03));
@@ -98,7 +98,7 @@ impl From<&Preset> for Reference {
 /// # let bytes: &[u8] = include_bytes!("../../../osim-model/tests/data/one_foot.osim");
 /// let model = Model::parse(bytes)?;
 /// let selected = Selection::default().apply(&model)?;
-/// let mass = MassRequest::default().of_model(&model)?;
+/// let mass = MassRequest::default().model_mass(&model)?;
 ///
 /// // 62 kg on 6 spheres of 0.032 m with E₁* = 1e6 N/m², to 10 kg on one sphere of 0.03 m.
 /// let human = Reference::from(&contact_scaling::falisse2022());
@@ -262,7 +262,7 @@ fn contact_of_new(new: &NewContact) -> Result<ReferenceContact, Fault> {
         spheres: vec![new.sphere.clone()],
         radii_m: vec![new.radius_m],
         radius_m: new.radius_m,
-        contact: Contact::new(values).map_err(|fault| Fault::new(fault).of(new.force.clone()))?,
+        contact: Contact::new(values).map_err(|fault| Fault::new(fault).at_element(new.force.clone()))?,
         friction: Some((value(Property::TransitionVelocity), value(Property::ViscousFriction))),
     })
 }

@@ -114,5 +114,5 @@ fn only_transfer_refuses_to_write_it() {
     let outcome = given_fixture(OLD).taking_preset("falisse2022", 2.0);
     let fault = outcome
         .is_refused("refused", &["/forceset/contact_heel_r keeps its sphere inside itself", "convert"]);
-    assert!(matches!(fault.kind, FaultKind::OldDialect { .. }));
+    assert!(matches!(fault.kind, FaultKind::SphereInsideForce { .. }));
 }

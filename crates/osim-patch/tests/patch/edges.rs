@@ -35,7 +35,7 @@ fn the_message_names_property_line_and_where_the_number_comes_from() {
 fn a_plan_in_which_somebody_put_such_a_number_is_not_written() {
     let model = Model::parse(ONE_FOOT).unwrap();
     let selected = Selection::default().apply(&model).unwrap();
-    let mass = MassRequest::default().of_contacts(&model).unwrap().0;
+    let mass = MassRequest::default().contacts_mass(&model).unwrap().0;
     for value in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN, -1.0] {
         let mut plan = rescale(&model, &selected, &Rescale::new(80.0, mass.clone())).unwrap();
         plan.changes[0].to = value;
@@ -103,7 +103,7 @@ fn plans(model: &Model, a: f64, b: f64) -> Vec<Plan> {
     let Ok(selected) = Selection::default().apply(model) else { return Vec::new() };
     let mut made = Vec::new();
     if let Ok((mass, _)) =
-        (MassRequest { contacts_mass_kg: Some(b), ..MassRequest::default() }).of_contacts(model)
+        (MassRequest { contacts_mass_kg: Some(b), ..MassRequest::default() }).contacts_mass(model)
     {
         for rule in [RadiusRule::Isometric, RadiusRule::Keep, RadiusRule::Metres(b), RadiusRule::Factor(b)] {
             let mut wanted = Rescale::new(a, mass.clone());

@@ -79,7 +79,7 @@ fn a_note_is_replaced_and_says_the_same_as_before() {
     for name in credits_fixtures() {
         let once = noted(&name);
         let model = Model::parse(once.as_str()).unwrap();
-        let (mass, _) = MassRequest::default().of_contacts(&model).unwrap();
+        let (mass, _) = MassRequest::default().contacts_mass(&model).unwrap();
         assert_eq!((mass.kg, mass.source), (62.0, MassSource::Note), "{name}");
         // The same mass again: nothing to change.
         let again = note(&model, 62.0, Some(9.81), None).unwrap();
@@ -131,9 +131,9 @@ fn a_note_says_a_new_size_only_of_bodies_whose_spheres_all_followed() {
     let follow = |glob: &str| {
         let selection = Selection { select: vec![glob.parse().unwrap()], ..Selection::default() };
         let selected = selection.apply(&model).unwrap();
-        let (mass, _) = MassRequest::default().of_contacts(&model).unwrap();
+        let (mass, _) = MassRequest::default().contacts_mass(&model).unwrap();
         let mut wanted = Rescale::new(20.0, mass);
-        wanted.bodies = Some(ScaleFile::of_factors(factors.clone()));
+        wanted.bodies = Some(ScaleFile::from_factors(factors.clone()));
         rescale(&model, &selected, &wanted).unwrap()
     };
     let size = |plan: &Plan, body: &str| {
@@ -143,14 +143,14 @@ fn a_note_says_a_new_size_only_of_bodies_whose_spheres_all_followed() {
     let right = follow("*_r");
     assert_eq!(size(&right, "calcn_r"), Some([0.505, 0.5, 0.51]));
     assert_eq!(size(&right, "calcn_l"), Some([1.01, 1.0, 1.02]), "its spheres are where they were");
-    assert!(!right.note().unwrap().placed());
+    assert!(!right.note().unwrap().has_placed_spheres());
     // A body of which only some spheres followed has no one size.
     assert_eq!(size(&follow("*heel_r"), "calcn_r"), None);
-    assert!(follow("*").note().unwrap().placed());
+    assert!(follow("*").note().unwrap().has_placed_spheres());
     // What was placed stays so while spheres stay, whatever is done to parameters.
     let all = patched(&follow("*"), &model);
     let again = given(all).with_note().rescaled_to(25.0);
-    assert!(again.plan().note().unwrap().placed());
+    assert!(again.plan().note().unwrap().has_placed_spheres());
 }
 
 #[test]

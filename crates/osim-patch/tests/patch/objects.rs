@@ -137,7 +137,7 @@ fn a_part_can_go_first_and_then_the_rest() {
         let rebuilt = add_contacts(&model, &mut layout(kind)).unwrap();
         let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
         let with = Model::parse(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
-        let made = with.note.clone().unwrap().made;
+        let made = with.note.clone().unwrap().added_to_file;
 
         let half = Model::parse(after_removal(&with, &["force_heel"])).unwrap();
         let note = half.note.clone().unwrap();
@@ -145,7 +145,7 @@ fn a_part_can_go_first_and_then_the_rest() {
             (note.contacts_mass_kg, note.gravity_m_s2, note.scope),
             (Some(62.0), Some(9.81), Scope::Partial)
         );
-        assert_eq!(note.made, made);
+        assert_eq!(note.added_to_file, made);
         assert_eq!(half.doubt_about_note(), Some(osim_model::NoteDoubt::Partial));
 
         let none = after_removal(&half, &[]);
@@ -156,7 +156,7 @@ fn a_part_can_go_first_and_then_the_rest() {
 /// What [`remove`] and its note leave of a file, without the forces `names`, or without all.
 fn after_removal(model: &Model, names: &[&str]) -> Vec<u8> {
     let wanted = |force: &osim_model::Force| names.is_empty() || names.contains(&force.name.as_str());
-    let rebuilt = remove(model, &Selected::those(model, wanted)).unwrap();
+    let rebuilt = remove(model, &Selected::matching(model, wanted)).unwrap();
     let note = note_of_rest(model, &rebuilt);
     Plan::of_objects(rebuilt, "".into()).with_note(note).patched(model, FileId::MAIN).unwrap()
 }
@@ -271,7 +271,7 @@ fn defaults_of_a_class_that_is_not_read_are_refused_with_a_way_out() {
     let text = String::from_utf8(added.model().document().bytes().to_vec()).unwrap();
     let model =
         Model::parse(text.replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{other}"))).unwrap();
-    let fault = remove(&model, &Selected::those(&model, |_| true)).unwrap_err().to_string();
+    let fault = remove(&model, &Selected::matching(&model, |_| true)).unwrap_err().to_string();
     assert!(fault.contains("in <defaults> uses heel") && fault.contains("text editor"), "{fault}");
 }
 

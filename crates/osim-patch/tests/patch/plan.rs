@@ -23,7 +23,7 @@ fn plan(model: &Model, wanted: &Rescale) -> Plan {
 /// Rescales `text` and returns the plan and the new text.
 fn rescaled(text: &str, change: impl FnOnce(&mut Rescale), note: bool) -> (Plan, String) {
     let model = Model::parse(text.as_bytes()).unwrap();
-    let origin = MassRequest::default().of_contacts(&model).unwrap().0.kg;
+    let origin = MassRequest::default().contacts_mass(&model).unwrap().0.kg;
     let mut wanted = wanted(8.0 * origin, origin);
     change(&mut wanted);
     let mut plan = plan(&model, &wanted);

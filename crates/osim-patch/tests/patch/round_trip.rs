@@ -103,7 +103,7 @@ fn spoiled(seed: usize, spoils: &[Spoil]) -> Vec<u8> {
 /// Plans a rescaling by `factor`; `None` where the model is refused.
 fn planned(model: &Model, factor: f64, radius: RadiusRule) -> Option<Plan> {
     let selected = Selection::default().apply(model).ok()?;
-    let (contacts_mass, _) = MassRequest::default().of_contacts(model).ok()?;
+    let (contacts_mass, _) = MassRequest::default().contacts_mass(model).ok()?;
     let mut wanted = Rescale::new(contacts_mass.kg * factor, contacts_mass);
     wanted.radius = radius;
     wanted.properties = osim_model::PropertySet::default().with_friction();

@@ -209,7 +209,7 @@ impl Bones {
 
     /// How far a place is from the nearest joint of `body`, or its origin; `None` if it is not known how large the bones are.
     pub(crate) fn distance(&self, body: &str, place_m: [f64; 3]) -> Option<Distance> {
-        let longest_m = self.distances.around_body(body)?;
+        let longest_m = self.distances.longest_around_body(body)?;
         let anatomy = self.anatomy.as_ref()?;
         let above = anatomy.joint_above(body).map(|joint| joint.in_child_m);
         let below = anatomy.joints_below(body).map(|joint| joint.in_parent_m);
@@ -301,7 +301,7 @@ pub(crate) fn refuse_known(
     mass: &Mass,
     input: Input,
 ) -> Result<(), Fault> {
-    if mass.source.is_of_contacts() {
+    if mass.source.is_about_contacts() {
         return Ok(());
     }
     let known = KnownContacts::find(model, &selected.forces, None, Some(mass.kg));

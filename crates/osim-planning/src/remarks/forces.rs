@@ -209,8 +209,8 @@ fn apart(model: &Model, force: &Force, pair: &SpherePair) -> Result<String, Faul
     let name = |id: SphereId| model.sphere(id).map_or("", |sphere| sphere.name.as_str());
     let (one, other) = (name(pair.one), name(pair.other));
     let refused = |text: String, otherwise: &'static str| {
-        let kind = FaultKind::LeaveOut { text, force: force.name.clone(), otherwise };
-        Fault::new(kind).of(force.path.clone())
+        let kind = FaultKind::ForceCannotChange { text, force: force.name.clone(), otherwise };
+        Fault::new(kind).at_element(force.path.clone())
     };
     match &pair.gap_m {
         Err(why) => {

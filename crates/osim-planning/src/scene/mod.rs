@@ -108,7 +108,7 @@ struct Load {
 fn loads(model: &Model, forces: &[ForceId], options: &InspectOptions) -> HashMap<SphereId, Load> {
     let mut found = HashMap::new();
     // Contacts may be for a body that the bodies of the model still have to become.
-    let weighs = options.masses.of_model(model).ok().map(|mass| mass.kg);
+    let weighs = options.masses.model_mass(model).ok().map(|mass| mass.kg);
     let share = weighs.zip(MassRequest::default().bodies_kg(model)).map_or(1.0, |(kg, bodies)| kg / bodies);
     for standing in Standing::all(model, forces).unwrap_or_default() {
         let all: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
@@ -131,7 +131,7 @@ fn spheres(
     loads: &HashMap<SphereId, Load>,
 ) -> Vec<PlacedSphere> {
     let limbs = model.limbs(forces);
-    let limbs = limbs.known().unwrap_or_default().iter();
+    let limbs = limbs.if_known().unwrap_or_default().iter();
     let sides = limbs.flat_map(|limb| limb.spheres.iter().map(|&sphere| (sphere, limb.side)));
     let sides: HashMap<SphereId, Side> = sides.collect();
     let moving = model.spheres().iter().filter(|sphere| !sphere.fixed);

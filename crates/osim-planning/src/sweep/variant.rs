@@ -77,7 +77,7 @@ impl Variant {
         let model = &open.model;
         let selected = request.choice.selection().apply(model).map_err(|fault| open.failure(fault))?;
         let given = |kg| Mass { kg, source: MassSource::Grid };
-        let mass = target_mass_kg.map(given).or_else(|| request.masses.request().of_model(model).ok());
+        let mass = target_mass_kg.map(given).or_else(|| request.masses.request().model_mass(model).ok());
         let stance = Stance::from(&request.counts.stance_options(request.wanted.impact_speed, None));
         let wrong = wrong(request, &open, mass.as_ref(), stance);
         let sharing = LoadSharing::of(model, &selected.forces);

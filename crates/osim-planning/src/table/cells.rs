@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_model::MassesBeside;
+use osim_model::MassesOfOtherRows;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, Verb};
 use osim_requests::values::path;
@@ -230,10 +230,10 @@ impl Masses {
     }
 
     /// What the other rows say of the masses of a row with these fields.
-    pub(super) fn beside(&self, fields: &Map<String, Value>) -> BTreeMap<Input, MassesBeside> {
+    pub(super) fn beside(&self, fields: &Map<String, Value>) -> BTreeMap<Input, MassesOfOtherRows> {
         let found = self.0.iter().filter_map(|(&input, sorted)| {
             let own_kg = fields.get(input.name())?.as_str()?.parse().ok()?;
-            Some((input, MassesBeside::of(sorted, own_kg)?))
+            Some((input, MassesOfOtherRows::without(sorted, own_kg)?))
         });
         found.collect()
     }

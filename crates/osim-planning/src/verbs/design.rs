@@ -4,7 +4,7 @@ use contact_scaling::SharedLoad;
 use osim_inspect::{LoadSharing, weight_share};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
-    CountOf, Fault, GravityFor, Mass, MassRequest, Model, Needed, RadiusRule, Selected, Selection,
+    CountedSpheres, Fault, GravityFor, Mass, MassRequest, Model, Needed, RadiusRule, Selected, Selection,
 };
 use osim_patch::{Design, DesignModulus, Plan, design};
 use osim_requests::options::{CountOptions, InspectionOptions, LoadOptions, WantedOptions};
@@ -125,12 +125,12 @@ impl Designing {
         let count = sharing.count(
             self.counts.spheres(),
             self.counts.stance_limbs(model.noted_stance_limbs()),
-            CountOf::Model,
+            CountedSpheres::Model,
         )?;
         let (load_n, mass) = match self.load.load {
             Some(load) => (load.get(), None),
             None => {
-                let mass = self.masses.of_model(model)?;
+                let mass = self.masses.model_mass(model)?;
                 let gravity = self.load.gravity().or(model.gravity()).filter(|&gravity| gravity > 0.0);
                 let Some(gravity) = gravity else {
                     return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Load }));
@@ -146,7 +146,7 @@ impl Designing {
 impl Designing {
     /// What the contacts are made for as they are, or are taken as made for; `None` if that is in doubt.
     fn contacts_mass(&self, model: &Model, selected: &Selected) -> Option<Mass> {
-        let (mass, _) = self.masses.of_contacts(model).ok()?;
+        let (mass, _) = self.masses.contacts_mass(model).ok()?;
         refuse_known(model, selected, &mass, Input::ContactsMass).ok().map(|()| mass)
     }
 }

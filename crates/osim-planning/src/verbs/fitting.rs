@@ -203,7 +203,7 @@ impl Fitting {
         wanted.again = true;
         let noted = || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
         wanted.contacts_mass =
-            self.options.masses.of_contacts(model).ok().map(|(mass, _)| mass).or_else(noted);
+            self.options.masses.contacts_mass(model).ok().map(|(mass, _)| mass).or_else(noted);
         Ok(wanted)
     }
 }

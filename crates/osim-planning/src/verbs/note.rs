@@ -71,7 +71,7 @@ impl Planner for Noting {
         match self.noted {
             Noted::Mass(kg, limbs) => {
                 let mut plan = note(model, kg, self.gravity_m_s2.or(model.gravity()), limbs)?;
-                plan.warnings.extend(self.masses.noted_otherwise(model));
+                plan.warnings.extend(self.masses.disagreement_with_note(model));
                 Ok(plan)
             }
             Noted::StanceLimbs(limbs) => Ok(note_stance_limbs(model, limbs)),

@@ -9,7 +9,7 @@ use osim_model::compare::ScaleFile;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_model::{
-    Anatomy, CountOf, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection, mass_slip,
+    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection, implausible_mass,
 };
 use osim_patch::{Reference, reference_of_model};
 use osim_requests::{Acceleration, Count, Kilograms, TransferRequest};
@@ -138,12 +138,12 @@ fn reference_from_model(
     let selected = selection.apply(model).map_err(about_reference)?;
     let mass = match options.reference_mass {
         Some(kg) => {
-            let asks = mass_slip(Input::ReferenceMass, kg.get(), MassRequest::default().bodies_kg(model));
+            let asks = implausible_mass(Input::ReferenceMass, kg.get(), MassRequest::default().bodies_kg(model));
             request.answers.ask(asks).map_err(Fault::new)?;
             reference_mass(kg)
         }
         None => {
-            let (mass, _) = MassRequest::default().of_contacts(model).map_err(about_reference)?;
+            let (mass, _) = MassRequest::default().contacts_mass(model).map_err(about_reference)?;
             if known == KnownMass::Asked {
                 refuse_known(model, &selected, &mass, Input::ReferenceMass)?;
             }
@@ -153,7 +153,7 @@ fn reference_from_model(
     // How many limbs stand is about the model that gets the contacts; a reference on several limbs says its own count.
     let count = match options.reference_spheres {
         Some(count) => Ok(count.get()),
-        None => LoadSharing::of(model, &selected.forces).count(None, 1.0, CountOf::Reference),
+        None => LoadSharing::of(model, &selected.forces).count(None, 1.0, CountedSpheres::Reference),
     };
     // Where spheres are matched, a sphere that is missing on one side is named first, by comparing the two models; and counts
     // may cancel.

@@ -96,10 +96,10 @@ impl Planner for Rescaling {
         if matches!(radius, Some(RadiusRule::Factor(_))) {
             refuse_again(model, &operation, self.may_repeat)?;
         }
-        let (contacts_mass, mut warnings) = self.masses.of_contacts(model)?;
+        let (contacts_mass, mut warnings) = self.masses.contacts_mass(model)?;
         refuse_known(model, &selected, &contacts_mass, Input::ContactsMass)?;
         let bodies = self.following.factors(model)?;
-        if bodies.is_some() && !contacts_mass.source.is_of_contacts() {
+        if bodies.is_some() && !contacts_mass.source.is_about_contacts() {
             // What the bodies weigh now, the contacts were not made for.
             return Err(Fault::new(Needed::ContactsMass {
                 noted_kg: None,
@@ -161,7 +161,7 @@ impl Following {
                 match model.scaled_since_note() {
                     Some(since) if since.is_scaled() => compare(&since, file)?,
                     Some(_) if model.note.as_ref().is_some_and(Note::placed) => {
-                        return Err(Fault::new(Needed::Followed));
+                        return Err(Fault::new(Needed::AlreadyFollowed));
                     }
                     _ => {}
                 }
@@ -177,7 +177,7 @@ fn of_note(model: &Model) -> Result<ScaleFile, Fault> {
     if !since.has_all_carriers(model) {
         return Err(unknown());
     }
-    Ok(ScaleFile::of_factors(since.factors))
+    Ok(ScaleFile::from_factors(since.factors))
 }
 
 /// Checks that the ScaleSet is that of this model.

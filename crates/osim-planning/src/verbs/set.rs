@@ -1,6 +1,6 @@
 //! Plain changes, and feet whose bottoms are made level.
 
-use osim_model::feet::{NotLevelled, levelled};
+use osim_model::feet::{NotLevelled, levelled_spheres};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{Fault, ForceId, Mass, MassRequest, MassSource, Model, Selected, Selection, SphereId};
 use osim_patch::{Plan, Set, set};
@@ -48,7 +48,7 @@ impl Planner for Setting {
         let selected = self.selection.apply(model)?;
         // A plain change needs no mass; if one is known, the new note has it, too.
         let of_note = || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
-        let (contacts_mass, mut warnings) = match self.masses.of_contacts(model) {
+        let (contacts_mass, mut warnings) = match self.masses.contacts_mass(model) {
             Ok((mass, warnings)) => (Some(mass), warnings),
             Err(_) => (of_note(), Vec::new()),
         };
@@ -90,7 +90,7 @@ impl Setting {
 /// # Errors
 /// Limbs, floors or the default pose are not known; a foot leans.
 pub(super) fn level_places(model: &Model, forces: &[ForceId]) -> Result<Vec<(SphereId, [f64; 3])>, Fault> {
-    let found = levelled(model, forces).map_err(|fault| match fault {
+    let found = levelled_spheres(model, forces).map_err(|fault| match fault {
         NotLevelled::Frame(fault) => *fault,
         other => Fault::refused(other.to_string()),
     })?;

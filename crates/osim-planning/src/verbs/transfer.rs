@@ -8,8 +8,8 @@ use osim_model::compare::{Factors, Follow, FollowRequest, OwnRadii};
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
-    Anatomy, CountOf, Fault, GravityFor, MassRequest, Model, Needed, Property, RadiusAxis, RadiusRule,
-    Selected, Selection, mass_slip, moving_spheres,
+    Anatomy, CountedSpheres, Fault, GravityFor, MassRequest, Model, Needed, Property, RadiusAxis, RadiusRule,
+    Selected, Selection, implausible_mass, moving_spheres,
 };
 use osim_patch::{Plan, Reference, ScalingRule, TRANSFER_FOLLOWING, Transfer, transfer};
 use osim_requests::options::{CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions};
@@ -44,7 +44,7 @@ pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Cha
         Named::Preset(preset) => {
             // A preset has no bodies to compare its mass with.
             let said = request.reference.reference_mass.map(Kilograms::get);
-            let asks = said.and_then(|kg| mass_slip(Input::ReferenceMass, kg, None));
+            let asks = said.and_then(|kg| implausible_mass(Input::ReferenceMass, kg, None));
             let asked = request.answers.ask(asks);
             asked.map_err(|kind| Failure::outside(from.as_path(), kind.code(), kind.phrase()))?;
             let (reference, state) = of_preset(&request, &preset);
@@ -245,8 +245,8 @@ impl Transferring {
         if matches!(radius, Some(RadiusRule::Factor(_))) {
             refuse_again(model, &operation, self.may_repeat)?;
         }
-        let target_mass = self.masses.of_model(model)?;
-        warnings.extend(self.masses.disagreements_of_weight(model, &target_mass));
+        let target_mass = self.masses.model_mass(model)?;
+        warnings.extend(self.masses.weight_disagreements(model, &target_mass));
         let mut wanted = Transfer::new(reference.clone(), target_mass, counts.here);
         wanted.reference.sphere_count = counts.there;
         wanted.counts_cancel = counts.cancel;
@@ -288,7 +288,7 @@ impl Transferring {
         wanted.own_radii = match rule {
             Some(RadiusRule::Metres(metres)) => Some(OwnRadii::Metres(metres)),
             Some(RadiusRule::Isometric) => {
-                let ratio = self.masses.of_model(model)?.kg / reference.mass.kg;
+                let ratio = self.masses.model_mass(model)?.kg / reference.mass.kg;
                 Some(OwnRadii::Isometric(Ratios::isometric(ratio).map_err(Fault::new)?.radius()))
             }
             _ => None,
@@ -310,7 +310,7 @@ impl Transferring {
     ) -> Result<SphereCounts, Fault> {
         let limbs = self.counts.stance_limbs(model.noted_stance_limbs());
         let here =
-            LoadSharing::of(model, &selected.forces).count(self.counts.spheres(), limbs, CountOf::Model);
+            LoadSharing::of(model, &selected.forces).count(self.counts.spheres(), limbs, CountedSpheres::Model);
         let there = match generic {
             Some(generic) => generic.sphere_count.clone(),
             None => Ok(reference.sphere_count),

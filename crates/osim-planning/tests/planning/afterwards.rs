@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::model_findings;
 use osim_model::FileId;
-use osim_model::files::{Beside, Files, InMemory, ModelFiles};
+use osim_model::files::{CompanionPaths, Files, InMemory, ModelFiles};
 use osim_planning::prepare;
 use osim_requests::Request;
 use serde_json::json;
@@ -43,7 +43,7 @@ fn the_changed_model_is_what_its_bytes_are_read_as() {
             let Ok(plan) = change.plan_alone(&opened.model) else { continue };
             let changed = plan.changed(&opened.model).unwrap();
             let bytes = plan.patched(&opened.model, FileId::MAIN).unwrap();
-            let mut read = ModelFiles::read(&path, bytes, Beside::default(), &files).unwrap();
+            let mut read = ModelFiles::read(&path, bytes, CompanionPaths::default(), &files).unwrap();
             for file in plan.files(&opened.model).filter(|file| *file != FileId::MAIN) {
                 read.replace_companion(file, plan.patched(&opened.model, file).unwrap());
             }

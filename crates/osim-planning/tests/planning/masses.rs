@@ -93,7 +93,7 @@ fn noted(text: &str, kg: f64) -> String {
         sizes: model.body_sizes(),
         digest: model.contact_digest(|_| None),
         places: Some(model.places_digest(|_| None)),
-        made: Note::nothing_made(),
+        made: Note::nothing_added(),
         added: vec![],
     };
     text.replacen("<gravity>", &format!("<credits>{}</credits>\n<gravity>", note.text()), 1)

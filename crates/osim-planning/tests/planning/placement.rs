@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::checks::said;
 use osim_inspect::{CheckResult, InspectOptions};
-use osim_model::compare::Placement;
+use osim_model::compare::SpherePlacements;
 use osim_model::{Anatomy, FileId, FindingCode, Mass, MassSource, Model, Selection, Severity};
 use osim_patch::{Rescale, note, rescale};
 use osim_planning::check_with_trials;
@@ -36,7 +36,7 @@ fn check(text: &str, generic: Option<&str>) -> CheckResult {
     let mut inspected = options.inspect("scaled.osim", &model, None);
     inspected.placement = generic.map(|generic| {
         let original = Anatomy::of(&Model::parse(generic).unwrap()).unwrap();
-        Placement::compare(&model, Path::new("generic.osim"), None, &original, None)
+        SpherePlacements::compare(&model, Path::new("generic.osim"), None, &original, None)
     });
     check_with_trials(&options, &model, &inspected, &[])
 }
@@ -330,7 +330,7 @@ fn a_command_that_would_be_refused_for_a_shared_sphere_is_not_proposed() {
         .map(|at| at + SCALED[at..].find("<objects>").unwrap() + "<objects>".len())
         .unwrap();
     let shared = format!("{}{obstacle}{}", &SCALED[..at], &SCALED[at..]);
-    assert!(Model::parse(shared.as_str()).unwrap().users_of_other_classes().contains_key("heel_r"));
+    assert!(Model::parse(shared.as_str()).unwrap().forces_of_other_classes().contains_key("heel_r"));
     let found = check(&shared, Some(GENERIC));
     assert_eq!(codes(&found).len(), 6);
     assert!(found.findings.iter().all(|one| one.remedy.is_none()));

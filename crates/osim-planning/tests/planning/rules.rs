@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use crate::checks::rule;
-use osim_model::files::{Beside, InMemory};
+use osim_model::files::{CompanionPaths, InMemory};
 use osim_model::messages::{Call, Dialect, Input};
 use osim_model::{Example, Finding, FindingCode, Repair};
 use osim_planning::{Inspector, open_with, prepare, rules};
@@ -70,7 +70,7 @@ fn no_advice_about_a_model_names_a_command_that_changes_it() {
     }
     // Without contacts there is nothing else to do.
     let of_models = rules::of(|code| code != FindingCode::BareModel)
-        .filter(|rule| !matches!(rule.repair, Repair::OfChange(_)));
+        .filter(|rule| !matches!(rule.repair, Repair::OnlyInChange(_)));
     for rule in of_models {
         let advice = rule.advice().spelled(&Changing);
         for verb in ["rescale", "transfer", "set", "design", "convert", "note", "add", "remove"] {
@@ -118,7 +118,7 @@ fn checked(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
 fn said(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     let request = Request::from_json(request.as_bytes()).unwrap();
     let model: PathBuf = request.to_map()["models"][0].as_str().unwrap().into();
-    let opened = open_with(&model, Beside::default(), files).unwrap();
+    let opened = open_with(&model, CompanionPaths::default(), files).unwrap();
     if let Request::Inspect(request) = &request {
         return codes(&Inspector::of_inspect(request, files).inspect(&opened).unwrap().warnings);
     }

@@ -6,7 +6,7 @@
 use std::path::Path;
 
 use osim_inspect::model_findings;
-use osim_model::files::{Beside, Files, InMemory};
+use osim_model::files::{CompanionPaths, Files, InMemory};
 use osim_model::{FileId, FindingCode, Model};
 use osim_planning::{check_with_trials, open_with, prepare};
 use osim_requests::Request;
@@ -139,7 +139,7 @@ fn changed(call: &Value, text: &str, presets: &InMemory) -> Result<(Value, Strin
     call["models"] = json!(["model.osim"]);
     let request = Request::from_json(call.to_string().as_bytes()).unwrap();
     let change = prepare(request, &files).unwrap();
-    let opened = open_with(Path::new("model.osim"), Beside::default(), &files).unwrap();
+    let opened = open_with(Path::new("model.osim"), CompanionPaths::default(), &files).unwrap();
     let plan = change.plan_alone(&opened.model).map_err(|fault| fault.to_string())?;
     let changes: Vec<_> = plan
         .changes
@@ -224,7 +224,7 @@ fn contacts_are_not_put_on_what_does_not_move() {
         }
         let request = Request::from_json(call.to_string().as_bytes()).unwrap();
         let change = prepare(request, &files).unwrap_or_else(|error| panic!("{call}: {error:?}"));
-        let opened = open_with(Path::new("model.osim"), Beside::default(), &files).unwrap();
+        let opened = open_with(Path::new("model.osim"), CompanionPaths::default(), &files).unwrap();
         let failure = change.plan_beside(&opened, &files).unwrap_err();
         let said = format!("{failure:?}");
         assert!(said.contains("only WeldJoints are between body calcn_r and ground"), "{call}: {said}");

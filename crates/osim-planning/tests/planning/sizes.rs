@@ -5,7 +5,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use osim_inspect::model_findings;
-use osim_model::files::{Beside, FileError, Files, InMemory};
+use osim_model::files::{CompanionPaths, FileError, Files, InMemory};
 use osim_model::{Finding, FindingCode, Model, Question};
 use osim_planning::{Inspector, open_with, prepare};
 use osim_requests::Request;
@@ -30,14 +30,14 @@ fn checked(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
 /// What keeps a request from being planned.
 fn refusal(request: &Value, files: &dyn Files) -> String {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
-    let opened = open_with(Path::new(HUMAN), Beside::default(), files).unwrap();
+    let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();
     change.plan_beside(&opened, files).unwrap_err().message.to_string()
 }
 
 /// What reading the model shows that a request makes.
 fn made(request: &Value, files: &dyn Files) -> BTreeSet<FindingCode> {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
-    let opened = open_with(Path::new(HUMAN), Beside::default(), files).unwrap();
+    let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();
     let plan = change.plan_beside(&opened, files).unwrap();
     model_findings(&plan.changed(&opened.model).unwrap()).iter().map(Finding::code).collect()
 }
@@ -91,7 +91,7 @@ fn a_mesh_in_another_unit_is_asked_about_and_named() {
 
 fn refusal_or_nothing(request: &Value, files: &dyn Files) -> String {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
-    let opened = open_with(Path::new(HUMAN), Beside::default(), files).unwrap();
+    let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();
     change.plan_beside(&opened, files).err().map(|fault| fault.message.to_string()).unwrap_or_default()
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use osim_model::files::{Beside, InMemory};
+use osim_model::files::{CompanionPaths, InMemory};
 use osim_planning::{open_with, prepare};
 use osim_requests::Request;
 use serde_json::json;
@@ -101,7 +101,7 @@ fn spheres_follow_their_bodies() {
         let call = json!({"verb": "transfer", "models": ["scaled.osim"], "from": "generic.osim", "follow_bodies": true, "yes": ["implausible-radius"]});
         let change = prepare(Request::from_json(call.to_string().as_bytes()).unwrap(), &files);
         let change = change.unwrap_or_else(|error| panic!("seed {seed}: {error:?}\n{scaled}"));
-        let opened = open_with(Path::new("scaled.osim"), Beside::default(), &files).unwrap();
+        let opened = open_with(Path::new("scaled.osim"), CompanionPaths::default(), &files).unwrap();
         let plan = change.plan_alone(&opened.model);
         let plan = plan.unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{scaled}"));
         let changed = plan.changed(&opened.model).unwrap();

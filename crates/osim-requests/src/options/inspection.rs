@@ -3,9 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use osim_model::files::Beside;
+use osim_model::files::CompanionPaths;
 use osim_model::messages::Input;
-use osim_model::{MassRequest, MassesBeside, Pattern, Selection};
+use osim_model::{MassRequest, MassesOfOtherRows, Pattern, Selection};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -94,7 +94,7 @@ pub struct MassOptions {
     #[serde(skip)]
     #[cfg_attr(feature = "clap", arg(skip))]
     #[cfg_attr(feature = "schemas", schemars(skip))]
-    pub beside: BTreeMap<Input, MassesBeside>,
+    pub other_rows: BTreeMap<Input, MassesOfOtherRows>,
 }
 
 impl MassOptions {
@@ -104,7 +104,7 @@ impl MassOptions {
             model_kg: self.mass.map(Kilograms::get),
             exclude_bodies: self.exclude_body.clone(),
             target_mass_kg: None,
-            beside: self.beside.clone(),
+            other_rows: self.other_rows.clone(),
         }
     }
 }
@@ -225,8 +225,8 @@ pub struct SetFiles {
 }
 
 impl SetFiles {
-    pub fn beside(&self) -> Beside<'_> {
-        Beside { geometry: self.geometry.as_deref(), model: self.model.as_deref() }
+    pub fn companion_paths(&self) -> CompanionPaths<'_> {
+        CompanionPaths { geometry: self.geometry.as_deref(), model: self.model.as_deref() }
     }
 
     /// Both files, those that are named.

@@ -27,7 +27,7 @@ pub fn draw(
     let title = request.looks.title.as_deref();
     let mut drawing = match of_table {
         Some(of_table) => table(of_table, title)?,
-        None => of_bodies(request, bodies, title)?,
+        None => derived_from_bodies(request, bodies, title)?,
     };
     if let (Drawing::HeatMap(map), Some(range)) = (&mut drawing, request.heat.value_range) {
         map.value_axis.limits = Some(range.ends());
@@ -35,7 +35,7 @@ pub fn draw(
     finished(drawing, &request.looks).map_err(|error| not_drawn(error, bodies))
 }
 
-fn of_bodies(request: &PlotRequest, bodies: &[Body], title: Option<&str>) -> Result<Drawing, Failure> {
+fn derived_from_bodies(request: &PlotRequest, bodies: &[Body], title: Option<&str>) -> Result<Drawing, Failure> {
     let wanted = request.axes.map(|axes| match axes {
         AxesChoice::Real => Axes::Real,
         _ => Axes::Dimensionless,

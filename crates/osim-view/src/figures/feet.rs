@@ -100,7 +100,7 @@ fn remarks(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<String> {
     {
         remarks.push(format!("Both are drawn with the origin of {} in one place.", foot.name));
     }
-    if let Some((first, last)) = foot.reach() {
+    if let Some((first, last)) = foot.sphere_extent() {
         let percent = |share: f64| format!("{:.0} %", 100.0 * share).replace('-', "−");
         remarks.push(match foot.spheres.len() {
             1 => format!("The centre is at {} of the bones' length.", percent(first)),
@@ -237,7 +237,7 @@ impl<'f> Drawn<'f> {
 }
 
 fn seen(foot: &Foot, point: DVec3, from: From) -> Point {
-    let [forward, up, right] = foot.axes.seen(point);
+    let [forward, up, right] = foot.axes.coordinates(point);
     (MM * forward, MM * if from == From::Right { up } else { right })
 }
 

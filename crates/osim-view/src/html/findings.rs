@@ -200,7 +200,7 @@ mod tests {
     fn finding(code: FindingCode, place: &str, spheres: &[&str]) -> Found {
         let spheres = spheres.iter().map(|&name| name.to_owned()).collect();
         let rule = rules::of(|one| one == code).next().unwrap();
-        Finding::new(rule, "").about(place).of_spheres(spheres).into()
+        Finding::new(rule, "").with_place(place).with_spheres(spheres).into()
     }
 
     fn are_akin(old: &Found, new: &Found) -> bool {

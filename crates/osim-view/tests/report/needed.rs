@@ -1,7 +1,7 @@
 //! Every question, as each front end asks it.
 
 use osim_model::messages::Input;
-use osim_model::{CountOf, FactorQuestion, Fault, GravityFor, Needed, NoteDoubt, RadiusFrom, TreeOfForces};
+use osim_model::{CountedSpheres, FactorQuestion, Fault, GravityFor, Needed, NoteDoubt, RadiusChangeReason, ForcesOfAnimal};
 use osim_requests::spell::{CommandLine, JsonRequest, Page, Python};
 
 /// One example of every question.
@@ -11,7 +11,7 @@ fn examples() -> Vec<Needed> {
         Needed::BodyMass { body: name("toes_r") },
         Needed::ModelMass { bodies: 3, kg: 0.0 },
         Needed::MassOfLoop,
-        Needed::Followed,
+        Needed::AlreadyFollowed,
         Needed::ContactsMass {
             noted_kg: Some(62.0),
             doubt: NoteDoubt::ValuesChanged,
@@ -20,24 +20,24 @@ fn examples() -> Vec<Needed> {
         Needed::ContactsGravity { doubt: NoteDoubt::Partial },
         Needed::Selection {
             trees: vec![
-                TreeOfForces { top: name("pelvis"), forces: name("heel_r, heel_l") },
-                TreeOfForces { top: name("ball"), forces: name("ball_floor") },
+                ForcesOfAnimal { top: name("pelvis"), forces: name("heel_r, heel_l") },
+                ForcesOfAnimal { top: name("ball"), forces: name("ball_floor") },
             ],
             input: Input::Select,
         },
-        Needed::SphereCount { of: CountOf::Reference, why: "left and right cannot be determined".into() },
+        Needed::SphereCount { of: CountedSpheres::Reference, why: "left and right cannot be determined".into() },
         Needed::SharedSphere {
             sphere: name("/contactgeometryset/heel_r"),
             changed: name("heel_floor_r"),
             left: vec![name("heel_ball")],
             can_choose: true,
-            radius: RadiusFrom::Rule,
+            radius: RadiusChangeReason::Rule,
         },
         Needed::ReferenceContact { reference: name("human.osim"), unmatched: vec![name("toe_r")] },
         Needed::ReferenceContactOfForce { force: name("/forceset/foot_r") },
         Needed::ReferenceRadius { reference: name("human.osim"), unmatched: vec![name("toe_r")] },
         Needed::BodyFactors { body: name("calcn_r"), axes: vec!["x", "y", "z"] },
-        Needed::Factors(FactorQuestion::Nothing { body: name("toes_r") }),
+        Needed::Factors(FactorQuestion::NoSource { body: name("toes_r") }),
         Needed::MovedSpheres { model: name("scaled.osim"), spheres: vec![name("heel_r")] },
         Needed::Repetition { operation: name("set stiffness=x2") },
         Needed::Geometry,
@@ -68,7 +68,7 @@ fn by_purpose() -> Vec<Needed> {
     gravity
         .map(|purpose| Needed::Gravity { purpose })
         .chain([
-            shared(RadiusFrom::Rule, false),
+            shared(RadiusChangeReason::Rule, false),
             Needed::Factors(FactorQuestion::Meshes {
                 body: "calcn_r".to_owned(),
                 meshes: [("foot.vtp".to_owned(), [1.1; 3]), ("talus.vtp".to_owned(), [1.2, 1.1, 1.1])],
@@ -82,9 +82,9 @@ fn by_purpose() -> Vec<Needed> {
                 joint: "mtp_r".to_owned(),
                 apart_m: 0.0123,
             }),
-            shared(RadiusFrom::Bodies, true),
-            shared(RadiusFrom::ContactStiffness, true),
-            shared(RadiusFrom::Assignment, true),
+            shared(RadiusChangeReason::Bodies, true),
+            shared(RadiusChangeReason::ContactStiffness, true),
+            shared(RadiusChangeReason::Assignment, true),
         ])
         .collect()
 }

@@ -45,7 +45,7 @@ fn a_name_that_is_not_utf_8_has_its_bytes_beside_it() {
 
 #[test]
 fn a_failure_is_told_in_the_words_of_its_front_end() {
-    let failure = Failure::of_fault(
+    let failure = Failure::from_fault(
         "walker.osim",
         Fault::new(Needed::Gravity { purpose: osim_model::GravityFor::Weight }),
     );

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{CheckResult, InspectOptions, Inspection};
-use osim_model::files::{Beside, FileError, Files, ModelFiles, OpenModel};
+use osim_model::files::{CompanionPaths, FileError, Files, ModelFiles, OpenModel};
 use osim_model::{MassRequest, Model};
 use osim_patch::{Plan, Rescale, rescale};
 use osim_planning::check_with_remedies;
@@ -29,8 +29,8 @@ fn fixture(name: &str) -> PathBuf {
 pub(crate) fn open(name: &str) -> OpenModel {
     let path = fixture(name);
     let bytes = std::fs::read(&path).unwrap();
-    let files = ModelFiles::read(&path, bytes, Beside::default(), &Disk).unwrap();
-    files.named(name.to_owned()).open().unwrap()
+    let files = ModelFiles::read(&path, bytes, CompanionPaths::default(), &Disk).unwrap();
+    files.with_name(name.to_owned()).open().unwrap()
 }
 
 pub(crate) fn inspected(
@@ -49,7 +49,7 @@ pub(crate) fn inspected(
 pub(crate) fn rescaled(model: &Model, target_mass_kg: f64, front_end: &dyn FrontEnd) -> Plan {
     let options = InspectOptions::default();
     let selected = options.selection.apply(model).unwrap();
-    let (mass, _) = MassRequest::default().of_contacts(model).unwrap();
+    let (mass, _) = MassRequest::default().contacts_mass(model).unwrap();
     let mut plan = rescale(model, &selected, &Rescale::new(target_mass_kg, mass)).unwrap();
     plan.spell(front_end);
     plan

@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use crate::model::{Anatomy, AnatomyJoint, Fault, JointDistances};
 
-pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
+pub(super) const AXIS_NAMES: [&str; 3] = ["x", "y", "z"];
 
 /// Where a factor comes from, in the order in which sources are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -22,7 +22,7 @@ pub enum FactorSource {
     /// Translations of frames fixed to the body: joint offsets.
     Joint,
     /// The ratio of distances from the body's origin to a joint below it: one factor for all axes, between different models.
-    Distance,
+Distance,
     /// The factors of the body that it hangs on.
     Above,
 }
@@ -54,15 +54,15 @@ pub struct BodyFactors {
     pub axes: [Option<AxisFactor>; 3],
     /// What each source says along x, y and z, in their order.
     pub sources: Vec<(FactorSource, [Option<f64>; 3])>,
-    /// What has to be answered before its factors are known. It is asked only where they are needed, by [`Factors::of`](crate::compare::follow::Factors::of).
+    /// A question that has to be answered before the factors are known. It is asked only where they are needed, by [`Factors::of`](crate::compare::follow::Factors::of).
     pub question: Option<Fault>,
 }
 
 /// The factors of all bodies, by name: of several bodies of one name the first counts.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct ByName(HashMap<String, usize>);
+pub(super) struct BodyIndex(HashMap<String, usize>);
 
-impl ByName {
+impl BodyIndex {
     pub(super) fn of(bodies: &[BodyFactors]) -> Self {
         let mut places = HashMap::new();
         for (at, factors) in bodies.iter().enumerate() {
@@ -89,9 +89,9 @@ const SHORTEST_DISTANCE_M: f64 = 0.02;
 /// ... unless it is at this part of the limb's longest bone, or farther: bones of a rat are that short.
 const SHORTEST_OF_BONE: f64 = 0.2;
 
-/// Where a joint below a body is in both models, seen from the origin of the body at the default pose.
+/// A joint below a body that both models have, and where it is in both, seen from the origin of the body at the default pose.
 #[derive(Debug)]
-pub(super) struct Distance<'a> {
+pub(super) struct ComparedJoint<'a> {
     pub(super) joint: &'a str,
     /// In the reference, m.
     pub(super) old_m: DVec3,
@@ -99,7 +99,7 @@ pub(super) struct Distance<'a> {
 }
 
 /// The joints of one name in both models, by the bodies on which they are in one of them.
-pub(super) struct Distances<'a> {
+pub(super) struct ComparedJoints<'a> {
     scaled: &'a Anatomy,
     reference: &'a Anatomy,
     on_body: HashMap<&'a str, Vec<[&'a AnatomyJoint; 2]>>,
@@ -107,7 +107,7 @@ pub(super) struct Distances<'a> {
     bones: [JointDistances; 2],
 }
 
-impl<'a> Distances<'a> {
+impl<'a> ComparedJoints<'a> {
     pub(super) fn of(scaled: &'a Anatomy, reference: &'a Anatomy) -> Self {
         let mut on_body: HashMap<&str, Vec<[&AnatomyJoint; 2]>> = HashMap::new();
         for joint in &scaled.joints {
@@ -117,16 +117,16 @@ impl<'a> Distances<'a> {
                 on_body.entry(&there.parent).or_default().push([joint, there]);
             }
         }
-        let bones = [reference, scaled].map(|anatomy| JointDistances::of_joints(&anatomy.joints));
+        let bones = [reference, scaled].map(|anatomy| JointDistances::from_joints(&anatomy.joints));
         Self { scaled, reference, on_body, bones }
     }
 
     /// The farthest joint of one name in both models that lies below `body` and is on it in one of them.
-    pub(super) fn farthest(&self, body: &str) -> Option<Distance<'a>> {
+    pub(super) fn farthest(&self, body: &str) -> Option<ComparedJoint<'a>> {
         let places = self.on_body.get(body).into_iter().flatten().filter_map(|[joint, there]| {
-            let old_m = self.reference.place_below(body, there)?;
-            let new_m = self.scaled.place_below(body, joint)?;
-            Some(Distance { joint: &joint.name, old_m, new_m })
+            let old_m = self.reference.joint_place_seen_from(body, there)?;
+            let new_m = self.scaled.joint_place_seen_from(body, joint)?;
+            Some(ComparedJoint { joint: &joint.name, old_m, new_m })
         });
         let [old_m, new_m] = self.bones.each_ref().map(|bones| shortest_m(bones, body));
         places
@@ -137,11 +137,11 @@ impl<'a> Distances<'a> {
 
 /// A joint of `body` that is nearer to its origin does not show its size, m.
 fn shortest_m(bones: &JointDistances, body: &str) -> f64 {
-    let longest_m = bones.of_limb(body).or_else(|| bones.around_body(body));
+    let longest_m = bones.longest_in_limb(body).or_else(|| bones.longest_around_body(body));
     longest_m.map_or(SHORTEST_DISTANCE_M, |longest_m| SHORTEST_DISTANCE_M.min(SHORTEST_OF_BONE * longest_m))
 }
 
-impl Distance<'_> {
+impl ComparedJoint<'_> {
     /// New over old.
     pub(super) fn ratio(&self) -> f64 {
         self.new_m.length() / self.old_m.length()
@@ -162,15 +162,15 @@ pub(super) struct BonePair {
 }
 
 /// The meshes of `body` that show the same bone in both models, in the order of their names.
-pub(super) fn pairs(scaled: &Anatomy, reference: &Anatomy, body: &str) -> Vec<BonePair> {
+pub(super) fn bone_pairs(scaled: &Anatomy, reference: &Anatomy, body: &str) -> Vec<BonePair> {
     let (Some(new), Some(old)) = (scaled.meshes.get(body), reference.meshes.get(body)) else {
         return Vec::new();
     };
     let bones = OnceCell::new();
     let pair = |(mesh, new): (&String, &[f64; 3])| {
-        let alike = || bones.get_or_init(|| Bones::of(old)).alike(mesh);
+        let same_bone = || bones.get_or_init(|| MeshFactorsByBone::of(old)).same_bone(mesh);
         let same_file = old.get(mesh);
-        let old = same_file.or_else(alike)?;
+        let old = same_file.or_else(same_bone)?;
         let factors = std::array::from_fn(|axis| {
             let ratio = (old[axis] != 0.0).then(|| new[axis] / old[axis])?;
             // A mirrored mesh of the other side may have a negative factor.
@@ -181,27 +181,27 @@ pub(super) fn pairs(scaled: &Anatomy, reference: &Anatomy, body: &str) -> Vec<Bo
     new.iter().filter_map(pair).collect()
 }
 
-/// The factors of one body's meshes by what they show; where several show the same, those of the first.
-struct Bones<'a> {
+/// The factors of the meshes of one body, by the bones that they show: of several of one bone the first.
+struct MeshFactorsByBone<'a> {
     by_bone: HashMap<String, &'a [f64; 3]>,
     by_side: HashMap<(String, Option<char>), &'a [f64; 3]>,
 }
 
-impl<'a> Bones<'a> {
+impl<'a> MeshFactorsByBone<'a> {
     fn of(meshes: &'a BTreeMap<String, [f64; 3]>) -> Self {
         let mut bones = Self { by_bone: HashMap::new(), by_side: HashMap::new() };
         for (mesh, factors) in meshes {
             let bone = bone_of_mesh(mesh);
             bones.by_bone.entry(bone.clone()).or_insert(factors);
-            bones.by_side.entry((bone, side(mesh))).or_insert(factors);
+            bones.by_side.entry((bone, side_mark(mesh))).or_insert(factors);
         }
         bones
     }
 
     /// The factors of a mesh that shows the same bone: the same file says more than the same bone, and a mesh of the same side more than
     /// its mirror.
-    fn alike(&self, mesh: &str) -> Option<&'a [f64; 3]> {
-        let sided = (bone_of_mesh(mesh), side(mesh));
+    fn same_bone(&self, mesh: &str) -> Option<&'a [f64; 3]> {
+        let sided = (bone_of_mesh(mesh), side_mark(mesh));
         self.by_side.get(&sided).or_else(|| self.by_bone.get(&sided.0)).copied()
     }
 }
@@ -212,21 +212,21 @@ impl<'a> Bones<'a> {
 /// assert_eq!(osim_model::compare::bone_of_mesh("Geometry/R_Foot.VTP"), osim_model::compare::bone_of_mesh("foot_lv.obj"));
 /// ```
 pub fn bone_of_mesh(file: &str) -> String {
-    let name = bare(file);
+    let name = file_stem(file);
     let name = SIDE_BEFORE.iter().find_map(|mark| name.strip_prefix(mark)).unwrap_or(&name);
     let name = SIDE_AFTER.iter().find_map(|mark| name.strip_suffix(mark)).unwrap_or(name);
     name.to_owned()
 }
 
 /// Its side mark, as one letter.
-fn side(file: &str) -> Option<char> {
-    let name = bare(file);
+fn side_mark(file: &str) -> Option<char> {
+    let name = file_stem(file);
     let before = SIDE_BEFORE.iter().find(|mark| name.starts_with(**mark));
     let after = SIDE_AFTER.iter().find(|mark| name.ends_with(**mark));
     before.or(after).and_then(|mark| mark.chars().find(|c| *c != '_'))
 }
 
-fn bare(file: &str) -> String {
+fn file_stem(file: &str) -> String {
     let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
     let name = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
     name.to_lowercase()
@@ -240,7 +240,7 @@ mod tests {
     const HUMAN: &str = include_str!("../../../../../fixtures/feet/human_40000.osim");
 
     /// The human with all translations of joints multiplied.
-    fn times(text: &str, factor: f64) -> String {
+    fn with_offsets_times(text: &str, factor: f64) -> String {
         let scaled = |part: &str| {
             let (numbers, rest) = part.split_once('<').unwrap();
             let number = |value: &str| (factor * value.parse::<f64>().unwrap()).to_string();
@@ -258,7 +258,7 @@ mod tests {
         for (one, other, expected) in
             [(&scaled, &reference, expected), (&reference, &scaled, expected.map(f64::recip))]
         {
-            let distances = Distances::of(one, other);
+            let distances = ComparedJoints::of(one, other);
             let ratio = distances.farthest("calcn_r").map(|distance| distance.ratio());
             match (ratio, expected) {
                 (Some(ratio), Some(expected)) => assert!((ratio / expected - 1.0).abs() < 1e-12, "{ratio}"),
@@ -270,8 +270,8 @@ mod tests {
     #[test]
     fn a_short_bone_of_a_small_animal_shows_its_size() {
         // The toes' joint is 178 mm from the calcaneus' origin, and the shank is 462 mm long.
-        assert_ratio(&times(HUMAN, 0.1), Some(0.1));
-        assert_ratio(&times(HUMAN, 0.01), Some(0.01));
+        assert_ratio(&with_offsets_times(HUMAN, 0.1), Some(0.1));
+        assert_ratio(&with_offsets_times(HUMAN, 0.01), Some(0.01));
     }
 
     #[test]
@@ -298,7 +298,7 @@ mod tests {
             assert_ne!(bone_of_mesh(name), "foot", "{name}");
         }
         assert_eq!(
-            (side("r_foot.vtp"), side("talus_lv.vtp"), side("foot.vtp")),
+            (side_mark("r_foot.vtp"), side_mark("talus_lv.vtp"), side_mark("foot.vtp")),
             (Some('r'), Some('l'), None)
         );
     }

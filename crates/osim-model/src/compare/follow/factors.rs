@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use foldhash::HashSet;
 
-use super::body_factors::{AXES, AxisFactor, BodyFactors, ByName, Distances};
-use super::copy::{self, Difference, ScaleFile};
+use super::body_factors::{AXIS_NAMES, AxisFactor, BodyFactors, BodyIndex, ComparedJoints};
+use super::scaled_copy::{self, CopyDifference, ScaleFile};
 use super::sources::{self, Sources};
 use crate::messages::Phrase;
 use crate::model::{Anatomy, Fault, FaultKind, Finding, Needed, rules};
@@ -33,7 +33,7 @@ use crate::model::{Anatomy, Fault, FaultKind, Finding, Needed, rules};
 /// // The model here has no meshes and no joints, which would say the same.
 /// let anatomy = Anatomy::of(&Model::parse(bytes)?)?;
 /// let factors = Factors::find(&anatomy, &anatomy, Some(&file), &BTreeMap::new())?;
-/// assert_eq!(factors.of("foot_r")?, [1.2, 1.1, 1.0]);
+/// assert_eq!(factors.body_factors("foot_r")?, [1.2, 1.1, 1.0]);
 /// assert_eq!(factors.bodies[0].axes[0].map(|axis| axis.source), Some(FactorSource::ScaleFile));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
@@ -44,11 +44,11 @@ pub struct Factors {
     /// Where sources disagree on bodies that carry spheres: by more than 1 % in a scaled copy, 5 % between different models; and
     /// that the models are different.
     pub warnings: Vec<Finding>,
-    /// What else was decided, such as factors that a body takes from the one it hangs on.
+    /// Other decisions, such as factors that a body takes from the one it hangs on.
     pub remarks: Vec<Phrase>,
     /// What shows that the model is not a scaled copy of the reference; `None` where it is one.
-    pub difference: Option<Difference>,
-    by_name: ByName,
+    pub difference: Option<CopyDifference>,
+    by_name: BodyIndex,
 }
 
 impl Factors {
@@ -70,9 +70,9 @@ impl Factors {
         if let Some(file) = file {
             file.refuse_other_reference(scaled, reference, &carriers)?;
         }
-        let difference = copy::difference(scaled, reference);
-        let distances = difference.as_ref().map(|_| Distances::of(scaled, reference));
-        let said: Vec<Sources> = scaled
+        let difference = scaled_copy::difference(scaled, reference);
+        let distances = difference.as_ref().map(|_| ComparedJoints::of(scaled, reference));
+        let all_sources: Vec<Sources> = scaled
             .bodies
             .iter()
             .map(|body| Sources::of(scaled, reference, body, file, given.get(body), distances.as_ref()))
@@ -82,36 +82,36 @@ impl Factors {
             warnings: Vec::new(),
             remarks: Vec::new(),
             difference,
-            by_name: ByName::default(),
+            by_name: BodyIndex::default(),
         };
-        let taken = sources::taken(&said);
-        for (sources, axes) in said.iter().zip(taken) {
+        let taken = sources::choose_factors(&all_sources);
+        for (sources, axes) in all_sources.iter().zip(taken) {
             factors.bodies.push(BodyFactors {
                 body: sources.body.to_owned(),
                 axes,
-                sources: sources.said.clone(),
+                sources: sources.by_source.clone(),
                 question: None,
             });
         }
-        factors.by_name = ByName::of(&factors.bodies);
+        factors.by_name = BodyIndex::of(&factors.bodies);
         if let Some(difference) = &factors.difference {
             factors.warnings.push(rules::not_a_scaled_copy(difference.phrase()));
-            factors.remarks = sources::hang_on(&mut factors.bodies, &factors.by_name, scaled, &carriers);
-            sources::ask(&mut factors.bodies, &factors.by_name, &said, scaled);
+            factors.remarks = sources::inherit_from_body_above(&mut factors.bodies, &factors.by_name, scaled, &carriers);
+            sources::add_questions(&mut factors.bodies, &factors.by_name, &all_sources, scaled);
         }
-        factors.refuse_no_sizes();
+        factors.question_impossible_factors();
         let carrying: HashSet<&str> = carriers.into_iter().collect();
-        for sources in said.iter().filter(|sources| carrying.contains(&sources.body)) {
+        for sources in all_sources.iter().filter(|sources| carrying.contains(&sources.body)) {
             let messages = sources.disagreements(&factors.by_name.axes(&factors.bodies, sources.body));
             factors.warnings.extend(messages.into_iter().map(rules::factors_disagree));
         }
         Ok(factors)
     }
 
-    /// A factor that no length can have is asked about where it is needed.
-    fn refuse_no_sizes(&mut self) {
+    /// Replaces factors that no length can have, such as 0, by questions.
+    fn question_impossible_factors(&mut self) {
         for body in &mut self.bodies {
-            let bad = AXES.iter().zip(body.axes).find_map(|(name, axis)| {
+            let bad = AXIS_NAMES.iter().zip(body.axes).find_map(|(name, axis)| {
                 let AxisFactor { factor, source } = axis?;
                 (!(factor.is_finite() && factor > 0.0)).then_some((name, factor, source))
             });
@@ -131,14 +131,14 @@ impl Factors {
     /// - An axis that no source determines ([`Needed::BodyFactors`]): the body and axis are named.
     /// - Between different models, a question about the body ([`Needed::Factors`]).
     /// - A factor that is zero, negative or not finite.
-    pub fn of(&self, body: &str) -> Result<[f64; 3], Fault> {
+    pub fn body_factors(&self, body: &str) -> Result<[f64; 3], Fault> {
         let found = self.by_name.place(body).and_then(|at| self.bodies.get(at));
         if let Some(question) = found.and_then(|found| found.question.clone()) {
             return Err(question);
         }
         let axes = self.by_name.axes(&self.bodies, body);
         let missing: Vec<&str> =
-            AXES.iter().zip(&axes).filter(|(_, axis)| axis.is_none()).map(|(name, _)| *name).collect();
+            AXIS_NAMES.iter().zip(&axes).filter(|(_, axis)| axis.is_none()).map(|(name, _)| *name).collect();
         match axes {
             [Some(x), Some(y), Some(z)] => Ok([x.factor, y.factor, z.factor]),
             _ => Err(Fault::new(Needed::BodyFactors { body: body.to_owned(), axes: missing })),

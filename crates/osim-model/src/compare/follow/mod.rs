@@ -6,7 +6,7 @@
 //! ([`Follow`]).
 
 mod body_factors;
-mod copy;
+mod scaled_copy;
 mod factors;
 mod sources;
 
@@ -16,7 +16,7 @@ use crate::model::{
     Anatomy, AnatomySphere, Fault, LevelAxis, Model, MovedSpheres, Needed, RadiusAxis, SphereId,
 };
 pub use body_factors::{AxisFactor, BodyFactors, FactorSource, bone_of_mesh};
-pub use copy::{Difference, ScaleFile};
+pub use scaled_copy::{CopyDifference, ScaleFile};
 pub use factors::Factors;
 
 // Where the spheres of a scaled model belong, and how large they are there.
@@ -48,9 +48,9 @@ pub struct FollowRequest {
     pub own_radii: Option<OwnRadii>,
 }
 
-/// The new place and radius of one sphere: from [`Follow::of`].
+/// The new place and radius of one sphere: from [`Follow::sphere`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Followed {
+pub struct FollowedSphere {
     /// Radius in the reference, m.
     pub old_radius_m: f64,
     /// New radius, m.
@@ -82,7 +82,7 @@ pub struct Followed {
 /// request.radius_axis = RadiusAxis::X;
 /// let follow = Follow::find(&scaled, &spheres, &here, &there, &factors, &request)?;
 ///
-/// let heel = follow.of(spheres[0]).expect("it stands on the foot");
+/// let heel = follow.sphere(spheres[0]).expect("it stands on the foot");
 /// assert_eq!((heel.radius_m, heel.location_m), (0.06, [0.1, -0.01, 0.0]));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
@@ -90,7 +90,7 @@ pub struct Followed {
 /// A transfer writes them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Follow {
-    spheres: BTreeMap<SphereId, Followed>,
+    spheres: BTreeMap<SphereId, FollowedSphere>,
     /// Geometric mean of the factors of the bodies that carry spheres: the ratio of sizes, new over old.
     pub size_ratio: f64,
 }
@@ -102,12 +102,12 @@ impl Follow {
     }
 
     /// Every sphere that follows a body, with its new place.
-    pub fn spheres(&self) -> impl Iterator<Item = (SphereId, &Followed)> {
+    pub fn spheres(&self) -> impl Iterator<Item = (SphereId, &FollowedSphere)> {
         self.spheres.iter().map(|(sphere, place)| (*sphere, place))
     }
 
     /// The new place of `sphere`; `None` where it does not follow a body.
-    pub fn of(&self, sphere: SphereId) -> Option<&Followed> {
+    pub fn sphere(&self, sphere: SphereId) -> Option<&FollowedSphere> {
         self.spheres.get(&sphere)
     }
 
@@ -159,14 +159,14 @@ impl Follow {
                 )));
             }
             let Some(body) = &old.body else { continue };
-            let of_body = factors.of(body).map_err(|fault| fault.of(own.path.clone()))?;
-            let [x, y, z] = of_body;
+            let body_factors = factors.body_factors(body).map_err(|fault| fault.at_element(own.path.clone()))?;
+            let [x, y, z] = body_factors;
             logarithms += libm::log(x * y * z) / 3.0;
             count += 1.0;
             let place = if request.moved == MovedSpheres::Keep && differs(now, old) {
-                Followed { old_radius_m: old.radius_m, radius_m: now.radius_m, location_m: now.location_m }
+                FollowedSphere { old_radius_m: old.radius_m, radius_m: now.radius_m, location_m: now.location_m }
             } else {
-                follow_one(now, old, of_body, request)
+                follow_one(now, old, body_factors, request)
             };
             spheres.insert(id, place);
         }
@@ -180,21 +180,21 @@ fn follow_one(
     old: &AnatomySphere,
     factors: [f64; 3],
     request: &FollowRequest,
-) -> Followed {
+) -> FollowedSphere {
     let times = |ratio: f64| if ratio == 1.0 { old.radius_m } else { old.radius_m * ratio };
     let radius_m = match request.own_radii {
         _ if request.keep_radii => now.radius_m,
         Some(OwnRadii::Metres(metres)) => metres,
         Some(OwnRadii::Isometric(ratio)) => times(ratio),
-        None => times(request.radius_axis.of(factors)),
+        None => times(request.radius_axis.radius_ratio(factors)),
     };
     // The frame of the scaled model: OpenSim moves it but does not turn it.
     let scaled = |vector: [f64; 3]| now.rotation.scaled_in_frame(factors, vector);
     let location_m = match request.level {
-        Some(axis) => axis.in_frame(&now.rotation).centre(old.location_m, old.radius_m, radius_m, scaled),
+        Some(axis) => axis.in_frame(&now.rotation).levelled_centre(old.location_m, old.radius_m, radius_m, scaled),
         None => scaled(old.location_m),
     };
-    Followed { old_radius_m: old.radius_m, radius_m, location_m }
+    FollowedSphere { old_radius_m: old.radius_m, radius_m, location_m }
 }
 
 /// Whether the scaled model's sphere is no longer as in the generic model.
@@ -206,7 +206,7 @@ fn differs(now: &AnatomySphere, old: &AnatomySphere) -> bool {
 
 fn refuse_unmatched(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Result<(), Fault> {
     let names = wanted.iter().filter_map(|&id| model.sphere(id)).map(|sphere| &sphere.name);
-    if let Some(name) = names.into_iter().find(|name| generic.has_twins(name)) {
+    if let Some(name) = names.into_iter().find(|name| generic.has_several_spheres(name)) {
         return Err(Fault::refused(format!("the reference has several spheres called {name}: expected one")));
     }
     let unmatched: Vec<&str> = wanted

@@ -1,12 +1,12 @@
-//! What each source says about the factors of a body, and which is taken.
+//! The factors that each source gives a body, and which of them are taken.
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::DVec3;
 
 use super::body_factors::{
-    self, AXES, AxisFactor, BodyFactors, BonePair, ByName, Distance, Distances, FactorSource,
+    self, AXIS_NAMES, AxisFactor, BodyFactors, BonePair, BodyIndex, ComparedJoint, ComparedJoints, FactorSource,
 };
-use super::copy::{SHORTEST_OFFSET_M, ScaleFile};
+use super::scaled_copy::{SHORTEST_OFFSET_M, ScaleFile};
 use crate::messages::Phrase;
 use crate::model::{Anatomy, FactorQuestion, Fault, Needed, Side, without_side};
 
@@ -19,16 +19,16 @@ const AGREEMENT: f64 = 0.05;
 /// have other proportions, and no two published models differ so much in them.
 const OTHER_BONE: f64 = 2.0;
 
-/// What each source says about one body.
+/// The factors of one body by source.
 #[derive(Debug)]
 pub(super) struct Sources<'a> {
     pub(super) body: &'a str,
     /// Sources with their factors, in the order in which they count.
-    pub(super) said: Vec<(FactorSource, [Option<f64>; 3])>,
+    pub(super) by_source: Vec<(FactorSource, [Option<f64>; 3])>,
     /// Meshes that show the same bone.
     pub(super) meshes: Vec<BonePair>,
     /// Between different models: the joint that the distance goes to.
-    distance: Option<Distance<'a>>,
+    distance: Option<ComparedJoint<'a>>,
     in_a_copy: bool,
 }
 
@@ -39,35 +39,35 @@ impl<'a> Sources<'a> {
         body: &'a str,
         file: Option<&ScaleFile>,
         given: Option<&[f64; 3]>,
-        distances: Option<&Distances<'a>>,
+        distances: Option<&ComparedJoints<'a>>,
     ) -> Self {
         let in_a_copy = distances.is_none();
-        let meshes = body_factors::pairs(scaled, reference, body);
+        let meshes = body_factors::bone_pairs(scaled, reference, body);
         let distance = distances.and_then(|distances| distances.farthest(body));
-        let mut said = Vec::new();
+        let mut by_source = Vec::new();
         if let Some(given) = given {
-            said.push((FactorSource::Given, given.map(Some)));
+            by_source.push((FactorSource::Given, given.map(Some)));
         }
         if let Some(values) = file.and_then(|file| file.factors(body)) {
-            said.push((FactorSource::ScaleFile, values.map(Some)));
+            by_source.push((FactorSource::ScaleFile, values.map(Some)));
         }
-        said.push((FactorSource::Mesh, meshes.first().map_or([None; 3], |pair| pair.factors)));
+        by_source.push((FactorSource::Mesh, meshes.first().map_or([None; 3], |pair| pair.factors)));
         if in_a_copy {
-            said.push((FactorSource::Joint, joint_factors(scaled, reference, body)));
+            by_source.push((FactorSource::Joint, joint_factors(scaled, reference, body)));
         } else {
             let ratio = distance.as_ref().map(Distance::ratio);
-            said.push((FactorSource::Distance, [ratio; 3]));
+            by_source.push((FactorSource::Distance, [ratio; 3]));
         }
-        said.retain(|(_, values)| values.iter().any(Option::is_some));
-        Self { body, said, meshes, distance, in_a_copy }
+        by_source.retain(|(_, values)| values.iter().any(Option::is_some));
+        Self { body, by_source, meshes, distance, in_a_copy }
     }
 
     fn value(&self, source: FactorSource, axis: usize) -> Option<f64> {
-        self.said.iter().find(|(known, _)| *known == source).and_then(|(_, values)| values[axis])
+        self.by_source.iter().find(|(known, _)| *known == source).and_then(|(_, values)| values[axis])
     }
 
     fn first(&self, axis: usize) -> Option<AxisFactor> {
-        let mut known = self.said.iter();
+        let mut known = self.by_source.iter();
         known.find_map(|(source, values)| Some(AxisFactor { factor: values[axis]?, source: *source }))
     }
 
@@ -75,10 +75,10 @@ impl<'a> Sources<'a> {
     pub(super) fn disagreements(&self, taken: &[Option<AxisFactor>; 3]) -> Vec<String> {
         let limit = if self.in_a_copy { AGREEMENT_IN_A_COPY } else { AGREEMENT };
         let mut messages = Vec::new();
-        for (axis, name) in AXES.iter().enumerate() {
+        for (axis, name) in AXIS_NAMES.iter().enumerate() {
             let Some(AxisFactor { factor, source }) = taken[axis] else { continue };
             let others =
-                self.said.iter().filter(|(other, _)| *other > source && *other != FactorSource::Distance);
+                self.by_source.iter().filter(|(other, _)| *other > source && *other != FactorSource::Distance);
             for (other, value) in others.filter_map(|(other, values)| Some((other, values[axis]?))) {
                 if (value - factor).abs() > limit * factor {
                     messages.push(format!(
@@ -132,7 +132,7 @@ impl<'a> Sources<'a> {
     fn distance_ratios(
         &self,
         taken: &[Option<AxisFactor>; 3],
-    ) -> Option<(&Distance<'a>, FactorSource, [f64; 2])> {
+    ) -> Option<(&ComparedJoint<'a>, FactorSource, [f64; 2])> {
         let distance = self.distance.as_ref()?;
         let [Some(x), Some(y), Some(z)] = *taken else { return None };
         if x.source >= FactorSource::Distance {
@@ -144,16 +144,17 @@ impl<'a> Sources<'a> {
     }
 }
 
-/// What is taken of each body: on each axis the first source that both sides of a pair have, else the first of its own.
-pub(super) fn taken(all: &[Sources<'_>]) -> Vec<[Option<AxisFactor>; 3]> {
-    let pairs = Pairs::of(all);
-    let of = |one: &Sources<'_>| {
+/// Chooses the factors of each body: on each axis from the first source that both sides of a pair have, else from the first that the
+/// body has.
+pub(super) fn choose_factors(all: &[Sources<'_>]) -> Vec<[Option<AxisFactor>; 3]> {
+    let pairs = SidePairs::of(all);
+    let choose = |one: &Sources<'_>| {
         let other = pairs.other_side(one.body);
         std::array::from_fn(|axis| {
             let first = one.first(axis).filter(|first| first.source > FactorSource::Given);
             let shared = || {
                 let other = other.filter(|other| other.value(FactorSource::Given, axis).is_none())?;
-                one.said.iter().find_map(|(source, values)| {
+                one.by_source.iter().find_map(|(source, values)| {
                     other.value(*source, axis)?;
                     Some(AxisFactor { factor: values[axis]?, source: *source })
                 })
@@ -164,13 +165,13 @@ pub(super) fn taken(all: &[Sources<'_>]) -> Vec<[Option<AxisFactor>; 3]> {
             }
         })
     };
-    all.iter().map(of).collect()
+    all.iter().map(choose).collect()
 }
 
 /// Bodies whose names differ only in the side.
-pub(super) struct Pairs<'s, 'a>(HashMap<String, Vec<&'s Sources<'a>>>);
+pub(super) struct SidePairs<'s, 'a>(HashMap<String, Vec<&'s Sources<'a>>>);
 
-impl<'s, 'a> Pairs<'s, 'a> {
+impl<'s, 'a> SidePairs<'s, 'a> {
     pub(super) fn of(all: &'s [Sources<'a>]) -> Self {
         let mut pairs: HashMap<String, Vec<&Sources<'_>>> = HashMap::new();
         for one in all {
@@ -203,16 +204,16 @@ fn joint_factors(scaled: &Anatomy, reference: &Anatomy, body: &str) -> [Option<f
     })
 }
 
-// Factors between models if neither is a scaled copy of the other.
+// Factors between models of which neither is a scaled copy of the other.
 
 /// Meshes of one body that differ by more than this (relative) need an answer.
-const SAME_BODY: f64 = 0.01;
+const SAME_FACTOR: f64 = 0.01;
 
 /// Bodies at the end of a limb, for which there is no source, take the factors of the body they hang on. If one side of a pair
 /// does, the other does.
-pub(super) fn hang_on(
+pub(super) fn inherit_from_body_above(
     factors: &mut [BodyFactors],
-    by_name: &ByName,
+    by_name: &BodyIndex,
     scaled: &Anatomy,
     carriers: &[&str],
 ) -> Vec<Phrase> {
@@ -231,19 +232,19 @@ pub(super) fn hang_on(
         .filter(|body| is_last(body) && carrying.contains(body.as_str()))
         .filter(|body| !is_given(&by_name.axes(factors, body)))
         .collect();
-    let mut told: HashSet<&str> = HashSet::new();
-    let mut nearest = Nearest::new();
+    let mut inherited: HashSet<&str> = HashSet::new();
+    let mut nearest = NearestKnown::new();
     let mut remarks = Vec::new();
     for body in last {
-        if told.contains(body.as_str()) {
+        if inherited.contains(body.as_str()) {
             continue;
         }
-        let Some((above, axes)) = above(factors, by_name, scaled, body, &mut nearest) else { continue };
+        let Some((above, axes)) = nearest_known_above(factors, by_name, scaled, body, &mut nearest) else { continue };
         let [x, y, z] = axes.map(|axis| axis.factor);
         remarks.push(
             format!("{body} takes the factors of {above}, on which it hangs: {x:.4}, {y:.4}, {z:.4}").into(),
         );
-        told.insert(body);
+        inherited.insert(body);
         let Some(found) = by_name.place(body).and_then(|at| factors.get_mut(at)) else { continue };
         found.axes = axes.map(|axis| Some(AxisFactor { factor: axis.factor, source: FactorSource::Above }));
         found.sources.push((FactorSource::Above, axes.map(|axis| Some(axis.factor))));
@@ -251,18 +252,18 @@ pub(super) fn hang_on(
     remarks
 }
 
-/// What was found above bodies on the way: limbs share them.
-type Nearest<'a> = HashMap<&'a str, Option<(&'a str, [AxisFactor; 3])>>;
+/// For bodies that were passed, the nearest body above with known factors: limbs share these.
+type NearestKnown<'a> = HashMap<&'a str, Option<(&'a str, [AxisFactor; 3])>>;
 
 /// The nearest body above `body` whose factors are known.
-fn above<'a>(
+fn nearest_known_above<'a>(
     factors: &[BodyFactors],
-    by_name: &ByName,
+    by_name: &BodyIndex,
     scaled: &'a Anatomy,
     body: &'a str,
-    nearest: &mut Nearest<'a>,
+    nearest: &mut NearestKnown<'a>,
 ) -> Option<(&'a str, [AxisFactor; 3])> {
-    let mut way = Vec::new();
+    let mut passed = Vec::new();
     let mut at = body;
     let found = loop {
         if let Some(known) = nearest.get(at) {
@@ -270,14 +271,14 @@ fn above<'a>(
         }
         // A loop of joints ends here, too.
         nearest.insert(at, None);
-        way.push(at);
+        passed.push(at);
         let Some(joint) = scaled.joint_above(at) else { break None };
         at = &joint.parent;
         if let [Some(x), Some(y), Some(z)] = by_name.axes(factors, at) {
             break Some((at, [x, y, z]));
         }
     };
-    nearest.extend(way.into_iter().map(|body| (body, found)));
+    nearest.extend(passed.into_iter().map(|body| (body, found)));
     found
 }
 
@@ -285,24 +286,24 @@ fn is_given(axes: &[Option<AxisFactor>; 3]) -> bool {
     axes.iter().flatten().any(|axis| axis.source <= FactorSource::ScaleFile)
 }
 
-/// What only the user can decide: meshes of one body that differ, sides that differ, a body for which there is no source.
-pub(super) fn ask(factors: &mut [BodyFactors], by_name: &ByName, said: &[Sources<'_>], scaled: &Anatomy) {
-    let pairs = Pairs::of(said);
-    let of_body: HashMap<&str, &Sources<'_>> = said.iter().map(|one| (one.body, one)).collect();
+/// Adds the questions that only the user can answer: meshes of one body that differ, sides that differ, a body without any source.
+pub(super) fn add_questions(factors: &mut [BodyFactors], by_name: &BodyIndex, all_sources: &[Sources<'_>], scaled: &Anatomy) {
+    let pairs = SidePairs::of(all_sources);
+    let of_body: HashMap<&str, &Sources<'_>> = all_sources.iter().map(|one| (one.body, one)).collect();
     let above = |body: &str| of_body.get(scaled.joint_above(body)?.parent.as_str()).copied();
-    let questions: Vec<Option<FactorQuestion>> = said
+    let questions: Vec<Option<FactorQuestion>> = all_sources
         .iter()
         .map(|sources| {
             let axes = by_name.axes(factors, sources.body);
             if is_given(&axes) {
                 return None;
             }
-            let of_meshes = || meshes_differ(sources).filter(|_| takes(&axes, FactorSource::Mesh));
+            let of_meshes = || meshes_differ(sources).filter(|_| uses_source(&axes, FactorSource::Mesh));
             let of_sides = || {
                 let other = pairs.other_side(sources.body)?;
                 sides_differ(sources.body, &axes, other.body, &by_name.axes(factors, other.body))
             };
-            let nothing = || FactorQuestion::Nothing { body: sources.body.to_owned() };
+            let nothing = || FactorQuestion::NoSource { body: sources.body.to_owned() };
             of_meshes()
                 .or_else(|| sources.shows_other_bone(&axes, above(sources.body)))
                 .or_else(of_sides)
@@ -317,7 +318,7 @@ pub(super) fn ask(factors: &mut [BodyFactors], by_name: &ByName, said: &[Sources
     }
 }
 
-fn takes(axes: &[Option<AxisFactor>; 3], source: FactorSource) -> bool {
+fn uses_source(axes: &[Option<AxisFactor>; 3], source: FactorSource) -> bool {
     axes.iter().flatten().any(|axis| axis.source == source)
 }
 
@@ -325,14 +326,14 @@ fn meshes_differ(sources: &Sources<'_>) -> Option<FactorQuestion> {
     let (first, others) = sources.meshes.split_first()?;
     let differs = |other: &&BonePair| {
         let apart = |(a, b): (&Option<f64>, &Option<f64>)| match (a, b) {
-            (Some(a), Some(b)) => (a - b).abs() > SAME_BODY * a.abs(),
+            (Some(a), Some(b)) => (a - b).abs() > SAME_FACTOR * a.abs(),
             _ => false,
         };
         first.factors.iter().zip(&other.factors).any(apart)
     };
     let other = others.iter().find(differs)?;
-    let of = |pair: &BonePair| (pair.mesh.clone(), pair.factors.map(|factor| factor.unwrap_or(f64::NAN)));
-    Some(FactorQuestion::Meshes { body: sources.body.to_owned(), meshes: [of(first), of(other)] })
+    let mesh_and_factors = |pair: &BonePair| (pair.mesh.clone(), pair.factors.map(|factor| factor.unwrap_or(f64::NAN)));
+    Some(FactorQuestion::Meshes { body: sources.body.to_owned(), meshes: [mesh_and_factors(first), mesh_and_factors(other)] })
 }
 
 /// Two sides that are not of one size, by the axes that are known on both.

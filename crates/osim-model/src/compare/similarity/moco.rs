@@ -9,7 +9,7 @@ use crate::model::{Document, ElementId, Fault, Model, NotRead, SizedKind, SizedV
 /// lengths. Activations, controls and normalised tendon forces have no unit.
 pub fn moco_bounds(setup: &Document, model: &Model) -> SizedValues {
     let tree = setup.tree();
-    let turns = model.turning_coordinates();
+    let angles = model.coordinates_are_angles();
     let (mut found, mut phases) = (SizedValues::default(), 0_usize);
     let mut patterns = 0_usize;
     tree.walk(setup.data_root(), |id| {
@@ -23,7 +23,7 @@ pub fn moco_bounds(setup: &Document, model: &Model) -> SizedValues {
                     ["time_initial_bounds", "time_final_bounds"].into_iter().find(|one| *one == name)
                 {
                     let owner = format!("phase {phases}");
-                    push(&mut found, setup, id, ("bounds", part), SizedKind::MocoTime, &owner);
+                    push_bounds(&mut found, setup, id, ("bounds", part), SizedKind::MocoTime, &owner);
                 }
             }
             "MocoVariableInfo" => {
@@ -31,10 +31,10 @@ pub fn moco_bounds(setup: &Document, model: &Model) -> SizedValues {
                 let name = tree.attribute(id, "name").unwrap_or_default();
                 match list {
                     "state_infos" => {
-                        if let Some(kind) = kind(&name, &turns) {
+                        if let Some(kind) = state_kind(&name, &angles) {
                             let owner = format!("phase {phases} {name}");
                             for part in ["bounds", "initial_bounds", "final_bounds"] {
-                                push(&mut found, setup, id, (part, part), kind, &owner);
+                                push_bounds(&mut found, setup, id, (part, part), kind, &owner);
                             }
                         }
                     }
@@ -62,11 +62,11 @@ pub fn refuse_without_moco_phase(setup: &Document) -> Result<(), Fault> {
 }
 
 /// What a state is: the value or the speed of a coordinate, by its path.
-fn kind(path: &str, turns: &HashMap<&str, Option<bool>>) -> Option<SizedKind> {
+fn state_kind(path: &str, angles: &HashMap<&str, Option<bool>>) -> Option<SizedKind> {
     let mut segments = path.rsplit('/');
     let (what, coordinate) = (segments.next()?, segments.next()?);
-    let turns = turns.get(coordinate).copied().flatten()?;
-    match (what, turns) {
+    let is_angle = angles.get(coordinate).copied().flatten()?;
+    match (what, is_angle) {
         ("value", false) => Some(SizedKind::MocoTranslation),
         ("speed", false) => Some(SizedKind::MocoSpeed),
         ("speed", true) => Some(SizedKind::MocoAngularSpeed),
@@ -74,7 +74,7 @@ fn kind(path: &str, turns: &HashMap<&str, Option<bool>>) -> Option<SizedKind> {
     }
 }
 
-fn push(
+fn push_bounds(
     found: &mut SizedValues,
     setup: &Document,
     owner: ElementId,

@@ -1,5 +1,5 @@
-//! What else follows the size of a body, beside its contacts: what geometric similarity would make of each number, and what was made
-//! of it.
+//! Numbers that should follow the size of a body, beside those of its contacts: the factor that geometric similarity gives each, and the
+//! factor by which it changed.
 
 mod moco;
 mod ratios;
@@ -8,8 +8,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use crate::model::{MassRequest, Model, NotRead, SizedKind, SizedValue, SizedValues};
 pub use moco::{moco_bounds, refuse_without_moco_phase};
-use ratios::SAME;
-pub use ratios::{SizeRatios, SizeVerdict, Spread, formula};
+use ratios::SAME_NUMBER;
+pub use ratios::{SizeRatios, SizeVerdict, Spread, similarity_formula};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LengthFrom {
@@ -41,11 +41,11 @@ pub struct SimilarityRow {
     pub similar: Option<f64>,
     /// By what factor they changed; `None` without an original.
     pub compared: Option<ComparedFactors>,
-    /// What was made of them; `None` without an original.
+    /// Whether they follow similarity; `None` without an original.
     pub verdict: Option<SizeVerdict>,
 }
 
-/// What else follows the size of a body, and what was made of it.
+/// Numbers that should follow the size of a body, with the factors by which they changed and those that similarity gives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Similarity {
     /// The masses of the original (or of the model) and of the model (or of the body that is wanted), kg.
@@ -171,7 +171,7 @@ fn rows(
 }
 
 fn is_same(factor: f64) -> bool {
-    (factor - 1.0).abs() <= SAME
+    (factor - 1.0).abs() <= SAME_NUMBER
 }
 
 /// How `values` changed against the `others`, and each factor.
@@ -205,16 +205,16 @@ pub struct ModelSize {
 impl ModelSize {
     pub fn of(model: &Model, masses: &MassRequest) -> Self {
         let distances = model.joint_distances();
-        let of_body = |name: &str| Some((name.to_owned(), distances.of_body(name)?));
+        let longest_in_body = |name: &str| Some((name.to_owned(), distances.longest_in_body(name)?));
         Self {
-            mass_kg: masses.of_model(model).ok().map(|mass| mass.kg),
+            mass_kg: masses.model_mass(model).ok().map(|mass| mass.kg),
             gravity_m_s2: model.gravity().filter(|gravity| *gravity > 0.0),
-            joint_distances_m: model.bodies().iter().filter_map(|body| of_body(&body.name)).collect(),
+            joint_distances_m: model.bodies().iter().filter_map(|body| longest_in_body(&body.name)).collect(),
             values: SizedValues::of(model),
         }
     }
 
-    pub fn with(mut self, more: SizedValues) -> Self {
+    pub fn with_values(mut self, more: SizedValues) -> Self {
         self.values.values.extend(more.values);
         self.values.not_read.extend(more.not_read);
         self
@@ -295,7 +295,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_nothing_and_is_something_is_something_else() {
+    fn a_number_that_was_zero_and_is_not_has_another_verdict() {
         let spring = |stiffness: &str| {
             let spring = format!(
                 "<PointToPointSpring name='s'><stiffness>{stiffness}</stiffness></PointToPointSpring>"

@@ -35,7 +35,7 @@ impl SizeRatios {
 }
 
 /// The power law at equal gravity as a formula of M and L: `M L^(3/2)`, `1 / L^(1/2)`.
-pub fn formula(dimension: Dimension) -> String {
+pub fn similarity_formula(dimension: Dimension) -> String {
     let powers = [("M", 2 * dimension.mass), ("L", 2 * dimension.length + dimension.time)];
     let part = |wanted: fn(i8) -> bool| {
         let found = powers.iter().filter(|(_, halves)| wanted(*halves));
@@ -87,15 +87,15 @@ impl Spread {
 }
 
 /// Numbers that differ by less than this (relative) are the same: documents of old versions have six digits.
-pub(super) const SAME: f64 = 1e-6;
+pub(super) const SAME_NUMBER: f64 = 1e-6;
 /// Factors nearer to 1 than this show nothing.
 const NO_DIFFERENCE: f64 = 1e-3;
 /// How far the median may be from what similarity gives, as a difference of logarithms: this, or a quarter of what similarity gives,
 /// whichever is more. Bodies are seldom scaled by one factor along all axes.
-const NEAR: f64 = 0.02;
-const QUARTER: f64 = 0.25;
+const LEAST_TOLERANCE: f64 = 0.02;
+const TOLERANCE_SHARE: f64 = 0.25;
 
-/// What was made of the numbers of one kind.
+/// Whether the numbers of one kind follow similarity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SizeVerdict {
     /// They changed as similarity has it: their median is near that factor, or the factor is in their range.
@@ -148,7 +148,7 @@ impl SizeVerdict {
             0 if spread.median <= 0.0 => Self::Other,
             0 => {
                 let off = libm::log(spread.median) - distance;
-                let is_near = off.abs() <= NEAR.max(QUARTER * distance.abs());
+                let is_near = off.abs() <= LEAST_TOLERANCE.max(TOLERANCE_SHARE * distance.abs());
                 let is_in_range = spread.min <= expected && expected <= spread.max;
                 if is_near || is_in_range { Self::Follows } else { Self::Other }
             }
@@ -194,7 +194,7 @@ mod tests {
             let expected = 5.0_f64.powf(*mass) * 1.7_f64.powf(*length);
             let found = ratios.factor(kind.dimension());
             assert!((found / expected - 1.0).abs() < 1e-14, "{kind:?}: {found}, {expected}");
-            assert_eq!(formula(kind.dimension()), *words, "{kind:?}");
+            assert_eq!(similarity_formula(kind.dimension()), *words, "{kind:?}");
         }
     }
 
@@ -218,7 +218,7 @@ mod tests {
 
     /// On the moon a weight is M G, and a pendulum of the same length swings √(1/G) times as long.
     #[test]
-    fn gravity_counts_by_hand() {
+    fn gravity_scales_weights_and_times() {
         let moon = SizeRatios { mass: 2.0, length: 1.0, gravity: 0.25 };
         assert_eq!(moon.factor(MaxIsometricForce.dimension()), 0.5);
         assert_eq!(moon.factor(ActivationTime.dimension()), 2.0);
@@ -227,19 +227,19 @@ mod tests {
     #[test]
     fn the_median_decides_unless_some_are_the_same() {
         // A body of 8 times the mass: lengths 2 times, forces 8 times. Areas grow 4 times, which no force at equal gravity does.
-        let of = |factors: &[f64], same, expected| SizeVerdict::of(factors, same, Some(expected));
-        assert_eq!(of(&[8.0, 8.1, 7.9], 0, 8.0), Follows);
-        assert_eq!(of(&[4.0, 4.0, 4.0], 0, 8.0), Other);
-        assert_eq!(of(&[1.0, 1.0, 1.0], 3, 8.0), Left);
-        assert_eq!(of(&[1.0, 8.0, 8.0], 1, 8.0), PartlyLeft);
-        assert_eq!(of(&[-8.0], 0, 8.0), Other);
-        assert_eq!(of(&[1.0], 1, 1.0004), Undecided);
-        assert_eq!(of(&[], 0, 8.0), NotCompared);
+        let verdict = |factors: &[f64], same, expected| SizeVerdict::of(factors, same, Some(expected));
+        assert_eq!(verdict(&[8.0, 8.1, 7.9], 0, 8.0), Follows);
+        assert_eq!(verdict(&[4.0, 4.0, 4.0], 0, 8.0), Other);
+        assert_eq!(verdict(&[1.0, 1.0, 1.0], 3, 8.0), Left);
+        assert_eq!(verdict(&[1.0, 8.0, 8.0], 1, 8.0), PartlyLeft);
+        assert_eq!(verdict(&[-8.0], 0, 8.0), Other);
+        assert_eq!(verdict(&[1.0], 1, 1.0004), Undecided);
+        assert_eq!(verdict(&[], 0, 8.0), NotCompared);
         assert_eq!(SizeVerdict::of(&[1.0], 1, None), Undecided);
     }
 
     #[test]
-    fn what_is_near_is_a_quarter_of_the_way_but_at_least_two_per_cent() {
+    fn a_median_may_be_off_by_a_quarter_or_two_per_cent() {
         // ln 2 = 0.693, a quarter of it 0.173: e^(0.693 - 0.173) = 1.68.
         assert_eq!(SizeVerdict::of(&[1.69], 0, Some(2.0)), Follows);
         assert_eq!(SizeVerdict::of(&[1.67], 0, Some(2.0)), Other);

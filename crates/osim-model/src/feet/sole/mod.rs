@@ -8,18 +8,18 @@ use glam::{DVec2, DVec3};
 use crate::feet::bones::Bone;
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::FeetFault;
-use crate::feet::sole::footprint::{Axes, Flat, Point, spread};
-use crate::feet::vector::{hull, sort_once};
+use crate::feet::sole::footprint::{FootAxes, FlatPoint, BonePoint, spread_bottoms};
+use crate::feet::vector::{convex_hull, sort_and_dedup};
 use crate::model::{Model, Placement, Side, without_side};
 pub use footprint::Footprint;
 
 /// What counts as near the ground: height above the lowest point, as a part of the foot's greatest extent along the ground.
-const NEAR: f64 = 0.1;
+const NEAR_GROUND: f64 = 0.1;
 /// Spheres that may be under one limb at most.
 const MOST_SPHERES: usize = 60;
 /// Of the points in a square of this size, one counts, m; and in one of this part of the foot's length.
-const CELL: f64 = 1e-3;
-const CELLS: f64 = 150.0;
+const CELL_M: f64 = 1e-3;
+const CELLS_PER_LENGTH: f64 = 150.0;
 
 /// How many spheres are wanted, and where the sole is below the bones.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,19 +73,19 @@ pub struct SoleSphere {
 /// # Errors
 /// No gravity, a body whose place is not known, a radius that is not above 0, no sphere, or bottoms closer than 1 mm.
 pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec<Sole>, FeetFault> {
-    check(request)?;
+refuse_bad_request(request)?;
     let up = up_of(model).ok_or(FeetFault::NoGravity)?;
     let pose = DefaultPose::of(model);
     let mut placements: HashMap<&str, Placement> = HashMap::new();
     for bone in bones {
         placements.insert(&bone.body, *pose.placement(&bone.body)?);
     }
-    let feet = foot_bodies(model, bones);
+    let feet = group_bodies(model, bones);
     let soles = feet.iter().map(|foot| {
         let points = points_in_ground(foot, bones, &placements);
         let pair = foot.pair_in(&feet).and_then(|pair| feet.get(pair));
         let across = pair.and_then(|pair| across(foot, pair, &pose));
-        let axes = Axes::of(up, foot.side, &points, across);
+        let axes = FootAxes::of(up, foot.side, &points, across);
         let sole = sole(foot, &points, &axes, request).map_err(|fits| FeetFault::TooManySpheres {
             bodies: foot.bodies.clone(),
             count: request.count,
@@ -97,14 +97,14 @@ pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec
 }
 
 /// From where the left limb of a pair begins to where the right one does.
-fn across(foot: &FootBodies, pair: &FootBodies, pose: &DefaultPose) -> Option<DVec3> {
-    let origin = |foot: &FootBodies| Some(pose.placement(&foot.limb).ok()?.translation_m);
+fn across(foot: &SoleBodies, pair: &SoleBodies, pose: &DefaultPose) -> Option<DVec3> {
+    let origin = |foot: &SoleBodies| Some(pose.placement(&foot.limb).ok()?.translation_m);
     let (own, other) = (origin(foot)?, origin(pair)?);
     let sign = if foot.side == Some(Side::Left) { -1.0 } else { 1.0 };
     Some(sign * (own - other))
 }
 
-fn check(request: &SoleRequest) -> Result<(), FeetFault> {
+fn refuse_bad_request(request: &SoleRequest) -> Result<(), FeetFault> {
     let SoleRequest { count, radius_m, pad_m } = *request;
     let wrong = |what, value, expected| Err(FeetFault::Request { what, value, expected });
     if !(1..=MOST_SPHERES).contains(&count) {
@@ -126,22 +126,22 @@ fn up_of(model: &Model) -> Option<DVec3> {
     Some(DVec3::ZERO - DVec3::from(model.gravity_m_s2?) / size)
 }
 
-fn points_in_ground(foot: &FootBodies, bones: &[Bone], placements: &HashMap<&str, Placement>) -> Vec<Point> {
+fn points_in_ground(foot: &SoleBodies, bones: &[Bone], placements: &HashMap<&str, Placement>) -> Vec<BonePoint> {
     let mut points = Vec::new();
     for (body, name) in foot.bodies.iter().enumerate() {
         let Some(placement) = placements.get(name.as_str()) else { continue };
         let of_body = bones.iter().filter(|bone| bone.body == *name).flat_map(|bone| &bone.points_m);
-        points.extend(of_body.map(|&point| Point { at: placement.point(point), body }));
+        points.extend(of_body.map(|&point| BonePoint { at: placement.point(point), body }));
     }
     points
 }
 
 /// One sole; where its spheres would be too close, how many fit.
-fn sole(foot: &FootBodies, points: &[Point], axes: &Axes, request: &SoleRequest) -> Result<Sole, usize> {
-    let flat: Vec<Flat> = axes.flat(points);
-    let near = near_ground(&flat);
-    let corners = hull(&near);
-    let bottoms = spread(&corners, &thinned(&near), request.count)?;
+fn sole(foot: &SoleBodies, points: &[BonePoint], axes: &FootAxes, request: &SoleRequest) -> Result<Sole, usize> {
+    let flat: Vec<FlatPoint> = axes.flat(points);
+    let near = points_near_ground(&flat);
+    let corners = convex_hull(&near);
+    let bottoms = spread_bottoms(&corners, &thinned(&near), request.count)?;
     let height_m = axes.lowest - request.pad_m;
     let spheres = bottoms.into_iter().map(|bottom| {
         let body = nearest_body(&flat, bottom, -request.pad_m).and_then(|body| foot.bodies.get(body));
@@ -177,16 +177,16 @@ impl Sole {
 }
 
 /// Along the ground, the points that are near it, in an order that does not depend on that of the files.
-fn near_ground(flat: &[Flat]) -> Vec<DVec2> {
+fn points_near_ground(flat: &[FlatPoint]) -> Vec<DVec2> {
     let extent = |axis: usize| {
-        let along = |point: &Flat| point.at[axis];
+        let along = |point: &FlatPoint| point.at[axis];
         let least = flat.iter().map(along).fold(f64::INFINITY, f64::min);
         flat.iter().map(along).fold(f64::NEG_INFINITY, f64::max) - least
     };
-    let near = NEAR * extent(0).max(extent(1));
+    let near = NEAR_GROUND * extent(0).max(extent(1));
     let mut points: Vec<DVec2> =
         flat.iter().filter(|point| point.height <= near).map(|point| point.at).collect();
-    sort_once(&mut points);
+    sort_and_dedup(&mut points);
     points
 }
 
@@ -194,15 +194,15 @@ fn near_ground(flat: &[Flat]) -> Vec<DVec2> {
 fn thinned(points: &[DVec2]) -> Vec<DVec2> {
     let ends = points.first().zip(points.last());
     let length = ends.map_or(0.0, |(first, last)| last.x - first.x);
-    let cell = CELL.max(length / CELLS);
+    let cell = CELL_M.max(length / CELLS_PER_LENGTH);
     let mut seen = HashSet::new();
     let number = |point: &DVec2| (*point / cell).floor().to_array().map(f64::to_bits);
     points.iter().filter(|point| seen.insert(number(point))).copied().collect()
 }
 
 /// The body of the point that is nearest to a `bottom` at `height` above the lowest point.
-fn nearest_body(flat: &[Flat], bottom: DVec2, height: f64) -> Option<usize> {
-    let distance = |point: &Flat| {
+fn nearest_body(flat: &[FlatPoint], bottom: DVec2, height: f64) -> Option<usize> {
+    let distance = |point: &FlatPoint| {
         (point.at - bottom).length_squared() + (point.height - height) * (point.height - height)
     };
     flat.iter().min_by(|a, b| distance(a).total_cmp(&distance(b))).map(|point| point.body)
@@ -214,14 +214,14 @@ fn nearest_body(flat: &[Flat], bottom: DVec2, height: f64) -> Option<usize> {
 const MOST_JOINTS: usize = 64;
 
 #[derive(Debug, Clone, PartialEq)]
-struct FootBodies {
+struct SoleBodies {
     pub bodies: Vec<String>,
     pub side: Option<Side>,
     /// The highest body of that side above them: where the limb begins.
     pub limb: String,
 }
 
-impl FootBodies {
+impl SoleBodies {
     /// Which of `feet` is that of the other side.
     fn pair_in(&self, feet: &[Self]) -> Option<usize> {
         let names = |foot: &Self| {
@@ -236,7 +236,7 @@ impl FootBodies {
 }
 
 /// The bodies of `bones` as feet, in the order in which the first of each is listed.
-fn foot_bodies(model: &Model, bones: &[Bone]) -> Vec<FootBodies> {
+fn group_bodies(model: &Model, bones: &[Bone]) -> Vec<SoleBodies> {
     let parents = parents(model);
     let mut listed: Vec<&str> = Vec::new();
     for bone in bones {
@@ -244,18 +244,18 @@ fn foot_bodies(model: &Model, bones: &[Bone]) -> Vec<FootBodies> {
             listed.push(&bone.body);
         }
     }
-    let mut feet: Vec<(String, FootBodies)> = Vec::new();
+    let mut feet: Vec<(String, SoleBodies)> = Vec::new();
     for body in &listed {
         let top = top_of(body, &listed, &parents);
         match feet.iter_mut().find(|(known, _)| *known == top) {
             Some((_, foot)) => foot.bodies.push((*body).to_owned()),
             None => feet.push((
                 top,
-                FootBodies { bodies: vec![(*body).to_owned()], side: None, limb: limb_of(body, &parents) },
+                SoleBodies { bodies: vec![(*body).to_owned()], side: None, limb: limb_of(body, &parents) },
             )),
         }
     }
-    let sided = |(_, mut foot): (String, FootBodies)| {
+    let sided = |(_, mut foot): (String, SoleBodies)| {
         let mut sides = foot.bodies.iter().map(|body| Side::of_name(body));
         let first = sides.next().flatten();
         foot.side = first.filter(|_| sides.all(|side| side == first));
@@ -273,33 +273,33 @@ fn parents(model: &Model) -> HashMap<String, String> {
 /// The highest body above `body`, itself included, that is listed, or that is of the same side and has other bodies that are
 /// listed below it.
 fn top_of(body: &str, listed: &[&str], parents: &HashMap<String, String>) -> String {
-    let way = way_up(body, parents);
+    let path = path_up(body, parents);
     let shared = |above: &str| {
-        let below = |other: &&&str| **other != body && way_up(other, parents).iter().any(|at| at == above);
+        let below = |other: &&&str| **other != body && path_up(other, parents).iter().any(|at| at == above);
         listed.iter().any(|other| below(&other))
     };
     let side = Side::of_name(body);
     let belongs = |above: &&String| {
         listed.contains(&above.as_str()) || (side.is_some() && Side::of_name(above) == side && shared(above))
     };
-    way.iter().rev().find(belongs).cloned().unwrap_or_else(|| body.to_owned())
+    path.iter().rev().find(belongs).cloned().unwrap_or_else(|| body.to_owned())
 }
 
 /// The highest body above `body` that is of its side.
 fn limb_of(body: &str, parents: &HashMap<String, String>) -> String {
     let side = Side::of_name(body);
-    let way = way_up(body, parents);
-    let of_side = way.iter().rev().find(|above| side.is_some() && Side::of_name(above) == side);
+    let path = path_up(body, parents);
+    let of_side = path.iter().rev().find(|above| side.is_some() && Side::of_name(above) == side);
     of_side.cloned().unwrap_or_else(|| body.to_owned())
 }
 
 /// The body itself and those above it.
-fn way_up(body: &str, parents: &HashMap<String, String>) -> Vec<String> {
-    let mut way = vec![body.to_owned()];
-    while let Some(parent) = way.last().and_then(|body| parents.get(body))
-        && way.len() <= MOST_JOINTS
+fn path_up(body: &str, parents: &HashMap<String, String>) -> Vec<String> {
+    let mut path = vec![body.to_owned()];
+    while let Some(parent) = path.last().and_then(|body| parents.get(body))
+        && path.len() <= MOST_JOINTS
     {
-        way.push(parent.clone());
+        path.push(parent.clone());
     }
-    way
+    path
 }

@@ -7,13 +7,13 @@ use contact_scaling::{DomainError, Law, Spheres};
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
 
-use crate::feet::contacts::{ContactPlane, PlaneSurface, STEEPEST_RAD};
+use crate::feet::contact_planes::{ContactPlane, PlaneSurface, STEEPEST_FLOOR_RAD};
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::PoseFault;
 use crate::model::{ForceId, LoadedSphere, Model, Placement, SphereId};
 
 #[derive(Debug, Clone, PartialEq)]
-pub struct OverFloor {
+pub struct SphereOverFloor {
     pub sphere: SphereId,
     /// Height of its bottom over its floor along the floor's normal, m; below 0 if it is in the floor. Of several floors the
     /// least.
@@ -24,7 +24,7 @@ pub struct OverFloor {
 
 /// A contact of a sphere with one plane: the law that a force gives it, and the gap to the plane.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Pressing {
+pub(super) struct FloorContact {
     pub(super) contact: LoadedSphere,
     pub(super) gap_m: f64,
 }
@@ -32,7 +32,7 @@ pub(super) struct Pressing {
 /// Floors with the spheres that press on them, at the default pose.
 pub(super) struct Floors {
     planes: Vec<(ContactPlane, PlaneSurface)>,
-    of_sphere: HashMap<SphereId, Vec<usize>>,
+    by_sphere: HashMap<SphereId, Vec<usize>>,
 }
 
 impl Floors {
@@ -41,27 +41,27 @@ impl Floors {
         let planes = ContactPlane::all(model, forces, pose).into_iter();
         let planes: Vec<(ContactPlane, PlaneSurface)> = planes
             .filter_map(|plane| {
-                Some((plane.surface.filter(|surface| surface.tilt_rad <= STEEPEST_RAD)?, plane))
+                Some((plane.surface.filter(|surface| surface.tilt_rad <= STEEPEST_FLOOR_RAD)?, plane))
             })
             .map(|(surface, plane)| (plane, surface))
             .collect();
-        let mut of_sphere: HashMap<SphereId, Vec<usize>> = HashMap::new();
+        let mut by_sphere: HashMap<SphereId, Vec<usize>> = HashMap::new();
         for (index, (plane, _)) in planes.iter().enumerate() {
             for &sphere in &plane.spheres {
-                of_sphere.entry(sphere).or_default().push(index);
+                by_sphere.entry(sphere).or_default().push(index);
             }
         }
-        Self { planes, of_sphere }
+        Self { planes, by_sphere }
     }
 
     /// The spheres that press on floors, in file order.
     pub(super) fn spheres(&self) -> Vec<SphereId> {
-        self.of_sphere.keys().copied().collect::<BTreeSet<_>>().into_iter().collect()
+        self.by_sphere.keys().copied().collect::<BTreeSet<_>>().into_iter().collect()
     }
 
     /// The floors of `spheres`, each once.
-    pub(super) fn under(&self, spheres: &[SphereId]) -> Vec<&(ContactPlane, PlaneSurface)> {
-        let of_spheres = spheres.iter().filter_map(|sphere| self.of_sphere.get(sphere)).flatten();
+    pub(super) fn floors_under(&self, spheres: &[SphereId]) -> Vec<&(ContactPlane, PlaneSurface)> {
+        let of_spheres = spheres.iter().filter_map(|sphere| self.by_sphere.get(sphere)).flatten();
         let places: BTreeSet<usize> = of_spheres.copied().collect();
         places.into_iter().filter_map(|place| self.planes.get(place)).collect()
     }
@@ -73,21 +73,21 @@ impl Floors {
         sphere: SphereId,
         pose: &DefaultPose,
     ) -> Result<Vec<(&ContactPlane, f64)>, PoseFault> {
-        let Some((bottom, radius)) = centre(model, sphere, pose)? else { return Ok(Vec::new()) };
+        let Some((bottom, radius)) = centre_and_radius(model, sphere, pose)? else { return Ok(Vec::new()) };
         let gap = |surface: &PlaneSurface| (bottom - surface.point_m).dot(surface.normal) - radius;
-        let places = self.of_sphere.get(&sphere).into_iter().flatten();
+        let places = self.by_sphere.get(&sphere).into_iter().flatten();
         let planes = places.filter_map(|&place| self.planes.get(place));
         Ok(planes.map(|(plane, surface)| (plane, gap(surface))).filter(|(_, gap)| gap.is_finite()).collect())
     }
 
     /// The contacts of `loaded`, one with each floor among the `own` planes of its force, by their paths.
-    pub(super) fn pressing(
+    pub(super) fn floor_contacts(
         loaded: &LoadedSphere,
         gaps: &[(&ContactPlane, f64)],
         own: &HashSet<String>,
-    ) -> Vec<Pressing> {
-        let pressing = |gap_m| Pressing { contact: loaded.clone(), gap_m };
-        gaps.iter().filter(|(plane, _)| own.contains(&plane.path)).map(|(_, gap)| pressing(*gap)).collect()
+    ) -> Vec<FloorContact> {
+        let floor_contacts = |gap_m| FloorContact { contact: loaded.clone(), gap_m };
+        gaps.iter().filter(|(plane, _)| own.contains(&plane.path)).map(|(_, gap)| floor_contacts(*gap)).collect()
     }
 }
 
@@ -99,7 +99,7 @@ pub(super) fn tilt(body: &Placement, normal: DVec3) -> f64 {
 }
 
 /// The centre of a sphere in ground, and its radius; `None` where a number of them cannot be read.
-fn centre(model: &Model, sphere: SphereId, pose: &DefaultPose) -> Result<Option<(DVec3, f64)>, PoseFault> {
+fn centre_and_radius(model: &Model, sphere: SphereId, pose: &DefaultPose) -> Result<Option<(DVec3, f64)>, PoseFault> {
     let known = model.sphere(sphere).zip(model.centre_m(sphere)).zip(model.radius_m(sphere).ok());
     let Some(((sphere, centre), radius)) = known else { return Ok(None) };
     let Some(body) = sphere.body.as_deref() else { return Ok(None) };
@@ -111,7 +111,7 @@ fn centre(model: &Model, sphere: SphereId, pose: &DefaultPose) -> Result<Option<
 /// The law by which spheres rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[expect(clippy::exhaustive_enums, reason = "Hertz' law is under each law that a file can have")]
-pub enum ByLaw {
+pub enum RestLaw {
     /// Hertz' law (1), without the smoothing of the class.
     Hertz,
     /// The law of the force's class, as OpenSim computes it.
@@ -120,7 +120,7 @@ pub enum ByLaw {
 
 /// A joint tree at rest on some of its spheres.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Rest {
+pub struct RestOnFloor {
     /// How far the spheres move down along the normal from the default pose to this rest, m; below 0 if they move up.
     pub down_m: f64,
     /// The load that they carry, along the normal, N.
@@ -139,7 +139,7 @@ pub struct RestingSphere {
     pub force_n: f64,
 }
 
-impl ByLaw {
+impl RestLaw {
     fn force(self, law: &Law, indentation_m: f64) -> f64 {
         match self {
             Self::Hertz => law.hertz().force(indentation_m),
@@ -155,7 +155,7 @@ impl RestingSphere {
     }
 }
 
-impl Rest {
+impl RestOnFloor {
     /// The sphere that is deepest, in its radius.
     pub fn deepest(&self) -> Option<&RestingSphere> {
         let deeper = |a: &RestingSphere, b: &RestingSphere| {
@@ -169,20 +169,20 @@ impl Rest {
         self.deepest().is_some_and(|deepest| deepest.relative_indentation < 1.0)
     }
 
-    /// Where the contacts `pressing`, in the order of their spheres, carry `load_n`: the lowest of them is deepest.
-    pub(super) fn of(pressing: &[&Pressing], load_n: f64, by: ByLaw) -> Result<Self, DomainError> {
-        let lowest_m = pressing.iter().map(|one| one.gap_m).fold(f64::INFINITY, f64::min);
+    /// Where the contacts `floor_contacts`, in the order of their spheres, carry `load_n`: the lowest of them is deepest.
+    pub(super) fn of(floor_contacts: &[&FloorContact], load_n: f64, by: RestLaw) -> Result<Self, DomainError> {
+        let lowest_m = floor_contacts.iter().map(|one| one.gap_m).fold(f64::INFINITY, f64::min);
         let mut raised = Vec::new();
-        for one in pressing {
+        for one in floor_contacts {
             let law = Law::of(&one.contact.contact, one.contact.radius_m)?;
             raised.push(Raised::new(Spheres::new(law, 1.0)?, one.gap_m - lowest_m)?);
         }
         let deepest_m = match by {
-            ByLaw::Hertz => hertz_indentation_of_lowest(&raised, load_n),
-            ByLaw::OfFile => indentation_of_lowest(&raised, load_n),
+            RestLaw::Hertz => hertz_indentation_of_lowest(&raised, load_n),
+            RestLaw::OfFile => indentation_of_lowest(&raised, load_n),
         }?;
         let mut spheres: Vec<RestingSphere> = Vec::new();
-        for (one, raised) in pressing.iter().zip(&raised) {
+        for (one, raised) in floor_contacts.iter().zip(&raised) {
             let x = deepest_m - raised.height_m;
             let (sphere, force_n) = (one.contact.sphere, by.force(raised.spheres.law(), x));
             let relative_indentation = x / one.contact.radius_m;

@@ -9,7 +9,7 @@ use crate::messages::{readable, shown};
 use crate::model::{Fault, ForceId, Limb, Model, SphereId};
 
 /// Bodies that lean by more than this are posed so, rad: the pose moves their spheres, and not the foot.
-pub const LEANING_RAD: f64 = 3.0 * std::f64::consts::PI / 180.0;
+pub const MOST_LEAN_RAD: f64 = 3.0 * std::f64::consts::PI / 180.0;
 /// Bottoms this close are level, m: heights have rounding errors.
 const ROUNDING_M: f64 = 1e-12;
 
@@ -53,7 +53,7 @@ pub enum NotLevelled {
 }
 
 /// A sphere over its lowest floor.
-struct Over {
+struct OverLowestFloor {
     sphere: SphereId,
     gap_m: f64,
     normal: DVec3,
@@ -64,38 +64,38 @@ struct Over {
 /// normal of its floor. Spheres that are level already are left out.
 ///
 /// # Errors
-/// Limbs, floors or the pose are not known, or a foot that would change leans by more than [`LEANING_RAD`].
-pub fn levelled(model: &Model, forces: &[ForceId]) -> Result<Vec<LevelledSphere>, NotLevelled> {
+/// Limbs, floors or the pose are not known, or a foot that would change leans by more than [`MOST_LEAN_RAD`].
+pub fn levelled_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LevelledSphere>, NotLevelled> {
     let limbs = model.limbs(forces);
-    let limbs = limbs.known().ok_or_else(|| NotLevelled::NoLimbs {
-        why: limbs.unknown().map(ToString::to_string).unwrap_or_default(),
+    let limbs = limbs.if_known().ok_or_else(|| NotLevelled::NoLimbs {
+        why: limbs.why_unknown().map(ToString::to_string).unwrap_or_default(),
     })?;
     let pose = DefaultPose::of(model);
     let floors = Floors::of(model, forces, &pose);
     if floors.spheres().is_empty() {
         return Err(NotLevelled::NoFloor);
     }
-    let feet = Feet { model, floors: &floors, pose: &pose };
+    let feet = LevelledFeet { model, floors: &floors, pose: &pose };
     let mut moved = Vec::new();
     for limb in limbs {
-        moved.extend(feet.levelled(limb)?);
+        moved.extend(feet.levelled_spheres(limb)?);
     }
     Ok(moved)
 }
 
 /// A model whose feet are made level.
-struct Feet<'f> {
+struct LevelledFeet<'f> {
     model: &'f Model,
     floors: &'f Floors,
     pose: &'f DefaultPose,
 }
 
-impl Feet<'_> {
-    fn levelled(&self, limb: &Limb) -> Result<Vec<LevelledSphere>, NotLevelled> {
+impl LevelledFeet<'_> {
+    fn levelled_spheres(&self, limb: &Limb) -> Result<Vec<LevelledSphere>, NotLevelled> {
         let spheres = limb.spheres.iter().filter_map(|&sphere| self.over(sphere).transpose());
-        let spheres = spheres.collect::<Result<Vec<Over>, PoseFault>>()?;
+        let spheres = spheres.collect::<Result<Vec<OverLowestFloor>, PoseFault>>()?;
         let lowest_m = spheres.iter().map(|over| over.gap_m).fold(f64::INFINITY, f64::min);
-        let high: Vec<&Over> = spheres.iter().filter(|over| over.gap_m - lowest_m > ROUNDING_M).collect();
+        let high: Vec<&OverLowestFloor> = spheres.iter().filter(|over| over.gap_m - lowest_m > ROUNDING_M).collect();
         if !high.is_empty() {
             self.refuse_leaning(limb, &spheres)?;
         }
@@ -103,7 +103,7 @@ impl Feet<'_> {
     }
 
     /// How a sphere is over the lowest of its floors; `None` if it is on none.
-    fn over(&self, sphere: SphereId) -> Result<Option<Over>, PoseFault> {
+    fn over(&self, sphere: SphereId) -> Result<Option<OverLowestFloor>, PoseFault> {
         let gaps = self.floors.gaps(self.model, sphere, self.pose)?;
         let lowest = gaps.into_iter().reduce(|a, b| if b.1 < a.1 { b } else { a });
         let Some((normal, gap_m)) = lowest.and_then(|(plane, gap)| Some((plane.surface?.normal, gap))) else {
@@ -111,16 +111,16 @@ impl Feet<'_> {
         };
         let Some(body) = self.body(sphere) else { return Ok(None) };
         let tilt_rad = tilt(self.pose.placement(body)?, normal);
-        Ok(Some(Over { sphere, gap_m, normal, tilt_rad }))
+        Ok(Some(OverLowestFloor { sphere, gap_m, normal, tilt_rad }))
     }
 
     fn body(&self, sphere: SphereId) -> Option<&str> {
         self.model.sphere(sphere)?.body.as_deref()
     }
 
-    fn refuse_leaning(&self, limb: &Limb, spheres: &[Over]) -> Result<(), NotLevelled> {
+    fn refuse_leaning(&self, limb: &Limb, spheres: &[OverLowestFloor]) -> Result<(), NotLevelled> {
         let most = spheres.iter().reduce(|a, b| if b.tilt_rad > a.tilt_rad { b } else { a });
-        match most.filter(|most| most.tilt_rad > LEANING_RAD) {
+        match most.filter(|most| most.tilt_rad > MOST_LEAN_RAD) {
             None => Ok(()),
             Some(most) => Err(NotLevelled::Leans {
                 limb: limb.name.clone(),
@@ -131,7 +131,7 @@ impl Feet<'_> {
     }
 
     /// A sphere with its centre lower by `down_m` along the normal of its floor.
-    fn lowered(&self, over: &Over, down_m: f64) -> Result<LevelledSphere, NotLevelled> {
+    fn lowered(&self, over: &OverLowestFloor, down_m: f64) -> Result<LevelledSphere, NotLevelled> {
         let sphere = over.sphere;
         let found = self.model.sphere(sphere).zip(self.body(sphere)).ok_or(NotLevelled::NoFloor)?;
         let (found, body) = found;

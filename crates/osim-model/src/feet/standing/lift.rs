@@ -3,12 +3,12 @@
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
 
-use crate::feet::couplers::{CoordinateValues, Held, HeldCoordinates};
-use crate::feet::default_pose::{Crossing, DefaultPose, joint_walk};
+use crate::feet::couplers::{CoordinateValues, CoordinateState, CoordinateStates};
+use crate::feet::default_pose::{JointStep, DefaultPose, joints_from_ground};
 use crate::model::{JointCoordinate, Model, ModelJoint, Placement};
 
 /// Movements this close to each other are one (per metre of the coordinate).
-const SAME: f64 = 1e-9;
+const SAME_MOVEMENT: f64 = 1e-9;
 /// A coordinate lifts where a metre of it is at least this much along the normal: that of a floor of 60 degrees.
 const LEAST_RISE: f64 = 0.5;
 
@@ -47,47 +47,47 @@ pub enum NotLifted {
 }
 
 /// What a coordinate does to all spheres below its joint.
-enum Moves {
+enum CoordinateEffect {
     Lifts(f64),
     Slides,
     Other,
 }
 
 /// A model at its default pose, whose coordinates are tried.
-pub(super) struct Lifting<'m> {
+pub(super) struct LiftSearch<'m> {
     model: &'m Model,
     pose: &'m DefaultPose,
     known: &'m CoordinateValues,
-    held: HeldCoordinates<'m>,
+    states: CoordinateStates<'m>,
 }
 
-impl<'m> Lifting<'m> {
+impl<'m> LiftSearch<'m> {
     pub(super) fn of(model: &'m Model, pose: &'m DefaultPose) -> Self {
-        Self { model, pose, known: CoordinateValues::of(model), held: HeldCoordinates::of(model) }
+        Self { model, pose, known: CoordinateValues::at_default_pose(model), states: CoordinateStates::of(model) }
     }
 
-    /// The coordinate of the joints on `way` that lifts most along `normal`, with its joint's place on the way.
-    pub(super) fn find(&self, way: &[Hanging<'_>], normal: DVec3) -> Result<(usize, Lift), NotLifted> {
+    /// The coordinate of the joints on `path` that lifts most along `normal`, with its joint's place on the way.
+    pub(super) fn find(&self, path: &[ParentJoint<'_>], normal: DVec3) -> Result<(usize, Lift), NotLifted> {
         let mut best: Option<(usize, Lift)> = None;
         let mut not = NotLifted::Welded;
-        for (place, hanging) in way.iter().enumerate() {
-            for (index, coordinate) in hanging.joint.coordinates.iter().enumerate() {
+        for (place, parent_joint) in path.iter().enumerate() {
+            for (index, coordinate) in parent_joint.joint.coordinates.iter().enumerate() {
                 let name = || coordinate.name.clone();
-                let moves = self.moves(hanging, index, normal).unwrap_or(Moves::Other);
-                let found = match (moves, self.held.held(hanging.joint, coordinate)) {
-                    (Moves::Lifts(rise), Held::Not) => {
+                let moves = self.effect(parent_joint, index, normal).unwrap_or(CoordinateEffect::Other);
+                let found = match (moves, self.states.state(parent_joint.joint, coordinate)) {
+                    (CoordinateEffect::Lifts(rise), CoordinateState::Free) => {
                         let more =
-                            best.as_ref().is_none_or(|(_, known)| rise.abs() > known.rise.abs() + SAME);
+                            best.as_ref().is_none_or(|(_, known)| rise.abs() > known.rise.abs() + SAME_MOVEMENT);
                         let default_m = self.known.values.get(&coordinate.name).copied().filter(|_| more);
-                        let joint = hanging.joint.name.clone();
+                        let joint = parent_joint.joint.name.clone();
                         let lift = |default_m| (place, Lift { coordinate: name(), joint, default_m, rise });
                         best = default_m.map(lift).or(best);
                         continue;
                     }
-                    (Moves::Lifts(_), Held::Locked) => NotLifted::Locked { coordinate: name() },
-                    (Moves::Lifts(_), Held::Driven) => NotLifted::Driven { coordinate: name() },
-                    (Moves::Slides, Held::Not) => NotLifted::Slides,
-                    (Moves::Other, Held::Not) => NotLifted::Pinned,
+                    (CoordinateEffect::Lifts(_), CoordinateState::Locked) => NotLifted::Locked { coordinate: name() },
+                    (CoordinateEffect::Lifts(_), CoordinateState::Driven) => NotLifted::Driven { coordinate: name() },
+                    (CoordinateEffect::Slides, CoordinateState::Free) => NotLifted::Slides,
+                    (CoordinateEffect::Other, CoordinateState::Free) => NotLifted::Pinned,
                     _ => continue,
                 };
                 not = more_telling(not, found);
@@ -96,35 +96,35 @@ impl<'m> Lifting<'m> {
         best.ok_or(not)
     }
 
-    fn moves(&self, hanging: &Hanging<'_>, index: usize, normal: DVec3) -> Option<Moves> {
-        let by = |metres: f64| self.moved(hanging, index, metres);
+    fn effect(&self, parent_joint: &ParentJoint<'_>, index: usize, normal: DVec3) -> Option<CoordinateEffect> {
+        let by = |metres: f64| self.moved(parent_joint, index, metres);
         let moved = [by(1.0)?, by(0.5)?, by(-1.0)?];
         let turned = |moved: &Placement| moved.rotation.inverse().to_body(normal);
-        let unturned = moved.iter().all(|moved| turned(moved).abs_diff_eq(normal, SAME));
+        let unturned = moved.iter().all(|moved| turned(moved).abs_diff_eq(normal, SAME_MOVEMENT));
         let [rise, half, back] = moved.map(|moved| moved.translation_m.dot(normal));
-        let is_even = (half - 0.5 * rise).abs() <= SAME && (back + rise).abs() <= SAME;
-        let moves = moved.iter().any(|moved| moved.translation_m.abs().cmpgt(DVec3::splat(SAME)).any());
+        let is_even = (half - 0.5 * rise).abs() <= SAME_MOVEMENT && (back + rise).abs() <= SAME_MOVEMENT;
+        let moves = moved.iter().any(|moved| moved.translation_m.abs().cmpgt(DVec3::splat(SAME_MOVEMENT)).any());
         Some(match unturned {
-            true if is_even && rise.abs() >= LEAST_RISE => Moves::Lifts(rise),
-            true if is_even && moves => Moves::Slides,
-            _ => Moves::Other,
+            true if is_even && rise.abs() >= LEAST_RISE => CoordinateEffect::Lifts(rise),
+            true if is_even && moves => CoordinateEffect::Slides,
+            _ => CoordinateEffect::Other,
         })
     }
 
     /// Where in ground what hangs on the joint goes when its coordinate at `index` grows by `metres`.
-    fn moved(&self, hanging: &Hanging<'_>, index: usize, metres: f64) -> Option<Placement> {
-        let joint = hanging.joint;
+    fn moved(&self, parent_joint: &ParentJoint<'_>, index: usize, metres: f64) -> Option<Placement> {
+        let joint = parent_joint.joint;
         let value = |coordinate: &JointCoordinate| self.known.values.get(&coordinate.name).copied();
         let values: Vec<f64> = joint.coordinates.iter().map(value).collect::<Option<_>>()?;
         let mut grown = values.clone();
         *grown.get_mut(index)? += metres;
-        let parent = match hanging.parent {
+        let parent = match parent_joint.parent {
             Some(body) => *self.pose.placement(body).ok()?,
             None => Placement::IDENTITY,
         };
         let placed = |values: &[f64]| {
             let placement = joint.placement(self.model, values)?;
-            Some(parent.then(&if hanging.forward { placement } else { placement.inverse() }))
+            Some(parent.then(&if parent_joint.forward { placement } else { placement.inverse() }))
         };
         Some(placed(&grown)?.then(&placed(&values)?.inverse()))
     }
@@ -145,7 +145,7 @@ fn more_telling(one: NotLifted, other: NotLifted) -> NotLifted {
 
 /// The joint over which a body hangs on ground or on another body.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Hanging<'j> {
+pub(super) struct ParentJoint<'j> {
     pub(super) joint: &'j ModelJoint,
     /// The body that hangs on the joint.
     pub(super) body: &'j str,
@@ -157,7 +157,7 @@ pub(super) struct Hanging<'j> {
 
 /// The bodies of a model by the joints over which ground is reached first. A joint that closes a loop is left out.
 pub(super) struct JointTree<'j> {
-    above: HashMap<&'j str, Hanging<'j>>,
+    above: HashMap<&'j str, ParentJoint<'j>>,
     below: HashMap<&'j str, Vec<&'j str>>,
     /// Of each body the one on top of its tree: that which hangs on ground.
     tops: HashMap<&'j str, &'j str>,
@@ -166,26 +166,26 @@ pub(super) struct JointTree<'j> {
 impl<'j> JointTree<'j> {
     pub(super) fn of(joints: &'j [ModelJoint]) -> Self {
         let mut tree = Self { above: HashMap::new(), below: HashMap::new(), tops: HashMap::new() };
-        for Crossing { joint, from, to, forward, closes } in joint_walk(joints) {
+        for JointStep { joint, from, to, forward, closes } in joints_from_ground(joints) {
             let Some(body) = to.filter(|_| !closes) else { continue };
             // What is above a body is walked to before it.
             let top = from.and_then(|above| tree.tops.get(above).copied()).unwrap_or(body);
             tree.tops.insert(body, top);
-            tree.above.insert(body, Hanging { joint, body, parent: from, forward });
+            tree.above.insert(body, ParentJoint { joint, body, parent: from, forward });
             tree.below.entry(from.unwrap_or_default()).or_default().push(body);
         }
         tree
     }
 
     /// The joints from `body` to ground.
-    pub(super) fn way(&self, body: &str) -> Vec<Hanging<'j>> {
-        let mut way = Vec::new();
+    pub(super) fn path_to_ground(&self, body: &str) -> Vec<ParentJoint<'j>> {
+        let mut path = Vec::new();
         let mut at = self.above.get(body);
-        while let Some(hanging) = at {
-            way.push(*hanging);
-            at = hanging.parent.and_then(|parent| self.above.get(parent));
+        while let Some(parent_joint) = at {
+            path.push(*parent_joint);
+            at = parent_joint.parent.and_then(|parent| self.above.get(parent));
         }
-        way
+        path
     }
 
     /// The body on top of the tree in which `body` is: the one that hangs on ground.
@@ -194,25 +194,25 @@ impl<'j> JointTree<'j> {
     }
 
     /// The joints above all of `bodies`, from the lowest to ground. Each body is looked at once.
-    pub(super) fn way_of_all(&self, bodies: &[&str]) -> Vec<Hanging<'j>> {
+    pub(super) fn common_path_to_ground(&self, bodies: &[&str]) -> Vec<ParentJoint<'j>> {
         let Some(first) = bodies.first() else { return Vec::new() };
-        let way = self.way(first);
+        let path = self.path_to_ground(first);
         // Where on the first way the ways of other bodies end.
         let mut joins: HashMap<&str, usize> =
-            way.iter().enumerate().map(|(place, hanging)| (hanging.body, place)).collect();
+            path.iter().enumerate().map(|(place, parent_joint)| (parent_joint.body, place)).collect();
         let mut common = 0;
         for body in bodies {
             let mut passed = Vec::new();
             let mut at = self.above.get(body);
-            while let Some(hanging) = at.filter(|hanging| !joins.contains_key(hanging.body)) {
-                passed.push(hanging.body);
-                at = hanging.parent.and_then(|parent| self.above.get(parent));
+            while let Some(parent_joint) = at.filter(|parent_joint| !joins.contains_key(parent_joint.body)) {
+                passed.push(parent_joint.body);
+                at = parent_joint.parent.and_then(|parent| self.above.get(parent));
             }
-            let place = at.and_then(|hanging| joins.get(hanging.body).copied()).unwrap_or(way.len());
+            let place = at.and_then(|parent_joint| joins.get(parent_joint.body).copied()).unwrap_or(path.len());
             joins.extend(passed.into_iter().map(|body| (body, place)));
             common = common.max(place);
         }
-        way.into_iter().skip(common).collect()
+        path.into_iter().skip(common).collect()
     }
 
     pub(super) fn with_all_below(&self, body: &'j str) -> HashSet<&'j str> {

@@ -11,15 +11,15 @@ use contact_scaling::DomainError;
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
 
-use super::contacts::{ContactPlane, PlaneSurface};
+use super::contact_planes::{ContactPlane, PlaneSurface};
 use super::default_pose::DefaultPose;
 use super::fault::PoseFault;
 use super::vector::angle;
 use crate::model::{ForceId, Model, SphereId, loaded_spheres};
-pub use gaps::{ByLaw, OverFloor, Rest, RestingSphere};
-use gaps::{Floors, Pressing};
-pub use levelled::{LEANING_RAD, LevelledSphere, NotLevelled, levelled};
-use lift::{JointTree, Lifting};
+pub use gaps::{RestLaw, SphereOverFloor, RestOnFloor, RestingSphere};
+use gaps::{Floors, FloorContact};
+pub use levelled::{MOST_LEAN_RAD, LevelledSphere, NotLevelled, levelled_spheres};
+use lift::{JointTree, LiftSearch};
 pub use lift::{Lift, NotLifted};
 
 /// Floors whose normals are this close have one direction, rad.
@@ -31,7 +31,7 @@ pub struct Standing {
     /// The body on top of the tree, which is joined to ground.
     pub top: String,
     /// Its spheres that press on floors, in file order.
-    pub spheres: Vec<OverFloor>,
+    pub spheres: Vec<SphereOverFloor>,
     /// The coordinate that lifts them all from the floor, or why there is none.
     pub lift: Result<Lift, NotLifted>,
     /// Mass of the bodies that this coordinate moves, kg: of the whole tree but what is above its joint. `None` if a mass cannot be
@@ -39,7 +39,7 @@ pub struct Standing {
     pub mass_kg: Option<f64>,
     /// The part of their weight along the floor's normal, N; `None` without mass or gravity.
     pub load_n: Option<f64>,
-    pressing: Vec<Pressing>,
+    floor_contacts: Vec<FloorContact>,
 }
 
 impl Standing {
@@ -49,15 +49,15 @@ impl Standing {
         let pose = DefaultPose::of(model);
         let floors = Floors::of(model, forces, &pose);
         let tree = JointTree::of(joints);
-        let lifting = Lifting::of(model, &pose);
+        let lifting = LiftSearch::of(model, &pose);
         let bodies = model.bodies().iter().enumerate();
         let masses = bodies.map(|(place, body)| (body.name.as_str(), (place, body.mass_kg().ok()))).collect();
         let mut found = Vec::new();
-        for (top, spheres) in by_top(model, &floors, &tree, &pose)? {
-            let tree = Tree { model, floors: &floors, tree: &tree, masses: &masses, top };
+        for (top, spheres) in spheres_by_tree(model, &floors, &tree, &pose)? {
+            let tree = StandingTree { model, floors: &floors, tree: &tree, masses: &masses, top };
             found.push(tree.standing(&spheres, &pose, &lifting)?);
         }
-        press(model, forces, &floors, &pose, &mut found)?;
+        add_floor_contacts(model, forces, &floors, &pose, &mut found)?;
         Ok(found)
     }
 
@@ -66,8 +66,8 @@ impl Standing {
     ///
     /// # Errors
     /// No indentation carries the load.
-    pub fn rest(&self, chosen: &[SphereId], share: f64) -> Option<Result<Rest, DomainError>> {
-        self.rest_under(chosen, share * self.load_n?, ByLaw::OfFile)
+    pub fn rest(&self, chosen: &[SphereId], share: f64) -> Option<Result<RestOnFloor, DomainError>> {
+        self.rest_under(chosen, share * self.load_n?, RestLaw::OfFile)
     }
 
     /// Where the spheres rest under a load, in N, along the normal.
@@ -75,29 +75,29 @@ impl Standing {
         &self,
         chosen: &[SphereId],
         load_n: f64,
-        law: ByLaw,
-    ) -> Option<Result<Rest, DomainError>> {
+        law: RestLaw,
+    ) -> Option<Result<RestOnFloor, DomainError>> {
         let chosen: BTreeSet<SphereId> = chosen.iter().copied().collect();
         let of = |sphere: &SphereId| {
-            let start = self.pressing.partition_point(|one| one.contact.sphere < *sphere);
-            let own = self.pressing.iter().skip(start);
-            own.take_while(|one| one.contact.sphere == *sphere).collect::<Vec<&Pressing>>()
+            let start = self.floor_contacts.partition_point(|one| one.contact.sphere < *sphere);
+            let own = self.floor_contacts.iter().skip(start);
+            own.take_while(|one| one.contact.sphere == *sphere).collect::<Vec<&FloorContact>>()
         };
-        let pressing: Vec<Vec<&Pressing>> = chosen.iter().map(of).collect();
-        if pressing.is_empty() || pressing.iter().any(Vec::is_empty) {
+        let floor_contacts: Vec<Vec<&FloorContact>> = chosen.iter().map(of).collect();
+        if floor_contacts.is_empty() || floor_contacts.iter().any(Vec::is_empty) {
             return None;
         }
-        Some(Rest::of(&pressing.concat(), load_n, law))
+        Some(RestOnFloor::of(&floor_contacts.concat(), load_n, law))
     }
 
     /// The value of the coordinate at which the tree is `down_m` lower than at the default pose; `None` if no coordinate lifts it.
-    pub fn value(&self, down_m: f64) -> Option<f64> {
+    pub fn coordinate_at(&self, down_m: f64) -> Option<f64> {
         let lift = self.lift.as_ref().ok()?;
         Some(lift.default_m - down_m / lift.rise)
     }
 
     /// The sphere whose bottom is lowest.
-    pub fn lowest(&self) -> Option<&OverFloor> {
+    pub fn lowest(&self) -> Option<&SphereOverFloor> {
         self.spheres.iter().min_by(|a, b| a.gap_m.total_cmp(&b.gap_m))
     }
 }
@@ -126,7 +126,7 @@ fn by_top<'j>(
 }
 
 /// A tree whose standing is asked for.
-struct Tree<'t, 'j> {
+struct StandingTree<'t, 'j> {
     model: &'t Model,
     floors: &'t Floors,
     tree: &'t JointTree<'j>,
@@ -135,14 +135,14 @@ struct Tree<'t, 'j> {
     top: &'j str,
 }
 
-impl<'j> Tree<'_, 'j> {
+impl<'j> StandingTree<'_, 'j> {
     fn standing(
         &self,
         spheres: &[SphereId],
         pose: &DefaultPose,
-        lifting: &Lifting<'_>,
+        lifting: &LiftSearch<'_>,
     ) -> Result<Standing, PoseFault> {
-        let planes = self.floors.under(spheres);
+        let planes = self.floors.floors_under(spheres);
         let normal = planes.first().map(|(_, surface)| surface.normal);
         let mut over = Vec::new();
         for &sphere in spheres {
@@ -153,14 +153,14 @@ impl<'j> Tree<'_, 'j> {
                 (Some(body), Some(normal)) => gaps::tilt(pose.placement(body)?, normal),
                 _ => 0.0,
             };
-            over.extend(least.map(|gap_m| OverFloor { sphere, gap_m, tilt_rad }));
+            over.extend(least.map(|gap_m| SphereOverFloor { sphere, gap_m, tilt_rad }));
         }
         let (lift, mass_kg) = self.lift(spheres, &planes, lifting);
         let gravity = self.model.gravity().filter(|gravity| *gravity > 0.0 && gravity.is_finite());
         let along = normal.map(|normal| normal.dot(self.model.up()));
         let load_n = mass_kg.zip(gravity).zip(along).map(|((mass, gravity), along)| mass * gravity * along);
         let top = self.top.to_owned();
-        Ok(Standing { top, spheres: over, lift, mass_kg, load_n, pressing: Vec::new() })
+        Ok(Standing { top, spheres: over, lift, mass_kg, load_n, floor_contacts: Vec::new() })
     }
 
     /// The coordinate that lifts `spheres` from `planes`, and the mass that it moves.
@@ -168,25 +168,25 @@ impl<'j> Tree<'_, 'j> {
         &self,
         spheres: &[SphereId],
         planes: &[&(ContactPlane, PlaneSurface)],
-        lifting: &Lifting<'_>,
+        lifting: &LiftSearch<'_>,
     ) -> (Result<Lift, NotLifted>, Option<f64>) {
         let bodies: Vec<&str> =
             spheres.iter().filter_map(|&id| self.model.sphere(id)?.body.as_deref()).collect();
-        let mut way = self.tree.way_of_all(&bodies);
+        let mut path = self.tree.common_path_to_ground(&bodies);
         // What moves the floor along moves nothing against it.
         for plane in planes.iter().filter_map(|(plane, _)| plane.body.as_deref()) {
-            let of_plane: HashSet<&str> = self.tree.way(plane).iter().map(|other| other.body).collect();
-            way.retain(|hanging| !of_plane.contains(hanging.body));
+            let of_plane: HashSet<&str> = self.tree.path_to_ground(plane).iter().map(|other| other.body).collect();
+            path.retain(|parent_joint| !of_plane.contains(parent_joint.body));
         }
         let normals: Vec<DVec3> = planes.iter().map(|(_, surface)| surface.normal).collect();
         let lift = match normals.first() {
             Some(&first) if normals.iter().all(|&other| angle(first, other) <= SAME_DIRECTION) => {
-                lifting.find(&way, first)
+                lifting.find(&path, first)
             }
             _ => Err(NotLifted::SeveralFloors),
         };
-        let place = lift.as_ref().map_or(way.len().saturating_sub(1), |(place, _)| *place);
-        let mass_kg = way.get(place).and_then(|hanging| self.mass_below(hanging.body));
+        let place = lift.as_ref().map_or(path.len().saturating_sub(1), |(place, _)| *place);
+        let mass_kg = path.get(place).and_then(|parent_joint| self.mass_below(parent_joint.body));
         (lift.map(|(_, lift)| lift), mass_kg)
     }
 
@@ -207,7 +207,7 @@ fn paths_of_planes(model: &Model, force: ForceId) -> HashSet<String> {
 }
 
 /// Gives each of `standing` the contacts of its spheres, in their order; none if a number of theirs cannot be read.
-fn press(
+fn add_floor_contacts(
     model: &Model,
     forces: &[ForceId],
     floors: &Floors,
@@ -224,7 +224,7 @@ fn press(
         let Some(own) = places.get(&one.sphere).and_then(|&place| standing.get_mut(place)) else { continue };
         let gaps = floors.gaps(model, one.sphere, pose)?;
         let planes = planes.entry(one.force).or_insert_with(|| paths_of_planes(model, one.force));
-        own.pressing.extend(Floors::pressing(one, &gaps, planes));
+        own.floor_contacts.extend(Floors::floor_contacts(one, &gaps, planes));
     }
     Ok(())
 }

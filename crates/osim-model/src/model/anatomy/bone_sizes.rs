@@ -14,45 +14,45 @@ use crate::model::fault::NeedsAnswer;
 use crate::model::names::Side;
 use crate::xml::{ElementId, opensim_text};
 
-/// By body: three numbers for each of its meshes or frames, as in [`Anatomy`](crate::model::anatomy::Anatomy).
-pub type ByBody = BTreeMap<String, BTreeMap<String, [f64; 3]>>;
+/// For each body three numbers along x, y and z of each of its meshes or frames, as in [`Anatomy`](crate::model::anatomy::Anatomy).
+pub type TriplesByBody = BTreeMap<String, BTreeMap<String, [f64; 3]>>;
 
-pub(crate) fn mesh_factors(components: &Components) -> ByBody {
-    let mut found = ByBody::new();
+pub(crate) fn mesh_factors(components: &Components) -> TriplesByBody {
+    let mut factors = TriplesByBody::new();
     for (id, _) in components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body") {
-        found.entry(components.name(id).into_owned()).or_default().extend(meshes(components, id));
+        factors.entry(components.name(id).into_owned()).or_default().extend(meshes(components, id));
     }
-    found
+    factors
 }
 
-/// The translations of all frames and joints.
-pub(crate) fn frame_offsets(components: &Components) -> ByBody {
-    let mut found = Offsets::default();
+/// The translations of the offset frames and joints on each body, m.
+pub(crate) fn frame_offsets(components: &Components) -> TriplesByBody {
+    let mut reader = OffsetReader::default();
     for (id, _) in components.tree.iter() {
         let tag = components.tag(id);
         if tag == "PhysicalOffsetFrame" {
-            found.read_frame(components, id);
+            reader.read_frame(components, id);
         } else if tag.ends_with("Joint") {
-            found.read_joint(components, id);
-            found.read_old_joint(components, id);
+            reader.read_joint(components, id);
+            reader.read_old_joint(components, id);
         }
     }
-    found.offsets
+    reader.offsets
 }
 
 #[derive(Default)]
-struct Offsets {
-    offsets: ByBody,
+struct OffsetReader {
+    offsets: TriplesByBody,
 }
 
-impl Offsets {
-    /// An offset frame that is fixed to a body directly: OpenSim scales its translation by that body's factors.
+impl OffsetReader {
+    /// Adds an offset frame that is fixed to a body directly: OpenSim scales its translation by the factors of that body.
     fn read_frame(&mut self, components: &Components, frame: ComponentId) {
         let Some((body, translation)) = offset_on_body(components, frame) else { return };
         self.offsets.entry(body).or_default().insert(components.tree.path(frame), translation);
     }
 
-    /// Offsets of a joint's frames under the joint's name, which a document of version 3 has too.
+    /// Adds the offsets of a joint's frames under the name of the joint, so that documents of versions 3 and 4 have the same keys.
     fn read_joint(&mut self, components: &Components, joint: ComponentId) {
         for end in ["parent", "child"] {
             let frame = components
@@ -74,33 +74,33 @@ impl Offsets {
         let owner = components.tree.get(joint).and_then(|object| object.parent);
         let Some(child) = owner.filter(|&id| components.tag(id) == "Body") else { return };
         let name = components.name(joint);
-        if let Some(own) = document.triple(element, "location") {
+        if let Some(in_child) = document.triple(element, "location") {
             self.offsets
                 .entry(components.name(child).into_owned())
                 .or_default()
-                .insert(format!("{name} child"), own);
+                .insert(format!("{name} child"), in_child);
         }
         let parent = components.connectee(joint, "parent_frame", &["parent_body"]);
         let parent =
             parent.and_then(|parent| components.frame(joint, &parent)).and_then(|found| found.component);
-        if let (Some(parent), Some(there)) = (parent, document.triple(element, "location_in_parent")) {
+        if let (Some(parent), Some(in_parent)) = (parent, document.triple(element, "location_in_parent")) {
             self.offsets
                 .entry(components.name(parent).into_owned())
                 .or_default()
-                .insert(format!("{name} parent"), there);
+                .insert(format!("{name} parent"), in_parent);
         }
     }
 }
 
-/// Documents before this version list file names alone.
-pub(crate) const GEOMETRY_SETS: u32 = 20101;
+/// Documents before this version list the file names of meshes alone, without a `<GeometrySet>`.
+pub(crate) const FIRST_WITH_GEOMETRY_SETS: u32 = 20101;
 
 pub(crate) fn mesh_file(document: &Document, element: ElementId, tag: &str) -> String {
     let tree = document.tree();
     tree.child(element, tag).map(|file| tree.text_of(file).into_owned()).unwrap_or_default()
 }
 
-/// Factors that are written but are not numbers stay visible as NaN: they must not pass for 1.
+/// The scale factors of a mesh along x, y and z: 1 if the file has none, NaN if they are not numbers.
 pub(crate) fn mesh_scale(document: &Document, element: ElementId) -> [f64; 3] {
     let missing = document.tree().child(element, "scale_factors").is_none();
     document.triple(element, "scale_factors").unwrap_or([if missing { 1.0 } else { f64::NAN }; 3])
@@ -111,29 +111,29 @@ fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 
     let document = components.doc(body);
     let tree = document.tree();
     let element = components.element(body);
-    let mut found = Vec::new();
+    let mut mesh_list = Vec::new();
     if let Some(attached) = tree.child(element, "attached_geometry") {
         for mesh in tree.children(attached).filter(|&mesh| tree.name(mesh) == "Mesh") {
-            found.push((mesh_file(document, mesh, "mesh_file"), mesh_scale(document, mesh)));
+            mesh_list.push((mesh_file(document, mesh, "mesh_file"), mesh_scale(document, mesh)));
         }
     }
-    // Documents of version 1 list names; those of version 2 and 3: every display geometry has its own factors, and the whole has some too.
+    // Version 1 lists file names. In versions 2 and 3 each display geometry has its own factors, and all share those of <VisibleObject>.
     if let Some(visible) = tree.child(element, "VisibleObject") {
-        let whole = mesh_scale(document, visible);
-        if document.version() < GEOMETRY_SETS {
+        let common_factors = mesh_scale(document, visible);
+        if document.version() < FIRST_WITH_GEOMETRY_SETS {
             let names = mesh_file(document, visible, "geometry_files");
-            found.extend(opensim_text::list_words(&names).map(|name| (name.to_owned(), whole)));
+            mesh_list.extend(opensim_text::list_words(&names).map(|name| (name.to_owned(), common_factors)));
         }
         let set = tree.child(visible, "GeometrySet").and_then(|set| tree.child(set, "objects"));
         for geometry in set.into_iter().flat_map(|set| tree.children(set)) {
-            let own = mesh_scale(document, geometry);
-            let factors = DVec3::from(whole) * DVec3::from(own);
-            found.push((mesh_file(document, geometry, "geometry_file"), factors.to_array()));
+            let own_factors = mesh_scale(document, geometry);
+            let factors = DVec3::from(common_factors) * DVec3::from(own_factors);
+            mesh_list.push((mesh_file(document, geometry, "geometry_file"), factors.to_array()));
         }
     }
     let mut meshes = BTreeMap::new();
     let mut counts: HashMap<String, usize> = HashMap::new();
-    for (file, factors) in found {
+    for (file, factors) in mesh_list {
         let mut key = file.clone();
         let count = counts.entry(file.clone()).or_insert(2);
         while meshes.contains_key(&key) {
@@ -155,28 +155,28 @@ fn offset_on_body(components: &Components, frame: ComponentId) -> Option<(String
     Some((components.name(body).into_owned(), translation))
 }
 
-// How large the bones around a sphere are, and spheres that are larger.
+// Distances between the joints of a body, and spheres that are larger than these.
 
-/// Joints of one body whose distance from all others is looked at: more than a body has.
-const OUTERMOST: usize = 32;
-/// How many times as long as a sphere's radius bones are, if nothing else is known: a shank of 0.43 m, a radius of 0.032 m.
-const BONES: f64 = 13.0;
+/// The outermost joints of a body whose distances from all others are compared: more than a body has.
+const MOST_OUTERMOST: usize = 32;
+/// The length of a long bone over the radius of a sphere, where nothing else is known: a shank of 0.43 m, a radius of 0.032 m.
+const BONE_LENGTH_IN_RADII: f64 = 13.0;
 
 /// How far apart the joints of each body are, from [`Model::joint_distances`](crate::model::Model::joint_distances): a measure of how large the bones around a sphere are.
 #[derive(Debug, Clone, Default)]
 pub struct JointDistances {
     /// The longest distance between two joints of one body, m: of the body of this name and of those that it is joined to.
     around_m: BTreeMap<String, f64>,
-    /// Without the bodies below it.
-    own_m: BTreeMap<String, f64>,
-    /// Of the body and those above it on its limb.
-    of_limb_m: HashMap<String, Option<f64>>,
+    /// The longest distance between two joints of the body of this name alone, m.
+    by_body_m: BTreeMap<String, f64>,
+    /// The longest distance in the body of this name and in those above it on its limb, m.
+    by_limb_m: HashMap<String, Option<f64>>,
     longest_of_all_m: Option<f64>,
 }
 
 impl JointDistances {
     /// The distances between these joints of bodies, such as [`Anatomy::joints`](crate::model::Anatomy::joints).
-    pub(crate) fn of_joints(joints: &[AnatomyJoint]) -> Self {
+    pub(crate) fn from_joints(joints: &[AnatomyJoint]) -> Self {
         let mut neighbours: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         let mut places: BTreeMap<String, Vec<DVec3>> = BTreeMap::new();
         for joint in joints {
@@ -193,73 +193,73 @@ impl JointDistances {
         };
         Self {
             around_m: neighbours.iter().filter_map(around).collect(),
-            of_limb_m: of_limbs(joints, &longest_m),
+            by_limb_m: longest_by_limb(joints, &longest_m),
             longest_of_all_m: longest_m.values().copied().reduce(f64::max),
-            own_m: longest_m,
+            by_body_m: longest_m,
         }
     }
 
     /// The longest distance between two joints of `body`; `None` if it has no two that are apart.
-    pub fn of_body(&self, body: &str) -> Option<f64> {
-        self.own_m.get(body).copied()
+    pub fn longest_in_body(&self, body: &str) -> Option<f64> {
+        self.by_body_m.get(body).copied()
     }
 
     /// The longest bone of the limb: the longest distance between two joints of `body`, or of one above it up to where the limb
     /// leaves the trunk. `None` if none of these has two joints that are apart.
-    pub fn of_limb(&self, body: &str) -> Option<f64> {
-        self.of_limb_m.get(body).copied().flatten()
+    pub fn longest_in_limb(&self, body: &str) -> Option<f64> {
+        self.by_limb_m.get(body).copied().flatten()
     }
 
     /// The longest distance between two joints of one body: of the body that carries `sphere` and of those that it is joined to.
     /// If none of these has two joints that are apart, all bodies count; `None` if no body has any.
-    pub fn around(&self, sphere: &Sphere) -> Option<f64> {
-        self.around_body(sphere.body.as_ref()?)
+    pub fn longest_around_sphere(&self, sphere: &Sphere) -> Option<f64> {
+        self.longest_around_body(sphere.body.as_ref()?)
     }
 
-    pub fn around_body(&self, body: &str) -> Option<f64> {
+    pub fn longest_around_body(&self, body: &str) -> Option<f64> {
         self.around_m.get(body).copied().or(self.longest_of_all_m)
     }
 
-    /// Whether `sphere` would be larger than the bones around it with this radius. `said` if the caller gave it as a length,
-    /// which may be in another unit.
-    pub fn radius_slip(&self, sphere: &Sphere, radius_m: f64, said: bool) -> Option<NeedsAnswer> {
-        let longest_m = self.around(sphere)?;
+    /// The question about `radius_m` if `sphere` would be larger than the bones around it. `is_given_length`: whether the caller gave the
+    /// radius as a length, perhaps in another unit.
+    pub fn implausible_radius(&self, sphere: &Sphere, radius_m: f64, is_given_length: bool) -> Option<NeedsAnswer> {
+        let longest_m = self.longest_around_sphere(sphere)?;
         // A sphere that is new has the radius that the caller gave.
-        let usual = if sphere.radius.number == radius_m { longest_m / BONES } else { sphere.radius.number };
-        let said_for = said.then_some(usual);
+        let usual_m = if sphere.radius.number == radius_m { longest_m / BONE_LENGTH_IN_RADII } else { sphere.radius.number };
+        let usual_m = is_given_length.then_some(usual_m);
         let sphere = sphere.name.clone();
-        (radius_m > longest_m).then_some(NeedsAnswer::Radius { sphere, radius_m, longest_m, said_for })
+        (radius_m > longest_m).then_some(NeedsAnswer::Radius { sphere, radius_m, longest_m, usual_m })
     }
 }
 
 /// For each body that hangs on another one or carries one, the longest bone of its limb, each joint looked at once. A limb ends where
 /// the names above it are not of its side.
-fn of_limbs(joints: &[AnatomyJoint], own_m: &BTreeMap<String, f64>) -> HashMap<String, Option<f64>> {
+fn longest_by_limb(joints: &[AnatomyJoint], by_body_m: &BTreeMap<String, f64>) -> HashMap<String, Option<f64>> {
     let mut above: HashMap<&str, &str> = HashMap::new();
     for joint in joints {
         above.entry(&joint.child).or_insert(&joint.parent);
     }
-    let mut of_limb_m: HashMap<String, Option<f64>> = HashMap::new();
+    let mut by_limb_m: HashMap<String, Option<f64>> = HashMap::new();
     for body in joints.iter().flat_map(|joint| [joint.child.as_str(), joint.parent.as_str()]) {
-        let (mut way, mut at) = (Vec::new(), Some(body));
-        while let Some(body) = at.filter(|&body| !of_limb_m.contains_key(body)) {
+        let (mut passed, mut at) = (Vec::new(), Some(body));
+        while let Some(body) = at.filter(|&body| !by_limb_m.contains_key(body)) {
             // A loop of joints ends here, too.
-            of_limb_m.insert(body.to_owned(), None);
-            way.push(body);
+            by_limb_m.insert(body.to_owned(), None);
+            passed.push(body);
             let side = Side::of_name(body);
             at = above.get(body).copied().filter(|up| side.is_none() || Side::of_name(up) == side);
         }
-        let mut longest_m = at.and_then(|body| of_limb_m.get(body).copied().flatten());
-        for body in way.into_iter().rev() {
-            longest_m = [longest_m, own_m.get(body).copied()].into_iter().flatten().reduce(f64::max);
-            of_limb_m.insert(body.to_owned(), longest_m);
+        let mut longest_m = at.and_then(|body| by_limb_m.get(body).copied().flatten());
+        for body in passed.into_iter().rev() {
+            longest_m = [longest_m, by_body_m.get(body).copied()].into_iter().flatten().reduce(f64::max);
+            by_limb_m.insert(body.to_owned(), longest_m);
         }
     }
-    of_limb_m
+    by_limb_m
 }
 
 /// The longest distance between two of `places`. Where very many are about equally far from their middle (joints on a circle), only
-/// pairs with one of the [`OUTERMOST`] are looked at. What is found is then at least 0.57 (1/√3) of the longest: the outermost place is
+/// pairs with one of the [`MOST_OUTERMOST`] are looked at. What is found is then at least 0.57 (1/√3) of the longest: the outermost place is
 /// as far out along some axis as 1/√3 of half the longest, and on the other side of the middle there is a place as far out.
 fn longest_m(places: &[DVec3]) -> Option<f64> {
     let mut places: Vec<DVec3> = places.iter().copied().filter(|place| place.is_finite()).collect();
@@ -276,7 +276,7 @@ fn longest_m(places: &[DVec3]) -> Option<f64> {
         places.into_iter().map(|place| (place.distance(middle), place)).collect();
     by_distance.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
     let mut longest: Option<f64> = None;
-    for (at, (far, a)) in by_distance.iter().enumerate().take(OUTERMOST) {
+    for (at, (far, a)) in by_distance.iter().enumerate().take(MOST_OUTERMOST) {
         for (near, b) in by_distance.iter().skip(at + 1) {
             // Far enough above rounding to lose no pair.
             if longest.is_some_and(|longest| (far + near) * (1.0 + 1e-9) < longest) {

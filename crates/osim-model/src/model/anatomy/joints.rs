@@ -5,8 +5,8 @@ use std::sync::OnceLock;
 use foldhash::HashSet;
 use glam::DVec3;
 
-use crate::model::anatomy::functions::numbers;
-use crate::model::anatomy::pose::{Motion, Speeds};
+use crate::model::anatomy::coordinate_function::numbers;
+use crate::model::anatomy::joint_motion::{JointMotion, Speeds};
 use crate::model::components::{ComponentId, Components, MAX_FRAME_CHAIN};
 use crate::model::document::Document;
 use crate::model::fault::FileId;
@@ -29,12 +29,12 @@ pub struct AnatomyJoint {
 
 impl AnatomyJoint {
     /// A point of the child, seen from the parent at the default pose, m.
-    pub(crate) fn in_parent(&self, point_m: DVec3) -> Option<DVec3> {
+    pub(crate) fn point_in_parent(&self, point_m: DVec3) -> Option<DVec3> {
         Some(self.placement?.point(point_m))
     }
 }
 
-/// A joint, to ground or between bodies, and what it takes to place one by the other.
+/// A joint, between bodies or to ground, that can compute where its child is in its parent.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModelJoint {
     pub name: String,
@@ -49,12 +49,12 @@ pub struct ModelJoint {
     element: ElementId,
     in_parent: Placement,
     in_child: Placement,
-    /// Whether it is in its child, as in documents before version 4.
+    /// Whether its element is inside that of its child, as in documents before version 4.
     in_body: bool,
-    /// Whether the child moves the parent, which such a joint may say.
+    /// Whether the child moves the parent, which joints before version 4 may say.
     reversed: bool,
     /// What its coordinates do, read when it is first placed; `None` inside if it is not understood.
-    motion: OnceLock<Option<Motion>>,
+    motion: OnceLock<Option<JointMotion>>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -72,33 +72,33 @@ impl ModelJoint {
         self.in_parent.translation_m
     }
 
-    pub(crate) fn placed(&self, components: &Components, values: &[f64]) -> Option<Placement> {
+    pub(crate) fn placement_at(&self, components: &Components, values: &[f64]) -> Option<Placement> {
         let motion = self.motion(components)?.placement(values);
         let motion = if self.reversed { motion.inverse() } else { motion };
         Some(self.in_parent.then(&motion).then(&self.in_child.inverse()))
     }
 
-    pub(crate) fn moved(
+    pub(crate) fn moving_placement_at(
         &self,
         components: &Components,
         values: &[f64],
         speeds: Speeds<'_>,
     ) -> Option<MovingPlacement> {
-        let motion = self.motion(components)?.moving(values, speeds);
+        let motion = self.motion(components)?.moving_placement(values, speeds);
         let motion = if self.reversed { motion.inverse() } else { motion };
         let still = MovingPlacement::still;
         Some(still(self.in_parent).then(&motion).then(&still(self.in_child.inverse())))
     }
 
-    pub(crate) fn motion(&self, components: &Components) -> Option<&Motion> {
+    pub(crate) fn motion(&self, components: &Components) -> Option<&JointMotion> {
         let read = || {
             let names: Vec<&str> = self.coordinates.iter().map(|one| one.name.as_str()).collect();
-            Motion::read(components.document(self.file), self.element, &names)
+            JointMotion::read(components.document(self.file), self.element, &names)
         };
         self.motion.get_or_init(read).as_ref()
     }
 
-    /// With its frames as OpenSim converts those of a joint in a body: with six digits.
+    /// The joint as OpenSim converts it: the frames of a joint before version 4 are rounded to six digits.
     pub(crate) fn converted(mut self) -> Self {
         if self.in_body {
             self.in_parent = self.in_parent.in_six_digits();
@@ -108,7 +108,7 @@ impl ModelJoint {
     }
 }
 
-/// The joints of a model, read when somebody first asks for them: several who plan a change do.
+/// The joints of a model, read once, when they are first asked for.
 #[derive(Debug, Default)]
 pub(crate) struct Joints {
     all: OnceLock<Vec<(ComponentId, ModelJoint)>>,
@@ -120,7 +120,7 @@ impl Joints {
     /// All joints of the files. One whose frames lead nowhere is left out: nothing is known of its limb then.
     pub(crate) fn read(&self, components: &Components) -> &[(ComponentId, ModelJoint)] {
         let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
-        self.all.get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_one(components, id)?))).collect())
+        self.all.get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_joint(components, id)?))).collect())
     }
 
     /// All but those that are `ignored`, with their frames as OpenSim converts them.
@@ -132,7 +132,7 @@ impl Joints {
         })
     }
 
-    pub(crate) fn ends(&self, components: &Components) -> impl Iterator<Item = (&str, DVec3)> {
+    pub(crate) fn places_on_bodies(&self, components: &Components) -> impl Iterator<Item = (&str, DVec3)> {
         self.read(components).iter().flat_map(|(_, joint)| {
             let parent = joint.parent.as_deref().map(|body| (body, joint.in_parent.translation_m));
             let child = joint.child.as_deref().map(|body| (body, joint.in_child.translation_m));
@@ -153,27 +153,27 @@ fn between_bodies(components: &Components, joint: &ModelJoint) -> Option<Anatomy
         name: joint.name.clone(),
         parent: joint.parent.clone()?,
         child: joint.child.clone()?,
-        placement: defaults.and_then(|values| joint.placed(components, &values)),
+        placement: defaults.and_then(|values| joint.placement_at(components, &values)),
         in_parent_m: joint.in_parent.translation_m,
         in_child_m: joint.in_child.translation_m,
     })
 }
 
-fn read_one(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
+fn read_joint(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
     let element = components.element(joint);
     let document = components.doc(joint);
     let old = components.tree.get(joint)?.parent.filter(|&id| components.tag(id) == "Body");
     let (parent, child) = match old {
         // A document of version 3: the joint is in its child and holds both places.
         Some(child) => {
-            let (body, on_body) = end(components, joint, "parent_frame", &["parent_body"])?;
-            let there = own(components, joint, "location_in_parent", "orientation_in_parent");
-            let here = own(components, joint, "location", "orientation");
+            let (body, on_body) = joint_end(components, joint, "parent_frame", &["parent_body"])?;
+            let there = own_placement(components, joint, "location_in_parent", "orientation_in_parent");
+            let here = own_placement(components, joint, "location", "orientation");
             ((body, on_body.then(&there)), (Some(components.name(child).into_owned()), here))
         }
         None => (
-            end(components, joint, "parent_frame", &["parent_body"])?,
-            end(components, joint, "child_frame", &["child_body"])?,
+            joint_end(components, joint, "parent_frame", &["parent_body"])?,
+            joint_end(components, joint, "child_frame", &["child_body"])?,
         ),
     };
     Some(ModelJoint {
@@ -182,7 +182,7 @@ fn read_one(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
         parent: parent.0,
         child: child.0,
         file: components.file_of(joint),
-        coordinates: coordinates(document, element).unwrap_or_else(|| unwritten(components, joint)),
+        coordinates: coordinates(document, element).unwrap_or_else(|| default_coordinates(components, joint)),
         element,
         in_parent: parent.1,
         in_child: child.1,
@@ -193,7 +193,7 @@ fn read_one(components: &Components, joint: ComponentId) -> Option<ModelJoint> {
 }
 
 /// The coordinates of a joint that are not in the file: OpenSim makes them by itself, all at 0, before the joint has its name.
-fn unwritten(components: &Components, joint: ComponentId) -> Vec<JointCoordinate> {
+fn default_coordinates(components: &Components, joint: ComponentId) -> Vec<JointCoordinate> {
     let count = match components.tag(joint) {
         "PinJoint" | "SliderJoint" => 1,
         "UniversalJoint" => 2,
@@ -213,7 +213,7 @@ fn coordinates(document: &Document, joint: ElementId) -> Option<Vec<JointCoordin
     let old = || tree.child(tree.child(joint, "CoordinateSet")?, "objects");
     let list = tree.child(joint, "coordinates").or_else(old)?;
     let coordinates = tree.children(list).filter(|&id| tree.name(id) == "Coordinate");
-    let found = coordinates
+    let coordinates = coordinates
         .map(|element| {
             let name = tree.attribute(element, "name").unwrap_or_default().into_owned();
             let default = match tree.child(element, "default_value") {
@@ -225,23 +225,23 @@ fn coordinates(document: &Document, joint: ElementId) -> Option<Vec<JointCoordin
             JointCoordinate { name, element, default }
         })
         .collect();
-    Some(found)
+    Some(coordinates)
 }
 
 /// The body at one end of a joint (`None` is ground), and the joint's frame on it.
-fn end(
+fn joint_end(
     components: &Components,
     joint: ComponentId,
     socket: &str,
     legacy: &[&str],
 ) -> Option<(Option<String>, Placement)> {
     let connectee = components.connectee(joint, socket, legacy)?;
-    let (body, placement) = on_base(components, components.frame(joint, &connectee)?.component)?;
+    let (body, placement) = placement_on_base(components, components.frame(joint, &connectee)?.component)?;
     Some((body.map(|body| components.name(body).into_owned()), placement))
 }
 
 /// The body that carries a frame (`None` is ground), and the frame on it; outer `None` if the frame leads nowhere.
-pub(crate) fn on_base(
+pub(crate) fn placement_on_base(
     components: &Components,
     frame: Option<ComponentId>,
 ) -> Option<(Option<ComponentId>, Placement)> {
@@ -253,14 +253,14 @@ pub(crate) fn on_base(
             "Ground" => return Some((None, placement)),
             _ => {}
         }
-        placement = own(components, frame, "translation", "orientation").then(&placement);
+        placement = own_placement(components, frame, "translation", "orientation").then(&placement);
         let parent = components.connectee(frame, "parent", &["parent_frame"])?;
         at = components.frame(frame, &parent)?.component;
     }
     None
 }
 
-fn own(components: &Components, owner: ComponentId, translation: &str, orientation: &str) -> Placement {
+fn own_placement(components: &Components, owner: ComponentId, translation: &str, orientation: &str) -> Placement {
     let triple = |tag| components.doc(owner).triple(components.element(owner), tag).unwrap_or([0.0; 3]);
-    Placement::of_triples(triple(orientation), triple(translation))
+    Placement::from_triples(triple(orientation), triple(translation))
 }

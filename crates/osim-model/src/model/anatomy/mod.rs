@@ -1,9 +1,9 @@
-//! What a model's bones say about its size: mesh scale factors, joint offsets, and where its contact spheres are.
+//! The parts of a model that scaling changes: mesh scale factors, joint offsets, and contact spheres.
 
 pub(crate) mod bone_sizes;
-mod functions;
+mod coordinate_function;
 pub(crate) mod joints;
-mod pose;
+mod joint_motion;
 
 use std::collections::{self, BTreeMap};
 
@@ -14,9 +14,9 @@ use crate::model::components::MAX_FRAME_CHAIN;
 use crate::model::fault::Fault;
 use crate::model::placement::{MovingPlacement, Placement, Rotation};
 use crate::model::typed_model::Model;
-pub use functions::CoordinateFunction;
+pub use coordinate_function::CoordinateFunction;
 pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
-pub use pose::Speeds;
+pub use joint_motion::Speeds;
 
 /// The part of a model that scaling changes (or should have changed), by body name.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,13 +35,13 @@ pub struct Anatomy {
     index: AnatomyIndex,
 }
 
-/// Where the first of each name is, so that looking for all of them takes no longer than reading them.
+/// Indices of bodies, spheres and joints by name: of several of one name the first.
 #[derive(Debug, Clone, Default, PartialEq)]
 struct AnatomyIndex {
     bodies: HashSet<String>,
     spheres: HashMap<String, usize>,
     /// Names that several spheres have.
-    twins: HashSet<String>,
+    repeated_spheres: HashSet<String>,
     joints: HashMap<String, usize>,
     joints_by_child: HashMap<String, usize>,
     joints_by_parent: HashMap<String, Vec<usize>>,
@@ -52,7 +52,7 @@ impl AnatomyIndex {
         let mut index = Self { bodies: anatomy.bodies.iter().cloned().collect(), ..Self::default() };
         for (at, sphere) in anatomy.spheres.iter().enumerate() {
             if *index.spheres.entry(sphere.name.clone()).or_insert(at) != at {
-                index.twins.insert(sphere.name.clone());
+                index.repeated_spheres.insert(sphere.name.clone());
             }
         }
         for (at, joint) in anatomy.joints.iter().enumerate() {
@@ -159,37 +159,37 @@ impl Anatomy {
 
     /// Where `joint` is, seen from the origin of `body` at the default pose, m; `None` unless it lies below that body, with at
     /// most 64 joints between: each joint of a long chain would walk all of it.
-    pub(crate) fn place_below(&self, body: &str, joint: &AnatomyJoint) -> Option<DVec3> {
-        self.seen_from(body, &joint.parent, joint.in_parent_m)
+    pub(crate) fn joint_place_seen_from(&self, body: &str, joint: &AnatomyJoint) -> Option<DVec3> {
+        self.point_seen_from(body, &joint.parent, joint.in_parent_m)
     }
 
     /// A point of the body `from`, seen from the body `above` at the default pose, m; `None` unless `from` hangs on that body, with
     /// at most 64 joints between.
-    pub fn seen_from(&self, above: &str, from: &str, point_m: impl Into<DVec3>) -> Option<DVec3> {
+    pub fn point_seen_from(&self, above: &str, from: &str, point_m: impl Into<DVec3>) -> Option<DVec3> {
         let (mut at, mut point) = (from, point_m.into());
         for _ in 0..=MAX_FRAME_CHAIN {
             if at == above {
                 return Some(point);
             }
             let joint = self.joint_above(at)?;
-            point = joint.in_parent(point)?;
+            point = joint.point_in_parent(point)?;
             at = &joint.parent;
         }
         None
     }
 
-    pub fn with_name(mut self, body: &str, name: &str) -> Self {
-        let renamed = |known: &mut String| {
-            if known == body {
-                name.clone_into(known);
+    pub fn with_renamed_body(mut self, body: &str, name: &str) -> Self {
+        let rename = |current: &mut String| {
+            if current == body {
+                name.clone_into(current);
             }
         };
-        self.bodies.iter_mut().for_each(renamed);
+        self.bodies.iter_mut().for_each(rename);
         for joint in &mut self.joints {
-            renamed(&mut joint.parent);
-            renamed(&mut joint.child);
+            rename(&mut joint.parent);
+            rename(&mut joint.child);
         }
-        self.spheres.iter_mut().filter_map(|sphere| sphere.body.as_mut()).for_each(renamed);
+        self.spheres.iter_mut().filter_map(|sphere| sphere.body.as_mut()).for_each(rename);
         if let Some(meshes) = self.meshes.remove(body) {
             self.meshes.insert(name.to_owned(), meshes);
         }
@@ -206,8 +206,8 @@ impl Anatomy {
     }
 
     /// Whether several spheres have that name.
-    pub(crate) fn has_twins(&self, name: &str) -> bool {
-        self.index.twins.contains(name)
+    pub(crate) fn has_several_spheres(&self, name: &str) -> bool {
+        self.index.repeated_spheres.contains(name)
     }
 }
 
@@ -220,16 +220,16 @@ impl Model {
 
     /// For the name of each coordinate, whether it is an angle (else it is a length); `None` where it is neither. Of several of one
     /// name the first counts.
-    pub(crate) fn turning_coordinates(&self) -> collections::HashMap<&str, Option<bool>> {
-        let mut found = collections::HashMap::new();
+    pub(crate) fn coordinates_are_angles(&self) -> collections::HashMap<&str, Option<bool>> {
+        let mut are_angles = collections::HashMap::new();
         for joint in self.joints() {
             let motion = joint.motion(self.components());
             for (index, coordinate) in joint.coordinates.iter().enumerate() {
-                let turns = || motion.and_then(|motion| motion.turns(index));
-                found.entry(coordinate.name.as_str()).or_insert_with(turns);
+                let is_angle = || motion.and_then(|motion| motion.is_angle(index));
+                are_angles.entry(coordinate.name.as_str()).or_insert_with(is_angle);
             }
         }
-        found
+are_angles
     }
 }
 
@@ -237,17 +237,17 @@ impl ModelJoint {
     /// The child's frame in the parent's where the coordinates have these `values` (rad, m; 0 where there are fewer); `None`
     /// where a function of the joint, or the joint itself, is not understood.
     pub fn placement(&self, model: &Model, values: &[f64]) -> Option<Placement> {
-        self.placed(model.components(), values)
+        self.placement_at(model.components(), values)
     }
 
     /// Where a body is, and how it moves, while its coordinates change with these `speeds`.
-    pub fn moving(&self, model: &Model, values: &[f64], speeds: Speeds<'_>) -> Option<MovingPlacement> {
-        self.moved(model.components(), values, speeds)
+    pub fn moving_placement(&self, model: &Model, values: &[f64], speeds: Speeds<'_>) -> Option<MovingPlacement> {
+        self.moving_placement_at(model.components(), values, speeds)
     }
 
-    /// Whether the coordinate number `index` of a CustomJoint turns about an axis by its own value (else it shifts along one); `None`
-    /// where it is neither an angle nor a length.
-    pub fn pure_axis(&self, model: &Model, index: usize) -> Option<bool> {
-        self.motion(model.components())?.pure_axis(index)
+/// For the coordinate number `index` of a CustomJoint: `true` if it is the angle of a rotation about an axis, `false` if it is a
+    /// distance along one, `None` if it is neither.
+    pub fn is_pure_rotation(&self, model: &Model, index: usize) -> Option<bool> {
+        self.motion(model.components())?.is_pure_rotation(index)
     }
 }

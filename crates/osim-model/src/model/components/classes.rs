@@ -1,7 +1,7 @@
 //! The component classes OpenSim knows, and which sets of a model count beside one that stands alone.
 
 /// Subclasses of `Component` in the Python package `opensim` 4.6, sorted.
-const KNOWN: &[&str] = &[
+const COMPONENT_CLASSES: &[&str] = &[
     "AbstractGeometryPath",
     "AbstractPathPoint",
     "AbstractReporter",
@@ -187,24 +187,24 @@ const KNOWN: &[&str] = &[
 ];
 
 /// Whether OpenSim 4.6 reads components of this class.
-pub(super) fn is_known(tag: &str) -> bool {
-    KNOWN.binary_search(&tag).is_ok()
+pub(super) fn is_component_class(tag: &str) -> bool {
+    COMPONENT_CLASSES.binary_search(&tag).is_ok()
 }
 
-/// Which sets of a model count: beside a set that stands alone, others are in its place.
+/// Which sets of a model file count: those that stand in files of their own replace them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Counted {
+pub(super) enum CountedSets {
     All,
-    /// Only where spheres are: of a model given as geometry, with another that has masses and joints.
+    /// Only the contact geometry: of a model that is given for its spheres, beside another with masses and joints.
     Geometry,
-    /// All but forces, which the set has.
+    /// All but forces, which are in the set that stands alone.
     AllButForces,
     /// All but forces and contact geometry, which other files have.
     Bodies,
 }
 
-impl Counted {
-    /// Of the file `index` of `count` that are given beside a set: first geometry, then the model.
+impl CountedSets {
+    /// For file number `index` of the `count` files that are given beside a set: first comes the geometry, then the model.
     pub(super) fn beside_set(index: usize, count: usize) -> Self {
         match (index, count) {
             (0, 1) => Self::AllButForces,
@@ -214,7 +214,7 @@ impl Counted {
     }
 
     /// Whether this set of a model counts.
-    pub(super) fn has(self, set: &str) -> bool {
+    pub(super) fn includes(self, set: &str) -> bool {
         match self {
             Self::All => true,
             Self::Geometry => set == "ContactGeometrySet",
@@ -229,8 +229,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_list_is_sorted() {
-        assert!(KNOWN.is_sorted());
-        assert!(is_known("SmoothSphereHalfSpaceForce") && is_known("Body") && !is_known("MyContacts"));
+    fn the_component_classes_are_sorted() {
+        assert!(COMPONENT_CLASSES.is_sorted());
+        assert!(is_component_class("SmoothSphereHalfSpaceForce") && is_component_class("Body") && !is_component_class("MyContacts"));
     }
 }

@@ -8,7 +8,7 @@ mod tree;
 
 use std::borrow::Cow;
 
-use crate::model::components::classes::Counted;
+use crate::model::components::classes::CountedSets;
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FaultKind, FileId};
 use crate::xml::ElementId;
@@ -28,11 +28,11 @@ pub struct Companion {
 pub struct Components {
     main: Document,
     companions: Vec<Companion>,
-    /// Their objects.
+    /// The objects of all these files.
     pub tree: ComponentTree,
 }
 
-/// What a socket says: the text and where it is.
+/// The text of a socket, and where it is.
 #[derive(Debug, Clone)]
 pub(crate) struct Connectee {
     pub text: String,
@@ -50,7 +50,7 @@ pub(crate) enum Base {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Found {
+pub(crate) struct FoundFrame {
     /// `None` is ground, which no file spells out.
     pub component: Option<ComponentId>,
     /// Whether the path as written led nowhere, so that the only component with that last segment was taken.
@@ -67,13 +67,13 @@ pub(crate) const MAX_FRAME_CHAIN: usize = 64;
 impl Components {
     pub(crate) fn new(main: Document, companions: Vec<Companion>) -> Self {
         let mut tree = ComponentTree::default();
-        tree.add(FileId::MAIN, &main, None, Counted::All);
+        tree.add(FileId::MAIN, &main, None, CountedSets::All);
         let beside = companions.iter().filter(|companion| companion.included_by.is_none()).count();
         for (index, companion) in companions.iter().enumerate() {
             let mount = companion.included_by.and_then(|element| component_above(&main, &tree, element));
             let counted = match companion.included_by {
-                Some(_) => Counted::All,
-                None => Counted::beside_set(index, beside),
+                Some(_) => CountedSets::All,
+                None => CountedSets::beside_set(index, beside),
             };
             tree.add(FileId::companion(index), &companion.document, mount, counted);
         }
@@ -127,17 +127,17 @@ impl Components {
         self.doc(id).tree().attribute(self.element(id), "name").unwrap_or_default()
     }
 
-    /// What `owner` says about its socket, in whichever spelling its document version has; `<defaults>` may say it too.
+    /// The text of a socket of `owner`, in any spelling of any document version, else that in `<defaults>`.
     pub(crate) fn connectee(&self, owner: ComponentId, socket: &str, legacy: &[&str]) -> Option<Connectee> {
         let document = self.doc(owner);
-        let own = self.element(owner);
-        let of = |element| self.connectee_of(document, element, socket, legacy);
-        of(own).or_else(|| of(document.defaults_of(own)?))
+        let owner_element = self.element(owner);
+        let in_element = |element| self.connectee_of(document, element, socket, legacy);
+        in_element(owner_element).or_else(|| in_element(document.defaults_of(owner_element)?))
     }
 
     /// # Errors
     /// The text of a socket, or of a place, with something in the middle of it, which OpenSim refuses.
-    pub(crate) fn check_texts(&self) -> Result<(), Fault> {
+    pub(crate) fn refuse_broken_texts(&self) -> Result<(), Fault> {
         let is_checked = |tag: &str| {
             ["socket_", "connector_"].iter().any(|spelling| tag.starts_with(spelling))
                 || ["mass_center", "body_name"].contains(&tag)
@@ -152,7 +152,7 @@ impl Components {
                     // OpenSim reads the first of a name.
                     && tree.child(element, tag) == Some(child)
                 {
-                    return Err(fault.of(self.tree.path(id)).in_file(self.file_of(id)));
+                    return Err(fault.at_element(self.tree.path(id)).in_file(self.file_of(id)));
                 }
             }
         }
@@ -201,7 +201,7 @@ impl Components {
             return Some((id, false));
         }
         let last = text.rsplit('/').next().unwrap_or(text);
-        let mut named = self.tree.named(last, &accept);
+        let mut named = self.tree.with_name(last, &accept);
         let only = named.next()?;
         named.next().is_none().then_some((only, true))
     }
@@ -211,21 +211,21 @@ impl Components {
         tag == "Body" || tag == "Ground" || tag.ends_with("Frame")
     }
 
-    pub(crate) fn frame(&self, owner: ComponentId, connectee: &Connectee) -> Option<Found> {
+    pub(crate) fn frame(&self, owner: ComponentId, connectee: &Connectee) -> Option<FoundFrame> {
         let text = connectee.text.as_str();
         let exact = self.tree.at_path(owner, text).filter(|&id| self.is_frame(id));
         if exact.is_none() && (text == "ground" || text.ends_with("/ground")) {
             // Ground is at the top of every model, whether the file spells it out or not.
-            let exact = connectee.legacy || self.tree.absolute(owner, text).as_deref() == Some("/ground");
-            return Some(Found { component: None, by_name: !exact });
+            let exact = connectee.legacy || self.tree.absolute_path(owner, text).as_deref() == Some("/ground");
+            return Some(FoundFrame { component: None, by_name: !exact });
         }
         // Documents that name bodies mean those of the BodySet.
         let body = || self.tree.at_path(owner, &format!("/bodyset/{text}")).filter(|&id| self.is_frame(id));
         if let Some(component) = connectee.legacy.then(body).flatten() {
-            return Some(Found { component: Some(component), by_name: false });
+            return Some(FoundFrame { component: Some(component), by_name: false });
         }
         let (component, by_name) = self.resolve(owner, text, |id| self.is_frame(id))?;
-        Some(Found { component: Some(component), by_name: by_name && !connectee.legacy })
+        Some(FoundFrame { component: Some(component), by_name: by_name && !connectee.legacy })
     }
 
     /// Whether it is the body that older documents have for ground.
@@ -265,7 +265,7 @@ impl Components {
         let path = self.tree.path(owner);
         let kind = FaultKind::Unresolved { owner: path.clone(), connectee: connectee.to_owned(), wanted };
         let span = self.doc(owner).tree().open_span(self.element(owner));
-        Fault::over(kind, span).of(path).in_file(self.file_of(owner))
+        Fault::at_span(kind, span).at_element(path).in_file(self.file_of(owner))
     }
 
     /// Line of an object's start tag.
@@ -279,7 +279,7 @@ fn component_above(main: &Document, components: &ComponentTree, element: Element
     let tree = main.tree();
     let mut at = tree.parent(element);
     while let Some(id) = at {
-        if let Some(component) = components.of_element(FileId::MAIN, id) {
+        if let Some(component) = components.component_at(FileId::MAIN, id) {
             return Some(component);
         }
         at = tree.parent(id);

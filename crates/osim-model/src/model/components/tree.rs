@@ -9,7 +9,7 @@ use std::sync::{Arc, OnceLock};
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
-use crate::model::components::classes::{self, Counted};
+use crate::model::components::classes::{self, CountedSets};
 use crate::model::document::Document;
 use crate::model::fault::FileId;
 use crate::xml::ElementId;
@@ -36,27 +36,27 @@ pub struct Component {
     pub parent: Option<ComponentId>,
     /// Last segment of the path: OpenSim's name of it, numbered where siblings share a name.
     pub segment: Arc<str>,
-    /// The name that it would have alone, where it was numbered.
-    pub shared: Option<Arc<str>>,
+    /// The name without the number, where siblings share a name.
+    pub unnumbered_name: Option<Arc<str>>,
     /// Whether it is in `<components>`, which OpenSim reads before all other properties.
     is_member: bool,
-    children: Children,
+    children: ChildList,
     next: Option<ComponentId>,
 }
 
 /// The children of a component, in the order of the files.
 #[derive(Debug, Clone, Copy, Default)]
-struct Children {
+struct ChildList {
     count: u32,
     first: Option<ComponentId>,
     last: Option<ComponentId>,
-    /// Whether they are in `by_parent`.
+    /// Whether these children are in [`ComponentTree::by_parent`].
     are_listed: bool,
 }
 
 /// Up to so many children are looked through for one of them; more of them are looked up.
 const FEW_CHILDREN: u32 = 12;
-/// Objects on the way from the root to most others, and to themselves.
+/// The depth of most objects below the root, to allocate paths at once.
 const USUAL_DEPTH: usize = 4;
 
 /// All components of the files read together, with look-up by path and by name.
@@ -66,10 +66,10 @@ pub struct ComponentTree {
     roots: Vec<ComponentId>,
     /// The children, by their segments, of objects that have many or whose children are numbered.
     by_parent: HashMap<ComponentId, HashMap<Arc<str>, ComponentId>>,
-    /// All of them by the names that they would have alone, once somebody asks for one by name.
+    /// All components by their names without numbers, made at the first look-up by name.
     by_name: OnceLock<HashMap<Arc<str>, Vec<ComponentId>>>,
-    /// Objects of which two children share a name, so that these are to be numbered.
-    crowded: HashSet<ComponentId>,
+    /// Objects of which two children share a name, so that these have to be numbered.
+    with_repeated_names: HashSet<ComponentId>,
     /// Members of `<components>` of a class that OpenSim does not know: file and element.
     pub skipped: Vec<(FileId, ElementId)>,
 }
@@ -92,7 +92,7 @@ impl ComponentTree {
         file: FileId,
         document: &Document,
         mount: Option<ComponentId>,
-        counted: Counted,
+        counted: CountedSets,
     ) {
         self.by_name = OnceLock::new();
         let (tree, is_model) = (document.tree(), document.is_model());
@@ -109,12 +109,12 @@ impl ComponentTree {
                 Role::Nothing
             } else if is_root {
                 Role::Object(self.push_root(file, document, mount))
-            } else if is_model && parent == document.data_root() && !counted.has(tag) {
+            } else if is_model && parent == document.data_root() && !counted.includes(tag) {
                 Role::Nothing
             } else {
                 match above {
                     Role::Nothing => Role::Nothing,
-                    Role::Components(_) if !classes::is_known(tag) => {
+                    Role::Components(_) if !classes::is_component_class(tag) => {
                         self.skipped.push((file, id));
                         Role::Nothing
                     }
@@ -201,20 +201,20 @@ impl ComponentTree {
         match parent {
             None => self.roots.push(id),
             Some(owner) if self.child(owner, &segment).is_some() => {
-                self.crowded.insert(owner);
+                self.with_repeated_names.insert(owner);
             }
             Some(_) => {}
         }
-        let (children, next) = (Children::default(), None);
-        self.list.push(Component { file, element, parent, segment, shared: None, is_member, children, next });
+        let (children, next) = (ChildList::default(), None);
+        self.list.push(Component { file, element, parent, segment, unnumbered_name: None, is_member, children, next });
         if let Some(owner) = parent {
-            self.hang(owner, id);
+            self.append_child(owner, id);
         }
         id
     }
 
     /// Makes `id` the last child of `owner`.
-    fn hang(&mut self, owner: ComponentId, id: ComponentId) {
+    fn append_child(&mut self, owner: ComponentId, id: ComponentId) {
         let Some(Component { children, .. }) = self.list.get_mut(owner.0 as usize) else { return };
         let last = children.last.replace(id);
         children.first = children.first.or(Some(id));
@@ -245,11 +245,11 @@ impl ComponentTree {
 
     /// OpenSim calls the second of two siblings `f` `f_0`, the third `f_1`, in the order in which it reads them.
     fn number_siblings(&mut self) {
-        let crowded = std::mem::take(&mut self.crowded);
-        if crowded.is_empty() {
+        let with_repeated_names = std::mem::take(&mut self.with_repeated_names);
+        if with_repeated_names.is_empty() {
             return;
         }
-        for owner in crowded.into_iter().collect::<BTreeSet<ComponentId>>() {
+        for owner in with_repeated_names.into_iter().collect::<BTreeSet<ComponentId>>() {
             let mut children: Vec<(bool, ComponentId)> =
                 self.children(owner).map(|(id, object)| (!object.is_member, id)).collect();
             children.sort_by_key(|(is_later, _)| *is_later);
@@ -267,7 +267,7 @@ impl ComponentTree {
         for &id in children {
             let Some(object) = self.list.get_mut(id.0 as usize) else { continue };
             // What an earlier file numbered is numbered again, with what this one has.
-            let name = object.shared.take().unwrap_or_else(|| Arc::clone(&object.segment));
+            let name = object.unnumbered_name.take().unwrap_or_else(|| Arc::clone(&object.segment));
             object.segment = Arc::clone(&name);
             if by_segment.contains_key(&name) {
                 let tried = tried.entry(Arc::clone(&name)).or_default();
@@ -278,7 +278,7 @@ impl ComponentTree {
                     }
                     *tried += 1;
                 }
-                object.shared = Some(name);
+                object.unnumbered_name = Some(name);
             }
             by_segment.entry(Arc::clone(&object.segment)).or_insert(id);
         }
@@ -299,7 +299,7 @@ impl ComponentTree {
     }
 
     /// The object that is written as `element` of `file`.
-    pub(crate) fn of_element(&self, file: FileId, element: ElementId) -> Option<ComponentId> {
+    pub(crate) fn component_at(&self, file: FileId, element: ElementId) -> Option<ComponentId> {
         // Components of one file are in element order.
         let start = self.list.partition_point(|object| object.file < file);
         let end = self.list.partition_point(|object| object.file <= file);
@@ -328,7 +328,7 @@ impl ComponentTree {
     }
 
     /// The data root of the model.
-    pub(crate) fn first(&self) -> Option<ComponentId> {
+    pub(crate) fn data_root(&self) -> Option<ComponentId> {
         (!self.list.is_empty()).then_some(ComponentId(0))
     }
 
@@ -355,7 +355,7 @@ impl ComponentTree {
             // The path may lead out of a set that stands alone, into the model beside it.
             None => self.walk(owner, path).or_else(|| match self.roots.as_slice() {
                 [_] => None,
-                _ => self.at_path(owner, &self.absolute(owner, path)?),
+                _ => self.at_path(owner, &self.absolute_path(owner, path)?),
             }),
         }
     }
@@ -374,7 +374,7 @@ impl ComponentTree {
     }
 
     /// The absolute path that `path` means, seen from `owner`; it need not lead anywhere.
-    pub(crate) fn absolute(&self, owner: ComponentId, path: &str) -> Option<String> {
+    pub(crate) fn absolute_path(&self, owner: ComponentId, path: &str) -> Option<String> {
         if path.starts_with('/') {
             return Some(path.to_owned());
         }
@@ -390,7 +390,7 @@ impl ComponentTree {
         Some(format!("/{}", segments.join("/")))
     }
 
-    /// As OpenSim goes: a step and the `..` after it are nothing, whether the step leads anywhere or not.
+    /// Follows a relative path as OpenSim does: a step and the `..` after it cancel, whether the step leads anywhere or not.
     fn walk(&self, from: ComponentId, path: &str) -> Option<ComponentId> {
         let segments = || path.split('/').filter(|segment| !segment.is_empty() && *segment != ".");
         if !path.as_bytes().windows(2).any(|pair| pair == b"..") {
@@ -408,7 +408,7 @@ impl ComponentTree {
     }
 
     /// All objects with this last segment that pass `accept`.
-    pub(crate) fn named<'s>(
+    pub(crate) fn with_name<'s>(
         &'s self,
         name: &str,
         accept: impl Fn(ComponentId) -> bool + 's,
@@ -416,7 +416,7 @@ impl ComponentTree {
         let by_name = self.by_name.get_or_init(|| {
             let mut by_name: HashMap<Arc<str>, Vec<ComponentId>> = HashMap::new();
             for (id, object) in self.iter() {
-                let name = object.shared.as_ref().unwrap_or(&object.segment);
+                let name = object.unnumbered_name.as_ref().unwrap_or(&object.segment);
                 by_name.entry(Arc::clone(name)).or_default().push(id);
             }
             by_name

@@ -45,7 +45,7 @@ impl SetId {
     }
 }
 
-/// Where the text of a property is, or the object that would get it.
+/// Where the text of a property is in a file, or the object to which the property would be added.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Slot {
     pub file: FileId,
@@ -75,7 +75,7 @@ pub struct Sphere {
     pub frame: String,
     /// Name of the body that carries the frame; `None` is ground or a body in a file that was not given.
     pub body: Option<String>,
-    /// Whether it is on ground or on a body welded to ground: scenery, which counts nowhere and is never changed.
+    /// Whether it is on ground or on a body welded to ground: such a sphere counts in nothing and is never changed.
     pub fixed: bool,
     /// Line of its element, from 1.
     pub line: usize,
@@ -97,7 +97,7 @@ impl Sphere {
     /// # Errors
     /// A text that is not a plain number, or a number outside its domain, with its place.
     pub fn radius_m(&self) -> Result<f64, Fault> {
-        self.radius.checked().map_err(|fault| fault.of(self.path.clone()).in_file(self.file))
+        self.radius.checked().map_err(|fault| fault.at_element(self.path.clone()).in_file(self.file))
     }
 
     pub const fn element(&self) -> ElementId {
@@ -235,13 +235,13 @@ impl Force {
             let mut seen = HashSet::new();
             return all().filter(|&sphere| seen.insert(sphere)).collect();
         }
-        let mut found = Vec::with_capacity(all().count());
+        let mut spheres = Vec::with_capacity(all().count());
         for sphere in all() {
-            if !found.contains(&sphere) {
-                found.push(sphere);
+            if !spheres.contains(&sphere) {
+                spheres.push(sphere);
             }
         }
-        found
+spheres
     }
 
     /// A parameter set; `None` if there is none: then the handle is another force's.
@@ -259,13 +259,13 @@ impl Force {
     /// The number of `property` in its own unit, if it can be scaled; `None` where the class has no such property.
     pub fn checked(&self, set: SetId, property: Property) -> Result<Option<f64>, Fault> {
         let Some(value) = self.value(set, property) else { return Ok(None) };
-        value.checked().map(Some).map_err(|fault| fault.of(self.path.clone()).in_file(self.file))
+        value.checked().map(Some).map_err(|fault| fault.at_element(self.path.clone()).in_file(self.file))
     }
 
     /// Where `property` of parameter set `set`, or of the force itself, is; `None` where the class has no such property.
     pub fn slot(&self, set: SetId, property: Property) -> Option<Slot> {
-        let own = self.set(set).and_then(|set| Some((set, set.value(property)?)));
-        let (value, object, class) = match own {
+        let in_set = self.set(set).and_then(|set| Some((set, set.value(property)?)));
+        let (value, object, class) = match in_set {
             Some((set, value)) => (value, set.element, set.class),
             None if self.transition_velocity.property == property => {
                 (&self.transition_velocity, self.element, Class::HuntCrossleyForce)

@@ -10,7 +10,7 @@ use crate::model::property::Class;
 use crate::xml::ElementId;
 
 /// Components of a unit vector below this are what rounding left.
-const NOISE: f64 = 1e-12;
+const ROUNDING: f64 = 1e-12;
 
 #[derive(Debug, Clone)]
 pub struct HalfSpace {
@@ -55,13 +55,13 @@ pub struct FrameProperty {
 }
 
 impl HalfSpace {
-    /// The half-space that `id` is or keeps inside itself, by the names of its socket and of its place; `turned` is how it is turned
-    /// that says nothing of it, rad.
+/// Reads the half-space that the component `id` is, or has inside itself. The names are those of its socket, its location and its
+    /// orientation; `default_angles` (rad) count if it has no orientation.
     pub(super) fn read(
         components: &Components,
         id: ComponentId,
         (socket, legacy): (&str, &[&str]),
-        (location, orientation, turned): (&'static str, &'static str, [f64; 3]),
+        (location, orientation, default_angles): (&'static str, &'static str, [f64; 3]),
     ) -> Option<Self> {
         let (document, element) = (components.doc(id), components.element(id));
         let connectee = components.connectee(id, socket, legacy)?;
@@ -71,10 +71,10 @@ impl HalfSpace {
             Some(_) => document.triple(element, location),
             None => Some([0.0; 3]),
         };
-        let own = Orientation::read(components, id, orientation, turned);
+        let own_orientation = Orientation::read(components, id, orientation, default_angles);
         let frame_rotation = components.rotation_to_base(frame);
         // The solid is where x is above 0 in the half-space's own frame.
-        let normal = own.angles_rad.zip(frame_rotation).map(|(angles, turned)| {
+        let normal = own_orientation.angles_rad.zip(frame_rotation).map(|(angles, turned)| {
             turned.after(&Rotation::body_fixed_xyz(angles)).to_body([-1.0, 0.0, 0.0])
         });
         let offsets = components.offset_frames(frame).into_iter();
@@ -96,9 +96,9 @@ impl HalfSpace {
                 Base::Ground | Base::Unknown => None,
             },
             normal: normal.filter(|normal| normal.is_finite()),
-            point_m: place.and_then(|point| components.in_body(frame, point)),
+            point_m: place.and_then(|point| components.point_in_body(frame, point)),
             frame_rotation,
-            orientations: std::iter::once(own).chain(above).collect(),
+            orientations: std::iter::once(own_orientation).chain(above).collect(),
             frame: frame_property,
             file: components.file_of(id),
             line: components.line(id),
@@ -120,19 +120,19 @@ impl HalfSpace {
         let (place, normal) = (self.location_m?, self.normal?);
         let in_frame = self.frame_rotation?.inverse().to_body(normal);
         // What rounding left of a turned normal moves nothing.
-        Some((DVec3::from(place) + up_m * in_frame.map(without_noise)).to_array())
+        Some((DVec3::from(place) + up_m * in_frame.map(without_rounding)).to_array())
     }
 
-    /// Its own orientation, rad, with which its normal would have this `direction` of ground or of the body that carries it.
+    /// The orientation of the half-space, rad, at which its normal has this `direction` in ground or in the body that carries it.
     pub(crate) fn orientation_facing(&self, direction: DVec3) -> Option<[f64; 3]> {
         let in_frame = self.frame_rotation?.inverse().to_body(direction);
         // What rounding left would turn it about y by any angle.
-        Some(Orientation::facing(in_frame.map(without_noise).to_array()))
+        Some(Orientation::facing(in_frame.map(without_rounding).to_array()))
     }
 }
 
-fn without_noise(part: f64) -> f64 {
-    if part.abs() < NOISE { 0.0 } else { part }
+fn without_rounding(part: f64) -> f64 {
+    if part.abs() < ROUNDING { 0.0 } else { part }
 }
 
 /// Where the place of a half-space is, or the object that would get it: itself, or the force that keeps it inside.
@@ -158,7 +158,7 @@ impl PartialEq for HalfSpace {
     }
 }
 
-// How half-spaces and frames are turned, as files say it.
+// The orientations of half-spaces and frames, as files have them.
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Orientation {
@@ -173,12 +173,12 @@ pub struct Orientation {
 }
 
 /// An angle beyond this, rad, is in degrees. OpenSim itself writes no angle beyond π.
-const WHOLE_TURN: f64 = std::f64::consts::TAU + 0.01;
+const LARGEST_RADIANS: f64 = std::f64::consts::TAU + 0.01;
 
 impl Orientation {
     /// Whether its angles are degrees: one of them is more than a whole turn in radians.
     pub fn is_in_degrees(&self) -> bool {
-        self.angles_rad.is_some_and(|angles| angles.iter().any(|angle| angle.abs() > WHOLE_TURN))
+        self.angles_rad.is_some_and(|angles| angles.iter().any(|angle| angle.abs() > LARGEST_RADIANS))
     }
 
     /// The angles of a half-space whose surface faces `direction` (of length 1) of its frame: a turn about y, then one about z. Its
@@ -186,7 +186,7 @@ impl Orientation {
     pub fn facing([x, y, z]: [f64; 3]) -> [f64; 3] {
         let level = libm::sqrt(x * x + z * z);
         let about_y = if level > 0.0 { libm::atan2(z, -x) } else { 0.0 };
-        // A minus before a zero would only raise questions.
+        // No -0, which would only raise questions.
         [0.0, about_y + 0.0, libm::atan2(-y, level) + 0.0]
     }
 
@@ -216,7 +216,7 @@ mod tests {
     use crate::model::placement::Rotation;
 
     #[test]
-    fn the_solid_side_is_below() {
+    fn the_solid_side_of_a_facing_orientation_is_below() {
         assert_eq!(Orientation::facing([0.0, 1.0, 0.0]), [0.0, 0.0, -FRAC_PI_2]);
         assert_eq!(Orientation::facing([-0.0, 1.0, -0.0]), [0.0, 0.0, -FRAC_PI_2]);
         assert_eq!(Orientation::facing([0.0, 0.0, 1.0]), [0.0, FRAC_PI_2, 0.0]);
@@ -233,7 +233,7 @@ mod tests {
 
     #[test]
     fn an_angle_beyond_a_whole_turn_is_in_degrees() {
-        let of = |z: f64| Orientation {
+        let turned_about_z = |z: f64| Orientation {
             path: "/contactgeometryset/floor".to_owned(),
             tag: "orientation",
             line: 1,
@@ -242,12 +242,12 @@ mod tests {
         };
         // A quarter turn, three of them, and a whole one, also rounded up.
         for radians in [-FRAC_PI_2, 3.0 * FRAC_PI_2, 2.0 * PI, -2.0 * PI - 1e-5] {
-            assert!(!of(radians).is_in_degrees(), "{radians}");
+            assert!(!turned_about_z(radians).is_in_degrees(), "{radians}");
         }
         for degrees in [-90.0, 90.0, 180.0, -10.0] {
-            assert!(of(degrees).is_in_degrees(), "{degrees}");
+            assert!(turned_about_z(degrees).is_in_degrees(), "{degrees}");
         }
-        let unread = Orientation { angles_rad: None, ..of(0.0) };
+        let unread = Orientation { angles_rad: None, ..turned_about_z(0.0) };
         assert!(!unread.is_in_degrees());
     }
 }

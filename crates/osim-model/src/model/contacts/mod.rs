@@ -3,7 +3,7 @@
 
 mod force;
 mod half_space;
-mod places;
+mod planes;
 mod read;
 
 use std::collections::BTreeMap;
@@ -16,7 +16,7 @@ use crate::model::{Fault, Model, Property};
 use crate::xml::opensim_text;
 pub use force::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
 pub use half_space::{FrameProperty, HalfSpace, Orientation};
-pub use places::GroundPlane;
+pub use planes::GroundPlane;
 pub(crate) use read::ContactReader;
 pub use read::Irregularity;
 
@@ -86,7 +86,7 @@ pub fn contact_of_pair(
     set: SetId,
     plane: SetId,
 ) -> Result<Contact, Fault> {
-    contact_of_values(force, surfaces.together(set, plane)?, set)
+    contact_of_values(force, surfaces.mixed(set, plane)?, set)
 }
 
 fn contact_of_values(force: &Force, values: SurfaceValues, set: SetId) -> Result<Contact, Fault> {
@@ -103,10 +103,10 @@ fn contact_of_values(force: &Force, values: SurfaceValues, set: SetId) -> Result
         _ => None,
     };
     Contact::new(ContactValues { plane_strain_modulus, dissipation, smoothing })
-        .map_err(|error| Fault::new(error).of(force.path.clone()))
+        .map_err(|error| Fault::new(error).at_element(force.path.clone()))
 }
 
-// Surfaces with parameters of their own, and what they make together (A.3).
+// Surfaces with parameters of their own, and their mixture (A.3).
 
 /// Parameter sets that hold moving spheres, with those spheres.
 pub fn sphere_sets(model: &Model, force: &Force) -> Vec<(SetId, Vec<SphereId>)> {
@@ -125,7 +125,7 @@ pub struct Surfaces {
 }
 
 impl Surfaces {
-    /// Reads them.
+    /// Reads modulus and dissipation of every parameter set of `force`.
     pub fn of(force: &Force) -> Result<Self, Fault> {
         let mut sets = Vec::new();
         for set in force.sets.iter().map(|set| set.id) {
@@ -138,22 +138,22 @@ impl Surfaces {
 
     /// E₁* of two equal surfaces that would touch as set `set` and the plane do, and the mixed α; (A.3), (A.4).
     pub fn with_plane(&self, set: SetId) -> Result<SurfaceValues, Fault> {
-        self.together(set, self.plane.unwrap_or(set))
+        self.mixed(set, self.plane.unwrap_or(set))
     }
 
-    /// The values for the sets `set` and `plane`.
-    pub fn together(&self, set: SetId, plane: SetId) -> Result<SurfaceValues, Fault> {
+    /// The values of two equal surfaces that would touch as those of the sets `set` and `plane` do; (A.3), (A.4).
+    pub fn mixed(&self, set: SetId, plane: SetId) -> Result<SurfaceValues, Fault> {
         const NONE: SurfaceValues = SurfaceValues { plane_strain_modulus: f64::NAN, dissipation: 0.0 };
-        let own = self.sets.get(set.index()).copied().unwrap_or(NONE);
-        let plane = self.sets.get(plane.index()).copied().unwrap_or(own);
-        if own == plane {
-            return Ok(own);
+        let surface = self.sets.get(set.index()).copied().unwrap_or(NONE);
+        let plane = self.sets.get(plane.index()).copied().unwrap_or(surface);
+        if surface == plane {
+            return Ok(surface);
         }
-        let composite = modulus::composite_sherman(own.plane_strain_modulus, plane.plane_strain_modulus)
+        let composite = modulus::composite_sherman(surface.plane_strain_modulus, plane.plane_strain_modulus)
             .map_err(Fault::new)?;
         let plane_strain_modulus =
             modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(Fault::new)?;
-        let dissipation = modulus::mixed_dissipation(own, plane).map_err(Fault::new)?;
+        let dissipation = modulus::mixed_dissipation(surface, plane).map_err(Fault::new)?;
         Ok(SurfaceValues { plane_strain_modulus, dissipation })
     }
 }
@@ -199,13 +199,13 @@ impl Model {
     }
 }
 
-// Contacts of classes that are not Hertz's, if they share spheres with those that are.
+// Contact forces of other classes that use the same spheres.
 
 const ELASTIC_FOUNDATION_PARAMETERS: &str = "ElasticFoundationForce::ContactParameters";
 
 impl Model {
     /// For each sphere name, the forces of other contact classes whose geometry lists it.
-    pub fn users_of_other_classes(&self) -> HashMap<String, Vec<String>> {
+    pub fn forces_of_other_classes(&self) -> HashMap<String, Vec<String>> {
         let components = self.components();
         let mut users: HashMap<String, Vec<String>> = HashMap::new();
         let foundations =

@@ -25,14 +25,14 @@ enum Surface {
     Other,
 }
 
-/// What is read although it is written wrongly: OpenSim may read something else.
+/// Something that was read although it is written wrongly: OpenSim may read something else.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Irregularity {
     /// The path in `text` of the component `owner` leads nowhere: the only one of that name was taken.
     TakenByName {
         /// Path of the component that names another one.
         owner: String,
-        /// What it says.
+        /// The path as written.
         text: String,
         /// Path of the component that was taken.
         taken: String,
@@ -74,7 +74,7 @@ impl<'r> ContactReader<'r> {
 
     /// All spheres first, then all forces, each in file order.
     pub(crate) fn read(&mut self) -> Result<(), Fault> {
-        self.components.check_texts()?;
+        self.components.refuse_broken_texts()?;
         for (id, _) in self.components.tree.iter() {
             if self.components.tag(id) == "ContactSphere" {
                 self.add_sphere(id)?;
@@ -94,7 +94,7 @@ impl<'r> ContactReader<'r> {
         let (document, element) = (self.components.doc(id), self.components.element(id));
         let frame = self.attachment(id, "frame", &["body_name"])?;
         let radius = document.value(element, Class::ContactSphere, Property::Radius, "radius");
-        let location = document.whole_triple(element, "location").map_err(|fault| self.said_of(id, fault))?;
+        let location = document.whole_triple(element, "location").map_err(|fault| self.with_place(id, fault))?;
         let location_m = location.unwrap_or([0.0; 3]);
         let name = self.components.name(id).into_owned();
         self.push_sphere(id, name, radius, location_m, frame, SphereSpelling::ContactSphere);
@@ -150,8 +150,8 @@ impl<'r> ContactReader<'r> {
         };
         let Some(found) = self.components.frame(id, &connectee) else {
             // A geometry set that stands alone points into a model that may not have been read.
-            let alone = self.components.tag(self.components.tree.root_of(id)) != "Model";
-            return if alone {
+            let is_standalone_set = self.components.tag(self.components.tree.root_of(id)) != "Model";
+            return if is_standalone_set {
                 Ok(Attachment { path: connectee.text, base: Base::Unknown, component: None })
             } else {
                 Err(self.components.unresolved(id, &connectee.text, "frame it is attached to"))
@@ -193,11 +193,11 @@ impl<'r> ContactReader<'r> {
     ) -> Result<Surface, Fault> {
         let accept = |id: ComponentId| {
             let tag = self.components.tag(id);
-            socket.map_or_else(|| GEOMETRY.contains(&tag), |class| class == tag)
+            socket.map_or_else(|| GEOMETRY_CLASSES.contains(&tag), |class| class == tag)
         };
         let (id, by_name) = match socket {
             // In a `<geometry>` list: a path from the model, then a member of its geometry set.
-            None => self.in_model(text, accept).map(|id| (id, false)),
+            None => self.geometry_in_model(text, accept).map(|id| (id, false)),
             Some(_) => None,
         }
         .or_else(|| self.components.resolve(force, text, accept))
@@ -217,8 +217,8 @@ impl<'r> ContactReader<'r> {
         }
     }
 
-    fn in_model(&self, name: &str, accept: impl Fn(ComponentId) -> bool) -> Option<ComponentId> {
-        let root = self.components.tree.first()?;
+    fn geometry_in_model(&self, name: &str, accept: impl Fn(ComponentId) -> bool) -> Option<ComponentId> {
+        let root = self.components.tree.data_root()?;
         let from_root = self.components.tree.at_path(root, name).filter(|&id| accept(id));
         let in_set = || self.components.tree.at_path(root, &format!("/contactgeometryset/{name}"));
         from_root.or_else(|| in_set().filter(|&id| accept(id)))
@@ -228,13 +228,13 @@ impl<'r> ContactReader<'r> {
     fn applies(&self, id: ComponentId) -> Result<bool, Fault> {
         let (document, element) = (self.components.doc(id), self.components.element(id));
         let tree = document.tree();
-        let in_words = |element| -> Result<bool, Fault> { Ok(!is_disabled(&document.whole_text(element)?)) };
+        let is_enabled = |element| -> Result<bool, Fault> { Ok(!is_disabled(&document.whole_text(element)?)) };
         if document.version() <= LAST_VERSION_WITH_IS_DISABLED {
             for object in std::iter::once(element).chain(document.defaults_of(element)) {
                 let first =
                     tree.children(object).find(|&id| ["isDisabled", "appliesForce"].contains(&tree.name(id)));
                 match first.map(|id| (tree.name(id), id)) {
-                    Some(("isDisabled", disabled)) => return in_words(disabled),
+                    Some(("isDisabled", disabled)) => return is_enabled(disabled),
                     Some(_) => break,
                     None => {}
                 }
@@ -253,7 +253,7 @@ impl<'r> ContactReader<'r> {
             let base = self.attachment(id, "half_space_frame", &[]).map_or(Base::Unknown, |plane| plane.base);
             set.half_space_bases.push(base);
             set.half_space_inside = Some(id);
-            self.take_first_constant(&mut set, document, element);
+            self.read_old_constant(&mut set, document, element);
         } else {
             for (socket, class) in [("sphere", "ContactSphere"), ("half_space", "ContactHalfSpace")] {
                 let Some(connectee) = self.components.connectee(id, socket, &[]) else {
@@ -270,12 +270,12 @@ impl<'r> ContactReader<'r> {
     }
 
     /// The first version of the class had another name for `constant_contact_force`.
-    fn take_first_constant(&self, set: &mut ParameterSet, document: &Document, element: ElementId) {
+    fn read_old_constant(&self, set: &mut ParameterSet, document: &Document, element: ElementId) {
         let has = |tag: &str| document.tree().child(element, tag).is_some();
         let constant = Property::ConstantContactForce;
-        if has(FIRST_CONSTANT) && !has(constant.name()) {
+        if has(OLD_CONSTANT_TAG) && !has(constant.name()) {
             let values = set.values.iter_mut().filter(|value| value.property == constant);
-            values.for_each(|value| *value = document.value(element, set.class, constant, FIRST_CONSTANT));
+            values.for_each(|value| *value = document.value(element, set.class, constant, OLD_CONSTANT_TAG));
         }
     }
 
@@ -294,9 +294,9 @@ impl<'r> ContactReader<'r> {
     fn add_hunt_crossley(&mut self, id: ComponentId) -> Result<(), Fault> {
         let (document, element) = (self.components.doc(id), self.components.element(id));
         let mut sets = Vec::new();
-        let own = parameter_sets_of(document, element);
-        let inherited = own.is_none();
-        let container = own.or_else(|| parameter_sets_of(document, document.defaults_of(element)?));
+        let own_sets = parameter_sets_of(document, element);
+        let inherited = own_sets.is_none();
+        let container = own_sets.or_else(|| parameter_sets_of(document, document.defaults_of(element)?));
         match container {
             Some(container) => {
                 let tree = document.tree();
@@ -307,7 +307,7 @@ impl<'r> ContactReader<'r> {
                         self.parameter_set(document, item, Class::ContactParameters, Some(sets.len()));
                     set.inherited = inherited;
                     if let Some(geometry) = document.property_element(item, "geometry") {
-                        let names = document.whole_text(geometry).map_err(|fault| self.said_of(id, fault))?;
+                        let names = document.whole_text(geometry).map_err(|fault| self.with_place(id, fault))?;
                         for name in opensim_text::list_words(&names) {
                             let surface = self.surface(id, name, geometry, None)?;
                             set.add(surface);
@@ -368,7 +368,7 @@ impl<'r> ContactReader<'r> {
         sets: Vec<ParameterSet>,
         transition_velocity: Value,
     ) -> Result<(), Fault> {
-        let applies = self.applies(id).map_err(|fault| self.said_of(id, fault))?;
+        let applies = self.applies(id).map_err(|fault| self.with_place(id, fault))?;
         self.forces.push(Force {
             id: ForceId(self.forces.len()),
             name: self.components.name(id).into_owned(),
@@ -384,8 +384,8 @@ impl<'r> ContactReader<'r> {
         Ok(())
     }
 
-    fn said_of(&self, id: ComponentId, fault: Fault) -> Fault {
-        fault.of(self.components.tree.path(id)).in_file(self.components.file_of(id))
+    fn with_place(&self, id: ComponentId, fault: Fault) -> Fault {
+        fault.at_element(self.components.tree.path(id)).in_file(self.components.file_of(id))
     }
 }
 
@@ -403,7 +403,7 @@ impl ParameterSet {
 }
 
 /// OpenSim's classes of contact geometry.
-const GEOMETRY: [&str; 6] = [
+const GEOMETRY_CLASSES: [&str; 6] = [
     "ContactSphere",
     "ContactHalfSpace",
     "ContactMesh",
@@ -412,7 +412,7 @@ const GEOMETRY: [&str; 6] = [
     "ContactTorus",
 ];
 /// What the first version of Moco's class called `constant_contact_force`.
-pub(super) const FIRST_CONSTANT: &str = "derivative_smoothing";
+pub(super) const OLD_CONSTANT_TAG: &str = "derivative_smoothing";
 const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
 const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";
 
@@ -423,11 +423,11 @@ fn parameter_sets_of(document: &Document, force: ElementId) -> Option<ElementId>
     if let Some(wrapper) = tree.child(force, "contact_parameters") {
         return tree.child(wrapper, CONTACT_PARAMETERS_SET);
     }
-    let called = |accept: fn(&str) -> bool| {
+    let with_name = |accept: fn(&str) -> bool| {
         tree.children(force).find(|&child| {
             tree.name(child) == CONTACT_PARAMETERS_SET
                 && accept(&tree.attribute(child, "name").unwrap_or_default())
         })
     };
-    called(|name| name == "contact_parameters").or_else(|| called(str::is_empty))
+    with_name(|name| name == "contact_parameters").or_else(|| with_name(str::is_empty))
 }

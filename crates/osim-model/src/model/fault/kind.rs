@@ -68,12 +68,12 @@ pub enum FaultKind {
         value: f64,
         /// The domain, in words.
         expected: &'static str,
-        /// What it comes from: the value before, the factor, the equation.
+        /// How it was computed: the value before, the factor, the equation.
         origin: String,
     },
     ZeroConstantContactForce,
     NoContacts {
-        /// What was looked for and what was found instead.
+        /// What the model lacks, as the beginning of a sentence.
         detail: String,
     },
     /// A path or name that leads nowhere.
@@ -83,9 +83,9 @@ pub enum FaultKind {
         connectee: String,
         wanted: &'static str,
     },
-    /// Something that only the caller can know.
+    /// A fact that the caller has to give.
     Needed(Needed),
-    /// Something that looks like a slip, and is done only if the caller confirms it.
+    /// A number that looks wrong, and is used only if the caller confirms it.
     NeedsAnswer(NeedsAnswer),
     /// A model that is to get contacts has some.
     ContactsExist {
@@ -105,7 +105,7 @@ pub enum FaultKind {
         /// Component path of the force.
         force: String,
     },
-    /// A number that the caller said is outside its domain.
+    /// A number that the caller gave is outside its domain.
     BadInput {
         input: Input,
         /// The number that the caller gave.
@@ -127,12 +127,12 @@ pub enum FaultKind {
     NothingSelected {
         forces: String,
     },
-    /// Something that a change warns of, and that was to be refused.
+    /// A warning of a change that the caller wants refused (`strict`).
     StrictlyRefused {
         text: String,
     },
-    /// A force for which a change cannot be made, and that can be left out of it.
-    LeaveOut {
+    /// A force that cannot be changed in this way, but can be left out.
+    ForceCannotChange {
         text: String,
         force: String,
         /// Another way out, where there is one: a clause.
@@ -143,7 +143,7 @@ pub enum FaultKind {
     /// A quantity given by the caller is outside its domain.
     Quantity(DomainError),
     /// A force that keeps its sphere inside itself, as Moco 0.1 to 0.3 wrote it, and that is to get the contacts of others.
-    OldDialect {
+    SphereInsideForce {
         force: String,
     },
     /// Edits that overlap: a defect of this program, never of the file.
@@ -178,8 +178,8 @@ impl FaultKind {
             | Self::UnknownReferenceSphere { .. }
             | Self::NothingSelected { .. }
             | Self::StrictlyRefused { .. }
-            | Self::LeaveOut { .. }
-            | Self::OldDialect { .. }
+            | Self::ForceCannotChange { .. }
+            | Self::SphereInsideForce { .. }
             | Self::Refused(_) => "refused",
             Self::Quantity(_) => "out-of-range",
             Self::OverlappingEdits { .. } => "internal",
@@ -246,7 +246,7 @@ impl FaultKind {
             Self::StrictlyRefused { text } => {
                 phrase![text.clone(), " (refused because of ", Input::Strict, ")"]
             }
-            Self::OldDialect { force } => phrase![
+            Self::SphereInsideForce { force } => phrase![
                 format!(
                     "{force} keeps its sphere inside itself, as Moco 0.1 to 0.3 wrote it, and OpenSim 4.2 and later cannot read that: \
                      first do "
@@ -254,7 +254,7 @@ impl FaultKind {
                 Verb::Convert.call().with_value(Input::To, "smooth"),
                 ", then this with what it wrote",
             ],
-            Self::LeaveOut { text, force, otherwise } => {
+            Self::ForceCannotChange { text, force, otherwise } => {
                 let other = if otherwise.is_empty() { String::new() } else { format!(", or {otherwise}") };
                 phrase![format!("{text}: leave this force out with "), Input::Exclude.with_value(force), other]
             }

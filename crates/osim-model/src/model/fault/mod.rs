@@ -15,12 +15,12 @@ use std::ops::Range;
 use crate::messages::Phrase;
 use crate::xml::{LineIndex, Position};
 pub use kind::FaultKind;
-pub use needed::{CountOf, Needed, TreeOfForces};
+pub use needed::{CountedSpheres, Needed, ForcesOfAnimal};
 pub(crate) use needs_answer::POUND_KG;
-pub use needs_answer::{MassSlip, MassesBeside, NeedsAnswer, Question, probable_units};
-pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusFrom};
+pub use needs_answer::{MassMistake, MassesOfOtherRows, NeedsAnswer, Question, probable_units};
+pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason};
 
-/// One thing that is wrong, and where.
+/// An error in a model or a request, with its place.
 ///
 /// ```
 /// let fault = osim_model::Document::parse("<OpenSimDocument>").unwrap_err();
@@ -85,7 +85,7 @@ impl Fault {
     }
 
     /// A fault over the bytes `span`.
-    pub fn over(kind: impl Into<FaultKind>, span: Range<usize>) -> Self {
+    pub fn at_span(kind: impl Into<FaultKind>, span: Range<usize>) -> Self {
         Self { offset: Some(span.start), span: Some(span), ..Self::new(kind) }
     }
 
@@ -99,7 +99,7 @@ impl Fault {
         self
     }
 
-    pub fn of(mut self, element: impl Into<String>) -> Self {
+    pub fn at_element(mut self, element: impl Into<String>) -> Self {
         self.element = Some(element.into());
         self
     }
@@ -114,7 +114,7 @@ impl Fault {
         self
     }
 
-    /// Gets its line and column from the bytes of whichever file it is about.
+    /// Fills in line and column from the bytes of the file that the fault is about.
     pub(crate) fn located_in<'b>(self, bytes_of: impl FnOnce(FileId) -> &'b [u8]) -> Self {
         let file = self.file;
         self.located(bytes_of(file))
@@ -140,7 +140,7 @@ impl fmt::Display for Fault {
 impl std::error::Error for Fault {}
 
 /// Bytes of a long line that are shown before a place and after it.
-const BESIDE_MARK: usize = 200;
+const CONTEXT_BYTES: usize = 200;
 
 /// One line of a file, and what to underline in it; of a long line the part around that.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -172,13 +172,13 @@ impl Excerpt {
         let from = (span.start - start).checked_sub(shift)?;
         let to = span.end.min(end).checked_sub(start + shift)?.max(from);
         let text = text.strip_suffix('\r').unwrap_or(text);
-        Some(Self::around(number, text, from..to))
+        Some(Self::cut_around(number, text, from..to))
     }
 
     /// The part of a long line that is around the mark: some models have megabytes in one line.
-    fn around(line: usize, text: &str, marked: Range<usize>) -> Self {
-        let start = letter_at(text, marked.start.saturating_sub(BESIDE_MARK));
-        let end = marked.end.min(marked.start + BESIDE_MARK) + BESIDE_MARK;
+    fn cut_around(line: usize, text: &str, marked: Range<usize>) -> Self {
+        let start = letter_at(text, marked.start.saturating_sub(CONTEXT_BYTES));
+        let end = marked.end.min(marked.start + CONTEXT_BYTES) + CONTEXT_BYTES;
         let end = letter_at(text, end);
         let text = text.get(start..end).unwrap_or_default().to_owned();
         let within = |at: usize| at.saturating_sub(start).min(text.len());
@@ -198,17 +198,17 @@ mod tests {
 
     #[test]
     fn the_line_of_a_place_is_shown_without_its_end() {
-        let found = Excerpt::of(b"<a>\r\n <b>x</b>\r\n</a>", 9..10).unwrap();
-        assert_eq!((found.line, found.text.as_str(), found.marked), (2, " <b>x</b>", 4..5));
+        let excerpt = Excerpt::of(b"<a>\r\n <b>x</b>\r\n</a>", 9..10).unwrap();
+        assert_eq!((excerpt.line, excerpt.text.as_str(), excerpt.marked), (2, " <b>x</b>", 4..5));
     }
 
     #[test]
-    fn of_a_long_line_the_part_around_the_mark_is_shown() {
+    fn a_long_line_is_cut_around_the_mark() {
         let bytes = format!("<a>{}<b>wrong</b>{}</a>", "ä".repeat(500_000), "ä".repeat(500_000));
         let at = bytes.find("wrong").unwrap();
-        let found = Excerpt::of(bytes.as_bytes(), at..at + 5).unwrap();
-        assert_eq!(&found.text[found.marked.clone()], "wrong");
-        assert!(found.text.len() < 500, "{}", found.text.len());
+        let excerpt = Excerpt::of(bytes.as_bytes(), at..at + 5).unwrap();
+        assert_eq!(&excerpt.text[excerpt.marked.clone()], "wrong");
+        assert!(excerpt.text.len() < 500, "{}", excerpt.text.len());
         let all = Excerpt::of(bytes.as_bytes(), 0..bytes.len()).unwrap();
         assert!(all.text.len() < 500 && all.marked == (0..all.text.len()), "{all:?}");
     }

@@ -1,14 +1,14 @@
-//! What only the caller can know.
+//! Facts that are not in the files: the caller has to give them.
 
 use crate::messages::{Input, Phrase, phrase, readable};
 use crate::model::fault::reasons::{
-    FactorQuestion, GravityFor, NoteDoubt, RadiusFrom, contacts_mass, known_contacts_mass, shared_sphere,
+    FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason, contacts_mass, known_contacts_mass, shared_sphere,
 };
 
 /// The way out of a verb that takes no standalone set.
 const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on whole models";
 
-/// Something that has to be asked, because it is not in the files.
+/// A fact that the caller has to give, because it is not in the files.
 ///
 /// Each variant says what is not known; [`Needed::inputs`] are the fields that answer it.
 ///
@@ -19,7 +19,7 @@ const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on 
 /// # let text = include_str!("../../../tests/data/one_foot.osim");
 /// // A model whose only body has no mass.
 /// let model = Model::parse(text.replace("<mass>10</mass>", ""))?;
-/// let fault = MassRequest::default().of_model(&model).unwrap_err();
+/// let fault = MassRequest::default().model_mass(&model).unwrap_err();
 /// let FaultKind::Needed(needed) = fault.kind else { panic!("{fault}") };
 /// // A page can show a field for the mass; the text says it in words.
 /// assert_eq!((needed.code(), needed.inputs()), ("no-mass", vec![Input::Mass]));
@@ -53,16 +53,16 @@ pub enum Needed {
     /// Which forces are meant: they belong to several animals.
     Selection {
         /// The animals.
-        trees: Vec<TreeOfForces>,
+        trees: Vec<ForcesOfAnimal>,
         /// The field that answers it: the model's own choice of forces, or that of a reference.
         input: Input,
     },
     /// How many spheres share the weight.
     SphereCount {
-        of: CountOf,
+        of: CountedSpheres,
         why: Phrase,
     },
-    /// A choice of forces that leaves no sphere in two worlds.
+    /// Which forces are meant: a sphere is used by forces that change and by others that stay.
     SharedSphere {
         /// Component path of the sphere.
         sphere: String,
@@ -73,7 +73,7 @@ pub enum Needed {
         /// Whether all of those can be chosen, too.
         can_choose: bool,
         /// Why its radius would change.
-        radius: RadiusFrom,
+        radius: RadiusChangeReason,
     },
     ReferenceContact {
         reference: String,
@@ -107,8 +107,8 @@ pub enum Needed {
     Repetition {
         operation: String,
     },
-    /// No ScaleSet: by the note, spheres followed it already.
-    Followed,
+    /// The ScaleSet has to be left out: by the note, spheres followed their bodies already.
+AlreadyFollowed,
     /// The other half of a force set that stands alone.
     Geometry,
     /// The other half of a geometry set that stands alone.
@@ -135,7 +135,7 @@ pub enum Needed {
 
 /// Forces of one animal.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct TreeOfForces {
+pub struct ForcesOfAnimal {
     /// Name of the body that is joined to ground.
     pub top: String,
     /// Names of its forces, shortened.
@@ -144,13 +144,13 @@ pub struct TreeOfForces {
 
 /// Whose spheres are to be counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum CountOf {
+pub enum CountedSpheres {
     Model,
     Reference,
     Compared,
 }
 
-impl CountOf {
+impl CountedSpheres {
     pub const fn input(self) -> Input {
         match self {
             Self::Model => Input::Spheres,
@@ -178,7 +178,7 @@ impl Needed {
             | Self::ReferenceRadius { .. } => "which-reference",
             Self::NotedSizes | Self::BodyFactors { .. } | Self::Factors(_) => "body-scale",
             Self::MovedSpheres { .. } => "moved-spheres",
-            Self::Repetition { .. } | Self::Followed => "same-operation",
+            Self::Repetition { .. } | Self::AlreadyFollowed => "same-operation",
             Self::Geometry | Self::ForceSet => "incomplete-set",
             Self::Load | Self::Gravity { .. } | Self::HeightRatio => "refused",
         }
@@ -285,7 +285,7 @@ impl Needed {
                 Input::Radius.with_value("keep"),
             ],
             Self::BodyFactors { body, axes } => phrase![
-                format!("how body {body} was scaled along {} is not in the files", in_words(axes)),
+                format!("how body {body} was scaled along {} is not in the files", joined_axes(axes)),
                 Input::BodyScale.either(
                     phrase![
                         ": say it with ",
@@ -330,7 +330,7 @@ impl Needed {
                 ": apply it once more with ",
                 Input::Force,
             ],
-            Self::Followed => phrase![
+            Self::AlreadyFollowed => phrase![
                 "by the note in the file, spheres follow their bodies already, and a ScaleSet would move them once more: \
                  leave out ",
                 Input::BodyScaleFile,
@@ -371,7 +371,7 @@ impl Needed {
 }
 
 /// One, two or all three axes in a sentence: `x, y and z`.
-fn in_words(axes: &[&str]) -> String {
+fn joined_axes(axes: &[&str]) -> String {
     match axes {
         [x, y, z] => format!("{x}, {y} and {z}"),
         fewer => fewer.join(" and "),

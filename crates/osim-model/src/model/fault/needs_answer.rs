@@ -1,4 +1,4 @@
-//! What looks like a slip, a mass among others: a number that is read as it is, and is done only if the caller confirms it.
+//! Numbers that look wrong, such as a mass in grams: they are used only if the caller confirms them.
 
 use std::fmt;
 use std::str::FromStr;
@@ -8,89 +8,92 @@ use crate::messages::{Input, Phrase, four_significant, phrase, readable};
 /// One pound, by its definition of 1959.
 pub(crate) const POUND_KG: f64 = 0.453_592_37;
 
-/// What makes a mass look like a slip.
+/// The mistake that a mass looks like.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum MassSlip {
-    /// As many grams as the bodies have kilograms.
+pub enum MassMistake {
+    /// It has about 1000 times the number of the bodies' kilograms: perhaps grams.
     Grams,
-    /// As many tonnes.
+    /// It has about 1/1000 of the number of the bodies' kilograms: perhaps tonnes.
     Tonnes,
-    /// As many pounds.
+    /// It has about 2.2 times the number of the bodies' kilograms: perhaps pounds.
     Pounds,
+/// The bodies of the model may be in pounds.
     BodiesInPounds,
-    /// The other rows of its table have.
+    /// The masses in the other rows of its table may be in pounds.
     OthersInPounds,
-    /// Ten times what the other rows of its table have.
+    /// It is about ten times the masses in the other rows of its table.
     TenTimes,
+/// It is about a tenth of the masses in the other rows of its table.
     Tenth,
+/// No animal weighs so little or so much.
     NoAnimal,
 }
 
 // A mass among those of the other rows of its table.
 
-/// So many other rows are needed to say what is usual.
-const FEWEST: usize = 3;
-/// A mass that is so many times below or above all others is out of line.
-const MARGIN: f64 = 1.3;
-/// Bodies that are further apart are of several kinds, and nothing is usual among them: children and adults differ by a factor of 5.
-const MOST_APART: f64 = 5.0;
-/// From this many others on, the lightest and the heaviest twentieth of them do not count: slips are seldom alone.
-const MANY: usize = 20;
+/// With fewer other rows, a mass is not compared with theirs.
+const FEWEST_ROWS: usize = 3;
+/// A mass that is lighter or heavier than all others by more than this factor looks wrong.
+const USUAL_MARGIN: f64 = 1.3;
+/// If the lightest and the heaviest body differ by more than this factor, they are of several kinds, and masses are not compared.
+const LARGEST_SPREAD: f64 = 5.0;
+/// Among this many rows or more, the lightest and the heaviest twentieth are left out: they may be wrong, too.
+const MANY_ROWS: usize = 20;
 
 /// The masses that other rows of a table have in the same column.
 ///
 /// ```
-/// use osim_model::{MassSlip, MassesBeside};
+/// use osim_model::{MassMistake, MassesOfOtherRows};
 ///
 /// // The row of 150 kg among four adults, from the lightest to the heaviest.
-/// let adults = MassesBeside::of(&[55.0, 62.0, 71.0, 80.0, 150.0], 150.0).unwrap();
+/// let adults = MassesOfOtherRows::without(&[55.0, 62.0, 71.0, 80.0, 150.0], 150.0).unwrap();
 /// // 150 lb are 68 kg.
-/// assert_eq!(adults.slip(150.0), Some(MassSlip::Pounds));
-/// assert_eq!(adults.slip(620.0), Some(MassSlip::TenTimes));
-/// assert_eq!(adults.slip(95.0), None);
-/// // A mouse among adults is meant: no slip makes 20 g of a person.
-/// assert_eq!(adults.slip(0.02), None);
+/// assert_eq!(adults.mistake(150.0), Some(MassMistake::Pounds));
+/// assert_eq!(adults.mistake(620.0), Some(MassMistake::TenTimes));
+/// assert_eq!(adults.mistake(95.0), None);
+/// // A mouse among adults: no mistake of units makes 20 g of a person.
+/// assert_eq!(adults.mistake(0.02), None);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MassesBeside {
+pub struct MassesOfOtherRows {
     pub lightest_kg: f64,
     pub heaviest_kg: f64,
 }
 
-impl MassesBeside {
-    /// What is usual among the masses of a column but one, `own_kg`. `sorted` are all of them in kg, from the lightest to the
-    /// heaviest. `None` where the others are too few to say, or of several kinds.
-    pub fn of(sorted: &[f64], own_kg: f64) -> Option<Self> {
-        let count = sorted.len().checked_sub(1).filter(|&count| count >= FEWEST)?;
+impl MassesOfOtherRows {
+/// The range of the masses of a column, which are `sorted` in kg, without the one of the row itself, `own_kg`. `None` if the others
+    /// are too few, or of several kinds.
+    pub fn without(sorted: &[f64], own_kg: f64) -> Option<Self> {
+        let count = sorted.len().checked_sub(1).filter(|&count| count >= FEWEST_ROWS)?;
         let own = sorted.partition_point(|&kg| kg < own_kg);
         let other = |at: usize| sorted.get(if at < own { at } else { at + 1 }).copied();
-        let ends = if count < MANY { 0 } else { count / MANY };
+        let ends = if count < MANY_ROWS { 0 } else { count / MANY_ROWS };
         let (lightest_kg, heaviest_kg) = (other(ends)?, other(count - 1 - ends)?);
-        (heaviest_kg <= lightest_kg * MOST_APART).then_some(Self { lightest_kg, heaviest_kg })
+        (heaviest_kg <= lightest_kg * LARGEST_SPREAD).then_some(Self { lightest_kg, heaviest_kg })
     }
 
-    /// What would bring `kg` among them, where it is out of line.
-    pub fn slip(&self, kg: f64) -> Option<MassSlip> {
+    /// The mistake that explains `kg`, if it is out of the range of the other rows.
+    pub fn mistake(&self, kg: f64) -> Option<MassMistake> {
         let usual = self.lightest_kg..=self.heaviest_kg;
-        if (self.lightest_kg / MARGIN..=self.heaviest_kg * MARGIN).contains(&kg) {
+        if (self.lightest_kg / USUAL_MARGIN..=self.heaviest_kg * USUAL_MARGIN).contains(&kg) {
             return None;
         }
-        let slips = [
-            (MassSlip::Grams, 1000.0),
-            (MassSlip::TenTimes, 10.0),
-            (MassSlip::Pounds, 1.0 / POUND_KG),
-            (MassSlip::OthersInPounds, POUND_KG),
-            (MassSlip::Tenth, 0.1),
-            (MassSlip::Tonnes, 1.0 / 1000.0),
+        let mistakes = [
+            (MassMistake::Grams, 1000.0),
+            (MassMistake::TenTimes, 10.0),
+            (MassMistake::Pounds, 1.0 / POUND_KG),
+            (MassMistake::OthersInPounds, POUND_KG),
+            (MassMistake::Tenth, 0.1),
+            (MassMistake::Tonnes, 1.0 / 1000.0),
         ];
-        slips.into_iter().find(|(_, times)| usual.contains(&(kg / times))).map(|(slip, _)| slip)
+        mistakes.into_iter().find(|(_, times)| usual.contains(&(kg / times))).map(|(mistake, _)| mistake)
     }
 }
 
 /// A question that is answered with yes, by its code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Question {
-    /// A mass that may be in grams or tonnes, or has a figure too many or too few.
+    /// A mass that may be in grams or tonnes, or has a digit too many or too few.
     ImplausibleMass,
     MassInPounds,
     /// A mass for many models that contradicts the note in one of them.
@@ -163,13 +166,13 @@ impl FromStr for Question {
     }
 }
 
-/// A number that looks like a slip.
+/// A number that looks wrong, and that the caller has to confirm.
 ///
 /// ```
-/// use osim_model::{Fault, FaultKind, MassSlip, NeedsAnswer};
+/// use osim_model::{Fault, FaultKind, MassMistake, NeedsAnswer};
 /// use osim_model::messages::Input;
 ///
-/// let grams = NeedsAnswer::Mass { input: Input::TargetMass, kg: 20_000.0, bodies_kg: Some(20.0), beside: None, slip: MassSlip::Grams };
+/// let grams = NeedsAnswer::Mass { input: Input::TargetMass, kg: 20_000.0, bodies_kg: Some(20.0), other_rows: None, mistake: MassMistake::Grams };
 /// let fault = Fault::new(FaultKind::NeedsAnswer(grams));
 /// assert_eq!(fault.code(), "implausible-mass");
 /// ```
@@ -180,10 +183,10 @@ pub enum NeedsAnswer {
         kg: f64,
         /// What the bodies of its model weigh together, kg, if known.
         bodies_kg: Option<f64>,
-        /// The masses of the other rows of its table, where it is out of line with them.
-        beside: Option<MassesBeside>,
-        /// Why it looks like a slip.
-        slip: MassSlip,
+        /// The masses of the other rows of its table, if it is out of their range.
+        other_rows: Option<MassesOfOtherRows>,
+        /// The mistake that it looks like.
+        mistake: MassMistake,
     },
     Radius {
         sphere: String,
@@ -191,9 +194,9 @@ pub enum NeedsAnswer {
         radius_m: f64,
         /// The longest distance between the joints of its body and of those next to it, m.
         longest_m: f64,
-        /// What is usual, m, where the caller said the new one as a length, which may be in another unit: what it is in the file, else
-        /// what follows from the bones.
-        said_for: Option<f64>,
+        /// The radius in the file, else the one that follows from the bones, m. `None` unless the caller gave the new radius as a
+        /// length, perhaps in another unit.
+        usual_m: Option<f64>,
     },
     /// Something else, in words.
     Other {
@@ -214,19 +217,19 @@ impl NeedsAnswer {
     }
 
     pub(crate) const fn is_about_pounds(&self) -> bool {
-        use MassSlip::{BodiesInPounds, OthersInPounds, Pounds};
-        matches!(self, Self::Mass { slip: Pounds | BodiesInPounds | OthersInPounds, .. })
+        use MassMistake::{BodiesInPounds, OthersInPounds, Pounds};
+        matches!(self, Self::Mass { mistake: Pounds | BodiesInPounds | OthersInPounds, .. })
     }
 
     /// What looks wrong, and what was probably meant.
     pub fn doubt(&self) -> Phrase {
         match self {
-            Self::Mass { input, kg, bodies_kg, beside, slip } => {
-                let others = (*bodies_kg, *beside);
-                mass(*input, *kg, others, *slip)
+            Self::Mass { input, kg, bodies_kg, other_rows, mistake } => {
+                let others = (*bodies_kg, *other_rows);
+                doubt_about_mass(*input, *kg, others, *mistake)
             }
-            Self::Radius { sphere, radius_m, longest_m, said_for } => {
-                radius(sphere, *radius_m, *longest_m, *said_for).into()
+            Self::Radius { sphere, radius_m, longest_m, usual_m } => {
+                doubt_about_radius(sphere, *radius_m, *longest_m, *usual_m).into()
             }
             Self::Other { text, .. } => text.clone(),
         }
@@ -241,10 +244,10 @@ impl NeedsAnswer {
     }
 }
 
-fn mass(input: Input, kg: f64, of: (Option<f64>, Option<MassesBeside>), slip: MassSlip) -> Phrase {
-    let (bodies_kg, beside) = of;
-    let usual = match beside {
-        Some(MassesBeside { lightest_kg, heaviest_kg }) => {
+fn doubt_about_mass(input: Input, kg: f64, others: (Option<f64>, Option<MassesOfOtherRows>), mistake: MassMistake) -> Phrase {
+    let (bodies_kg, other_rows) = others;
+    let usual = match other_rows {
+        Some(MassesOfOtherRows { lightest_kg, heaviest_kg }) => {
             let (least, most) = (four_significant(lightest_kg), four_significant(heaviest_kg));
             format!("{least} to {most} kg of the other rows")
         }
@@ -255,31 +258,31 @@ fn mass(input: Input, kg: f64, of: (Option<f64>, Option<MassesBeside>), slip: Ma
     };
     let than = |times: &str| format!("{times} the {usual}");
     // How many times it is more or less than the bodies, where these are what it is compared with.
-    let ratio = bodies_kg.filter(|_| beside.is_none()).map(|bodies| (kg / bodies).max(bodies / kg));
+    let ratio = bodies_kg.filter(|_| other_rows.is_none()).map(|bodies| (kg / bodies).max(bodies / kg));
     let apart = ratio.map(|ratio| format!("{ratio:.1}"));
     let unit = |unit: &str, factor: f64| format!("if it is in {unit}, write {}", readable(kg * factor));
-    let why = match slip {
-        MassSlip::Grams => {
+    let why = match mistake {
+        MassMistake::Grams => {
             let ratio = ratio.unwrap_or(1000.0);
             // As it is written where it is another one.
             let times = if (ratio / 1000.0 - 1.0).abs() <= 0.15 { 1000.0 } else { ratio.round() };
             format!("about {}: {}", than(&format!("{times} times")), unit("g", 1.0 / 1000.0))
         }
-        MassSlip::Tonnes => format!("about {}: {}", than("1/1000 of"), unit("tonnes", 1000.0)),
-        MassSlip::Pounds => {
+        MassMistake::Tonnes => format!("about {}: {}", than("1/1000 of"), unit("tonnes", 1000.0)),
+        MassMistake::Pounds => {
             let times = format!("{} times", apart.unwrap_or_else(|| "2.2".to_owned()));
             format!("about {}: {}", than(&times), unit("lb", POUND_KG))
         }
-        MassSlip::BodiesInPounds => {
+        MassMistake::BodiesInPounds => {
             let part = format!("1/{} of", apart.unwrap_or_else(|| "2.2".to_owned()));
             format!("about {}: masses are in kg, in the model too", than(&part))
         }
-        MassSlip::OthersInPounds => {
+        MassMistake::OthersInPounds => {
             format!("about {}: masses are in kg, in all rows", than("1/2.2 of"))
         }
-        MassSlip::TenTimes => format!("about {}: masses are in kg", than("10 times")),
-        MassSlip::Tenth => format!("about {}: masses are in kg", than("1/10 of")),
-        MassSlip::NoAnimal => "outside 1 mg to 200 t: masses are in kg".to_owned(),
+        MassMistake::TenTimes => format!("about {}: masses are in kg", than("10 times")),
+        MassMistake::Tenth => format!("about {}: masses are in kg", than("1/10 of")),
+        MassMistake::NoAnimal => "outside 1 mg to 200 t: masses are in kg".to_owned(),
     };
     phrase![input.with_value(readable(kg)), format!(" is {why}")]
 }
@@ -295,19 +298,19 @@ fn mass(input: Input, kg: f64, of: (Option<f64>, Option<MassesBeside>), slip: Ma
 /// ```
 pub fn probable_units(times: f64) -> &'static [(&'static str, f64)] {
     const UNITS: [(&str, f64); 2] = [("mm", 1000.0), ("cm", 100.0)];
-    let of = match times {
+    let units = match times {
         // What is usual differs by a factor of two and a half or so.
         _ if times < 30.0 => 0..0,
         _ if times < 150.0 => 1..2,
         _ if times < 600.0 => 0..2,
         _ => 0..1,
     };
-    UNITS.get(of).unwrap_or_default()
+    UNITS.get(units).unwrap_or_default()
 }
 
-fn radius(sphere: &str, radius_m: f64, longest_m: f64, said_for: Option<f64>) -> String {
+fn doubt_about_radius(sphere: &str, radius_m: f64, longest_m: f64, usual_m: Option<f64>) -> String {
     let (radius, longest) = (readable(radius_m), four_significant(longest_m));
-    let meant = said_for.map(|like_m| {
+    let meant = usual_m.map(|like_m| {
         let units: Vec<String> = probable_units(radius_m / like_m)
             .iter()
             .map(|(unit, per_metre)| format!("{} if it is in {unit}", readable(radius_m / per_metre)))

@@ -1,8 +1,8 @@
-//! What only the caller can know, in detail: what it is needed for, why a note is not believed, and the size of a body.
+//! Reasons why the caller has to give a fact: what a gravity is needed for, why a note is doubtful, what is unknown of factors.
 
 use crate::messages::{Input, Part, Phrase, phrase, readable};
 
-/// What a gravity is needed for that the file does not have.
+/// What a gravity is needed for, where the file has none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GravityFor {
     Weight,
@@ -16,7 +16,7 @@ pub enum GravityFor {
     Target,
     /// The weight of a body that a drop is compared with.
     Compared,
-    /// Figures under body weight, beside something else that was asked for.
+    /// Figures under body weight, which were not asked for.
     Figures,
 }
 
@@ -32,7 +32,7 @@ impl GravityFor {
         Self::Figures,
     ];
 
-    /// What answers it, and its unit; `None` if only the file can.
+    /// The inputs that answer the question, with placeholders for their values; none if only the file can.
     const fn answers(self) -> &'static [(Input, &'static str)] {
         match self {
             Self::Weight => &[(Input::Gravity, "G")],
@@ -59,12 +59,12 @@ impl GravityFor {
     }
 }
 
-/// What is missing, after whose it is.
+/// The end of the sentence that begins with "the model" or "the reference".
 const NO_GRAVITY: &str = " has no gravity";
 
-/// Why a radius is about to change, which decides how it can stay.
+/// Why the radius or the centre of a sphere would change, which decides how it can stay.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum RadiusFrom {
+pub enum RadiusChangeReason {
     Rule,
     /// The bodies that spheres follow.
     Bodies,
@@ -76,7 +76,7 @@ pub enum RadiusFrom {
     Fit,
 }
 
-impl RadiusFrom {
+impl RadiusChangeReason {
     pub(super) fn phrase(self) -> Phrase {
         match self {
             Self::Rule => phrase!["leave radii as they are with ", Input::Radius.with_value("keep")],
@@ -194,7 +194,7 @@ pub enum FactorQuestion {
         ratios: [f64; 2],
     },
     /// Two different models have nothing in common that says how large a body is.
-    Nothing { body: String },
+    NoSource { body: String },
     /// The factors of the Scale Tool's file do not lead from the reference to the model.
     OtherReference {
         body: String,
@@ -217,7 +217,7 @@ impl FactorQuestion {
                     three(by_one),
                     three(by_other)
                 ),
-                say(": say which with ", &[body]),
+                body_scale_hint(": say which with ", &[body]),
             ],
             Self::Sides { bodies: [one, other], factors: [by_one, by_other] } => phrase![
                 format!(
@@ -226,21 +226,21 @@ impl FactorQuestion {
                     three(by_one),
                     three(by_other)
                 ),
-                say(": say them with ", &[one, other]),
+                body_scale_hint(": say them with ", &[one, other]),
             ],
             Self::OtherBone { body, joint, ratios: [by_mesh, by_joint] } => phrase![
                 format!(
                     "the mesh of body {body} has a bone of the reference's size times {by_mesh:.4}, but its distance to joint {joint} is \
                      the reference's times {by_joint:.4}: the file is probably another animal's bone of the same name"
                 ),
-                say("; say the factors with ", &[body]),
+                body_scale_hint("; say the factors with ", &[body]),
             ],
-            Self::Nothing { body } => phrase![
+            Self::NoSource { body } => phrase![
                 format!(
                     "how large body {body} is against the reference's is not in the files (no mesh of the same bone, and no joint \
                      of the same name 20 mm or more from its origin)"
                 ),
-                say(": say it with ", &[body]),
+                body_scale_hint(": say it with ", &[body]),
             ],
             Self::OtherReference { body, joint, apart_m } => phrase![
                 format!("joint {joint} on {body} is {:.1} mm from where ", apart_m * 1000.0),
@@ -254,7 +254,7 @@ impl FactorQuestion {
 }
 
 /// The way out of a verb that takes the factors of `bodies`.
-fn say(how: &'static str, bodies: &[&String]) -> Part {
+fn body_scale_hint(how: &'static str, bodies: &[&String]) -> Part {
     let named = bodies.iter().map(|body| Input::BodyScale.with_value(format!("{body}=x,y,z")).into());
     let named = Phrase::joined(named, " and ").unwrap_or_default();
     Input::BodyScale.either(phrase![how, &named], "")

@@ -12,7 +12,7 @@ use crate::model::typed_model::Model;
 use crate::xml::ElementId;
 pub use source::{FileError, FileName, Files, InMemory};
 
-/// One model that could not be read or changed, or a file that it needs.
+/// Why a model, or a file that it needs, could not be read or changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Failure {
     pub model: FileName,
@@ -25,13 +25,13 @@ pub struct Failure {
     /// Column of the place in characters, from 1.
     pub column: Option<usize>,
     pub excerpt: Option<Excerpt>,
-    /// Whether it could be done if the caller answered something that must not be guessed.
+    /// Whether it would succeed if the caller gave a fact that must not be guessed.
     pub needs_answer: bool,
 }
 
 impl Failure {
     /// `fault` in the file `model`, with the place that it has once it is [`located`](Fault::located).
-    pub fn of_fault(model: impl Into<FileName>, fault: Fault) -> Self {
+    pub fn from_fault(model: impl Into<FileName>, fault: Fault) -> Self {
         Self {
             model: model.into(),
             code: fault.code(),
@@ -43,7 +43,7 @@ impl Failure {
         }
     }
 
-    /// Something outside the contents of the file: folders, permissions, other files.
+    /// A failure that is not in the contents of the file: folders, permissions, other files.
     pub fn outside(model: impl Into<FileName>, code: &'static str, message: impl Into<Phrase>) -> Self {
         Self {
             model: model.into(),
@@ -59,7 +59,7 @@ impl Failure {
 
 /// Files that belong to a standalone set and are given beside it.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Beside<'p> {
+pub struct CompanionPaths<'p> {
     /// The geometry set (or model) that holds the spheres.
     pub geometry: Option<&'p Path>,
     /// The model that has masses and joints.
@@ -70,7 +70,7 @@ pub struct Beside<'p> {
 ///
 /// ```
 /// use std::path::Path;
-/// use osim_model::files::{Beside, InMemory, ModelFiles};
+/// use osim_model::files::{CompanionPaths, InMemory, ModelFiles};
 ///
 /// let model = r#"<OpenSimDocument Version="40000"><Model name="walker">
 /// <ForceSet file="forces.xml"/></Model></OpenSimDocument>"#;
@@ -78,29 +78,29 @@ pub struct Beside<'p> {
 ///
 /// let path = Path::new("models/walker.osim");
 /// let files = InMemory::from_iter([("models/forces.xml", forces)]);
-/// let open = ModelFiles::read(path, model.into(), Beside::default(), &files)?.open()?;
+/// let open = ModelFiles::read(path, model.into(), CompanionPaths::default(), &files)?.open()?;
 /// assert_eq!(open.model.name, "walker");
 /// let names: Vec<&str> = open.files().map(|(name, _)| name).collect();
 /// assert_eq!(names, ["models/walker.osim", "models/forces.xml"]);
 ///
 /// // Without the other file: the line that names it.
-/// let failure = ModelFiles::read(path, model.into(), Beside::default(), &InMemory::default()).unwrap_err();
+/// let failure = ModelFiles::read(path, model.into(), CompanionPaths::default(), &InMemory::default()).unwrap_err();
 /// assert_eq!((failure.code, failure.line), ("unreadable", Some(2)));
 /// # Ok::<(), osim_model::files::Failure>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct ModelFiles {
     name: FileName,
-    main: Main,
+    main: MainFile,
     companions: Vec<CompanionFile>,
 }
 
 /// The model itself: parsed only where that was needed to know what it includes.
 #[derive(Debug, Clone)]
-enum Main {
+enum MainFile {
     Bytes(Vec<u8>),
-    /// They include no file.
-    Alone(Vec<u8>),
+    /// The bytes of a model that includes no file.
+    WithoutIncludes(Vec<u8>),
     Parsed(Box<Document>),
 }
 
@@ -110,7 +110,7 @@ struct CompanionFile {
     bytes: Vec<u8>,
     included_by: Option<ElementId>,
     /// As the model names it in `file="..."`.
-    named: Option<String>,
+    include_name: Option<String>,
 }
 
 impl ModelFiles {
@@ -118,19 +118,19 @@ impl ModelFiles {
     ///
     /// # Errors
     /// A file that cannot be read, or a model that includes files and is not a document.
-    pub fn read(path: &Path, bytes: Vec<u8>, beside: Beside<'_>, files: &dyn Files) -> Result<Self, Failure> {
+    pub fn read(path: &Path, bytes: Vec<u8>, beside: CompanionPaths<'_>, files: &dyn Files) -> Result<Self, Failure> {
         let name = FileName::from(path);
         let mut companions = Vec::new();
         for path in [beside.geometry, beside.model].into_iter().flatten() {
-            companions.push(companion(path.to_owned(), None, files, "a file that belongs to the model: ")?);
+            companions.push(read_companion(path.to_owned(), None, files, "a file that belongs to the model: ")?);
         }
         if !may_include(&bytes) {
-            return Ok(Self { name, main: Main::Alone(bytes), companions });
+            return Ok(Self { name, main: MainFile::WithoutIncludes(bytes), companions });
         }
-        let document = Document::parse(bytes).map_err(|fault| Failure::of_fault(&name, fault))?;
+        let document = Document::parse(bytes).map_err(|fault| Failure::from_fault(&name, fault))?;
         let folder = path.parent().unwrap_or(Path::new(""));
         for (element, file) in document.included_files() {
-            let included = companion(folder.join(&file), Some(element), files, "").map_err(|failure| {
+            let included = read_companion(folder.join(&file), Some(element), files, "").map_err(|failure| {
                 let place = document.position(document.tree().span(element).start);
                 Failure {
                     // What the user can change is the place in the model.
@@ -141,24 +141,24 @@ impl ModelFiles {
                     ..failure
                 }
             })?;
-            companions.push(CompanionFile { named: Some(file), ..included });
+            companions.push(CompanionFile { include_name: Some(file), ..included });
         }
-        Ok(Self { name, main: Main::Parsed(Box::new(document)), companions })
+        Ok(Self { name, main: MainFile::Parsed(Box::new(document)), companions })
     }
 
     pub fn name(&self) -> &FileName {
         &self.name
     }
 
-    pub fn named(self, name: impl Into<FileName>) -> Self {
+    pub fn with_name(self, name: impl Into<FileName>) -> Self {
         Self { name: name.into(), ..self }
     }
 
     /// Bytes of the model itself.
     pub fn bytes(&self) -> &[u8] {
         match &self.main {
-            Main::Bytes(bytes) | Main::Alone(bytes) => bytes,
-            Main::Parsed(document) => document.bytes(),
+            MainFile::Bytes(bytes) | MainFile::WithoutIncludes(bytes) => bytes,
+            MainFile::Parsed(document) => document.bytes(),
         }
     }
 
@@ -171,12 +171,12 @@ impl ModelFiles {
 
     /// The files that the model includes, as it names them.
     pub fn included(&self) -> impl Iterator<Item = &str> {
-        self.companions.iter().filter_map(|companion| companion.named.as_deref())
+        self.companions.iter().filter_map(|companion| companion.include_name.as_deref())
     }
 
     /// With other bytes of the model's own; included files stay.
     pub fn with_bytes(&self, bytes: Vec<u8>) -> Self {
-        Self { name: self.name.clone(), main: Main::Bytes(bytes), companions: self.companions.clone() }
+        Self { name: self.name.clone(), main: MainFile::Bytes(bytes), companions: self.companions.clone() }
     }
 
     /// Gives one of the other files other bytes; nothing changes for [`FileId::MAIN`].
@@ -190,30 +190,30 @@ impl ModelFiles {
     pub fn open(self) -> Result<OpenModel, Failure> {
         let names = self.companions.iter().map(|companion| companion.path.as_path().into()).collect();
         let document = match self.main {
-            Main::Bytes(bytes) => {
-                Document::parse(bytes).map_err(|fault| Failure::of_fault(&self.name, fault))?
+            MainFile::Bytes(bytes) => {
+                Document::parse(bytes).map_err(|fault| Failure::from_fault(&self.name, fault))?
             }
-            Main::Alone(bytes) => Document::parse(bytes)
-                .map_err(|fault| Failure::of_fault(&self.name, fault))?
-                .including_nothing(),
-            Main::Parsed(document) => *document,
+            MainFile::WithoutIncludes(bytes) => Document::parse(bytes)
+                .map_err(|fault| Failure::from_fault(&self.name, fault))?
+                .known_to_include_nothing(),
+            MainFile::Parsed(document) => *document,
         };
         let mut companions = Vec::new();
         for companion in self.companions {
             let included_by = companion.included_by;
             let document = Document::parse(companion.bytes)
-                .map_err(|fault| Failure::of_fault(companion.path.as_path(), fault))?;
+                .map_err(|fault| Failure::from_fault(companion.path.as_path(), fault))?;
             companions.push(Companion { document, included_by });
         }
         let names = Names { main: self.name, companions: names };
         match Model::read_with(document, companions) {
             Ok(model) => Ok(OpenModel { model, names }),
-            Err(fault) => Err(Failure::of_fault(names.of(fault.file), fault)),
+            Err(fault) => Err(Failure::from_fault(names.name(fault.file), fault)),
         }
     }
 }
 
-fn companion(
+fn read_companion(
     path: PathBuf,
     included_by: Option<ElementId>,
     files: &dyn Files,
@@ -225,7 +225,7 @@ fn companion(
     };
     let read = if included_by.is_some() { files.read_included(&path) } else { files.read(&path) };
     let bytes = read.map_err(failed)?;
-    Ok(CompanionFile { path, bytes, included_by, named: None })
+    Ok(CompanionFile { path, bytes, included_by, include_name: None })
 }
 
 /// A model that was read, with the names of its files: from [`ModelFiles::open`].
@@ -242,7 +242,7 @@ struct Names {
 }
 
 impl Names {
-    fn of(&self, file: FileId) -> &FileName {
+    fn name(&self, file: FileId) -> &FileName {
         let companion = file.companion_index().and_then(|index| self.companions.get(index));
         companion.unwrap_or(&self.main)
     }
@@ -257,16 +257,16 @@ impl OpenModel {
     pub fn files(&self) -> impl Iterator<Item = (&str, &[u8])> {
         let companions = self.model.companions().map(|(file, _)| file);
         let all = std::iter::once(FileId::MAIN).chain(companions);
-        all.map(|file| (&**self.names.of(file), self.model.file(file).bytes()))
+        all.map(|file| (&**self.names.name(file), self.model.file(file).bytes()))
     }
 
     pub fn name_of(&self, file: FileId) -> &str {
-        self.names.of(file)
+        self.names.name(file)
     }
 
     /// `fault`, which is about this model, with the name of its file and its place.
     pub fn failure(&self, fault: Fault) -> Failure {
         let located = fault.located_in(|file| self.model.file(file).bytes());
-        Failure::of_fault(self.names.of(located.file), located)
+        Failure::from_fault(self.names.name(located.file), located)
     }
 }

@@ -138,7 +138,7 @@ pub trait Files {
     /// Whether there is such a file. A name without a file may be that of a preset.
     fn exists(&self, path: &Path) -> bool;
 
-    /// The date where the files are, as `2026-11-25`, for the notes that changed files get; `None` where nobody knows it.
+    /// Today's date, as `2026-11-25`, for the notes in changed files; `None` if it is not known.
     fn today(&self) -> Option<String> {
         None
     }
@@ -181,15 +181,15 @@ pub struct InMemory {
 impl InMemory {
     /// Adds a file, or replaces the one of that name.
     pub fn add(&mut self, path: impl Into<PathBuf>, bytes: impl Into<Vec<u8>>) {
-        self.files.insert(plain(&path.into()), bytes.into());
+        self.files.insert(without_dots(&path.into()), bytes.into());
     }
 
     /// Takes a file away, if it is there.
     pub fn remove(&mut self, path: &Path) {
-        self.files.remove(&plain(path));
+        self.files.remove(&without_dots(path));
     }
 
-    /// The date there, as `2026-11-25`: at first nobody knows it.
+    /// Sets the date of [`Files::today`], as `2026-11-25`. Without it there is none.
     pub fn set_today(&mut self, date: &str) {
         self.today = Some(date.to_owned());
     }
@@ -197,18 +197,18 @@ impl InMemory {
 
 impl<P: Into<PathBuf>, B: Into<Vec<u8>>> FromIterator<(P, B)> for InMemory {
     fn from_iter<I: IntoIterator<Item = (P, B)>>(files: I) -> Self {
-        let named = files.into_iter().map(|(path, bytes)| (plain(&path.into()), bytes.into()));
+        let named = files.into_iter().map(|(path, bytes)| (without_dots(&path.into()), bytes.into()));
         Self { files: named.collect(), today: None }
     }
 }
 
 impl Files for InMemory {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.files.get(&plain(path)).cloned().ok_or_else(FileError::not_found)
+        self.files.get(&without_dots(path)).cloned().ok_or_else(FileError::not_found)
     }
 
     fn exists(&self, path: &Path) -> bool {
-        self.files.contains_key(&plain(path))
+        self.files.contains_key(&without_dots(path))
     }
 
     fn today(&self) -> Option<String> {
@@ -217,7 +217,7 @@ impl Files for InMemory {
 }
 
 /// A path without `.` and `..`, as models write them to name files in folders beside their own.
-fn plain(path: &Path) -> PathBuf {
+fn without_dots(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
     for component in path.components() {
         match component {

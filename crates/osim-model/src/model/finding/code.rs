@@ -138,9 +138,9 @@ impl Severity {
 /// Exhaustive: there are six, and one more where a recording is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum VerdictOn {
-    /// Whether the floor is one: its direction and place, what it hangs on, and gravity.
+    /// Whether the floor is level and on ground, and gravity points down.
     Floor,
-    /// Whether the model stands at its default pose, and what puts it on its feet.
+    /// Whether the model stands on its spheres at the default pose.
     Standing,
     /// Whether the contacts fit the mass of the body.
     Mass,
@@ -148,7 +148,7 @@ pub enum VerdictOn {
     Sides,
     /// Whether sizes and places of spheres are believable.
     Sizes,
-    /// Whether a solver can live with the contacts: smoothing, speeds, restitution.
+    /// Whether a solver can handle the contacts: smoothing, speeds, restitution.
     Solver,
     /// Whether the contacts fit a recording: their forces beside those of force plates.
     Recording,

@@ -1,4 +1,4 @@
-//! Things a user should know about a model or a change, each with a stable code and an explanation.
+//! Rules, and findings: cases of rules in a model or a change.
 
 mod code;
 
@@ -7,7 +7,7 @@ use contact_scaling::limits;
 use crate::messages::{Dialect, Phrase};
 pub use code::{FindingCode, Severity, VerdictOn};
 
-/// One thing to know, about a model or about a change of it.
+/// One case of a rule in a model or in a change, with its place and message.
 ///
 /// ```
 /// use osim_model::{FindingCode, Model, Severity};
@@ -18,7 +18,7 @@ pub use code::{FindingCode, Severity, VerdictOn};
 /// let finding = &model.remarks_on(&model.force_ids())[0];
 /// assert_eq!((finding.code(), finding.code().as_str()), (FindingCode::DisabledForce, "disabled-force"));
 /// assert_eq!(finding.place.as_deref(), Some("/forceset/contact_heel_r"));
-/// // What a code means is the same for every case of it.
+/// // The rule is shared by all findings of one code.
 /// assert_eq!(finding.rule.severity, Severity::Remark);
 /// assert!(finding.advice.to_string().starts_with("Nothing, if that is meant"));
 /// # Ok::<(), osim_model::Fault>(())
@@ -63,15 +63,15 @@ impl Finding {
         self.rule.code
     }
 
-    pub fn about(self, path: &str) -> Self {
+    pub fn with_place(self, path: &str) -> Self {
         Self { place: Some(path.to_owned()), ..self }
     }
 
-    pub fn on_line(self, line: Option<usize>) -> Self {
+    pub fn with_line(self, line: Option<usize>) -> Self {
         Self { line, ..self }
     }
 
-    pub fn of_spheres(self, spheres: Vec<String>) -> Self {
+    pub fn with_spheres(self, spheres: Vec<String>) -> Self {
         Self { spheres, ..self }
     }
 
@@ -115,11 +115,12 @@ pub struct Rule {
 /// Whether a command can be proposed that puts a finding right.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Repair {
-    /// Yes, where the model can be changed: what it does.
+    /// Yes, if the model can be changed: what the command does.
     Command(&'static str),
+/// No, and why.
     NotPossible(&'static str),
-    /// No, and why: it shows in a change alone, and not in a model.
-    OfChange(&'static str),
+    /// No, and why: only a change raises the finding, not a model.
+    OnlyInChange(&'static str),
 }
 
 /// What raises a finding, and what does not. Models are those of `fixtures/`.
@@ -149,30 +150,30 @@ pub enum Example {
 
 impl Rule {
     pub fn what(&self) -> Phrase {
-        template(self.what)
+        with_limits(self.what)
     }
 
     pub fn why(&self) -> Phrase {
-        template(self.why)
+        with_limits(self.why)
     }
 
     pub fn advice(&self) -> Phrase {
-        template(self.advice)
+        with_limits(self.advice)
     }
 }
 
 impl Repair {
-    /// In a sentence without its full stop.
+    /// A sentence without its full stop.
     pub fn sentence(self) -> String {
         match self {
             Self::Command(what) => format!("check proposes a command that {what}"),
-            Self::NotPossible(why) | Self::OfChange(why) => format!("no command is proposed: {why}"),
+            Self::NotPossible(why) | Self::OnlyInChange(why) => format!("no command is proposed: {why}"),
         }
     }
 }
 
-/// A text in which the numbers of limits have names.
-fn template(text: &str) -> Phrase {
+/// The phrase of a template in which the limits of contact-scaling have names in braces.
+fn with_limits(text: &str) -> Phrase {
     if !text.contains('{') {
         return Phrase::template(text.trim_ascii());
     }

@@ -8,9 +8,9 @@ use crate::model::property::Property;
 /// Whether all contacts are made for one mass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
-    /// They are: for the mass that the note gives, or, where it gives none, for what the bodies weighed.
+    /// All contacts are made for the mass that the note gives, or, if it gives none, for what the bodies weighed.
     All,
-    /// Something was left behind, or nobody can know.
+    /// Some contacts were left as they were, or it is not known.
     Partial,
 }
 
@@ -53,10 +53,10 @@ pub struct Note {
     pub parts: NotedParts,
     /// The first 8 digits of a digest of the spheres' locations; `None` where the note before could not be read.
     pub places: Option<String>,
-    /// What was added to the file for the note, one letter each; `-` for nothing.
-    pub made: String,
+    /// One letter for each thing that was added to the file, so that it can be removed with the contacts; `-` for nothing.
+    pub added_to_file: String,
     /// Names of the forces that were added beside others, as [`Note::operation_text`] has them; none where all were added.
-    pub added: Vec<String>,
+    pub added_forces: Vec<String>,
 }
 
 impl Note {
@@ -73,9 +73,9 @@ pub struct BodySize {
     pub factors: [f64; 3],
 }
 
-/// Something begins like a note and is none.
+/// A text begins like a note, but cannot be read as one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Unreadable;
+pub(crate) struct UnreadableNote;
 
 // One step of what a note says: what was done, from what, and when.
 //
@@ -117,7 +117,7 @@ pub struct Source {
 impl Step {
     /// A step of which nothing else is known.
     pub fn new(operation: &str) -> Self {
-        Self { operation: plain(operation), ..Self::default() }
+        Self { operation: in_note_letters(operation), ..Self::default() }
     }
 
     /// The verb that did it.
@@ -127,9 +127,9 @@ impl Step {
 
     /// As a note has it, without `by`.
     pub(super) fn text(&self) -> String {
-        let mut text = plain(&self.operation);
+        let mut text = in_note_letters(&self.operation);
         if !self.options.is_empty() {
-            text.push_str(&format!("{WITH}{}", plain(&self.options)));
+            text.push_str(&format!("{WITH}{}", in_note_letters(&self.options)));
         }
         if let Some(kg) = self.from_mass_kg {
             text.push_str(&format!("{FROM}{} kg", readable(kg)));
@@ -156,7 +156,7 @@ impl Step {
 
 impl Source {
     fn text(&self) -> String {
-        let name: String = plain(&self.name).replace(' ', "_");
+        let name: String = in_note_letters(&self.name).replace(' ', "_");
         match &self.digest {
             Some(digest) => format!("{name} {digest}"),
             None => name,
@@ -172,7 +172,7 @@ impl Source {
     }
 }
 
-/// `text` before the last `mark` and what `read` makes of the rest; all of `text` where that is none.
+/// Splits `text` at the last `mark`, if `read` can read what follows it.
 fn split<'t, T>(text: &'t str, mark: &str, read: impl Fn(&str) -> Option<T>) -> (&'t str, Option<T>) {
     let parts = text.rsplit_once(mark).and_then(|(before, part)| Some((before, read(part)?)));
     parts.map_or((text, None), |(before, part)| (before, Some(part)))
@@ -220,14 +220,14 @@ impl NotedParts {
         format!("{} {} {}", self.spheres.text(), self.forces.text(), digests.join("."))
     }
 
-    /// Reads it from its words, which are all that are left.
+    /// Reads the parts from `words`, none of which may be left over.
     pub(super) fn parse<'t>(mut words: impl Iterator<Item = &'t str>) -> Option<Self> {
         let (spheres, forces) = (NotedNames::parse(words.next()?)?, NotedNames::parse(words.next()?)?);
         let digests: Vec<&str> = words.next()?.split('.').collect();
         let is_whole = words.next().is_none() && digests.len() == properties_of_forces().count();
-        let known = properties_of_forces().zip(digests).filter(|(_, digest)| *digest != NOTHING);
-        let known = known.map(|(property, text)| Some((property, digest(text, PROPERTY_DIGITS)?)));
-        let properties = known.collect::<Option<_>>()?;
+        let recorded = properties_of_forces().zip(digests).filter(|(_, digest)| *digest != NOTHING);
+        let recorded = recorded.map(|(property, text)| Some((property, digest(text, PROPERTY_DIGITS)?)));
+        let properties = recorded.collect::<Option<_>>()?;
         is_whole.then_some(Self { spheres, forces, properties })
     }
 }
@@ -249,7 +249,7 @@ impl NotedNames {
 
 // How words and numbers are spelled in a note.
 
-/// What nobody knew.
+/// Stands for a mass or gravity that was not known.
 pub(super) const UNKNOWN: &str = "unknown";
 /// Digits of the digest of all numbers, and of that of a reference.
 pub(super) const DIGEST_DIGITS: usize = 16;
@@ -288,14 +288,14 @@ pub(super) fn digest(text: &str, digits: usize) -> Option<String> {
 
 /// Whether a note, inside a field, can hold `letter`. `-` is among the letters, but two of them would end a comment: see
 /// [`plain`].
-pub(super) fn is_plain(letter: char) -> bool {
+pub(super) fn is_note_letter(letter: char) -> bool {
     letter.is_ascii_graphic() && !";[]()<>&'\"".contains(letter)
 }
 
 /// `text` with `_` for every letter that a note cannot hold, and single blanks.
-pub(super) fn plain(text: &str) -> String {
+pub(super) fn in_note_letters(text: &str) -> String {
     let words = text.split_ascii_whitespace().map(|word| {
-        let letters = word.chars().map(|letter| if is_plain(letter) { letter } else { '_' });
+        let letters = word.chars().map(|letter| if is_note_letter(letter) { letter } else { '_' });
         letters.collect::<String>()
     });
     words.collect::<Vec<_>>().join(" ").replace("--", "__")

@@ -10,13 +10,13 @@
 use crate::messages::{readable, shortest};
 use crate::model::note::content::{
     BodySize, DIGEST_DIGITS, NOTHING, Note, NotedParts, PART_DIGITS, Scope, Step, UNKNOWN, digest,
-    gravity_m_s2, is_plain, mass_kg, plain, positive,
+    gravity_m_s2, is_note_letter, mass_kg, in_note_letters, positive,
 };
 
 pub(super) const BEGINS: &str = "[contacts made for ";
 pub(super) const ENDS: &str = ")]";
 /// What follows mass and gravity in every note; text in square brackets without it is not a note.
-pub(super) const NAMES: &str = " (osim-contact-scale ";
+pub(super) const PROGRAM_MARK: &str = " (osim-contact-scale ";
 const NO_SIZES: &str = "none";
 /// Before each step.
 const BY: &str = "by ";
@@ -40,9 +40,9 @@ impl Note {
         let optional = |name: &str, value: Option<String>| {
             value.map(|value| format!("; {name}{value}")).unwrap_or_default()
         };
-        let added = (!self.added.is_empty()).then(|| self.added.join(" "));
+        let added = (!self.added_forces.is_empty()).then(|| self.added_forces.join(" "));
         format!(
-            "{BEGINS}{} at {}{NAMES}{}; {scope}{steps}{}{}; sizes {}; {RECORD}{} {} {} {}; made {}{}{ENDS}",
+            "{BEGINS}{} at {}{PROGRAM_MARK}{}; {scope}{steps}{}{}; sizes {}; {RECORD}{} {} {} {}; made {}{}{ENDS}",
             known(self.contacts_mass_kg, "kg"),
             known(self.gravity_m_s2, "m/s2"),
             self.version,
@@ -53,7 +53,7 @@ impl Note {
             self.radii,
             self.places.as_deref().unwrap_or(NOTHING),
             self.parts.text(),
-            self.made,
+            self.added_to_file,
             optional(ADDED, added),
         )
     }
@@ -61,7 +61,7 @@ impl Note {
     /// Reads a note that is all of `text`, with single blanks.
     pub(super) fn parse(text: &str) -> Option<Self> {
         let text = text.strip_prefix(BEGINS)?.strip_suffix(ENDS)?;
-        let (made_for, fields) = text.split_once(NAMES)?;
+        let (made_for, fields) = text.split_once(PROGRAM_MARK)?;
         let (mass, gravity) = made_for.split_once(" at ")?;
         let mut fields = fields.split("; ").peekable();
         let version = fields.next()?.to_owned();
@@ -86,8 +86,8 @@ impl Note {
         if steps.is_empty() {
             return None;
         }
-        let made = fields.next()?.strip_prefix("made ")?.to_owned();
-        if made != NOTHING && !made.chars().all(|letter| letter.is_ascii_alphabetic()) {
+        let added_to_file = fields.next()?.strip_prefix("made ")?.to_owned();
+        if added_to_file != NOTHING && !added_to_file.chars().all(|letter| letter.is_ascii_alphabetic()) {
             return None;
         }
         let note = Self {
@@ -104,8 +104,8 @@ impl Note {
             radii,
             parts,
             places,
-            made,
-            added: fields.next().map_or(Some(Vec::new()), names)?,
+added_to_file,
+            added_forces: fields.next().map_or(Some(Vec::new()), names)?,
         };
         fields.next().is_none().then_some(note)
     }
@@ -113,26 +113,26 @@ impl Note {
     /// `operation` in the letters that a note can hold: what would end a field, or is written otherwise when OpenSim saves the
     /// file, becomes `_`.
     pub fn operation_text(operation: &str) -> String {
-        plain(operation)
+        in_note_letters(operation)
     }
 
     /// The letter among those of `made` that says that all spheres were placed with their bodies.
     pub const PLACED: char = 'p';
 
     /// Whether all spheres were placed with their bodies when it was written, or before and not moved since.
-    pub fn placed(&self) -> bool {
-        self.made.contains(Self::PLACED)
+    pub fn has_placed_spheres(&self) -> bool {
+        self.added_to_file.contains(Self::PLACED)
     }
 
     /// The letter among those of `made` that says that all contacts of the model were added.
     pub const ALL_ADDED: char = 'n';
 
     /// Whether `force` is one of those that were added, by its name.
-    pub fn has_added(&self, force: &str) -> bool {
-        self.added.contains(&plain(force))
+    pub fn has_added_force(&self, force: &str) -> bool {
+        self.added_forces.contains(&in_note_letters(force))
     }
 
-    pub fn nothing_made() -> String {
+    pub fn nothing_added() -> String {
         NOTHING.to_owned()
     }
 }
@@ -161,7 +161,7 @@ impl BodySize {
 
     /// Whether a note can hold the name of the body.
     pub(crate) fn can_name(body: &str) -> bool {
-        body.chars().all(|letter| is_plain(letter) && !"=,".contains(letter))
+        body.chars().all(|letter| is_note_letter(letter) && !"=,".contains(letter))
     }
 }
 
@@ -205,8 +205,8 @@ mod tests {
                     .into(),
             },
             places: Some("fedcba98".into()),
-            made: "c".into(),
-            added: vec![],
+            added_to_file: "c".into(),
+            added_forces: vec![],
         }
     }
 
@@ -230,11 +230,11 @@ mod tests {
             weighed_kg: None,
             sizes: vec![],
             places: None,
-            made: Note::nothing_made(),
+            added_to_file: Note::nothing_added(),
             ..note()
         };
         let no_numbers = Note { parts: NotedParts { properties: [].into(), ..note().parts }, ..note() };
-        let beside_others = Note { added: vec!["heel".into(), "toe".into()], ..note() };
+        let beside_others = Note { added_forces: vec!["heel".into(), "toe".into()], ..note() };
         assert!(beside_others.text().ends_with("; made c; added heel toe)]"), "{}", beside_others.text());
         let one_size = BodySize { body: "calcn_r".into(), factors: [0.9; 3] };
         let alike = Note { sizes: vec![one_size], ..note() };

@@ -1,22 +1,22 @@
-//! The note that the tool leaves in a model: which mass its contacts were made for, at which size of its bones, and by what.
+//! The note that the program leaves in a model: the mass that its contacts were made for, the size of its bones, and the steps taken.
 //!
 //! A model keeps it in `<credits>`, which every OpenSim from 1.9 to 4.6 copies when it saves or scales a model; comments are
 //! lost then. Standalone sets have no credits and keep a comment.
 
 mod content;
 mod grammar;
-mod since;
+mod changed_since;
 
 use std::ops::Range;
 
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FaultKind};
-use crate::model::note::content::Unreadable;
-use crate::model::note::grammar::{BEGINS, ENDS, NAMES};
+use crate::model::note::content::UnreadableNote;
+use crate::model::note::grammar::{BEGINS, ENDS, PROGRAM_MARK};
 use crate::xml::opensim_text::{is_white, words};
 use crate::xml::{ElementId, PieceKind};
 pub use content::{BodySize, Note, NotedNames, NotedParts, Scope, Source, Step};
-pub use since::{ChangedContacts, ChangedSinceNote};
+pub use changed_since::{ChangedContacts, ChangedSinceNote};
 
 /// Between what was there and the note, and between authors.
 const AND: &str = "; ";
@@ -55,7 +55,7 @@ impl<'d> Credits<'d> {
         let broken = !read.in_one_piece || (is_cdata && raw.matches(CDATA.1).count() > 1);
         if broken {
             let property = "credits".to_owned();
-            let fault = Fault::over(FaultKind::BrokenText { property }, tree.span(element));
+            let fault = Fault::at_span(FaultKind::BrokenText { property }, tree.span(element));
             return Err(fault.located(document.bytes()));
         }
         if let Some(inner) = raw.strip_prefix(CDATA.0).and_then(|rest| rest.strip_suffix(CDATA.1)) {
@@ -73,10 +73,10 @@ impl<'d> Credits<'d> {
     }
 
     /// The note that ends the text, if something in it begins like one.
-    fn note(&self) -> Option<Result<Note, Unreadable>> {
+    fn note(&self) -> Option<Result<Note, UnreadableNote>> {
         let at = self.text.rfind(BEGINS)?;
         let note = self.text.get(at..)?;
-        note.contains(NAMES).then(|| Note::parse(note).ok_or(Unreadable))
+        note.contains(PROGRAM_MARK).then(|| Note::parse(note).ok_or(UnreadableNote))
     }
 
     /// The bytes to replace, each with its text, so that `note` ends the credits instead of the note that is there. What
@@ -84,7 +84,7 @@ impl<'d> Credits<'d> {
     pub fn edits(&self, note: Option<&Note>) -> Vec<(Range<usize>, String)> {
         let mut edits = Vec::new();
         let mut end = self.span.start;
-        let kept = self.kept();
+        let kept = self.text_around_note();
         for part in &kept {
             let between = if end == self.span.start { "" } else { AND };
             edits.push((end..part.start, between.to_owned()));
@@ -105,18 +105,18 @@ impl<'d> Credits<'d> {
 
     /// Whether nothing is left of the text without the note.
     pub fn is_note_only(&self) -> bool {
-        self.kept().is_empty()
+        self.text_around_note().is_empty()
     }
 
     /// Where in the file is what comes before and after the note that is there.
-    fn kept(&self) -> Vec<Range<usize>> {
+    fn text_around_note(&self) -> Vec<Range<usize>> {
         // People and their programs break lines where the note has a blank.
         let begins = |at: usize| self.raw.get(at..).is_some_and(begins_a_note);
         let found = self.raw.rmatch_indices('[').map(|(at, _)| at).find(|&at| begins(at));
         let around = found.and_then(|at| {
             let (before, rest) = self.raw.split_at(at);
             // Something else in square brackets is kept.
-            let end = rest.find(ENDS).filter(|_| condensed(rest).contains(NAMES))? + ENDS.len();
+            let end = rest.find(ENDS).filter(|_| condensed(rest).contains(PROGRAM_MARK))? + ENDS.len();
             let behind = rest.get(end..)?;
             let before = before.trim_ascii_end();
             let behind = behind.trim_ascii_start();
@@ -131,7 +131,7 @@ impl<'d> Credits<'d> {
 
 impl Note {
     /// The note that is read where this one was written; `None` if it would not be read as one.
-    pub(crate) fn as_read(&self) -> Option<Self> {
+    pub(crate) fn read_back(&self) -> Option<Self> {
         Self::parse(&condensed(&self.text()))
     }
 }
@@ -164,16 +164,16 @@ impl Note {
     /// The note of `document`: of a model in its credits, else in a comment before the first child of the data root. `None` where
     /// there is none or it cannot be read.
     pub fn find(document: &Document) -> Option<Self> {
-        Self::look_for(document).ok()??.ok()
+        Self::find_or_unreadable(document).ok()??.ok()
     }
 
     /// The credits with a note, with `Err` where something begins like a note and cannot be read, or does not end the credits.
-    pub(crate) fn look_for(document: &Document) -> Result<Option<Result<Self, Unreadable>>, Fault> {
+    pub(crate) fn find_or_unreadable(document: &Document) -> Result<Option<Result<Self, UnreadableNote>>, Fault> {
         if document.is_model() {
             return Ok(Credits::of(document)?.and_then(|credits| credits.note()));
         }
         let comment = Self::comment_spans(document).next();
-        Ok(comment.map(|span| Self::parse(inner(document.tree().slice(span))).ok_or(Unreadable)))
+        Ok(comment.map(|span| Self::parse(inner(document.tree().slice(span))).ok_or(UnreadableNote)))
     }
 
     /// The bytes of the comments of a set that begin like a note, before the first child of the data root: the first counts. A model
@@ -259,19 +259,19 @@ mod tests {
 
     #[test]
     fn a_note_that_does_not_end_the_text_cannot_be_relied_on() {
-        let of = |credits: &str| Credits::of(&document(credits)).unwrap().unwrap().note();
-        assert_eq!(of(&format!("<credits>A; {NOTE}</credits>")).map(|note| note.is_ok()), Some(true));
+        let note_in = |credits: &str| Credits::of(&document(credits)).unwrap().unwrap().note();
+        assert_eq!(note_in(&format!("<credits>A; {NOTE}</credits>")).map(|note| note.is_ok()), Some(true));
         // OpenSim condenses white space when it saves; people break lines.
         let broken = NOTE.replace("; digest", ";\n\t\tdigest");
-        assert_eq!(of(&format!("<credits>{broken}\n</credits>")).map(|note| note.is_ok()), Some(true));
-        assert_eq!(of(&format!("<credits>{NOTE} and me</credits>")), Some(Err(Unreadable)));
-        assert_eq!(of(&format!("<credits>{NOTE} {}</credits>", &NOTE[..90])), Some(Err(Unreadable)));
-        assert_eq!(of("<credits>A [contacts made for fun]</credits>"), None);
-        assert_eq!(of("<credits/>"), None);
+        assert_eq!(note_in(&format!("<credits>{broken}\n</credits>")).map(|note| note.is_ok()), Some(true));
+        assert_eq!(note_in(&format!("<credits>{NOTE} and me</credits>")), Some(Err(UnreadableNote)));
+        assert_eq!(note_in(&format!("<credits>{NOTE} {}</credits>", &NOTE[..90])), Some(Err(UnreadableNote)));
+        assert_eq!(note_in("<credits>A [contacts made for fun]</credits>"), None);
+        assert_eq!(note_in("<credits/>"), None);
     }
 
     #[test]
-    fn what_open_sim_refuses_is_refused() {
+    fn credits_that_opensim_refuses_are_refused() {
         for credits in [
             "<credits>A<![CDATA[B]]></credits>",
             "<credits><![CDATA[A]]>B</credits>",
@@ -291,15 +291,15 @@ mod tests {
 
     #[test]
     fn a_comment_counts_in_a_set_only() {
-        let of = |root: &str, comment: &str| {
+        let note_in = |root: &str, comment: &str| {
             let text = format!(
                 "<OpenSimDocument Version='40000'><{root} name='m'><!-- {comment} --></{root}></OpenSimDocument>"
             );
-            Note::look_for(&Document::parse(text).unwrap()).unwrap()
+            Note::find_or_unreadable(&Document::parse(text).unwrap()).unwrap()
         };
-        assert_eq!(of("ForceSet", NOTE).map(|note| note.unwrap().contacts_mass_kg), Some(Some(62.0)));
-        assert_eq!(of("ForceSet", &NOTE[..90]), Some(Err(Unreadable)));
-        assert_eq!(of("ForceSet", "a comment"), None);
-        assert_eq!(of("Model", NOTE), None);
+        assert_eq!(note_in("ForceSet", NOTE).map(|note| note.unwrap().contacts_mass_kg), Some(Some(62.0)));
+        assert_eq!(note_in("ForceSet", &NOTE[..90]), Some(Err(UnreadableNote)));
+        assert_eq!(note_in("ForceSet", "a comment"), None);
+        assert_eq!(note_in("Model", NOTE), None);
     }
 }

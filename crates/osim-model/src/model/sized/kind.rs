@@ -151,7 +151,7 @@ impl SizedKind {
 // The defaults are those that `OpenSimObject.newInstanceOfType` of OpenSim 4.6 has.
 
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Is {
+pub(super) enum KindRule {
     Always(SizedKind),
     /// It acts on a coordinate: the kind where that is an angle (`None` is without dimension), and where it is a translation.
     ByCoordinate(Option<SizedKind>, SizedKind),
@@ -159,98 +159,98 @@ pub(super) enum Is {
 
 /// A property of a class.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Listed {
+pub(super) struct SizedProperty {
     pub(super) tag: &'static str,
-    pub(super) is: Is,
+    pub(super) kind: KindRule,
     /// What OpenSim takes where the file says nothing.
     pub(super) default: f64,
     pub(super) count: usize,
 }
 
-const fn one(tag: &'static str, kind: SizedKind, default: f64) -> Listed {
-    Listed { tag, is: Is::Always(kind), default, count: 1 }
+const fn one(tag: &'static str, kind: SizedKind, default: f64) -> SizedProperty {
+    SizedProperty { tag, kind: KindRule::Always(kind), default, count: 1 }
 }
 
-const fn three(tag: &'static str, kind: SizedKind) -> Listed {
-    Listed { tag, is: Is::Always(kind), default: 0.0, count: 3 }
+const fn three(tag: &'static str, kind: SizedKind) -> SizedProperty {
+    SizedProperty { tag, kind: KindRule::Always(kind), default: 0.0, count: 3 }
 }
 
-const fn acts(tag: &'static str, turns: Option<SizedKind>, shifts: SizedKind, default: f64) -> Listed {
-    Listed { tag, is: Is::ByCoordinate(turns, shifts), default, count: 1 }
+const fn on_coordinate(tag: &'static str, turns: Option<SizedKind>, shifts: SizedKind, default: f64) -> SizedProperty {
+    SizedProperty { tag, kind: KindRule::ByCoordinate(turns, shifts), default, count: 1 }
 }
 
-const FORCE: Listed = one("max_isometric_force", MaxIsometricForce, 1000.0);
-const FIBER: Listed = one("optimal_fiber_length", OptimalFiberLength, 0.1);
-const TENDON: Listed = one("tendon_slack_length", TendonSlackLength, 0.2);
-const VELOCITY: Listed = one("max_contraction_velocity", MaxContractionVelocity, 10.0);
-const SCALE: Listed = one("time_scale", TimeScale, 0.1);
+const FORCE: SizedProperty = one("max_isometric_force", MaxIsometricForce, 1000.0);
+const FIBER: SizedProperty = one("optimal_fiber_length", OptimalFiberLength, 0.1);
+const TENDON: SizedProperty = one("tendon_slack_length", TendonSlackLength, 0.2);
+const VELOCITY: SizedProperty = one("max_contraction_velocity", MaxContractionVelocity, 10.0);
+const SCALE: SizedProperty = one("time_scale", TimeScale, 0.1);
 
-const fn activation(default: f64) -> Listed {
+const fn activation(default: f64) -> SizedProperty {
     one("activation_time_constant", ActivationTime, default)
 }
 
-const fn deactivation(default: f64) -> Listed {
+const fn deactivation(default: f64) -> SizedProperty {
     one("deactivation_time_constant", DeactivationTime, default)
 }
 
-const RIGID_TENDON: &[Listed] = &[FORCE, FIBER, TENDON, VELOCITY];
-const THELEN: &[Listed] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.015), deactivation(0.05)];
-const OLD_THELEN: &[Listed] =
+const RIGID_TENDON: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY];
+const THELEN: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.015), deactivation(0.05)];
+const OLD_THELEN: &[SizedProperty] =
     &[FORCE, FIBER, TENDON, one("Vmax", MaxContractionVelocity, 10.0), activation(0.01), deactivation(0.04)];
-const MILLARD: &[Listed] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.01), deactivation(0.04)];
-const DE_GROOTE: &[Listed] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.015), deactivation(0.06)];
-const TIME_SCALED: &[Listed] = &[FORCE, FIBER, TENDON, SCALE];
-const LIGAMENT: &[Listed] =
+const MILLARD: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.01), deactivation(0.04)];
+const DE_GROOTE: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.015), deactivation(0.06)];
+const TIME_SCALED: &[SizedProperty] = &[FORCE, FIBER, TENDON, SCALE];
+const LIGAMENT: &[SizedProperty] =
     &[one("resting_length", LigamentLength, 0.0), one("pcsa_force", LigamentForce, 0.0)];
-const BLANKEVOORT: &[Listed] = &[
+const BLANKEVOORT: &[SizedProperty] = &[
     one("slack_length", LigamentLength, 0.0),
     one("linear_stiffness", LigamentForce, 1.0),
     one("damping_coefficient", LigamentDamping, 0.003),
 ];
-const PATH_SPRING: &[Listed] = &[
+const PATH_SPRING: &[SizedProperty] = &[
     one("resting_length", SpringLength, f64::NAN),
     one("stiffness", SpringStiffness, f64::NAN),
     one("dissipation", SpringDissipation, f64::NAN),
 ];
-const CLUTCHED: &[Listed] = &[
+const CLUTCHED: &[SizedProperty] = &[
     one("stiffness", SpringStiffness, f64::NAN),
     one("dissipation", SpringDissipation, f64::NAN),
     one("relaxation_time_constant", SpringTime, 0.001),
 ];
-const POINTS_SPRING: &[Listed] =
+const POINTS_SPRING: &[SizedProperty] =
     &[one("stiffness", SpringStiffness, 1.0), one("rest_length", SpringLength, 0.0)];
-const EXPRESSION_PATH: &[Listed] = &[one("resting_length", SpringLength, 0.0)];
-const BUSHING: &[Listed] = &[
+const EXPRESSION_PATH: &[SizedProperty] = &[one("resting_length", SpringLength, 0.0)];
+const BUSHING: &[SizedProperty] = &[
     three("rotational_stiffness", BushingRotationalStiffness),
     three("translational_stiffness", BushingStiffness),
     three("rotational_damping", BushingRotationalDamping),
     three("translational_damping", BushingDamping),
 ];
-const BUSHING_OF_FUNCTIONS: &[Listed] =
+const BUSHING_OF_FUNCTIONS: &[SizedProperty] =
     &[three("rotational_damping", BushingRotationalDamping), three("translational_damping", BushingDamping)];
-const COORDINATE_SPRING: &[Listed] = &[
-    acts("stiffness", Some(CoordinateRotationalStiffness), CoordinateStiffness, 0.0),
-    acts("viscosity", Some(CoordinateRotationalDamping), CoordinateDamping, 0.0),
-    acts("rest_length", None, CoordinateLength, 0.0),
+const COORDINATE_SPRING: &[SizedProperty] = &[
+    on_coordinate("stiffness", Some(CoordinateRotationalStiffness), CoordinateStiffness, 0.0),
+    on_coordinate("viscosity", Some(CoordinateRotationalDamping), CoordinateDamping, 0.0),
+    on_coordinate("rest_length", None, CoordinateLength, 0.0),
 ];
-const LIMIT: &[Listed] = &[
-    acts("upper_stiffness", Some(LimitRotationalStiffness), LimitStiffness, 1.0),
-    acts("lower_stiffness", Some(LimitRotationalStiffness), LimitStiffness, 1.0),
-    acts("damping", Some(LimitRotationalDamping), LimitDamping, 0.001),
-    acts("upper_limit", None, LimitLength, 0.0),
-    acts("lower_limit", None, LimitLength, 0.0),
-    acts("transition", None, LimitLength, 0.1),
+const LIMIT: &[SizedProperty] = &[
+    on_coordinate("upper_stiffness", Some(LimitRotationalStiffness), LimitStiffness, 1.0),
+    on_coordinate("lower_stiffness", Some(LimitRotationalStiffness), LimitStiffness, 1.0),
+    on_coordinate("damping", Some(LimitRotationalDamping), LimitDamping, 0.001),
+    on_coordinate("upper_limit", None, LimitLength, 0.0),
+    on_coordinate("lower_limit", None, LimitLength, 0.0),
+    on_coordinate("transition", None, LimitLength, 0.1),
 ];
-const COORDINATE_ACTUATOR: &[Listed] = &[acts("optimal_force", Some(ActuatorTorque), ActuatorForce, 1.0)];
-const ACTIVATED_ACTUATOR: &[Listed] = &[
-    acts("optimal_force", Some(ActuatorTorque), ActuatorForce, 1.0),
+const COORDINATE_ACTUATOR: &[SizedProperty] = &[on_coordinate("optimal_force", Some(ActuatorTorque), ActuatorForce, 1.0)];
+const ACTIVATED_ACTUATOR: &[SizedProperty] = &[
+    on_coordinate("optimal_force", Some(ActuatorTorque), ActuatorForce, 1.0),
     one("activation_time_constant", ActuatorTime, 0.01),
 ];
-const FORCE_ACTUATOR: &[Listed] = &[one("optimal_force", ActuatorForce, 1.0)];
-const TORQUE_ACTUATOR: &[Listed] = &[one("optimal_force", ActuatorTorque, 1.0)];
+const FORCE_ACTUATOR: &[SizedProperty] = &[one("optimal_force", ActuatorForce, 1.0)];
+const TORQUE_ACTUATOR: &[SizedProperty] = &[one("optimal_force", ActuatorTorque, 1.0)];
 
 /// The properties of `class` that are listed.
-pub(super) fn listed(class: &str) -> &'static [Listed] {
+pub(super) fn sized_properties(class: &str) -> &'static [SizedProperty] {
     match class {
         "Thelen2003Muscle" => THELEN,
         "Thelen2003Muscle_Deprecated" => OLD_THELEN,

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use crate::model::components::ComponentId;
 use crate::model::document::Document;
-use crate::model::sized::kind::{Is, Listed, listed, why_not_read};
+use crate::model::sized::kind::{KindRule, SizedProperty, sized_properties, why_not_read};
 use crate::model::typed_model::Model;
 use crate::xml::{ElementId, opensim_text};
 pub use kind::{Dimension, SizedKind};
@@ -69,7 +69,7 @@ impl SizedValues {
     /// # Ok::<(), osim_model::Fault>(())
     /// ```
     pub fn of(model: &Model) -> Self {
-        let mut reader = Reader { model, turns: None, not_read: BTreeMap::new() };
+        let mut reader = Reader { model, angles: None, not_read: BTreeMap::new() };
         let components = model.components();
         let mut values = Vec::new();
         for (id, _) in components.tree.iter() {
@@ -82,12 +82,12 @@ impl SizedValues {
 }
 
 /// Why the numbers of a force on a coordinate are not read.
-const COUPLED: &str = "coordinates that are missing, or neither an angle nor a length";
+const UNKNOWN_COORDINATE: &str = "coordinates that are missing, or neither an angle nor a length";
 
 struct Reader<'m> {
     model: &'m Model,
-    /// Whether coordinates turn; asked for when the first force acts on one.
-    turns: Option<HashMap<&'m str, Option<bool>>>,
+    /// Whether each coordinate is an angle, read when the first force acts on one.
+    angles: Option<HashMap<&'m str, Option<bool>>>,
     not_read: BTreeMap<(String, &'static str), usize>,
 }
 
@@ -102,19 +102,19 @@ impl Reader<'_> {
         if let Some(why) = why_not_read(class) {
             *self.not_read.entry((class.to_owned(), why)).or_default() += 1;
         }
-        let properties = listed(class);
+        let properties = sized_properties(class);
         if properties.is_empty() {
             return;
         }
         let (document, element) = (components.doc(id), components.element(id));
-        let on = properties.iter().any(|one| matches!(one.is, Is::ByCoordinate(..)));
-        let turns = on.then(|| self.turns(document, element)).flatten();
-        if on && turns.is_none() {
-            *self.not_read.entry((class.to_owned(), COUPLED)).or_default() += 1;
+        let acts_on_coordinate = properties.iter().any(|one| matches!(one.kind, KindRule::ByCoordinate(..)));
+        let is_angle = acts_on_coordinate.then(|| self.is_angle(document, element)).flatten();
+        if acts_on_coordinate && is_angle.is_none() {
+            *self.not_read.entry((class.to_owned(), UNKNOWN_COORDINATE)).or_default() += 1;
         }
         let owner = components.name(id).into_owned();
         for property in properties {
-            let Some(kind) = kind(property.is, turns) else { continue };
+            let Some(kind) = kind_for(property.kind, is_angle) else { continue };
             let found = numbers(document, element, property).into_iter().enumerate();
             for (place, value) in found.filter(|(_, value)| value.is_finite()) {
                 values.push(SizedValue::new(kind, owner.clone(), (property.tag, place), value));
@@ -122,21 +122,21 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether the coordinate on which a force acts turns; `None` where it is not known, or does neither.
-    fn turns(&mut self, document: &Document, force: ElementId) -> Option<bool> {
+    /// Whether the coordinate on which a force acts is an angle; `None` if it is not known, or neither angle nor length.
+    fn is_angle(&mut self, document: &Document, force: ElementId) -> Option<bool> {
         let named = document.tree().text_of(document.property_element(force, "coordinate")?);
         let name = opensim_text::trimmed(&named).rsplit('/').next()?;
         let model = self.model;
-        let turns = self.turns.get_or_insert_with(|| model.turning_coordinates());
-        turns.get(name).copied().flatten()
+        let angles = self.angles.get_or_insert_with(|| model.coordinates_are_angles());
+        angles.get(name).copied().flatten()
     }
 }
 
-fn kind(is: Is, turns: Option<bool>) -> Option<SizedKind> {
-    match is {
-        Is::Always(kind) => Some(kind),
-        Is::ByCoordinate(turning, shifting) => {
-            if turns? {
+fn kind_for(rule: KindRule, is_angle: Option<bool>) -> Option<SizedKind> {
+    match rule {
+        KindRule::Always(kind) => Some(kind),
+        KindRule::ByCoordinate(turning, shifting) => {
+            if is_angle? {
                 turning
             } else {
                 Some(shifting)
@@ -147,7 +147,7 @@ fn kind(is: Is, turns: Option<bool>) -> Option<SizedKind> {
 
 fn inertia(model: &Model, body: ComponentId) -> Option<SizedValue> {
     let components = model.components();
-    let value = crate::model::body_sizes::trace(components, body)?;
+    let value = crate::model::body_sizes::inertia_trace(components, body)?;
     let owned = !components.is_ground(body) && value.is_finite();
     owned.then(|| {
         SizedValue::new(SizedKind::Inertia, components.name(body).into_owned(), ("inertia", 0), value)
@@ -155,7 +155,7 @@ fn inertia(model: &Model, body: ComponentId) -> Option<SizedValue> {
 }
 
 /// The numbers of a property, as many as it has.
-fn numbers(document: &Document, object: ElementId, property: &Listed) -> Vec<f64> {
+fn numbers(document: &Document, object: ElementId, property: &SizedProperty) -> Vec<f64> {
     let tree = document.tree();
     let read = |element| {
         if property.count == 1 {

@@ -238,7 +238,7 @@ impl Given {
     pub(crate) fn rescaled_to(self, target_mass_kg: f64) -> Outcome {
         self.outcome(|model, given| {
             let selected = given.selection.apply(model)?;
-            let (contacts_mass, warnings) = given.masses.of_contacts(model)?;
+            let (contacts_mass, warnings) = given.masses.contacts_mass(model)?;
             let mut wanted = Rescale::new(target_mass_kg, contacts_mass);
             wanted.radius = given.radius.unwrap_or(RadiusRule::Isometric);
             wanted.properties = given.properties();
@@ -254,7 +254,7 @@ impl Given {
     pub(crate) fn taking_preset(self, name: &str, sphere_count: f64) -> Outcome {
         let preset = contact_scaling::preset(name).unwrap();
         self.outcome(|model, given| {
-            let mass = given.masses.of_model(model)?;
+            let mass = given.masses.model_mass(model)?;
             let mut wanted = Transfer::new(Reference::from(&preset), mass, sphere_count);
             wanted.radius = given.radius.unwrap_or(RadiusRule::Keep);
             wanted.properties = given.properties();

@@ -103,7 +103,7 @@ impl Adding {
 
     /// The model without the contacts that it has, and their forces; `None` where it has none.
     fn bare(&self, model: &Model) -> Result<Option<(Rebuilt, Vec<ForceId>)>, Fault> {
-        let feet = Selected::those(model, |force| model.meets_half_space(force));
+        let feet = Selected::matching(model, |force| model.meets_half_space(force));
         if feet.forces.is_empty() {
             return Ok(None);
         }
@@ -121,7 +121,7 @@ impl Adding {
         if self.replace {
             return Ok(Some((remove(model, &own)?, own.forces)));
         }
-        Err(Fault::new(FaultKind::ContactsExist { forces: model.names_of(&own.forces) }))
+        Err(Fault::new(FaultKind::ContactsExist { forces: model.short_force_names(&own.forces) }))
     }
 
     /// Radii that are given may be in another unit: a plan asks about those that change only.
@@ -133,7 +133,7 @@ impl Adding {
         let distances = built.joint_distances();
         let spheres = built.spheres().iter().filter(|sphere| own.contains(sphere.name.as_str()));
         let mut slips =
-            spheres.filter_map(|sphere| distances.radius_slip(sphere, sphere.radius.number, true));
+            spheres.filter_map(|sphere| distances.implausible_radius(sphere, sphere.radius.number, true));
         slips.next().map_or(Ok(()), |asks| Err(Fault::new(asks)))
     }
 }
@@ -142,5 +142,5 @@ impl Adding {
 fn new_forces(plan: &Plan, built: &Model) -> Vec<ForceId> {
     let added = plan.objects().iter().filter(|object| object.deed == Deed::Added);
     let paths: HashSet<&str> = added.map(|object| object.path.as_str()).collect();
-    Selected::those(built, |force| paths.contains(force.path.as_str())).forces
+    Selected::matching(built, |force| paths.contains(force.path.as_str())).forces
 }

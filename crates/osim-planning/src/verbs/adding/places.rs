@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use osim_model::feet::{
-    Bone, DefaultPose, FeetFault, MeshFolders, Sole, SoleRequest, Tilting, bones, odd_size, soles,
+    Bone, DefaultPose, FeetFault, MeshFolders, Sole, SoleRequest, TiltingCoordinate, bones, odd_size, soles,
 };
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, four_significant, phrase, shown};
@@ -213,7 +213,7 @@ impl FeetPlaces {
     ) -> Result<Vec<Sole>, AddFault> {
         let mut folders = MeshFolders::of_model(path);
         if let Some(folder) = &self.geometry_dir {
-            folders = folders.and(folder);
+            folders = folders.with_folder(folder);
         }
         let bodies: Vec<&str> = self.bodies.iter().map(String::as_str).collect();
         let bones = bones(model, &bodies, &folders, files)?;
@@ -246,7 +246,7 @@ fn tilted(sole: &Sole, model: &Model) -> Option<NeedsAnswer> {
     text.push(&match tilting.is_empty() {
         false => phrase![format!(
             ": set default values of its joints at which it does, such as 0 (now {})",
-            Tilting::listed(&tilting)
+            TiltingCoordinate::listed(&tilting)
         )],
         true => phrase![
             ": name the bodies that touch the ground with ",
@@ -264,10 +264,10 @@ fn unequal(soles: &[Sole], model: &Model) -> Option<NeedsAnswer> {
         .iter()
         .enumerate()
         .flat_map(|(at, one)| soles.iter().skip(at + 1).map(move |other| (one, other)));
-    let posed = pairs.filter_map(|(one, other)| Some((one, other, one.posed_unlike(other, model)?)));
+    let posed = pairs.filter_map(|(one, other)| Some((one, other, one.pose_asymmetry(other, model)?)));
     let (sole, other, apart_rad) =
         posed.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|pair| pair.2 > UNEQUAL)?;
-    let listed = |sole: &Sole| match Tilting::listed(&sole.tilted_by(model)) {
+    let listed = |sole: &Sole| match TiltingCoordinate::listed(&sole.tilted_by(model)) {
         none if none.is_empty() => "0".to_owned(),
         values => values,
     };

@@ -53,7 +53,7 @@ impl Numbers {
     /// There is no reference, or a mass that is not known.
     pub(super) fn growth(&self, model: &Model) -> Result<f64, AddFault> {
         let own = self.of_reference()?;
-        let mass = own.transferring.masses.of_model(model)?;
+        let mass = own.transferring.masses.model_mass(model)?;
         let ratios = Ratios::isometric(mass.kg / own.reference.mass.kg).map_err(Fault::new)?;
         Ok(ratios.radius())
     }
@@ -311,12 +311,12 @@ fn mapped(
 ) -> Result<Anatomy, Fault> {
     let own = layout.contacts.iter_mut().filter(|contact| contact.body == *reference);
     if !anatomy.has_body(body) {
-        anatomy = anatomy.with_name(reference, body);
+        anatomy = anatomy.with_renamed_body(reference, body);
         own.for_each(|contact| contact.body.clone_from(body));
         return Ok(anatomy);
     }
     for contact in own {
-        let place = anatomy.seen_from(body, reference, contact.location_m).ok_or_else(|| {
+        let place = anatomy.point_seen_from(body, reference, contact.location_m).ok_or_else(|| {
             Fault::refused(format!(
                 "{reference} does not hang on {body} in the reference, or a joint between them is not understood: its spheres can be \
                  taken by a body above it only"
@@ -362,12 +362,12 @@ pub(super) fn added(base: &Model, layout: &mut Layout) -> Result<(Rebuilt, Selec
         let mut spheres = force.spheres().into_iter().filter_map(|id| base.sphere(id)?.body.as_deref());
         base.meets_half_space(force) && spheres.any(|body| bodies.contains(body))
     };
-    let doubled = Selected::those(base, is_there);
+    let doubled = Selected::matching(base, is_there);
     if !doubled.forces.is_empty() {
-        return Err(Fault::new(FaultKind::ContactsExist { forces: base.names_of(&doubled.forces) }));
+        return Err(Fault::new(FaultKind::ContactsExist { forces: base.short_force_names(&doubled.forces) }));
     }
     let rebuilt = add_contacts(base, layout)?;
     let own: HashSet<&str> = layout.contacts.iter().map(|contact| contact.force.as_str()).collect();
-    let selected = Selected::those(rebuilt.model(), |force| own.contains(force.name.as_str()));
+    let selected = Selected::matching(rebuilt.model(), |force| own.contains(force.name.as_str()));
     Ok((rebuilt, selected))
 }

@@ -142,7 +142,7 @@ fn step(
 /// Runs every command of a model alone and all of them one after the other.
 fn try_model(name: &str, text: &str, given: &Value, with_verbs: bool, counts: &mut Counts) {
     let Ok(model) = Model::parse(text) else { return };
-    let kg = MassRequest::default().of_model(&model).map_or(60.0, |mass| mass.kg);
+    let kg = MassRequest::default().model_mass(&model).map_or(60.0, |mass| mass.kg);
     let mut desk = Desk::of(text, given);
     let Some(found) = desk.check(Path::new(NAME)) else { return };
     counts.models += 1;

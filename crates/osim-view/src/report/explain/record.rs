@@ -161,13 +161,13 @@ impl TopicRecord {
     fn of_finding(rule: &Rule, dialect: &dyn Dialect) -> Self {
         let (fix, why_no_fix) = match rule.repair {
             Repair::Command(what) => (Some(what.to_owned()), None),
-            Repair::NotPossible(why) | Repair::OfChange(why) => (None, Some(why.to_owned())),
+            Repair::NotPossible(why) | Repair::OnlyInChange(why) => (None, Some(why.to_owned())),
         };
         Self::Finding {
             schema_version: SCHEMA_VERSION,
             code: rule.code.as_str(),
             severity: rule.severity.as_str(),
-            checked: !matches!(rule.repair, Repair::OfChange(_)),
+            checked: !matches!(rule.repair, Repair::OnlyInChange(_)),
             what: rule.what().spelled(dialect),
             why: rule.why().spelled(dialect),
             advice: rule.advice().spelled(dialect),

@@ -16,9 +16,9 @@ const SAME_FACTOR: f64 = 1e-9;
 /// A y factor that differs from √(x z) by more than this (relative) makes `level` a bad choice.
 const LARGEST_STRETCH: f64 = 0.2;
 
-/// The spheres of a model, compared with those of the model from which OpenSim scaled it: from [`Placement::compare`].
+/// The spheres of a model, compared with those of the model from which OpenSim scaled it: from [`SpherePlacements::compare`].
 #[derive(Debug, Clone, PartialEq)]
-pub struct Placement {
+pub struct SpherePlacements {
     /// The model that was scaled, as it was named.
     pub from: PathBuf,
     /// The Scale Tool's ScaleSet, where one was named.
@@ -29,13 +29,13 @@ pub struct Placement {
     pub unmatched: Vec<Phrase>,
     /// Why they cannot be compared, in words.
     pub unknown: Option<Phrase>,
-    /// Whether no foot was stretched so much that level soles would be wrong, and some is not scaled alike along all axes.
+    /// Whether a transfer with `level` is right: no foot was stretched too much, and some foot was not scaled alike along all axes.
     pub suits_level: bool,
     /// Whether radii are as this program wrote them, by its note.
     noted_radii: bool,
 }
 
-/// A sphere, where it is and where it belongs, in its frame, m.
+/// Where a sphere is, and where it belongs, in its frame, m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedSphere {
     pub name: String,
@@ -50,16 +50,16 @@ pub struct PlacedSphere {
     pub belongs_m: [f64; 3],
     /// Whether it is where it belongs, or its bottom is on the scaled sole.
     pub follows: bool,
-    /// Whether it is as it was, its radius too.
+    /// Whether place and radius are those in the model that was scaled.
     untouched: bool,
 }
 
-/// The factors of each body: the one place that asks for them.
+/// The scale factors between the bodies of both models.
 fn factors_between(scaled: &Anatomy, original: &Anatomy, file: Option<&ScaleFile>) -> Result<Factors, Fault> {
     Factors::find(scaled, original, file, &BTreeMap::new())
 }
 
-impl Placement {
+impl SpherePlacements {
     /// Compares `model` with the `original` that OpenSim scaled and with what the ScaleSet `file` says; both as they were named.
     pub fn compare(
         model: &Model,
@@ -121,12 +121,12 @@ impl Placement {
 
     /// Whether a transfer can place all spheres: each is where it was, with its radius or one that this program gave it.
     pub fn can_follow(&self) -> bool {
-        let may = |sphere: &PlacedSphere| sphere.untouched || (self.noted_radii && sphere.stayed());
-        self.is_wrong() && self.unmatched.is_empty() && self.spheres.iter().all(may)
+        let is_movable = |sphere: &PlacedSphere| sphere.untouched || (self.noted_radii && sphere.stayed());
+        self.is_wrong() && self.unmatched.is_empty() && self.spheres.iter().all(is_movable)
     }
 
     /// Whether some sphere is not as it was: a transfer asks what to do with it.
-    pub fn has_resized(&self) -> bool {
+    pub fn has_changed_spheres(&self) -> bool {
         self.spheres.iter().any(|sphere| !sphere.untouched)
     }
 }
@@ -134,7 +134,7 @@ impl Placement {
 impl PlacedSphere {
     /// Whether it is where it was in the model that was scaled.
     pub fn stayed(&self) -> bool {
-        near(self.here_m, self.was_m)
+        is_same_place(self.here_m, self.was_m)
     }
 }
 
@@ -178,12 +178,12 @@ fn placed_spheres(
         let (Some(sphere), Some(now)) = (model.sphere(id), scaled.spheres.get(id.index())) else { continue };
         let Some(old) = original.sphere(&sphere.name).filter(|old| old.body == now.body) else { continue };
         let Some(body) = &now.body else { continue };
-        let of_body = factors.of(body)?;
+        let of_body = factors.body_factors(body)?;
         stretched |= is_stretched(of_body);
         uneven |= stretch(of_body) > SAME_FACTOR;
         let belongs_m = now.rotation.scaled_in_frame(of_body, old.location_m);
         let here_m = now.location_m;
-        let follows = near(here_m, belongs_m) || near(here_m, on_sole(now, old, of_body, up));
+        let follows = is_same_place(here_m, belongs_m) || is_same_place(here_m, on_sole(now, old, of_body, up));
         spheres.push(PlacedSphere {
             name: sphere.name.clone(),
             path: sphere.path.clone(),
@@ -211,7 +211,7 @@ pub fn is_stretched(factors: [f64; 3]) -> bool {
 /// Where the centre is if the bottom is on the scaled sole, with the radius that the sphere has now.
 fn on_sole(now: &AnatomySphere, old: &AnatomySphere, factors: [f64; 3], up: LevelAxis) -> [f64; 3] {
     let scaled = |vector| now.rotation.scaled_in_frame(factors, vector);
-    up.in_frame(&now.rotation).centre(old.location_m, old.radius_m, now.radius_m, scaled)
+    up.in_frame(&now.rotation).levelled_centre(old.location_m, old.radius_m, now.radius_m, scaled)
 }
 
 /// Whether a sphere is as it was, as a transfer asks before it moves one.
@@ -220,6 +220,6 @@ fn is_untouched(now: &AnatomySphere, old: &AnatomySphere) -> bool {
     same(now.radius_m, old.radius_m) && now.location_m.iter().zip(old.location_m).all(|(a, b)| same(*a, b))
 }
 
-fn near(a: [f64; 3], b: [f64; 3]) -> bool {
+fn is_same_place(a: [f64; 3], b: [f64; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME_PLACE_M)
 }

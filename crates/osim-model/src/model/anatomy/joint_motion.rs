@@ -1,8 +1,8 @@
-//! How the two frames of a joint are placed to each other at given values of its coordinates, and how they move.
+//! Where the child frame of a joint is in its parent frame at given values of its coordinates, and how it moves there.
 
 use glam::DVec3;
 
-use crate::model::anatomy::functions::CoordinateFunction;
+use crate::model::anatomy::coordinate_function::CoordinateFunction;
 use crate::model::document::Document;
 use crate::model::placement::{MovingPlacement, Placement, Rotation};
 use crate::xml::{ElementId, opensim_text};
@@ -16,24 +16,24 @@ pub enum Speeds<'s> {
     /// Derivatives of the values, rad/s or m/s.
     Rates(&'s [f64]),
     /// OpenSim's generalized speeds.
-    OfOpenSim(&'s [f64]),
+    Generalized(&'s [f64]),
 }
 
 impl Speeds<'_> {
     pub(crate) fn get(&self, index: usize) -> f64 {
-        let (Self::Rates(all) | Self::OfOpenSim(all)) = self;
+        let (Self::Rates(all) | Self::Generalized(all)) = self;
         all.get(index).copied().unwrap_or(0.0)
     }
 
     /// The angular velocity of a frame that is turned by the first three of `values`, rad/s.
-    pub(crate) fn turning(&self, values: &[f64]) -> DVec3 {
+    pub(crate) fn angular_velocity(&self, values: &[f64]) -> DVec3 {
         let first = [self.get(0), self.get(1), self.get(2)];
         match self {
             Self::Rates(_) => {
                 let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
                 Rotation::body_fixed_velocity([value(0), value(1), value(2)], first)
             }
-            Self::OfOpenSim(_) => first.into(),
+            Self::Generalized(_) => first.into(),
         }
     }
 }
@@ -44,7 +44,7 @@ const TRANSLATIONS: [&str; 3] = ["translation1", "translation2", "translation3"]
 
 /// What the coordinates of a joint do to the frame of its child, read from the file once.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Motion {
+pub(crate) enum JointMotion {
     Weld,
     Pin,
     Slider,
@@ -57,24 +57,24 @@ pub(crate) enum Motion {
     /// Three angles, and the radii of the ellipsoid that the child glides on, m.
     Ellipsoid(DVec3),
     /// The axes of a `<SpatialTransform>`.
-    Spatial(Vec<Axis>),
+    Spatial(Vec<TransformAxis>),
 }
 
 /// One axis of a `<SpatialTransform>`.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Axis {
-    /// Whether it turns about the axis; else it shifts along it.
-    turns: bool,
+pub(crate) struct TransformAxis {
+    /// Whether the child rotates about the axis; else it moves along it.
+    rotates: bool,
     direction: DVec3,
-    /// Which of the joint's coordinates it is a function of; `None` if of none.
+    /// The index of the joint's coordinate that moves this axis; `None` if none does.
     coordinate: Option<usize>,
     function: CoordinateFunction,
     /// Whether the function is a `LinearFunction` of slope 1 or -1: the coordinate is an angle or a length.
     is_pure: bool,
 }
 
-impl Motion {
-    /// That of the joint at `element` with these `coordinates`, by name; `None` if it is not known.
+impl JointMotion {
+    /// Reads the motion of the joint at `element` with the coordinates of these names; `None` for a class or function that is not known.
     pub(crate) fn read(document: &Document, element: ElementId, coordinates: &[&str]) -> Option<Self> {
         Some(match document.tree().name(element) {
             "WeldJoint" => Self::Weld,
@@ -86,7 +86,7 @@ impl Motion {
             "PlanarJoint" => Self::Planar,
             "FreeJoint" => Self::Free,
             "EllipsoidJoint" => Self::Ellipsoid(document.triple(element, "radii_x_y_z")?.into()),
-            "CustomJoint" => Self::Spatial(axes(document, element, coordinates)?),
+            "CustomJoint" => Self::Spatial(transform_axes(document, element, coordinates)?),
             _ => return None,
         })
     }
@@ -115,34 +115,34 @@ impl Motion {
                 Placement { rotation, translation_m: *radii_m * rotation.to_body(DVec3::Z) }
             }
             Self::Spatial(axes) => {
-                axes.iter().fold(Placement::IDENTITY, |placement, axis| axis.after(placement, value))
+                axes.iter().fold(Placement::IDENTITY, |placement, axis| axis.applied_to(placement, value))
             }
         }
     }
 }
 
-impl Motion {
-    /// Whether its coordinate number `index` turns (else shifts) about (or along) an axis by its own value; `None` where it is
-    /// neither an angle nor a length. The last axis counts, as in OpenSim.
-    pub(crate) fn pure_axis(&self, index: usize) -> Option<bool> {
+impl JointMotion {
+/// For the coordinate number `index` of a CustomJoint: `true` if it is the angle of a rotation about an axis, `false` if it is a
+    /// distance along one, `None` if it is neither. The last axis counts, as in OpenSim.
+    pub(crate) fn is_pure_rotation(&self, index: usize) -> Option<bool> {
         let Self::Spatial(axes) = self else { return None };
-        axes.iter().rfind(|axis| axis.coordinate == Some(index) && axis.is_pure).map(|axis| axis.turns)
+        axes.iter().rfind(|axis| axis.coordinate == Some(index) && axis.is_pure).map(|axis| axis.rotates)
     }
 
-    /// Whether a coordinate of any joint turns something.
-    pub(crate) fn turns(&self, index: usize) -> Option<bool> {
+    /// Whether the coordinate number `index` is an angle, else a length; `None` if it is neither.
+    pub(crate) fn is_angle(&self, index: usize) -> Option<bool> {
         match self {
             Self::Weld => None,
             Self::Pin | Self::Universal | Self::Gimbal | Self::Ball | Self::Ellipsoid(_) => Some(true),
             Self::Slider => Some(false),
             Self::Planar => Some(index == 0),
             Self::Free => Some(index < 3),
-            Self::Spatial(_) => self.pure_axis(index),
+            Self::Spatial(_) => self.is_pure_rotation(index),
         }
     }
 
     /// The child's frame of the joint in its parent's where its coordinates have `values` and change with `speeds`.
-    pub(crate) fn moving(&self, values: &[f64], speeds: Speeds<'_>) -> MovingPlacement {
+    pub(crate) fn moving_placement(&self, values: &[f64], speeds: Speeds<'_>) -> MovingPlacement {
         let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
         let speed = |index: usize| speeds.get(index);
         let [first, second, third] = [speed(0), speed(1), speed(2)];
@@ -162,33 +162,33 @@ impl Motion {
                 let angular_velocity = Rotation::body_fixed_velocity(angles, [first, second, third]);
                 MovingPlacement { angular_velocity, ..still }
             }
-            Self::Ball => MovingPlacement { angular_velocity: speeds.turning(values), ..still },
+            Self::Ball => MovingPlacement { angular_velocity: speeds.angular_velocity(values), ..still },
             Self::Planar => MovingPlacement {
                 angular_velocity: DVec3::new(0.0, 0.0, first),
                 velocity_m_s: DVec3::new(second, third, 0.0),
                 ..still
             },
             Self::Free => MovingPlacement {
-                angular_velocity: speeds.turning(values),
+                angular_velocity: speeds.angular_velocity(values),
                 velocity_m_s: DVec3::new(speed(3), speed(4), speed(5)),
                 ..still
             },
             Self::Ellipsoid(radii_m) => {
-                let angular_velocity = speeds.turning(values);
+                let angular_velocity = speeds.angular_velocity(values);
                 let along = angular_velocity.cross(at.rotation.to_body(DVec3::Z));
                 MovingPlacement { angular_velocity, velocity_m_s: *radii_m * along, ..still }
             }
             Self::Spatial(axes) => {
                 let start = MovingPlacement::still(Placement::IDENTITY);
-                axes.iter().fold(start, |moving, axis| axis.after_moving(moving, value, speed))
+                axes.iter().fold(start, |moving, axis| axis.applied_to_moving(moving, value, speed))
             }
         }
     }
 }
 
-impl Axis {
+impl TransformAxis {
     /// `moving`, turned or shifted further, while its coordinate changes.
-    fn after_moving(
+    fn applied_to_moving(
         &self,
         mut moving: MovingPlacement,
         value_of: impl Fn(usize) -> f64,
@@ -199,21 +199,21 @@ impl Axis {
         let length = self.direction.length();
         if length > 0.0 {
             let along = self.direction / length * rate;
-            if self.turns {
+            if self.rotates {
                 // The axis is one of the frame that those before have turned.
                 moving.angular_velocity += moving.at.rotation.to_body(along);
             } else {
                 moving.velocity_m_s += along;
             }
         }
-        moving.at = self.after(moving.at, value_of);
+        moving.at = self.applied_to(moving.at, value_of);
         moving
     }
 
     /// `placement`, turned or shifted further: rotations come one after the other, each in the frame that those before have turned.
-    fn after(&self, mut placement: Placement, value_of: impl Fn(usize) -> f64) -> Placement {
+    fn applied_to(&self, mut placement: Placement, value_of: impl Fn(usize) -> f64) -> Placement {
         let value = self.function.value(self.coordinate.map_or(0.0, value_of));
-        if self.turns {
+        if self.rotates {
             placement.rotation = placement.rotation.after(&Rotation::about(self.direction, value));
             return placement;
         }
@@ -226,22 +226,22 @@ impl Axis {
 }
 
 /// The axes of a joint's `<SpatialTransform>`, in the order in which they are applied.
-fn axes(document: &Document, joint: ElementId, coordinates: &[&str]) -> Option<Vec<Axis>> {
+fn transform_axes(document: &Document, joint: ElementId, coordinates: &[&str]) -> Option<Vec<TransformAxis>> {
     let tree = document.tree();
     let Some(transform) = tree.child(joint, "SpatialTransform") else { return Some(Vec::new()) };
     let read = |(index, axis): (usize, ElementId)| {
         let name = tree.attribute(axis, "name").unwrap_or_default();
         let named = ROTATIONS.iter().chain(&TRANSLATIONS).position(|known| *known == &*name);
-        let (coordinate, function, is_pure) = function_of(document, axis, coordinates)?;
-        let turns = named.unwrap_or(index) < ROTATIONS.len();
+        let (coordinate, function, is_pure) = axis_function(document, axis, coordinates)?;
+        let rotates = named.unwrap_or(index) < ROTATIONS.len();
         let direction = document.triple(axis, "axis").unwrap_or_default().into();
-        Some(Axis { turns, direction, coordinate, function, is_pure })
+        Some(TransformAxis { rotates, direction, coordinate, function, is_pure })
     };
     tree.children(transform).enumerate().map(read).collect()
 }
 
-/// What moves along or about one axis: a function, and the coordinate that it is of.
-fn function_of(
+/// The index of the coordinate that moves one axis, the function of it, and whether that is linear with slope 1 or -1.
+fn axis_function(
     document: &Document,
     axis: ElementId,
     coordinates: &[&str],
@@ -320,7 +320,7 @@ mod tests {
     #[track_caller]
     fn at(anatomy: &Anatomy, expected: [f64; 3]) {
         let joint = anatomy.joints.iter().find(|joint| joint.name == "mtp_r").unwrap();
-        let place = anatomy.place_below("calcn_r", joint).unwrap();
+        let place = anatomy.joint_place_seen_from("calcn_r", joint).unwrap();
         assert!(place.abs_diff_eq(expected.into(), 1e-15), "{place:?}");
     }
 
@@ -329,7 +329,7 @@ mod tests {
         // 0.1 to the joint, 0.02 down to the middle body's origin, then 0.05 on.
         at(&chain("WeldJoint:", "0.05 0 0"), [0.15, -0.02, 0.0]);
         let anatomy = chain("WeldJoint:", "0.05 0 0");
-        assert!(anatomy.place_below("toes_r", &anatomy.joints[1]).is_none(), "it is not below the toes");
+        assert!(anatomy.joint_place_seen_from("toes_r", &anatomy.joints[1]).is_none(), "it is not below the toes");
     }
 
     #[test]
@@ -341,7 +341,7 @@ mod tests {
         let quarter = "1.5707963267948966";
         let pin = format!("PinJoint:<coordinates>{}</coordinates>", coordinate("q", quarter));
         at(&chain(&pin, "0.05 0 0"), [0.12, 0.05, 0.0]);
-        // The same by a CustomJoint: half of the angle by each of two functions, and 0.03 along z.
+        // A CustomJoint for the same quarter turn: half of the angle by each of two functions, and 0.03 along z.
         let axis = |name: &str, q: &str, direction: &str, function: &str| {
             format!(
                 "<TransformAxis name=\"{name}\"><coordinates>{q}</coordinates><axis>{direction}</axis>{function}</TransformAxis>"
@@ -367,7 +367,7 @@ mod tests {
         // A curve that is not known is not guessed.
         let unknown = custom.replace("SimmSpline", "GCVSpline");
         let anatomy = chain(&unknown, "0.05 0 0");
-        assert!(anatomy.place_below("calcn_r", &anatomy.joints[1]).is_none());
+        assert!(anatomy.joint_place_seen_from("calcn_r", &anatomy.joints[1]).is_none());
     }
 
     #[test]
@@ -388,7 +388,7 @@ mod tests {
      <JointSet><objects>{joints}</objects></JointSet></Model></OpenSimDocument>"
         );
         let anatomy = Anatomy::of(&Model::parse(text).unwrap()).unwrap();
-        let place = |n: usize| anatomy.place_below("b0", anatomy.joint(&format!("j{n}")).unwrap());
+        let place = |n: usize| anatomy.joint_place_seen_from("b0", anatomy.joint(&format!("j{n}")).unwrap());
         // Joint 65 is at body 64, with 64 joints between.
         assert!((place(65).unwrap()[0] - 6.4).abs() < 1e-12);
         assert!(place(66).is_none());

@@ -5,26 +5,26 @@ use crate::xml::{ElementId, opensim_text};
 
 /// A function of one coordinate (or of time), read from a file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CoordinateFunction(Kind);
+pub struct CoordinateFunction(FunctionKind);
 
 #[derive(Debug, Clone, PartialEq)]
-enum Kind {
+enum FunctionKind {
     /// The coefficients of a polynomial, that of the highest power first; a constant is one.
     Polynomial(Vec<f64>),
-    /// Another one, times a number.
-    Scaled(f64, Box<Kind>),
-    /// Straight lines between points.
-    Straight(Vec<f64>, Vec<f64>),
+    /// Another function times a number.
+    Scaled(f64, Box<FunctionKind>),
+    /// Straight lines between points: their x, and their y.
+    PiecewiseLinear(Vec<f64>, Vec<f64>),
     /// SIMM's cubic spline.
     Spline(SimmSpline),
 }
 
 impl CoordinateFunction {
     /// 0 everywhere.
-    pub(crate) const ZERO: Self = Self(Kind::Polynomial(Vec::new()));
+    pub(crate) const ZERO: Self = Self(FunctionKind::Polynomial(Vec::new()));
 
     pub fn read(document: &Document, element: ElementId) -> Option<Self> {
-        Kind::read(document, element).map(Self)
+        FunctionKind::read(document, element).map(Self)
     }
 
     pub fn value(&self, x: f64) -> f64 {
@@ -36,7 +36,7 @@ impl CoordinateFunction {
     }
 }
 
-impl Kind {
+impl FunctionKind {
     fn read(document: &Document, element: ElementId) -> Option<Self> {
         let tree = document.tree();
         match tree.name(element) {
@@ -57,7 +57,7 @@ impl Kind {
             }
             "PiecewiseLinearFunction" => {
                 let (xs, ys) = knots(document, element)?;
-                Some(Self::Straight(xs, ys))
+                Some(Self::PiecewiseLinear(xs, ys))
             }
             // OpenSim reads both as the first.
             "SimmSpline" | "NaturalCubicSpline" | "natCubicSpline" => {
@@ -80,8 +80,8 @@ impl Kind {
                 coefficients.iter().fold(0.0, |sum, coefficient| sum * x + coefficient)
             }
             Self::Scaled(scale, inner) => scale * inner.value(x),
-            Self::Straight(xs, ys) => straight(xs, ys, x).0,
-            Self::Spline(spline) => spline.at(x).0,
+            Self::PiecewiseLinear(xs, ys) => piecewise_linear(xs, ys, x).0,
+            Self::Spline(spline) => spline.value_and_slope(x).0,
         }
     }
 
@@ -93,8 +93,8 @@ impl Kind {
                 coefficients.iter().fold((0.0, 0.0), step).1
             }
             Self::Scaled(scale, inner) => scale * inner.slope(x),
-            Self::Straight(xs, ys) => straight(xs, ys, x).1,
-            Self::Spline(spline) => spline.at(x).1,
+            Self::PiecewiseLinear(xs, ys) => piecewise_linear(xs, ys, x).1,
+            Self::Spline(spline) => spline.value_and_slope(x).1,
         }
     }
 }
@@ -118,45 +118,46 @@ fn knots(document: &Document, function: ElementId) -> Option<(Vec<f64>, Vec<f64>
 struct SimmSpline {
     xs: Vec<f64>,
     ys: Vec<f64>,
-    /// Width of each piece, slope of its chord.
-    width: Vec<f64>,
-    rise: Vec<f64>,
+    /// The width of each piece in x.
+    widths: Vec<f64>,
+/// The slope of the chord of each piece.
+    chord_slopes: Vec<f64>,
     /// A sixth of the second derivative at each knot; empty where there are fewer than three.
-    third: Vec<f64>,
+    curvature_sixths: Vec<f64>,
 }
 
 impl SimmSpline {
     /// The spline through points with rising `xs`.
     fn new(xs: Vec<f64>, ys: Vec<f64>) -> Self {
-        let width: Vec<f64> = xs.windows(2).map(|pair| pair[1] - pair[0]).collect();
-        let rise: Vec<f64> =
-            ys.windows(2).zip(&width).map(|(pair, width)| (pair[1] - pair[0]) / width).collect();
-        let third = if xs.len() < 3 { Vec::new() } else { third_parts(&xs, &width, &rise) };
-        Self { xs, ys, width, rise, third }
+        let widths: Vec<f64> = xs.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let chord_slopes: Vec<f64> =
+            ys.windows(2).zip(&widths).map(|(pair, width)| (pair[1] - pair[0]) / width).collect();
+        let curvature_sixths = if xs.len() < 3 { Vec::new() } else { curvature_sixths(&xs, &widths, &chord_slopes) };
+        Self { xs, ys, widths, chord_slopes, curvature_sixths }
     }
 
     #[allow(clippy::indexing_slicing, reason = "all indices are below the number of knots")]
-    fn at(&self, x: f64) -> (f64, f64) {
-        let Self { xs, ys, width, rise, third } = self;
+    fn value_and_slope(&self, x: f64) -> (f64, f64) {
+        let Self { xs, ys, widths, chord_slopes, curvature_sixths } = self;
         let n = xs.len();
         if n < 3 {
-            return straight(xs, ys, x);
+            return piecewise_linear(xs, ys, x);
         }
         // y = y0 + b dx + c dx^2 + d dx^3 in each piece.
-        let b = |k: usize| rise[k] - width[k] * (third[k + 1] + 2.0 * third[k]);
+        let b = |k: usize| chord_slopes[k] - widths[k] * (curvature_sixths[k + 1] + 2.0 * curvature_sixths[k]);
         if x < xs[0] {
             return (ys[0] + (x - xs[0]) * b(0), b(0));
         }
-        let last_slope = || rise[n - 2] + width[n - 2] * (third[n - 2] + 2.0 * third[n - 1]);
+        let last_slope = || chord_slopes[n - 2] + widths[n - 2] * (curvature_sixths[n - 2] + 2.0 * curvature_sixths[n - 1]);
         if x > xs[n - 1] {
             return (ys[n - 1] + (x - xs[n - 1]) * last_slope(), last_slope());
         }
-        let k = piece(xs, x);
+        let k = piece_index(xs, x);
         if x == xs[k + 1] {
             return (ys[k + 1], last_slope());
         }
         let dx = x - xs[k];
-        let (c, d) = (3.0 * third[k], (third[k + 1] - third[k]) / width[k]);
+        let (c, d) = (3.0 * curvature_sixths[k], (curvature_sixths[k + 1] - curvature_sixths[k]) / widths[k]);
         (ys[k] + dx * (b(k) + dx * (c + dx * d)), b(k) + dx * (2.0 * c + dx * 3.0 * d))
     }
 }
@@ -167,43 +168,43 @@ impl SimmSpline {
     clippy::indexing_slicing,
     reason = "all indices are below the number of knots, which are three or more"
 )]
-fn third_parts(xs: &[f64], width: &[f64], rise: &[f64]) -> Vec<f64> {
+fn curvature_sixths(xs: &[f64], widths: &[f64], chord_slopes: &[f64]) -> Vec<f64> {
     let n = xs.len();
     let mut diagonal: Vec<f64> = vec![0.0; n];
     let mut right: Vec<f64> = vec![0.0; n];
     for k in 1..n - 1 {
-        diagonal[k] = 2.0 * (width[k - 1] + width[k]);
-        right[k] = rise[k] - rise[k - 1];
+        diagonal[k] = 2.0 * (widths[k - 1] + widths[k]);
+        right[k] = chord_slopes[k] - chord_slopes[k - 1];
     }
-    diagonal[0] = -width[0];
-    diagonal[n - 1] = -width[n - 2];
+    diagonal[0] = -widths[0];
+    diagonal[n - 1] = -widths[n - 2];
     if n > 3 {
         let divided = |k: usize| right[k] / (xs[k + 1] - xs[k - 1]);
         let (first, last) = (divided(2) - divided(1), divided(n - 2) - divided(n - 3));
-        right[0] = first * width[0] * width[0] / (xs[3] - xs[0]);
-        right[n - 1] = -last * width[n - 2] * width[n - 2] / (xs[n - 1] - xs[n - 4]);
+        right[0] = first * widths[0] * widths[0] / (xs[3] - xs[0]);
+        right[n - 1] = -last * widths[n - 2] * widths[n - 2] / (xs[n - 1] - xs[n - 4]);
     }
     for k in 1..n {
-        let part = width[k - 1] / diagonal[k - 1];
-        diagonal[k] -= part * width[k - 1];
+        let part = widths[k - 1] / diagonal[k - 1];
+        diagonal[k] -= part * widths[k - 1];
         right[k] -= part * right[k - 1];
     }
     right[n - 1] /= diagonal[n - 1];
     for k in (0..n - 1).rev() {
-        right[k] = (right[k] - width[k] * right[k + 1]) / diagonal[k];
+        right[k] = (right[k] - widths[k] * right[k + 1]) / diagonal[k];
     }
     right
 }
 
 /// The piece of a curve in which `x` is; the first or the last one outside.
-fn piece(xs: &[f64], x: f64) -> usize {
+fn piece_index(xs: &[f64], x: f64) -> usize {
     let after = xs.partition_point(|&knot| knot <= x);
     after.saturating_sub(1).min(xs.len().saturating_sub(2))
 }
 
-/// Straight lines between points, the outer ones without an end: value and slope.
-fn straight(xs: &[f64], ys: &[f64], x: f64) -> (f64, f64) {
-    let k = piece(xs, x);
+/// Value and slope of straight lines between points, of which the outer ones have no end.
+fn piecewise_linear(xs: &[f64], ys: &[f64], x: f64) -> (f64, f64) {
+    let k = piece_index(xs, x);
     let (Some([x0, x1]), Some([y0, y1])) = (xs.get(k..k + 2), ys.get(k..k + 2)) else {
         return (ys.first().copied().unwrap_or_default(), 0.0);
     };
@@ -217,9 +218,9 @@ mod tests {
     #[test]
     fn polynomials_have_slopes() {
         // 2 x^3 - x + 5 at 3: 54 - 3 + 5, and 6 x^2 - 1.
-        let cubic = Kind::Polynomial(vec![2.0, 0.0, -1.0, 5.0]);
+        let cubic = FunctionKind::Polynomial(vec![2.0, 0.0, -1.0, 5.0]);
         assert_eq!((cubic.value(3.0), cubic.slope(3.0)), (56.0, 53.0));
-        let scaled = Kind::Scaled(-0.5, Box::new(cubic));
+        let scaled = FunctionKind::Scaled(-0.5, Box::new(cubic));
         assert_eq!((scaled.value(3.0), scaled.slope(3.0)), (-28.0, -26.5));
         assert_eq!((CoordinateFunction::ZERO.value(3.0), CoordinateFunction::ZERO.slope(3.0)), (0.0, 0.0));
     }
@@ -227,13 +228,13 @@ mod tests {
     const XS: [f64; 5] = [-1.0, 0.0, 0.5, 2.0, 3.5];
     const YS: [f64; 5] = [0.2, 1.0, -0.3, 0.4, 2.0];
 
-    fn through(points: usize) -> SimmSpline {
+    fn spline_through(points: usize) -> SimmSpline {
         SimmSpline::new(XS[..points].to_vec(), YS[..points].to_vec())
     }
 
-    /// What OpenSim 4.6 gives (`SimmSpline.calcValue`).
+    /// The expected numbers are those of `SimmSpline.calcValue` of OpenSim 4.6.
     #[test]
-    fn values_are_those_of_opensim() {
+    fn spline_values_are_those_of_opensim() {
         let at = [-2.0, -1.0, -0.5, 0.0, 0.3, 0.5, 1.0, 2.0, 3.0, 3.5, 4.0];
         let expected = [
             -5.046931762395681,
@@ -249,29 +250,26 @@ mod tests {
             1.7370152184585175,
         ];
         for (x, expected) in at.into_iter().zip(expected) {
-            assert!((through(5).at(x).0 - expected).abs() < 1e-14, "at {x}");
+            assert!((spline_through(5).value_and_slope(x).0 - expected).abs() < 1e-14, "at {x}");
         }
         // Three knots and two.
         let three = [(-2.0, -2.866666666666667), (-0.5, 1.166666666666667), (0.3, 0.356), (2.0, -5.9)];
         for (x, expected) in three {
-            assert!((through(3).at(x).0 - expected).abs() < 1e-14, "at {x}");
+            assert!((spline_through(3).value_and_slope(x).0 - expected).abs() < 1e-14, "at {x}");
         }
-        assert!((through(2).at(0.3).0 - 1.24).abs() < 1e-14);
-        assert_eq!(through(1).at(7.0).0, 0.2);
+        assert!((spline_through(2).value_and_slope(0.3).0 - 1.24).abs() < 1e-14);
+        assert_eq!(spline_through(1).value_and_slope(7.0).0, 0.2);
     }
 
-    /// A slope is what the values on both sides say, at knots and beyond the ends, too.
+    /// A slope is the difference quotient of the values on both sides, at knots and beyond the ends, too.
     #[test]
-    fn slopes_are_those_of_the_values() {
-        let (spline, step) = (through(5), 1e-6);
+    fn spline_slopes_are_differences_of_values() {
+        let (spline, step) = (spline_through(5), 1e-6);
         for x in [-2.0, -1.0, -0.5, 0.0, 0.3, 0.5, 1.0, 2.0, 3.0, 3.5, 4.0] {
-            let by_values = (spline.at(x + step).0 - spline.at(x - step).0) / (2.0 * step);
-            assert!((spline.at(x).1 - by_values).abs() < 1e-5, "at {x}: {} {by_values}", spline.at(x).1);
+            let by_values = (spline.value_and_slope(x + step).0 - spline.value_and_slope(x - step).0) / (2.0 * step);
+            assert!((spline.value_and_slope(x).1 - by_values).abs() < 1e-5, "at {x}: {} {by_values}", spline.value_and_slope(x).1);
         }
     }
-
-    const LINE_XS: [f64; 5] = [-1.0, 0.0, 0.5, 2.0, 3.5];
-    const LINE_YS: [f64; 5] = [0.2, 1.0, -0.3, 0.4, 2.0];
 
     #[test]
     fn straight_lines_go_on_outside() {
@@ -282,7 +280,7 @@ mod tests {
             (2.0, 0.4, 1.6 / 1.5),
             (4.0, 2.0 + 1.6 / 3.0, 1.6 / 1.5),
         ] {
-            let (value, its_slope) = straight(&LINE_XS, &LINE_YS, x);
+            let (value, its_slope) = piecewise_linear(&XS, &YS, x);
             assert!((value - expected).abs() < 1e-15 && (its_slope - slope).abs() < 1e-15, "at {x}");
         }
     }

@@ -1,4 +1,4 @@
-//! Where contacts are: half-spaces, those that are floors, and the frames of spheres on their bodies.
+//! The planes of contacts: half-spaces and floors; and where the frames of spheres are on their bodies.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -8,15 +8,15 @@ use glam::DVec3;
 use crate::model::components::{Base, ComponentId, Components, MAX_FRAME_CHAIN};
 use crate::model::contacts::force::{Force, ParameterSet};
 use crate::model::contacts::half_space::HalfSpace;
-use crate::model::contacts::read::FIRST_CONSTANT;
+use crate::model::contacts::read::OLD_CONSTANT_TAG;
 use crate::model::contacts::{Sphere, SphereId};
 use crate::model::fault::Fault;
 use crate::model::placement::{LevelAxis, Placement, Rotation};
 use crate::model::typed_model::Model;
 
-/// How a half-space inside a force is turned that says nothing of it: a floor, rad. The first version of the class, which had another
-/// name for `constant_contact_force`, did not turn it.
-const FLOOR: [f64; 3] = [0.0, 0.0, -std::f64::consts::FRAC_PI_2];
+/// The orientation of a half-space inside a force that has no element for it: a floor, rad. The first version of the class, which had
+/// another name for `constant_contact_force`, has zeros instead.
+const DEFAULT_INSIDE_ORIENTATION: [f64; 3] = [0.0, 0.0, -std::f64::consts::FRAC_PI_2];
 
 impl Model {
     /// All half-spaces whose frame can be found, in file order.
@@ -24,12 +24,12 @@ impl Model {
         self.planes().values().map(|plane| HalfSpace::clone(plane)).collect()
     }
 
-    /// Planes by component, read when somebody first asks: many forces press on one floor.
+    /// Half-spaces by component, read once: many forces press on one floor.
     fn planes(&self) -> &BTreeMap<ComponentId, Arc<HalfSpace>> {
         self.half_spaces.get_or_init(|| {
             let components = self.components();
             let planes = components.tree.iter().filter(|(id, _)| components.tag(*id) == "ContactHalfSpace");
-            planes.filter_map(|(id, _)| Some((id, Arc::new(read(components, id)?)))).collect()
+            planes.filter_map(|(id, _)| Some((id, Arc::new(read_half_space(components, id)?)))).collect()
         })
     }
 
@@ -53,15 +53,15 @@ impl Model {
     }
 
     fn shared_planes_of_set(&self, set: &ParameterSet) -> impl Iterator<Item = Arc<HalfSpace>> {
-        let own = set.half_space_components.iter().filter_map(|id| self.planes().get(id).cloned());
-        let inside = set.half_space_inside.and_then(|id| inside(self.components(), id));
-        own.chain(inside.map(Arc::new))
+        let listed = set.half_space_components.iter().filter_map(|id| self.planes().get(id).cloned());
+        let inside = set.half_space_inside.and_then(|id| half_space_inside(self.components(), id));
+        listed.chain(inside.map(Arc::new))
     }
 
     /// The half-spaces that forces of Moco 0.1 to 0.3 keep inside themselves, in file order.
     pub fn half_spaces_inside(&self) -> impl Iterator<Item = HalfSpace> + '_ {
         let sets = self.forces().iter().flat_map(|force| &force.sets);
-        sets.filter_map(|set| inside(self.components(), set.half_space_inside?))
+        sets.filter_map(|set| half_space_inside(self.components(), set.half_space_inside?))
     }
 
     /// The half-spaces among the surfaces of a parameter set, in its order; not one that its force keeps inside itself.
@@ -71,15 +71,15 @@ impl Model {
     }
 }
 
-fn read(components: &Components, id: ComponentId) -> Option<HalfSpace> {
+fn read_half_space(components: &Components, id: ComponentId) -> Option<HalfSpace> {
     HalfSpace::read(components, id, ("frame", &["body_name"]), ("location", "orientation", [0.0; 3]))
 }
 
 /// The half-space that a force of Moco 0.1 to 0.3 keeps inside itself.
-fn inside(components: &Components, force: ComponentId) -> Option<HalfSpace> {
+fn half_space_inside(components: &Components, force: ComponentId) -> Option<HalfSpace> {
     let tree = components.doc(force).tree();
-    let is_first = tree.child(components.element(force), FIRST_CONSTANT).is_some();
-    let turned = if is_first { [0.0; 3] } else { FLOOR };
+    let is_first = tree.child(components.element(force), OLD_CONSTANT_TAG).is_some();
+    let turned = if is_first { [0.0; 3] } else { DEFAULT_INSIDE_ORIENTATION };
     let place = ("contact_half_space_location", "contact_half_space_orientation", turned);
     HalfSpace::read(components, force, ("half_space_frame", &[]), place)
 }
@@ -87,7 +87,7 @@ fn inside(components: &Components, force: ComponentId) -> Option<HalfSpace> {
 // Half-spaces on ground: which of them is the floor.
 
 /// How far the normal of a floor may be from up (length of the difference of unit vectors).
-const LEVEL: f64 = 1e-6;
+const LEVEL_TOLERANCE: f64 = 1e-6;
 
 /// A half-space that is fixed to ground.
 #[derive(Debug, Clone, PartialEq)]
@@ -112,10 +112,10 @@ impl Model {
             .collect()
     }
 
-    /// The planes whose normal is up, against gravity: floors.
+    /// The floors: half-spaces on ground whose normal points up, against gravity.
     pub fn floors(&self) -> Vec<GroundPlane> {
         let up = self.up();
-        let is_level = |plane: &GroundPlane| plane.normal.distance_squared(up) <= LEVEL * LEVEL;
+        let is_level = |plane: &GroundPlane| plane.normal.distance_squared(up) <= LEVEL_TOLERANCE * LEVEL_TOLERANCE;
         self.ground_planes().into_iter().filter(is_level).collect()
     }
 
@@ -155,7 +155,7 @@ impl Model {
     /// `None` where the frame is in a file that was not given, or a number is not finite.
     pub fn centre_m(&self, sphere: SphereId) -> Option<DVec3> {
         let sphere = self.sphere(sphere).filter(|sphere| !matches!(sphere.base, Base::Unknown))?;
-        let point = self.components().in_body(sphere.frame_component, sphere.location_m)?;
+        let point = self.components().point_in_body(sphere.frame_component, sphere.location_m)?;
         point.is_finite().then_some(point)
     }
 }
@@ -163,15 +163,15 @@ impl Model {
 impl Components {
     /// The offset frames from `frame` to the body (or ground) that carries it, in this order.
     pub(crate) fn offset_frames(&self, frame: Option<ComponentId>) -> Vec<ComponentId> {
-        let mut found = Vec::new();
+        let mut frames = Vec::new();
         let mut at = frame;
         while let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground")
-            && found.len() <= MAX_FRAME_CHAIN
+            && frames.len() <= MAX_FRAME_CHAIN
         {
-            found.push(id);
+            frames.push(id);
             at = self.parent_frame(id);
         }
-        found
+        frames
     }
 
     /// The frame that an offset frame hangs on.
@@ -195,15 +195,15 @@ impl Components {
     }
 
     /// A point of a frame, seen from the body at the end of its chain of offset frames.
-    pub(crate) fn in_body(&self, frame: Option<ComponentId>, point: [f64; 3]) -> Option<DVec3> {
+    pub(crate) fn point_in_body(&self, frame: Option<ComponentId>, point: [f64; 3]) -> Option<DVec3> {
         let (mut point, mut at) = (DVec3::from(point), frame);
         // Chains that close on themselves were refused when the model was read.
         for _ in 0..=MAX_FRAME_CHAIN {
             let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground") else {
                 return Some(point);
             };
-            let of = |tag| self.doc(id).triple(self.element(id), tag).unwrap_or_default();
-            point = Placement::of_triples(of("orientation"), of("translation")).point(point);
+            let triple = |tag| self.doc(id).triple(self.element(id), tag).unwrap_or_default();
+            point = Placement::from_triples(triple("orientation"), triple("translation")).point(point);
             at = self.parent_frame(id);
         }
         None

@@ -8,7 +8,7 @@ use crate::model::{Anatomy, ForceId, Model, Side, SphereId};
 /// Bodies whose origins are within this share of the model's height above the lowest one are feet.
 const NEAR_GROUND: f64 = 0.12;
 /// What bodies of feet are called, where the default pose does not say which they are.
-const NAMES: [&str; 10] =
+const FOOT_NAMES: [&str; 10] =
     ["calcn", "calcan", "foot", "toe", "talus", "hoof", "paw", "hallux", "phalan", "metatars"];
 
 /// A foot: bodies that hang on each other, and the spheres on them.
@@ -33,16 +33,16 @@ impl FootBodies {
         forces: &[ForceId],
         pose: &DefaultPose,
     ) -> Vec<Self> {
-        let tree = Tree::new(anatomy);
+        let tree = BodyTree::new(anatomy);
         if spheres.is_empty() {
             let up = model.up();
             let height_m = |body: &str| Some(up.dot(pose.placement(body).ok()?.translation_m));
-            return near_ground(&tree, &height_m);
+            return feet_near_ground(&tree, &height_m);
         }
-        let mut groups = limbs(model, spheres, forces);
-        groups.extend(by_body(&tree, model, &rest(spheres, &groups)));
+        let mut groups = groups_by_limb(model, spheres, forces);
+        groups.extend(groups_by_body(&tree, model, &spheres_outside_groups(spheres, &groups)));
         let carriers: HashSet<&str> = spheres.iter().filter_map(|&id| body_of(model, id)).collect();
-        groups.into_iter().flat_map(|group| feet(&tree, model, group, &carriers)).collect()
+        groups.into_iter().flat_map(|group| feet_of_group(&tree, model, group, &carriers)).collect()
     }
 
     /// The body on which the others hang.
@@ -52,55 +52,55 @@ impl FootBodies {
 }
 
 /// Spheres of one limb, or of one body.
-struct Group {
+struct SphereGroup {
     side: Option<Side>,
     spheres: Vec<SphereId>,
 }
 
-fn limbs(model: &Model, spheres: &[SphereId], forces: &[ForceId]) -> Vec<Group> {
+fn groups_by_limb(model: &Model, spheres: &[SphereId], forces: &[ForceId]) -> Vec<SphereGroup> {
     let limbs = model.limbs(forces);
     let chosen: HashSet<SphereId> = spheres.iter().copied().collect();
-    let limbs = limbs.known().unwrap_or_default().iter().map(|limb| Group {
+    let limbs = limbs.if_known().unwrap_or_default().iter().map(|limb| SphereGroup {
         side: Some(limb.side),
         spheres: limb.spheres.iter().copied().filter(|id| chosen.contains(id)).collect(),
     });
     limbs.filter(|group| !group.spheres.is_empty()).collect()
 }
 
-fn rest(spheres: &[SphereId], groups: &[Group]) -> Vec<SphereId> {
+fn spheres_outside_groups(spheres: &[SphereId], groups: &[SphereGroup]) -> Vec<SphereId> {
     let known: HashSet<SphereId> = groups.iter().flat_map(|group| group.spheres.iter().copied()).collect();
     spheres.iter().copied().filter(|id| !known.contains(id)).collect()
 }
 
-/// Ground has an empty name.
+/// The name of the body that carries `sphere`; empty for ground.
 fn body_of(model: &Model, sphere: SphereId) -> Option<&str> {
     Some(model.sphere(sphere)?.body.as_deref().unwrap_or_default())
 }
 
-/// Spheres on their bodies, in the order of the first on each.
+/// The spheres of each body, in the order of the first sphere on each.
 fn on_bodies<'m>(model: &'m Model, spheres: &[SphereId]) -> Vec<(&'m str, Vec<SphereId>)> {
     let mut places: HashMap<&str, usize> = HashMap::new();
-    let mut on: Vec<(&str, Vec<SphereId>)> = Vec::new();
+    let mut by_body: Vec<(&str, Vec<SphereId>)> = Vec::new();
     for &id in spheres {
         let Some(body) = body_of(model, id) else { continue };
-        let place = *places.entry(body).or_insert(on.len());
-        match on.get_mut(place) {
+        let place = *places.entry(body).or_insert(by_body.len());
+        match by_body.get_mut(place) {
             Some((_, known)) => known.push(id),
-            None => on.push((body, vec![id])),
+            None => by_body.push((body, vec![id])),
         }
     }
-    on
+by_body
 }
 
-/// Spheres without a limb: body by body, and bodies of one side that hang on each other together.
-fn by_body(tree: &Tree<'_>, model: &Model, spheres: &[SphereId]) -> Vec<Group> {
+/// Groups of spheres that are in no limb: one group for each body, or for several bodies of one side that hang on each other.
+fn groups_by_body(tree: &BodyTree<'_>, model: &Model, spheres: &[SphereId]) -> Vec<SphereGroup> {
     let mut on: HashMap<&str, Vec<SphereId>> = HashMap::new();
     let mut bodies = Vec::new();
-    for (body, spheres) in on_bodies(model, spheres) {
+    for (body, spheres) in spheres_by_body(model, spheres) {
         bodies.push(body);
         on.insert(body, spheres);
     }
-    let groups = tree.connected(&bodies).into_iter().map(|group| Group {
+    let groups = tree.connected(&bodies).into_iter().map(|group| SphereGroup {
         side: group.first().and_then(|body| Side::of_name(body)),
         spheres: group.iter().flat_map(|body| on.get(body).cloned().unwrap_or_default()).collect(),
     });
@@ -109,11 +109,11 @@ fn by_body(tree: &Tree<'_>, model: &Model, spheres: &[SphereId]) -> Vec<Group> {
 
 /// The foot of a group: bodies with its spheres, those between them, and those of the same side below. Bodies that are joined
 /// only through ground are feet of their own.
-fn feet(tree: &Tree<'_>, model: &Model, group: Group, carriers: &HashSet<&str>) -> Vec<FootBodies> {
-    let own = on_bodies(model, &group.spheres);
-    let names: Vec<&str> = own.iter().map(|(body, _)| *body).collect();
-    let Some(joined) = tree.joined(&names) else {
-        let alone = own.into_iter().map(|(body, spheres)| FootBodies {
+fn feet_of_group(tree: &BodyTree<'_>, model: &Model, group: SphereGroup, carriers: &HashSet<&str>) -> Vec<FootBodies> {
+    let carriers_of_group = spheres_by_body(model, &group.spheres);
+    let names: Vec<&str> = carriers_of_group.iter().map(|(body, _)| *body).collect();
+    let Some(joined) = tree.with_connecting_bodies(&names) else {
+        let alone = carriers_of_group.into_iter().map(|(body, spheres)| FootBodies {
             bodies: vec![body.to_owned()],
             side: group.side,
             spheres,
@@ -125,7 +125,7 @@ fn feet(tree: &Tree<'_>, model: &Model, group: Group, carriers: &HashSet<&str>) 
 }
 
 /// Feet of a model without spheres.
-fn near_ground(tree: &Tree<'_>, height_m: &dyn Fn(&str) -> Option<f64>) -> Vec<FootBodies> {
+fn feet_near_ground(tree: &BodyTree<'_>, height_m: &dyn Fn(&str) -> Option<f64>) -> Vec<FootBodies> {
     let names: Vec<&str> = tree.bodies().collect();
     let sided = |name: &&str| Side::of_name(name).is_some();
     let heights: Vec<(&str, f64)> = names.iter().filter_map(|&name| Some((name, height_m(name)?))).collect();
@@ -135,7 +135,7 @@ fn near_ground(tree: &Tree<'_>, height_m: &dyn Fn(&str) -> Option<f64>) -> Vec<F
     let mut feet: Vec<&str> =
         heights.iter().filter(|(_, height)| near(*height)).map(|(name, _)| *name).filter(sided).collect();
     if heights.len() < names.len() {
-        let called = |name: &&str| NAMES.iter().any(|known| name.to_lowercase().contains(known));
+        let called = |name: &&str| FOOT_NAMES.iter().any(|known| name.to_lowercase().contains(known));
         feet = names.iter().copied().filter(sided).filter(called).collect();
     }
     let foot = |bodies: Vec<&str>| FootBodies {
@@ -149,11 +149,11 @@ fn near_ground(tree: &Tree<'_>, height_m: &dyn Fn(&str) -> Option<f64>) -> Vec<F
 // Bodies as a tree of joints: which of them hang on each other. Each body is walked through once, however long a chain is.
 
 /// The bodies of a model and the joints between them.
-pub(super) struct Tree<'t> {
+pub(super) struct BodyTree<'t> {
     anatomy: &'t Anatomy,
 }
 
-impl<'t> Tree<'t> {
+impl<'t> BodyTree<'t> {
     pub(super) fn new(anatomy: &'t Anatomy) -> Self {
         Self { anatomy }
     }
@@ -167,7 +167,7 @@ impl<'t> Tree<'t> {
         self.anatomy.joint_above(body).map(|joint| joint.parent.as_str())
     }
 
-    /// `body` and those above it that are not in `seen` yet, which they are afterwards; with it the first above that was.
+    /// `body` and those above it up to one that is in `seen`, and that one. All are in `seen` afterwards.
     fn up<'b>(&self, body: &'b str, seen: &mut HashSet<&'b str>) -> (Vec<&'b str>, Option<&'b str>)
     where
         't: 'b,
@@ -219,24 +219,24 @@ impl<'t> Tree<'t> {
     }
 
     /// Some bodies, and those by which they hang on each other, the one on which all hang first; `None` where there is no such.
-    pub(super) fn joined<'b>(&self, bodies: &[&'b str]) -> Option<Vec<&'b str>>
+    pub(super) fn with_connecting_bodies<'b>(&self, bodies: &[&'b str]) -> Option<Vec<&'b str>>
     where
         't: 'b,
     {
         let mut seen = HashSet::new();
-        let (first, _) = self.up(bodies.first()?, &mut seen);
+        let (first, _) = self.walk_up(bodies.first()?, &mut seen);
         let steps: HashMap<&str, usize> =
             first.iter().enumerate().map(|(steps, &body)| (body, steps)).collect();
         let mut top = 0;
         for body in bodies.iter().skip(1) {
-            let (_, met) = self.up(body, &mut seen);
-            // Whoever met a walk that came before meets the first one where that did.
+            let (_, met) = self.walk_up(body, &mut seen);
+            // A walk that meets an earlier one meets the first walk where the earlier one did.
             top = top.max(met.map(|met| steps.get(met).copied().unwrap_or(0))?);
         }
         let top = *first.get(top)?;
         let (mut joined, mut seen) = (vec![top], HashSet::from_iter([top]));
         for body in bodies {
-            let (walked, _) = self.up(body, &mut seen);
+            let (walked, _) = self.walk_up(body, &mut seen);
             joined.extend(walked.into_iter().rev());
         }
         Some(joined)

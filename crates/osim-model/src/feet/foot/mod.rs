@@ -1,4 +1,4 @@
-//! What stands where in a foot: joints, bones, spheres and the floor, as a picture of it needs them.
+//! Where joints, bones, spheres and the floor of a foot are, for a picture of it.
 //!
 //! [`FootBodies::find`] says which bodies make feet, [`Foot::all`] where everything on them is at the default pose.
 
@@ -16,9 +16,9 @@ pub use bodies::FootBodies;
 pub use view::{ViewAxes, silhouette};
 
 /// Joints above a foot belong to it where they are within this share of its length.
-const NEAR: f64 = 0.5;
+const ANKLE_DISTANCE: f64 = 0.5;
 /// Bones of bodies without spheres are drawn up to this share of the foot's length above its lowest place.
-const SHOWN: f64 = 0.8;
+const SHOWN_HEIGHT: f64 = 0.8;
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FootFrame {
@@ -87,33 +87,33 @@ pub struct Foot {
 impl Foot {
     /// Where everything on each foot is: in ground where the default pose is understood, else in the frame of its first body.
     pub fn all(model: &Model, anatomy: &Anatomy, feet: &[FootBodies], pose: &DefaultPose) -> Vec<Self> {
-        let shared = Shared::of(model);
-        feet.iter().map(|bodies| Self::of(&shared, anatomy, bodies, pose)).collect()
+        let context = ModelContext::of(model);
+        feet.iter().map(|bodies| Self::of(&context, anatomy, bodies, pose)).collect()
     }
 
-    fn of(shared: &Shared<'_>, anatomy: &Anatomy, bodies: &FootBodies, pose: &DefaultPose) -> Self {
-        let places = Places::of(anatomy, bodies, pose);
+    fn of(context: &ModelContext<'_>, anatomy: &Anatomy, bodies: &FootBodies, pose: &DefaultPose) -> Self {
+        let places = FootPlaces::of(anatomy, bodies, pose);
         let (frame, floor) = match &places.fault {
-            None => (FootFrame::Ground, shared.floor.clone()),
+            None => (FootFrame::Ground, context.floor.clone()),
             Some(fault) => {
                 let frame = FootFrame::Body { name: bodies.top().to_owned(), fault: fault.clone() };
                 (frame, FloorPlace::NotInGround)
             }
         };
-        let is_unplaced = |body: &&String| places.at(body, DVec3::ZERO).is_none();
+        let is_unplaced = |body: &&String| places.point(body, DVec3::ZERO).is_none();
         let mut foot = Self {
             name: bodies.top().to_owned(),
             side: bodies.side,
             frame,
-            origin_m: places.at(bodies.top(), DVec3::ZERO).unwrap_or_default(),
-            axes: shared.axes,
+            origin_m: places.point(bodies.top(), DVec3::ZERO).unwrap_or_default(),
+            axes: context.axes,
             joints: Vec::new(),
-            spheres: spheres(shared.model, bodies, &places),
+            spheres: foot_spheres(context.model, bodies, &places),
             bones: Vec::new(),
             floor,
             unplaced: bodies.bodies.iter().filter(is_unplaced).cloned().collect(),
         };
-        foot.add_joints(anatomy, bodies, &places, shared);
+        foot.add_joints(anatomy, bodies, &places, context);
         foot
     }
 
@@ -132,14 +132,14 @@ impl Foot {
 
     /// Adds bones; points of bodies without spheres that are high above the foot are left out.
     pub fn add_bones(&mut self, anatomy: &Anatomy, bodies: &FootBodies, bones: &[Bone], pose: &DefaultPose) {
-        let places = Places::of(anatomy, bodies, pose);
-        let top = self.lowest_m().map(|lowest| lowest + SHOWN * self.length_m());
+        let places = FootPlaces::of(anatomy, bodies, pose);
+        let top = self.lowest_m().map(|lowest| lowest + SHOWN_HEIGHT * self.length_m());
         let carriers: HashSet<&str> = self.spheres.iter().map(|sphere| sphere.body.as_str()).collect();
         let mut shown_bones = Vec::new();
         for bone in bones {
             let limit = if carriers.contains(bone.body.as_str()) { None } else { top };
             let shown = |point: &DVec3| limit.is_none_or(|top| self.axes.up.dot(*point) <= top);
-            let points = bone.points_m.iter().filter_map(|&point| places.at(&bone.body, point.into()));
+            let points = bone.points_m.iter().filter_map(|&point| places.point(&bone.body, point.into()));
             let points_m: Vec<DVec3> = points.filter(shown).collect();
             if !points_m.is_empty() {
                 shown_bones.push(FootBone { body: bone.body.clone(), mesh: bone.mesh.clone(), points_m });
@@ -178,7 +178,7 @@ impl Foot {
     }
 
     /// The share of the bones' length at which the first and the last centre are, from the heel; `None` without bones.
-    pub fn reach(&self) -> Option<(f64, f64)> {
+    pub fn sphere_extent(&self) -> Option<(f64, f64)> {
         let along = |point: DVec3| self.axes.forward.dot(point);
         let carriers: HashSet<&str> = self.spheres.iter().map(|sphere| sphere.body.as_str()).collect();
         let of_carriers = self.bones.iter().filter(|bone| carriers.contains(bone.body.as_str()));
@@ -197,10 +197,10 @@ impl Foot {
         &mut self,
         anatomy: &Anatomy,
         bodies: &FootBodies,
-        places: &Places<'_>,
-        shared: &Shared<'_>,
+        places: &FootPlaces<'_>,
+        context: &ModelContext<'_>,
     ) {
-        let place = |joint: &AnatomyJoint| places.joint(joint, shared);
+        let place = |joint: &AnatomyJoint| places.joint(joint, context);
         for body in &bodies.bodies {
             self.joints.extend(anatomy.joint_above(body).and_then(place));
         }
@@ -209,34 +209,34 @@ impl Foot {
         let next = above.and_then(|joint| anatomy.joint_above(&joint.parent));
         let (Some(above), Some(next)) = (above, next) else { return };
         if let (Some(first), Some(second)) = (place(above), place(next))
-            && first.at_m.distance(second.at_m) <= NEAR * self.length_m()
+            && first.at_m.distance(second.at_m) <= ANKLE_DISTANCE * self.length_m()
         {
             self.joints.push(second);
         }
     }
 }
 
-fn spheres(model: &Model, bodies: &FootBodies, places: &Places<'_>) -> Vec<FootSphere> {
+fn foot_spheres(model: &Model, bodies: &FootBodies, places: &FootPlaces<'_>) -> Vec<FootSphere> {
     let sphere = |&id| {
         let sphere = model.sphere(id)?;
         let body = sphere.body.clone().unwrap_or_default();
-        let centre_m = places.at(&body, model.centre_m(id)?)?;
+        let centre_m = places.point(&body, model.centre_m(id)?)?;
         let radius_m = sphere.radius_m().ok()?;
         Some(FootSphere { name: sphere.name.clone(), body, centre_m, radius_m, misplaced: false })
     };
     bodies.spheres.iter().filter_map(sphere).collect()
 }
 
-/// What all feet of a model share.
-struct Shared<'m> {
+/// Facts of the model that all its feet need.
+struct ModelContext<'m> {
     model: &'m Model,
     axes: ViewAxes,
     floor: FloorPlace,
-    /// By their own names and those of their children, the first of each.
+    /// Joints by their names and those of their children; of several the first.
     joints: HashMap<(&'m str, &'m str), &'m ModelJoint>,
 }
 
-impl<'m> Shared<'m> {
+impl<'m> ModelContext<'m> {
     fn of(model: &'m Model) -> Self {
         let mut joints = HashMap::new();
         for joint in model.joints() {
@@ -249,7 +249,7 @@ impl<'m> Shared<'m> {
 }
 
 /// Where bodies are in the frame of a foot.
-struct Places<'p> {
+struct FootPlaces<'p> {
     anatomy: &'p Anatomy,
     top: &'p str,
     /// Why the first body cannot be placed in ground, if it cannot.
@@ -257,48 +257,48 @@ struct Places<'p> {
     pose: &'p DefaultPose,
 }
 
-impl<'p> Places<'p> {
+impl<'p> FootPlaces<'p> {
     fn of(anatomy: &'p Anatomy, bodies: &'p FootBodies, pose: &'p DefaultPose) -> Self {
         let top = bodies.top();
-        // Ground has no name here.
+        // An empty name is ground.
         let fault = pose.placement(top).err().filter(|_| !top.is_empty());
         Self { anatomy, top, fault, pose }
     }
 
     /// A point of a body, m.
-    fn at(&self, body: &str, point_m: DVec3) -> Option<DVec3> {
+    fn point(&self, body: &str, point_m: DVec3) -> Option<DVec3> {
         match (body, &self.fault) {
             ("", None) => Some(point_m),
             (_, None) => Some(self.pose.placement(body).ok()?.point(point_m)),
-            (_, Some(_)) => self.in_top(body, point_m),
+            (_, Some(_)) => self.point_in_top(body, point_m),
         }
     }
 
     /// The point in the frame of the foot's first body, m: through the joints between them.
-    fn in_top(&self, body: &str, point_m: DVec3) -> Option<DVec3> {
+    fn point_in_top(&self, body: &str, point_m: DVec3) -> Option<DVec3> {
         let (mut at, mut point) = (body, point_m);
         for _ in 0..=self.anatomy.bodies.len() {
             if at == self.top {
                 return Some(point);
             }
             let above = self.anatomy.joint_above(at)?;
-            point = above.in_parent(point)?;
+            point = above.point_in_parent(point)?;
             at = &above.parent;
         }
         None
     }
 
     /// A joint, where it is on its parent as OpenSim reads it; on its child where the parent is not in the picture.
-    fn joint(&self, joint: &AnatomyJoint, shared: &Shared<'_>) -> Option<FootJoint> {
-        let read = shared.joints.get(&(joint.name.as_str(), joint.child.as_str()));
+    fn joint(&self, joint: &AnatomyJoint, context: &ModelContext<'_>) -> Option<FootJoint> {
+        let read = context.joints.get(&(joint.name.as_str(), joint.child.as_str()));
         let in_parent_m = read.map_or(joint.in_parent_m, |read| read.in_parent_m());
-        let at_m = self.at(&joint.parent, in_parent_m).or_else(|| self.at(&joint.child, joint.in_child_m))?;
+        let at_m = self.point(&joint.parent, in_parent_m).or_else(|| self.point(&joint.child, joint.in_child_m))?;
         Some(FootJoint { name: joint.name.clone(), at_m })
     }
 }
 
 /// Floors that are this close are one.
-const SAME_M: f64 = 1e-9;
+const SAME_HEIGHT_M: f64 = 1e-9;
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum FloorPlace {
@@ -317,7 +317,7 @@ impl FloorPlace {
         let up = model.up();
         let mut heights: Vec<f64> = model.floors().iter().map(|plane| plane.point_m.dot(up)).collect();
         heights.sort_by(f64::total_cmp);
-        heights.dedup_by(|a, b| (*a - *b).abs() <= SAME_M);
+        heights.dedup_by(|a, b| (*a - *b).abs() <= SAME_HEIGHT_M);
         match heights.as_slice() {
             [] => Self::None,
             [height] => Self::At(*height),

@@ -62,7 +62,7 @@ impl Model {
         let (sphere_count, force_count) =
             (counts(&then.spheres, &now.spheres), counts(&then.forces, &now.forces));
         let comparable = sphere_count.is_none() && force_count.is_none();
-        let properties = if comparable { other_properties(then, &now) } else { Vec::new() };
+        let properties = if comparable { differing_properties(then, &now) } else { Vec::new() };
         ChangedContacts {
             sphere_names: comparable && then.spheres.digest != now.spheres.digest,
             force_names: comparable && then.forces.digest != now.forces.digest,
@@ -77,7 +77,7 @@ impl Model {
 }
 
 /// Properties with other values, and those that only one of the two has.
-fn other_properties(then: &NotedParts, now: &NotedParts) -> Vec<Property> {
+fn differing_properties(then: &NotedParts, now: &NotedParts) -> Vec<Property> {
     let differs = |property: &Property| then.properties.get(property) != now.properties.get(property);
     Property::ALL.into_iter().filter(differs).collect()
 }

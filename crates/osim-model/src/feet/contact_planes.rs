@@ -13,7 +13,7 @@ use crate::model::{ElementId, FileId, Force, ForceId, HalfSpace, Model, Placemen
 
 /// A plane that leans by more than this is a wall, rad: 45 degrees. The steepest published slope has 20.5 degrees, and between that and
 /// upright planes (90 degrees) there is none.
-pub const STEEPEST_RAD: f64 = std::f64::consts::FRAC_PI_4;
+pub const STEEPEST_FLOOR_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
 /// A half-space that moving spheres press on: a floor, or a wall. It reads like its [`HalfSpace`].
 ///
@@ -58,19 +58,19 @@ impl ContactPlane {
     /// on every plane of its forces, but for those of its own body and of bodies that are welded to it.
     pub fn all(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> Vec<Self> {
         let welds = Welds::of(model.joints());
-        let mut pairing = Pairing::default();
+        let mut planes_with_spheres = PlanesWithSpheres::default();
         for force in forces.iter().filter_map(|&id| model.force(id)).filter(|force| force.applies) {
             let spheres: Vec<&Sphere> =
                 force.spheres().into_iter().filter_map(|id| model.sphere(id)).collect();
             for plane in model.planes_of(force) {
-                let held = |body: &str| welds.hold(Some(body), plane.body.as_deref());
-                let presses = |sphere: &&&Sphere| !sphere.fixed && !sphere.body.as_deref().is_some_and(held);
-                let pressing = spheres.iter().filter(presses).map(|sphere| sphere.id).collect();
-                pairing.add(plane, pressing);
+                let is_welded_to_plane = |body: &str| welds.are_welded(Some(body), plane.body.as_deref());
+                let presses = |sphere: &&&Sphere| !sphere.fixed && !sphere.body.as_deref().is_some_and(is_welded_to_plane);
+                let floor_contacts = spheres.iter().filter(presses).map(|sphere| sphere.id).collect();
+                planes_with_spheres.add(plane, floor_contacts);
             }
         }
         // Sorted once: after each force, it would be work that grows with their square.
-        let sorted = pairing.planes.into_iter().map(|(plane, mut spheres)| {
+        let sorted = planes_with_spheres.planes.into_iter().map(|(plane, mut spheres)| {
             spheres.sort_unstable();
             (plane, spheres)
         });
@@ -110,15 +110,15 @@ impl PlaneSurface {
     }
 }
 
-/// Planes with their spheres, as they are found.
+/// Collects planes with the spheres that press on them, each pair once.
 #[derive(Default)]
-struct Pairing {
+struct PlanesWithSpheres {
     planes: Vec<(Arc<HalfSpace>, Vec<SphereId>)>,
     index: HashMap<(FileId, ElementId), usize>,
-    known: HashSet<(usize, SphereId)>,
+    paired: HashSet<(usize, SphereId)>,
 }
 
-impl Pairing {
+impl PlanesWithSpheres {
     fn add(&mut self, plane: Arc<HalfSpace>, spheres: Vec<SphereId>) {
         if spheres.is_empty() {
             return;
@@ -128,8 +128,8 @@ impl Pairing {
         if index == self.planes.len() {
             self.planes.push((plane, Vec::new()));
         }
-        let Some((_, pressing)) = self.planes.get_mut(index) else { return };
-        pressing.extend(spheres.into_iter().filter(|&sphere| self.known.insert((index, sphere))));
+        let Some((_, floor_contacts)) = self.planes.get_mut(index) else { return };
+        floor_contacts.extend(spheres.into_iter().filter(|&sphere| self.paired.insert((index, sphere))));
     }
 }
 

@@ -205,6 +205,6 @@ fn bones_stand_where_their_bodies_do() {
     // What is high above a foot is left out on bodies without spheres.
     assert_eq!(foot.bones[1].points_m.len(), 1);
     // The centre is half of the bone's length from the heel.
-    let (first, last) = foot.reach().unwrap();
+    let (first, last) = foot.sphere_extent().unwrap();
     assert!((first - 0.5).abs() < 1e-12 && first == last);
 }

@@ -1,13 +1,13 @@
-//! How a foot is looked at: the axes forward, up and to the right, and the line around its points.
+//! The directions from which a foot is drawn, and the outline of its points.
 
 use foldhash::{HashSet, HashSetExt};
 use glam::{DVec2, DVec3};
 
-use crate::feet::vector::{distance, hull, sort_once, twice_area};
+use crate::feet::vector::{distance, convex_hull, sort_and_dedup, twice_area};
 use crate::model::Model;
 
 /// The names of a frame's axes, and of their opposites.
-const NAMES: [[&str; 2]; 3] = [["x", "−x"], ["y", "−y"], ["z", "−z"]];
+const AXIS_NAMES: [[&str; 2]; 3] = [["x", "−x"], ["y", "−y"], ["z", "−z"]];
 
 /// Three directions of length 1 in ground (or in the frame of a body that is drawn in its own).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,19 +35,19 @@ impl ViewAxes {
     }
 
     /// How far a point is forward, up and to the right, m.
-    pub fn seen(&self, point_m: DVec3) -> [f64; 3] {
+    pub fn coordinates(&self, point_m: DVec3) -> [f64; 3] {
         [self.forward, self.up, self.right].map(|axis| axis.dot(point_m))
     }
 
     /// What the three directions are called: `x`, `y` and `z` where gravity points along −y; words where none is an axis.
     pub fn names(&self) -> [&'static str; 3] {
         let axis = |direction: DVec3, word| {
-            let of = |(i, [along, against]): (usize, [&'static str; 2])| match direction[i] {
+            let name_along = |(i, [along, against]): (usize, [&'static str; 2])| match direction[i] {
                 value if value > 1.0 - 1e-12 => Some(along),
                 value if value < 1e-12 - 1.0 => Some(against),
                 _ => None,
             };
-            NAMES.into_iter().enumerate().find_map(of).unwrap_or(word)
+            AXIS_NAMES.into_iter().enumerate().find_map(name_along).unwrap_or(word)
         };
         [axis(self.forward, "forward"), axis(self.up, "up"), axis(self.right, "right")]
     }
@@ -55,14 +55,14 @@ impl ViewAxes {
 
 // The line around points.
 
-/// Lines longer than this share of the width or the height, whichever is larger, give way to points inside...
-const LONGEST: f64 = 0.06;
-/// ... and than this many times the distance that points have which are spread evenly over the hull.
-const SPACINGS: f64 = 5.0;
+/// Edges of an outline that are longer than this share of its width or height, whichever is larger, are moved to points inside...
+const LONGEST_EDGE: f64 = 0.06;
+/// ... if they are also longer than this many times the mean distance of points.
+const LONGEST_EDGE_IN_SPACINGS: f64 = 5.0;
 /// Points inside that are closer than this share are taken as one.
-const CELL: f64 = 1.0 / 150.0;
-/// A line around more corners than this is not looked at further.
-const MOST: usize = 600;
+const CELL_SHARE: f64 = 1.0 / 150.0;
+/// An outline with more corners than this is not tightened further.
+const MOST_CORNERS: usize = 600;
 
 /// The line around points of a plane, closed, without its first point again. It is the convex hull, whose long lines give way to
 /// points inside, longest first, until none is longer than 6 % of the width or the height, or than a few times the distance of
@@ -75,32 +75,32 @@ pub fn silhouette(points: &[DVec2]) -> Vec<DVec2> {
         return Vec::new();
     }
     let mut sorted = points.to_vec();
-    sort_once(&mut sorted);
-    let hull = hull(&sorted);
+    sort_and_dedup(&mut sorted);
+    let hull = convex_hull(&sorted);
     if hull.len() < 3 {
         return Vec::new();
     }
     let corners = || hull.iter().copied();
     let span = corners().fold(DVec2::NEG_INFINITY, DVec2::max) - corners().fold(DVec2::INFINITY, DVec2::min);
     let size = span.max_element();
-    let shape = Shape::new(points, hull, CELL * size);
-    let longest = (LONGEST * size).max(SPACINGS * shape.spacing());
-    shape.dug(longest)
+    let outline = Outline::new(points, convex_hull, CELL_SHARE * size);
+    let longest = (LONGEST_EDGE * size).max(LONGEST_EDGE_IN_SPACINGS * outline.spacing());
+    outline.tightened(longest)
 }
 
-/// A line around points that becomes narrower.
-struct Shape {
+/// The outline of points, which is tightened step by step.
+struct Outline {
     line: Vec<DVec2>,
     inside: Vec<DVec2>,
 }
 
-impl Shape {
+impl Outline {
     fn new(points: &[DVec2], hull: Vec<DVec2>, cell: f64) -> Self {
         #[expect(clippy::cast_possible_truncation, reason = "some hundred cells")]
         let cell_of = |point: &DVec2| ((point.x / cell).round() as i64, (point.y / cell).round() as i64);
         let mut taken: HashSet<(i64, i64)> = hull.iter().map(cell_of).collect();
         let inside = points.iter().filter(|point| taken.insert(cell_of(point))).copied().collect();
-        Self { line: hull, inside }
+        Self { line: convex_hull, inside }
     }
 
     /// The distance of as many points that are spread evenly over the same area.
@@ -112,16 +112,16 @@ impl Shape {
         (area.abs() / count).sqrt()
     }
 
-    fn dug(mut self, longest: f64) -> Vec<DVec2> {
-        let mut whole: HashSet<[u64; 4]> = HashSet::new();
-        while let Some((index, from, to)) = self.longest_edge(longest, &whole) {
+    fn tightened(mut self, longest: f64) -> Vec<DVec2> {
+        let mut final_edges: HashSet<[u64; 4]> = HashSet::new();
+        while let Some((index, from, to)) = self.longest_edge(longest, &final_edges) {
             match self.nearest_inside(from, to) {
-                Some(place) if self.line.len() < MOST => {
+                Some(place) if self.line.len() < MOST_CORNERS => {
                     let point = self.inside.swap_remove(place);
                     self.line.insert(index + 1, point);
                 }
                 _ => {
-                    whole.insert(key(from, to));
+                    final_edges.insert(edge_key(from, to));
                 }
             }
         }
@@ -129,11 +129,11 @@ impl Shape {
     }
 
     /// The longest edge that may still give way.
-    fn longest_edge(&self, least: f64, whole: &HashSet<[u64; 4]>) -> Option<(usize, DVec2, DVec2)> {
+    fn longest_edge(&self, least: f64, final_edges: &HashSet<[u64; 4]>) -> Option<(usize, DVec2, DVec2)> {
         let next = self.line.iter().cycle().skip(1);
         let edges = self.line.iter().zip(next).enumerate().map(|(index, (&from, &to))| (index, from, to));
         edges
-            .filter(|&(_, from, to)| distance(from, to) > least && !whole.contains(&key(from, to)))
+            .filter(|&(_, from, to)| distance(from, to) > least && !final_edges.contains(&edge_key(from, to)))
             .max_by(|a, b| distance(a.1, a.2).total_cmp(&distance(b.1, b.2)))
     }
 
@@ -160,7 +160,7 @@ impl Shape {
     }
 }
 
-fn key(from: DVec2, to: DVec2) -> [u64; 4] {
+fn edge_key(from: DVec2, to: DVec2) -> [u64; 4] {
     [from.x, from.y, to.x, to.y].map(f64::to_bits)
 }
 
@@ -171,11 +171,11 @@ mod tests {
     #[test]
     fn gravity_is_down_and_x_forward() {
         let axes = ViewAxes::with_up(DVec3::Y);
-        assert_eq!(axes.seen(DVec3::new(1.0, 2.0, 3.0)), [1.0, 2.0, 3.0]);
+        assert_eq!(axes.coordinates(DVec3::new(1.0, 2.0, 3.0)), [1.0, 2.0, 3.0]);
         assert_eq!(axes.names(), ["x", "y", "z"]);
         // z up: the right side of one who looks along x is −y.
         let axes = ViewAxes::with_up(DVec3::Z);
-        assert_eq!(axes.seen(DVec3::new(1.0, 2.0, 3.0)), [1.0, 3.0, -2.0]);
+        assert_eq!(axes.coordinates(DVec3::new(1.0, 2.0, 3.0)), [1.0, 3.0, -2.0]);
         assert_eq!(axes.names(), ["x", "z", "−y"]);
         // x up: y is forward.
         assert_eq!(ViewAxes::with_up(DVec3::X).names(), ["y", "x", "−z"]);
@@ -202,7 +202,7 @@ mod tests {
         line.iter().zip(next).map(|(a, b)| a.perp_dot(*b) / 2.0).sum()
     }
 
-    fn holds(line: &[DVec2], point: DVec2) -> bool {
+    fn contains(line: &[DVec2], point: DVec2) -> bool {
         let next = line.iter().cycle().skip(1);
         let edges = line.iter().zip(next);
         let on = |a: DVec2, b: DVec2| {
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn hollows_stay() {
+    fn a_silhouette_keeps_hollows() {
         let line = silhouette(&bridge());
         // 10 by 4 less 6 by 2; a convex hull would have 40. The two corners of the hollow may be cut by an edge of 1.6.
         let seen = area(&line);
@@ -224,17 +224,17 @@ mod tests {
     }
 
     #[test]
-    fn no_point_is_outside() {
+    fn no_point_is_outside_a_silhouette() {
         // A point that is left out because another one is close to it may be outside by a cell.
         let line = silhouette(&bridge());
         for point in bridge() {
             let near = line.iter().any(|corner| distance(*corner, point) < 0.1);
-            assert!(near || holds(&line, point), "{point:?} is outside of {line:?}");
+            assert!(near || contains(&line, point), "{point:?} is outside of {line:?}");
         }
     }
 
     #[test]
-    fn toes_are_toes() {
+    fn a_silhouette_keeps_toes_apart() {
         // Three rays from the origin, 10 long, 30 degrees apart, with points every 0.5 on both sides of each.
         let ray = |angle: f64| {
             (0..=20).flat_map(move |index| {
@@ -246,9 +246,9 @@ mod tests {
         // Between the tips there is nothing.
         for angle in [-15.0_f64, 15.0] {
             let (s, c) = angle.to_radians().sin_cos();
-            assert!(!holds(&line, DVec2::new(9.0 * c, 9.0 * s)), "{line:?}");
+            assert!(!contains(&line, DVec2::new(9.0 * c, 9.0 * s)), "{line:?}");
         }
-        assert!(holds(&line, DVec2::new(9.0, 0.0)));
+        assert!(contains(&line, DVec2::new(9.0, 0.0)));
     }
 
     #[test]

@@ -1,11 +1,11 @@
-//! Whether one model is a scaled copy of another one, and the file in which the Scale Tool says what it did.
+//! Whether one model is a scaled copy of another one, and the ScaleSet file of the Scale Tool.
 
 use std::collections::BTreeMap;
 
 use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
-use super::body_factors::{self, AXES, BonePair};
+use super::body_factors::{self, AXIS_NAMES, BonePair};
 use crate::messages::Phrase;
 use crate::model::{Anatomy, AnatomyJoint, Document, FactorQuestion, Fault, FaultKind, Needed};
 
@@ -18,7 +18,7 @@ pub(super) const SHORTEST_OFFSET_M: f64 = 1e-6;
 
 /// What shows that a model is not a scaled copy of another one.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Difference {
+pub enum CopyDifference {
     /// The reference has too few bodies to say: one joint is always explained by some factors.
     Fragment,
     /// A joint is between other bodies.
@@ -49,7 +49,7 @@ pub enum Difference {
     },
 }
 
-impl Difference {
+impl CopyDifference {
     /// In words, as the beginning of a sentence.
     pub fn phrase(&self) -> Phrase {
         let text = match self {
@@ -69,28 +69,28 @@ impl Difference {
 }
 
 /// The first thing in file order that no factors per body and axis explain; `None` where `scaled` is a scaled copy.
-pub(super) fn difference(scaled: &Anatomy, reference: &Anatomy) -> Option<Difference> {
+pub(super) fn difference(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDifference> {
     if reference.is_fragment {
-        return Some(Difference::Fragment);
+        return Some(CopyDifference::Fragment);
     }
     other_joint(scaled, reference).or_else(|| {
         let joints = SharedJoints::of(scaled, reference);
         let shared = scaled.bodies.iter().filter(|body| reference.has_body(body));
         shared.into_iter().find_map(|body| {
-            let meshes = body_factors::pairs(scaled, reference, body);
+            let meshes = body_factors::bone_pairs(scaled, reference, body);
             let joints = joints.on(body);
-            AXES.iter().enumerate().find_map(|(axis, name)| unexplained(body, &meshes, joints, axis, name))
+            AXIS_NAMES.iter().enumerate().find_map(|(axis, name)| unexplained(body, &meshes, joints, axis, name))
         })
     })
 }
 
-fn other_joint(scaled: &Anatomy, reference: &Anatomy) -> Option<Difference> {
+fn other_joint(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDifference> {
     let in_both = |body: &String| scaled.has_body(body) && reference.has_body(body);
     scaled.joints.iter().find_map(|joint| {
         let there = reference.joint(&joint.name)?;
         let shared = [joint, there].into_iter().any(|joint| in_both(&joint.parent) && in_both(&joint.child));
         let same = joint.parent == there.parent && joint.child == there.child;
-        (shared && !same).then(|| Difference::Joint {
+        (shared && !same).then(|| CopyDifference::Joint {
             joint: joint.name.clone(),
             here: [joint.parent.clone(), joint.child.clone()],
             there: [there.parent.clone(), there.child.clone()],
@@ -142,7 +142,7 @@ fn unexplained(
     joints: &[SharedOffset<'_>],
     axis: usize,
     name: &'static str,
-) -> Option<Difference> {
+) -> Option<CopyDifference> {
     let meshes: Vec<f64> = meshes.iter().filter_map(|pair| pair.factors[axis]).collect();
     let offsets: Vec<(&str, f64, f64)> =
         joints.iter().map(|offset| (offset.joint, offset.old_m[axis], offset.new_m[axis])).collect();
@@ -154,14 +154,14 @@ fn unexplained(
     let positive = |value: f64| value.is_finite() && value > 0.0;
     let same = |value: f64, factor: f64| (value - factor).abs() <= SAME_FACTOR * factor;
     if meshes.iter().any(|&value| !positive(value) || factor.is_some_and(|factor| !same(value, factor))) {
-        return Some(Difference::Meshes { body: body.to_owned(), axis: name });
+        return Some(CopyDifference::Meshes { body: body.to_owned(), axis: name });
     }
     // Without a factor, both offsets have to be next to nothing.
     let wrong = offsets.iter().find(|(_, old, new)| match factor {
         Some(factor) => !positive(factor) || (new - factor * old).abs() > EXPLAINED_M,
         None => new.abs() > EXPLAINED_M,
     });
-    wrong.map(|(joint, old, new)| Difference::Offset {
+    wrong.map(|(joint, old, new)| CopyDifference::Offset {
         body: body.to_owned(),
         joint: (*joint).to_owned(),
         axis: name,
@@ -184,7 +184,7 @@ pub struct ScaleFile(BTreeMap<String, [f64; 3]>);
 
 impl ScaleFile {
     /// Factors along x, y and z by body, where they are known without a file.
-    pub fn of_factors(factors: BTreeMap<String, [f64; 3]>) -> Self {
+    pub fn from_factors(factors: BTreeMap<String, [f64; 3]>) -> Self {
         Self(factors)
     }
 
@@ -200,7 +200,7 @@ impl ScaleFile {
     ///
     /// # Errors
     /// The file does not have it.
-    pub fn of(&self, body: &str) -> Result<[f64; 3], Fault> {
+    pub fn required_factors(&self, body: &str) -> Result<[f64; 3], Fault> {
         self.factors(body).ok_or_else(|| {
             Fault::refused(format!(
                 "no factors of {body} are known, expected some for each body with spheres"
@@ -216,7 +216,7 @@ impl ScaleFile {
                 "the document holds a <{}>, expected the <ScaleSet> that the Scale Tool writes (its output_scale_file)",
                 tree.name(root)
             );
-            return Err(Fault::over(FaultKind::Refused(text), tree.open_span(root)));
+            return Err(Fault::at_span(FaultKind::Refused(text), tree.open_span(root)));
         }
         let mut factors: BTreeMap<String, [f64; 3]> = BTreeMap::new();
         let scales = tree.child(root, "objects").into_iter().flat_map(|objects| tree.children(objects));
@@ -232,11 +232,11 @@ impl ScaleFile {
                 values.filter(|values| values.iter().all(|value| *value > 0.0 && value.is_finite()))
             else {
                 let text = format!("the scales of segment {segment} are not three numbers above 0");
-                return Err(Fault::over(FaultKind::Refused(text), tree.span(scale)));
+                return Err(Fault::at_span(FaultKind::Refused(text), tree.span(scale)));
             };
             if factors.insert(segment.clone(), values).is_some_and(|other| other != values) {
                 let text = format!("segment {segment} appears twice with different scales");
-                return Err(Fault::over(FaultKind::Refused(text), tree.span(scale)));
+                return Err(Fault::at_span(FaultKind::Refused(text), tree.span(scale)));
             }
         }
         Ok(Self(factors))
