@@ -20,7 +20,7 @@ use crate::support::{Bench, HUMAN};
 /// What is found in a model, spelled.
 fn checked(request: &CheckRequest, path: &Path, files: &InMemory) -> CheckResult {
     let inspector = Inspector::of_check(request, files);
-    let opened = open_with(path, inspector.set_files().beside(), files).unwrap();
+    let opened = open_with(path, inspector.set_files().companion_paths(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     inspector.refuse_without_contacts(&opened, &inspected).unwrap();
     let mut found = inspector.check(&opened.model, &inspected, None, files);
@@ -108,7 +108,8 @@ fn a_remedy_in_the_words_of_requests_is_a_request() {
     let bench = Bench::human();
     let inspector = Inspector::of_check(&check_of("human.osim"), &files_of(&bench));
     let opened =
-        open_with(Path::new("human.osim"), inspector.set_files().beside(), &files_of(&bench)).unwrap();
+        open_with(Path::new("human.osim"), inspector.set_files().companion_paths(), &files_of(&bench))
+            .unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     let mut found = inspector.check(&opened.model, &inspected, None, &files_of(&bench));
     found.spell(&osim_requests::spell::JsonRequest);

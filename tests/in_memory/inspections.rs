@@ -18,7 +18,7 @@ use crate::support::{Bench, HUMAN};
 fn inspected(request: &InspectRequest, files: &InMemory) -> Vec<Inspection> {
     let inspector = Inspector::of_inspect(request, files);
     let one = |path| {
-        let opened = open_with(path, inspector.set_files().beside(), files).unwrap();
+        let opened = open_with(path, inspector.set_files().companion_paths(), files).unwrap();
         let mut inspected = inspector.inspect(&opened).unwrap();
         inspected.spell(&CommandLine);
         inspected

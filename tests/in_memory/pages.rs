@@ -40,7 +40,7 @@ fn of_an_inspection() {
     let files = files_of(&bench);
     let request = request!(Inspect, {"verb": "inspect", "models": "human.osim"});
     let inspector = Inspector::of_inspect(&request, &files);
-    let opened = open_with(&request.models[0], inspector.set_files().beside(), &files).unwrap();
+    let opened = open_with(&request.models[0], inspector.set_files().companion_paths(), &files).unwrap();
     let mut inspected = inspector.inspect(&opened).unwrap();
     let mut found = inspector.check(&opened.model, &inspected, None, &files);
     inspected.spell(&CommandLine);
@@ -104,7 +104,12 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
 }
 
 /// The files of the model as they are after the change.
-fn changed_files(path: &Path, beside: &CompanionPaths<'_>, files: &InMemory, changed: &Changed) -> ModelFiles {
+fn changed_files(
+    path: &Path,
+    beside: &CompanionPaths<'_>,
+    files: &InMemory,
+    changed: &Changed,
+) -> ModelFiles {
     let bytes = changed.opened.files().next().unwrap().1.to_vec();
     let before = ModelFiles::read(path, bytes, *beside, files).unwrap();
     changed.as_files(&before)

@@ -9,7 +9,7 @@ use std::io::{self, ErrorKind, IsTerminal, Write as _};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
-use osim_model::messages::{terminal_safe, one_line};
+use osim_model::messages::{one_line, terminal_safe};
 use osim_view::report::layout::{WIDTH, broken};
 use terminal_size::Width;
 

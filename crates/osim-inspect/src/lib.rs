@@ -47,7 +47,9 @@ pub use inspection::{
     StandingBody, StandingSphere,
 };
 pub use known_contacts::{KnownContacts, ReferenceContacts};
-pub use load::{InspectOptions, LoadSharing, MassMismatch, Stance, masses_perhaps_in_pounds, unexplained_slip};
+pub use load::{
+    InspectOptions, LoadSharing, MassMismatch, Stance, masses_perhaps_in_pounds, unexplained_slip,
+};
 pub use quantity::Quantity;
 pub use rules::{misplaced_spheres, model_findings, rules, unmatched_patterns};
 #[cfg(feature = "schemas")]

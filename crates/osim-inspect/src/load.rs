@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{
-    CountedSpheres, Fault, ForceId, Limb, Limbs, MassRequest, MassSource, Model, Needed, NeedsAnswer, Selection,
-    implausible_mass, same_mass,
+    CountedSpheres, Fault, ForceId, Limb, Limbs, MassRequest, MassSource, Model, Needed, NeedsAnswer,
+    Selection, implausible_mass, same_mass,
 };
 use osim_requests::options::{InspectionOptions, StanceOptions};
 use osim_requests::{Acceleration, Count, Positive};
@@ -198,7 +198,11 @@ pub fn unexplained_slip(masses: &MassRequest, model: &Model, selection: &Selecti
 }
 
 /// Masses that may be in pounds, and may as well not be: reason for a remark, and not for a question.
-pub fn masses_perhaps_in_pounds(masses: &MassRequest, model: &Model, selection: &Selection) -> Option<NeedsAnswer> {
+pub fn masses_perhaps_in_pounds(
+    masses: &MassRequest,
+    model: &Model,
+    selection: &Selection,
+) -> Option<NeedsAnswer> {
     unexplained(masses.masses_perhaps_in_pounds(model), masses, model, selection)
 }
 
@@ -241,10 +245,14 @@ mod tests {
         Model::parse(format!("{}{lighter}{}", &text[..start], &text[end..])).unwrap()
     }
 
-    fn asked(model: &Model, contacts_mass_kg: Option<f64>, target_mass_kg: Option<f64>) -> Option<MassMistake> {
+    fn asked(
+        model: &Model,
+        contacts_mass_kg: Option<f64>,
+        target_mass_kg: Option<f64>,
+    ) -> Option<MassMistake> {
         let said = MassRequest { contacts_mass_kg, target_mass_kg, ..MassRequest::default() };
         match unexplained_slip(&said, model, &Selection::default())? {
-            NeedsAnswer::Mass { slip, .. } => Some(slip),
+            NeedsAnswer::Mass { mistake, .. } => Some(mistake),
             _ => None,
         }
     }

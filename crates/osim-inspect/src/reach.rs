@@ -247,7 +247,9 @@ mod tests {
         let mut files = InMemory::default();
         names.iter().for_each(|name| files.add(name, read(name)));
         let beside = match names {
-            [_, geometry, model] => CompanionPaths { geometry: Some(geometry.as_ref()), model: Some(model.as_ref()) },
+            [_, geometry, model] => {
+                CompanionPaths { geometry: Some(geometry.as_ref()), model: Some(model.as_ref()) }
+            }
             _ => CompanionPaths::default(),
         };
         let opened =

@@ -1,6 +1,6 @@
 //! What else follows the size of a body, for JSON, tables and reports.
 
-use osim_model::compare::{LengthFrom, Similarity, SimilarityRow, SizeVerdict, Spread, formula};
+use osim_model::compare::{LengthFrom, Similarity, SimilarityRow, SizeVerdict, Spread, similarity_formula};
 use osim_model::{NotRead, SizedKind};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -141,7 +141,7 @@ impl From<SimilarityRow> for SizeRow {
             same: row.compared.as_ref().map(|compared| compared.same),
             factor: row.compared.and_then(|compared| compared.factors).map(SizeSpread::from),
             similarity_factor: row.similar,
-            similarity_formula: formula(row.kind.dimension()),
+            similarity_formula: similarity_formula(row.kind.dimension()),
             verdict: row.verdict.map(SizeVerdict::as_str),
             verdict_words: row.verdict.map(SizeVerdict::words).unwrap_or_default(),
         }

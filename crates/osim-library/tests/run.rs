@@ -10,7 +10,7 @@ use osim_library::run::{
     ChangedModel, Counts, Detail, FrontEnd, Record, RowReader, Rows, Run, RunRequest, Status,
 };
 use osim_library::{LibraryFault, sha256};
-use osim_model::messages::{Call, Dialect, Example, Input, FieldNames};
+use osim_model::messages::{Call, Dialect, Example, FieldNames, Input};
 use osim_planning::prepare;
 use osim_requests::options::RunOptions;
 use osim_requests::spell::Speller;

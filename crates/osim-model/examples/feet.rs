@@ -52,7 +52,7 @@ fn read(path: &Path) -> Model {
 
 fn print_bones(path: &Path, folder: &str) {
     let model = read(path);
-    let folders = MeshFolders::of_model(path).and(folder);
+    let folders = MeshFolders::of_model(path).with_folder(folder);
     let pose = DefaultPose::of(&model);
     for body in model.bodies() {
         let name = &body.name;
@@ -81,7 +81,7 @@ fn print_bones(path: &Path, folder: &str) {
 
 fn print_soles(path: &Path, folder: &str, bodies: &[&str], request: &SoleRequest) {
     let model = read(path);
-    let folders = MeshFolders::of_model(path).and(folder);
+    let folders = MeshFolders::of_model(path).with_folder(folder);
     let soles = bones(&model, bodies, &folders, &Disk).and_then(|bones| soles(&model, &bones, request));
     let soles = match soles {
         Ok(soles) => soles,

@@ -92,7 +92,8 @@ impl<'m> Skeleton<'m> {
                 Some(true) => Speeds::Generalized(speeds),
                 _ => Speeds::Rates(speeds),
             };
-            let moving = step.joint.moving_placement(self.model, values.get(range).unwrap_or_default(), speeds);
+            let moving =
+                step.joint.moving_placement(self.model, values.get(range).unwrap_or_default(), speeds);
             let moving = moving.unwrap_or(MovingPlacement::still(Placement::IDENTITY));
             let moving = if step.forward { moving } else { moving.inverse() };
             let there = step.from.and_then(|body| places.get(body)).map(|above| above.then(&moving));

@@ -174,7 +174,9 @@ impl<'m> PlanBuilder<'m> {
         }
         if change.property == Property::ConstantContactForce && change.to == 0.0 {
             let kind = FaultKind::ZeroConstantContactForce;
-            return Err(Fault::at(kind, change.slot.offset).at_element(change.path).in_file(change.slot.file));
+            return Err(Fault::at(kind, change.slot.offset)
+                .at_element(change.path)
+                .in_file(change.slot.file));
         }
         self.refuse_included(change.slot.file, &change.path)?;
         if self.planned.insert(ValueKey::from((&change.slot, change.property))) {

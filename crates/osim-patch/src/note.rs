@@ -32,7 +32,8 @@ pub fn note(
 ) -> Result<Plan, Fault> {
     let kg = positive_mass(Input::ContactsMass, contacts_mass_kg)?;
     let contacts_mass = Mass { kg, source: MassSource::ContactsMass };
-    let taken = phrase![&contacts_mass.contacts_made_for(), ": the note in the file says so; no number changes"];
+    let taken =
+        phrase![&contacts_mass.contacts_made_for(), ": the note in the file says so; no number changes"];
     let facts = NoteFacts {
         target_mass_kg: Some(kg),
         gravity_m_s2,
@@ -105,7 +106,7 @@ fn doubtful(model: &Model, new: &Model, operation: &str) -> Note {
         parts: new.noted_parts(|_| None),
         places: None,
         added_to_file: note_edits::made(model, None),
-        added: Vec::new(),
+        added_forces: Vec::new(),
     }
 }
 

@@ -30,7 +30,8 @@ pub(crate) fn adds_credits(document: &Document) -> bool {
 pub(crate) fn made(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> String {
     let document = model.document();
     let earlier = model.note.as_ref();
-    let mut letters: BTreeSet<char> = earlier.map(|note| note.added_to_file.chars()).into_iter().flatten().collect();
+    let mut letters: BTreeSet<char> =
+        earlier.map(|note| note.added_to_file.chars()).into_iter().flatten().collect();
     letters.retain(char::is_ascii_alphabetic);
     let was_placed = letters.remove(&Note::PLACED) && earlier.is_some_and(|note| is_unmoved(note, model));
     let follow = |followed: &BTreeSet<SphereId>| {

@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::compare::ScaleFile;
 use osim_model::{
-    Fault, Force, ForceId, LevelAxis, Model, Needed, Property, PropertySet, RadiusChangeReason, RadiusRule, SphereId,
-    moving_spheres, root_mean_square,
+    Fault, Force, ForceId, LevelAxis, Model, Needed, Property, PropertySet, RadiusChangeReason, RadiusRule,
+    SphereId, moving_spheres, root_mean_square,
 };
 
 use crate::builder::{New, PlanBuilder};
@@ -90,7 +90,7 @@ impl Radii {
             let axis = axis.in_frame(&plan.model.rotation_of(found)?);
             plan.location(
                 sphere,
-                axis.centre(location, pair.old, pair.new, |vector| vector),
+                axis.levelled_centre(location, pair.old, pair.new, |vector| vector),
                 ChangedBy::Level,
             )?;
         }
@@ -109,11 +109,12 @@ impl Radii {
         for (&sphere, pair) in &self.0 {
             let Some(found) = plan.model.sphere(sphere) else { continue };
             let Some(body) = found.body.as_deref() else { continue };
-            let factors = bodies.of(body).map_err(|fault| fault.at_element(found.path.clone()))?;
+            let factors =
+                bodies.required_factors(body).map_err(|fault| fault.at_element(found.path.clone()))?;
             let (location, rotation) = (found.location_m, plan.model.rotation_of(found)?);
             let scaled = |vector| rotation.scaled_in_frame(factors, vector);
             let place = match level {
-                Some(axis) => axis.in_frame(&rotation).centre(location, pair.old, pair.new, scaled),
+                Some(axis) => axis.in_frame(&rotation).levelled_centre(location, pair.old, pair.new, scaled),
                 None => scaled(location),
             };
             if place != location {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{CheckResult, InspectOptions, Inspection, ReferenceContacts, SizeList, unexplained_slip};
-use osim_model::compare::{Factors, ModelSize, SpherePlacements, ScaleFile, Similarity, moco_bounds};
+use osim_model::compare::{Factors, ModelSize, ScaleFile, Similarity, SpherePlacements, moco_bounds};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::{Anatomy, Document, Fault, Finding, MassRequest, Model, Severity};
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
@@ -223,7 +223,8 @@ impl Inspector {
     fn compare(&self, model: &Model, inspection: &mut Inspection) {
         let (Some(Ok(generic)), Some(files)) = (&self.generic, &self.places) else { return };
         let (from, scale_file) = (&files.from, files.body_scale_file.as_deref());
-        let placement = SpherePlacements::compare(model, from, scale_file, &generic.anatomy, generic.file.as_ref());
+        let placement =
+            SpherePlacements::compare(model, from, scale_file, &generic.anatomy, generic.file.as_ref());
         inspection.placement = Some(placement);
         inspection.reference_contacts = Some(generic.contacts.clone());
     }

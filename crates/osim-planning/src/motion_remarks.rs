@@ -357,7 +357,10 @@ fn verdict(result: &MotionResult) -> Verdict {
     if worst.normal_rms_n / weight_n <= FITS_BW {
         return Verdict::on_recording(Sign::Good, Phrase::from(rms));
     }
-    let call = Verb::Fit.call_with_model().with_placeholder(Input::Motion, "MOTION").with_placeholder(Input::Plates, "PLATES");
+    let call = Verb::Fit
+        .call_with_model()
+        .with_placeholder(Input::Motion, "MOTION")
+        .with_placeholder(Input::Plates, "PLATES");
     let text = phrase![
         format!(
             "{}: up to {:.2} body weights where the plates measured up to {:.2}; {rms}. ",

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{
-    Changeable, CheckResult, InspectOptions, Inspection, ReferenceState, check_model, masses_perhaps_in_pounds,
-    unexplained_slip,
+    Changeable, CheckResult, InspectOptions, Inspection, ReferenceState, check_model,
+    masses_perhaps_in_pounds, unexplained_slip,
 };
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase, readable};

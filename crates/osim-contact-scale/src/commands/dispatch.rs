@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use anyhow::Result;
-use osim_model::files::Beside;
+use osim_model::files::CompanionPaths;
 use osim_requests::{DropTestRequest, PlotRequest, Request, SweepRequest};
 
 use crate::args::{Cli, VerbArgs};

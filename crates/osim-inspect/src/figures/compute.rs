@@ -6,10 +6,11 @@
 
 use contact_scaling::{SharedLoad, Spheres, equilibrium, mixed_radii, restitution};
 use foldhash::{HashMap, HashMapExt};
-use osim_model::feet::{RestLaw, DefaultPose, Standing};
+use osim_model::feet::{DefaultPose, RestLaw, Standing};
 use osim_model::messages::Phrase;
 use osim_model::{
-    CountedSpheres, Fault, ForceId, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId, loaded_spheres,
+    CountedSpheres, Fault, ForceId, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId,
+    loaded_spheres,
 };
 
 use super::register::Figure;
@@ -145,7 +146,9 @@ fn groups<'p>(
 
 fn limbs_unknown(limbs: &Limbs) -> Option<Phrase> {
     match limbs {
-        Limbs::Unknown(why) => Some(Needed::SphereCount { of: CountedSpheres::Model, why: why.clone() }.phrase()),
+        Limbs::Unknown(why) => {
+            Some(Needed::SphereCount { of: CountedSpheres::Model, why: why.clone() }.phrase())
+        }
         Limbs::Known(_) => None,
     }
 }

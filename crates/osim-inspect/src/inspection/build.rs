@@ -6,8 +6,8 @@ use osim_model::compare::{BodyFactors, Factors};
 use osim_model::feet::Standing;
 use osim_model::files::FileName;
 use osim_model::{
-    CountedSpheres, DVec3, Fault, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId,
-    SphereId, Value, loaded_spheres,
+    CountedSpheres, DVec3, Fault, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected,
+    SetId, SphereId, Value, loaded_spheres,
 };
 
 use crate::figures::Figures;

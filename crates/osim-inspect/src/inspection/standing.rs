@@ -170,7 +170,7 @@ impl StandingBody {
             joint: lift.ok().map(|lift| lift.joint.clone()),
             why_no_coordinate: lift.err().map(ToString::to_string),
             default_m: lift.ok().map(|lift| lift.default_m),
-            touching_m: standing.lowest().and_then(|lowest| standing.value(lowest.gap_m)),
+            touching_m: standing.lowest().and_then(|lowest| standing.coordinate_at(lowest.gap_m)),
             as_posed: is_asked.then(|| rest(&spheres, 1.0, None)).flatten(),
             on_one_limb: lower.and_then(|limb| rest(&limb.spheres, share, Some(limb))),
             bottoms,

@@ -220,12 +220,13 @@ fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Op
     let tag = components.tag(id);
     let ours =
         ["Contact", "HuntCrossleyForce", "SmoothSphere", "Body"].iter().any(|class| tag.starts_with(class));
-    let shared = object.shared.as_ref().filter(|_| ours && tag != Class::ContactParameters.tag())?;
+    let unnumbered =
+        object.unnumbered_name.as_ref().filter(|_| ours && tag != Class::ContactParameters.tag())?;
     // What has no name is called after its class.
     let is_named = tag.ends_with("Set") || !components.name(id).is_empty();
     is_named.then(|| {
         let path = components.tree.path(id);
-        let text = format!("'{shared}' appears twice: OpenSim calls this one {path}");
+        let text = format!("'{unnumbered}' appears twice: OpenSim calls this one {path}");
         Finding::at(&DUPLICATE_NAMES, components.line(id), text).with_place(&path)
     })
 }
@@ -244,7 +245,7 @@ pub(super) static REFUSED_NAME: Rule = Rule {
 fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
     object.parent?;
     let components = model.components();
-    let in_paths = object.shared.as_ref().unwrap_or(&object.segment);
+    let in_paths = object.unnumbered_name.as_ref().unwrap_or(&object.segment);
     // Joints of old documents call bodies by their names as they are written.
     let written = (components.tag(id) == "Body").then(|| components.name(id)).filter(|name| !name.is_empty());
     let why = refuse_name_in_paths(written.as_deref().unwrap_or(in_paths)).err()?;

@@ -26,7 +26,7 @@ pub(crate) enum Places<'i> {
 /// their bodies when it was written.
 fn noted_sizes(model: &Model) -> Option<ScaledSinceNote> {
     let since = model.scaled_since_note()?;
-    let placed = model.note.as_ref().is_some_and(Note::placed);
+    let placed = model.note.as_ref().is_some_and(Note::has_placed_spheres);
     (since.is_scaled() || placed).then_some(since)
 }
 

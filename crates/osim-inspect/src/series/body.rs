@@ -8,7 +8,8 @@ use contact_scaling::{
 use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::readable;
 use osim_model::{
-    CountedSpheres, Fault, ForceId, GravityFor, MassRequest, Model, Needed, Selection, loaded_spheres, short_digest,
+    CountedSpheres, Fault, ForceId, GravityFor, MassRequest, Model, Needed, Selection, loaded_spheres,
+    short_digest,
 };
 
 use crate::figures::Figures;

@@ -18,7 +18,7 @@ impl<'m> Bones<'m> {
 
     /// The longest bone of the limb to which `body` belongs, m; `None` where no body of it has two joints.
     pub(crate) fn longest_of_limb_m(&self, body: &str) -> Option<f64> {
-        self.model.joint_distances().of_limb(body)
+        self.model.joint_distances().longest_in_limb(body)
     }
 
     /// By how much the body `left` is larger than `right`, along x, y and z: by their meshes, else by the distances between

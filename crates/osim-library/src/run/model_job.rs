@@ -131,7 +131,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
             record.sha256_settings = Some(self.settings_digest(&inputs));
             if !self.context.previous.is_empty() {
                 let previous = self.context.previous.of(task, input, record);
-                match previous.map_err(|fault| fault.model_mass(loaded.files.name().clone(), "output"))? {
+                match previous.map_err(|fault| fault.of_model(loaded.files.name().clone(), "output"))? {
                     Previous::Holds(record) => {
                         let shown = self.show_again(loaded, &record, detail, &inputs);
                         return Ok(Outcome { record: *record, earlier: true, shown, failure: None });
@@ -139,11 +139,11 @@ impl<F: FrontEnd> ModelJob<'_, F> {
                     Previous::Outdated => force = true,
                     Previous::Changed if !force => {
                         let fault = LibraryFault::changed_before();
-                        return Err(fault.model_mass(loaded.files.name().clone(), "output"));
+                        return Err(fault.of_model(loaded.files.name().clone(), "output"));
                     }
                     Previous::Edited(path) if !force && !self.context.run.dry_run => {
                         let fault = LibraryFault::edited(&path);
-                        return Err(fault.model_mass(loaded.files.name().clone(), "output"));
+                        return Err(fault.of_model(loaded.files.name().clone(), "output"));
                     }
                     Previous::Edited(_) | Previous::Changed | Previous::Unknown => {}
                 }
@@ -159,7 +159,7 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         let before_after = self.before_after(kept.as_ref(), &opened, &plan, &results, detail)?;
         let written = self
             .write(&opened, &origin, &plan, &results, force, record)
-            .map_err(|fault| fault.model_mass(opened.name(), "output"))?;
+            .map_err(|fault| fault.of_model(opened.name(), "output"))?;
         let shown = self.front_end.show(ChangedModel {
             task,
             opened: &opened,

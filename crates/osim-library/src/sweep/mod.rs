@@ -260,7 +260,7 @@ impl<'s> SweepRun<'s> {
         match written.and_then(|earlier| Ok((line(&variant.row(digest))?, earlier))) {
             Ok((row, earlier)) => Made::Row { row, number: index + 1, contacts, earlier, worse },
             Err(fault) => {
-                let mut failure = fault.model_mass(path.as_path(), "output");
+                let mut failure = fault.of_model(path.as_path(), "output");
                 failure.message.push(format!(" ({operation})"));
                 Made::Failed(failure)
             }

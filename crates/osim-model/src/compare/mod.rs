@@ -22,15 +22,15 @@
 //! It plans and changes nothing, and knows no files, no options and no terminal.
 
 mod follow;
-mod sphere_placements;
 mod similarity;
+mod sphere_placements;
 
 pub use follow::{
-    AxisFactor, BodyFactors, CopyDifference, FactorSource, Factors, Follow, FollowRequest, FollowedSphere, OwnRadii,
-    ScaleFile, bone_of_mesh,
+    AxisFactor, BodyFactors, CopyDifference, FactorSource, Factors, Follow, FollowRequest, FollowedSphere,
+    OwnRadii, ScaleFile, bone_of_mesh,
 };
-pub use sphere_placements::{PlacedSphere, SpherePlacements, is_stretched};
 pub use similarity::{
     ComparedFactors, LengthFrom, ModelSize, Similarity, SimilarityRow, SizeRatios, SizeVerdict, Spread,
-    similarity_formula, moco_bounds, refuse_without_moco_phase,
+    moco_bounds, refuse_without_moco_phase, similarity_formula,
 };
+pub use sphere_placements::{PlacedSphere, SpherePlacements, is_stretched};

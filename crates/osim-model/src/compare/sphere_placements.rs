@@ -183,7 +183,8 @@ fn placed_spheres(
         uneven |= stretch(of_body) > SAME_FACTOR;
         let belongs_m = now.rotation.scaled_in_frame(of_body, old.location_m);
         let here_m = now.location_m;
-        let follows = is_same_place(here_m, belongs_m) || is_same_place(here_m, on_sole(now, old, of_body, up));
+        let follows =
+            is_same_place(here_m, belongs_m) || is_same_place(here_m, on_sole(now, old, of_body, up));
         spheres.push(PlacedSphere {
             name: sphere.name.clone(),
             path: sphere.path.clone(),

@@ -293,7 +293,8 @@ pub fn odd_meshes(
 /// ```
 pub fn odd_size(model: &Model, bone: &Bone) -> Option<OddMesh> {
     let distances = model.joint_distances();
-    let longest_m = distances.longest_in_limb(&bone.body).or_else(|| distances.longest_around_body(&bone.body))?;
+    let longest_m =
+        distances.longest_in_limb(&bone.body).or_else(|| distances.longest_around_body(&bone.body))?;
     let length_m = length_m(bone);
     let times = length_m / longest_m;
     if !times.is_finite() || (LEAST_BONE_LENGTHS..=MOST_BONE_LENGTHS).contains(&times) {
@@ -325,7 +326,8 @@ fn repair_advice(times: f64) -> String {
         false => ("multiply", probable_units(USUAL_BONE_LENGTHS / times)),
     };
     // A file in mm with the factors of one in metres is too long; one in metres with those of mm is too short.
-    let file = |unit: &str| if times > MOST_BONE_LENGTHS { unit.to_owned() } else { format!("m and not in {unit}") };
+    let file =
+        |unit: &str| if times > MOST_BONE_LENGTHS { unit.to_owned() } else { format!("m and not in {unit}") };
     let ways: Vec<String> = units
         .iter()
         .map(|(unit, per_metre)| {
@@ -364,7 +366,12 @@ mod tests {
 
     #[test]
     fn the_name_itself_comes_first_and_then_its_other_names() {
-        assert_file_found(&["bones/foot.vtp", "models/Geometry/r_foot.vtp"], "foot.vtp", "bones/foot.vtp", false);
+        assert_file_found(
+            &["bones/foot.vtp", "models/Geometry/r_foot.vtp"],
+            "foot.vtp",
+            "bones/foot.vtp",
+            false,
+        );
         assert_file_found(&["models/Geometry/r_foot.vtp"], "foot.vtp", "models/Geometry/r_foot.vtp", false);
         assert_file_found(&["models/foot.vtp"], "r_foot.vtp", "models/foot.vtp", false);
         assert_file_found(&["bones/talus_rv.vtp"], "talus.vtp", "bones/talus_rv.vtp", false);

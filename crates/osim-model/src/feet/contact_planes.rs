@@ -64,7 +64,9 @@ impl ContactPlane {
                 force.spheres().into_iter().filter_map(|id| model.sphere(id)).collect();
             for plane in model.planes_of(force) {
                 let is_welded_to_plane = |body: &str| welds.are_welded(Some(body), plane.body.as_deref());
-                let presses = |sphere: &&&Sphere| !sphere.fixed && !sphere.body.as_deref().is_some_and(is_welded_to_plane);
+                let presses = |sphere: &&&Sphere| {
+                    !sphere.fixed && !sphere.body.as_deref().is_some_and(is_welded_to_plane)
+                };
                 let floor_contacts = spheres.iter().filter(presses).map(|sphere| sphere.id).collect();
                 planes_with_spheres.add(plane, floor_contacts);
             }

@@ -141,7 +141,7 @@ fn constraints(model: &Model) -> Vec<(&Document, ElementId)> {
         let members = members.into_iter().flat_map(|members| tree.children(members));
         enforced.extend(members.filter(|&id| is_enforced(document, id)).map(|id| (document, id)));
     }
-enforced
+    enforced
 }
 
 fn is_enforced(document: &Document, constraint: ElementId) -> bool {
@@ -208,7 +208,7 @@ fn apply_couplers(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Ve
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CoordinateState {
     /// It can change.
-Free,
+    Free,
     Locked,
     /// A function of time, or another coordinate, sets it.
     Driven,

@@ -36,9 +36,9 @@ mod contact_planes;
 mod couplers;
 mod default_pose;
 mod fault;
+mod foot;
 mod mesh;
 mod movements;
-mod foot;
 mod sole;
 mod sole_pose;
 mod standing;
@@ -47,17 +47,17 @@ mod vector;
 pub use bones::{AttachedBones, Bone, MeshFolders, OddMesh, attached_surface, bones, odd_meshes, odd_size};
 pub use contact_planes::{ContactPlane, PlaneSurface, STEEPEST_FLOOR_RAD, SpherePair, sphere_pairs};
 pub use couplers::{Coupler, Couplers, prescribed_function};
-pub use default_pose::{JointStep, DefaultPose, joints_from_ground};
+pub use default_pose::{DefaultPose, JointStep, joints_from_ground};
 pub use fault::{FeetFault, PoseFault};
-pub use mesh::{MeshFault, Surface, mesh_points, mesh_surface};
-pub use movements::{Freedom, Movements};
 pub use foot::{
     FloorPlace, Foot, FootBodies, FootBone, FootFrame, FootJoint, FootSphere, ViewAxes, silhouette,
 };
+pub use mesh::{MeshFault, Surface, mesh_points, mesh_surface};
+pub use movements::{Freedom, Movements};
 pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, soles};
 pub use sole_pose::TiltingCoordinate;
 pub use standing::{
-    RestLaw, MOST_LEAN_RAD, LevelledSphere, Lift, NotLevelled, NotLifted, SphereOverFloor, RestOnFloor, RestingSphere,
-    Standing, levelled_spheres,
+    LevelledSphere, Lift, MOST_LEAN_RAD, NotLevelled, NotLifted, RestLaw, RestOnFloor, RestingSphere,
+    SphereOverFloor, Standing, levelled_spheres,
 };
 pub use vector::angle;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
-use super::couplers::{CoordinateValues, CoordinateState, CoordinateStates};
+use super::couplers::{CoordinateState, CoordinateStates, CoordinateValues};
 use crate::model::{Model, ModelJoint, Placement};
 
 /// How far a coordinate is moved to see what it moves, rad or m.
@@ -101,8 +101,11 @@ impl Movements {
 
 impl PathsToGround {
     fn of(model: &Model) -> Self {
-        let coordinates =
-            Coordinates { model, known: CoordinateValues::at_default_pose(model), states: CoordinateStates::of(model) };
+        let coordinates = Coordinates {
+            model,
+            known: CoordinateValues::at_default_pose(model),
+            states: CoordinateStates::of(model),
+        };
         let mut above = HashMap::new();
         for joint in model.joints() {
             let (body, parent) = match (&joint.child, &joint.parent) {
@@ -178,7 +181,11 @@ impl Coordinates<'_> {
         free.fold(Freedom::default(), |all, (index, _)| {
             let mut moved = values.clone();
             moved.iter_mut().skip(index).take(1).for_each(|value| *value += TRIAL_STEP);
-            all.with(joint.placement(self.model, &moved).map_or(Freedom::ALL, |there| freedom_between(&here, &there)))
+            all.with(
+                joint
+                    .placement(self.model, &moved)
+                    .map_or(Freedom::ALL, |there| freedom_between(&here, &there)),
+            )
         })
     }
 }

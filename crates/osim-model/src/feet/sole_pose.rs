@@ -47,7 +47,8 @@ impl Sole {
             for (index, coordinate) in joint.coordinates.iter().enumerate() {
                 let mut without = values.clone();
                 let Some(value) = without.get_mut(index).map(std::mem::take) else { continue };
-                let tilts = up(&values).zip(up(&without)).is_some_and(|(a, b)| a.distance(b) > LEAST_TILT_RAD);
+                let tilts =
+                    up(&values).zip(up(&without)).is_some_and(|(a, b)| a.distance(b) > LEAST_TILT_RAD);
                 if tilts && !tilting.iter().any(|known| known.name == coordinate.name) {
                     tilting.push(TiltingCoordinate { name: coordinate.name.clone(), value });
                 }

@@ -315,7 +315,6 @@ impl Call {
         self.inputs.push((input, Some(Example::Value(value.into()))));
         self
     }
-
 }
 
 impl Input {

@@ -20,8 +20,8 @@ mod printable;
 
 pub use crate::phrase;
 pub use input::{Call, Example, Input, Part, Verb};
-pub use phrase::{Dialect, IntoParts, Phrase, FieldNames};
+pub use phrase::{Dialect, FieldNames, IntoParts, Phrase};
 pub use printable::{
-    Shown, counted, four_significant, terminal_safe, is_visible, listed, one_line, readable, shortest, shown,
-    shown_path, shown_whole, three_significant,
+    Shown, counted, four_significant, is_visible, listed, one_line, readable, shortest, shown, shown_path,
+    shown_whole, terminal_safe, three_significant,
 };

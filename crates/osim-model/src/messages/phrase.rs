@@ -321,8 +321,14 @@ mod tests {
 
     #[test]
     fn a_front_end_spells_inputs_and_calls() {
-        let phrase =
-            phrase!["say ", Input::Mass.with_placeholder("KG"), " or ", Verb::Check.call_with_model(), ", ", 62.to_string()];
+        let phrase = phrase![
+            "say ",
+            Input::Mass.with_placeholder("KG"),
+            " or ",
+            Verb::Check.call_with_model(),
+            ", ",
+            62.to_string()
+        ];
         assert_eq!(phrase.spelled(&Uppercase), "say MASS KG or CHECK, 62");
         assert_eq!(phrase.inputs(), [Input::Mass]);
     }
@@ -352,7 +358,8 @@ mod tests {
     #[test]
     fn text_from_outside_cannot_begin_a_line_or_steer_a_terminal() {
         let name = "a\nerror: \u{1b}[2J\u{202e}";
-        let phrase = phrase![format!("the sphere {name} has no radius, say "), Input::Radius.with_value(name)];
+        let phrase =
+            phrase![format!("the sphere {name} has no radius, say "), Input::Radius.with_value(name)];
         let printed = phrase.spelled(&Uppercase);
         assert_eq!(
             printed,

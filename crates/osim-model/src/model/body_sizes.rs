@@ -76,7 +76,8 @@ fn attached_meshes(components: &Components, frame: ComponentId) -> Vec<FileFacto
 
 fn meshes_of_attached_geometry(document: &Document, frame: ElementId) -> Vec<FileFactorsPlacement> {
     let tree = document.tree();
-    let early = || (document.version() <= LAST_WITH_GEOMETRY_LIST).then(|| tree.child(frame, "geometry")).flatten();
+    let early =
+        || (document.version() <= LAST_WITH_GEOMETRY_LIST).then(|| tree.child(frame, "geometry")).flatten();
     let list = tree.child(frame, "attached_geometry").or_else(early);
     let meshes = list.into_iter().flat_map(|list| tree.children(list));
     let meshes = meshes.filter(|&mesh| tree.name(mesh) == "Mesh");

@@ -127,12 +127,18 @@ impl Document {
     /// The effective value of `property`, spelled `tag`, of `object`: element, else `<defaults>`, else class default.
     pub(crate) fn value(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
         if let Some(element) = self.tree.child(object, tag) {
-            return self.value_of_element(element, property, || self.inherited(object, class, property, tag).number);
+            return self
+                .value_of_element(element, property, || self.inherited(object, class, property, tag).number);
         }
         self.inherited(object, class, property, tag)
     }
 
-    fn value_of_element(&self, element: ElementId, property: Property, fallback: impl FnOnce() -> f64) -> Value {
+    fn value_of_element(
+        &self,
+        element: ElementId,
+        property: Property,
+        fallback: impl FnOnce() -> f64,
+    ) -> Value {
         let raw = self.tree.raw_text(element);
         let (number, fault) = match number(&raw) {
             Ok(number) => (number, None),

@@ -116,7 +116,8 @@ impl Mass {
 impl MassRequest {
     /// Patterns of excluded bodies that match no body of `model`, probably by a mistake.
     pub fn unmatched_patterns<'p>(&'p self, model: &Model) -> impl Iterator<Item = &'p Pattern> {
-        let matches_nothing = |pattern: &Pattern| !model.bodies().iter().any(|body| pattern.matches(&body.name));
+        let matches_nothing =
+            |pattern: &Pattern| !model.bodies().iter().any(|body| pattern.matches(&body.name));
         self.exclude_bodies.iter().filter(move |pattern| matches_nothing(pattern))
     }
 
@@ -134,7 +135,8 @@ impl MassRequest {
         }
         let mut kg = 0.0;
         let mut bodies = 0;
-        let is_summed = |body: &&Body| !body.excluded_from_mass && !any_matches(&self.exclude_bodies, &body.name);
+        let is_summed =
+            |body: &&Body| !body.excluded_from_mass && !any_matches(&self.exclude_bodies, &body.name);
         for body in model.bodies().iter().filter(is_summed) {
             kg += body.mass_kg()?;
             bodies += 1;
@@ -212,8 +214,9 @@ impl MassRequest {
         };
         let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
         let taken_as = MassFromSource { kg: taken.kg, source: taken.source.describe() };
-        let warning =
-            |(kg, source): (f64, Phrase)| rules::mass_sources_disagree(&taken_as, &MassFromSource { kg, source });
+        let warning = |(kg, source): (f64, Phrase)| {
+            rules::mass_sources_disagree(&taken_as, &MassFromSource { kg, source })
+        };
         others.into_iter().filter(|(kg, _)| differs(*kg)).map(warning).collect()
     }
 }
@@ -273,7 +276,12 @@ fn suspicious_mass(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f
 
 /// The question about the mass in a row of a table, whose other rows have the masses `other_rows`: many bodies of half the size or twice are
 /// meant, one is not.
-fn suspicious_mass_in_table(input: Input, kg: f64, bodies_kg: Option<f64>, other_rows: MassesOfOtherRows) -> Option<NeedsAnswer> {
+fn suspicious_mass_in_table(
+    input: Input,
+    kg: f64,
+    bodies_kg: Option<f64>,
+    other_rows: MassesOfOtherRows,
+) -> Option<NeedsAnswer> {
     if is_mass_of_bodies(input, kg, bodies_kg) {
         return None;
     }
@@ -292,7 +300,8 @@ fn is_mass_of_bodies(input: Input, kg: f64, bodies_kg: Option<f64>) -> bool {
 fn gross_mistake(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<MassMistake> {
     let grams_of_target = input == Input::TargetMass
         && bodies_kg.is_some_and(|bodies| GRAMS_OF_A_TARGET.contains(&(kg / bodies)));
-    let near = |factor: f64| bodies_kg.is_some_and(|bodies| (kg / bodies / factor - 1.0).abs() <= NEAR_THOUSAND);
+    let near =
+        |factor: f64| bodies_kg.is_some_and(|bodies| (kg / bodies / factor - 1.0).abs() <= NEAR_THOUSAND);
     match () {
         () if near(1000.0) || grams_of_target => Some(MassMistake::Grams),
         () if near(1.0 / 1000.0) => Some(MassMistake::Tonnes),
@@ -308,13 +317,13 @@ impl MassRequest {
         bodies.model_mass(model).ok().map(|mass| mass.kg)
     }
 
-/// The questions about the given masses that look wrong for this model. A mass that its note confirms is right; and a caller who gives
+    /// The questions about the given masses that look wrong for this model. A mass that its note confirms is right; and a caller who gives
     /// the target mass in the unit of the bodies gives the other masses in it, too.
     pub fn implausible_masses(&self, model: &Model) -> Vec<NeedsAnswer> {
         self.suspicious_masses(model, NEAR_POUNDS)
     }
 
-/// The given masses that may be in pounds, but are too far from that for a question. Rows of a table are compared with each other
+    /// The given masses that may be in pounds, but are too far from that for a question. Rows of a table are compared with each other
     /// instead.
     pub fn masses_perhaps_in_pounds(&self, model: &Model) -> Vec<NeedsAnswer> {
         let loosely = self.suspicious_masses(model, PERHAPS_POUNDS);

@@ -44,7 +44,7 @@ pub use crate::xml::opensim_text::{self, NumberFault};
 pub use crate::xml::{
     Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree,
 };
-pub use anatomy::bone_sizes::{TriplesByBody, JointDistances};
+pub use anatomy::bone_sizes::{JointDistances, TriplesByBody};
 pub use anatomy::{
     Anatomy, AnatomyJoint, AnatomySphere, CoordinateFunction, JointCoordinate, ModelJoint, Speeds,
 };
@@ -59,8 +59,9 @@ pub use contacts::{
 };
 pub use document::Document;
 pub use fault::{
-    CountedSpheres, Excerpt, FactorQuestion, Fault, FaultKind, FileId, GravityFor, MassMistake, MassesOfOtherRows, Needed,
-    NeedsAnswer, NoteDoubt, Question, RadiusChangeReason, ForcesOfAnimal, probable_units,
+    CountedSpheres, Excerpt, FactorQuestion, Fault, FaultKind, FileId, ForcesOfAnimal, GravityFor,
+    MassMistake, MassesOfOtherRows, Needed, NeedsAnswer, NoteDoubt, Question, RadiusChangeReason,
+    probable_units,
 };
 pub use finding::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
 pub use limbs::{Limb, Limbs};

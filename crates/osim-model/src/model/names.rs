@@ -158,7 +158,8 @@ impl Side {
     pub fn of_name(name: &str) -> Option<Self> {
         let lower = in_lower_case(name);
         let word = |long: &str, short: &str| {
-            contains_word(&lower, long) || lower.split(|c: char| !c.is_alphanumeric()).any(|token| token == short)
+            contains_word(&lower, long)
+                || lower.split(|c: char| !c.is_alphanumeric()).any(|token| token == short)
         };
         let camel = |letter: char| {
             let (first, last) = (first_three(name), last_two(name));

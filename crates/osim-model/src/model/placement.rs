@@ -105,7 +105,9 @@ impl Axis {
     /// more than `tie`.
     fn largest(vector: DVec3, preferred: Self, tie: f64) -> Self {
         let size = |axis: Self| vector[axis.index()].abs();
-        Self::ALL.into_iter().fold(preferred, |best, axis| if size(axis) > size(best) + tie { axis } else { best })
+        Self::ALL
+            .into_iter()
+            .fold(preferred, |best, axis| if size(axis) > size(best) + tie { axis } else { best })
     }
 }
 
@@ -393,12 +395,24 @@ mod tests {
     #[test]
     fn velocities_are_difference_quotients_of_places() {
         let point = [0.4, -0.5, 0.6];
-        assert_close(moving_frame().velocity_of(point), difference_quotient(|time| placement_at(time).point(point)));
-        assert_close(moving_frame().velocity_at(placement_at(0.0).point(point)), moving_frame().velocity_of(point));
-        assert_close(moving_frame().inverse().velocity_of(point), difference_quotient(|time| placement_at(time).inverse().point(point)));
+        assert_close(
+            moving_frame().velocity_of(point),
+            difference_quotient(|time| placement_at(time).point(point)),
+        );
+        assert_close(
+            moving_frame().velocity_at(placement_at(0.0).point(point)),
+            moving_frame().velocity_of(point),
+        );
+        assert_close(
+            moving_frame().inverse().velocity_of(point),
+            difference_quotient(|time| placement_at(time).inverse().point(point)),
+        );
         let twice = moving_frame().then(&moving_frame().inverse().then(&moving_frame()));
         assert_close(twice.velocity_of(point), moving_frame().velocity_of(point));
         let chained = moving_frame().then(&moving_frame());
-        assert_close(chained.velocity_of(point), difference_quotient(|time| placement_at(time).then(&placement_at(time)).point(point)));
+        assert_close(
+            chained.velocity_of(point),
+            difference_quotient(|time| placement_at(time).then(&placement_at(time)).point(point)),
+        );
     }
 }

@@ -121,12 +121,14 @@ impl FromStr for Property {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        Self::ALL.into_iter().find(|property| property.name() == text).ok_or_else(|| match probable_names(text) {
-            names if names.is_empty() => {
-                let names = Self::ALL.map(Self::name);
-                format!("there is no property '{text}', expected one of {}", names.join(", "))
+        Self::ALL.into_iter().find(|property| property.name() == text).ok_or_else(|| {
+            match probable_names(text) {
+                names if names.is_empty() => {
+                    let names = Self::ALL.map(Self::name);
+                    format!("there is no property '{text}', expected one of {}", names.join(", "))
+                }
+                names => format!("there is no property '{text}': did you mean {}?", names.join(" or ")),
             }
-            names => format!("there is no property '{text}': did you mean {}?", names.join(" or ")),
         })
     }
 }
@@ -143,12 +145,14 @@ fn probable_names(text: &str) -> Vec<&'static str> {
     let (typed, ending) = (flat(text), end(text));
     let names = || Property::ALL.into_iter().map(Property::name);
     let apart = |name: &str| strsim::osa_distance(&flat(name), &typed);
-    let closest = names().map(apart).min().filter(|&apart| apart <= MOST_TYPING_ERRORS && apart < typed.len());
+    let closest =
+        names().map(apart).min().filter(|&apart| apart <= MOST_TYPING_ERRORS && apart < typed.len());
     if let Some(closest) = closest {
         return names().filter(|name| apart(name) == closest).collect();
     }
     let is_part = |name: &&str| {
-        (typed.len() >= SHORTEST_PART && flat(name).contains(&typed)) || (ending.len() >= SHORTEST_PART && end(name) == ending)
+        (typed.len() >= SHORTEST_PART && flat(name).contains(&typed))
+            || (ending.len() >= SHORTEST_PART && end(name) == ending)
     };
     names().filter(is_part).collect()
 }
@@ -380,6 +384,10 @@ mod tests {
         assert_eq!(probable_names("derivative_smoothing"), smoothing);
         assert_eq!(probable_names("friction"), ["static_friction", "dynamic_friction", "viscous_friction"]);
         assert_eq!(probable_names("stifness"), ["stiffness"]);
-        assert!(probable_names("k").is_empty() && probable_names("damping").is_empty() && probable_names("").is_empty());
+        assert!(
+            probable_names("k").is_empty()
+                && probable_names("damping").is_empty()
+                && probable_names("").is_empty()
+        );
     }
 }

@@ -126,7 +126,11 @@ impl Model {
     /// is its new note. Lines and other places in the file are those of the file as it is now, and new numbers have no text.
     ///
     /// `None` where this cannot be known without a file: other files belong to the model, or an earlier note goes or cannot be read.
-    pub fn with_contact_numbers(&self, changed: impl Fn(ValueKey) -> Option<f64>, note: Option<&Note>) -> Option<Self> {
+    pub fn with_contact_numbers(
+        &self,
+        changed: impl Fn(ValueKey) -> Option<f64>,
+        note: Option<&Note>,
+    ) -> Option<Self> {
         let is_alone = self.components.companions().is_empty() && self.document().is_model();
         let note = match note {
             Some(note) => Some(note.read_back()?),

@@ -52,7 +52,7 @@ impl Model {
         let mut remarks: Vec<Finding> = forces().filter_map(|force| find_mixed_radii(self, force)).collect();
         remarks.extend(forces().filter_map(find_several_parameter_sets));
         remarks.extend(forces().filter_map(find_disabled_force));
-remarks
+        remarks
     }
 }
 

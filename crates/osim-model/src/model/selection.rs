@@ -7,7 +7,7 @@ use foldhash::{HashMap, HashMapExt};
 use crate::messages::{Input, listed};
 use crate::model::components::Base;
 use crate::model::contacts::{Force, ForceId};
-use crate::model::fault::{Fault, FaultKind, Needed, ForcesOfAnimal};
+use crate::model::fault::{Fault, FaultKind, ForcesOfAnimal, Needed};
 use crate::model::names::{Pattern, any_matches};
 use crate::model::typed_model::Model;
 
@@ -83,7 +83,8 @@ impl Selection {
     pub fn unmatched_patterns(&self, model: &Model) -> Vec<(Input, &Pattern)> {
         let selected = self.select.iter().map(|pattern| (Input::Select, pattern));
         let given = selected.chain(self.exclude.iter().map(|pattern| (Input::Exclude, pattern)));
-        let matches_nothing = |pattern: &Pattern| !model.forces().iter().any(|force| pattern.matches(&force.name));
+        let matches_nothing =
+            |pattern: &Pattern| !model.forces().iter().any(|force| pattern.matches(&force.name));
         given.filter(|(_, pattern)| matches_nothing(pattern)).collect()
     }
 
@@ -106,7 +107,9 @@ impl Selection {
         };
         let forces: Vec<ForceId> = candidates.iter().copied().filter(wanted).collect();
         if forces.is_empty() {
-            return Err(Fault::new(FaultKind::NothingSelected { forces: model.short_force_names(candidates) }));
+            return Err(Fault::new(FaultKind::NothingSelected {
+                forces: model.short_force_names(candidates),
+            }));
         }
         Ok(Selected { complete: is_complete(model, &forces), forces })
     }
@@ -174,7 +177,10 @@ fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> 
     if trees.len() < 2 {
         return Ok(());
     }
-    let tree = |(top, forces): (String, Vec<ForceId>)| ForcesOfAnimal { top, forces: model.short_force_names(&forces) };
+    let tree = |(top, forces): (String, Vec<ForceId>)| ForcesOfAnimal {
+        top,
+        forces: model.short_force_names(&forces),
+    };
     let trees = trees.into_iter().map(tree).collect();
     Err(Fault::new(Needed::Selection { trees, input: Input::Select }))
 }

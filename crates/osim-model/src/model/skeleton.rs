@@ -17,7 +17,7 @@ pub struct Body {
     pub file: FileId,
     /// Whether only WeldJoints are between it and ground: spheres on it count in nothing.
     pub fixed: bool,
-/// Whether it does not count in the mass of the model: it is fixed, and no body hangs on it, such as a platform. A body joined to it
+    /// Whether it does not count in the mass of the model: it is fixed, and no body hangs on it, such as a platform. A body joined to it
     /// by a joint along which it can move away does not hang on it.
     pub excluded_from_mass: bool,
 }
@@ -73,7 +73,8 @@ impl Skeleton {
             let document = components.document(component.file);
             let mass = document.value(component.element, Class::Body, Property::Mass, "mass");
             let (name, path) = (components.name(id).into_owned(), components.tree.path(id));
-            let (fixed, excluded_from_mass) = (joined.welded.contains(&id), joined.excluded_from_mass.contains(&id));
+            let (fixed, excluded_from_mass) =
+                (joined.welded.contains(&id), joined.excluded_from_mass.contains(&id));
             Body { name, path, mass, file: component.file, fixed, excluded_from_mass }
         });
         Self { bodies: bodies.collect(), joined }

@@ -4,7 +4,7 @@ use std::any::Any;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
-use crate::model::anatomy::bone_sizes::{TriplesByBody, JointDistances, frame_offsets, mesh_factors};
+use crate::model::anatomy::bone_sizes::{JointDistances, TriplesByBody, frame_offsets, mesh_factors};
 use crate::model::anatomy::joints::{AnatomyJoint, Joints};
 use crate::model::components::{Companion, ComponentId, Components};
 use crate::model::contacts::{Force, ForceId, HalfSpace, Irregularity, SetId, Sphere, SphereId};
@@ -106,9 +106,9 @@ impl Model {
         self.body_facts.mesh_factors(&self.components)
     }
 
-/// The value that `make` derives from this model. It is made once for each type, and shared with the models that differ in numbers of
+    /// The value that `make` derives from this model. It is made once for each type, and shared with the models that differ in numbers of
     /// contacts only: so it must depend on bodies, joints and constraints alone.
-    pub fn of_bodies<T: Any + Send + Sync>(&self, make: impl FnOnce(&Self) -> T) -> &T {
+    pub fn derived_from_bodies<T: Any + Send + Sync>(&self, make: impl FnOnce(&Self) -> T) -> &T {
         self.body_facts.derived.get_or_make(|| make(self))
     }
 
@@ -251,6 +251,9 @@ mod tests {
             1_i32
         });
         assert_eq!((number, derived.get_or_make(|| 2_i32)), (&1, &1));
-        assert_eq!((derived.get_or_make(|| "another"), derived.get_or_make(|| 3_u8)), (&"made meanwhile", &3));
+        assert_eq!(
+            (derived.get_or_make(|| "another"), derived.get_or_make(|| 3_u8)),
+            (&"made meanwhile", &3)
+        );
     }
 }

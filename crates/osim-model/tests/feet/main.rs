@@ -3,11 +3,11 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod bones;
+mod foot_view;
 mod given;
 mod levelled;
 mod meshes;
 mod planes;
 mod pose;
-mod foot_view;
 mod soles;
 mod standing;

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use osim_model::feet::{RestLaw, Lift, NotLifted, Rest, Standing};
+use osim_model::feet::{Lift, NotLifted, RestLaw, RestOnFloor, Standing};
 use osim_model::{Model, SphereId};
 
 /// E* = 375,000 N/m2: a sphere of 0.04 m that is 0.01 m deep carries 4/3 E* 0.2 m^1/2 0.001 m^3/2 = 100 N.
@@ -124,7 +124,7 @@ fn lifted(mass: f64, heights: &[f64]) -> Parts {
     foot(mass, heights, joint("ground", "foot", &[UP]))
 }
 
-fn rest(standing: &Standing) -> Rest {
+fn rest(standing: &Standing) -> RestOnFloor {
     let all: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
     standing.rest(&all, 1.0).unwrap().unwrap()
 }

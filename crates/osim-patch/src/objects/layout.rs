@@ -88,7 +88,9 @@ impl Layout {
     pub fn check(&self) -> Result<(), Fault> {
         let zero = |contact: &&NewContact| contact.values.contains(&(Property::ConstantContactForce, 0.0));
         match self.contacts.iter().find(zero) {
-            Some(contact) => Err(Fault::new(FaultKind::ZeroConstantContactForce).at_element(contact.force.clone())),
+            Some(contact) => {
+                Err(Fault::new(FaultKind::ZeroConstantContactForce).at_element(contact.force.clone()))
+            }
             None => Ok(()),
         }
     }
@@ -250,7 +252,7 @@ pub(crate) fn pairs(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
                 let (here, there) = (of(set.id)?, of(plane_set.id)?);
                 let is_composite = here != there;
                 let values = if is_composite {
-                    composite_values(surfaces.together(set.id, plane_set.id)?, &here, &there)
+                    composite_values(surfaces.mixed(set.id, plane_set.id)?, &here, &there)
                 } else {
                     here
                 };

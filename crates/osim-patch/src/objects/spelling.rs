@@ -191,7 +191,8 @@ impl Inside {
         (sphere, plane): (&Sphere, &HalfSpace),
         names: &mut Names,
     ) -> Result<(String, String), Fault> {
-        refuse_ignored_offset(model, force, sphere, plane).map_err(|fault| fault.at_element(force.path.clone()))?;
+        refuse_ignored_offset(model, force, sphere, plane)
+            .map_err(|fault| fault.at_element(force.path.clone()))?;
         for frame in [&sphere.frame, &plane.frame_path] {
             refuse_misread(model, frame).map_err(|fault| fault.at_element(force.path.clone()))?;
         }

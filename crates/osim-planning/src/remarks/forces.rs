@@ -94,9 +94,9 @@ fn with_way_out(found: Found) -> Finding {
     });
     if let Some(indentation) = design {
         finding.message.push(", or change the result with ");
-        finding
-            .message
-            .push(Verb::Design.call_with_model().with_value(Input::ConstantIndentation, readable(indentation)));
+        finding.message.push(
+            Verb::Design.call_with_model().with_value(Input::ConstantIndentation, readable(indentation)),
+        );
     }
     finding
 }

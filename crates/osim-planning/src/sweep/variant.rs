@@ -296,8 +296,12 @@ impl Ladder {
     /// The last step cannot be designed, or is softer than the first.
     pub(super) fn of(request: &SweepRequest, model: &ModelFiles, count: u32) -> Result<Self, RequestFault> {
         let Some(indentation) = request.wanted.indentation else {
-            let message =
-                phrase![Input::Ladder, " needs ", Input::Indentation.with_placeholder("X"), " for its last step"];
+            let message = phrase![
+                Input::Ladder,
+                " needs ",
+                Input::Indentation.with_placeholder("X"),
+                " for its last step"
+            ];
             return Err(RequestFault::refused(Input::Ladder, message));
         };
         let last = stiffness::dimensionless_hertz(indentation.get())

@@ -230,7 +230,7 @@ impl Masses {
     }
 
     /// What the other rows say of the masses of a row with these fields.
-    pub(super) fn beside(&self, fields: &Map<String, Value>) -> BTreeMap<Input, MassesOfOtherRows> {
+    pub(super) fn other_rows(&self, fields: &Map<String, Value>) -> BTreeMap<Input, MassesOfOtherRows> {
         let found = self.0.iter().filter_map(|(&input, sorted)| {
             let own_kg = fields.get(input.name())?.as_str()?.parse().ok()?;
             Some((input, MassesOfOtherRows::without(sorted, own_kg)?))

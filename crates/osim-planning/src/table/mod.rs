@@ -107,10 +107,10 @@ impl Table {
             let yes = self.yes.iter().map(|question| Value::from(question.code())).chain(own);
             fields.insert(Input::Yes.name().to_owned(), yes.collect());
         }
-        let beside = self.masses.other_rows(&fields);
+        let other_rows = self.masses.other_rows(&fields);
         let mut request = Request::read(row.verb, fields).map_err(|fault| self.placed(&fault, row.verb))?;
         if let Some(masses) = request.masses_mut() {
-            masses.other_rows = beside;
+            masses.other_rows = other_rows;
         }
         let change = prepare(request, files).map_err(|error| match error {
             RequestError::Fault(fault) => self.placed(&fault, row.verb),

@@ -54,8 +54,12 @@ fn refuse_smoothing(request: &ConvertRequest, to: ForceKind) -> Result<(), Reque
     let given = smoothing.into_iter().find_map(|(input, value)| value.map(|_| input));
     match given.filter(|_| to == ForceKind::HuntCrossley) {
         Some(input) => {
-            let needs =
-                phrase![input, " needs ", Input::To.with_value("smooth"), ": a HuntCrossleyForce is not smoothed"];
+            let needs = phrase![
+                input,
+                " needs ",
+                Input::To.with_value("smooth"),
+                ": a HuntCrossleyForce is not smoothed"
+            ];
             Err(RequestFault::refused(input, needs))
         }
         None => Ok(()),

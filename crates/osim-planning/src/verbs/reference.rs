@@ -9,7 +9,8 @@ use osim_model::compare::ScaleFile;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_model::{
-    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection, implausible_mass,
+    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection,
+    implausible_mass,
 };
 use osim_patch::{Reference, reference_of_model};
 use osim_requests::{Acceleration, Count, Kilograms, TransferRequest};
@@ -138,7 +139,8 @@ fn reference_from_model(
     let selected = selection.apply(model).map_err(about_reference)?;
     let mass = match options.reference_mass {
         Some(kg) => {
-            let asks = implausible_mass(Input::ReferenceMass, kg.get(), MassRequest::default().bodies_kg(model));
+            let asks =
+                implausible_mass(Input::ReferenceMass, kg.get(), MassRequest::default().bodies_kg(model));
             request.answers.ask(asks).map_err(Fault::new)?;
             reference_mass(kg)
         }

@@ -160,7 +160,7 @@ impl Following {
             Self::File(file) => {
                 match model.scaled_since_note() {
                     Some(since) if since.is_scaled() => compare(&since, file)?,
-                    Some(_) if model.note.as_ref().is_some_and(Note::placed) => {
+                    Some(_) if model.note.as_ref().is_some_and(Note::has_placed_spheres) => {
                         return Err(Fault::new(Needed::AlreadyFollowed));
                     }
                     _ => {}
@@ -183,7 +183,7 @@ fn of_note(model: &Model) -> Result<ScaleFile, Fault> {
 /// Checks that the ScaleSet is that of this model.
 fn compare(since: &ScaledSinceNote, file: &ScaleFile) -> Result<(), Fault> {
     for (body, noted) in &since.factors {
-        let given = file.of(body)?;
+        let given = file.required_factors(body)?;
         let same = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME_FACTOR * b.abs();
         if !noted.iter().zip(&given).all(same) {
             return Err(Fault::refused(format!(

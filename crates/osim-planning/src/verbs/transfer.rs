@@ -129,8 +129,12 @@ fn check(request: &TransferRequest) -> Result<(), RequestFault> {
             (Input::ReferenceGravity, request.reference.reference_gravity.is_some()),
         ];
         if let Some((input, _)) = gravities.into_iter().find(|(_, given)| *given) {
-            let message =
-                phrase![input, " says nothing with ", Input::Rule.with_value("predsim"), ", which has no gravity"];
+            let message = phrase![
+                input,
+                " says nothing with ",
+                Input::Rule.with_value("predsim"),
+                ", which has no gravity"
+            ];
             return Err(RequestFault::refused(input, message));
         }
     }
@@ -309,8 +313,11 @@ impl Transferring {
         generic: Option<&Generic>,
     ) -> Result<SphereCounts, Fault> {
         let limbs = self.counts.stance_limbs(model.noted_stance_limbs());
-        let here =
-            LoadSharing::of(model, &selected.forces).count(self.counts.spheres(), limbs, CountedSpheres::Model);
+        let here = LoadSharing::of(model, &selected.forces).count(
+            self.counts.spheres(),
+            limbs,
+            CountedSpheres::Model,
+        );
         let there = match generic {
             Some(generic) => generic.sphere_count.clone(),
             None => Ok(reference.sphere_count),

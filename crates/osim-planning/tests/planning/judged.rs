@@ -173,7 +173,8 @@ fn seen(model: &Model) -> String {
             force.sets.iter().map(|set| (set.number, set.spheres.clone(), set.inherited)).collect();
         (force.path.clone(), force.applies, sets, values.map(number).collect::<Vec<_>>())
     };
-    let warnings: Vec<Finding> = model_findings(model).iter().map(|one| one.clone().with_line(None)).collect();
+    let warnings: Vec<Finding> =
+        model_findings(model).iter().map(|one| one.clone().with_line(None)).collect();
     let spheres: Vec<_> = model.spheres().iter().map(sphere).collect();
     let forces: Vec<_> = model.forces().iter().map(force).collect();
     let of_note = (&model.note, model.doubt_about_note());

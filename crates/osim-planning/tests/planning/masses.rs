@@ -93,8 +93,8 @@ fn noted(text: &str, kg: f64) -> String {
         sizes: model.body_sizes(),
         digest: model.contact_digest(|_| None),
         places: Some(model.places_digest(|_| None)),
-        made: Note::nothing_added(),
-        added: vec![],
+        added_to_file: Note::nothing_added(),
+        added_forces: vec![],
     };
     text.replacen("<gravity>", &format!("<credits>{}</credits>\n<gravity>", note.text()), 1)
 }

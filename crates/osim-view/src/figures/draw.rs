@@ -3,7 +3,7 @@
 use contact_plots::{Datum, Drawing, Paper, PlotError};
 use osim_inspect::series::{Body, HeatRequest};
 use osim_model::files::Failure;
-use osim_model::messages::{Input, Phrase, terminal_safe, phrase, shortest};
+use osim_model::messages::{Input, Phrase, phrase, shortest, terminal_safe};
 use osim_planning::{HeatTable, ModelFeet, MotionResult, cell};
 use osim_requests::{AxesChoice, FigureOptions, PlotKind, PlotRequest, Positive, Span, no_fig1};
 
@@ -27,7 +27,7 @@ pub fn draw(
     let title = request.looks.title.as_deref();
     let mut drawing = match of_table {
         Some(of_table) => table(of_table, title)?,
-        None => derived_from_bodies(request, bodies, title)?,
+        None => drawing_of_bodies(request, bodies, title)?,
     };
     if let (Drawing::HeatMap(map), Some(range)) = (&mut drawing, request.heat.value_range) {
         map.value_axis.limits = Some(range.ends());
@@ -35,7 +35,11 @@ pub fn draw(
     finished(drawing, &request.looks).map_err(|error| not_drawn(error, bodies))
 }
 
-fn derived_from_bodies(request: &PlotRequest, bodies: &[Body], title: Option<&str>) -> Result<Drawing, Failure> {
+fn drawing_of_bodies(
+    request: &PlotRequest,
+    bodies: &[Body],
+    title: Option<&str>,
+) -> Result<Drawing, Failure> {
     let wanted = request.axes.map(|axes| match axes {
         AxesChoice::Real => Axes::Real,
         _ => Axes::Dimensionless,

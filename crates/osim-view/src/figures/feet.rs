@@ -7,7 +7,7 @@ use contact_plots::{
 };
 use osim_model::feet::{FeetFault, FloorPlace, Foot, FootFrame, FootSphere, silhouette};
 use osim_model::files::Failure;
-use osim_model::messages::{Dialect, Input, four_significant, terminal_safe, listed, phrase, shown};
+use osim_model::messages::{Dialect, Input, four_significant, listed, phrase, shown, terminal_safe};
 use osim_model::{DVec2, DVec3};
 use osim_planning::ModelFeet;
 

@@ -214,7 +214,10 @@ impl<'d, S: DeferredText> Page<'d, S> {
             ));
         }
         if self.chosen.models() > MOST {
-            let plot = Verb::Plot.call_with_model().with_value(Input::Kind, "force").with_placeholder(Input::Output, "FILE.svg");
+            let plot = Verb::Plot
+                .call_with_model()
+                .with_value(Input::Kind, "force")
+                .with_placeholder(Input::Output, "FILE.svg");
             left_out.push(format!(
                 "At most {} models have plots; “{}” says why each was chosen. For any other, ask for a page of its own, or \
                  for a picture: {}",

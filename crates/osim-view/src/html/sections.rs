@@ -31,7 +31,8 @@ pub struct Sections {
 impl Sections {
     fn of(fragment: Fragment, dialect: &dyn Dialect) -> Self {
         let explained = explained::each(&fragment.topics, dialect).into_iter();
-        let explained = explained.map(|(id, html)| Explained { id, html: terminal_safe(&html.0).into_owned() });
+        let explained =
+            explained.map(|(id, html)| Explained { id, html: terminal_safe(&html.0).into_owned() });
         let sections = fragment.sections.into_iter();
         let sections =
             sections.map(|section| Section { html: terminal_safe(&section.html).into_owned(), ..section });

@@ -1,7 +1,9 @@
 //! Every question, as each front end asks it.
 
 use osim_model::messages::Input;
-use osim_model::{CountedSpheres, FactorQuestion, Fault, GravityFor, Needed, NoteDoubt, RadiusChangeReason, ForcesOfAnimal};
+use osim_model::{
+    CountedSpheres, FactorQuestion, Fault, ForcesOfAnimal, GravityFor, Needed, NoteDoubt, RadiusChangeReason,
+};
 use osim_requests::spell::{CommandLine, JsonRequest, Page, Python};
 
 /// One example of every question.
@@ -25,7 +27,10 @@ fn examples() -> Vec<Needed> {
             ],
             input: Input::Select,
         },
-        Needed::SphereCount { of: CountedSpheres::Reference, why: "left and right cannot be determined".into() },
+        Needed::SphereCount {
+            of: CountedSpheres::Reference,
+            why: "left and right cannot be determined".into(),
+        },
         Needed::SharedSphere {
             sphere: name("/contactgeometryset/heel_r"),
             changed: name("heel_floor_r"),

@@ -22,7 +22,7 @@ pub enum FactorSource {
     /// Translations of frames fixed to the body: joint offsets.
     Joint,
     /// The ratio of distances from the body's origin to a joint below it: one factor for all axes, between different models.
-Distance,
+    Distance,
     /// The factors of the body that it hangs on.
     Above,
 }

@@ -96,7 +96,8 @@ impl Factors {
         factors.by_name = BodyIndex::of(&factors.bodies);
         if let Some(difference) = &factors.difference {
             factors.warnings.push(rules::not_a_scaled_copy(difference.phrase()));
-            factors.remarks = sources::inherit_from_body_above(&mut factors.bodies, &factors.by_name, scaled, &carriers);
+            factors.remarks =
+                sources::inherit_from_body_above(&mut factors.bodies, &factors.by_name, scaled, &carriers);
             sources::add_questions(&mut factors.bodies, &factors.by_name, &all_sources, scaled);
         }
         factors.question_impossible_factors();

@@ -6,8 +6,8 @@
 //! ([`Follow`]).
 
 mod body_factors;
-mod scaled_copy;
 mod factors;
+mod scaled_copy;
 mod sources;
 
 use std::collections::BTreeMap;
@@ -16,8 +16,8 @@ use crate::model::{
     Anatomy, AnatomySphere, Fault, LevelAxis, Model, MovedSpheres, Needed, RadiusAxis, SphereId,
 };
 pub use body_factors::{AxisFactor, BodyFactors, FactorSource, bone_of_mesh};
-pub use scaled_copy::{CopyDifference, ScaleFile};
 pub use factors::Factors;
+pub use scaled_copy::{CopyDifference, ScaleFile};
 
 // Where the spheres of a scaled model belong, and how large they are there.
 
@@ -159,12 +159,17 @@ impl Follow {
                 )));
             }
             let Some(body) = &old.body else { continue };
-            let body_factors = factors.body_factors(body).map_err(|fault| fault.at_element(own.path.clone()))?;
+            let body_factors =
+                factors.body_factors(body).map_err(|fault| fault.at_element(own.path.clone()))?;
             let [x, y, z] = body_factors;
             logarithms += libm::log(x * y * z) / 3.0;
             count += 1.0;
             let place = if request.moved == MovedSpheres::Keep && differs(now, old) {
-                FollowedSphere { old_radius_m: old.radius_m, radius_m: now.radius_m, location_m: now.location_m }
+                FollowedSphere {
+                    old_radius_m: old.radius_m,
+                    radius_m: now.radius_m,
+                    location_m: now.location_m,
+                }
             } else {
                 follow_one(now, old, body_factors, request)
             };
@@ -191,7 +196,9 @@ fn follow_one(
     // The frame of the scaled model: OpenSim moves it but does not turn it.
     let scaled = |vector: [f64; 3]| now.rotation.scaled_in_frame(factors, vector);
     let location_m = match request.level {
-        Some(axis) => axis.in_frame(&now.rotation).levelled_centre(old.location_m, old.radius_m, radius_m, scaled),
+        Some(axis) => {
+            axis.in_frame(&now.rotation).levelled_centre(old.location_m, old.radius_m, radius_m, scaled)
+        }
         None => scaled(old.location_m),
     };
     FollowedSphere { old_radius_m: old.radius_m, radius_m, location_m }

@@ -79,7 +79,10 @@ pub(super) fn difference(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDi
         shared.into_iter().find_map(|body| {
             let meshes = body_factors::bone_pairs(scaled, reference, body);
             let joints = joints.on(body);
-            AXIS_NAMES.iter().enumerate().find_map(|(axis, name)| unexplained(body, &meshes, joints, axis, name))
+            AXIS_NAMES
+                .iter()
+                .enumerate()
+                .find_map(|(axis, name)| unexplained(body, &meshes, joints, axis, name))
         })
     })
 }

@@ -4,7 +4,8 @@ use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::DVec3;
 
 use super::body_factors::{
-    self, AXIS_NAMES, AxisFactor, BodyFactors, BonePair, BodyIndex, ComparedJoint, ComparedJoints, FactorSource,
+    self, AXIS_NAMES, AxisFactor, BodyFactors, BodyIndex, BonePair, ComparedJoint, ComparedJoints,
+    FactorSource,
 };
 use super::scaled_copy::{SHORTEST_OFFSET_M, ScaleFile};
 use crate::messages::Phrase;
@@ -55,7 +56,7 @@ impl<'a> Sources<'a> {
         if in_a_copy {
             by_source.push((FactorSource::Joint, joint_factors(scaled, reference, body)));
         } else {
-            let ratio = distance.as_ref().map(Distance::ratio);
+            let ratio = distance.as_ref().map(ComparedJoint::ratio);
             by_source.push((FactorSource::Distance, [ratio; 3]));
         }
         by_source.retain(|(_, values)| values.iter().any(Option::is_some));
@@ -77,8 +78,10 @@ impl<'a> Sources<'a> {
         let mut messages = Vec::new();
         for (axis, name) in AXIS_NAMES.iter().enumerate() {
             let Some(AxisFactor { factor, source }) = taken[axis] else { continue };
-            let others =
-                self.by_source.iter().filter(|(other, _)| *other > source && *other != FactorSource::Distance);
+            let others = self
+                .by_source
+                .iter()
+                .filter(|(other, _)| *other > source && *other != FactorSource::Distance);
             for (other, value) in others.filter_map(|(other, values)| Some((other, values[axis]?))) {
                 if (value - factor).abs() > limit * factor {
                     messages.push(format!(
@@ -239,7 +242,9 @@ pub(super) fn inherit_from_body_above(
         if inherited.contains(body.as_str()) {
             continue;
         }
-        let Some((above, axes)) = nearest_known_above(factors, by_name, scaled, body, &mut nearest) else { continue };
+        let Some((above, axes)) = nearest_known_above(factors, by_name, scaled, body, &mut nearest) else {
+            continue;
+        };
         let [x, y, z] = axes.map(|axis| axis.factor);
         remarks.push(
             format!("{body} takes the factors of {above}, on which it hangs: {x:.4}, {y:.4}, {z:.4}").into(),
@@ -287,7 +292,12 @@ fn is_given(axes: &[Option<AxisFactor>; 3]) -> bool {
 }
 
 /// Adds the questions that only the user can answer: meshes of one body that differ, sides that differ, a body without any source.
-pub(super) fn add_questions(factors: &mut [BodyFactors], by_name: &BodyIndex, all_sources: &[Sources<'_>], scaled: &Anatomy) {
+pub(super) fn add_questions(
+    factors: &mut [BodyFactors],
+    by_name: &BodyIndex,
+    all_sources: &[Sources<'_>],
+    scaled: &Anatomy,
+) {
     let pairs = SidePairs::of(all_sources);
     let of_body: HashMap<&str, &Sources<'_>> = all_sources.iter().map(|one| (one.body, one)).collect();
     let above = |body: &str| of_body.get(scaled.joint_above(body)?.parent.as_str()).copied();
@@ -332,8 +342,12 @@ fn meshes_differ(sources: &Sources<'_>) -> Option<FactorQuestion> {
         first.factors.iter().zip(&other.factors).any(apart)
     };
     let other = others.iter().find(differs)?;
-    let mesh_and_factors = |pair: &BonePair| (pair.mesh.clone(), pair.factors.map(|factor| factor.unwrap_or(f64::NAN)));
-    Some(FactorQuestion::Meshes { body: sources.body.to_owned(), meshes: [mesh_and_factors(first), mesh_and_factors(other)] })
+    let mesh_and_factors =
+        |pair: &BonePair| (pair.mesh.clone(), pair.factors.map(|factor| factor.unwrap_or(f64::NAN)));
+    Some(FactorQuestion::Meshes {
+        body: sources.body.to_owned(),
+        meshes: [mesh_and_factors(first), mesh_and_factors(other)],
+    })
 }
 
 /// Two sides that are not of one size, by the axes that are known on both.

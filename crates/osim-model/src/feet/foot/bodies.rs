@@ -78,7 +78,7 @@ fn body_of(model: &Model, sphere: SphereId) -> Option<&str> {
 }
 
 /// The spheres of each body, in the order of the first sphere on each.
-fn on_bodies<'m>(model: &'m Model, spheres: &[SphereId]) -> Vec<(&'m str, Vec<SphereId>)> {
+fn spheres_by_body<'m>(model: &'m Model, spheres: &[SphereId]) -> Vec<(&'m str, Vec<SphereId>)> {
     let mut places: HashMap<&str, usize> = HashMap::new();
     let mut by_body: Vec<(&str, Vec<SphereId>)> = Vec::new();
     for &id in spheres {
@@ -89,7 +89,7 @@ fn on_bodies<'m>(model: &'m Model, spheres: &[SphereId]) -> Vec<(&'m str, Vec<Sp
             None => by_body.push((body, vec![id])),
         }
     }
-by_body
+    by_body
 }
 
 /// Groups of spheres that are in no limb: one group for each body, or for several bodies of one side that hang on each other.
@@ -109,7 +109,12 @@ fn groups_by_body(tree: &BodyTree<'_>, model: &Model, spheres: &[SphereId]) -> V
 
 /// The foot of a group: bodies with its spheres, those between them, and those of the same side below. Bodies that are joined
 /// only through ground are feet of their own.
-fn feet_of_group(tree: &BodyTree<'_>, model: &Model, group: SphereGroup, carriers: &HashSet<&str>) -> Vec<FootBodies> {
+fn feet_of_group(
+    tree: &BodyTree<'_>,
+    model: &Model,
+    group: SphereGroup,
+    carriers: &HashSet<&str>,
+) -> Vec<FootBodies> {
     let carriers_of_group = spheres_by_body(model, &group.spheres);
     let names: Vec<&str> = carriers_of_group.iter().map(|(body, _)| *body).collect();
     let Some(joined) = tree.with_connecting_bodies(&names) else {
@@ -168,7 +173,7 @@ impl<'t> BodyTree<'t> {
     }
 
     /// `body` and those above it up to one that is in `seen`, and that one. All are in `seen` afterwards.
-    fn up<'b>(&self, body: &'b str, seen: &mut HashSet<&'b str>) -> (Vec<&'b str>, Option<&'b str>)
+    fn walk_up<'b>(&self, body: &'b str, seen: &mut HashSet<&'b str>) -> (Vec<&'b str>, Option<&'b str>)
     where
         't: 'b,
     {

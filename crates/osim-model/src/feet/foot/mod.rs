@@ -292,7 +292,8 @@ impl<'p> FootPlaces<'p> {
     fn joint(&self, joint: &AnatomyJoint, context: &ModelContext<'_>) -> Option<FootJoint> {
         let read = context.joints.get(&(joint.name.as_str(), joint.child.as_str()));
         let in_parent_m = read.map_or(joint.in_parent_m, |read| read.in_parent_m());
-        let at_m = self.point(&joint.parent, in_parent_m).or_else(|| self.point(&joint.child, joint.in_child_m))?;
+        let at_m =
+            self.point(&joint.parent, in_parent_m).or_else(|| self.point(&joint.child, joint.in_child_m))?;
         Some(FootJoint { name: joint.name.clone(), at_m })
     }
 }

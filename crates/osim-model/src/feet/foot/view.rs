@@ -3,7 +3,7 @@
 use foldhash::{HashSet, HashSetExt};
 use glam::{DVec2, DVec3};
 
-use crate::feet::vector::{distance, convex_hull, sort_and_dedup, twice_area};
+use crate::feet::vector::{convex_hull, distance, sort_and_dedup, twice_area};
 use crate::model::Model;
 
 /// The names of a frame's axes, and of their opposites.
@@ -83,7 +83,7 @@ pub fn silhouette(points: &[DVec2]) -> Vec<DVec2> {
     let corners = || hull.iter().copied();
     let span = corners().fold(DVec2::NEG_INFINITY, DVec2::max) - corners().fold(DVec2::INFINITY, DVec2::min);
     let size = span.max_element();
-    let outline = Outline::new(points, convex_hull, CELL_SHARE * size);
+    let outline = Outline::new(points, hull, CELL_SHARE * size);
     let longest = (LONGEST_EDGE * size).max(LONGEST_EDGE_IN_SPACINGS * outline.spacing());
     outline.tightened(longest)
 }
@@ -100,7 +100,7 @@ impl Outline {
         let cell_of = |point: &DVec2| ((point.x / cell).round() as i64, (point.y / cell).round() as i64);
         let mut taken: HashSet<(i64, i64)> = hull.iter().map(cell_of).collect();
         let inside = points.iter().filter(|point| taken.insert(cell_of(point))).copied().collect();
-        Self { line: convex_hull, inside }
+        Self { line: hull, inside }
     }
 
     /// The distance of as many points that are spread evenly over the same area.

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::feet::vector::{distance, convex_hull, sort_and_dedup, twice_area};
+use crate::feet::vector::{convex_hull, distance, sort_and_dedup, twice_area};
 use crate::model::Side;
 
 /// The bone points near the ground of a flat foot cover at least this part of its length and of its width.
@@ -20,7 +20,7 @@ pub struct Footprint {
     pub length_m: f64,
     /// Of the foot's length, the part over which bone points near the ground reach: 1 is all of it.
     pub share_of_length: f64,
-/// Of the foot's width, the part over which bone points near the ground reach.
+    /// Of the foot's width, the part over which bone points near the ground reach.
     pub share_of_width: f64,
     /// How far the front is up (below 0: down), seen from the side, rad: the slope of the line on which the bones would rest.
     pub pitch_rad: f64,
@@ -48,7 +48,8 @@ impl Footprint {
             let all = extent(&whole, direction);
             if all > 0.0 { extent(near, direction) / all } else { 1.0 }
         };
-        let pitch = resting_slope(flat.iter().map(|point| DVec2::new(point.at.dot(ahead), point.height)).collect());
+        let pitch =
+            resting_slope(flat.iter().map(|point| DVec2::new(point.at.dot(ahead), point.height)).collect());
         // Else what is only tilted to the front would look tilted to the side, too.
         let level =
             |point: &FlatPoint| DVec2::new(point.at.dot(across), point.height - pitch * point.at.dot(ahead));
@@ -229,7 +230,8 @@ pub(super) fn spread_bottoms(corners: &[DVec2], near: &[DVec2], count: usize) ->
         for index in fixed..count {
             let moved = bottoms.remove(index);
             let distance_now = distance_to(moved, &bottoms);
-            let better = farthest(near, &bottoms).filter(|(_, distance)| *distance > distance_now * (1.0 + EQUALITY_TOLERANCE));
+            let better = farthest(near, &bottoms)
+                .filter(|(_, distance)| *distance > distance_now * (1.0 + EQUALITY_TOLERANCE));
             bottoms.insert(index, better.map_or(moved, |(point, _)| point));
         }
         if bottoms == before {
@@ -251,7 +253,11 @@ fn extremes(corners: &[DVec2], count: usize) -> Vec<DVec2> {
         }
         _ => {
             let own_extremes = four_extremes(corners, direction_of(&far, long), length(long));
-            if covers(&own_extremes, corners) { own_extremes } else { four_extremes(corners, DVec2::X, length(long)) }
+            if covers(&own_extremes, corners) {
+                own_extremes
+            } else {
+                four_extremes(corners, DVec2::X, length(long))
+            }
         }
     }
 }
@@ -277,7 +283,11 @@ fn four_directions(forward: DVec2) -> [DVec2; 4] {
 /// The corners that are farthest in the four directions; each place once, unless all are needed.
 fn four_extremes(corners: &[DVec2], forward: DVec2, length: f64) -> Vec<DVec2> {
     let some = separate_extremes(corners, four_directions(forward), LEAST_EXTREME_DISTANCE * length);
-    if covers(&some, corners) { some } else { separate_extremes(corners, four_directions(forward), LEAST_BOTTOM_DISTANCE_M) }
+    if covers(&some, corners) {
+        some
+    } else {
+        separate_extremes(corners, four_directions(forward), LEAST_BOTTOM_DISTANCE_M)
+    }
 }
 
 /// The corners that are farthest in some directions, without those that are close to one before.

@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use crate::feet::bones::Bone;
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::FeetFault;
-use crate::feet::sole::footprint::{FootAxes, FlatPoint, BonePoint, spread_bottoms};
+use crate::feet::sole::footprint::{BonePoint, FlatPoint, FootAxes, spread_bottoms};
 use crate::feet::vector::{convex_hull, sort_and_dedup};
 use crate::model::{Model, Placement, Side, without_side};
 pub use footprint::Footprint;
@@ -73,7 +73,7 @@ pub struct SoleSphere {
 /// # Errors
 /// No gravity, a body whose place is not known, a radius that is not above 0, no sphere, or bottoms closer than 1 mm.
 pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec<Sole>, FeetFault> {
-refuse_bad_request(request)?;
+    refuse_bad_request(request)?;
     let up = up_of(model).ok_or(FeetFault::NoGravity)?;
     let pose = DefaultPose::of(model);
     let mut placements: HashMap<&str, Placement> = HashMap::new();
@@ -126,7 +126,11 @@ fn up_of(model: &Model) -> Option<DVec3> {
     Some(DVec3::ZERO - DVec3::from(model.gravity_m_s2?) / size)
 }
 
-fn points_in_ground(foot: &SoleBodies, bones: &[Bone], placements: &HashMap<&str, Placement>) -> Vec<BonePoint> {
+fn points_in_ground(
+    foot: &SoleBodies,
+    bones: &[Bone],
+    placements: &HashMap<&str, Placement>,
+) -> Vec<BonePoint> {
     let mut points = Vec::new();
     for (body, name) in foot.bodies.iter().enumerate() {
         let Some(placement) = placements.get(name.as_str()) else { continue };
@@ -137,7 +141,12 @@ fn points_in_ground(foot: &SoleBodies, bones: &[Bone], placements: &HashMap<&str
 }
 
 /// One sole; where its spheres would be too close, how many fit.
-fn sole(foot: &SoleBodies, points: &[BonePoint], axes: &FootAxes, request: &SoleRequest) -> Result<Sole, usize> {
+fn sole(
+    foot: &SoleBodies,
+    points: &[BonePoint],
+    axes: &FootAxes,
+    request: &SoleRequest,
+) -> Result<Sole, usize> {
     let flat: Vec<FlatPoint> = axes.flat(points);
     let near = points_near_ground(&flat);
     let corners = convex_hull(&near);

@@ -87,7 +87,10 @@ impl Floors {
         own: &HashSet<String>,
     ) -> Vec<FloorContact> {
         let floor_contacts = |gap_m| FloorContact { contact: loaded.clone(), gap_m };
-        gaps.iter().filter(|(plane, _)| own.contains(&plane.path)).map(|(_, gap)| floor_contacts(*gap)).collect()
+        gaps.iter()
+            .filter(|(plane, _)| own.contains(&plane.path))
+            .map(|(_, gap)| floor_contacts(*gap))
+            .collect()
     }
 }
 
@@ -99,7 +102,11 @@ pub(super) fn tilt(body: &Placement, normal: DVec3) -> f64 {
 }
 
 /// The centre of a sphere in ground, and its radius; `None` where a number of them cannot be read.
-fn centre_and_radius(model: &Model, sphere: SphereId, pose: &DefaultPose) -> Result<Option<(DVec3, f64)>, PoseFault> {
+fn centre_and_radius(
+    model: &Model,
+    sphere: SphereId,
+    pose: &DefaultPose,
+) -> Result<Option<(DVec3, f64)>, PoseFault> {
     let known = model.sphere(sphere).zip(model.centre_m(sphere)).zip(model.radius_m(sphere).ok());
     let Some(((sphere, centre), radius)) = known else { return Ok(None) };
     let Some(body) = sphere.body.as_deref() else { return Ok(None) };
@@ -170,7 +177,11 @@ impl RestOnFloor {
     }
 
     /// Where the contacts `floor_contacts`, in the order of their spheres, carry `load_n`: the lowest of them is deepest.
-    pub(super) fn of(floor_contacts: &[&FloorContact], load_n: f64, by: RestLaw) -> Result<Self, DomainError> {
+    pub(super) fn of(
+        floor_contacts: &[&FloorContact],
+        load_n: f64,
+        by: RestLaw,
+    ) -> Result<Self, DomainError> {
         let lowest_m = floor_contacts.iter().map(|one| one.gap_m).fold(f64::INFINITY, f64::min);
         let mut raised = Vec::new();
         for one in floor_contacts {

@@ -95,7 +95,8 @@ impl LevelledFeet<'_> {
         let spheres = limb.spheres.iter().filter_map(|&sphere| self.over(sphere).transpose());
         let spheres = spheres.collect::<Result<Vec<OverLowestFloor>, PoseFault>>()?;
         let lowest_m = spheres.iter().map(|over| over.gap_m).fold(f64::INFINITY, f64::min);
-        let high: Vec<&OverLowestFloor> = spheres.iter().filter(|over| over.gap_m - lowest_m > ROUNDING_M).collect();
+        let high: Vec<&OverLowestFloor> =
+            spheres.iter().filter(|over| over.gap_m - lowest_m > ROUNDING_M).collect();
         if !high.is_empty() {
             self.refuse_leaning(limb, &spheres)?;
         }

@@ -3,8 +3,8 @@
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
 
-use crate::feet::couplers::{CoordinateValues, CoordinateState, CoordinateStates};
-use crate::feet::default_pose::{JointStep, DefaultPose, joints_from_ground};
+use crate::feet::couplers::{CoordinateState, CoordinateStates, CoordinateValues};
+use crate::feet::default_pose::{DefaultPose, JointStep, joints_from_ground};
 use crate::model::{JointCoordinate, Model, ModelJoint, Placement};
 
 /// Movements this close to each other are one (per metre of the coordinate).
@@ -63,7 +63,12 @@ pub(super) struct LiftSearch<'m> {
 
 impl<'m> LiftSearch<'m> {
     pub(super) fn of(model: &'m Model, pose: &'m DefaultPose) -> Self {
-        Self { model, pose, known: CoordinateValues::at_default_pose(model), states: CoordinateStates::of(model) }
+        Self {
+            model,
+            pose,
+            known: CoordinateValues::at_default_pose(model),
+            states: CoordinateStates::of(model),
+        }
     }
 
     /// The coordinate of the joints on `path` that lifts most along `normal`, with its joint's place on the way.
@@ -76,16 +81,21 @@ impl<'m> LiftSearch<'m> {
                 let moves = self.effect(parent_joint, index, normal).unwrap_or(CoordinateEffect::Other);
                 let found = match (moves, self.states.state(parent_joint.joint, coordinate)) {
                     (CoordinateEffect::Lifts(rise), CoordinateState::Free) => {
-                        let more =
-                            best.as_ref().is_none_or(|(_, known)| rise.abs() > known.rise.abs() + SAME_MOVEMENT);
+                        let more = best
+                            .as_ref()
+                            .is_none_or(|(_, known)| rise.abs() > known.rise.abs() + SAME_MOVEMENT);
                         let default_m = self.known.values.get(&coordinate.name).copied().filter(|_| more);
                         let joint = parent_joint.joint.name.clone();
                         let lift = |default_m| (place, Lift { coordinate: name(), joint, default_m, rise });
                         best = default_m.map(lift).or(best);
                         continue;
                     }
-                    (CoordinateEffect::Lifts(_), CoordinateState::Locked) => NotLifted::Locked { coordinate: name() },
-                    (CoordinateEffect::Lifts(_), CoordinateState::Driven) => NotLifted::Driven { coordinate: name() },
+                    (CoordinateEffect::Lifts(_), CoordinateState::Locked) => {
+                        NotLifted::Locked { coordinate: name() }
+                    }
+                    (CoordinateEffect::Lifts(_), CoordinateState::Driven) => {
+                        NotLifted::Driven { coordinate: name() }
+                    }
                     (CoordinateEffect::Slides, CoordinateState::Free) => NotLifted::Slides,
                     (CoordinateEffect::Other, CoordinateState::Free) => NotLifted::Pinned,
                     _ => continue,
@@ -96,14 +106,20 @@ impl<'m> LiftSearch<'m> {
         best.ok_or(not)
     }
 
-    fn effect(&self, parent_joint: &ParentJoint<'_>, index: usize, normal: DVec3) -> Option<CoordinateEffect> {
+    fn effect(
+        &self,
+        parent_joint: &ParentJoint<'_>,
+        index: usize,
+        normal: DVec3,
+    ) -> Option<CoordinateEffect> {
         let by = |metres: f64| self.moved(parent_joint, index, metres);
         let moved = [by(1.0)?, by(0.5)?, by(-1.0)?];
         let turned = |moved: &Placement| moved.rotation.inverse().to_body(normal);
         let unturned = moved.iter().all(|moved| turned(moved).abs_diff_eq(normal, SAME_MOVEMENT));
         let [rise, half, back] = moved.map(|moved| moved.translation_m.dot(normal));
         let is_even = (half - 0.5 * rise).abs() <= SAME_MOVEMENT && (back + rise).abs() <= SAME_MOVEMENT;
-        let moves = moved.iter().any(|moved| moved.translation_m.abs().cmpgt(DVec3::splat(SAME_MOVEMENT)).any());
+        let moves =
+            moved.iter().any(|moved| moved.translation_m.abs().cmpgt(DVec3::splat(SAME_MOVEMENT)).any());
         Some(match unturned {
             true if is_even && rise.abs() >= LEAST_RISE => CoordinateEffect::Lifts(rise),
             true if is_even && moves => CoordinateEffect::Slides,
@@ -208,7 +224,8 @@ impl<'j> JointTree<'j> {
                 passed.push(parent_joint.body);
                 at = parent_joint.parent.and_then(|parent| self.above.get(parent));
             }
-            let place = at.and_then(|parent_joint| joins.get(parent_joint.body).copied()).unwrap_or(path.len());
+            let place =
+                at.and_then(|parent_joint| joins.get(parent_joint.body).copied()).unwrap_or(path.len());
             joins.extend(passed.into_iter().map(|body| (body, place)));
             common = common.max(place);
         }

@@ -16,9 +16,9 @@ use super::default_pose::DefaultPose;
 use super::fault::PoseFault;
 use super::vector::angle;
 use crate::model::{ForceId, Model, SphereId, loaded_spheres};
-pub use gaps::{RestLaw, SphereOverFloor, RestOnFloor, RestingSphere};
-use gaps::{Floors, FloorContact};
-pub use levelled::{MOST_LEAN_RAD, LevelledSphere, NotLevelled, levelled_spheres};
+use gaps::{FloorContact, Floors};
+pub use gaps::{RestLaw, RestOnFloor, RestingSphere, SphereOverFloor};
+pub use levelled::{LevelledSphere, MOST_LEAN_RAD, NotLevelled, levelled_spheres};
 use lift::{JointTree, LiftSearch};
 pub use lift::{Lift, NotLifted};
 
@@ -103,7 +103,7 @@ impl Standing {
 }
 
 /// The spheres on floors by the body on top of their tree, in the order of the first sphere of each.
-fn by_top<'j>(
+fn spheres_by_tree<'j>(
     model: &Model,
     floors: &Floors,
     tree: &JointTree<'j>,
@@ -175,7 +175,8 @@ impl<'j> StandingTree<'_, 'j> {
         let mut path = self.tree.common_path_to_ground(&bodies);
         // What moves the floor along moves nothing against it.
         for plane in planes.iter().filter_map(|(plane, _)| plane.body.as_deref()) {
-            let of_plane: HashSet<&str> = self.tree.path_to_ground(plane).iter().map(|other| other.body).collect();
+            let of_plane: HashSet<&str> =
+                self.tree.path_to_ground(plane).iter().map(|other| other.body).collect();
             path.retain(|parent_joint| !of_plane.contains(parent_joint.body));
         }
         let normals: Vec<DVec3> = planes.iter().map(|(_, surface)| surface.normal).collect();

@@ -222,10 +222,19 @@ impl JointDistances {
 
     /// The question about `radius_m` if `sphere` would be larger than the bones around it. `is_given_length`: whether the caller gave the
     /// radius as a length, perhaps in another unit.
-    pub fn implausible_radius(&self, sphere: &Sphere, radius_m: f64, is_given_length: bool) -> Option<NeedsAnswer> {
+    pub fn implausible_radius(
+        &self,
+        sphere: &Sphere,
+        radius_m: f64,
+        is_given_length: bool,
+    ) -> Option<NeedsAnswer> {
         let longest_m = self.longest_around_sphere(sphere)?;
         // A sphere that is new has the radius that the caller gave.
-        let usual_m = if sphere.radius.number == radius_m { longest_m / BONE_LENGTH_IN_RADII } else { sphere.radius.number };
+        let usual_m = if sphere.radius.number == radius_m {
+            longest_m / BONE_LENGTH_IN_RADII
+        } else {
+            sphere.radius.number
+        };
         let usual_m = is_given_length.then_some(usual_m);
         let sphere = sphere.name.clone();
         (radius_m > longest_m).then_some(NeedsAnswer::Radius { sphere, radius_m, longest_m, usual_m })
@@ -234,7 +243,10 @@ impl JointDistances {
 
 /// For each body that hangs on another one or carries one, the longest bone of its limb, each joint looked at once. A limb ends where
 /// the names above it are not of its side.
-fn longest_by_limb(joints: &[AnatomyJoint], by_body_m: &BTreeMap<String, f64>) -> HashMap<String, Option<f64>> {
+fn longest_by_limb(
+    joints: &[AnatomyJoint],
+    by_body_m: &BTreeMap<String, f64>,
+) -> HashMap<String, Option<f64>> {
     let mut above: HashMap<&str, &str> = HashMap::new();
     for joint in joints {
         above.entry(&joint.child).or_insert(&joint.parent);

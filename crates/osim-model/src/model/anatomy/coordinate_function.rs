@@ -120,7 +120,7 @@ struct SimmSpline {
     ys: Vec<f64>,
     /// The width of each piece in x.
     widths: Vec<f64>,
-/// The slope of the chord of each piece.
+    /// The slope of the chord of each piece.
     chord_slopes: Vec<f64>,
     /// A sixth of the second derivative at each knot; empty where there are fewer than three.
     curvature_sixths: Vec<f64>,
@@ -132,7 +132,8 @@ impl SimmSpline {
         let widths: Vec<f64> = xs.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let chord_slopes: Vec<f64> =
             ys.windows(2).zip(&widths).map(|(pair, width)| (pair[1] - pair[0]) / width).collect();
-        let curvature_sixths = if xs.len() < 3 { Vec::new() } else { curvature_sixths(&xs, &widths, &chord_slopes) };
+        let curvature_sixths =
+            if xs.len() < 3 { Vec::new() } else { curvature_sixths(&xs, &widths, &chord_slopes) };
         Self { xs, ys, widths, chord_slopes, curvature_sixths }
     }
 
@@ -144,11 +145,14 @@ impl SimmSpline {
             return piecewise_linear(xs, ys, x);
         }
         // y = y0 + b dx + c dx^2 + d dx^3 in each piece.
-        let b = |k: usize| chord_slopes[k] - widths[k] * (curvature_sixths[k + 1] + 2.0 * curvature_sixths[k]);
+        let b =
+            |k: usize| chord_slopes[k] - widths[k] * (curvature_sixths[k + 1] + 2.0 * curvature_sixths[k]);
         if x < xs[0] {
             return (ys[0] + (x - xs[0]) * b(0), b(0));
         }
-        let last_slope = || chord_slopes[n - 2] + widths[n - 2] * (curvature_sixths[n - 2] + 2.0 * curvature_sixths[n - 1]);
+        let last_slope = || {
+            chord_slopes[n - 2] + widths[n - 2] * (curvature_sixths[n - 2] + 2.0 * curvature_sixths[n - 1])
+        };
         if x > xs[n - 1] {
             return (ys[n - 1] + (x - xs[n - 1]) * last_slope(), last_slope());
         }
@@ -266,8 +270,13 @@ mod tests {
     fn spline_slopes_are_differences_of_values() {
         let (spline, step) = (spline_through(5), 1e-6);
         for x in [-2.0, -1.0, -0.5, 0.0, 0.3, 0.5, 1.0, 2.0, 3.0, 3.5, 4.0] {
-            let by_values = (spline.value_and_slope(x + step).0 - spline.value_and_slope(x - step).0) / (2.0 * step);
-            assert!((spline.value_and_slope(x).1 - by_values).abs() < 1e-5, "at {x}: {} {by_values}", spline.value_and_slope(x).1);
+            let by_values =
+                (spline.value_and_slope(x + step).0 - spline.value_and_slope(x - step).0) / (2.0 * step);
+            assert!(
+                (spline.value_and_slope(x).1 - by_values).abs() < 1e-5,
+                "at {x}: {} {by_values}",
+                spline.value_and_slope(x).1
+            );
         }
     }
 

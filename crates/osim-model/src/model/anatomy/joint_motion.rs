@@ -122,7 +122,7 @@ impl JointMotion {
 }
 
 impl JointMotion {
-/// For the coordinate number `index` of a CustomJoint: `true` if it is the angle of a rotation about an axis, `false` if it is a
+    /// For the coordinate number `index` of a CustomJoint: `true` if it is the angle of a rotation about an axis, `false` if it is a
     /// distance along one, `None` if it is neither. The last axis counts, as in OpenSim.
     pub(crate) fn is_pure_rotation(&self, index: usize) -> Option<bool> {
         let Self::Spatial(axes) = self else { return None };
@@ -329,7 +329,10 @@ mod tests {
         // 0.1 to the joint, 0.02 down to the middle body's origin, then 0.05 on.
         at(&chain("WeldJoint:", "0.05 0 0"), [0.15, -0.02, 0.0]);
         let anatomy = chain("WeldJoint:", "0.05 0 0");
-        assert!(anatomy.joint_place_seen_from("toes_r", &anatomy.joints[1]).is_none(), "it is not below the toes");
+        assert!(
+            anatomy.joint_place_seen_from("toes_r", &anatomy.joints[1]).is_none(),
+            "it is not below the toes"
+        );
     }
 
     #[test]

@@ -120,7 +120,8 @@ impl Joints {
     /// All joints of the files. One whose frames lead nowhere is left out: nothing is known of its limb then.
     pub(crate) fn read(&self, components: &Components) -> &[(ComponentId, ModelJoint)] {
         let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
-        self.all.get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_joint(components, id)?))).collect())
+        self.all
+            .get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_joint(components, id)?))).collect())
     }
 
     /// All but those that are `ignored`, with their frames as OpenSim converts them.
@@ -260,7 +261,12 @@ pub(crate) fn placement_on_base(
     None
 }
 
-fn own_placement(components: &Components, owner: ComponentId, translation: &str, orientation: &str) -> Placement {
+fn own_placement(
+    components: &Components,
+    owner: ComponentId,
+    translation: &str,
+    orientation: &str,
+) -> Placement {
     let triple = |tag| components.doc(owner).triple(components.element(owner), tag).unwrap_or([0.0; 3]);
     Placement::from_triples(triple(orientation), triple(translation))
 }

@@ -2,8 +2,8 @@
 
 pub(crate) mod bone_sizes;
 mod coordinate_function;
-pub(crate) mod joints;
 mod joint_motion;
+pub(crate) mod joints;
 
 use std::collections::{self, BTreeMap};
 
@@ -15,8 +15,8 @@ use crate::model::fault::Fault;
 use crate::model::placement::{MovingPlacement, Placement, Rotation};
 use crate::model::typed_model::Model;
 pub use coordinate_function::CoordinateFunction;
-pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
 pub use joint_motion::Speeds;
+pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
 
 /// The part of a model that scaling changes (or should have changed), by body name.
 #[derive(Debug, Clone, PartialEq)]
@@ -229,7 +229,7 @@ impl Model {
                 are_angles.entry(coordinate.name.as_str()).or_insert_with(is_angle);
             }
         }
-are_angles
+        are_angles
     }
 }
 
@@ -241,11 +241,16 @@ impl ModelJoint {
     }
 
     /// Where a body is, and how it moves, while its coordinates change with these `speeds`.
-    pub fn moving_placement(&self, model: &Model, values: &[f64], speeds: Speeds<'_>) -> Option<MovingPlacement> {
+    pub fn moving_placement(
+        &self,
+        model: &Model,
+        values: &[f64],
+        speeds: Speeds<'_>,
+    ) -> Option<MovingPlacement> {
         self.moving_placement_at(model.components(), values, speeds)
     }
 
-/// For the coordinate number `index` of a CustomJoint: `true` if it is the angle of a rotation about an axis, `false` if it is a
+    /// For the coordinate number `index` of a CustomJoint: `true` if it is the angle of a rotation about an axis, `false` if it is a
     /// distance along one, `None` if it is neither.
     pub fn is_pure_rotation(&self, model: &Model, index: usize) -> Option<bool> {
         self.motion(model.components())?.is_pure_rotation(index)

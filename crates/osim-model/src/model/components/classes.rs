@@ -231,6 +231,10 @@ mod tests {
     #[test]
     fn the_component_classes_are_sorted() {
         assert!(COMPONENT_CLASSES.is_sorted());
-        assert!(is_component_class("SmoothSphereHalfSpaceForce") && is_component_class("Body") && !is_component_class("MyContacts"));
+        assert!(
+            is_component_class("SmoothSphereHalfSpaceForce")
+                && is_component_class("Body")
+                && !is_component_class("MyContacts")
+        );
     }
 }

@@ -216,7 +216,8 @@ impl Components {
         let exact = self.tree.at_path(owner, text).filter(|&id| self.is_frame(id));
         if exact.is_none() && (text == "ground" || text.ends_with("/ground")) {
             // Ground is at the top of every model, whether the file spells it out or not.
-            let exact = connectee.legacy || self.tree.absolute_path(owner, text).as_deref() == Some("/ground");
+            let exact =
+                connectee.legacy || self.tree.absolute_path(owner, text).as_deref() == Some("/ground");
             return Some(FoundFrame { component: None, by_name: !exact });
         }
         // Documents that name bodies mean those of the BodySet.

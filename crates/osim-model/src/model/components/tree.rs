@@ -206,7 +206,16 @@ impl ComponentTree {
             Some(_) => {}
         }
         let (children, next) = (ChildList::default(), None);
-        self.list.push(Component { file, element, parent, segment, unnumbered_name: None, is_member, children, next });
+        self.list.push(Component {
+            file,
+            element,
+            parent,
+            segment,
+            unnumbered_name: None,
+            is_member,
+            children,
+            next,
+        });
         if let Some(owner) = parent {
             self.append_child(owner, id);
         }

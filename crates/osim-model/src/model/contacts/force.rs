@@ -241,7 +241,7 @@ impl Force {
                 spheres.push(sphere);
             }
         }
-spheres
+        spheres
     }
 
     /// A parameter set; `None` if there is none: then the handle is another force's.

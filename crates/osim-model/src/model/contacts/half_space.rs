@@ -55,7 +55,7 @@ pub struct FrameProperty {
 }
 
 impl HalfSpace {
-/// Reads the half-space that the component `id` is, or has inside itself. The names are those of its socket, its location and its
+    /// Reads the half-space that the component `id` is, or has inside itself. The names are those of its socket, its location and its
     /// orientation; `default_angles` (rad) count if it has no orientation.
     pub(super) fn read(
         components: &Components,

@@ -115,7 +115,8 @@ impl Model {
     /// The floors: half-spaces on ground whose normal points up, against gravity.
     pub fn floors(&self) -> Vec<GroundPlane> {
         let up = self.up();
-        let is_level = |plane: &GroundPlane| plane.normal.distance_squared(up) <= LEVEL_TOLERANCE * LEVEL_TOLERANCE;
+        let is_level =
+            |plane: &GroundPlane| plane.normal.distance_squared(up) <= LEVEL_TOLERANCE * LEVEL_TOLERANCE;
         self.ground_planes().into_iter().filter(is_level).collect()
     }
 

@@ -94,7 +94,8 @@ impl<'r> ContactReader<'r> {
         let (document, element) = (self.components.doc(id), self.components.element(id));
         let frame = self.attachment(id, "frame", &["body_name"])?;
         let radius = document.value(element, Class::ContactSphere, Property::Radius, "radius");
-        let location = document.whole_triple(element, "location").map_err(|fault| self.with_place(id, fault))?;
+        let location =
+            document.whole_triple(element, "location").map_err(|fault| self.with_place(id, fault))?;
         let location_m = location.unwrap_or([0.0; 3]);
         let name = self.components.name(id).into_owned();
         self.push_sphere(id, name, radius, location_m, frame, SphereSpelling::ContactSphere);
@@ -228,7 +229,8 @@ impl<'r> ContactReader<'r> {
     fn applies(&self, id: ComponentId) -> Result<bool, Fault> {
         let (document, element) = (self.components.doc(id), self.components.element(id));
         let tree = document.tree();
-        let is_enabled = |element| -> Result<bool, Fault> { Ok(!is_disabled(&document.whole_text(element)?)) };
+        let is_enabled =
+            |element| -> Result<bool, Fault> { Ok(!is_disabled(&document.whole_text(element)?)) };
         if document.version() <= LAST_VERSION_WITH_IS_DISABLED {
             for object in std::iter::once(element).chain(document.defaults_of(element)) {
                 let first =
@@ -307,7 +309,8 @@ impl<'r> ContactReader<'r> {
                         self.parameter_set(document, item, Class::ContactParameters, Some(sets.len()));
                     set.inherited = inherited;
                     if let Some(geometry) = document.property_element(item, "geometry") {
-                        let names = document.whole_text(geometry).map_err(|fault| self.with_place(id, fault))?;
+                        let names =
+                            document.whole_text(geometry).map_err(|fault| self.with_place(id, fault))?;
                         for name in opensim_text::list_words(&names) {
                             let surface = self.surface(id, name, geometry, None)?;
                             set.add(surface);

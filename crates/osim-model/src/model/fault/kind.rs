@@ -239,9 +239,10 @@ impl FaultKind {
             Self::ZeroConstantContactForce => phrase![
                 "the new constant_contact_force is 0, and OpenSim computes NaN with 0 whenever the sphere does not \
                  slip, so in every model at rest: give it a small value, such as that of ",
-                Verb::Design
-                    .call()
-                    .with_value(Input::ConstantIndentation, limits::SUGGESTED_CONSTANT_INDENTATION.to_string()),
+                Verb::Design.call().with_value(
+                    Input::ConstantIndentation,
+                    limits::SUGGESTED_CONSTANT_INDENTATION.to_string()
+                ),
             ],
             Self::StrictlyRefused { text } => {
                 phrase![text.clone(), " (refused because of ", Input::Strict, ")"]
@@ -256,7 +257,11 @@ impl FaultKind {
             ],
             Self::ForceCannotChange { text, force, otherwise } => {
                 let other = if otherwise.is_empty() { String::new() } else { format!(", or {otherwise}") };
-                phrase![format!("{text}: leave this force out with "), Input::Exclude.with_value(force), other]
+                phrase![
+                    format!("{text}: leave this force out with "),
+                    Input::Exclude.with_value(force),
+                    other
+                ]
             }
             other => other.without_inputs().into(),
         }

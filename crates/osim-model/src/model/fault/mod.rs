@@ -15,7 +15,7 @@ use std::ops::Range;
 use crate::messages::Phrase;
 use crate::xml::{LineIndex, Position};
 pub use kind::FaultKind;
-pub use needed::{CountedSpheres, Needed, ForcesOfAnimal};
+pub use needed::{CountedSpheres, ForcesOfAnimal, Needed};
 pub(crate) use needs_answer::POUND_KG;
 pub use needs_answer::{MassMistake, MassesOfOtherRows, NeedsAnswer, Question, probable_units};
 pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason};

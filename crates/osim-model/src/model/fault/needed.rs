@@ -2,7 +2,8 @@
 
 use crate::messages::{Input, Phrase, phrase, readable};
 use crate::model::fault::reasons::{
-    FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason, contacts_mass, known_contacts_mass, shared_sphere,
+    FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason, contacts_mass, known_contacts_mass,
+    shared_sphere,
 };
 
 /// The way out of a verb that takes no standalone set.
@@ -108,7 +109,7 @@ pub enum Needed {
         operation: String,
     },
     /// The ScaleSet has to be left out: by the note, spheres followed their bodies already.
-AlreadyFollowed,
+    AlreadyFollowed,
     /// The other half of a force set that stands alone.
     Geometry,
     /// The other half of a geometry set that stands alone.
@@ -337,12 +338,16 @@ impl Needed {
             ],
             Self::Geometry => phrase![
                 "this is a ForceSet that stands alone: its spheres are in another file, ",
-                Input::Geometry.either(phrase!["name it with ", Input::Geometry.with_placeholder("FILE")], WHOLE_MODELS),
+                Input::Geometry
+                    .either(phrase!["name it with ", Input::Geometry.with_placeholder("FILE")], WHOLE_MODELS),
             ],
             Self::ForceSet => phrase![
                 "this is a ContactGeometrySet, which has no forces: ",
                 Input::Geometry.either(
-                    phrase!["name the ForceSet file and give this one as ", Input::Geometry.with_placeholder("FILE")],
+                    phrase![
+                        "name the ForceSet file and give this one as ",
+                        Input::Geometry.with_placeholder("FILE")
+                    ],
                     WHOLE_MODELS,
                 ),
             ],

@@ -17,15 +17,15 @@ pub enum MassMistake {
     Tonnes,
     /// It has about 2.2 times the number of the bodies' kilograms: perhaps pounds.
     Pounds,
-/// The bodies of the model may be in pounds.
+    /// The bodies of the model may be in pounds.
     BodiesInPounds,
     /// The masses in the other rows of its table may be in pounds.
     OthersInPounds,
     /// It is about ten times the masses in the other rows of its table.
     TenTimes,
-/// It is about a tenth of the masses in the other rows of its table.
+    /// It is about a tenth of the masses in the other rows of its table.
     Tenth,
-/// No animal weighs so little or so much.
+    /// No animal weighs so little or so much.
     NoAnimal,
 }
 
@@ -61,7 +61,7 @@ pub struct MassesOfOtherRows {
 }
 
 impl MassesOfOtherRows {
-/// The range of the masses of a column, which are `sorted` in kg, without the one of the row itself, `own_kg`. `None` if the others
+    /// The range of the masses of a column, which are `sorted` in kg, without the one of the row itself, `own_kg`. `None` if the others
     /// are too few, or of several kinds.
     pub fn without(sorted: &[f64], own_kg: f64) -> Option<Self> {
         let count = sorted.len().checked_sub(1).filter(|&count| count >= FEWEST_ROWS)?;
@@ -244,7 +244,12 @@ impl NeedsAnswer {
     }
 }
 
-fn doubt_about_mass(input: Input, kg: f64, others: (Option<f64>, Option<MassesOfOtherRows>), mistake: MassMistake) -> Phrase {
+fn doubt_about_mass(
+    input: Input,
+    kg: f64,
+    others: (Option<f64>, Option<MassesOfOtherRows>),
+    mistake: MassMistake,
+) -> Phrase {
     let (bodies_kg, other_rows) = others;
     let usual = match other_rows {
         Some(MassesOfOtherRows { lightest_kg, heaviest_kg }) => {

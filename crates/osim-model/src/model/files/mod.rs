@@ -118,11 +118,21 @@ impl ModelFiles {
     ///
     /// # Errors
     /// A file that cannot be read, or a model that includes files and is not a document.
-    pub fn read(path: &Path, bytes: Vec<u8>, beside: CompanionPaths<'_>, files: &dyn Files) -> Result<Self, Failure> {
+    pub fn read(
+        path: &Path,
+        bytes: Vec<u8>,
+        beside: CompanionPaths<'_>,
+        files: &dyn Files,
+    ) -> Result<Self, Failure> {
         let name = FileName::from(path);
         let mut companions = Vec::new();
         for path in [beside.geometry, beside.model].into_iter().flatten() {
-            companions.push(read_companion(path.to_owned(), None, files, "a file that belongs to the model: ")?);
+            companions.push(read_companion(
+                path.to_owned(),
+                None,
+                files,
+                "a file that belongs to the model: ",
+            )?);
         }
         if !may_include(&bytes) {
             return Ok(Self { name, main: MainFile::WithoutIncludes(bytes), companions });
@@ -130,17 +140,18 @@ impl ModelFiles {
         let document = Document::parse(bytes).map_err(|fault| Failure::from_fault(&name, fault))?;
         let folder = path.parent().unwrap_or(Path::new(""));
         for (element, file) in document.included_files() {
-            let included = read_companion(folder.join(&file), Some(element), files, "").map_err(|failure| {
-                let place = document.position(document.tree().span(element).start);
-                Failure {
-                    // What the user can change is the place in the model.
-                    model: name.clone(),
-                    line: Some(place.line),
-                    column: Some(place.column),
-                    message: format!("it includes file=\"{file}\": {}", failure.message).into(),
-                    ..failure
-                }
-            })?;
+            let included =
+                read_companion(folder.join(&file), Some(element), files, "").map_err(|failure| {
+                    let place = document.position(document.tree().span(element).start);
+                    Failure {
+                        // What the user can change is the place in the model.
+                        model: name.clone(),
+                        line: Some(place.line),
+                        column: Some(place.column),
+                        message: format!("it includes file=\"{file}\": {}", failure.message).into(),
+                        ..failure
+                    }
+                })?;
             companions.push(CompanionFile { include_name: Some(file), ..included });
         }
         Ok(Self { name, main: MainFile::Parsed(Box::new(document)), companions })

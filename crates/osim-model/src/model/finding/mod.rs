@@ -117,7 +117,7 @@ pub struct Rule {
 pub enum Repair {
     /// Yes, if the model can be changed: what the command does.
     Command(&'static str),
-/// No, and why.
+    /// No, and why.
     NotPossible(&'static str),
     /// No, and why: only a change raises the finding, not a model.
     OnlyInChange(&'static str),

@@ -10,7 +10,7 @@
 use crate::messages::{readable, shortest};
 use crate::model::note::content::{
     BodySize, DIGEST_DIGITS, NOTHING, Note, NotedParts, PART_DIGITS, Scope, Step, UNKNOWN, digest,
-    gravity_m_s2, is_note_letter, mass_kg, in_note_letters, positive,
+    gravity_m_s2, in_note_letters, is_note_letter, mass_kg, positive,
 };
 
 pub(super) const BEGINS: &str = "[contacts made for ";
@@ -104,7 +104,7 @@ impl Note {
             radii,
             parts,
             places,
-added_to_file,
+            added_to_file,
             added_forces: fields.next().map_or(Some(Vec::new()), names)?,
         };
         fields.next().is_none().then_some(note)

@@ -3,9 +3,9 @@
 //! A model keeps it in `<credits>`, which every OpenSim from 1.9 to 4.6 copies when it saves or scales a model; comments are
 //! lost then. Standalone sets have no credits and keep a comment.
 
+mod changed_since;
 mod content;
 mod grammar;
-mod changed_since;
 
 use std::ops::Range;
 
@@ -15,8 +15,8 @@ use crate::model::note::content::UnreadableNote;
 use crate::model::note::grammar::{BEGINS, ENDS, PROGRAM_MARK};
 use crate::xml::opensim_text::{is_white, words};
 use crate::xml::{ElementId, PieceKind};
-pub use content::{BodySize, Note, NotedNames, NotedParts, Scope, Source, Step};
 pub use changed_since::{ChangedContacts, ChangedSinceNote};
+pub use content::{BodySize, Note, NotedNames, NotedParts, Scope, Source, Step};
 
 /// Between what was there and the note, and between authors.
 const AND: &str = "; ";
@@ -168,7 +168,9 @@ impl Note {
     }
 
     /// The credits with a note, with `Err` where something begins like a note and cannot be read, or does not end the credits.
-    pub(crate) fn find_or_unreadable(document: &Document) -> Result<Option<Result<Self, UnreadableNote>>, Fault> {
+    pub(crate) fn find_or_unreadable(
+        document: &Document,
+    ) -> Result<Option<Result<Self, UnreadableNote>>, Fault> {
         if document.is_model() {
             return Ok(Credits::of(document)?.and_then(|credits| credits.note()));
         }

@@ -175,7 +175,12 @@ const fn three(tag: &'static str, kind: SizedKind) -> SizedProperty {
     SizedProperty { tag, kind: KindRule::Always(kind), default: 0.0, count: 3 }
 }
 
-const fn on_coordinate(tag: &'static str, turns: Option<SizedKind>, shifts: SizedKind, default: f64) -> SizedProperty {
+const fn on_coordinate(
+    tag: &'static str,
+    turns: Option<SizedKind>,
+    shifts: SizedKind,
+    default: f64,
+) -> SizedProperty {
     SizedProperty { tag, kind: KindRule::ByCoordinate(turns, shifts), default, count: 1 }
 }
 
@@ -241,7 +246,8 @@ const LIMIT: &[SizedProperty] = &[
     on_coordinate("lower_limit", None, LimitLength, 0.0),
     on_coordinate("transition", None, LimitLength, 0.1),
 ];
-const COORDINATE_ACTUATOR: &[SizedProperty] = &[on_coordinate("optimal_force", Some(ActuatorTorque), ActuatorForce, 1.0)];
+const COORDINATE_ACTUATOR: &[SizedProperty] =
+    &[on_coordinate("optimal_force", Some(ActuatorTorque), ActuatorForce, 1.0)];
 const ACTIVATED_ACTUATOR: &[SizedProperty] = &[
     on_coordinate("optimal_force", Some(ActuatorTorque), ActuatorForce, 1.0),
     one("activation_time_constant", ActuatorTime, 0.01),

@@ -95,7 +95,10 @@ impl From<FeetFault> for AddFault {
             }
             FeetFault::Pose(_) => {
                 let way_out = ": give the places in a table, ";
-                Self::Beside("unknown-pose", phrase![&said, way_out, Input::Contacts.with_placeholder("TABLE")])
+                Self::Beside(
+                    "unknown-pose",
+                    phrase![&said, way_out, Input::Contacts.with_placeholder("TABLE")],
+                )
             }
             other @ (FeetFault::Mesh { .. } | FeetFault::Unreadable { .. } | FeetFault::Factors { .. }) => {
                 let way_out = "; or give the places in a table: ";

@@ -102,8 +102,10 @@ fn check(request: &AddRequest) -> Result<(), RequestFault> {
         return Err(RequestFault::refused(Input::Radius, message));
     }
     if !request.feet.is_empty() && request.count.is_none() {
-        let message =
-            phrase![Input::Count.with_placeholder("N"), " is missing: how many spheres are to be under each foot?"];
+        let message = phrase![
+            Input::Count.with_placeholder("N"),
+            " is missing: how many spheres are to be under each foot?"
+        ];
         return Err(RequestFault::refused(Input::Count, message));
     }
     if !request.feet.is_empty() && request.pad.is_none() {

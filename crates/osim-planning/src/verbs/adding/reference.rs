@@ -89,7 +89,7 @@ impl Numbers {
         let force = format!("force_{name}");
         let mut contact = match self {
             Self::Reference(own) => {
-                let mut like = own.with_placeholder(Some(name))?.clone();
+                let mut like = own.like(Some(name))?.clone();
                 (like.force, like.sphere) = (force, name.to_owned());
                 like
             }
@@ -144,7 +144,7 @@ impl OfReference {
 
     /// The radius of the sphere in the reference that a sphere called `name` is made from; `None` if that is not clear.
     fn radius(&self, name: Option<&str>) -> Result<Option<f64>, Fault> {
-        let like = self.with_placeholder(name)?;
+        let like = self.like(name)?;
         let named = self.transferring.reference_sphere.is_some() || Some(like.sphere.as_str()) == name;
         let all = self.layout.contacts.iter().all(|contact| contact.radius_m == like.radius_m);
         Ok((named || all).then_some(like.radius_m))
