@@ -191,7 +191,7 @@ pub(super) fn is_component_class(tag: &str) -> bool {
     COMPONENT_CLASSES.binary_search(&tag).is_ok()
 }
 
-/// Which sets of a model file count: those that stand in files of their own replace them.
+/// Which sets of a model file count: sets in files of their own replace those of the model file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum CountedSets {
     All,

@@ -249,7 +249,7 @@ impl NotedNames {
 
 // How words and numbers are spelled in a note.
 
-/// Stands for a mass or gravity that was not known.
+/// Written in a note for a mass or gravity that was not known.
 pub(super) const UNKNOWN: &str = "unknown";
 /// Digits of the digest of all numbers, and of that of a reference.
 pub(super) const DIGEST_DIGITS: usize = 16;
