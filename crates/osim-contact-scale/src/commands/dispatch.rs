@@ -66,7 +66,13 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
             let exit = sweep::run(&request, session)?;
             if !request.quiet {
                 let SweepRequest { model, choice, masses, .. } = &*request;
-                session::remark_unmatched(model.as_deref(), CompanionPaths::default(), choice, masses, session)?;
+                session::remark_unmatched(
+                    model.as_deref(),
+                    CompanionPaths::default(),
+                    choice,
+                    masses,
+                    session,
+                )?;
             }
             Ok(exit)
         }
