@@ -134,8 +134,8 @@ pub(crate) struct Standing {
     pub(crate) default_m: Option<f64>,
     pub(crate) touching_m: Option<f64>,
     pub(crate) bottoms: Vec<Bottom>,
-    pub(crate) as_posed: Option<OnFeet>,
-    pub(crate) on_one_limb: Option<OnFeet>,
+    pub(crate) as_posed: Option<BodyAtRest>,
+    pub(crate) on_one_limb: Option<BodyAtRest>,
 }
 
 #[derive(Debug, Deserialize)]
@@ -150,7 +150,7 @@ pub(crate) struct Bottom {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct OnFeet {
+pub(crate) struct BodyAtRest {
     pub(crate) limb: Option<String>,
     pub(crate) value_m: Option<f64>,
     pub(crate) down_m: f64,

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::Result;
 use clap::ValueEnum;
-use osim_inspect::unmatched_patterns;
+use osim_inspect::describe_unmatched_patterns;
 use osim_library::page::{ReportPage, Words};
 use osim_library::{Disk, LibraryFault};
 use osim_model::files::{CompanionPaths, Failure};
@@ -120,7 +120,7 @@ pub(super) fn remark_unmatched<'p>(
     // Standard input was read already.
     for path in paths.into_iter().filter(|path| path.as_os_str() != "-") {
         let Ok(open) = open_with(path, beside, &Disk) else { continue };
-        for message in unmatched_patterns(&selection, &masses, &open.model) {
+        for message in describe_unmatched_patterns(&selection, &masses, &open.model) {
             session.terminal.remark(&message.spelled(session.words))?;
         }
     }

@@ -1,22 +1,21 @@
-//! Whether a floor is a floor: how it is turned against gravity, and what it hangs on.
+//! Judges the planes that spheres press on: how they are turned against gravity, which body carries them, and which part of the weight
+//! presses on them.
 
 use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::feet::{ContactPlane, DefaultPose, Movements, STEEPEST_FLOOR_RAD};
 use osim_model::{DVec3, ForceId, Model, Orientation, Side, Sphere, SphereId};
 
-// Each plane that spheres press on, judged.
-
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum PlaneKind {
-    /// A level floor, or a plane that is meant to be none, such as the net of a goal; or nothing is known.
+    /// A level floor, a plane that need not be a floor, such as the net of a goal, or a plane whose tilt is not known.
     Fine,
     /// A slope of so many degrees.
     Slope(f64),
-    /// A floor that leans by so many degrees, more than anything stands on.
+    /// A floor that leans by so many degrees, too steep to stand on.
     Steep(f64),
-    /// A floor; gravity points so many degrees away from straight into it.
-    GravityAside(f64),
-    /// A floor that hangs on the limbs that press on it.
+    /// A floor under a gravity that points so many degrees away from straight into it.
+    GravityMisaligned(f64),
+    /// A floor on a body of the limbs that press on it.
     OnLimb,
 }
 
@@ -26,7 +25,7 @@ pub(crate) struct JudgedPlane {
     pub(crate) kind: PlaneKind,
 }
 
-/// All planes on which the forces of a model that apply press moving spheres.
+/// All planes that moving spheres press on by forces that are switched on.
 #[derive(Debug)]
 pub(crate) struct Floors(Vec<JudgedPlane>);
 
@@ -37,7 +36,7 @@ impl Floors {
         if planes.is_empty() {
             return Self(Vec::new());
         }
-        let judge = Judge::new(Stance::of(model, &pose), &planes);
+        let judge = PlaneJudge::new(PosedTrees::of(model, &pose), &planes);
         let kinds: Vec<PlaneKind> = planes.iter().map(|plane| judge.kind(plane)).collect();
         let judged = planes.into_iter().zip(kinds);
         Self(judged.map(|(plane, kind)| JudgedPlane { plane, kind }).collect())
@@ -53,38 +52,39 @@ impl Floors {
     }
 }
 
-/// The cosine of 45 degrees: directions that are nearer than that to each other are about the same.
-const NEAR: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// Two directions are about the same if the cosine of their angle is above that of 45 degrees.
+const COS_45_DEGREES: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
-struct Judge<'m> {
-    stance: Stance<'m>,
-    /// Spheres with a floor that they can stand on, or with one that nothing is known about.
+struct PlaneJudge<'m> {
+    trees: PosedTrees<'m>,
+    /// Spheres with a floor that they can stand on, or with one whose tilt is not known.
     with_floor: HashSet<SphereId>,
-    /// The trees of bodies that have such spheres.
+    /// The top bodies of the trees that have such spheres.
     trees_with_floor: HashSet<String>,
     /// Whether a limb presses on any plane.
     has_limbs: bool,
 }
 
-impl<'m> Judge<'m> {
-    fn new(stance: Stance<'m>, planes: &[ContactPlane]) -> Self {
-        let is_floor = |plane: &&ContactPlane| !matches!(Lie::of(stance.model, plane), Some(Lie::Steep(_)));
-        let floors = planes.iter().filter(is_floor).filter(|plane| hung_on(&stance, plane).is_empty());
+impl<'m> PlaneJudge<'m> {
+    fn new(trees: PosedTrees<'m>, planes: &[ContactPlane]) -> Self {
+        let is_floor = |plane: &&ContactPlane| !matches!(Tilt::of(trees.model, plane), Some(Tilt::Steep(_)));
+        let floors =
+            planes.iter().filter(is_floor).filter(|plane| spheres_bound_to(&trees, plane).is_empty());
         let with_floor: HashSet<SphereId> = floors.flat_map(|plane| plane.spheres.iter().copied()).collect();
-        let trees =
-            with_floor.iter().filter_map(|&sphere| stance.top_of(sphere).map(str::to_owned)).collect();
-        let has_limbs = planes.iter().any(|plane| !stance.limb_spheres(plane).is_empty());
-        Self { with_floor, trees_with_floor: trees, has_limbs, stance }
+        let trees_with_floor =
+            with_floor.iter().filter_map(|&sphere| trees.top_of(sphere).map(str::to_owned)).collect();
+        let has_limbs = planes.iter().any(|plane| !trees.limb_spheres(plane).is_empty());
+        Self { with_floor, trees_with_floor, has_limbs, trees }
     }
 
     fn kind(&self, plane: &ContactPlane) -> PlaneKind {
-        if !self.without_floor(hung_on(&self.stance, plane)).is_empty() {
+        if !self.without_floor(spheres_bound_to(&self.trees, plane)).is_empty() {
             return PlaneKind::OnLimb;
         }
-        match Lie::of(self.stance.model, plane) {
-            None | Some(Lie::Level) => PlaneKind::Fine,
-            Some(Lie::Slope(degrees)) => PlaneKind::Slope(degrees),
-            Some(Lie::Steep(degrees)) => self.steep(plane, degrees),
+        match Tilt::of(self.trees.model, plane) {
+            None | Some(Tilt::Level) => PlaneKind::Fine,
+            Some(Tilt::Slope(degrees)) => PlaneKind::Slope(degrees),
+            Some(Tilt::Steep(degrees)) => self.kind_of_steep(plane, degrees),
         }
     }
 
@@ -93,83 +93,84 @@ impl<'m> Judge<'m> {
         spheres
     }
 
-    /// A wall is not a floor: nothing stands on it. Hands lean on one while the feet of the same body have their floor, and a ball meets
-    /// a net while something else has one.
-    fn steep(&self, plane: &ContactPlane, degrees: f64) -> PlaneKind {
-        let standing = self.standing_on(plane);
+    /// A steep plane is fine as a wall: hands lean on it while the feet of the same body have a floor, or a ball meets a net while others
+    /// have a floor.
+    fn kind_of_steep(&self, plane: &ContactPlane, degrees: f64) -> PlaneKind {
+        let standing = self.spheres_standing_on(plane);
         if standing.is_empty() {
             PlaneKind::Fine
         } else if self.is_gravity_to_blame(plane, &standing) {
-            PlaneKind::GravityAside(degrees)
+            PlaneKind::GravityMisaligned(degrees)
         } else {
             PlaneKind::Steep(degrees)
         }
     }
 
-    /// The spheres of `plane` that have no other floor and should have one; all where the model has no limbs, and nothing has a floor.
-    fn standing_on(&self, plane: &ContactPlane) -> Vec<SphereId> {
+    /// The spheres of `plane` that have no other floor and need one; all if the model has no limbs and nothing has a floor.
+    fn spheres_standing_on(&self, plane: &ContactPlane) -> Vec<SphereId> {
         if self.with_floor.is_empty() && !self.has_limbs {
             return plane.spheres.clone();
         }
-        let mut standing = self.without_floor(self.stance.limb_spheres(plane));
+        let mut standing = self.without_floor(self.trees.limb_spheres(plane));
         standing.retain(|&sphere| {
-            let top = self.stance.top_of(sphere);
-            !top.is_some_and(|top| self.trees_with_floor.contains(top)) || self.stance.is_low(sphere)
+            let top = self.trees.top_of(sphere);
+            !top.is_some_and(|top| self.trees_with_floor.contains(top)) || self.trees.is_low(sphere)
         });
         standing
     }
 
-    /// Whether the body is where the floor's normal points, seen from its spheres, and not where gravity has up. Where it is at
-    /// neither, as in a kicker whose foot is far back, whether the floor faces y, which is up in nearly all models.
+    /// Whether gravity, and not the floor, is turned wrongly: seen from its spheres the body is where the floor's normal points, and not
+    /// opposite to gravity. If the body is at neither, as in a kicker whose foot is far back, a floor that faces y is right, because y is
+    /// up in nearly all models.
     fn is_gravity_to_blame(&self, plane: &ContactPlane, spheres: &[SphereId]) -> bool {
         let Some(surface) = plane.surface else { return false };
-        let body = self.stance.towards_body(spheres).unwrap_or_default();
-        let near = |direction| body.dot(direction) > NEAR * body.length();
-        match (near(surface.normal), near(self.stance.model.up())) {
+        let body = self.trees.towards_body(spheres).unwrap_or_default();
+        let is_towards = |direction| body.dot(direction) > COS_45_DEGREES * body.length();
+        match (is_towards(surface.normal), is_towards(self.trees.model.up())) {
             (true, false) => true,
             (false, true) => false,
-            _ => surface.normal.y > NEAR,
+            _ => surface.normal.y > COS_45_DEGREES,
         }
     }
 }
 
-/// The spheres of `plane` that hang on the same limbs as the body that carries it, and cannot be lifted from it: between both,
-/// joints turn, and none slides. Spheres that do not move in ground are terrain, such as those on a platform.
-fn hung_on(stance: &Stance<'_>, plane: &ContactPlane) -> Vec<SphereId> {
-    let Some(carrier) = plane.body.as_deref().filter(|body| stance.movements.can_move(body)) else {
+/// The spheres of `plane` that cannot be lifted from it, because all joints between them and the body that carries the plane turn, and
+/// none slides. Spheres that do not move in ground, such as those on a platform, are not among them.
+fn spheres_bound_to(trees: &PosedTrees<'_>, plane: &ContactPlane) -> Vec<SphereId> {
+    let Some(carrier) = plane.body.as_deref().filter(|body| trees.movements.can_move(body)) else {
         return Vec::new();
     };
-    let is_hung = |id: &SphereId| {
-        let body = stance.model.sphere(*id).and_then(|sphere| sphere.body.as_deref());
-        let moving = body.filter(|body| stance.movements.can_move(body));
-        let freedom = moving.and_then(|body| stance.movements.between(carrier, body));
+    let is_bound = |id: &SphereId| {
+        let body = trees.model.sphere(*id).and_then(|sphere| sphere.body.as_deref());
+        let moving = body.filter(|body| trees.movements.can_move(body));
+        let freedom = moving.and_then(|body| trees.movements.between(carrier, body));
         freedom.is_some_and(|freedom| freedom.turns && !freedom.slides)
     };
-    plane.spheres.iter().copied().filter(is_hung).collect()
+    plane.spheres.iter().copied().filter(is_bound).collect()
 }
 
-// Slopes: how steep a floor may be, and which part of the weight presses spheres on it.
+// How steep a floor is, and which part of the weight presses spheres on it.
 
-/// A floor that leans by no more than this, degrees, is level: 180 of 204 planes under spheres in published models are.
+/// A floor that leans by no more than this, degrees, is level, as 180 of 204 planes under spheres in published models are.
 const LEVEL_DEGREES: f64 = 1.0;
 
-/// How a plane lies in the field of gravity.
+/// How a plane is turned against gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Lie {
+enum Tilt {
     /// Level, within a degree.
     Level,
     /// A slope of so many degrees.
     Slope(f64),
-    /// Something stands or rolls on it by no means: it leans by so many degrees.
+    /// So many degrees, too steep to stand on.
     Steep(f64),
 }
 
-impl Lie {
-    /// That of `plane`; `None` where it is not known: a number cannot be read or is in another unit, or up is not known.
-    pub(crate) fn of(model: &Model, plane: &ContactPlane) -> Option<Self> {
-        let known = model.gravity().is_some_and(|size| size > 0.0 && size.is_finite());
+impl Tilt {
+    /// `None` if it is not known: a number cannot be read or is in degrees, or the model has no gravity.
+    fn of(model: &Model, plane: &ContactPlane) -> Option<Self> {
+        let is_up_known = model.gravity().is_some_and(|size| size > 0.0 && size.is_finite());
         let in_degrees = plane.orientations.iter().any(Orientation::is_in_degrees);
-        let surface = plane.surface.filter(|_| known && !in_degrees)?;
+        let surface = plane.surface.filter(|_| is_up_known && !in_degrees)?;
         Some(match surface.tilt_rad.to_degrees() {
             degrees if degrees <= LEVEL_DEGREES => Self::Level,
             degrees if surface.tilt_rad <= STEEPEST_FLOOR_RAD => Self::Slope(degrees),
@@ -178,17 +179,16 @@ impl Lie {
     }
 }
 
-/// The part of the weight that presses the spheres of `forces` on their floor: the cosine of the angle of a slope, else 1. Where
-/// they press on several floors, that of the least steep. On a plane that is not a floor nothing presses; once it is turned as it
-/// should be, all of the weight does.
-pub fn weight_share(model: &Model, forces: &[ForceId]) -> f64 {
-    weight_share_at(model, forces, &DefaultPose::of(model))
+/// The part of the weight that presses the spheres of `forces` on their floor: the cosine of the angle of a slope, else 1; of several
+/// floors that of the least steep. A plane that is too steep counts as level, as it will be once it is turned correctly.
+pub fn weight_share_on_floor(model: &Model, forces: &[ForceId]) -> f64 {
+    weight_share_at_pose(model, forces, &DefaultPose::of(model))
 }
 
-/// The share where the default pose is known.
-pub(crate) fn weight_share_at(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> f64 {
-    let share = |plane: &ContactPlane| match Lie::of(model, plane) {
-        Some(Lie::Slope(degrees)) => degrees.to_radians().cos(),
+/// [`weight_share_on_floor`] for a caller that has the default pose already.
+pub(crate) fn weight_share_at_pose(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> f64 {
+    let share = |plane: &ContactPlane| match Tilt::of(model, plane) {
+        Some(Tilt::Slope(degrees)) => degrees.to_radians().cos(),
         _ => 1.0,
     };
     ContactPlane::all(model, forces, pose).iter().map(share).reduce(f64::max).unwrap_or(1.0)
@@ -196,32 +196,33 @@ pub(crate) fn weight_share_at(model: &Model, forces: &[ForceId], pose: &DefaultP
 
 // Which spheres a body stands on, and in which direction the body is from them.
 
-/// Spheres below this share of the height of their body's tree, from its lowest origin, are under its feet: those of hands that
-/// lean on a wall are above.
+/// Spheres up to this share of the height of their body's tree, from its lowest origin, are under its feet. Spheres of hands that lean on
+/// a wall are higher.
 const FOOT_HEIGHT: f64 = 0.25;
 
-struct Stance<'m> {
+/// The joint trees of a model at its default pose.
+struct PosedTrees<'m> {
     model: &'m Model,
     pose: &'m DefaultPose,
     movements: Movements,
-    /// The trees by the body on top.
-    trees: HashMap<String, Tree>,
+    /// Each tree under the name of its top body.
+    trees: HashMap<String, BodyTree>,
 }
 
-/// The bodies of one tree, as far as they are known.
+/// The bodies of one joint tree.
 #[derive(Default)]
-struct Tree {
+struct BodyTree {
     count: usize,
-    /// Mass (kg) and origin (m, in ground) of each.
+    /// Mass (kg) and origin (m, in ground) of each body for which both are known.
     bodies: Vec<(f64, DVec3)>,
     /// The lowest and the highest of these origins along up, m.
     heights_m: Option<[f64; 2]>,
 }
 
-impl<'m> Stance<'m> {
+impl<'m> PosedTrees<'m> {
     fn of(model: &'m Model, pose: &'m DefaultPose) -> Self {
         let movements = Movements::of(model);
-        let mut trees: HashMap<String, Tree> = HashMap::new();
+        let mut trees: HashMap<String, BodyTree> = HashMap::new();
         for body in model.bodies() {
             let tree = trees.entry(movements.top(&body.name).to_owned()).or_default();
             tree.count += 1;
@@ -232,45 +233,45 @@ impl<'m> Stance<'m> {
         Self { model, pose, movements, trees }
     }
 
-    /// Whether the body hangs together with others.
-    fn has_others(&self, body: &str) -> bool {
+    /// Whether joints connect the body with others.
+    fn is_connected(&self, body: &str) -> bool {
         self.tree(body).is_some_and(|tree| tree.count > 1)
     }
 
-    /// The spheres of limbs among those of `plane`: they move in ground, and their bodies have a side or hang together with others.
-    /// A ball does not.
+    /// The spheres of limbs among those of `plane`: they move in ground, and their bodies have a side or are connected with others. A ball
+    /// has neither.
     fn limb_spheres(&self, plane: &ContactPlane) -> Vec<SphereId> {
         let is_limb = |sphere: &Sphere, body: &str| {
             let has_side = Side::of_name(body).or_else(|| Side::of_name(&sphere.name)).is_some();
-            self.movements.can_move(body) && (has_side || self.has_others(body))
+            self.movements.can_move(body) && (has_side || self.is_connected(body))
         };
-        let of_limb = |id: &SphereId| {
+        let is_on_limb = |id: &SphereId| {
             let Some(sphere) = self.model.sphere(*id) else { return false };
             sphere.body.as_deref().is_some_and(|body| is_limb(sphere, body))
         };
-        plane.spheres.iter().copied().filter(of_limb).collect()
+        plane.spheres.iter().copied().filter(is_on_limb).collect()
     }
 
-    /// The body on top of the tree that carries the sphere.
+    /// The top body of the tree that carries the sphere.
     fn top_of(&self, sphere: SphereId) -> Option<&str> {
         Some(self.movements.top(self.body_of(sphere)?))
     }
 
     /// Whether the sphere is under a foot of its tree at the default pose.
     fn is_low(&self, sphere: SphereId) -> bool {
-        let own = self.centre(sphere).map(|centre| centre.dot(self.model.up()));
+        let height = self.centre(sphere).map(|centre| centre.dot(self.model.up()));
         let heights = self.body_of(sphere).and_then(|body| self.tree(body)?.heights_m);
-        own.zip(heights).is_some_and(|(own, [low, high])| own <= low + FOOT_HEIGHT * (high - low))
+        height.zip(heights).is_some_and(|(height, [low, high])| height <= low + FOOT_HEIGHT * (high - low))
     }
 
-    /// From the `spheres` to the middle of the mass above them, in ground, at the default pose; `None` where it is not known.
+    /// The vector from the middle of the `spheres` to the centre of mass of their tree, in ground, at the default pose, m.
     fn towards_body(&self, spheres: &[SphereId]) -> Option<DVec3> {
         let tree = self.tree(self.body_of(*spheres.first()?)?)?;
         let centres = spheres.iter().filter_map(|&sphere| Some((1.0, self.centre(sphere)?)));
-        Some(middle(tree.bodies.iter().copied())? - middle(centres)?)
+        Some(weighted_mean(tree.bodies.iter().copied())? - weighted_mean(centres)?)
     }
 
-    fn tree(&self, body: &str) -> Option<&Tree> {
+    fn tree(&self, body: &str) -> Option<&BodyTree> {
         self.trees.get(self.movements.top(body))
     }
 
@@ -284,7 +285,7 @@ impl<'m> Stance<'m> {
     }
 }
 
-impl Tree {
+impl BodyTree {
     fn add(&mut self, mass_kg: f64, origin_m: DVec3, up: DVec3) {
         let height_m = origin_m.dot(up);
         let [low, high] = self.heights_m.unwrap_or([height_m; 2]);
@@ -293,9 +294,10 @@ impl Tree {
     }
 }
 
-/// The mean of points by their weights; `None` without any weight.
-fn middle(points: impl Iterator<Item = (f64, DVec3)>) -> Option<DVec3> {
+/// `None` if the sum of the weights is not above 0.
+fn weighted_mean(points: impl Iterator<Item = (f64, DVec3)>) -> Option<DVec3> {
     let start = (0.0, DVec3::ZERO);
-    let (weight, sum) = points.fold(start, |(weight, sum), (own, point)| (weight + own, sum + own * point));
+    let (weight, sum) =
+        points.fold(start, |(total, sum), (weight, point)| (total + weight, sum + weight * point));
     (weight > 0.0).then(|| sum / weight)
 }

@@ -1,4 +1,4 @@
-//! Contacts that are known again: published ones, by their dimensionless values, and those of the model that another one was made from.
+//! Recognises contacts: published ones by their dimensionless values, and those of the reference model that the caller names.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -15,18 +15,18 @@ use serde::{Deserialize, Serialize};
 
 use crate::sides::BothSides;
 
-/// Values that differ by no more than this, relatively, are the same.
-const SAME: f64 = 1e-6;
+/// Values whose relative difference is no more than this are the same.
+const SAME_VALUE: f64 = 1e-6;
 
-/// Contacts that were recognised: from [`KnownContacts::find`].
+/// Published contacts that a model has: from [`KnownContacts::find`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct KnownContacts {
-    /// Name in the table of known contacts, such as `falisse2022`.
+    /// Name in the table of known contacts, for example `falisse2022`.
     pub name: &'static str,
-    /// As people cite it: `Falisse et al. (2022)`.
+    /// How people cite the publication: `Falisse et al. (2022)`.
     pub title: &'static str,
-    /// Where it was published.
+    /// Where they were published.
     pub source: &'static str,
     /// The mass that these contacts are made for, kg.
     pub made_for_kg: f64,
@@ -37,11 +37,10 @@ impl KnownContacts {
         Self { name: &entry.name, title: &entry.title, source: &entry.source, made_for_kg }
     }
 
-    /// The contacts of `forces`, if `count` of their spheres share the weight, under a body of `mass_kg`.
+    /// Recognises the contacts of `forces`, if `count` of their spheres share the weight under a body of `mass_kg`.
     ///
-    /// Known contacts have the dimensionless values of an entry at that mass, whatever their radii; or at any mass with
-    /// radii that follow it (R ∝ M^(1/3)). Both say every value, so one that differs by more than 1e-6 is seen. Gravity is
-    /// taken to be the same.
+    /// Known contacts have the dimensionless values of an entry of the table at that mass, whatever their radii; or at any mass with
+    /// radii in proportion to it (R ∝ M^(1/3)). Every value is compared, with a relative tolerance of 1e-6. Gravity is assumed to be equal.
     ///
     /// ```
     /// use osim_inspect::KnownContacts;
@@ -55,39 +54,40 @@ impl KnownContacts {
     /// # Ok::<(), osim_model::Fault>(())
     /// ```
     pub fn find(model: &Model, forces: &[ForceId], count: Option<f64>, mass_kg: Option<f64>) -> Option<Self> {
-        let held = held_contacts(model, forces)?;
-        let fits =
-            |entry: &Entry, mass: f64, isometric: bool| Fit { entry, mass, isometric }.admits(&held, count);
+        let contacts = contacts_of_sets(model, forces)?;
+        let fits = |entry: &Entry, mass: f64, isometric: bool| {
+            EntryAtMass { entry, mass, isometric }.is_of(&contacts, count)
+        };
         let under_body = |entry: &'static Entry| {
             let mass = mass_kg?;
             let made_for_kg = entry.made_for_kg * (mass / entry.body_kg());
             fits(entry, mass, false).then(|| Self::new(entry, made_for_kg))
         };
         let at_any_mass = |entry: &'static Entry| {
-            // What is published under a body that it was not made for is known under that body alone.
-            let own = entry.made_for_kg == entry.body_kg();
-            let radius_m = held.first()?.radius_m;
+            // Contacts that were published under a body of another mass are only recognised under that body.
+            let is_for_its_body = entry.made_for_kg == entry.body_kg();
+            let radius_m = contacts.first()?.radius_m;
             let masses = entry.contacts.iter().map(|contact| {
-                // Unscaled contacts are those of the entry's own mass, to the last bit.
+                // For unscaled contacts the mass is that of the entry, to the last bit.
                 let ratio = radius_m / contact.radius_m;
                 if close(ratio, 1.0) { entry.made_for_kg } else { entry.made_for_kg * ratio * ratio * ratio }
             });
-            let found = masses.filter(|_| own).find(|&mass| fits(entry, mass, true));
-            found.map(|made_for_kg| Self::new(entry, made_for_kg))
+            let made_for_kg = masses.filter(|_| is_for_its_body).find(|&mass| fits(entry, mass, true));
+            made_for_kg.map(|made_for_kg| Self::new(entry, made_for_kg))
         };
         entries().iter().find_map(under_body).or_else(|| entries().iter().find_map(at_any_mass))
     }
 
-    /// How bad a finding is with these contacts, where the table says it: what was published so is a remark.
+    /// The severity that a finding has with these contacts, if the table gives one: what was published so is a remark.
     pub fn severity(&self, code: FindingCode) -> Option<Severity> {
         entries().iter().find(|entry| entry.name == self.name)?.severity(code)
     }
 }
 
-/// The contact of one parameter set, and how many spheres have it.
-struct HeldContact {
+/// The contact of one parameter set of a model, and how many spheres have it.
+struct SetContact {
     spheres: usize,
-    /// The root of the mean square.
+    /// The root of the mean square of the radii.
     radius_m: f64,
     composite_modulus: f64,
     dissipation: f64,
@@ -96,23 +96,23 @@ struct HeldContact {
     transition_velocity: f64,
 }
 
-/// `None` where a value cannot be read, or there are no spheres.
-fn held_contacts(model: &Model, forces: &[ForceId]) -> Option<Vec<HeldContact>> {
+/// `None` if a value cannot be read, or there are no spheres.
+fn contacts_of_sets(model: &Model, forces: &[ForceId]) -> Option<Vec<SetContact>> {
     let loaded = loaded_spheres(model, forces).ok().filter(|loaded| !loaded.is_empty())?;
-    // The spheres of a set stand together.
+    // The spheres of a set follow each other.
     let sets = loaded.chunk_by(|a, b| (a.force, a.set) == (b.force, b.set));
-    sets.map(|spheres| held_contact(model, spheres)).collect()
+    sets.map(|spheres| contact_of_set(model, spheres)).collect()
 }
 
-fn held_contact(model: &Model, of_set: &[LoadedSphere]) -> Option<HeldContact> {
-    let LoadedSphere { contact, force, set, .. } = of_set.first()?;
+fn contact_of_set(model: &Model, spheres: &[LoadedSphere]) -> Option<SetContact> {
+    let LoadedSphere { contact, force, set, .. } = spheres.first()?;
     let force = model.force(*force)?;
     let value = |property| force.value(*set, property).map(|value| value.number);
     #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-    let count = of_set.len() as f64;
-    let squares: f64 = of_set.iter().map(|sphere| sphere.radius_m * sphere.radius_m).sum();
-    Some(HeldContact {
-        spheres: of_set.len(),
+    let count = spheres.len() as f64;
+    let squares: f64 = spheres.iter().map(|sphere| sphere.radius_m * sphere.radius_m).sum();
+    Some(SetContact {
+        spheres: spheres.len(),
         radius_m: (squares / count).sqrt(),
         composite_modulus: contact.composite_modulus(),
         dissipation: contact.dissipation(),
@@ -128,166 +128,170 @@ fn held_contact(model: &Model, of_set: &[LoadedSphere]) -> Option<HeldContact> {
     })
 }
 
-struct Fit<'e> {
+/// The contacts of an entry, scaled to a mass.
+struct EntryAtMass<'e> {
     entry: &'e Entry,
     mass: f64,
-    /// Radii follow the mass, too.
+    /// Whether radii follow the mass, too.
     isometric: bool,
 }
 
-impl Fit<'_> {
-    fn admits(&self, held: &[HeldContact], count: Option<f64>) -> bool {
-        let (own, total) = (self.entry.spheres(), held.iter().map(|contact| contact.spheres).sum::<usize>());
+impl EntryAtMass<'_> {
+    /// Whether `contacts` are these, if `count` of their spheres share the weight.
+    fn is_of(&self, contacts: &[SetContact], count: Option<f64>) -> bool {
+        let (per_limb, total) =
+            (self.entry.spheres(), contacts.iter().map(|contact| contact.spheres).sum::<usize>());
         let published = &self.entry.contacts;
         #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-        let as_published = own as f64;
-        // Where limbs are not known, one or two limbs of the published count are.
-        let unknown = count.is_none() && (total == own || total == 2 * own);
+        let as_published = per_limb as f64;
+        // If limbs are not known, one or two limbs with the published number of spheres are assumed.
+        let is_plausible = count.is_none() && (total == per_limb || total == 2 * per_limb);
         let count = match count {
             Some(count) if published.len() == 1 || count == as_published => count,
-            None if unknown => as_published,
+            None if is_plausible => as_published,
             _ => return false,
         };
         let share = count / as_published;
-        published.iter().all(|contact| {
-            let alike = held.iter().filter(|held| self.is(held, contact, share));
-            alike.map(|held| held.spheres).sum::<usize>() * own == contact.spheres * total
+        published.iter().all(|published| {
+            let alike = contacts.iter().filter(|contact| self.has_values(contact, published, share));
+            alike.map(|contact| contact.spheres).sum::<usize>() * per_limb == published.spheres * total
         })
     }
 
-    /// Whether `held` is `contact` where `share` times as many spheres carry the weight.
-    fn is(&self, held: &HeldContact, contact: &PublishedContact, share: f64) -> bool {
+    /// Whether `contact` is the published one, with `share` times as many spheres that carry the weight.
+    fn has_values(&self, contact: &SetContact, published: &PublishedContact, share: f64) -> bool {
         let mass = self.mass / if self.isometric { self.entry.made_for_kg } else { self.entry.body_kg() };
-        let radius = held.radius_m / contact.radius_m;
+        let radius = contact.radius_m / published.radius_m;
         // (10), (14), (C.2), (C.5), (C.10), and (8).
-        let modulus = contact.stiffness / EQUAL_SURFACES * mass / (radius * radius * share);
-        let smoothed = |[cf, bd, bv]: [f64; 3], [c, d, v]: [f64; 3]| {
+        let modulus = published.stiffness / EQUAL_SURFACES * mass / (radius * radius * share);
+        let is_scaled = |[cf, bd, bv]: [f64; 3], [c, d, v]: [f64; 3]| {
             close(cf, c * radius * radius) && close(bd, d / radius) && close(bv, v / radius.sqrt())
         };
-        let smoothing = match (held.smoothing, contact.smoothing) {
-            (Some(held), Some(published)) => smoothed(held, published),
+        let has_smoothing = match (contact.smoothing, published.smoothing) {
+            (Some(smoothing), Some(published)) => is_scaled(smoothing, published),
             (None, _) => true,
             (Some(_), None) => false,
         };
-        close(held.composite_modulus, modulus)
-            && close(held.dissipation, contact.dissipation / radius.sqrt())
-            && smoothing
-            && self.has_friction(held, radius)
+        close(contact.composite_modulus, modulus)
+            && close(contact.dissipation, published.dissipation / radius.sqrt())
+            && has_smoothing
+            && self.has_friction(contact, radius)
             && (!self.isometric || close(radius * radius * radius, mass))
     }
 
-    /// Coefficients stay; the two speeds stay, or follow the radius where that was asked for.
-    fn has_friction(&self, held: &HeldContact, radius: f64) -> bool {
+    /// Whether friction is as published: coefficients have no size; the two speeds can stay, or follow the radius.
+    fn has_friction(&self, contact: &SetContact, radius: f64) -> bool {
         let [r#static, dynamic, viscous] = self.entry.friction;
         let velocity = self.entry.transition_velocity;
         let speeds = [1.0, radius.sqrt()].into_iter().any(|speed| {
-            close(held.friction[2], viscous / speed) && close(held.transition_velocity, velocity * speed)
+            close(contact.friction[2], viscous / speed)
+                && close(contact.transition_velocity, velocity * speed)
         });
-        close(held.friction[0], r#static) && close(held.friction[1], dynamic) && speeds
+        close(contact.friction[0], r#static) && close(contact.friction[1], dynamic) && speeds
     }
 }
 
 fn close(value: f64, expected: f64) -> bool {
-    (value - expected).abs() <= SAME * expected.abs()
+    (value - expected).abs() <= SAME_VALUE * expected.abs()
 }
 
-// The table of known contacts, `known_contacts.json`: published numbers, and which findings are their published state.
-
+/// An entry of the table of known contacts, `known_contacts.json`.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Entry {
     pub name: String,
-    /// As people cite it.
+    /// How people cite the publication.
     pub title: String,
-    /// Where it was published, and what is accepted of it.
+    /// Where the contacts were published, and which findings about them are accepted.
     pub source: String,
     /// The mass that the contacts were made for, kg.
     pub made_for_kg: f64,
-    /// The mass of the body that carries them as published, if it is another one.
+    /// The mass of the published body that carries them, if it is another one.
     body_kg: Option<f64>,
-    /// Static, dynamic and viscous.
+    /// Coefficients of static, dynamic and viscous friction.
     pub friction: [f64; 3],
     pub transition_velocity: f64,
-    /// The different ones on a limb.
+    /// The different contacts on one limb.
     pub contacts: Vec<PublishedContact>,
-    severity: BTreeMap<String, Level>,
+    severity: BTreeMap<String, TableSeverity>,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct PublishedContact {
     pub spheres: usize,
-    /// Of spheres that share one parameter set the root of the mean square.
+    /// The root of the mean square, if spheres of several radii share one parameter set.
     pub radius_m: f64,
-    /// Of both surfaces, as OpenSim spells it.
+    /// OpenSim's `stiffness` of both surfaces.
     pub stiffness: f64,
     pub dissipation: f64,
-    /// `constant_contact_force`, `hertz_smoothing` and `hunt_crossley_smoothing`, where the class has them.
+    /// `constant_contact_force`, `hertz_smoothing` and `hunt_crossley_smoothing`, if the class has them.
     pub smoothing: Option<[f64; 3]>,
 }
 
 #[derive(Debug, Clone, Copy, Deserialize)]
 #[serde(rename_all = "lowercase")]
-enum Level {
+enum TableSeverity {
     Error,
     Warning,
     Remark,
 }
 
 impl Entry {
-    /// What the body weighs that carries them as published, kg.
+    /// The mass of the published body that carries the contacts, kg.
     fn body_kg(&self) -> f64 {
         self.body_kg.unwrap_or(self.made_for_kg)
     }
 
-    /// Spheres of a limb.
+    /// The number of spheres on one limb.
     fn spheres(&self) -> usize {
         self.contacts.iter().map(|contact| contact.spheres).sum()
     }
 
-    /// How bad a finding is with these contacts, if it is not what the rule says.
+    /// The severity that a finding has with these contacts, if it differs from that of its rule.
     fn severity(&self, code: FindingCode) -> Option<Severity> {
         self.severity.get(code.as_str()).map(|level| match level {
-            Level::Error => Severity::Error,
-            Level::Warning => Severity::Warning,
-            Level::Remark => Severity::Remark,
+            TableSeverity::Error => Severity::Error,
+            TableSeverity::Warning => Severity::Warning,
+            TableSeverity::Remark => Severity::Remark,
         })
     }
 }
 
 fn entries() -> &'static [Entry] {
     static ENTRIES: OnceLock<Vec<Entry>> = OnceLock::new();
-    // A test reads the table strictly; a program that could not would know none.
+    // A test checks that the table can be read.
     ENTRIES.get_or_init(|| serde_json::from_str(include_str!("known_contacts.json")).unwrap_or_default())
 }
 
-/// The numbers of a reference's contact forces.
+/// The contact parameters of a reference model, by which the side of another model is found that still has them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReferenceContacts {
     name: String,
-    /// Values of the parameter sets, by the name of the force.
-    numbers: HashMap<String, Vec<f64>>,
+    /// The values of all parameter sets of a force, by the name of the force.
+    parameters: HashMap<String, Vec<f64>>,
 }
 
 impl ReferenceContacts {
-    /// Those of `model`; `name` is what messages call it.
-    pub fn of(name: &str, model: &Model) -> Self {
-        let numbers = model.forces().iter().map(|force| (force.name.clone(), numbers(force))).collect();
-        Self { name: name.to_owned(), numbers }
+    /// `name` is what messages call the model.
+    pub fn from_model(name: &str, model: &Model) -> Self {
+        let parameters = model.forces().iter().map(|force| (force.name.clone(), all_values(force))).collect();
+        Self { name: name.to_owned(), parameters }
     }
 
     pub(crate) fn title(&self) -> String {
         shown(&self.name).to_string()
     }
 
-    /// The side whose forces have the numbers of the reference, where those of the other side have others.
-    pub(crate) fn side(&self, model: &Model, sides: &BothSides<'_>) -> Option<Side> {
-        let is_as_here = |side| {
+    /// The side whose forces have the parameters of the reference, if those of the other side differ from it.
+    pub(crate) fn side_like_reference(&self, model: &Model, sides: &BothSides<'_>) -> Option<Side> {
+        let is_as_reference = |side| {
             let forces = sides.forces_on(side);
             let mut all = forces.iter().filter_map(|&id| model.force(id)).peekable();
-            all.peek().is_some() && all.all(|force| self.numbers.get(&force.name) == Some(&numbers(force)))
+            all.peek().is_some()
+                && all.all(|force| self.parameters.get(&force.name) == Some(&all_values(force)))
         };
-        match (is_as_here(Side::Right), is_as_here(Side::Left)) {
+        match (is_as_reference(Side::Right), is_as_reference(Side::Left)) {
             (true, false) => Some(Side::Right),
             (false, true) => Some(Side::Left),
             _ => None,
@@ -295,7 +299,7 @@ impl ReferenceContacts {
     }
 }
 
-fn numbers(force: &Force) -> Vec<f64> {
+fn all_values(force: &Force) -> Vec<f64> {
     force.sets.iter().flat_map(|set| &set.values).map(|value: &Value| value.number).collect()
 }
 
@@ -306,7 +310,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_table_is_read_whole_and_names_codes_that_exist() {
+    fn the_table_is_complete_and_its_codes_exist() {
         let entries: Vec<Entry> = serde_json::from_str(include_str!("known_contacts.json")).unwrap();
         assert!(!entries.is_empty());
         let names: BTreeSet<&str> = entries.iter().map(|entry| entry.name.as_str()).collect();
@@ -319,7 +323,7 @@ mod tests {
     }
 
     #[test]
-    fn the_preset_is_the_contact_of_its_name() {
+    fn falisse2022_has_the_numbers_of_the_preset() {
         let preset = contact_scaling::falisse2022();
         let entry = entries().iter().find(|entry| entry.name == preset.name).unwrap();
         let contact = &entry.contacts[0];

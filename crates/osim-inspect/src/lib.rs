@@ -1,4 +1,4 @@
-//! What the contacts of a model do under its weight, and whether that is right.
+//! Inspects the contacts of a model: what they do under its weight, and whether that is right.
 //!
 //! ```
 //! use osim_inspect::{Changeable, Figure, InspectOptions, check_model};
@@ -10,25 +10,25 @@
 //! let inspected = options.inspect("one_foot.osim", &model, None);
 //! let sphere = &inspected.figures.limbs[0].spheres[0];
 //! assert!(sphere.value(Figure::Indentation).is_some_and(|x| x > 0.0));
-//! let found = check_model(&options, &model, &inspected, &[], Changeable::UNTRIED);
-//! assert_eq!(found.counts.error, 0);
+//! let result = check_model(&options, &model, &inspected, &[], Changeable::UNTRIED);
+//! assert_eq!(result.counts.error, 0);
 //! # Ok(())
 //! # }
 //! ```
 //!
 //! # What it will not do
 //!
-//! It knows no files, no terminal and no HTML, nor how a remedy is spelled: a remedy is a [`Request`](osim_requests::Request), which a front
+//! It knows no files, no terminal and no HTML, and does not spell remedies: a remedy is a [`Request`](osim_requests::Request), which a front
 //! end prints or runs.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-mod evidence;
 mod figures;
 mod findings;
 mod floors;
 mod inspection;
 mod known_contacts;
 mod load;
+mod place_evidence;
 mod quantity;
 mod reach;
 mod rules;
@@ -38,20 +38,22 @@ mod sides;
 mod similarity;
 mod verdicts;
 
-pub use figures::{Figure, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
-pub use findings::{Changeable, CheckResult, Counts, Found, Kin, check_model, check_numbers};
-pub use floors::weight_share;
+pub use figures::{Figure, FigureVisibility, Figures, LimbFigures, LimitCheck, SphereFigures};
+pub use findings::{
+    Changeable, CheckResult, Counts, FindingIndex, FindingWithRemedy, check_model, check_numbers,
+};
+pub use floors::weight_share_on_floor;
 pub use inspection::{
-    Bottom, ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
-    InspectedLimb, InspectedSphere, Inspection, NoteStep, NoteStory, OnFeet, Origins, Parameters,
+    BodyAtRest, Bottom, ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors,
+    InspectedForce, InspectedLimb, InspectedSphere, Inspection, NoteStep, NoteSummary, Origins, Parameters,
     StandingBody, StandingSphere,
 };
 pub use known_contacts::{KnownContacts, ReferenceContacts};
 pub use load::{
-    InspectOptions, LoadSharing, MassMismatch, Stance, masses_perhaps_in_pounds, unexplained_slip,
+    InspectOptions, LoadSharing, MassMismatch, Stance, masses_perhaps_in_pounds, unexplained_mass_slip,
 };
 pub use quantity::Quantity;
-pub use rules::{misplaced_spheres, model_findings, rules, unmatched_patterns};
+pub use rules::{describe_unmatched_patterns, find_misplaced_spheres, model_findings, rules};
 #[cfg(feature = "schemas")]
 pub use serialized::ObjectSchema;
 pub use serialized::{FindingRecord, SCHEMA_VERSION};

@@ -1,4 +1,5 @@
-//! Under which load a model is inspected: whose weight, by which forces, on how many spheres; and masses that look like slips.
+//! The load under which a model is inspected: body weight, forces, and number of spheres; and masses that look like a typing mistake or
+//! another unit.
 
 use std::path::PathBuf;
 
@@ -12,35 +13,35 @@ use osim_requests::{Acceleration, Count, Positive};
 
 use crate::known_contacts::KnownContacts;
 
-/// Under which load, on how many spheres.
+/// How many spheres and limbs share the weight, under which gravity, and how fast an impact is.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Stance {
-    /// Spheres that share the body weight, all stance limbs together; `None`: as found on a limb.
+    /// Spheres of all stance limbs together that share the body weight; `None`: the spheres of a limb in the model.
     pub spheres: Option<f64>,
-    /// Limbs that share the body weight; `None`: as the note in the model says, else one.
+    /// Limbs that share the body weight; `None`: the number in the model's note, else one.
     pub limbs: Option<f64>,
     /// Speed before an impact, m/s; `None`: √(gR/2).
     pub impact_speed_m_s: Option<f64>,
-    /// Gravity instead of the model's own, m/s².
+    /// Gravity instead of the model's, m/s².
     pub gravity_m_s2: Option<f64>,
 }
 
 impl Stance {
-    /// Limbs that share the weight of `model`.
-    pub fn limbs_of(&self, model: &Model) -> f64 {
+    /// The number of limbs that share the weight of `model`.
+    pub fn limb_count(&self, model: &Model) -> f64 {
         self.limbs.or(model.noted_stance_limbs()).unwrap_or(1.0)
     }
 }
 
-/// Whose weight, by which forces, on how many spheres.
+/// Options of an inspection: masses, choice of forces, and load.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct InspectOptions {
     pub masses: MassRequest,
     pub selection: Selection,
     pub stance: Stance,
-    /// The geometry set of a force set that stands alone; remedies name it again.
+    /// The geometry set of a force set that is a file by itself; remedies repeat it.
     pub geometry: Option<PathBuf>,
-    /// The model of a force set that stands alone; remedies name it again.
+    /// The model of a force set that is a file by itself; remedies repeat it.
     pub model: Option<PathBuf>,
 }
 
@@ -67,12 +68,10 @@ impl From<&InspectionOptions> for InspectOptions {
     }
 }
 
-// n, the number of spheres that share the body weight: the one rule for it.
-
-/// Which spheres share the weight of the body that chosen forces belong to.
+/// Determines n, the number of spheres that share the weight of the body that chosen forces belong to.
 ///
-/// All spheres that stand count, whichever forces were chosen: those left out carry weight too. What stands beside the body,
-/// joined to it only through ground, does not count.
+/// All spheres of the body on the floor count, because spheres whose forces were not chosen carry weight, too. Spheres of another body,
+/// which only ground connects with it, do not count.
 ///
 /// ```
 /// use osim_inspect::LoadSharing;
@@ -84,7 +83,7 @@ impl From<&InspectionOptions> for InspectOptions {
 /// let selected = Selection::default().apply(&model)?;
 /// let sharing = LoadSharing::of(&model, &selected.forces);
 /// assert_eq!(sharing.count(None, 2.0, CountedSpheres::Model)?, 2.0);
-/// // A number that was given goes before.
+/// // A number that the caller gives comes first.
 /// assert_eq!(sharing.count(Some(6.0), 2.0, CountedSpheres::Model)?, 6.0);
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
@@ -95,13 +94,12 @@ pub struct LoadSharing {
 }
 
 impl LoadSharing {
-    /// For the body that the spheres of `chosen` belong to.
     pub fn of(model: &Model, chosen: &[ForceId]) -> Self {
         let forces = model.forces_of_same_body(chosen);
         Self { limbs: model.limbs(&forces), forces }
     }
 
-    /// For a model whose forces cannot be chosen.
+    /// For a model in which no force can be chosen.
     pub(crate) fn unknown(why: Phrase) -> Self {
         Self { limbs: Limbs::Unknown(why), forces: Vec::new() }
     }
@@ -110,37 +108,37 @@ impl LoadSharing {
         &self.limbs
     }
 
-    /// The forces through which the body stands, chosen or not.
+    /// The forces that press the body's spheres on the floor, chosen or not.
     pub fn forces(&self) -> &[ForceId] {
         &self.forces
     }
 
-    /// n: as `given`, else the spheres of a limb times the `stance_limbs`. `of` says whose spheres a question is about.
+    /// n: as `given`, else the spheres of a limb times `stance_limbs`. `whose` is for the error.
     ///
     /// # Errors
-    /// None was given, and left and right are not known, or limbs have different numbers of spheres.
-    pub fn count(&self, given: Option<f64>, stance_limbs: f64, of: CountedSpheres) -> Result<f64, Fault> {
+    /// No number is given, and left and right are not known, or limbs have different numbers of spheres.
+    pub fn count(&self, given: Option<f64>, stance_limbs: f64, whose: CountedSpheres) -> Result<f64, Fault> {
         if let Some(count) = given {
             return Ok(count);
         }
         match self.limbs.spheres_per_limb() {
-            Ok(spheres) => Ok(on_limbs(spheres, stance_limbs)),
-            Err(why) => Err(Fault::new(Needed::SphereCount { of, why })),
+            Ok(spheres) => Ok(spheres_on(spheres, stance_limbs)),
+            Err(why) => Err(Fault::new(Needed::SphereCount { of: whose, why })),
         }
     }
 
-    /// n while the body stands on limbs like `limb`: figures are given for each limb, even where limbs differ.
+    /// n while the body stands on limbs like `limb`. Figures need it for each limb, even if limbs differ.
     pub fn count_on(limb: &Limb, given: Option<f64>, stance_limbs: f64) -> f64 {
-        given.unwrap_or_else(|| on_limbs(limb.spheres.len(), stance_limbs))
+        given.unwrap_or_else(|| spheres_on(limb.spheres.len(), stance_limbs))
     }
 }
 
 #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-fn on_limbs(spheres: usize, stance_limbs: f64) -> f64 {
+fn spheres_on(spheres: usize, stance_limbs: f64) -> f64 {
     spheres as f64 * stance_limbs
 }
 
-/// The two masses, where the note in the file says one and the bodies another, and no option says which is meant.
+/// The mass in the model's note and the mass of its bodies, if they differ and no option says which one counts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MassMismatch {
     body_kg: f64,
@@ -148,18 +146,18 @@ pub struct MassMismatch {
 }
 
 impl MassMismatch {
-    /// `None` where they agree, or the caller says what the model weighs.
+    /// `None` if they agree, or the caller says what the model weighs.
     pub fn find(model: &Model, masses: &MassRequest) -> Option<Self> {
         if masses.model_kg.is_some() {
             return None;
         }
         let body = masses.model_mass(model).ok()?;
         let (contacts, _) = masses.contacts_mass(model).ok()?;
-        let noted = contacts.source == MassSource::Note && !same_mass(contacts.kg, body.kg);
-        noted.then_some(Self { body_kg: body.kg, contacts_mass_kg: contacts.kg })
+        let differs = contacts.source == MassSource::Note && !same_mass(contacts.kg, body.kg);
+        differs.then_some(Self { body_kg: body.kg, contacts_mass_kg: contacts.kg })
     }
 
-    /// What the contacts do is computed under their own body.
+    /// A message for calculators, which compute under the mass of the bodies.
     pub fn message(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass_kg));
         phrase![
@@ -167,23 +165,23 @@ impl MassMismatch {
                 "its contacts are made for {contacts} kg (note in the file) and carry its body of {body} kg here: say "
             ),
             Input::Mass.with_value(contacts),
-            &self.answer(),
+            &self.answer_to_question(),
             ", or scale the body first",
         ]
     }
 
-    /// The mismatch as a clause after a finding.
-    pub(crate) fn aside(&self) -> Phrase {
+    /// A clause to add to the message of a finding.
+    pub(crate) fn clause(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass_kg));
         phrase![
             format!("; figures are those under {body} kg: for the others say "),
             Input::Mass.with_value(contacts),
-            &self.answer(),
+            &self.answer_to_question(),
         ]
     }
 
-    /// The answer to give with the mass of the contacts, if it would be asked about.
-    fn answer(&self) -> Phrase {
+    /// The answer to give with the mass of the contacts, if the program would ask about that mass.
+    fn answer_to_question(&self) -> Phrase {
         match implausible_mass(Input::Mass, self.contacts_mass_kg, Some(self.body_kg)) {
             Some(asks) => phrase![" with ", &asks.question().answer()],
             None => Phrase::default(),
@@ -191,22 +189,26 @@ impl MassMismatch {
     }
 }
 
-/// The first of the masses said that looks like a slip for `model`: neither its note nor the contacts that the selected forces are
-/// known to have say it.
-pub fn unexplained_slip(masses: &MassRequest, model: &Model, selection: &Selection) -> Option<NeedsAnswer> {
-    unexplained(masses.implausible_masses(model), masses, model, selection)
+/// The first of the given masses that looks like a typing mistake or another unit for `model`, unless its note or the known contacts of
+/// the selected forces have that mass.
+pub fn unexplained_mass_slip(
+    masses: &MassRequest,
+    model: &Model,
+    selection: &Selection,
+) -> Option<NeedsAnswer> {
+    find_unexplained(masses.implausible_masses(model), masses, model, selection)
 }
 
-/// Masses that may be in pounds, and may as well not be: reason for a remark, and not for a question.
+/// The first of the given masses that may be in pounds, but may also be right: a reason for a remark, not for a question.
 pub fn masses_perhaps_in_pounds(
     masses: &MassRequest,
     model: &Model,
     selection: &Selection,
 ) -> Option<NeedsAnswer> {
-    unexplained(masses.masses_perhaps_in_pounds(model), masses, model, selection)
+    find_unexplained(masses.masses_perhaps_in_pounds(model), masses, model, selection)
 }
 
-fn unexplained(
+fn find_unexplained(
     slips: Vec<NeedsAnswer>,
     masses: &MassRequest,
     model: &Model,
@@ -215,12 +217,12 @@ fn unexplained(
     if slips.is_empty() {
         return None;
     }
-    let known = selection
+    let known_contacts = selection
         .apply(model)
         .ok()
         .and_then(|selected| KnownContacts::find(model, &selected.forces, None, masses.bodies_kg(model)));
     let is_known = |asks: &NeedsAnswer| match asks {
-        NeedsAnswer::Mass { kg, .. } => known.is_some_and(|known| same_mass(*kg, known.made_for_kg)),
+        NeedsAnswer::Mass { kg, .. } => known_contacts.is_some_and(|known| same_mass(*kg, known.made_for_kg)),
         _ => false,
     };
     slips.into_iter().find(|asks| !is_known(asks))
@@ -232,26 +234,26 @@ mod tests {
 
     use super::*;
 
-    /// Published contacts for 62 kg; the bodies of this model weigh 28 kg, which is 62 lb.
+    /// A model of 28 kg, which is 62 lb. With a stiffness of 1000000 it has published contacts for 62 kg.
     fn child(stiffness: &str) -> Model {
         let text = include_str!("../../../fixtures/check/known_contacts.osim");
         let text = text.replace("<stiffness>1000000<", &format!("<stiffness>{stiffness}<"));
-        let masses = Model::parse(text.as_str()).unwrap();
-        let bodies_kg = MassRequest::default().bodies_kg(&masses).unwrap();
-        let pelvis = masses.bodies()[0].mass_kg().unwrap();
+        let model = Model::parse(text.as_str()).unwrap();
+        let bodies_kg = MassRequest::default().bodies_kg(&model).unwrap();
+        let pelvis = model.bodies()[0].mass_kg().unwrap();
         let lighter = 28.0 - (bodies_kg - pelvis);
         let start = text.find("<mass>").unwrap() + "<mass>".len();
         let end = start + text[start..].find('<').unwrap();
         Model::parse(format!("{}{lighter}{}", &text[..start], &text[end..])).unwrap()
     }
 
-    fn asked(
+    fn reported_slip(
         model: &Model,
         contacts_mass_kg: Option<f64>,
         target_mass_kg: Option<f64>,
     ) -> Option<MassMistake> {
-        let said = MassRequest { contacts_mass_kg, target_mass_kg, ..MassRequest::default() };
-        match unexplained_slip(&said, model, &Selection::default())? {
+        let masses = MassRequest { contacts_mass_kg, target_mass_kg, ..MassRequest::default() };
+        match unexplained_mass_slip(&masses, model, &Selection::default())? {
             NeedsAnswer::Mass { mistake, .. } => Some(mistake),
             _ => None,
         }
@@ -259,20 +261,20 @@ mod tests {
 
     #[test]
     fn a_mass_that_known_contacts_or_the_target_explain_is_not_asked_about() {
-        let (known, own) = (child("1000000"), child("1020000"));
-        assert!((MassRequest::default().bodies_kg(&own).unwrap() - 28.0).abs() < 1e-9);
+        let (known, other) = (child("1000000"), child("1020000"));
+        assert!((MassRequest::default().bodies_kg(&other).unwrap() - 28.0).abs() < 1e-9);
         for (model, contacts_mass_kg, target_mass_kg, expected) in [
             (&known, Some(62.0), Some(28.0), None),
             (&known, Some(62.0), None, None),
-            // Nobody's contacts, and a target in the unit of the bodies.
-            (&own, Some(62.0), Some(28.0), None),
-            (&own, Some(62.0), None, Some(MassMistake::Pounds)),
+            // These contacts are not known; the target has the unit of the bodies.
+            (&other, Some(62.0), Some(28.0), None),
+            (&other, Some(62.0), None, Some(MassMistake::Pounds)),
             (&known, Some(61.5), None, Some(MassMistake::Pounds)),
-            (&own, Some(62.0), Some(30.0), Some(MassMistake::Pounds)),
-            (&own, Some(28_000.0), Some(28.0), Some(MassMistake::Grams)),
+            (&other, Some(62.0), Some(30.0), Some(MassMistake::Pounds)),
+            (&other, Some(28_000.0), Some(28.0), Some(MassMistake::Grams)),
         ] {
             assert_eq!(
-                asked(model, contacts_mass_kg, target_mass_kg),
+                reported_slip(model, contacts_mass_kg, target_mass_kg),
                 expected,
                 "{contacts_mass_kg:?} {target_mass_kg:?}"
             );
@@ -290,10 +292,11 @@ mod tests {
             (28.0 * 5001.0, None),
             (28.0, None),
         ] {
-            assert_eq!(asked(&model, None, Some(target_mass_kg)), expected, "{target_mass_kg}");
+            assert_eq!(reported_slip(&model, None, Some(target_mass_kg)), expected, "{target_mass_kg}");
         }
-        let said = MassRequest { target_mass_kg: Some(20_000.0), ..MassRequest::default() };
-        let asks = unexplained_slip(&said, &model, &Selection::default()).unwrap().phrase().to_string();
+        let masses = MassRequest { target_mass_kg: Some(20_000.0), ..MassRequest::default() };
+        let asks =
+            unexplained_mass_slip(&masses, &model, &Selection::default()).unwrap().phrase().to_string();
         // 20 000 / 28 is 714.3.
         assert!(asks.contains("about 714 times the 28 kg") && asks.contains("in g, write 20;"), "{asks}");
     }

@@ -1,8 +1,9 @@
-//! Spheres that reach further than in any published model: J and L.
+//! How far spheres reach along the bones of a foot, and whether that is further than in any published model. Two measures are used:
 //!
-//! J: a sphere's centre is projected on the line from its body's origin to the farthest joint of that body to a next one, and
-//! divided by their distance. Published models reach 1.206 (Moco's running). L: how far along the standard foot, from the heel (0)
-//! to the tip of the toes (1) by the extents of the bones' meshes, the foremost centre is. Published: 0.691 to 1.007.
+//! - towards the next joint: the sphere's centre is projected on the line from its body's origin to the body's farthest next joint, and
+//!   divided by their distance. Published models reach 1.206 (Moco's running).
+//! - along the foot: where the foremost centre is between the heel (0) and the tip of the toes (1) of OpenSim's standard foot, by the
+//!   extents of the bones' meshes. Published models have 0.691 to 1.007.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -12,69 +13,67 @@ use osim_model::compare::bone_of_mesh;
 use osim_model::messages::four_significant;
 use osim_model::{Anatomy, AnatomyJoint, DVec3, Model, SphereId};
 
-/// Largest J that is not odd.
-const LARGEST_J: f64 = 1.25;
-/// Least and largest L that is not odd.
-const LEAST_L: f64 = 0.65;
-const LARGEST_L: f64 = 1.05;
+/// Spheres that reach no further than this towards the next joint are usual.
+const LARGEST_TOWARDS_JOINT: f64 = 1.25;
+/// Usual places of the foremost sphere along the foot.
+const USUAL_ALONG_FOOT: std::ops::RangeInclusive<f64> = 0.65..=1.05;
 
-/// One J or L, and the sphere of it.
+/// How far one sphere reaches.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Reach {
-    /// The sphere.
     pub sphere: SphereId,
-    /// J or L.
     pub value: f64,
-    /// The next joint, or the bone.
-    pub of: String,
+    /// The next joint, or the hind part of the foot.
+    pub towards: String,
     measure: Measure,
 }
 
+/// What a reach is measured by; the module describes both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Measure {
-    J,
-    L,
+    TowardsJoint,
+    AlongFoot,
 }
 
 impl Reach {
-    /// Whether published models stay within.
+    /// Whether no published sphere reaches so far.
     pub(crate) fn is_odd(&self) -> bool {
         match self.measure {
-            Measure::J => self.value > LARGEST_J,
-            Measure::L => !(LEAST_L..=LARGEST_L).contains(&self.value),
+            Measure::TowardsJoint => self.value > LARGEST_TOWARDS_JOINT,
+            Measure::AlongFoot => !USUAL_ALONG_FOOT.contains(&self.value),
         }
     }
 
-    /// In words, after the name of the sphere.
+    /// The reach in words that follow the name of the sphere.
     pub(crate) fn describe(&self) -> String {
-        let (value, of) = (four_significant(self.value), &self.of);
+        let (value, towards) = (four_significant(self.value), &self.towards);
         match self.measure {
-            Measure::J => format!(
-                "lies at {value} of the way to the next joint, {of}, and no published sphere beyond 1.21"
+            Measure::TowardsJoint => format!(
+                "lies at {value} of the way to the next joint, {towards}, and no published sphere beyond 1.21"
             ),
-            Measure::L => format!(
-                "is the foremost of {of} and lies at {value} of the foot's length, published ones at 0.69 to 1.01"
+            Measure::AlongFoot => format!(
+                "is the foremost of {towards} and lies at {value} of the foot's length, published ones at 0.69 to 1.01"
             ),
         }
     }
 }
 
-/// J of each sphere of a foot, and L of each foot.
-pub(crate) fn reaches(model: &Model, bones: &Bones) -> Vec<Reach> {
-    let mut found = Vec::new();
+/// The reach of each foot sphere towards the next joint, and of the foremost sphere along each foot.
+pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
+    let mut reaches = Vec::new();
     let mut foremost: BTreeMap<String, (SphereId, f64)> = BTreeMap::new();
     for id in model.loaded_spheres(&model.force_ids()) {
         let (Some(sphere), Some(centre)) = (model.sphere(id), model.centre_m(id)) else { continue };
         let Some(body) = sphere.body.as_deref().filter(|body| bones.is_foot(body)) else { continue };
-        found.extend(reach_to_joint(bones, body, id, centre, sphere.radius.number));
-        let hind = |body: &str| bones.standard_foot(body).map(|ends| (body.to_owned(), ends));
-        let above = || {
+        reaches.extend(reach_towards_joint(bones, body, id, centre, sphere.radius.number));
+        let as_hind_part = |body: &str| bones.standard_foot(body).map(|ends| (body.to_owned(), ends));
+        let as_toes = || {
             let joint = bones.joint_above(body)?;
-            let (hind, ends) = hind(&joint.parent)?;
+            let (hind, ends) = as_hind_part(&joint.parent)?;
             Some((hind, ends, joint.in_parent_m[0] - joint.in_child_m[0]))
         };
-        let of_foot = hind(body).map(|(hind, ends)| (hind, ends, 0.0)).or_else(above);
-        if let Some((hind, [heel, tip], origin)) = of_foot {
+        let foot = as_hind_part(body).map(|(hind, ends)| (hind, ends, 0.0)).or_else(as_toes);
+        if let Some((hind, [heel, tip], origin)) = foot {
             let along = (origin + centre[0] - heel) / (tip - heel);
             let most = foremost.entry(hind).or_insert((id, along));
             if along > most.1 {
@@ -82,17 +81,20 @@ pub(crate) fn reaches(model: &Model, bones: &Bones) -> Vec<Reach> {
             }
         }
     }
-    let lengths =
-        foremost.into_iter().map(|(of, (sphere, value))| Reach { sphere, value, of, measure: Measure::L });
-    found.extend(lengths);
-    found
+    reaches.extend(foremost.into_iter().map(|(towards, (sphere, value))| Reach {
+        sphere,
+        value,
+        towards,
+        measure: Measure::AlongFoot,
+    }));
+    reaches
 }
 
-/// J of a sphere with its centre and radius, for the next joint that is farthest from the body's origin.
+/// The reach of a sphere towards the next joint that is farthest from the body's origin.
 ///
-/// `None` without a next joint, or where it is nearer than a radius: such a joint says nothing about the length of the bone.
-fn reach_to_joint(
-    bones: &Bones,
+/// `None` without a next joint, or if it is nearer than a radius: such a joint does not show how long the bone is.
+fn reach_towards_joint(
+    bones: &BodyBones,
     body: &str,
     sphere: SphereId,
     centre: DVec3,
@@ -103,43 +105,44 @@ fn reach_to_joint(
     (squared > radius_m * radius_m).then(|| Reach {
         sphere,
         value,
-        of: joint.name.clone(),
-        measure: Measure::J,
+        towards: joint.name.clone(),
+        measure: Measure::TowardsJoint,
     })
 }
 
-// The bones of a foot: which meshes they show, how large they are, where the next joint is.
+// The bones of a foot: their meshes, their sizes, and their next joints.
 
-/// How far a standard bone reaches along x of its body, m, at factor 1: `r_foot.vtp` and `r_bofoot.vtp` of OpenSim's Geometry,
-/// their least and largest x.
+/// How far OpenSim's foot bones reach along x of their body at factor 1, m: the least and largest x of `r_foot.vtp` and
+/// `r_bofoot.vtp` in OpenSim's Geometry.
 const HEEL_M: f64 = -0.0098;
 const FOOT_TIP_M: f64 = 0.183817;
 const TOES_TIP_M: f64 = 0.076918;
 
-/// Factors of OpenSim's own bones, from a mouse's to a giant's: 0.01 to 10. Millimetres are not among them.
-const PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.01..=10.0;
+/// Factors that OpenSim's bones can have, from a mouse to a giant. The factor 0.001 of meshes in millimetres is not among them.
+const PLAUSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 0.01..=10.0;
 /// Words in names of bodies and meshes of a foot.
 const FOOT_WORDS: [&str; 9] = ["foot", "calc", "toe", "talus", "tars", "pes", "phal", "hoof", "paw"];
 
-/// What the bones of a model say, body by body.
-pub(crate) struct Bones {
+/// The bones of a model, body by body.
+pub(crate) struct BodyBones {
     anatomy: Anatomy,
-    /// Those with meshes, each looked at when somebody first asks.
-    bodies: HashMap<String, OnceLock<Bone>>,
+    /// Bodies with meshes; each bone is computed at its first use.
+    bodies: HashMap<String, OnceLock<BodyBone>>,
     /// For each body the next joint that is farthest from its origin, and the square of its distance, m².
     farthest: HashMap<String, (f64, usize)>,
 }
 
-/// What is known of one body.
-struct Bone {
+/// The bone that the meshes of one body show.
+struct BodyBone {
+    /// The factors of the meshes; `None` if these differ.
     size: Option<[f64; 3]>,
     is_foot: bool,
-    /// From the heel to the tip of the standard foot.
+    /// x of the heel and of the tip of the toes, m, if the body shows the hind part of OpenSim's standard foot.
     standard_foot: Option<[f64; 2]>,
 }
 
-impl Bones {
-    /// `None` where the spheres on them cannot be read.
+impl BodyBones {
+    /// `None` if a sphere on them cannot be read.
     pub(crate) fn of(model: &Model) -> Option<&Self> {
         let mut spheres = model.spheres().iter();
         let are_read = spheres.all(|sphere| sphere.radius_m().is_ok() && model.rotation_of(sphere).is_ok());
@@ -160,16 +163,16 @@ impl Bones {
         Self { anatomy, bodies, farthest }
     }
 
-    fn bone(&self, body: &str) -> Option<&Bone> {
+    fn bone(&self, body: &str) -> Option<&BodyBone> {
         let bone = self.bodies.get(body)?;
-        Some(bone.get_or_init(|| Bone {
-            size: size(&self.anatomy, body),
+        Some(bone.get_or_init(|| BodyBone {
+            size: common_factors(&self.anatomy, body),
             is_foot: is_foot(&self.anatomy, body),
             standard_foot: standard_foot(&self.anatomy, body),
         }))
     }
 
-    /// The factors of the meshes of `body`; `None` without meshes, or where these differ.
+    /// The factors of the meshes of `body`; `None` without meshes, or if these differ.
     pub(crate) fn size(&self, body: &str) -> Option<[f64; 3]> {
         self.bone(body)?.size
     }
@@ -180,7 +183,7 @@ impl Bones {
         Some((*squared, self.anatomy.joints.get(*at)?))
     }
 
-    /// The joint by which `body` hangs on another one.
+    /// The joint between `body` and its parent.
     pub(crate) fn joint_above(&self, body: &str) -> Option<&AnatomyJoint> {
         self.anatomy.joint_above(body)
     }
@@ -190,13 +193,13 @@ impl Bones {
         self.bone(body).is_some_and(|bone| bone.is_foot)
     }
 
-    /// From the heel to the tip of the standard foot, if `body` is its hind part, along its x, m.
+    /// x of the heel and of the tip of the toes, m, if `body` shows the hind part of OpenSim's standard foot.
     fn standard_foot(&self, body: &str) -> Option<[f64; 2]> {
         self.bone(body)?.standard_foot
     }
 }
 
-fn size(anatomy: &Anatomy, body: &str) -> Option<[f64; 3]> {
+fn common_factors(anatomy: &Anatomy, body: &str) -> Option<[f64; 3]> {
     let mut factors = anatomy.meshes.get(body)?.values().copied();
     let first = factors.next().filter(|factors| factors.iter().all(|factor| factor.is_finite()))?;
     factors.all(|other| same_size(other, first)).then_some(first)
@@ -207,19 +210,21 @@ fn is_foot(anatomy: &Anatomy, body: &str) -> bool {
     names.chain([body]).map(str::to_lowercase).any(|name| FOOT_WORDS.iter().any(|word| name.contains(word)))
 }
 
-fn shows(anatomy: &Anatomy, body: &str, bone: &str) -> Option<[f64; 3]> {
+/// The factors of the mesh by which `body` shows one of OpenSim's bones.
+fn factors_of_opensim_bone(anatomy: &Anatomy, body: &str, bone: &str) -> Option<[f64; 3]> {
     let meshes = anatomy.meshes.get(body)?;
     // A file of another kind, or in another unit, is not that of OpenSim.
     let is_standard = |(file, [x, ..]): &(&String, &[f64; 3])| {
-        file.to_lowercase().contains(".vtp") && bone_of_mesh(file) == bone && PLAUSIBLE.contains(x)
+        file.to_lowercase().contains(".vtp") && bone_of_mesh(file) == bone && PLAUSIBLE_FACTORS.contains(x)
     };
     meshes.iter().find(is_standard).map(|(_, factors)| *factors)
 }
 
 fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<[f64; 2]> {
-    let [foot, ..] = shows(anatomy, body, "foot")?;
+    let [foot, ..] = factors_of_opensim_bone(anatomy, body, "foot")?;
     let mut next = anatomy.joints_below(body);
-    let toes = next.find_map(|joint| Some((joint, shows(anatomy, &joint.child, "bofoot")?)));
+    let toes =
+        next.find_map(|joint| Some((joint, factors_of_opensim_bone(anatomy, &joint.child, "bofoot")?)));
     let tip = match toes {
         Some((joint, [toes, ..])) => joint.in_parent_m[0] - joint.in_child_m[0] + toes * TOES_TIP_M,
         None => foot * FOOT_TIP_M,
@@ -227,10 +232,10 @@ fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<[f64; 2]> {
     Some([foot * HEEL_M, tip])
 }
 
-/// Sizes that differ by no more than this, relatively, are one: a millimetre on a human foot.
+/// Factors whose relative difference is no more than this are equal: a millimetre on a human foot.
 const SAME_SIZE: f64 = 0.005;
 
-/// Whether a bone is as large as another one.
+/// Whether the factors of two bones are equal.
 pub(crate) fn same_size(a: [f64; 3], b: [f64; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME_SIZE * b.abs())
 }
@@ -239,7 +244,7 @@ pub(crate) fn same_size(a: [f64; 3], b: [f64; 3]) -> bool {
 mod tests {
     use super::*;
 
-    /// The largest J, and the least and largest L, of a model of the corpus, from files `names`.
+    /// The largest reach towards a joint, and the least and largest along the foot, of a model of the corpus, from files `names`.
     fn measured(names: &[&str]) -> Option<(f64, f64, f64)> {
         use osim_model::files::{CompanionPaths, InMemory, ModelFiles};
         let folder = std::env::var_os("OSIM_CORPUS").map(std::path::PathBuf::from)?;
@@ -254,17 +259,17 @@ mod tests {
         };
         let opened =
             ModelFiles::read(names[0].as_ref(), read(names[0]), beside, &files).unwrap().open().unwrap();
-        let bones = Bones::of(&opened.model).unwrap();
-        let found = reaches(&opened.model, bones);
-        let of = |measure| found.iter().filter(move |one| one.measure == measure).map(|one| one.value);
+        let bones = BodyBones::of(&opened.model).unwrap();
+        let reaches = reaches(&opened.model, bones);
+        let values = |measure| reaches.iter().filter(move |one| one.measure == measure).map(|one| one.value);
         Some((
-            of(Measure::J).fold(f64::NAN, f64::max),
-            of(Measure::L).fold(f64::NAN, f64::min),
-            of(Measure::L).fold(f64::NAN, f64::max),
+            values(Measure::TowardsJoint).fold(f64::NAN, f64::max),
+            values(Measure::AlongFoot).fold(f64::NAN, f64::min),
+            values(Measure::AlongFoot).fold(f64::NAN, f64::max),
         ))
     }
 
-    /// Each from OpenSim 4.6's own frames and the meshes' extents, in NumPy (four digits).
+    /// Expected values were computed with NumPy from OpenSim 4.6's frames and the meshes' extents, with four digits.
     #[test]
     fn published_models_reach_as_far_as_measured() {
         let moco = [

@@ -1,4 +1,4 @@
-//! What all JSON results share: their version, and findings and phrases as they have them.
+//! What all JSON results share: the version of their schemas, and how findings and phrases are serialised.
 
 use osim_model::Finding;
 use osim_model::messages::Phrase;
@@ -8,32 +8,32 @@ use serde::{Serialize, Serializer};
 #[cfg(feature = "schemas")]
 use serde_json::{Map, Value};
 
-use crate::findings::Found;
+use crate::findings::FindingWithRemedy;
 
 /// Raised when a field of any result changes its meaning or goes away.
 pub const SCHEMA_VERSION: u32 = 1;
 
-/// One finding, as every JSON has it: of a model, of a check, of a change.
+/// A finding in JSON.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct FindingRecord {
-    /// Stable short name.
+    /// The finding's code, a short name that does not change.
     pub code: &'static str,
     /// How bad it is: `error`, `warning` or `remark`.
     pub severity: &'static str,
-    /// This case, in words.
+    /// What was found, in words.
     pub message: String,
     /// Why it matters, the same for every case.
     pub why: String,
     /// What to do about it, the same for every case.
     pub advice: String,
-    /// Component path of the force or sphere, where it is one; of the worst where it is several.
+    /// Component path of the force or sphere that it is about; of several the worst.
     pub place: Option<String>,
-    /// Names of all spheres concerned, where it is about spheres.
+    /// Names of all spheres that it is about.
     pub spheres: Vec<String>,
-    /// Line in the model, where there is one.
+    /// Line in the model's file.
     pub line: Option<usize>,
-    /// The call that puts it right, where `check` can propose one.
+    /// The call that corrects it, if `check` can propose one.
     pub command: Option<String>,
 }
 
@@ -53,23 +53,23 @@ impl From<&Finding> for FindingRecord {
     }
 }
 
-impl From<&Found> for FindingRecord {
-    fn from(found: &Found) -> Self {
+impl From<&FindingWithRemedy> for FindingRecord {
+    fn from(found: &FindingWithRemedy) -> Self {
         Self { command: found.command.clone(), ..Self::from(&found.finding) }
     }
 }
 
-/// Serialises findings as their records.
 pub(crate) fn records<S: Serializer>(findings: &[Finding], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(findings.iter().map(FindingRecord::from))
 }
 
-/// Serialises what was found as records.
-pub(crate) fn found_records<S: Serializer>(found: &[Found], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(found.iter().map(FindingRecord::from))
+pub(crate) fn records_with_commands<S: Serializer>(
+    findings: &[FindingWithRemedy],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(findings.iter().map(FindingRecord::from))
 }
 
-/// Serialises a phrase that may be absent as its text.
 pub(crate) fn optional_phrase<S: Serializer>(
     phrase: &Option<Phrase>,
     serializer: S,
@@ -88,7 +88,6 @@ pub struct ObjectSchema<'g> {
 
 #[cfg(feature = "schemas")]
 impl<'g> ObjectSchema<'g> {
-    /// No field yet.
     pub fn new(generator: &'g mut SchemaGenerator) -> Self {
         Self { generator, properties: Map::new(), required: Vec::new() }
     }
@@ -105,7 +104,6 @@ impl<'g> ObjectSchema<'g> {
         self.properties.insert(name.to_owned(), schema.to_value());
     }
 
-    /// The schema.
     pub fn finish(self, description: &str) -> Schema {
         json_schema!({
             "description": description,

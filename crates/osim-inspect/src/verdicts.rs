@@ -1,4 +1,4 @@
-//! Six questions about every model, and one about a recording, each answered in one line: what was found decides, else what is right about it.
+//! Answers six questions about every model, and one about a recording, in one line each: with the worst finding, or with what is right.
 
 use std::cmp::Reverse;
 
@@ -11,39 +11,37 @@ use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use crate::figures::{Figure, SphereFigures};
-use crate::findings::Found;
+use crate::findings::FindingWithRemedy;
 use crate::inspection::{Inspection, StandingBody, step_in_words};
 
-/// The answer to one of the six questions, or to that of a recording.
+/// The answer to one of the questions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct Verdict {
-    /// What it is on: `floor`, `standing`, `mass`, `sides`, `sizes` or `solver`; with a recording `motion`, too.
+    /// What the question is about: `floor`, `standing`, `mass`, `sides`, `sizes` or `solver`; with a recording `motion`, too.
     #[serde(serialize_with = "name")]
     #[cfg_attr(feature = "schemas", schemars(with = "String"))]
     pub on: VerdictOn,
-    /// How it is: `good`, `remark`, `warning`, `error` or `unknown`.
+    /// The result: `good`, `remark`, `warning`, `error` or `unknown`.
     #[cfg_attr(feature = "schemas", schemars(with = "String"))]
     pub sign: Sign,
     /// The answer in words, with the number that decides.
     #[serde(serialize_with = "text")]
     #[cfg_attr(feature = "schemas", schemars(with = "String"))]
     pub text: Phrase,
-    /// Component path of the force, sphere or body that decides, where there is one.
+    /// Component path of the force, sphere or body that decides, if there is one.
     pub place: Option<String>,
-    /// Codes of the findings that are about it, the worst first; empty if it is right or not known.
+    /// Codes of the findings about the question, the worst first; empty if all is right or not known.
     #[serde(serialize_with = "codes")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
     pub codes: Vec<FindingCode>,
 }
 
-/// How a question is answered: right, as bad as the worst finding, or not at all.
-///
-/// Exhaustive: the JSON of a verdict promises these five.
+/// The result of a question: good, the severity of the worst finding, or unknown. The JSON of a verdict has exactly these five.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Sign {
-    /// Nothing was found.
+    /// No finding is about the question.
     Good,
     Remark,
     Warning,
@@ -80,8 +78,8 @@ impl Verdict {
         Self { on: VerdictOn::Recording, sign, text, place: None, codes: Vec::new() }
     }
 
-    /// The worst finding decides; the codes of `others` are named.
-    fn of_findings(on: VerdictOn, worst: &Found, others: &[&Found]) -> Self {
+    /// An answer with the text of the worst finding and the codes of all.
+    fn from_findings(on: VerdictOn, worst: &FindingWithRemedy, others: &[&FindingWithRemedy]) -> Self {
         let mut codes = vec![worst.code()];
         for code in others.iter().map(|found| found.code()) {
             if !codes.contains(&code) {
@@ -92,7 +90,7 @@ impl Verdict {
         Self { on, sign, text, place: worst.place.clone(), codes }
     }
 
-    fn and(mut self, more: Option<Phrase>) -> Self {
+    fn with_addition(mut self, more: Option<Phrase>) -> Self {
         if let Some(more) = more {
             self.text.push("; ");
             self.text.push(&more);
@@ -100,7 +98,7 @@ impl Verdict {
         self
     }
 
-    /// What is right, or why that is not known.
+    /// An answer with what is right, or with why that is not known.
     fn without_findings(on: VerdictOn, right: Result<Phrase, Phrase>) -> Self {
         let (sign, text) = match right {
             Ok(text) => (Sign::Good, text),
@@ -109,7 +107,7 @@ impl Verdict {
         Self { on, sign, text, place: None, codes: Vec::new() }
     }
 
-    /// Spells what it says in the words of a front end.
+    /// Puts its text into the words of a front end.
     pub(crate) fn spell(&mut self, speller: &dyn Speller) {
         self.text.spell(speller);
     }
@@ -127,31 +125,30 @@ fn codes<S: Serializer>(codes: &[FindingCode], serializer: S) -> Result<S::Ok, S
     serializer.collect_seq(codes.iter().map(|code| code.as_str()))
 }
 
-/// A model and what its inspection shows.
-struct Known<'k> {
+struct InspectedModel<'k> {
     model: &'k Model,
-    inspected: &'k Inspection,
+    inspection: &'k Inspection,
 }
 
-impl Known<'_> {
+impl InspectedModel<'_> {
     /// The largest value of a figure among the chosen spheres.
-    fn most(&self, figure: Figure) -> Option<f64> {
+    fn largest(&self, figure: Figure) -> Option<f64> {
         self.values(figure).reduce(f64::max)
     }
 
-    /// The least value of a figure among the chosen spheres.
-    fn least(&self, figure: Figure) -> Option<f64> {
+    /// The smallest value of a figure among the chosen spheres.
+    fn smallest(&self, figure: Figure) -> Option<f64> {
         self.values(figure).reduce(f64::min)
     }
 
     fn values(&self, figure: Figure) -> impl Iterator<Item = f64> {
-        let spheres = self.inspected.figures.spheres();
+        let spheres = self.inspection.figures.spheres();
         spheres.filter_map(move |sphere: &SphereFigures| sphere.value(figure))
     }
 
     /// Why figures under body weight are absent.
     fn why_no_figures(&self) -> Phrase {
-        let why = self.inspected.figures.why_no_body_weight.clone();
+        let why = self.inspection.figures.why_no_body_weight.clone();
         why.unwrap_or_else(|| "no sphere of the chosen forces carries weight".into())
     }
 }
@@ -161,43 +158,48 @@ fn range(least: &str, most: &str) -> String {
     if least == most { least.to_owned() } else { format!("{least} to {most}") }
 }
 
-/// The verdicts on a model, in their order. `findings` come the worst first.
-pub(crate) fn of(model: &Model, inspected: &Inspection, findings: &[Found]) -> Vec<Verdict> {
-    let known = Known { model, inspected };
-    VerdictOn::ALL.into_iter().map(|on| of_one(on, &known, findings)).collect()
+/// The answers to all questions about a model. `findings` must be sorted, the worst first.
+pub(crate) fn answer_all(
+    model: &Model,
+    inspected: &Inspection,
+    findings: &[FindingWithRemedy],
+) -> Vec<Verdict> {
+    let inspected = InspectedModel { model, inspection: inspected };
+    VerdictOn::ALL.into_iter().map(|on| answer(on, &inspected, findings)).collect()
 }
 
-fn of_one(on: VerdictOn, known: &Known<'_>, findings: &[Found]) -> Verdict {
-    let mut deciding: Vec<&Found> = findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();
-    // Of two that are equally bad, the mass is the reason and the depth what follows.
+fn answer(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[FindingWithRemedy]) -> Verdict {
+    let mut deciding: Vec<&FindingWithRemedy> =
+        findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();
+    // Of two that are equally bad, the mass comes first, because the depth follows from it.
     deciding
         .sort_by_key(|found| (Reverse(found.severity), found.code() != FindingCode::ContactsOfAnotherMass));
     if let Some((worst, others)) = deciding.split_first() {
-        let story = (on == VerdictOn::Mass).then(|| describe_origin(known, worst.code())).flatten();
-        return Verdict::of_findings(on, worst, others).and(story);
+        let origin = (on == VerdictOn::Mass).then(|| describe_origin(inspected, worst.code())).flatten();
+        return Verdict::from_findings(on, worst, others).with_addition(origin);
     }
     if findings.iter().any(|found| found.code() == FindingCode::BareModel) {
         return Verdict::without_findings(on, Err("there are no contacts".into()));
     }
     let right = match on {
-        VerdictOn::Floor => describe_floor(known),
-        VerdictOn::Standing => describe_standing(known),
-        VerdictOn::Mass => describe_mass(known),
-        VerdictOn::Sides => describe_sides(known),
-        VerdictOn::Sizes => describe_sizes(known),
-        VerdictOn::Solver => describe_solver(known),
+        VerdictOn::Floor => describe_floor(inspected),
+        VerdictOn::Standing => describe_standing(inspected),
+        VerdictOn::Mass => describe_mass(inspected),
+        VerdictOn::Sides => describe_sides(inspected),
+        VerdictOn::Sizes => describe_sizes(inspected),
+        VerdictOn::Solver => describe_solver(inspected),
         VerdictOn::Recording => Err("no recording is given".into()),
     };
     Verdict::without_findings(on, right)
 }
 
-/// The plane that most spheres press on: how it lies, and what carries it.
-fn describe_floor(known: &Known<'_>) -> Result<Phrase, Phrase> {
-    let model = known.model;
+/// Describes the plane that most spheres press on: its tilt and the body that carries it.
+fn describe_floor(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
+    let model = inspected.model;
     let planes = ContactPlane::all(model, &model.force_ids(), &DefaultPose::of(model));
-    // The first of those that equally many press on.
-    let most = planes.iter().reduce(|a, b| if b.spheres.len() > a.spheres.len() { b } else { a });
-    let plane = most.ok_or_else(|| Phrase::from("no moving sphere meets a half-space"))?;
+    // The first of several with equally many spheres.
+    let main = planes.iter().reduce(|a, b| if b.spheres.len() > a.spheres.len() { b } else { a });
+    let plane = main.ok_or_else(|| Phrase::from("no moving sphere meets a half-space"))?;
     let name = shown(&plane.plane.name).to_string();
     let Some(surface) = plane.surface else {
         return Err(format!("how {name} lies is not known").into());
@@ -213,32 +215,34 @@ fn describe_floor(known: &Known<'_>) -> Result<Phrase, Phrase> {
     Ok(format!("{name} leans by {degrees} degrees, on {carrier}{others}").into())
 }
 
-/// Where the lowest sphere starts, and what puts the body on its feet.
-fn describe_standing(known: &Known<'_>) -> Result<Phrase, Phrase> {
-    let of_body = |body: &StandingBody| Some(format!("it starts {}; {}", body.place()?, body.way_to_stand()));
-    let first = known.inspected.standing.iter().find_map(of_body);
+/// Describes how high the lowest sphere starts, and with which coordinate the body stands.
+fn describe_standing(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
+    let describe = |body: &StandingBody| {
+        Some(format!("it starts {}; {}", body.height_in_words()?, body.describe_way_to_stand()))
+    };
+    let first = inspected.inspection.standing.iter().find_map(describe);
     first.map(Phrase::from).ok_or_else(|| "where its spheres are over a floor is not known".into())
 }
 
-/// What the contacts are made for, and how deep the deepest sphere is under the body.
-fn describe_mass(known: &Known<'_>) -> Result<Phrase, Phrase> {
-    let deepest = known.most(Figure::Indentation).ok_or_else(|| known.why_no_figures())?;
-    let weighs = known.inspected.figures.mass_kg.map(readable).unwrap_or_default();
-    let made_for = made_for(known).unwrap_or_else(|| "no note says what they were made for".into());
+/// Describes the mass that the contacts are made for, and how deep the deepest sphere is under the body.
+fn describe_mass(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
+    let deepest = inspected.largest(Figure::Indentation).ok_or_else(|| inspected.why_no_figures())?;
+    let weighs = inspected.inspection.figures.mass_kg.map(readable).unwrap_or_default();
+    let made_for = made_for(inspected).unwrap_or_else(|| "no note says what they were made for".into());
     let x_hat = four_significant(deepest);
     Ok(phrase![&made_for, format!("; under {weighs} kg on one limb the deepest sphere has x/R = {x_hat}")])
 }
 
-/// What the contacts are made for, if the worst finding says how deep spheres are, and not that.
-fn describe_origin(known: &Known<'_>, worst: FindingCode) -> Option<Phrase> {
-    let of_depth = [FindingCode::SunkIn, FindingCode::BeyondHertz, FindingCode::BeyondHertzAtTwo];
-    made_for(known).filter(|_| of_depth.contains(&worst))
+/// The mass that the contacts are made for, if the worst finding is about depth and does not say it.
+fn describe_origin(inspected: &InspectedModel<'_>, worst: FindingCode) -> Option<Phrase> {
+    let depth_codes = [FindingCode::SunkIn, FindingCode::BeyondHertz, FindingCode::BeyondHertzAtTwo];
+    made_for(inspected).filter(|_| depth_codes.contains(&worst))
 }
 
-/// What somebody said that the contacts are made for: `made for 500 kg (note in the file, by rescale)`.
-fn made_for(known: &Known<'_>) -> Option<Phrase> {
-    let mass = known.inspected.contacts_mass_kg.as_ref().filter(|mass| mass.recorded)?;
-    let note = known.model.note.as_ref().filter(|_| mass.source == MassSource::Note.as_str());
+/// The recorded mass that the contacts are made for: `made for 500 kg (note in the file, by rescale)`.
+fn made_for(inspected: &InspectedModel<'_>) -> Option<Phrase> {
+    let mass = inspected.inspection.contacts_mass_kg.as_ref().filter(|mass| mass.recorded)?;
+    let note = inspected.model.note.as_ref().filter(|_| mass.source == MassSource::Note.as_str());
     let by = note.and_then(|note| note.steps.last()).map(|step| format!(", by {}", step_in_words(step)));
     Some(phrase![
         format!("made for {} kg (", readable(mass.value)),
@@ -248,15 +252,15 @@ fn made_for(known: &Known<'_>) -> Option<Phrase> {
     ])
 }
 
-fn describe_sides(known: &Known<'_>) -> Result<Phrase, Phrase> {
-    let inspected = known.inspected;
-    let Some(limbs) = inspected.limbs.as_deref().filter(|limbs| !limbs.is_empty()) else {
-        return Err(inspected.limbs_unknown.clone().unwrap_or_else(|| "limbs are not known".into()));
+fn describe_sides(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
+    let inspection = inspected.inspection;
+    let Some(limbs) = inspection.limbs.as_deref().filter(|limbs| !limbs.is_empty()) else {
+        return Err(inspection.limbs_unknown.clone().unwrap_or_else(|| "limbs are not known".into()));
     };
-    let on = |side: &str| -> usize {
+    let count_on = |side: &str| -> usize {
         limbs.iter().filter(|limb| limb.side == side).map(|limb| limb.spheres.len()).sum()
     };
-    Ok(match (on("right"), on("left")) {
+    Ok(match (count_on("right"), count_on("left")) {
         (0, some) | (some, 0) => format!("there is one side only, with {}", spheres(some)),
         (right, left) if right == left => {
             format!("they agree: {} on each side", spheres(right))
@@ -272,31 +276,32 @@ fn spheres(count: usize) -> String {
     counted(count, "sphere")
 }
 
-/// The radii, and how large they are for the body.
-fn describe_sizes(known: &Known<'_>) -> Result<Phrase, Phrase> {
-    let radii = known.least(Figure::Radius).zip(known.most(Figure::Radius));
-    let (least, most) = radii.ok_or_else(|| known.why_no_figures())?;
-    let of = |scale: f64| range(&three_significant(least * scale), &three_significant(most * scale));
-    let radii = format!("radii of {} mm", of(1000.0));
-    Ok(match known.inspected.figures.mass_kg {
-        Some(mass) => format!("{radii}, {} m/kg^(1/3) of the mass", of(mass.cbrt().recip())),
+/// Describes the radii, also against the mass of the body.
+fn describe_sizes(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
+    let radii = inspected.smallest(Figure::Radius).zip(inspected.largest(Figure::Radius));
+    let (least, most) = radii.ok_or_else(|| inspected.why_no_figures())?;
+    let scaled_range =
+        |scale: f64| range(&three_significant(least * scale), &three_significant(most * scale));
+    let radii = format!("radii of {} mm", scaled_range(1000.0));
+    Ok(match inspected.inspection.figures.mass_kg {
+        Some(mass) => format!("{radii}, {} m/kg^(1/3) of the mass", scaled_range(mass.cbrt().recip())),
         None => radii,
     }
     .into())
 }
 
-/// How fast the contacts change, and what an impact leaves.
-fn describe_solver(known: &Known<'_>) -> Result<Phrase, Phrase> {
-    let least = known.least(Figure::RestitutionExact).ok_or_else(|| known.why_no_figures())?;
-    let mut text = match known.most(Figure::TransitionWidth) {
+/// Describes the transition width, the restitution and the natural frequency of the contacts.
+fn describe_solver(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
+    let least = inspected.smallest(Figure::RestitutionExact).ok_or_else(|| inspected.why_no_figures())?;
+    let mut text = match inspected.largest(Figure::TransitionWidth) {
         Some(width) => format!("contact sets in over {} R", three_significant(width)),
         None => "contact sets in at once, without smoothing".to_owned(),
     };
-    if let Some(speed) = known.inspected.figures.impact_speed_m_s {
+    if let Some(speed) = inspected.inspection.figures.impact_speed_m_s {
         let (least, speed) = (three_significant(least), three_significant(speed));
         text.push_str(&format!("; a sphere keeps {least} of an impact speed of {speed} m/s"));
     }
-    if let Some(frequency) = known.most(Figure::NaturalFrequency) {
+    if let Some(frequency) = inspected.largest(Figure::NaturalFrequency) {
         text.push_str(&format!("; it swings at {} Hz", three_significant(frequency)));
     }
     Ok(text.into())

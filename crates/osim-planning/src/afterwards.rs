@@ -3,8 +3,8 @@
 use std::collections::{HashMap, HashSet};
 
 use osim_inspect::{
-    Bottom, Changeable, Found, InspectOptions, Kin, LoadSharing, Stance, StandingBody, check_model,
-    check_numbers, model_findings, unmatched_patterns,
+    Bottom, Changeable, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, Stance, StandingBody,
+    check_model, check_numbers, describe_unmatched_patterns, model_findings,
 };
 use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
 use osim_model::files::{Failure, Files, OpenModel};
@@ -78,7 +78,11 @@ impl Change {
         }
         let standing = standing_findings(&plan, model);
         plan.warnings.splice(0..0, standing);
-        plan.remarks.extend(unmatched_patterns(&self.options.selection, &self.options.masses, model));
+        plan.remarks.extend(describe_unmatched_patterns(
+            &self.options.selection,
+            &self.options.masses,
+            model,
+        ));
         Ok(plan)
     }
 
@@ -182,7 +186,12 @@ impl Changed {
     }
 
     /// What is found in `model`, which is this one or the one that was changed, as far as the change decides it, without remedies.
-    fn unmended(&self, options: &InspectOptions, opened: &OpenModel, model: &Model) -> Vec<Found> {
+    fn unmended(
+        &self,
+        options: &InspectOptions,
+        opened: &OpenModel,
+        model: &Model,
+    ) -> Vec<FindingWithRemedy> {
         match self {
             Self::InNumbers(_) => {
                 let inspected = options.inspect_for_rules(opened.name(), model);
@@ -229,47 +238,52 @@ fn worse_than(
     opened: &OpenModel,
     plan: &Plan,
     changed: &Changed,
-) -> Vec<Found> {
+) -> Vec<FindingWithRemedy> {
     let found = changed.unmended(after, opened, changed.model());
-    let is_bad = |one: &&Found| one.severity >= Severity::Warning && !is_due(one) && !is_known(plan, one);
-    let bad: Vec<&Found> = found.iter().filter(is_bad).collect();
+    let is_bad =
+        |one: &&FindingWithRemedy| one.severity >= Severity::Warning && !is_due(one) && !is_known(plan, one);
+    let bad: Vec<&FindingWithRemedy> = found.iter().filter(is_bad).collect();
     if bad.is_empty() {
         return Vec::new();
     }
     let old = changed.unmended(before, opened, &opened.model);
-    let kin = Kin::of(&old);
+    let previous = FindingIndex::new(&old);
     // Contacts that are no longer those of a published model are not worse for it.
-    let is_worse = |one: &&Found| {
-        let was = kin.nearest(one);
+    let is_worse = |one: &&FindingWithRemedy| {
+        let was = previous.find_same_or_other_depth(one);
         was.is_none_or(|was| was.code() != one.code() && was.rule.severity < one.rule.severity)
     };
     bad.into_iter().filter(is_worse).cloned().collect()
 }
 
 /// Whether it only says that the bodies are not scaled yet: contacts are often scaled before them.
-pub(crate) fn is_due(one: &Found) -> bool {
+pub(crate) fn is_due(one: &FindingWithRemedy) -> bool {
     one.code() == FindingCode::MassSourcesDisagree
 }
 
 /// What is found in `model`, without remedies.
-pub(crate) fn unmended(options: &InspectOptions, opened: &OpenModel, model: &Model) -> Vec<Found> {
+pub(crate) fn unmended(
+    options: &InspectOptions,
+    opened: &OpenModel,
+    model: &Model,
+) -> Vec<FindingWithRemedy> {
     let inspected = options.inspect_for_rules(opened.name(), model);
     check_model(options, model, &inspected, &[], NO_REMEDIES).findings
 }
 
 /// Whether the verb says it itself, with a way out of its own: then it is neither repeated nor refused, such as what the smoothing of
 /// `convert` does on stiff spheres.
-fn is_known(plan: &Plan, one: &Found) -> bool {
+fn is_known(plan: &Plan, one: &FindingWithRemedy) -> bool {
     plan.warnings.iter().any(|known| known.code() == one.code() && known.place == one.place)
 }
 
 /// Lines are those of a file that nobody has yet: they are left out.
-fn of_new_model(found: &Found) -> Finding {
+fn of_new_model(found: &FindingWithRemedy) -> Finding {
     let message = phrase!["in the new model: ", &found.message];
     found.finding.clone().with_message(message).with_line(None)
 }
 
-fn asks(wrong: &Found) -> NeedsAnswer {
+fn asks(wrong: &FindingWithRemedy) -> NeedsAnswer {
     let text: Phrase = phrase![
         "the model would be wrong afterwards [",
         wrong.code().as_str(),
@@ -385,5 +399,5 @@ pub(crate) fn standing_bodies(model: &Model) -> Result<(Vec<StandingBody>, LoadS
     let forces = model.force_ids();
     let standing = Standing::all(model, &forces)?;
     let sharing = LoadSharing::of(model, &forces);
-    Ok((StandingBody::all(model, &standing, sharing.limbs(), Stance::default().limbs_of(model)), sharing))
+    Ok((StandingBody::all(model, &standing, sharing.limbs(), Stance::default().limb_count(model)), sharing))
 }

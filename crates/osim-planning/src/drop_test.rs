@@ -7,7 +7,9 @@ use contact_scaling::drop_test::{
 };
 use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
 use osim_inspect::series::standing_spheres;
-use osim_inspect::{LoadSharing, MassMismatch, Quantity, Stance, unexplained_slip, weight_share};
+use osim_inspect::{
+    LoadSharing, MassMismatch, Quantity, Stance, unexplained_mass_slip, weight_share_on_floor,
+};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, Model, Needed};
@@ -60,8 +62,8 @@ struct Own {
 
 impl Own {
     /// Limbs that share the weight of `model`.
-    fn limbs_of(&self, model: &Model) -> f64 {
-        Stance { limbs: self.stance_limbs, ..Stance::default() }.limbs_of(model)
+    fn limb_count(&self, model: &Model) -> f64 {
+        Stance { limbs: self.stance_limbs, ..Stance::default() }.limb_count(model)
     }
 }
 
@@ -143,12 +145,12 @@ fn named(
 fn of_model(request: &DropTestRequest, open: &OpenModel, own: &Own) -> Result<Falling, Fault> {
     let model = &open.model;
     let masses = MassRequest { model_kg: own.mass_kg, ..request.masses.request() };
-    let slip = unexplained_slip(&masses, model, &request.choice.selection());
+    let slip = unexplained_mass_slip(&masses, model, &request.choice.selection());
     request.answers.ask(slip).map_err(Fault::new)?;
     let selected = request.choice.selection().apply(model)?;
     let mass = masses.model_mass(model)?;
     let sharing = LoadSharing::of(model, &selected.forces);
-    let count = sharing.count(own.spheres, own.limbs_of(model), own.count_of)?;
+    let count = sharing.count(own.spheres, own.limb_count(model), own.count_of)?;
     let spheres = standing_spheres(model, &selected.forces, count)?;
     let gravity = own.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
     let Some(gravity) = gravity else {
@@ -160,7 +162,7 @@ fn of_model(request: &DropTestRequest, open: &OpenModel, own: &Own) -> Result<Fa
         return Err(Fault::new(Needed::Gravity { purpose }));
     };
     // It falls along the normal of its floor.
-    let along_normal = gravity * weight_share(model, sharing.forces());
+    let along_normal = gravity * weight_share_on_floor(model, sharing.forces());
     let weight = Weight { mass_kg: mass.kg, gravity_m_s2: along_normal, sphere_count: count };
     let falling =
         falling(request, open.name(), spheres, &weight).map_err(|error| Fault::refused(error.to_string()))?;
@@ -313,7 +315,7 @@ osim_inspect::quantities! {
         IndentationHertz = Quantity::INDENTATION_HERTZ.labelled("  at rest, Hertz law")
             => here(Always(|drop| drop.report.hertz_indentation_m / drop.report.reference_radius_m));
         /// x̂ where the force by the model's law at speed 0, (C.9) for a smoothed one, equals body weight.
-        IndentationModelLaw = Quantity::INDENTATION_MODEL_LAW.labelled("  at rest, the model's law").by("")
+        IndentationModelLaw = Quantity::INDENTATION_MODEL_LAW.labelled("  at rest, the model's law").by_equation("")
             => here(Always(|drop| drop.report.equilibrium_indentation_m / drop.report.reference_radius_m));
         /// The largest force of all spheres together.
         PeakForce = Quantity::new("peak_force_n", "peak force", "N") => here(Always(|drop| drop.report.peak_force_n));
@@ -326,7 +328,7 @@ osim_inspect::quantities! {
             => here(Always(|drop| drop.report.equilibrium_stiffness_n_m));
         /// The same by the Hertz law: the k of Table 1.
         HertzStiffness
-            = Quantity::new("hertz_stiffness_n_m", "stiffness of one sphere at rest, Hertz", "N/m").by("B.1")
+            = Quantity::new("hertz_stiffness_n_m", "stiffness of one sphere at rest, Hertz", "N/m").by_equation("B.1")
             => here(Always(|drop| drop.report.hertz_stiffness_n_m));
         /// Speed at height 0: smoothed forces brake before, so it is a little below √(2gh). Absent where the ground is not
         /// reached.

@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_inspect::{CheckResult, InspectOptions, Inspection, ReferenceContacts, SizeList, unexplained_slip};
+use osim_inspect::{
+    CheckResult, InspectOptions, Inspection, ReferenceContacts, SizeList, unexplained_mass_slip,
+};
 use osim_model::compare::{Factors, ModelSize, ScaleFile, Similarity, SpherePlacements, moco_bounds};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::{Anatomy, Document, Fault, Finding, MassRequest, Model, Severity};
@@ -63,7 +65,7 @@ fn generic_model(
     let generic = open(from, files)?;
     let anatomy = Anatomy::of(&generic.model).map_err(|fault| generic.failure(fault))?;
     let file = body_scale_file.map(|path| scale_file(path, files)).transpose()?;
-    let contacts = ReferenceContacts::of(&from.display().to_string(), &generic.model);
+    let contacts = ReferenceContacts::from_model(&from.display().to_string(), &generic.model);
     // What the caller says of masses is about the scaled model.
     let masses = MassRequest { exclude_bodies: masses.exclude_bodies.clone(), ..MassRequest::default() };
     let size = ModelSize::of(&generic.model, &masses);
@@ -156,7 +158,8 @@ impl Inspector {
     pub fn inspect(&self, opened: &OpenModel) -> Result<Inspection, Failure> {
         if let Some(answers) = &self.answers {
             let options = &self.options;
-            let asked = answers.ask(unexplained_slip(&options.masses, &opened.model, &options.selection));
+            let asked =
+                answers.ask(unexplained_mass_slip(&options.masses, &opened.model, &options.selection));
             asked.map_err(|kind| opened.failure(Fault::new(kind)))?;
         }
         let generic = self.generic.as_ref().map(Result::as_ref).transpose().map_err(Failure::clone)?;

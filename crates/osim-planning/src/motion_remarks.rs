@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use osim_inspect::{Sign, Verdict, unmatched_patterns};
+use osim_inspect::{Sign, Verdict, describe_unmatched_patterns};
 use osim_model::DVec3;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, Verb, four_significant, listed, phrase, readable};
@@ -56,7 +56,7 @@ impl MotionResult {
             }
         }
         let (selection, masses) = (request.choice.selection(), request.masses.request());
-        for message in unmatched_patterns(&selection, &masses, &self.opened.model) {
+        for message in describe_unmatched_patterns(&selection, &masses, &self.opened.model) {
             remarks.say("unmatched-pattern", message);
         }
         self.treadmill(request, &mut remarks);

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::{
     Changeable, CheckResult, InspectOptions, Inspection, ReferenceState, check_model,
-    masses_perhaps_in_pounds, unexplained_slip,
+    masses_perhaps_in_pounds, unexplained_mass_slip,
 };
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
@@ -158,7 +158,7 @@ impl Change {
     fn ask_about_masses(&self, model: &Model) -> Result<(), Fault> {
         let asks = self.is_for_several.then(|| against_note(&self.options.masses, model)).flatten();
         self.answers.ask(asks).map_err(Fault::new)?;
-        let slip = unexplained_slip(&self.masses(), model, &self.options.selection);
+        let slip = unexplained_mass_slip(&self.masses(), model, &self.options.selection);
         self.answers.ask(slip).map_err(Fault::new)
     }
 

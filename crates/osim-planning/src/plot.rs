@@ -5,7 +5,7 @@ use std::path::Path;
 
 use contact_scaling::Ratios;
 use osim_inspect::series::Body;
-use osim_inspect::{Stance, misplaced_spheres, unexplained_slip};
+use osim_inspect::{Stance, find_misplaced_spheres, unexplained_mass_slip};
 use osim_model::feet::{AttachedBones, DefaultPose, FeetFault, Foot, FootBodies, MeshFolders};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase, readable};
@@ -126,17 +126,17 @@ fn body(request: &PlotRequest, path: &Path, name: &str, files: &dyn Files) -> Re
     let stance = Stance::from(&request.counts.stance_options(None, request.gravity));
     match Subject::find(path, request.presets.as_deref(), &request.set_files, files)? {
         Subject::Preset(preset) => {
-            let body = Body::of_preset(&preset, &masses, &stance);
+            let body = Body::from_preset(&preset, &masses, &stance);
             Ok(body.map_err(|error| RequestFault::general(error.to_string()))?)
         }
         Subject::Model(open) => {
             let said = MassRequest { target_mass_kg: request.target_mass_kg(), ..masses.clone() };
             let selection = request.choice.selection();
-            let asked = request.answers.ask(unexplained_slip(&said, &open.model, &selection));
+            let asked = request.answers.ask(unexplained_mass_slip(&said, &open.model, &selection));
             asked.map_err(|kind| open.failure(Fault::new(kind)))?;
             let selected = selection.apply(&open.model).map_err(|fault| open.failure(fault))?;
             let failed = |fault| open.failure(fault);
-            Ok(Body::of_model(name.to_owned(), &open.model, &selected.forces, &masses, &stance, &failed)?)
+            Ok(Body::from_model(name.to_owned(), &open.model, &selected.forces, &masses, &stance, &failed)?)
         }
     }
 }
@@ -195,7 +195,7 @@ impl ModelFeet {
         let (spheres, forces) = chosen(model, selection)?;
         let bodies = FootBodies::find(model, &anatomy, &spheres, &forces, &pose);
         let mut feet = Foot::all(model, &anatomy, &bodies, &pose);
-        let misplaced = misplaced_spheres(model);
+        let misplaced = find_misplaced_spheres(model);
         mark(&mut feet, misplaced.as_ref());
         Ok(Self { name: name.to_owned(), feet, misplaced, missing: Vec::new(), anatomy, pose, bodies })
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use osim_inspect::{CheckResult, Found, InspectOptions, Inspection, Kin};
+use osim_inspect::{CheckResult, FindingIndex, FindingWithRemedy, InspectOptions, Inspection};
 use osim_model::files::{FileName, Files, InMemory};
 use osim_model::{Finding, FindingCode, Model, Pattern, Repair, Severity};
 use osim_requests::options::{OutputOptions, WantedOptions};
@@ -62,10 +62,11 @@ impl Trials<'_> {
         if let [only] = steps.as_mut_slice() {
             unnumbered(&mut only.request, &path, self.files);
         }
-        let left: Vec<Kin<'_>> = steps.iter().map(|step| Kin::of(&step.found.findings)).collect();
+        let left: Vec<FindingIndex<'_>> =
+            steps.iter().map(|step| FindingIndex::new(&step.found.findings)).collect();
         for one in &mut found.findings {
             let gone =
-                steps.iter().zip(&left).find(|(_, left)| left.same(one).is_none()).map(|(step, _)| step);
+                steps.iter().zip(&left).find(|(_, left)| left.find_same(one).is_none()).map(|(step, _)| step);
             one.remedy = gone.filter(|_| has_command(one)).map(|step| step.request.clone());
         }
         found.steps = steps.into_iter().map(|step| step.request).collect();
@@ -91,7 +92,8 @@ impl Trials<'_> {
     fn next(&self, model: &Model, found: &CheckResult) -> Option<(Request, State)> {
         let from = path_of(found);
         candidates(found).into_iter().find_map(|Candidate { mut request, parts, .. }| {
-            let its: Vec<&Found> = found.findings.iter().filter(|one| is_for(&parts, one)).collect();
+            let its: Vec<&FindingWithRemedy> =
+                found.findings.iter().filter(|one| is_for(&parts, one)).collect();
             let to = output(&mut request, &from, self.files)?;
             let next = self.after(&request, model, &to)?;
             // What makes it uncertain what the contacts are made for blocks the next step.
@@ -141,25 +143,25 @@ fn candidates(found: &CheckResult) -> Vec<Candidate> {
 }
 
 /// Whether one of these requests was proposed for the finding.
-fn is_for(requests: &[Request], finding: &Found) -> bool {
+fn is_for(requests: &[Request], finding: &FindingWithRemedy) -> bool {
     finding.remedy.as_ref().is_some_and(|remedy| requests.contains(remedy))
 }
 
-fn has_command(finding: &Found) -> bool {
+fn has_command(finding: &FindingWithRemedy) -> bool {
     finding.severity >= Severity::Warning && matches!(finding.rule.repair, Repair::Command(_))
 }
 
 /// Whether a remedy did what it promises.
-fn holds(its: &[&Found], request: &Request, before: &CheckResult, after: &CheckResult) -> bool {
-    let (left, old) = (Kin::of(&after.findings), Kin::of(&before.findings));
-    let gone = its.iter().all(|one| left.same(one).is_none());
+fn holds(its: &[&FindingWithRemedy], request: &Request, before: &CheckResult, after: &CheckResult) -> bool {
+    let (left, old) = (FindingIndex::new(&after.findings), FindingIndex::new(&before.findings));
+    let gone = its.iter().all(|one| left.find_same(one).is_none());
     let makes_forces = matches!(request, Request::Convert(_));
-    let moved =
-        bad(after).filter(|one| old.same(one).is_none()).any(|one| one.spheres.is_empty()) && !makes_forces;
+    let moved = bad(after).filter(|one| old.find_same(one).is_none()).any(|one| one.spheres.is_empty())
+        && !makes_forces;
     gone && !moved && codes(after).is_subset(&codes(before))
 }
 
-fn bad(found: &CheckResult) -> impl Iterator<Item = &Found> {
+fn bad(found: &CheckResult) -> impl Iterator<Item = &FindingWithRemedy> {
     found.findings.iter().filter(|one| one.severity >= Severity::Warning)
 }
 

@@ -49,8 +49,8 @@ pub(crate) fn bottoms_moved_of_body(
     several: bool,
 ) -> Option<Finding> {
     let which = if several { format!(" of {}", shown(&now.body)) } else { String::new() };
-    let (was, is) = (before.place()?, now.place()?);
-    let text = format!("the default pose{which} was {was} and is {is} now; {}", now.way_to_stand());
+    let (was, is) = (before.height_in_words()?, now.height_in_words()?);
+    let text = format!("the default pose{which} was {was} and is {is} now; {}", now.describe_way_to_stand());
     Some(Finding::new(&BOTTOMS_MOVED, text).with_place(&now.lowest()?.path))
 }
 

@@ -174,7 +174,7 @@ impl States<'_> {
 
 /// What is drawn of `model`, a state of what was `opened`.
 pub(crate) fn body(name: &str, options: &InspectOptions, model: &Model, opened: &OpenModel) -> Option<Body> {
-    Body::inspected(name.to_owned(), model, options, &|fault| opened.failure(fault)).ok()
+    Body::from_inspected_model(name.to_owned(), model, options, &|fault| opened.failure(fault)).ok()
 }
 
 #[cfg(test)]

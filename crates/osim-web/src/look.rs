@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use osim_inspect::series::Body;
-use osim_inspect::{CheckResult, FindingRecord, Found, Inspection, Verdict};
+use osim_inspect::{CheckResult, FindingRecord, FindingWithRemedy, Inspection, Verdict};
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
 use osim_model::messages::Verb;
 use osim_planning::scene::{Fall, Played, Scene};
@@ -105,7 +105,7 @@ struct RemedyShown {
 
 impl FindingShown {
     /// `finding`, which was spelled. Its remedy is shown where it is the `first` step: later ones are for the result of that.
-    fn of(finding: &Found, first: Option<&Request>) -> Self {
+    fn of(finding: &FindingWithRemedy, first: Option<&Request>) -> Self {
         let request = finding.remedy.as_ref().filter(|remedy| first == Some(remedy));
         let remedy = request
             .zip(finding.command.clone())
@@ -190,7 +190,8 @@ pub(crate) fn played(request: Request, shelf: &Shelf) -> Result<Played, Problem>
 /// How the model falls on its contacts, if they and its weight are known.
 fn falls(inspector: &Inspector, opened: &Opened) -> Vec<Fall> {
     let failed = |fault| opened.model.failure(fault);
-    let body = Body::inspected("now".to_owned(), &opened.model.model, inspector.options(), &failed);
+    let body =
+        Body::from_inspected_model("now".to_owned(), &opened.model.model, inspector.options(), &failed);
     body.map(|body| Fall::all(&[body])).unwrap_or_default()
 }
 

@@ -4,4 +4,4 @@ mod compute;
 mod on_floor;
 mod register;
 
-pub use register::{Figure, Figures, LimbFigures, LimitCheck, Shown, SphereFigures};
+pub use register::{Figure, FigureVisibility, Figures, LimbFigures, LimitCheck, SphereFigures};

@@ -1,4 +1,4 @@
-//! A sphere on the floor: all that its figures are computed from.
+//! A contact sphere under its share of the body weight: everything that its figures are computed from.
 
 use contact_scaling::{Contact, DomainError, Law, SharedLoad, SmoothingValues, Spheres};
 use foldhash::{HashMap, HashMapExt};
@@ -8,9 +8,9 @@ use osim_model::{Fault, ForceId, LoadedSphere, SphereId};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Answer {
     Known(f64),
-    /// Something that is needed for it is not known.
+    /// Something that the equation needs is not known.
     Unknown,
-    /// It would be beyond where its equation gives a number, so beyond its limit.
+    /// The equation gives no number there, so the figure is beyond its limit, too.
     Beyond,
 }
 
@@ -29,32 +29,32 @@ impl Answer {
     }
 }
 
+/// The mass of a body, and gravity along the normal of its floor.
 #[derive(Clone, Copy)]
-pub(super) struct Weight {
+pub(super) struct WeightOnFloor {
     pub(super) mass_kg: f64,
     /// The part along the normal of the floor.
     pub(super) gravity_m_s2: f64,
 }
 
 /// One sphere of a limb under its share of the weight.
-pub(super) struct OnFloor<'s> {
-    pub(super) sphere: &'s SphereLoads,
-    /// Whose weight, where it is known.
-    pub(super) weight: Option<Weight>,
-    /// One body weight on all spheres that share it.
+pub(super) struct SphereOnFloor<'s> {
+    pub(super) contacts: &'s SphereContacts,
+    pub(super) weight: Option<WeightOnFloor>,
+    /// One body weight and the number of spheres that share it.
     pub(super) one_body_weight: Option<SharedLoad>,
     /// Speed before an impact, m/s.
     pub(super) impact_speed_m_s: Option<f64>,
     /// How it rests under one and two body weights, if it is known.
-    pub(super) rests: &'s [Rest],
+    pub(super) rests: &'s [SphereRest],
 }
 
-/// Where a sphere rests under a load.
+/// How deep a sphere is at rest under a number of body weights.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Rest {
+pub(super) struct SphereRest {
     pub(super) body_weights: f64,
     pub(super) load_n: f64,
-    /// x̂ under its share, by the Hertz law and by the model's.
+    /// x̂ under its share of the load, by the Hertz law and by the model's.
     pub(super) hertz: Option<f64>,
     pub(super) model_law: Option<f64>,
     /// x̂ with all spheres of the limb level.
@@ -65,27 +65,21 @@ pub(super) struct Rest {
     pub(super) standing_model_law: Option<f64>,
 }
 
-impl OnFloor<'_> {
-    fn at(&self, body_weights: f64) -> Option<&Rest> {
+impl SphereOnFloor<'_> {
+    fn rest_at(&self, body_weights: f64) -> Option<&SphereRest> {
         self.rests.iter().find(|rest| rest.body_weights == body_weights)
     }
 
-    pub(super) fn at_one(&self) -> Option<&Rest> {
-        self.at(1.0)
+    pub(super) fn rest_at_one_body_weight(&self) -> Option<&SphereRest> {
+        self.rest_at(1.0)
     }
 
-    /// A figure under one body weight.
-    pub(super) fn one(&self, of: impl Fn(&Rest) -> Option<f64>) -> Answer {
-        self.at(1.0).and_then(of).into()
+    pub(super) fn at_one_body_weight(&self, figure: impl Fn(&SphereRest) -> Option<f64>) -> Answer {
+        self.rest_at(1.0).and_then(figure).into()
     }
 
-    /// A figure under two body weights.
-    pub(super) fn two(&self, of: impl Fn(&Rest) -> Option<f64>) -> Answer {
-        self.at(2.0).and_then(of).into()
-    }
-
-    pub(super) fn load(&self) -> Option<SharedLoad> {
-        self.one_body_weight
+    pub(super) fn at_two_body_weights(&self, figure: impl Fn(&SphereRest) -> Option<f64>) -> Answer {
+        self.rest_at(2.0).and_then(figure).into()
     }
 
     pub(super) fn mass_on_sphere(&self) -> Option<f64> {
@@ -93,38 +87,42 @@ impl OnFloor<'_> {
     }
 
     pub(super) fn composite_modulus(&self) -> f64 {
-        self.sphere.contacts.iter().map(Contact::composite_modulus).sum()
+        self.contacts.contacts.iter().map(Contact::composite_modulus).sum()
     }
 
     pub(super) fn dissipation(&self) -> Option<f64> {
-        let contacts = &self.sphere.contacts;
+        let contacts = &self.contacts.contacts;
         let first = contacts.first().map(Contact::dissipation);
         first.filter(|&alpha| contacts.iter().all(|contact| contact.dissipation() == alpha))
     }
 
-    /// α and the speed before an impact.
-    pub(super) fn impact(&self) -> Option<(f64, f64)> {
+    /// α, and the speed before an impact.
+    pub(super) fn dissipation_and_speed(&self) -> Option<(f64, f64)> {
         self.dissipation().zip(self.impact_speed_m_s)
     }
 
-    fn smoothed(&self) -> impl Iterator<Item = SmoothingValues> {
-        self.sphere.contacts.iter().filter_map(Contact::smoothing)
+    fn smoothing_values(&self) -> impl Iterator<Item = SmoothingValues> {
+        self.contacts.contacts.iter().filter_map(Contact::smoothing)
     }
 
-    /// What the smoothing does; of several forces the one that does most.
-    pub(super) fn most(&self, of: impl Fn(SmoothingValues, f64) -> Result<f64, DomainError>) -> Option<f64> {
-        self.smoothed().filter_map(|values| of(values, self.sphere.radius_m).ok()).reduce(f64::max)
+    /// A figure of the smoothing and the radius; if several forces press the sphere, the largest.
+    pub(super) fn largest_of_smoothing(
+        &self,
+        figure: impl Fn(SmoothingValues, f64) -> Result<f64, DomainError>,
+    ) -> Option<f64> {
+        let figures =
+            self.smoothing_values().filter_map(|values| figure(values, self.contacts.radius_m).ok());
+        figures.reduce(f64::max)
     }
 
     pub(super) fn force_just_touching(&self) -> Option<f64> {
-        self.smoothed().next()?;
-        Some(self.sphere.laws.iter().map(|law| law.law().rest_force(0.0)).sum())
+        self.smoothing_values().next()?;
+        Some(self.contacts.laws.iter().map(|law| law.law().rest_force(0.0)).sum())
     }
 }
 
-// Spheres with all the contact laws that press them.
-
-pub(super) struct SphereLoads {
+/// A sphere with the contact law of each force that presses it.
+pub(super) struct SphereContacts {
     pub(super) sphere: SphereId,
     pub(super) forces: Vec<ForceId>,
     pub(super) radius_m: f64,
@@ -132,9 +130,9 @@ pub(super) struct SphereLoads {
     pub(super) laws: Vec<Spheres>,
 }
 
-impl SphereLoads {
-    /// The bits of all that its laws are made from.
-    pub(super) fn key(&self) -> Vec<u64> {
+impl SphereContacts {
+    /// The bits of all numbers in the laws: equal keys mean equal laws.
+    pub(super) fn laws_key(&self) -> Vec<u64> {
         let numbers = self.contacts.iter().flat_map(|contact| {
             let smoothing = contact.smoothing().map(|smoothing| {
                 [
@@ -150,21 +148,21 @@ impl SphereLoads {
     }
 }
 
-/// Spheres with all their laws, in the order of the model's spheres.
-pub(super) fn sphere_loads(loaded: &[LoadedSphere]) -> Result<Vec<SphereLoads>, Fault> {
-    let mut all: Vec<SphereLoads> = Vec::new();
+/// One entry for each sphere, in the order of the model's spheres.
+pub(super) fn contacts_by_sphere(loaded: &[LoadedSphere]) -> Result<Vec<SphereContacts>, Fault> {
+    let mut all: Vec<SphereContacts> = Vec::new();
     let mut places: HashMap<SphereId, usize> = HashMap::new();
     for one in loaded {
         let law =
             Law::of(&one.contact, one.radius_m).and_then(|law| Spheres::new(law, 1.0)).map_err(Fault::new)?;
         let place = *places.entry(one.sphere).or_insert(all.len());
         match all.get_mut(place) {
-            Some(known) => {
-                known.forces.push(one.force);
-                known.contacts.push(one.contact);
-                known.laws.push(law);
+            Some(sphere) => {
+                sphere.forces.push(one.force);
+                sphere.contacts.push(one.contact);
+                sphere.laws.push(law);
             }
-            None => all.push(SphereLoads {
+            None => all.push(SphereContacts {
                 sphere: one.sphere,
                 forces: vec![one.force],
                 radius_m: one.radius_m,

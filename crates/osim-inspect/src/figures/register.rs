@@ -10,98 +10,97 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use self::Shown::{Always, Mixed, MixedSmooth, Nowhere, Smooth};
-use crate::figures::on_floor::{Answer, OnFloor};
+use self::FigureVisibility::{Always, IfMixed, IfMixedAndSmooth, IfSmooth, Never};
+use crate::figures::on_floor::{Answer, SphereOnFloor};
 use crate::quantity::Quantity;
 #[cfg(feature = "schemas")]
 use crate::serialized::ObjectSchema;
 use crate::serialized::optional_phrase;
 
-/// What an entry has beside its quantity.
+/// Where a figure is shown, and how to get its value.
 struct Entry {
-    shown: Shown,
-    answer: fn(&OnFloor<'_>) -> Answer,
+    visibility: FigureVisibility,
+    answer: fn(&SphereOnFloor<'_>) -> Answer,
 }
 
-/// Where a figure is shown, and how to get it.
-const fn entry(shown: Shown, answer: fn(&OnFloor<'_>) -> Answer) -> Entry {
-    Entry { shown, answer }
+const fn entry(visibility: FigureVisibility, answer: fn(&SphereOnFloor<'_>) -> Answer) -> Entry {
+    Entry { visibility, answer }
 }
 
 const fn indentation(name: &'static str, label: &'static str) -> Quantity {
-    Quantity::new(name, label, "").within(&limits::INDENTATION)
+    Quantity::new(name, label, "").with_limit(&limits::INDENTATION)
 }
 
-/// A relative indentation that follows from the pose, not from the contact alone: no limit is set on it.
-const fn indentation_alone(name: &'static str, label: &'static str) -> Quantity {
+/// A relative indentation without a limit, because it follows from the pose and not from the contact alone.
+const fn unlimited_indentation(name: &'static str, label: &'static str) -> Quantity {
     Quantity::new(name, label, "")
 }
 
 crate::quantities! {
-    /// A figure of a sphere that stands, see [`Quantity`].
+    /// A number of a contact sphere that carries its share of the body weight; [`Quantity`] says which.
     Figure: Entry {
         /// Radius R.
-        Radius = Quantity::RADIUS => entry(Always, |s| Answer::Known(s.sphere.radius_m));
+        Radius = Quantity::RADIUS => entry(Always, |s| Answer::Known(s.contacts.radius_m));
         /// Composite modulus E*; the sum where several forces press the sphere.
-        CompositeModulus = Quantity::COMPOSITE_MODULUS => entry(Nowhere, |s| Answer::Known(s.composite_modulus()));
+        CompositeModulus = Quantity::COMPOSITE_MODULUS => entry(Never, |s| Answer::Known(s.composite_modulus()));
         /// Dissipation α; absent where forces of different α press the sphere.
         Dissipation = Quantity::new("dissipation_s_m", "dissipation", "s/m")
-            .in_column("dissipation_of_sphere")
-            => entry(Nowhere, |s| s.dissipation().into());
+            .with_column("dissipation_of_sphere")
+            => entry(Never, |s| s.dissipation().into());
         /// The sphere's share of one body weight, W/n.
         Load = Quantity::new("load_n", "load at 1 BW", "N")
-            .in_column("load_at_1_body_weight")
-            => entry(Always, |s| s.one(|rest| Some(rest.load_n)));
+            .with_column("load_at_1_body_weight")
+            => entry(Always, |s| s.at_one_body_weight(|rest| Some(rest.load_n)));
         /// x̂ under its share of one body weight, by the Hertz law.
         Indentation = Quantity::INDENTATION_HERTZ.labelled("x/R at 1 BW, Hertz")
-            .in_column("indentation_at_rest_over_radius_hertz_law")
-            => entry(Always, |s| s.one(|rest| rest.hertz));
-        /// The same by the model's law; below 0 where the smoothing alone carries the load.
+            .with_column("indentation_at_rest_over_radius_hertz_law")
+            => entry(Always, |s| s.at_one_body_weight(|rest| rest.hertz));
+        /// x̂ under its share of one body weight, by the model's law; below 0 if the smoothing alone carries the load.
         IndentationModelLaw = Quantity::INDENTATION_MODEL_LAW.labelled("  by the model's law")
-            .in_column("indentation_at_rest_over_radius_model_law")
-            => entry(Smooth, |s| s.one(|rest| rest.model_law));
+            .with_column("indentation_at_rest_over_radius_model_law")
+            => entry(IfSmooth, |s| s.at_one_body_weight(|rest| rest.model_law));
         /// x̂ with the bottoms of all spheres of the limb level, under one body weight, by the Hertz law.
         LevelIndentation = indentation("relative_indentation_hertz_level", "  level, Hertz")
-            .in_column("indentation_at_rest_over_radius_level_hertz_law")
-            => entry(Mixed, |s| s.one(|rest| rest.level_hertz));
-        /// The same by the model's law.
+            .with_column("indentation_at_rest_over_radius_level_hertz_law")
+            => entry(IfMixed, |s| s.at_one_body_weight(|rest| rest.level_hertz));
+        /// x̂ with the bottoms of all spheres of the limb level, under one body weight, by the model's law.
         LevelIndentationModelLaw = indentation("relative_indentation_model_law_level", "  level, the model's law")
-            .in_column("indentation_at_rest_over_radius_level_model_law")
-            => entry(MixedSmooth, |s| s.one(|rest| rest.level_model_law));
-        /// x̂ of the sphere where the limb, its bodies as they are at the default pose, carries one body weight: each sphere at its
-        /// own height, by the Hertz law. Below 0 where it does not touch; absent where the pose or the spheres are not known.
-        StandingIndentation = indentation_alone("relative_indentation_hertz_standing", "x/R at its own height, Hertz")
-            .in_column("indentation_at_rest_over_radius_default_pose_hertz_law")
-            => entry(Nowhere, |s| s.one(|rest| rest.standing_hertz));
-        /// The same by the model's law.
+            .with_column("indentation_at_rest_over_radius_level_model_law")
+            => entry(IfMixedAndSmooth, |s| s.at_one_body_weight(|rest| rest.level_model_law));
+        /// x̂ with each sphere of the limb at its own height at the default pose, under one body weight, by the Hertz law. Below 0 if the
+        /// sphere does not touch; absent if the pose or the spheres are not known.
+        StandingIndentation = unlimited_indentation("relative_indentation_hertz_standing", "x/R at its own height, Hertz")
+            .with_column("indentation_at_rest_over_radius_default_pose_hertz_law")
+            => entry(Never, |s| s.at_one_body_weight(|rest| rest.standing_hertz));
+        /// x̂ with each sphere of the limb at its own height at the default pose, under one body weight, by the model's law.
         StandingIndentationModelLaw
-            = indentation_alone("relative_indentation_model_law_standing", "x/R at its own height, the model's law")
-            .in_column("indentation_at_rest_over_radius_default_pose_model_law")
-            => entry(Nowhere, |s| s.one(|rest| rest.standing_model_law));
+            = unlimited_indentation("relative_indentation_model_law_standing", "x/R at its own height, the model's law")
+            .with_column("indentation_at_rest_over_radius_default_pose_model_law")
+            => entry(Never, |s| s.at_one_body_weight(|rest| rest.standing_model_law));
         /// x̂ under its share of two body weights, by the Hertz law.
         IndentationAtTwo = indentation("relative_indentation_hertz_at_two", "x/R at 2 BW, Hertz")
-            .in_column("indentation_at_2_body_weights_over_radius_hertz_law")
-            => entry(Always, |s| s.two(|rest| rest.hertz));
-        /// The same by the model's law.
+            .with_column("indentation_at_2_body_weights_over_radius_hertz_law")
+            => entry(Always, |s| s.at_two_body_weights(|rest| rest.hertz));
+        /// x̂ under its share of two body weights, by the model's law.
         IndentationModelLawAtTwo = indentation("relative_indentation_model_law_at_two", "  by the model's law")
-            .in_column("indentation_at_2_body_weights_over_radius_model_law")
-            => entry(Smooth, |s| s.two(|rest| rest.model_law));
+            .with_column("indentation_at_2_body_weights_over_radius_model_law")
+            => entry(IfSmooth, |s| s.at_two_body_weights(|rest| rest.model_law));
         /// x̂ with the bottoms of all spheres of the limb level, under two body weights, by the Hertz law.
         LevelIndentationAtTwo = indentation("relative_indentation_hertz_level_at_two", "  level, Hertz")
-            .in_column("indentation_at_2_body_weights_over_radius_level_hertz_law")
-            => entry(Mixed, |s| s.two(|rest| rest.level_hertz));
-        /// The same by the model's law.
+            .with_column("indentation_at_2_body_weights_over_radius_level_hertz_law")
+            => entry(IfMixed, |s| s.at_two_body_weights(|rest| rest.level_hertz));
+        /// x̂ with the bottoms of all spheres of the limb level, under two body weights, by the model's law.
         LevelIndentationModelLawAtTwo
             = indentation("relative_indentation_model_law_level_at_two", "  level, the model's law")
-            .in_column("indentation_at_2_body_weights_over_radius_level_model_law")
-            => entry(MixedSmooth, |s| s.two(|rest| rest.level_model_law));
+            .with_column("indentation_at_2_body_weights_over_radius_level_model_law")
+            => entry(IfMixedAndSmooth, |s| s.at_two_body_weights(|rest| rest.level_model_law));
         /// Stiffness k of the Hertz law under one body weight.
         ContactStiffness = Quantity::CONTACT_STIFFNESS.labelled("stiffness k")
             => entry(Always, |s| contact_stiffness(s).into());
         /// k̂ = k R n / F under one body weight.
         DimensionlessStiffness = Quantity::DIMENSIONLESS_STIFFNESS.labelled("k R n/F") => entry(Always, |s| {
-            let k = contact_stiffness(s).zip(s.load());
-            k.and_then(|(k, load)| stiffness::dimensionless(k, s.sphere.radius_m, &load).ok()).into()
+            let k = contact_stiffness(s).zip(s.one_body_weight);
+            k.and_then(|(k, load)| stiffness::dimensionless(k, s.contacts.radius_m, &load).ok()).into()
         });
         /// Natural frequency f_n about the rest under one body weight, from k and the mass on the sphere, M/n.
         NaturalFrequency = Quantity::NATURAL_FREQUENCY.labelled("frequency f_n") => entry(Always, |s| {
@@ -110,79 +109,77 @@ crate::quantities! {
         });
         /// Mean contact stress σ under one body weight.
         MeanContactStress = Quantity::MEAN_CONTACT_STRESS.labelled("mean stress") => entry(Always, |s| {
-            let rest = s.at_one().and_then(|rest| Some((rest.load_n, rest.hertz?)));
-            rest.and_then(|(load_n, x_hat)| patch::mean_stress(load_n, s.sphere.radius_m, x_hat).ok()).into()
+            let rest = s.rest_at_one_body_weight().and_then(|rest| Some((rest.load_n, rest.hertz?)));
+            rest.and_then(|(load_n, x_hat)| patch::mean_stress(load_n, s.contacts.radius_m, x_hat).ok()).into()
         });
         /// Restitution c_r of the law at the impact speed.
-        RestitutionExact = Quantity::RESTITUTION_EXACT.in_column("coefficient_of_restitution_exact")
-            => entry(Always, |s| s.impact().and_then(|(alpha, speed)| restitution::exact(alpha, speed).ok()).into());
+        RestitutionExact = Quantity::RESTITUTION_EXACT.with_column("coefficient_of_restitution_exact")
+            => entry(Always, |s| s.dissipation_and_speed().and_then(|(alpha, speed)| restitution::exact(alpha, speed).ok()).into());
         /// Restitution by (13); absent if it is below 0.
         RestitutionApproximate = Quantity::RESTITUTION_APPROXIMATE.labelled("  by (13)")
-            .in_column("coefficient_of_restitution_equation_13")
-            => entry(Always, |s| match s.impact() {
+            .with_column("coefficient_of_restitution_equation_13")
+            => entry(Always, |s| match s.dissipation_and_speed() {
                 Some((alpha, speed)) => restitution::approximate(alpha, speed).map_or(Answer::Beyond, Answer::Known),
                 None => Answer::Unknown,
             });
         /// Constant indentation √cf / R; absent for a `HuntCrossleyForce`. Of several forces the largest.
         ConstantIndentation
-            = Quantity::new("constant_indentation", "sqrt(cf)/R", "").by("C.2").within(&limits::CONSTANT_INDENTATION)
-            .in_column("constant_indentation_over_radius")
+            = Quantity::new("constant_indentation", "sqrt(cf)/R", "").by_equation("C.2").with_limit(&limits::CONSTANT_INDENTATION)
+            .with_column("constant_indentation_over_radius")
             => entry(Always, |s| {
-                s.most(|values, radius| smoothing::constant_indentation(values.constant_contact_force, radius)).into()
+                s.largest_of_smoothing(|values, radius| smoothing::constant_indentation(values.constant_contact_force, radius)).into()
             });
         /// Width Δx̂ over which the contact state goes from 5 % to 95 %, in radii. Of several forces the largest.
         TransitionWidth
-            = Quantity::new("transition_width", "transition, in R", "").by("C.7").within(&limits::TRANSITION_WIDTH)
-            .in_column("transition_width_over_radius")
+            = Quantity::new("transition_width", "transition, in R", "").by_equation("C.7").with_limit(&limits::TRANSITION_WIDTH)
+            .with_column("transition_width_over_radius")
             => entry(Always, |s| {
                 let threshold = limits::TRANSITION_THRESHOLD;
-                s.most(|values, radius| smoothing::transition_width(threshold, values.hertz_smoothing, radius)).into()
+                s.largest_of_smoothing(|values, radius| smoothing::transition_width(threshold, values.hertz_smoothing, radius)).into()
             });
         /// Force at rest while the sphere just touches, x = 0.
         ForceJustTouching = Quantity::FORCE_JUST_TOUCHING.labelled("force at touch")
             => entry(Always, |s| s.force_just_touching().into());
-        /// The same over the sphere's share of one body weight.
-        TouchingShare = Quantity::new("touching_share", "  over the load at 1 BW", "").within(&limits::TOUCHING_SHARE)
-            .in_column("force_just_touching_over_load_at_1_body_weight")
+        /// Force at rest while the sphere just touches, over its share of one body weight.
+        TouchingShare = Quantity::new("touching_share", "  over the load at 1 BW", "").with_limit(&limits::TOUCHING_SHARE)
+            .with_column("force_just_touching_over_load_at_1_body_weight")
             => entry(Always, |s| {
-                let share = s.force_just_touching().zip(s.load());
+                let share = s.force_just_touching().zip(s.one_body_weight);
                 share.map(|(force, load)| force / load.per_sphere_n()).into()
             });
     }
 }
 
 impl Figure {
-    pub const fn shown(self) -> Shown {
-        self.entry().shown
+    pub const fn visibility(self) -> FigureVisibility {
+        self.entry().visibility
     }
 
-    /// Its value for one sphere.
-    pub(super) fn answer(self, on_floor: &OnFloor<'_>) -> Answer {
-        (self.entry().answer)(on_floor)
+    /// The value of this figure for one sphere.
+    pub(super) fn answer(self, sphere: &SphereOnFloor<'_>) -> Answer {
+        (self.entry().answer)(sphere)
     }
 }
 
-fn contact_stiffness(on_floor: &OnFloor<'_>) -> Option<f64> {
-    let x_hat = on_floor.at_one()?.hertz?;
-    let hertz = Hertz::sphere(on_floor.composite_modulus(), on_floor.sphere.radius_m).ok()?;
+fn contact_stiffness(sphere: &SphereOnFloor<'_>) -> Option<f64> {
+    let x_hat = sphere.rest_at_one_body_weight()?.hertz?;
+    let hertz = Hertz::sphere(sphere.composite_modulus(), sphere.contacts.radius_m).ok()?;
     Some(hertz.stiffness_at_relative_indentation(x_hat))
 }
 
-/// Where a table or page shows a figure; JSON and CSV have all of them.
+/// When a table or page shows a figure; JSON and CSV have all figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shown {
+pub enum FigureVisibility {
     Always,
-    /// Nowhere: the tables have it in another place.
-    Nowhere,
-    /// Where the model's law is not Hertz's.
-    Smooth,
-    /// Where spheres of a limb differ.
-    Mixed,
-    /// Where both are so.
-    MixedSmooth,
+    /// Tables have this number in another place.
+    Never,
+    /// If the model's law is not Hertz's.
+    IfSmooth,
+    /// If the spheres of a limb differ.
+    IfMixed,
+    /// If the model's law is not Hertz's and the spheres of a limb differ.
+    IfMixedAndSmooth,
 }
-
-// The figures of a model's contacts, as data.
 
 /// Figures of one model.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -190,8 +187,8 @@ pub enum Shown {
 pub struct Figures {
     /// Mass whose weight the spheres carry: what the model weighs, else the mass that its contacts are made for, kg.
     pub mass_kg: Option<f64>,
-    /// Gravity that was taken, m/s²: the model's own as a rule; `None` without gravity. On a slope, loads are made of its part along the
-    /// normal of the floor.
+    /// Gravity that the loads are computed with, m/s²: the model's, unless the caller gave another; `None` without gravity. On a slope
+    /// its part along the floor's normal counts.
     pub gravity_m_s2: Option<f64>,
     /// Speed before an impact, m/s: given, or √(gR/2) with R = √(Σ R_i²/n) of all spheres, as in a drop test.
     pub impact_speed_m_s: Option<f64>,
@@ -199,7 +196,7 @@ pub struct Figures {
     #[serde(serialize_with = "optional_phrase")]
     #[cfg_attr(feature = "schemas", schemars(with = "Option<String>"))]
     pub why_no_body_weight: Option<Phrase>,
-    /// Each limb with chosen spheres; one entry without a name where limbs are not known.
+    /// Each limb with chosen spheres; one entry without a name if limbs are not known.
     pub limbs: Vec<LimbFigures>,
 }
 
@@ -207,17 +204,17 @@ pub struct Figures {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct LimbFigures {
-    /// First body below the place where left and right split; `None` where limbs are not known.
+    /// First body below the place where left and right split; `None` if limbs are not known.
     pub limb: Option<String>,
     /// `right` or `left`.
     pub side: Option<&'static str>,
-    /// Spheres n that share the body weight, chosen or not; `None` where it is not known.
+    /// Spheres n that share the body weight, chosen or not; `None` if it is not known.
     pub sphere_count: Option<f64>,
     /// Each chosen sphere, in file order.
     pub spheres: Vec<SphereFigures>,
 }
 
-/// Figures of one sphere: a value, or none, for each [`Figure`].
+/// The figures of one sphere: each has a value or none.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SphereFigures {
     pub sphere: String,
@@ -235,7 +232,7 @@ pub struct SphereFigures {
 pub struct LimitCheck {
     /// Name of the figure.
     pub figure: &'static str,
-    /// Its value; `None` where it is beyond what its equation gives.
+    /// Its value; `None` if it is beyond what its equation gives.
     pub value: Option<f64>,
     /// The limit, in the figure's own unit.
     pub limit: f64,
@@ -265,7 +262,7 @@ impl Figures {
 }
 
 impl LimbFigures {
-    /// `true` where the spheres differ, so that level figures say something of their own.
+    /// Whether spheres differ, so that figures with level bottoms are not those of equal loads.
     pub fn is_mixed(&self) -> bool {
         let pairs = [
             (Figure::Indentation, Figure::LevelIndentation),
@@ -292,7 +289,7 @@ impl SphereFigures {
         self.answer(figure).value()
     }
 
-    /// Whether `figure` is within its limit; `None` where it is not known, or has no limit.
+    /// Whether `figure` is within its limit; `None` if its value is not known, or it has no limit.
     pub fn is_within(&self, figure: Figure) -> Option<bool> {
         let limit = figure.info().limit?;
         match self.answer(figure) {
@@ -302,7 +299,7 @@ impl SphereFigures {
         }
     }
 
-    /// Each figure that has a limit, compared with it, where it is known.
+    /// Each figure that has a limit and is known, compared with the limit.
     pub fn limits(&self) -> impl Iterator<Item = LimitCheck> {
         Figure::ALL.iter().filter_map(|&figure| {
             let info = figure.info();
@@ -316,7 +313,7 @@ impl SphereFigures {
     }
 }
 
-/// Each figure has its name, in their order.
+/// An object with each figure under its name, in the order of the register.
 impl Serialize for SphereFigures {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
@@ -343,7 +340,7 @@ impl JsonSchema for SphereFigures {
         object.field::<String>("path", "Its component path.");
         object.field::<Vec<String>>("forces", "Names of the forces that press it on the floor.");
         for info in Figure::ALL.iter().map(|figure| figure.info()) {
-            object.field::<Option<f64>>(info.name, &info.described());
+            object.field::<Option<f64>>(info.name, &info.schema_description());
         }
         let limits = "Each figure that has a limit, compared with it, where it is known.";
         object.field::<Vec<LimitCheck>>("limits", limits);

@@ -1,6 +1,6 @@
-//! What the limits of the paper and the traps of the format say about a model.
+//! Applies all rules to one model and adds remedies to what they find.
 //!
-//! Codes, severities and their explanations are those of each [`Rule`](osim_model::Rule).
+//! Each [`Rule`](osim_model::Rule) has the code, the severity and the explanation of its findings.
 
 use std::cell::LazyCell;
 
@@ -8,105 +8,111 @@ use osim_model::{Finding, FindingCode, ForceId, MassRequest, Model, NeedsAnswer,
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
-use crate::findings::finding::Found;
+use crate::findings::check_result::{CheckResult, sort_findings};
+use crate::findings::finding::FindingWithRemedy;
 use crate::findings::remedy::Remedies;
-use crate::findings::result::{CheckResult, in_order};
 use crate::floors::Floors;
 use crate::inspection::Inspection;
-use crate::load::{InspectOptions, MassMismatch, unexplained_slip};
-use crate::rules::places::Places;
+use crate::load::{InspectOptions, MassMismatch, unexplained_mass_slip};
+use crate::rules::places::SpherePlaces;
 use crate::rules::sides::{self, KnownSide};
-use crate::rules::{Limits, contacts, floors, model_findings, of_figures, of_floors, remedy_of};
+use crate::rules::{
+    FigureCheck, contacts, find_in_figures, find_in_floors, find_remedy, floors, model_findings,
+};
 use crate::sides::BothSides;
 
-/// What trial plans show of a model: remedies are proposed only where they would not be refused.
+/// What can be changed in a model, as trial plans show it: a remedy that would be refused is not proposed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Changeable {
-    /// The numbers of its contacts can be changed.
+    /// Whether the numbers of its contacts can be changed.
     pub numbers: bool,
-    /// Radii can be changed: no sphere has another user that would not change with it.
+    /// Whether radii can be changed: no sphere has another user that would not change with it.
     pub radii: bool,
 }
 
 impl Changeable {
-    /// Everything can be changed, which nobody has tried.
+    /// Assumes, without a trial plan, that everything can be changed.
     pub const UNTRIED: Self = Self { numbers: true, radii: true };
 }
 
-/// Everything found in a model that was inspected; `beside` is what was found in files beside it.
+/// Checks a model that was inspected. `other_findings` are those that its other files, such as a recording, show.
 pub fn check_model(
     options: &InspectOptions,
     model: &Model,
     inspected: &Inspection,
-    beside: &[Finding],
+    other_findings: &[Finding],
     changeable: Changeable,
 ) -> CheckResult {
-    let found = findings(options, model, inspected, beside, changeable, Asked::All);
-    CheckResult::new(model, inspected, found)
+    let findings = find_all(options, model, inspected, other_findings, changeable, Scope::Everything);
+    CheckResult::new(model, inspected, findings)
 }
 
-/// Findings that a change of numbers of contacts can raise or correct, in the order of [`CheckResult::findings`], without remedies: what
-/// floors and gravity show stays as it was.
-pub fn check_numbers(options: &InspectOptions, model: &Model, inspected: &Inspection) -> Vec<Found> {
-    let untried = Changeable { numbers: false, radii: false };
-    in_order(findings(options, model, inspected, &[], untried, Asked::OfNumbers))
-}
-
-fn findings(
+/// The findings that a change of contact numbers can raise or correct, without remedies, in the order of [`CheckResult::findings`].
+/// Floors and gravity are not checked.
+pub fn check_numbers(
     options: &InspectOptions,
     model: &Model,
     inspected: &Inspection,
-    beside: &[Finding],
+) -> Vec<FindingWithRemedy> {
+    let without_remedies = Changeable { numbers: false, radii: false };
+    sort_findings(find_all(options, model, inspected, &[], without_remedies, Scope::ContactNumbers))
+}
+
+fn find_all(
+    options: &InspectOptions,
+    model: &Model,
+    inspected: &Inspection,
+    other_findings: &[Finding],
     changeable: Changeable,
-    asked: Asked,
-) -> Vec<Found> {
-    let is_joined = |finding: &Finding| {
+    scope: Scope,
+) -> Vec<FindingWithRemedy> {
+    let shares_a_modulus = |finding: &Finding| {
         matches!(finding.code(), FindingCode::MixedRadii | FindingCode::SeveralParameterSets)
     };
     let chosen = options.selection.apply(model).map(|selected| selected.forces).unwrap_or_default();
-    let joined = model.remarks_on(&chosen).iter().any(is_joined);
-    let mut remedies = Remedies::new(inspected, joined, changeable.numbers, options)
-        .changing_radii(!changeable.numbers || changeable.radii);
-    let places = Places::of(model, inspected);
-    let placed = places.findings(model, &remedies);
+    let one_modulus = model.remarks_on(&chosen).iter().any(shares_a_modulus);
+    let mut remedies = Remedies::new(inspected, one_modulus, changeable.numbers, options)
+        .with_radius_changes(!changeable.numbers || changeable.radii);
+    let places = SpherePlaces::of(model, inspected);
+    let place_findings = places.findings(model, &remedies);
     let mismatch = MassMismatch::find(model, &options.masses);
-    // Spheres that are moved take the contacts of the right mass with them.
+    // The command that moves misplaced spheres also scales their contacts to the mass.
     let another_mass = (!places.are_wrong())
         .then(|| contacts::find_contacts_of_another_mass(inspected, &remedies, places.are_right()))
         .flatten();
-    // Contacts that are made right for the body first need other commands afterwards.
+    // Until mass, gravity and places are right, commands about single numbers would be wrong afterwards.
     let in_other_units = floors::find_too_large(model).is_some();
     let another_gravity = floors::find_sources_disagree(model, options).filter(|_| !in_other_units);
     let is_unsettled = mismatch.is_some() || another_mass.is_some() || another_gravity.is_some();
     if is_unsettled || places.are_wrong() || are_spheres_odd(model) {
-        remedies = remedies.unsettled();
+        remedies = remedies.none_yet();
     }
-    let mut findings = find_in_model(model, inspected, &remedies, asked);
+    let mut findings = find_in_model(model, inspected, &remedies, scope);
     if let Some(mismatch) = mismatch {
         let disagree =
             findings.iter_mut().filter(|finding| finding.code() == FindingCode::MassSourcesDisagree);
-        disagree.for_each(|finding| finding.finding.message.push(&mismatch.aside()));
+        disagree.for_each(|finding| finding.finding.message.push(&mismatch.clause()));
     }
-    // What spheres do that stand where they should not, or under a gravity that nobody means, is nobody's question.
+    // Figures of misplaced spheres, or under a gravity in another unit, are not judged.
     if !places.were_left_behind() && (!in_other_units || options.stance.gravity_m_s2.is_some()) {
-        findings.extend(of_figures(&Limits::new(inspected, &remedies)));
+        findings.extend(find_in_figures(&FigureCheck::new(inspected, &remedies)));
     }
     if let Some(bare) = contacts::find_bare_model(options, model) {
-        // How many spheres there are is no question then.
+        // A model without contacts needs no number of spheres.
         findings.retain(|finding| finding.code() != FindingCode::CountUnknown);
         findings.push(bare.into());
     }
     findings.extend(another_mass);
-    findings.extend(another_gravity.map(Found::from));
-    findings.extend(placed);
-    findings.extend(beside.iter().cloned().map(Found::from));
-    for remedy in findings.iter_mut().filter_map(|found| found.remedy.as_mut()) {
-        answer(remedy, model, &options.masses);
+    findings.extend(another_gravity.map(FindingWithRemedy::from));
+    findings.extend(place_findings);
+    findings.extend(other_findings.iter().cloned().map(FindingWithRemedy::from));
+    for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {
+        answer_questions(remedy, model, &options.masses);
     }
-    as_published(inspected, findings)
+    with_published_severities(inspected, findings)
 }
 
-/// Whether the spheres themselves have to be corrected first: figures of a sphere in millimetres, or of a copy of one, say nothing.
+/// Whether spheres have to be corrected first: figures of a sphere in millimetres, or of a copied sphere, mean nothing.
 fn are_spheres_odd(model: &Model) -> bool {
     let codes = [
         FindingCode::OddRadius,
@@ -117,102 +123,117 @@ fn are_spheres_odd(model: &Model) -> bool {
     model_findings(model).iter().any(|finding| codes.contains(&finding.code()))
 }
 
-// Findings from the model itself: what reading it showed, and what only matters once it is asked.
-
+/// What a check looks at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Asked {
-    All,
-    /// Those that numbers of contacts decide: models that differ in nothing else have the others alike.
-    OfNumbers,
+enum Scope {
+    Everything,
+    /// What depends on numbers of contacts: not the floors, and not gravity.
+    ContactNumbers,
 }
 
-/// Everything that the model shows apart from its figures; what floors and gravity show alone only where it is `asked` for.
-fn find_in_model(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>, asked: Asked) -> Vec<Found> {
+/// Everything that the model shows apart from the figures of its spheres.
+fn find_in_model(
+    model: &Model,
+    inspected: &Inspection,
+    remedies: &Remedies<'_>,
+    scope: Scope,
+) -> Vec<FindingWithRemedy> {
     let floors = LazyCell::new(|| Floors::of(model));
     let sides = LazyCell::new(|| BothSides::of(model));
-    let known = LazyCell::new(|| KnownSide::of(model, &sides, inspected));
+    let known_side = LazyCell::new(|| KnownSide::of(model, &sides, inspected));
     let with_remedy = |finding: &Finding| {
         if finding.code() == FindingCode::LeftRightDiffer {
-            return sides::with_odd_side(model, &sides, known.as_ref(), finding, remedies);
+            return sides::with_odd_side(model, &sides, known_side.as_ref(), finding, remedies);
         }
-        Found::new(finding.clone(), remedy_of(model, finding, remedies))
+        FindingWithRemedy::new(finding.clone(), find_remedy(model, finding, remedies))
     };
-    let mut found: Vec<Found> = inspected.warnings.iter().map(with_remedy).collect();
-    found.extend(model.remarks_on(&meeting_half_space(model)).into_iter().map(Found::from));
-    if asked == Asked::All {
-        found.extend(of_floors(model, &floors).into_iter().map(Found::from));
+    let mut findings: Vec<FindingWithRemedy> = inspected.warnings.iter().map(with_remedy).collect();
+    let remarks = model.remarks_on(&forces_on_half_spaces(model));
+    findings.extend(remarks.into_iter().map(FindingWithRemedy::from));
+    if scope == Scope::Everything {
+        findings.extend(find_in_floors(model, &floors).into_iter().map(FindingWithRemedy::from));
     }
     let unknown = [
         floors::find_no_gravity(model, inspected, || floors.are_any()),
         contacts::find_count_unknown(inspected),
     ];
-    found.extend(unknown.into_iter().flatten().map(Found::from));
-    found
+    findings.extend(unknown.into_iter().flatten().map(FindingWithRemedy::from));
+    findings
 }
 
-/// Forces that a change takes by default.
-fn meeting_half_space(model: &Model) -> Vec<ForceId> {
+/// The forces that a change takes if the caller chooses none.
+fn forces_on_half_spaces(model: &Model) -> Vec<ForceId> {
     let forces = model.forces().iter().filter(|force| model.meets_half_space(force));
     forces.map(|force| force.id).collect()
 }
 
-/// The findings as bad as they are with these contacts, and a remark that these are known.
-fn as_published(inspected: &Inspection, findings: Vec<Found>) -> Vec<Found> {
+/// If the contacts are known ones: gives each finding the severity that it has with these contacts, and adds a remark.
+fn with_published_severities(
+    inspected: &Inspection,
+    findings: Vec<FindingWithRemedy>,
+) -> Vec<FindingWithRemedy> {
     let Some(known) = inspected.known_contacts else { return findings };
-    let judged = |finding: Found| match known.severity(finding.code()) {
-        Some(severity) => finding.as_published(severity),
+    let with_severity = |finding: FindingWithRemedy| match known.severity(finding.code()) {
+        Some(severity) => finding.with_published_severity(severity),
         None => finding,
     };
-    let mut judged: Vec<Found> = findings.into_iter().map(judged).collect();
-    judged.push(contacts::known_contacts(known).into());
-    judged
+    let mut findings: Vec<FindingWithRemedy> = findings.into_iter().map(with_severity).collect();
+    findings.push(contacts::known_contacts(known).into());
+    findings
 }
 
-// Questions that a remedy would be asked: what was found answers them, so that its command runs as it is printed.
+// Questions that the program would ask about a remedy. Their answers are part of the remedy, so that its command runs as it is printed.
 
-/// Answers what `remedy` would be asked for `model`.
-fn answer(remedy: &mut Request, model: &Model, masses: &MassRequest) {
-    let asked = match remedy {
-        Request::Rescale(request) => asked_of_rescale(request, model, masses),
-        Request::Transfer(request) => asked_of(&said(&request.masses, masses), model, &request.choice),
-        Request::Design(request) => asked_of(&said(&request.masses, masses), model, &request.choice),
-        Request::Convert(request) => asked_of(&said(&MassOptions::default(), masses), model, &request.choice),
-        Request::Set(request) => asked_of(&said(&request.masses, masses), model, &request.choice),
+/// Answers with yes what the program would ask about `remedy` for `model`.
+fn answer_questions(remedy: &mut Request, model: &Model, masses: &MassRequest) {
+    let questions = match remedy {
+        Request::Rescale(request) => rescale_questions(request, model, masses),
+        Request::Transfer(request) => {
+            mass_questions(&with_mass(&request.masses, masses), model, &request.choice)
+        }
+        Request::Design(request) => {
+            mass_questions(&with_mass(&request.masses, masses), model, &request.choice)
+        }
+        Request::Convert(request) => {
+            mass_questions(&with_mass(&MassOptions::default(), masses), model, &request.choice)
+        }
+        Request::Set(request) => mass_questions(&with_mass(&request.masses, masses), model, &request.choice),
         _ => Vec::new(),
     };
-    let is_asked = |question: &Question| asked.iter().any(|asks| asks.question() == *question);
+    let is_asked = |question: &Question| questions.iter().any(|needs| needs.question() == *question);
     let yes = Question::ALL.into_iter().filter(is_asked).collect();
     if let Some(answers) = remedy.answers_mut() {
         *answers = AnswerOptions::new(yes);
     }
 }
 
-fn said(own: &MassOptions, masses: &MassRequest) -> MassRequest {
+/// The masses that a remedy is planned with: the caller's, with the mass of the model that the remedy gives.
+fn with_mass(options: &MassOptions, masses: &MassRequest) -> MassRequest {
     MassRequest {
         contacts_mass_kg: None,
-        model_kg: own.mass.map(Kilograms::get),
+        model_kg: options.mass.map(Kilograms::get),
         target_mass_kg: None,
         ..masses.clone()
     }
 }
 
-fn asked_of(said: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<NeedsAnswer> {
+fn mass_questions(masses: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<NeedsAnswer> {
     let selection: Selection = choice.selection();
-    unexplained_slip(said, model, &selection).into_iter().collect()
+    unexplained_mass_slip(masses, model, &selection).into_iter().collect()
 }
 
-fn asked_of_rescale(request: &RescaleRequest, model: &Model, masses: &MassRequest) -> Vec<NeedsAnswer> {
+fn rescale_questions(request: &RescaleRequest, model: &Model, masses: &MassRequest) -> Vec<NeedsAnswer> {
     let target_mass_kg = request.target_mass.map(Kilograms::get);
     let contacts_mass_kg = request.masses.contacts_mass.map(Kilograms::get);
-    let said = MassRequest { contacts_mass_kg, target_mass_kg, ..said(&request.masses, masses) };
-    let mut asked = asked_of(&said, model, &request.choice);
+    let masses = MassRequest { contacts_mass_kg, target_mass_kg, ..with_mass(&request.masses, masses) };
+    let mut questions = mass_questions(&masses, model, &request.choice);
     if let (Some(contacts_mass_kg), Some(target_mass_kg)) = (contacts_mass_kg, target_mass_kg) {
         let distances = model.joint_distances();
         let ratio = (target_mass_kg / contacts_mass_kg).cbrt();
-        asked.extend(model.spheres().iter().filter_map(|sphere| {
+        questions.extend(model.spheres().iter().filter_map(|sphere| {
             let radius_m = sphere.radius_m().ok()?;
             distances.implausible_radius(sphere, radius_m * ratio, false)
         }));
     }
-    asked
+    questions
 }

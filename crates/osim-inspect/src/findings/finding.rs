@@ -1,4 +1,4 @@
-//! A finding with what puts it right, and which findings of two states of a model say the same.
+//! A finding with the request that corrects it, and the search for the same finding in another state of a model.
 
 use std::ops::Deref;
 
@@ -7,44 +7,43 @@ use osim_model::{Finding, FindingCode, Severity};
 use osim_requests::Request;
 use osim_requests::spell::Speller;
 
-/// Something found in a model, and the request that puts it right. It reads like its [`Finding`], which says where it applies.
+/// A finding about a model, and the request that corrects it. It derefs to its [`Finding`].
 #[derive(Debug, Clone, PartialEq)]
-pub struct Found {
+pub struct FindingWithRemedy {
     pub finding: Finding,
-    /// What puts it right; `None` where only the user can know what to write, and for a remark. Where the result says
-    /// [`steps`](crate::CheckResult::steps) it is one of them.
+    /// What corrects it; `None` if only the user can know what to write, and for a remark. It is one of the
+    /// [`steps`](crate::CheckResult::steps) of the result, if the result has these.
     pub remedy: Option<Request>,
-    /// Whether known contacts were published with it.
-    pub as_published: bool,
-    /// The remedy as the reader types it, once [`spell`](Self::spell) was given the words of a front end.
+    /// Whether the known contacts of the model were published with this finding.
+    pub is_published: bool,
+    /// The remedy as the user types it; `None` before [`spell`](Self::spell).
     pub command: Option<String>,
 }
 
-impl Found {
-    /// A finding, and what puts it right, where there is something.
+impl FindingWithRemedy {
     pub fn new(finding: Finding, remedy: Option<Request>) -> Self {
-        Self { finding, remedy, as_published: false, command: None }
+        Self { finding, remedy, is_published: false, command: None }
     }
 
-    /// As bad as in the published state of known contacts: nothing has to be put right there.
-    pub fn as_published(self, severity: Severity) -> Self {
-        Self { finding: self.finding.with_severity(severity), remedy: None, as_published: true, ..self }
+    /// With the severity that the table of known contacts gives, and without a remedy: the contacts were published so.
+    pub fn with_published_severity(self, severity: Severity) -> Self {
+        Self { finding: self.finding.with_severity(severity), remedy: None, is_published: true, ..self }
     }
 
-    /// Spells what it says, and its remedy, in the words of a front end.
+    /// Puts its texts and its remedy into the words of a front end.
     pub fn spell(&mut self, speller: &dyn Speller) {
         self.finding.spell(speller);
         self.command = self.remedy.as_ref().map(|remedy| speller.request(remedy));
     }
 }
 
-impl From<Finding> for Found {
+impl From<Finding> for FindingWithRemedy {
     fn from(finding: Finding) -> Self {
         Self::new(finding, None)
     }
 }
 
-impl Deref for Found {
+impl Deref for FindingWithRemedy {
     type Target = Finding;
 
     fn deref(&self) -> &Finding {
@@ -52,46 +51,50 @@ impl Deref for Found {
     }
 }
 
-/// Findings that are steps of one ladder: one takes the place of the other as spheres sink in deeper.
-const DEPTH: [FindingCode; 3] =
+/// Findings about depth, the least bad first: as spheres sink in deeper, the next takes the place of the one before.
+const DEPTHS: [FindingCode; 3] =
     [FindingCode::BeyondHertzAtTwo, FindingCode::BeyondHertz, FindingCode::SunkIn];
 
-/// Findings to which others may be akin, the first of each kind.
+/// The findings of one state of a model, to find those of another state again; of equal ones the first.
 #[derive(Debug)]
-pub struct Kin<'f> {
-    findings: &'f [Found],
-    /// A finding about spheres is shown once for all of them, at the worst sphere, which may be another one after the change.
-    of_spheres: HashMap<FindingCode, usize>,
-    at_place: HashMap<(FindingCode, Option<&'f str>), usize>,
-    of_code: HashMap<FindingCode, usize>,
+pub struct FindingIndex<'f> {
+    findings: &'f [FindingWithRemedy],
+    /// Findings about spheres. One is about all of them, and its place is the worst sphere, which can be another one after a change.
+    about_spheres: HashMap<FindingCode, usize>,
+    by_place: HashMap<(FindingCode, Option<&'f str>), usize>,
+    by_code: HashMap<FindingCode, usize>,
 }
 
-impl<'f> Kin<'f> {
-    pub fn of(findings: &'f [Found]) -> Self {
-        let mut kin =
-            Self { findings, of_spheres: HashMap::new(), at_place: HashMap::new(), of_code: HashMap::new() };
+impl<'f> FindingIndex<'f> {
+    pub fn new(findings: &'f [FindingWithRemedy]) -> Self {
+        let mut index = Self {
+            findings,
+            about_spheres: HashMap::new(),
+            by_place: HashMap::new(),
+            by_code: HashMap::new(),
+        };
         for (at, one) in findings.iter().enumerate() {
             if !one.spheres.is_empty() {
-                kin.of_spheres.entry(one.code()).or_insert(at);
+                index.about_spheres.entry(one.code()).or_insert(at);
             }
-            kin.at_place.entry((one.code(), one.place.as_deref())).or_insert(at);
-            kin.of_code.entry(one.code()).or_insert(at);
+            index.by_place.entry((one.code(), one.place.as_deref())).or_insert(at);
+            index.by_code.entry(one.code()).or_insert(at);
         }
-        kin
+        index
     }
 
-    /// The first finding that says the same as `one`: about spheres it is one for all, else one for each place.
-    pub fn same(&self, one: &Found) -> Option<&'f Found> {
-        let of_spheres = self.of_spheres.get(&one.code()).filter(|_| !one.spheres.is_empty());
+    /// The first finding with the code and, unless it is about spheres, the place of `one`.
+    pub fn find_same(&self, one: &FindingWithRemedy) -> Option<&'f FindingWithRemedy> {
+        let about_spheres = self.about_spheres.get(&one.code()).filter(|_| !one.spheres.is_empty());
         let at =
-            of_spheres.into_iter().chain(self.at_place.get(&(one.code(), one.place.as_deref()))).min()?;
+            about_spheres.into_iter().chain(self.by_place.get(&(one.code(), one.place.as_deref()))).min()?;
         self.findings.get(*at)
     }
 
-    /// The first finding that says the same as `one`, else the first that is another step of the same ladder.
-    pub fn nearest(&self, one: &Found) -> Option<&'f Found> {
-        let steps = DEPTH.iter().filter(|code| **code != one.code() && DEPTH.contains(&one.code()));
-        let first = || self.findings.get(*steps.filter_map(|code| self.of_code.get(code)).min()?);
-        self.same(one).or_else(first)
+    /// The same finding as `one`, else, if `one` is about depth, the first finding about another depth.
+    pub fn find_same_or_other_depth(&self, one: &FindingWithRemedy) -> Option<&'f FindingWithRemedy> {
+        let depths = DEPTHS.iter().filter(|code| **code != one.code() && DEPTHS.contains(&one.code()));
+        let first = || self.findings.get(*depths.filter_map(|code| self.by_code.get(code)).min()?);
+        self.find_same(one).or_else(first)
     }
 }

@@ -1,11 +1,13 @@
-//! Whether the contacts are right: findings, and what puts them right.
+//! Checks whether contacts are right: findings, and the requests that correct them.
 
 mod check;
+mod check_result;
 mod finding;
 mod remedy;
-mod result;
 
 pub use check::{Changeable, check_model, check_numbers};
-pub use finding::{Found, Kin};
-pub(crate) use remedy::{Remedies, exactly, rounded, standing_width, touching_indentation};
-pub use result::{CheckResult, Counts};
+pub use check_result::{CheckResult, Counts};
+pub use finding::{FindingIndex, FindingWithRemedy};
+pub(crate) use remedy::{
+    Remedies, constant_indentation_for_touching, exact_pattern, rounded_mass, transition_width_for,
+};

@@ -1,4 +1,4 @@
-//! Which change puts a finding right.
+//! The requests that correct findings.
 
 use std::path::PathBuf;
 
@@ -16,88 +16,95 @@ use crate::figures::{Figure, SphereFigures};
 use crate::inspection::Inspection;
 use crate::load::InspectOptions;
 
-/// The preset whose contacts are proposed where a model's own make no sense.
+/// The preset whose contacts are proposed if those of the model make no sense.
 const PRESET: &str = "falisse2022";
 
-/// What all remedies for one model share. A remedy is a request: it is asked like any other.
+/// Makes the remedies for one model. A remedy is a request.
 pub(crate) struct Remedies<'m> {
-    /// `None` for standard input, which cannot be read twice, for a model that is not changed as it is, and where something
-    /// else has to be done first.
+    /// `None` for standard input, which cannot be read twice, for a model that cannot be changed, and if something else has to be
+    /// corrected first. Then there are no remedies.
     model: Option<PathBuf>,
-    pub(crate) load: Load,
+    pub(crate) load: RemedyLoad,
     pub(crate) options: &'m InspectOptions,
-    /// Some force gives spheres of different size or material one modulus, so that no design serves all of them; all numbers
-    /// are multiplied then.
-    pub(crate) joined: bool,
-    /// How many spheres share the weight is the same for all limbs.
-    pub(crate) counted: bool,
-    /// What the model weighs is known.
-    pub(crate) weighed: bool,
+    /// Whether a force gives spheres of different size or material one modulus. No design suits all of them, so all numbers are
+    /// multiplied.
+    one_modulus: bool,
+    /// Whether the number of spheres that share the weight is known and equal for all limbs.
+    pub(crate) is_counted: bool,
+    is_weight_known: bool,
     pub(crate) body_kg: Option<f64>,
-    /// No other force needs a sphere as it is.
+    /// Whether radii can be changed: no other force needs a sphere as it is.
     radii_may_change: bool,
 }
 
-/// Whose weight is carried, and by how many spheres: a remedy repeats what the call said.
-pub(crate) struct Load {
+/// The options of a remedy about mass, gravity and number of spheres: those of the call, repeated.
+pub(crate) struct RemedyLoad {
     pub(crate) masses: MassOptions,
-    pub(crate) counts: CountOptions,
-    /// Gravity that the model's own file does not say.
+    counts: CountOptions,
+    /// Gravity, if it is not that of the model's file.
     gravity: Option<Acceleration>,
 }
 
 impl<'m> Remedies<'m> {
     pub(crate) fn new(
         inspected: &Inspection,
-        joined: bool,
-        changes: bool,
+        one_modulus: bool,
+        can_change: bool,
         options: &'m InspectOptions,
     ) -> Self {
         let (figures, stance) = (&inspected.figures, &options.stance);
-        // What the bodies do not say has to be said again; likewise a gravity that the model's own file does not say,
-        // because its contacts are scaled to it first.
-        let of_figures = figures.mass_kg.filter(|_| inspected.mass_kg.is_none());
-        let mass = options.masses.model_kg.or(of_figures);
+        // A mass that the bodies do not have must be given to the remedy, too; also a gravity that is not that of the model's file.
+        let figures_kg = figures.mass_kg.filter(|_| inspected.mass_kg.is_none());
+        let mass = options.masses.model_kg.or(figures_kg);
         let gravity = figures.gravity_m_s2.filter(|_| figures.gravity_m_s2 != inspected.gravity_m_s2);
-        let said = |number: Option<f64>| number.and_then(|number| Count::new(number).ok());
-        let load = Load {
+        let count = |number: Option<f64>| number.and_then(|number| Count::new(number).ok());
+        let load = RemedyLoad {
             masses: MassOptions {
                 mass: mass.and_then(|kg| Kilograms::new(kg).ok()),
                 exclude_body: options.masses.exclude_bodies.clone(),
                 ..MassOptions::default()
             },
-            counts: CountOptions { spheres: said(stance.spheres), stance_limbs: said(stance.limbs) },
+            counts: CountOptions { spheres: count(stance.spheres), stance_limbs: count(stance.limbs) },
             gravity: gravity.and_then(|gravity| Acceleration::new(gravity).ok()),
         };
         let name = || FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone()).to_path();
-        let model = (inspected.model != "-" && changes).then(name);
-        let counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
-        let weighed = inspected.figures.mass_kg.is_some();
+        let model = (inspected.model != "-" && can_change).then(name);
+        let is_counted = inspected.spheres_per_limb.is_some() || stance.spheres.is_some();
+        let is_weight_known = inspected.figures.mass_kg.is_some();
         let body_kg = inspected.mass_kg;
-        Self { model, load, options, joined, counted, weighed, body_kg, radii_may_change: true }
+        Self {
+            model,
+            load,
+            options,
+            one_modulus,
+            is_counted,
+            is_weight_known,
+            body_kg,
+            radii_may_change: true,
+        }
     }
 
-    /// Without such as change radii, unless these `may_change`.
-    pub(crate) fn changing_radii(self, may_change: bool) -> Self {
+    /// With or without remedies that change radii.
+    pub(crate) fn with_radius_changes(self, may_change: bool) -> Self {
         Self { radii_may_change: may_change, ..self }
     }
 
-    /// Without remedies: something else has to be done first, after which they would be wrong.
-    pub(crate) fn unsettled(self) -> Self {
+    /// Without remedies, because something else has to be corrected first, after which they would be wrong.
+    pub(crate) fn none_yet(self) -> Self {
         Self { model: None, ..self }
     }
 
-    /// Whether contacts are under the gravity that the model's own file says.
-    fn has_own_gravity(&self) -> bool {
+    /// Whether the figures are for the gravity of the model's file.
+    fn has_gravity_of_file(&self) -> bool {
         self.load.gravity.is_none()
     }
 
-    /// The model that a remedy changes; `changes_radii` says whether radii are among what it writes.
+    /// The model that a remedy changes; `None` if there is no remedy. `changes_radii` says whether it writes radii.
     pub(crate) fn models(&self, changes_radii: bool) -> Option<Vec<PathBuf>> {
         (!changes_radii || self.radii_may_change).then(|| self.model.clone().map(|model| vec![model]))?
     }
 
-    /// The choice of forces that was made, again.
+    /// The caller's choice of forces.
     pub(crate) fn choice(&self) -> ForceOptions {
         let Selection { select, exclude, skip_disabled, .. } = self.options.selection.clone();
         ForceOptions { select, exclude, skip_disabled }
@@ -107,7 +114,7 @@ impl<'m> Remedies<'m> {
         SetFiles { geometry: self.options.geometry.clone(), model: self.options.model.clone() }
     }
 
-    /// A design of parameters, which needs no load.
+    /// Designs parameters that need no load.
     pub(crate) fn design(&self, wanted: WantedOptions) -> Option<DesignRequest> {
         let (choice, set_files) = (self.choice(), self.set_files());
         Some(DesignRequest {
@@ -131,25 +138,25 @@ impl<'m> Remedies<'m> {
     }
 
     /// Makes the bottoms of each foot level.
-    pub(crate) fn level(&self) -> Option<Request> {
-        // A sphere that another force needs as it is can move no more than its radius can change.
+    pub(crate) fn level_feet(&self) -> Option<Request> {
+        // A sphere that another force needs as it is can neither move nor change its radius.
         let models = self.models(true)?;
         Some(SetRequest { models, level: true, ..self.set(Vec::new())? }.into())
     }
 
-    pub(crate) fn factor(&self, property: Property, factor: f64) -> Option<Request> {
+    fn multiply(&self, property: Property, factor: f64) -> Option<Request> {
         self.set(vec![(property, Assignment::Factor(factor))]).map(Request::from)
     }
 
-    /// Brings x̂ down to the limit under body weight; where the law is smoothed, its constant indentation with it.
-    pub(crate) fn indentation(&self, spheres: &[&SphereFigures]) -> Option<Request> {
+    /// Brings x̂ under body weight down to its limit and, if the law is smoothed, the constant indentation with it.
+    pub(crate) fn reduce_indentation(&self, spheres: &[&SphereFigures]) -> Option<Request> {
         let limit = limits::INDENTATION.value;
-        if self.joined || !self.counted {
+        if self.one_modulus || !self.is_counted {
             // The sphere that sinks in most decides. x̂ follows E*^(-2/3) (11).
             let depths = spheres.iter().filter_map(|sphere| sphere.value(Figure::Indentation));
             let deepest = depths.fold(0.0, f64::max);
             let factor = (deepest / limit).powf(1.5);
-            return self.factor(Property::Stiffness, (factor * 1e3).ceil() / 1e3);
+            return self.multiply(Property::Stiffness, (factor * 1e3).ceil() / 1e3);
         }
         let smooth = spheres.iter().any(|sphere| sphere.value(Figure::ConstantIndentation).is_some());
         let constant = smooth.then(|| constant_indentation_below(limit));
@@ -163,23 +170,23 @@ impl<'m> Remedies<'m> {
         Some(DesignRequest { load, masses, counts, ..self.design(wanted)? }.into())
     }
 
-    pub(crate) fn constant_indentation(&self, constant_indentation: f64) -> Option<Request> {
+    pub(crate) fn design_constant_indentation(&self, constant_indentation: f64) -> Option<Request> {
         let constant_indentation = Some(ConstantIndentation::new(constant_indentation).ok()?);
         self.design(WantedOptions { constant_indentation, ..WantedOptions::default() }).map(Request::from)
     }
 
-    /// Contacts of a published model, under the load that was said, or with so many stance limbs.
-    pub(crate) fn published(&self, stance_limbs: Option<f64>) -> Option<TransferRequest> {
+    /// Takes the contacts of a published model, for the caller's load or for so many stance limbs.
+    pub(crate) fn transfer_published(&self, stance_limbs: Option<f64>) -> Option<TransferRequest> {
         // A transfer takes the model's own gravity.
-        let known = self.has_own_gravity() && self.weighed && self.counted;
-        let mut request = known.then(|| self.transfer(PRESET.into()))??;
+        let is_load_known = self.has_gravity_of_file() && self.is_weight_known && self.is_counted;
+        let mut request = is_load_known.then(|| self.transfer(PRESET.into()))??;
         if let Some(limbs) = stance_limbs {
             request.counts.stance_limbs = Some(Count::new(limbs).ok()?);
         }
         Some(request)
     }
 
-    /// Contacts of another model or preset, under the load that was said.
+    /// Takes the contacts of another model or preset, for the caller's load.
     pub(crate) fn transfer(&self, from: PathBuf) -> Option<TransferRequest> {
         Some(TransferRequest {
             models: self.models(true)?,
@@ -193,46 +200,47 @@ impl<'m> Remedies<'m> {
     }
 }
 
-/// The pattern that only this name matches; `None` where its letters mean something in patterns.
-pub(crate) fn exactly(name: &str) -> Option<Pattern> {
+/// The pattern that only this name matches; `None` if the name has letters that mean something in patterns.
+pub(crate) fn exact_pattern(name: &str) -> Option<Pattern> {
     let is_plain = !name.contains(['*', '?', '[', ']', '{', '}', '\\', '!']);
     if is_plain { name.parse().ok() } else { None }
 }
 
-/// In as many digits as people read.
-pub(crate) fn rounded(kg: f64) -> f64 {
+/// A mass in as many digits as messages show.
+pub(crate) fn rounded_mass(kg: f64) -> f64 {
     readable(kg).parse().unwrap_or(kg)
 }
 
-/// √cf/R with which every sphere carries a tenth of its load while just touching.
-pub(crate) fn touching_indentation(spheres: &[&SphereFigures]) -> Option<f64> {
+/// √cf/R with which no sphere carries more than a tenth of its load while it just touches.
+pub(crate) fn constant_indentation_for_touching(spheres: &[&SphereFigures]) -> Option<f64> {
     let least = spheres.iter().filter_map(|sphere| sphere.value(Figure::Indentation)).reduce(f64::min)?;
     Some(constant_indentation_below(least))
 }
 
-/// The width over which contact may set in, over R, so that no sphere carries more than this share of its load above the floor.
+/// The transition width, over R, with which no sphere carries more than this share of its load above the floor.
 ///
 /// With bd in (C.7), (C.1) lets through ½ (1 − tanh u) of (u/(bd R x̂))^(3/2) of the load, u = −bd x. That is largest at u = 0.8792, where it
 /// is 0.12118/(bd R x̂)^(3/2); from that and (C.8), the width is 2 artanh(1 − 2t) (share/0.12118)^(2/3) x̂.
-pub(crate) fn standing_width(spheres: &[&SphereFigures], share: f64) -> Option<f64> {
+pub(crate) fn transition_width_for(spheres: &[&SphereFigures], share: f64) -> Option<f64> {
     let least = spheres.iter().filter_map(|sphere| sphere.value(Figure::Indentation)).reduce(f64::min)?;
     let full = 2.0 * (1.0 - 2.0 * limits::TRANSITION_THRESHOLD).atanh();
-    Some(two_digits_below(full * (share / 0.121_18).powf(2.0 / 3.0) * least)).filter(|&width| width > 0.0)
+    Some(round_down_to_two_digits(full * (share / 0.121_18).powf(2.0 / 3.0) * least))
+        .filter(|&width| width > 0.0)
 }
 
-/// √cf/R with which a sphere that rests at x̂ carries a tenth of its load while just touching, rounded down.
+/// √cf/R with which a sphere that rests at x̂ carries a tenth of its load while it just touches, rounded down.
 ///
 /// ½ (x̂_c/x̂)^(3/2) ≤ 0.1, from (C.3) at x = 0 over (3).
 fn constant_indentation_below(x_hat: f64) -> f64 {
     let most = x_hat * (2.0 * limits::TOUCHING_SHARE.value).powf(2.0 / 3.0);
     let most = most.min(limits::CONSTANT_INDENTATION.value);
-    two_digits_below(most)
+    round_down_to_two_digits(most)
 }
 
-/// At most `value`, in two digits, without rounding error.
-fn two_digits_below(value: f64) -> f64 {
+/// `value` rounded down to two digits.
+fn round_down_to_two_digits(value: f64) -> f64 {
     let digit = 10_f64.powf(value.log10().floor() - 1.0);
-    // A value that has two digits is itself, whatever its last bit.
+    // A value of two digits stays as it is, whatever its last bit.
     let text = format!("{:.1e}", (value / digit + 1e-9).floor() * digit);
     text.parse().unwrap_or(value)
 }
@@ -242,7 +250,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_tenth_of_the_load_is_not_passed() {
+    fn just_touching_carries_at_most_a_tenth_of_the_load() {
         for x_hat in [0.0009, 0.05, 0.1, 0.16, 0.2] {
             let constant = constant_indentation_below(x_hat);
             let share = 0.5 * (constant / x_hat).powf(1.5);
@@ -252,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn two_digits_are_left_and_never_more_than_there_was() {
+    fn numbers_are_rounded_down_to_two_digits() {
         for (value, expected) in [
             (0.054_72, 0.054),
             (0.034_47, 0.034),
@@ -265,12 +273,12 @@ mod tests {
             (0.29, 0.29),
             (0.000_57, 0.000_57),
         ] {
-            assert_eq!(two_digits_below(value), expected, "{value}");
+            assert_eq!(round_down_to_two_digits(value), expected, "{value}");
         }
     }
 
     #[test]
-    fn a_constant_indentation_is_a_third_of_x_hat_as_the_tenth_wants_it() {
+    fn a_constant_indentation_is_about_a_third_of_x_hat() {
         // 0.2^(2/3) is 0.341995.
         assert_eq!(constant_indentation_below(0.16), 0.054);
         assert_eq!(constant_indentation_below(0.03), 0.01);
@@ -279,8 +287,8 @@ mod tests {
     }
 
     #[test]
-    fn masses_are_rounded_to_what_people_read() {
-        assert_eq!(rounded(90.123_456_789), 90.123_457);
-        assert_eq!(rounded(0.0209), 0.0209);
+    fn masses_have_as_many_digits_as_messages_show() {
+        assert_eq!(rounded_mass(90.123_456_789), 90.123_457);
+        assert_eq!(rounded_mass(0.0209), 0.0209);
     }
 }

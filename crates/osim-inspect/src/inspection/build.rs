@@ -1,4 +1,4 @@
-//! A model, inspected.
+//! Inspects a model: collects everything that `inspect` shows and the rules need.
 
 use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues, mixed_radii};
 use foldhash::{HashMap, HashMapExt, HashSet};
@@ -15,23 +15,23 @@ use crate::inspection::inspected::{
     ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
 };
-use crate::inspection::note::NoteStory;
-use crate::inspection::standing::{Rests, StandingBody};
+use crate::inspection::note::NoteSummary;
+use crate::inspection::standing::{RestsToCompute, StandingBody};
 use crate::known_contacts::KnownContacts;
 use crate::load::{InspectOptions, LoadSharing};
 use crate::rules::{contacts, model_findings};
 use crate::serialized::SCHEMA_VERSION;
 
 impl InspectOptions {
-    /// Inspects a model. It never refuses: what is not known is left open. `name` is that of the file.
+    /// Inspects a model. This never fails: what is not known is `None`. `name` is that of the file.
     pub fn inspect(&self, name: impl Into<FileName>, model: &Model, factors: Option<&Factors>) -> Inspection {
-        let note = NoteStory::of(model);
-        Inspection { note, ..self.inspect_with(name, model, factors, Rests::All) }
+        let note = NoteSummary::of(model);
+        Inspection { note, ..self.inspect_with(name, model, factors, RestsToCompute::All) }
     }
 
-    /// An inspection without what only people read: what the note says, and how bodies rest that no rule has anything to say of.
+    /// An inspection with what the rules need: without the summary of the note, and without the rest of bodies that stand as they should.
     pub fn inspect_for_rules(&self, name: impl Into<FileName>, model: &Model) -> Inspection {
-        self.inspect_with(name, model, None, Rests::OfOdd)
+        self.inspect_with(name, model, None, RestsToCompute::OfOddBodies)
     }
 
     fn inspect_with(
@@ -39,7 +39,7 @@ impl InspectOptions {
         name: impl Into<FileName>,
         model: &Model,
         factors: Option<&Factors>,
-        rests: Rests,
+        rests: RestsToCompute,
     ) -> Inspection {
         let mut warnings = model_findings(model).to_vec();
         let mass = self.masses.model_mass(model);
@@ -47,11 +47,11 @@ impl InspectOptions {
             warnings.extend(disagreements);
             mass
         });
-        let (selected, unknown) = match self.selection.apply(model) {
+        let (selected, no_choice) = match self.selection.apply(model) {
             Ok(selected) => (selected, None),
             Err(fault) => (Selected::default(), Some(fault)),
         };
-        let sharing = match &unknown {
+        let sharing = match &no_choice {
             Some(fault) => LoadSharing::unknown(fault.phrase()),
             None => LoadSharing::of(model, &selected.forces),
         };
@@ -66,17 +66,18 @@ impl InspectOptions {
         warnings.extend(contacts::find_unmatched_patterns(&self.selection, &self.masses, model));
         let (mass, contacts_mass) = (mass.ok(), contacts_mass.ok());
         let weight = mass.as_ref().or(contacts_mass.as_ref());
-        // Where nobody chose among several bodies, all of them stand somewhere.
-        let forces = if unknown.is_some() { model.force_ids() } else { sharing.forces().to_vec() };
-        let bodies = Standing::all(model, &forces);
-        let known = bodies.as_deref().unwrap_or_default();
-        let stance_limbs = self.stance.limbs_of(model);
-        let figures = Figures::of(model, &selected, &sharing, weight, &self.stance, known);
-        let standing = StandingBody::those(model, known, sharing.limbs(), stance_limbs, rests);
+        // If nobody chose among the forces of several bodies, all bodies count.
+        let forces = if no_choice.is_some() { model.force_ids() } else { sharing.forces().to_vec() };
+        let standing = Standing::all(model, &forces);
+        let trees = standing.as_deref().unwrap_or_default();
+        let stance_limbs = self.stance.limb_count(model);
+        let figures = Figures::compute(model, &selected, &sharing, weight, &self.stance, trees);
+        let bodies = StandingBody::with_rests(model, trees, sharing.limbs(), stance_limbs, rests);
         let count = sharing.count(self.stance.spheres, stance_limbs, CountedSpheres::Model).ok();
-        let contacts = contacts(model, &selected, contacts_mass.as_ref(), count);
-        let known = KnownContacts::find(model, &selected.forces, count, mass.as_ref().map(|mass| mass.kg));
-        let found = Found {
+        let contacts = contacts_of_sets(model, &selected, contacts_mass.as_ref(), count);
+        let known_contacts =
+            KnownContacts::find(model, &selected.forces, count, mass.as_ref().map(|mass| mass.kg));
+        let parts = InspectionParts {
             mass: mass.as_ref(),
             contacts_mass: contacts_mass.as_ref(),
             selected: &selected,
@@ -84,22 +85,27 @@ impl InspectOptions {
             warnings: &warnings,
             contacts: &contacts,
             factors,
-            known,
+            known_contacts,
             stance_limbs,
             figures: figures.unwrap_or_else(|fault| Figures::absent(fault.phrase())),
-            standing,
-            why_no_standing: bodies.err().map(|fault| fault.to_string()),
+            standing: bodies,
+            why_no_standing: standing.err().map(|fault| fault.to_string()),
         };
-        Inspection::new(name.into(), model, found)
+        Inspection::new(name.into(), model, parts)
     }
 }
 
-/// Each selected force's contact, without dimensions at the mass its contacts are made for on n spheres. Spheres of several
-/// radii have the mean of R².
-fn contacts(model: &Model, selected: &Selected, mass: Option<&Mass>, count: Option<f64>) -> SetContacts {
-    let mut found = SetContacts::new();
-    let Ok(loaded) = loaded_spheres(model, &selected.forces) else { return found };
-    // The spheres of a set stand together.
+/// The contact of each parameter set of the selected forces. It is made dimensionless by the mass that the contacts are made for and the
+/// `count` of spheres; spheres of several radii count with the mean of R².
+fn contacts_of_sets(
+    model: &Model,
+    selected: &Selected,
+    mass: Option<&Mass>,
+    count: Option<f64>,
+) -> SetContacts {
+    let mut contacts = SetContacts::new();
+    let Ok(loaded) = loaded_spheres(model, &selected.forces) else { return contacts };
+    // The spheres of a set follow each other.
     for spheres in loaded.chunk_by(|a, b| (a.force, a.set) == (b.force, b.set)) {
         let Some(sphere) = spheres.first() else { continue };
         let scale = || {
@@ -114,43 +120,42 @@ fn contacts(model: &Model, selected: &Selected, mass: Option<&Mass>, count: Opti
             composite_modulus_n_m2: sphere.contact.composite_modulus(),
             dimensionless: scale().map(|scale| DimensionlessContact::of(&sphere.contact, &scale)),
         };
-        found.entry((sphere.force, sphere.set)).or_insert(contact);
+        contacts.entry((sphere.force, sphere.set)).or_insert(contact);
     }
-    found
+    contacts
 }
 
 fn line_of(model: &Model, fault: &Fault) -> Option<usize> {
     fault.offset.map(|offset| model.file(fault.file).line(offset))
 }
 
-/// What was worked out about a model, before it is shown.
-pub(super) struct Found<'f> {
+/// The computed parts from which an [`Inspection`] is made.
+pub(super) struct InspectionParts<'f> {
     pub mass: Option<&'f Mass>,
     pub contacts_mass: Option<&'f Mass>,
     pub selected: &'f Selected,
     pub limbs: &'f Limbs,
     pub warnings: &'f [Finding],
-    /// For each force (and parameter set) its contact without dimensions, and E*.
     pub contacts: &'f SetContacts,
     pub factors: Option<&'f Factors>,
-    pub known: Option<KnownContacts>,
+    pub known_contacts: Option<KnownContacts>,
     pub stance_limbs: f64,
     pub figures: Figures,
     pub standing: Vec<StandingBody>,
     pub why_no_standing: Option<String>,
 }
 
-/// The contacts of all parameter sets.
+/// The contact of each parameter set.
 type SetContacts = HashMap<(ForceId, SetId), SetContact>;
 
 pub(super) struct SetContact {
     pub composite_modulus_n_m2: f64,
-    /// `None` where mass, limbs or gravity are not known.
+    /// `None` if mass, limbs or gravity are not known.
     pub dimensionless: Option<DimensionlessContact>,
 }
 
 impl Inspection {
-    pub(super) fn new(name: FileName, model: &Model, found: Found<'_>) -> Self {
+    pub(super) fn new(name: FileName, model: &Model, parts: InspectionParts<'_>) -> Self {
         let (name, model_bytes) = name.into_parts();
         Self {
             schema_version: SCHEMA_VERSION,
@@ -158,12 +163,12 @@ impl Inspection {
             model_bytes,
             document_version: model.document().version(),
             name: model.name.clone(),
-            mass_kg: found.mass.map(|mass| mass.kg),
-            mass_source: found.mass.map(|mass| mass.source.describe()).unwrap_or_default(),
+            mass_kg: parts.mass.map(|mass| mass.kg),
+            mass_source: parts.mass.map(|mass| mass.source.describe()).unwrap_or_default(),
             gravity_m_s2: model.gravity(),
-            contacts_mass_kg: found.contacts_mass.map(ContactsMass::new),
+            contacts_mass_kg: parts.contacts_mass.map(ContactsMass::new),
             note: None,
-            limbs: found.limbs.if_known().map(|limbs| {
+            limbs: parts.limbs.if_known().map(|limbs| {
                 let limb = |limb: &Limb| InspectedLimb {
                     name: limb.name.clone(),
                     side: limb.side.as_str(),
@@ -171,12 +176,12 @@ impl Inspection {
                 };
                 limbs.iter().map(limb).collect()
             }),
-            stance_limbs: found.stance_limbs,
-            spheres_per_limb: found.limbs.spheres_per_limb().ok(),
-            limbs_unknown: found.limbs.spheres_per_limb().err(),
-            spheres: spheres(model, found.limbs),
-            forces: forces(model, &found),
-            warnings: found.warnings.to_vec(),
+            stance_limbs: parts.stance_limbs,
+            spheres_per_limb: parts.limbs.spheres_per_limb().ok(),
+            limbs_unknown: parts.limbs.spheres_per_limb().err(),
+            spheres: spheres(model, parts.limbs),
+            forces: forces(model, &parts),
+            warnings: parts.warnings.to_vec(),
             bodies: model
                 .bodies()
                 .iter()
@@ -186,21 +191,21 @@ impl Inspection {
                     mass_kg: body.mass.number,
                 })
                 .collect(),
-            body_factors: found.factors.map(|factors| factors.bodies.iter().map(inspected_factors).collect()),
-            known_contacts: found.known,
+            body_factors: parts.factors.map(|factors| factors.bodies.iter().map(inspected_factors).collect()),
+            known_contacts: parts.known_contacts,
             placement: None,
             similarity: None,
             reference_contacts: None,
-            figures: found.figures,
-            standing: found.standing,
-            why_no_standing: found.why_no_standing,
+            figures: parts.figures,
+            standing: parts.standing,
+            why_no_standing: parts.why_no_standing,
         }
     }
 }
 
 fn names(model: &Model, spheres: &[SphereId]) -> Vec<String> {
-    let named = spheres.iter().filter_map(|&id| model.sphere(id));
-    named.map(|sphere| sphere.name.clone()).collect()
+    let spheres = spheres.iter().filter_map(|&id| model.sphere(id));
+    spheres.map(|sphere| sphere.name.clone()).collect()
 }
 
 fn spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
@@ -222,14 +227,14 @@ fn spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
     inspected.collect()
 }
 
-fn forces(model: &Model, found: &Found<'_>) -> Vec<InspectedForce> {
+fn forces(model: &Model, parts: &InspectionParts<'_>) -> Vec<InspectedForce> {
     let mut inspected = Vec::new();
-    let selected: HashSet<ForceId> = found.selected.forces.iter().copied().collect();
+    let selected: HashSet<ForceId> = parts.selected.forces.iter().copied().collect();
     for force in model.forces() {
         for set in &force.sets {
-            let contact = found.contacts.get(&(force.id, set.id));
+            let contact = parts.contacts.get(&(force.id, set.id));
             let parameters = parameters(force, set.id, |value| value.number);
-            let alone = || {
+            let modulus_of_stiffness = || {
                 let stiffness = parameters.iter().find(|(property, _)| *property == Property::Stiffness)?.1;
                 Some(stiffness / EQUAL_SURFACES).filter(|modulus| modulus.is_finite())
             };
@@ -241,7 +246,9 @@ fn forces(model: &Model, found: &Found<'_>) -> Vec<InspectedForce> {
                 spheres: names(model, &set.spheres),
                 applies: force.applies,
                 selected: selected.contains(&force.id),
-                composite_modulus_n_m2: contact.map(|contact| contact.composite_modulus_n_m2).or_else(alone),
+                composite_modulus_n_m2: contact
+                    .map(|contact| contact.composite_modulus_n_m2)
+                    .or_else(modulus_of_stiffness),
                 parameters: Parameters::new(parameters),
                 origin: Origins::new(self::parameters(force, set.id, |value| value.origin)),
                 dimensionless: contact.and_then(|contact| Dimensionless::of(contact.dimensionless.as_ref()?)),
@@ -252,9 +259,9 @@ fn forces(model: &Model, found: &Found<'_>) -> Vec<InspectedForce> {
     inspected
 }
 
-fn parameters<T>(force: &Force, set: SetId, of: impl Fn(&Value) -> T) -> Vec<(Property, T)> {
-    let named = Property::ALL.into_iter();
-    named.filter_map(|property| Some((property, of(force.value(set, property)?)))).collect()
+fn parameters<T>(force: &Force, set: SetId, part: impl Fn(&Value) -> T) -> Vec<(Property, T)> {
+    let properties = Property::ALL.into_iter();
+    properties.filter_map(|property| Some((property, part(force.value(set, property)?)))).collect()
 }
 
 fn inspected_factors(body: &BodyFactors) -> InspectedFactors {

@@ -1,6 +1,5 @@
-//! What `inspect` knows of a model, apart from its bytes: one struct for the table, JSON, CSV and `check`.
-//!
-//! Serialised it is the JSON contract; `docs/reference/json.md` describes every field.
+//! The result of `inspect`: one struct for the table, JSON, CSV and `check`. Its serialised form is the JSON that
+//! `docs/reference/json.md` describes.
 
 #[cfg(feature = "schemas")]
 use std::collections::BTreeMap;
@@ -15,7 +14,7 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use crate::figures::Figures;
-use crate::inspection::note::NoteStory;
+use crate::inspection::note::NoteSummary;
 use crate::inspection::standing::StandingBody;
 use crate::known_contacts::{KnownContacts, ReferenceContacts};
 #[cfg(feature = "schemas")]
@@ -23,40 +22,40 @@ use crate::serialized::FindingRecord;
 use crate::serialized::{optional_phrase, records};
 use crate::similarity::SizeList;
 
-/// A model as it was found.
+/// Everything that `inspect` shows of a model.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct Inspection {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
-    /// The model as it was named.
+    /// Name of the model's file, as the caller gave it.
     pub model: String,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The bytes of that name, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
     /// `Version` of the document, for example 40000.
     pub document_version: u32,
-    /// The model's own name.
+    /// The name that the model has in its file.
     pub name: String,
     /// What the model weighs, kg.
     pub mass_kg: Option<f64>,
-    /// Who said so, in words.
+    /// Where that mass comes from, in words.
     #[serde(skip)]
     pub mass_source: Phrase,
     /// Magnitude of gravity, m/s².
     pub gravity_m_s2: Option<f64>,
     /// The mass that the contacts are made for.
     pub contacts_mass_kg: Option<ContactsMass>,
-    /// What the note in the model says, where there is one.
+    /// What the note in the model says, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub note: Option<NoteStory>,
-    /// The limbs, where left and right can be determined.
+    pub note: Option<NoteSummary>,
+    /// The limbs, if left and right can be determined.
     pub limbs: Option<Vec<InspectedLimb>>,
     /// Limbs that share the body weight.
     pub stance_limbs: f64,
-    /// Spheres of each limb, where all have equally many.
+    /// Number of spheres of each limb, if all have equally many.
     pub spheres_per_limb: Option<usize>,
-    /// Why the limbs, or one number of spheres, are not known, in words.
+    /// Why the limbs, or one number of spheres for all limbs, are not known, in words.
     #[serde(serialize_with = "optional_phrase")]
     #[cfg_attr(feature = "schemas", schemars(with = "Option<String>"))]
     pub limbs_unknown: Option<Phrase>,
@@ -68,28 +67,28 @@ pub struct Inspection {
     #[serde(serialize_with = "records")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<FindingRecord>"))]
     pub warnings: Vec<Finding>,
-    /// Bodies, in file order, ground left out.
+    /// Bodies without ground, in file order.
     pub bodies: Vec<InspectedBody>,
-    /// Factors against the generic model, where one was named.
+    /// Factors against the generic model, if one is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body_factors: Option<Vec<InspectedFactors>>,
-    /// Whose contacts they are, if it is known.
+    /// The published contacts that these are, if they are recognised.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub known_contacts: Option<KnownContacts>,
-    /// Its spheres compared with those of the model that was scaled, where `check` was given one.
+    /// The places of its spheres compared with those of the model that was scaled, if `check` was given one.
     #[serde(skip)]
     pub placement: Option<SpherePlacements>,
-    /// The contacts of that model.
+    /// The contacts of the model that was scaled, if `check` was given one.
     #[serde(skip)]
     pub reference_contacts: Option<ReferenceContacts>,
-    /// What else would follow its size, where another mass was asked about.
+    /// What else would follow the size of the body, if another mass was asked about.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub similarity: Option<SizeList>,
     /// What the contacts do under the weight.
     pub figures: Figures,
-    /// Each joint tree with spheres over a floor: where it is over it at the default pose, and what puts it on its feet.
+    /// Each joint tree with spheres over a floor: how high it is at the default pose, and the coordinate with which it stands.
     pub standing: Vec<StandingBody>,
-    /// Why that is not known, in words: the default pose of a body is not.
+    /// Why `standing` is not known, in words: the default pose of a body is not known.
     pub why_no_standing: Option<String>,
 }
 
@@ -99,19 +98,17 @@ pub struct Inspection {
 pub struct ContactsMass {
     /// In kg.
     pub value: f64,
-    /// Who said so, as a word for scripts.
+    /// Where the mass comes from, as a word for scripts.
     pub source: &'static str,
-    /// Who said so, for people.
+    /// Where the mass comes from, for people.
     #[serde(skip)]
     pub description: Phrase,
-    /// Whether somebody said it of the contacts. Otherwise it is what the model weighs, which is taken because nothing else is
-    /// known.
+    /// Whether a note or the caller gives it. Otherwise it is what the model weighs.
     #[serde(skip)]
     pub recorded: bool,
 }
 
 impl ContactsMass {
-    /// The mass that contacts are made for, with its source as scripts and as people read it.
     pub fn new(mass: &Mass) -> Self {
         Self {
             value: mass.kg,
@@ -121,7 +118,7 @@ impl ContactsMass {
         }
     }
 
-    /// What is known of it, in words: `62 kg (note in the file)`, or `not recorded (the body weighs 20 kg)`.
+    /// The mass in words: `62 kg (note in the file)`, or `not recorded (the body weighs 20 kg)`.
     pub fn in_words(&self) -> String {
         let kg = readable(self.value);
         if self.recorded {
@@ -152,21 +149,21 @@ pub struct InspectedSphere {
     pub name: String,
     /// Its component path.
     pub path: String,
-    /// In m; NaN where the file says so, null in JSON.
+    /// In m; NaN if the file has that, null in JSON.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub radius_m: f64,
-    /// Centre in its frame, m; NaN where the file says so, null in JSON.
+    /// Centre in its frame, m; NaN if the file has that, null in JSON.
     #[cfg_attr(feature = "schemas", schemars(with = "[Option<f64>; 3]"))]
     pub location_m: [f64; 3],
     /// The frame it is attached to, as a component path.
     pub frame: String,
-    /// The body that the frame belongs to, where there is one.
+    /// The body that the frame belongs to, if there is one.
     pub body: Option<String>,
     /// Line of the element, from 1.
     pub line: usize,
     /// Limb it belongs to.
     pub limb: Option<String>,
-    /// Lowest point in the body's frame, m, with the body's axes as they stand.
+    /// Lowest point in the body's frame, m, with the body's axes as they are at the default pose.
     pub lowest_point_m: Option<[f64; 3]>,
 }
 
@@ -181,35 +178,35 @@ pub struct InspectedForce {
     /// OpenSim's class.
     #[serde(rename = "type")]
     pub kind: &'static str,
-    /// Number of the `ContactParameters`, where there are several.
+    /// Number of the `ContactParameters`, if the force has several.
     pub set: Option<usize>,
     /// Names of its spheres.
     pub spheres: Vec<String>,
     /// Whether OpenSim computes it.
     pub applies: bool,
-    /// Whether a change would take it.
+    /// Whether a change would change it.
     pub selected: bool,
     /// Effective values, in OpenSim's units.
     pub parameters: Parameters,
-    /// Where each comes from.
+    /// Where each parameter comes from.
     pub origin: Origins,
-    /// The contact without dimensions, at the mass and gravity it is made for on n spheres; of several radii it is that of the
-    /// mean R². Null where mass, limbs or gravity are not known, or one of its numbers is more than a double holds.
+    /// The dimensionless contact, for the mass and gravity that it is made for on n spheres; several radii count with the mean R². Null
+    /// if mass, limbs or gravity are not known, or one of its numbers is more than a double holds.
     pub dimensionless: Option<Dimensionless>,
     /// Line of the element, from 1.
     pub line: usize,
-    /// E* with a plane of the same material (A.4), N/m²; with the materials of the force where it has several (A.3).
+    /// E* with a plane of the same material (A.4), N/m²; if the force has several materials, with these (A.3).
     pub composite_modulus_n_m2: Option<f64>,
 }
 
-/// Effective values by OpenSim's names, in OpenSim's order.
+/// Effective parameters of a contact, by OpenSim's names and in OpenSim's order.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(transparent))]
 pub struct Parameters(
     #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, Option<f64>>"))] Vec<(Property, f64)>,
 );
 
-/// Origins by OpenSim's names.
+/// Where each parameter of a contact comes from, by OpenSim's names.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(transparent))]
 pub struct Origins(
@@ -223,14 +220,14 @@ impl Parameters {
 }
 
 impl Origins {
-    /// `true` where the number is not in the object itself.
+    /// Whether the number is a default, and not in the force's own element.
     pub fn is_default(&self, property: Property) -> bool {
         self.0.iter().any(|(known, origin)| *known == property && *origin != Origin::Element)
     }
 }
 
-/// A map in the order of its names, so that scripts see the same text in every version.
-fn by_name<S: Serializer, T: Serialize>(
+/// Serialises a map sorted by name, so that scripts see the same text in every version.
+fn serialize_sorted<S: Serializer, T: Serialize>(
     values: impl Iterator<Item = (Property, T)>,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
@@ -245,17 +242,17 @@ fn by_name<S: Serializer, T: Serialize>(
 
 impl Serialize for Parameters {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        by_name(self.0.iter().copied(), serializer)
+        serialize_sorted(self.0.iter().copied(), serializer)
     }
 }
 
 impl Serialize for Origins {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        by_name(self.0.iter().map(|(property, origin)| (*property, origin.as_str())), serializer)
+        serialize_sorted(self.0.iter().map(|(property, origin)| (*property, origin.as_str())), serializer)
     }
 }
 
-/// The form in which contacts of different sizes are compared.
+/// A contact as dimensionless numbers, in which contacts of different sizes can be compared.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct Dimensionless {
@@ -274,15 +271,15 @@ pub struct Dimensionless {
 }
 
 impl Dimensionless {
-    /// Those of `contact`; `None` if one of them is more than a double holds.
+    /// `None` if one of the numbers is more than a double holds.
     pub(super) fn of(contact: &DimensionlessContact) -> Option<Self> {
         let smoothing =
             [contact.constant_indentation(), contact.hertz_smoothing(), contact.hunt_crossley_smoothing()];
         let [constant_indentation, hertz_smoothing, hunt_crossley_smoothing] = smoothing;
         let (modulus, relative_indentation) = (contact.modulus(), contact.relative_indentation());
         let dissipation = contact.dissipation();
-        let own = [modulus, relative_indentation, dissipation].into_iter();
-        own.chain(smoothing.into_iter().flatten()).all(f64::is_finite).then_some(Self {
+        let required = [modulus, relative_indentation, dissipation].into_iter();
+        required.chain(smoothing.into_iter().flatten()).all(f64::is_finite).then_some(Self {
             modulus,
             relative_indentation,
             dissipation,
@@ -301,22 +298,22 @@ pub struct InspectedBody {
     pub name: String,
     /// Its component path.
     pub path: String,
-    /// In kg; NaN where the file says so, null in JSON.
+    /// In kg; NaN if the file has that, null in JSON.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub mass_kg: f64,
 }
 
-/// How a body was scaled.
+/// The factors by which a body was scaled.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct InspectedFactors {
     /// Name of the body.
     pub body: String,
-    /// Along x, y, z; `None` where nothing says.
+    /// Along x, y and z; `None` if no source gives the factor.
     pub factors: [Option<f64>; 3],
-    /// Which source was taken, axis by axis.
+    /// The source of each of these factors.
     pub sources: [Option<&'static str>; 3],
-    /// What each source says, by its name.
+    /// The factors that each source gives, by the source's name.
     pub by_source: FactorsBySource,
 }
 
@@ -355,7 +352,7 @@ impl FactorsBySource {
 }
 
 impl Inspection {
-    /// Spells everything it says in the words of a front end.
+    /// Puts all its texts into the words of a front end.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         self.mass_source.spell(dialect);
         self.contacts_mass_kg.iter_mut().for_each(|mass| mass.description.spell(dialect));

@@ -10,5 +10,5 @@ pub use inspected::{
     InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
 };
 pub(crate) use note::step_in_words;
-pub use note::{NoteStep, NoteStory};
-pub use standing::{Bottom, OnFeet, StandingBody, StandingSphere};
+pub use note::{NoteStep, NoteSummary};
+pub use standing::{BodyAtRest, Bottom, StandingBody, StandingSphere};

@@ -1,4 +1,4 @@
-//! What the note in a model says to the one who received the file: who made its contacts from what, and what changed since.
+//! The note of a model for the person who received the file: how the contacts were made, and what changed since.
 
 use osim_model::messages::{readable, shown};
 use osim_model::{ChangedContacts, ChangedSinceNote, Model, Note, Scope, Source, Step};
@@ -6,30 +6,30 @@ use osim_model::{ChangedContacts, ChangedSinceNote, Model, Note, Scope, Source, 
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What the note says.
+/// What the note in a model says.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-pub struct NoteStory {
+pub struct NoteSummary {
     /// Version of the tool that wrote it.
     pub version: String,
     /// What was done to the contacts, the oldest step first.
     pub steps: Vec<NoteStep>,
-    /// Limbs that share the body weight, where somebody said how many.
+    /// Limbs that share the body weight, if the note gives a number.
     pub stance_limbs: Option<f64>,
-    /// What the bodies weighed together when it was written, kg.
+    /// What the bodies weighed together when the note was written, kg.
     pub weighed_kg: Option<f64>,
-    /// What somebody changed since, in words.
+    /// What was changed since the note was written, in words.
     pub changed_since: Vec<String>,
-    /// All of it in sentences.
+    /// The whole note in sentences.
     #[serde(skip)]
     pub sentences: Vec<String>,
 }
 
-/// One change of the contacts.
+/// One change of the contacts that the note records.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct NoteStep {
-    /// The verb and what it was given: `set stiffness=x2`; `others` where values changed without a note.
+    /// The verb with its values: `set stiffness=x2`; `others` if values were changed without a note.
     pub operation: String,
     /// Options that mattered, as `name=value`.
     pub options: String,
@@ -39,12 +39,12 @@ pub struct NoteStep {
     pub reference: Option<String>,
     /// The first 16 digits of the SHA-256 of the reference's file.
     pub reference_digest: Option<String>,
-    /// When, as `2026-11-25`.
+    /// The date of the change, as `2026-11-25`.
     pub date: Option<String>,
 }
 
-impl NoteStory {
-    /// What the note in `model` says; `None` where there is none.
+impl NoteSummary {
+    /// `None` if the model has no note.
     pub fn of(model: &Model) -> Option<Self> {
         let note = model.note.as_ref()?;
         let changed_since = changes_in_words(&model.changed_since_note());
@@ -71,7 +71,7 @@ impl From<&Step> for NoteStep {
     }
 }
 
-/// `These contacts were made for 41 kg: taken from falisse2022, made for 62 kg, on 2026-11-25; with 2 stance limbs.`
+/// For example `These contacts were made for 41 kg: taken from falisse2022, made for 62 kg, on 2026-11-25; with 2 stance limbs.`
 fn note_in_words(note: &Note) -> String {
     let which = match note.scope {
         Scope::All => "These contacts",
@@ -88,7 +88,7 @@ fn note_in_words(note: &Note) -> String {
     format!("{which} were made {mass}{}: {}.", limbs.unwrap_or_default(), steps.join("; then "))
 }
 
-/// `transfer from falisse2022, made for 62 kg, on 2025-11-26`.
+/// For example `transfer from falisse2022, made for 62 kg, on 2025-11-26`.
 pub(crate) fn step_in_words(step: &Step) -> String {
     let from = step.from_mass_kg.map(|kg| format!("{} kg", readable(kg)));
     let mut text = match (step.operation.as_str(), &step.reference) {
@@ -120,8 +120,8 @@ fn changes_in_words(changed: &ChangedSinceNote) -> Vec<String> {
 }
 
 fn contact_changes_in_words(changed: &ChangedContacts) -> Vec<String> {
-    let count = |of: &str, count: Option<(usize, usize)>| {
-        count.map(|(then, now)| format!("the contacts had {then} {of} then and have {now} now"))
+    let count = |what: &str, count: Option<(usize, usize)>| {
+        count.map(|(then, now)| format!("the contacts had {then} {what} then and have {now} now"))
     };
     let counts: Vec<String> = count("spheres", changed.sphere_count)
         .into_iter()
@@ -129,14 +129,14 @@ fn contact_changes_in_words(changed: &ChangedContacts) -> Vec<String> {
         .collect();
     let unknown = (!counts.is_empty())
         .then(|| "the note cannot show whether other numbers of the contacts changed, too".to_owned());
-    let named = [
+    let others = [
         (changed.radii, "radii"),
         (changed.places, "places of spheres"),
         (changed.sphere_names, "names of spheres"),
         (changed.force_names, "names of forces"),
         (changed.exchanged, "which contact has which numbers"),
     ];
-    let named = named.into_iter().filter(|(is, _)| *is).map(|(_, name)| name.to_owned());
+    let others = others.into_iter().filter(|(is_changed, _)| *is_changed).map(|(_, name)| name.to_owned());
     let properties = changed.properties.iter().map(|property| property.name().to_owned());
-    counts.into_iter().chain(unknown).chain(named).chain(properties).collect()
+    counts.into_iter().chain(unknown).chain(others).chain(properties).collect()
 }

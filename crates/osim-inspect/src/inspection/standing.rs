@@ -1,4 +1,5 @@
-//! How a body is over its floor at the default pose, and what puts it on its feet: as data, and in the words that `check`, `inspect` and changes share.
+//! How high a body is over its floor at the default pose, and with which coordinate it stands: as data, and in the words of `check`,
+//! `inspect` and changes.
 
 use std::collections::BTreeMap;
 
@@ -10,38 +11,38 @@ use osim_model::{Limb, Limbs, Model, SphereId};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// Bottoms of limbs this close are equally low, m.
-const LEVEL_M: f64 = 1e-9;
-/// A sphere this deep, in its radius, is inside the floor.
-const INSIDE: f64 = 0.5;
-/// A body this high is above the floor, m.
+/// Bottoms whose heights differ by no more than this are equally low, m.
+const SAME_HEIGHT_M: f64 = 1e-9;
+/// A sphere that is deeper than this, in its radius, is inside the floor.
+const INSIDE_RADII: f64 = 0.5;
+/// A body that is higher than this is above the floor, m.
 const ABOVE_M: f64 = 0.020;
-/// A body this little below where it stands, in the radius of its lowest sphere, stands.
-const STANDS: f64 = 0.1;
+/// A body that is no more than this below the place where it rests, in the radius of its lowest sphere, stands.
+const STANDS_RADII: f64 = 0.1;
 
-/// Which rests are worked out: each takes as long as reading its spheres.
+/// For which bodies it is computed how they rest, because that takes as long as reading their spheres.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Rests {
+pub(super) enum RestsToCompute {
     All,
-    /// On all feet, of bodies that are perhaps inside their floor or above it.
-    OfOdd,
+    /// Only for bodies that may be inside their floor or above it, and only on all feet.
+    OfOddBodies,
 }
 
-/// A joint tree over its floor, its joints as they are at the default pose.
+/// A joint tree over its floor at the default pose.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct StandingBody {
-    /// The body on top of the tree, which is joined to ground.
+    /// The top body of the tree, which a joint connects with ground.
     pub body: String,
-    /// Mass of the bodies that the coordinate moves, kg: no platforms, balls or chairs.
+    /// Mass of the bodies that the coordinate moves, kg; without platforms, balls or chairs.
     pub mass_kg: Option<f64>,
     /// The part of their weight along the floor's normal, N.
     pub weight_n: Option<f64>,
     /// The free coordinate that moves all its spheres alike along the normal; null if there is none.
     pub coordinate: Option<String>,
-    /// The joint that has it.
+    /// The joint of that coordinate.
     pub joint: Option<String>,
-    /// Why there is none, in words.
+    /// Why no coordinate moves its spheres so, in words.
     pub why_no_coordinate: Option<String>,
     /// The coordinate's value at the default pose, m.
     pub default_m: Option<f64>,
@@ -49,12 +50,12 @@ pub struct StandingBody {
     pub touching_m: Option<f64>,
     /// Its spheres that press on floors, in file order.
     pub bottoms: Vec<Bottom>,
-    /// On all its feet, each sphere at its own height; null if its weight or a contact is not known, nothing carries it, or
+    /// At rest on all its feet, each sphere at its own height; null if its weight or a contact is not known, nothing carries it, or
     /// a number is more than a double holds.
-    pub as_posed: Option<OnFeet>,
-    /// On the spheres of one limb alone, the lower one or, of equally low ones, the first; of several stance limbs with its share of the
-    /// weight. Null also where limbs are not known.
-    pub on_one_limb: Option<OnFeet>,
+    pub as_posed: Option<BodyAtRest>,
+    /// At rest on the spheres of its lowest limb alone (of equally low ones the first), with the share of the weight that one of several
+    /// stance limbs has. Null also if limbs are not known.
+    pub on_one_limb: Option<BodyAtRest>,
 }
 
 /// The lowest point of a sphere over its floor.
@@ -73,19 +74,19 @@ pub struct Bottom {
     pub tilt_rad: f64,
 }
 
-/// A body at rest on spheres, by the laws of the file.
+/// A body at rest on spheres, by the contact laws of the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
-pub struct OnFeet {
+pub struct BodyAtRest {
     /// The limb whose spheres alone carry it; null for all of its limbs.
     pub limb: Option<String>,
-    /// The coordinate's value there, m.
+    /// The value of the coordinate at rest, m.
     pub value_m: Option<f64>,
-    /// How far the body is below its default pose there, along the normal, m; below 0 if it is above.
+    /// How far the body at rest is below its default pose, along the normal, m; below 0 if it is above.
     pub down_m: f64,
     /// What the spheres carry along the normal, N.
     pub load_n: f64,
-    /// Whether each sphere is less deep than its radius: beyond that no contact law knows it.
+    /// Whether each sphere is less deep than its radius; beyond that no contact law holds.
     pub carried: bool,
     /// Each of these spheres, in file order.
     pub spheres: Vec<StandingSphere>,
@@ -111,8 +112,7 @@ impl StandingSphere {
     }
 }
 
-impl OnFeet {
-    /// Whether doubles hold all of its numbers.
+impl BodyAtRest {
     fn is_finite(&self) -> bool {
         let spheres = self.spheres.iter().flat_map(|one| [one.relative_indentation, one.force_n]);
         spheres.chain([self.down_m, self.load_n]).all(f64::is_finite)
@@ -122,46 +122,51 @@ impl OnFeet {
         self.spheres.iter().filter(|one| one.touches())
     }
 
-    /// The sphere that is deepest, in its radius; the first of several.
+    /// The sphere that is deepest in its radius; the first of several.
     pub fn deepest(&self) -> Option<&StandingSphere> {
         self.spheres.iter().reduce(|a, b| if b.relative_indentation > a.relative_indentation { b } else { a })
     }
 }
 
 impl StandingBody {
-    /// Each of `standing`; `limbs` are those of its spheres; `stance_limbs` of them share the weight.
+    /// One for each of `standing`. `limbs` are those of the spheres; `stance_limbs` of them share the weight.
     pub fn all(model: &Model, standing: &[Standing], limbs: &Limbs, stance_limbs: f64) -> Vec<Self> {
-        Self::those(model, standing, limbs, stance_limbs, Rests::All)
+        Self::with_rests(model, standing, limbs, stance_limbs, RestsToCompute::All)
     }
 
-    /// Bodies that stand with these rests.
-    pub(super) fn those(
+    pub(super) fn with_rests(
         model: &Model,
         standing: &[Standing],
         limbs: &Limbs,
         stance_limbs: f64,
-        rests: Rests,
+        rests: RestsToCompute,
     ) -> Vec<Self> {
         let share = 1.0 / stance_limbs;
         let limbs = limbs.if_known().unwrap_or_default();
         let places = limbs.iter().enumerate();
         let limb_of = places.flat_map(|(at, limb)| limb.spheres.iter().map(move |&sphere| (sphere, at)));
         let limb_of: HashMap<SphereId, usize> = limb_of.collect();
-        let lower = |one| limbs.get(lower(one, &limb_of)?);
-        let of_one_limb = |one| lower(one).filter(|_| rests == Rests::All);
-        standing.iter().map(|one| Self::new(model, one, of_one_limb(one), share, rests)).collect()
+        let carrying_limb =
+            |tree| limbs.get(lowest_limb(tree, &limb_of)?).filter(|_| rests == RestsToCompute::All);
+        standing.iter().map(|tree| Self::new(model, tree, carrying_limb(tree), share, rests)).collect()
     }
 
-    /// `lower` is the limb that can carry it alone.
-    fn new(model: &Model, standing: &Standing, lower: Option<&Limb>, share: f64, rests: Rests) -> Self {
+    /// `lowest_limb` is the limb that can carry it alone.
+    fn new(
+        model: &Model,
+        standing: &Standing,
+        lowest_limb: Option<&Limb>,
+        share: f64,
+        rests: RestsToCompute,
+    ) -> Self {
         let spheres: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
         let rest = |chosen: &[SphereId], share, limb: Option<&Limb>| {
             let rest = standing.rest(chosen, share)?.ok()?;
-            Some(on_feet(model, standing, &rest, limb)).filter(OnFeet::is_finite)
+            Some(body_at_rest(model, standing, &rest, limb)).filter(BodyAtRest::is_finite)
         };
         let lift = standing.lift.as_ref();
         let bottoms = bottoms(model, standing);
-        let is_asked = rests == Rests::All || is_odd(&bottoms);
+        let is_wanted = rests == RestsToCompute::All || is_odd(&bottoms);
         Self {
             body: standing.top.clone(),
             mass_kg: standing.mass_kg,
@@ -171,17 +176,18 @@ impl StandingBody {
             why_no_coordinate: lift.err().map(ToString::to_string),
             default_m: lift.ok().map(|lift| lift.default_m),
             touching_m: standing.lowest().and_then(|lowest| standing.coordinate_at(lowest.gap_m)),
-            as_posed: is_asked.then(|| rest(&spheres, 1.0, None)).flatten(),
-            on_one_limb: lower.and_then(|limb| rest(&limb.spheres, share, Some(limb))),
+            as_posed: is_wanted.then(|| rest(&spheres, 1.0, None)).flatten(),
+            on_one_limb: lowest_limb.and_then(|limb| rest(&limb.spheres, share, Some(limb))),
             bottoms,
         }
     }
 
-    /// Whether a sphere is inside the floor at the default pose and the body deeper than where its feet carry it.
+    /// Whether at the default pose a sphere is inside the floor, and the body is deeper than where its feet carry it.
     pub fn is_inside_floor(&self) -> bool {
         let Some(lowest) = self.lowest() else { return false };
-        let deeper = self.as_posed.as_ref().is_none_or(|rest| rest.down_m < -STANDS * lowest.radius_m);
-        deeper && self.bottoms.iter().any(Bottom::is_inside)
+        let is_deeper =
+            self.as_posed.as_ref().is_none_or(|rest| rest.down_m < -STANDS_RADII * lowest.radius_m);
+        is_deeper && self.bottoms.iter().any(Bottom::is_inside)
     }
 
     pub(crate) fn is_above_floor(&self) -> bool {
@@ -196,7 +202,7 @@ impl StandingBody {
 
 impl Bottom {
     fn is_inside(&self) -> bool {
-        self.height_m < -INSIDE * self.radius_m
+        self.height_m < -INSIDE_RADII * self.radius_m
     }
 
     fn is_above(&self) -> bool {
@@ -205,10 +211,10 @@ impl Bottom {
 }
 
 fn lowest(bottoms: &[Bottom]) -> Option<&Bottom> {
-    bottoms.iter().reduce(|a, b| if b.height_m < a.height_m - LEVEL_M { b } else { a })
+    bottoms.iter().reduce(|a, b| if b.height_m < a.height_m - SAME_HEIGHT_M { b } else { a })
 }
 
-/// Whether a body with these bottoms is perhaps inside its floor, or above it.
+/// Whether a body with these bottoms may be inside its floor or above it.
 fn is_odd(bottoms: &[Bottom]) -> bool {
     bottoms.iter().any(Bottom::is_inside) || lowest(bottoms).is_some_and(Bottom::is_above)
 }
@@ -222,18 +228,18 @@ fn bottoms(model: &Model, standing: &Standing) -> Vec<Bottom> {
     standing.spheres.iter().filter_map(bottom).collect()
 }
 
-/// Which of the limbs has the lowest bottom of a tree; of equally low ones the first.
-fn lower(standing: &Standing, limb_of: &HashMap<SphereId, usize>) -> Option<usize> {
+/// Which limb has the lowest bottom; of equally low ones the first.
+fn lowest_limb(standing: &Standing, limb_of: &HashMap<SphereId, usize>) -> Option<usize> {
     let mut lowest: BTreeMap<usize, f64> = BTreeMap::new();
     for over in &standing.spheres {
         let Some(&limb) = limb_of.get(&over.sphere) else { continue };
         let height_m = lowest.entry(limb).or_insert(over.gap_m);
         *height_m = height_m.min(over.gap_m);
     }
-    lowest.into_iter().reduce(|a, b| if b.1 < a.1 - LEVEL_M { b } else { a }).map(|(limb, _)| limb)
+    lowest.into_iter().reduce(|a, b| if b.1 < a.1 - SAME_HEIGHT_M { b } else { a }).map(|(limb, _)| limb)
 }
 
-fn on_feet(model: &Model, standing: &Standing, rest: &RestOnFloor, limb: Option<&Limb>) -> OnFeet {
+fn body_at_rest(model: &Model, standing: &Standing, rest: &RestOnFloor, limb: Option<&Limb>) -> BodyAtRest {
     let sphere = |one: &RestingSphere| {
         let sphere = model.sphere(one.sphere)?;
         Some(StandingSphere {
@@ -243,7 +249,7 @@ fn on_feet(model: &Model, standing: &Standing, rest: &RestOnFloor, limb: Option<
             force_n: one.force_n,
         })
     };
-    OnFeet {
+    BodyAtRest {
         limb: limb.map(|limb| limb.name.clone()),
         value_m: standing.coordinate_at(rest.down_m),
         down_m: rest.down_m,
@@ -253,11 +259,11 @@ fn on_feet(model: &Model, standing: &Standing, rest: &RestOnFloor, limb: Option<
     }
 }
 
-// The words for a body over its floor: `check`, `inspect` and changes share it.
+// A body over its floor in words, for `check`, `inspect` and changes.
 
 impl StandingBody {
     /// How far inside or above the floor the lowest sphere is: `945 mm inside the floor`; `on the floor` within a tenth of a millimetre.
-    pub fn place(&self) -> Option<String> {
+    pub fn height_in_words(&self) -> Option<String> {
         let height_m = self.lowest()?.height_m;
         let millimetres = readable((height_m.abs() * 1e4).round() / 10.0);
         Some(match height_m {
@@ -267,42 +273,44 @@ impl StandingBody {
         })
     }
 
-    /// What puts it on its feet: `pelvis_ty = 0.981 (now 0) puts it on its feet`, or why nothing does.
-    pub fn way_to_stand(&self) -> String {
+    /// The coordinate with which it stands: `pelvis_ty = 0.981 (now 0) puts it on its feet`, or why there is none.
+    pub fn describe_way_to_stand(&self) -> String {
         if let Some(why) = &self.why_no_coordinate {
             return format!("no coordinate puts it on its feet: {why}");
         }
         let carried = self.as_posed.as_ref().filter(|rest| rest.carried).and_then(|rest| rest.value_m);
         match (carried, self.touching_m) {
-            (Some(value), _) => format!("{} puts it on its feet", self.set_to(value)),
-            (None, Some(value)) => format!("{} lets its lowest sphere touch the floor", self.set_to(value)),
+            (Some(value), _) => format!("{} puts it on its feet", self.coordinate_set_to(value)),
+            (None, Some(value)) => {
+                format!("{} lets its lowest sphere touch the floor", self.coordinate_set_to(value))
+            }
             (None, None) => "what puts it on its feet is not known".to_owned(),
         }
     }
 
-    /// The coordinate at a value, and where it is: `pelvis_ty = 0.981 (now 0)`.
-    fn set_to(&self, value: f64) -> String {
+    /// The coordinate with a new and its present value: `pelvis_ty = 0.981 (now 0)`.
+    fn coordinate_set_to(&self, value: f64) -> String {
         let (name, now) = (self.coordinate_name().unwrap_or_default(), self.default_m.unwrap_or_default());
-        format!("{name} = {} (now {})", readable(self.rounded(value)), readable(now))
+        format!("{name} = {} (now {})", readable(self.rounded_coordinate(value)), readable(now))
     }
 
-    /// The coordinate, with its joint if OpenSim made the name: `_coord_4` comes more than once.
+    /// The coordinate's name; with its joint if OpenSim made the name, because several joints can have a `_coord_4`.
     fn coordinate_name(&self) -> Option<String> {
         let name = shown(self.coordinate.as_deref()?).to_string();
         let joint = self.joint.as_deref().filter(|joint| name.starts_with("_coord_") && !joint.is_empty());
         Some(joint.map_or(name.clone(), |joint| format!("{name} of {}", shown(joint))))
     }
 
-    /// A value of the coordinate in so many decimals that a hundredth of the smallest radius shows, m.
-    pub fn rounded(&self, value_m: f64) -> f64 {
+    /// A value of the coordinate, m, rounded to a hundredth of the smallest radius or less.
+    pub fn rounded_coordinate(&self, value_m: f64) -> f64 {
         let smallest = self.bottoms.iter().map(|bottom| bottom.radius_m).fold(1.0, f64::min);
         let decimals = (-(smallest / 100.0).log10().floor()).clamp(2.0, 12.0);
         let unit = 10_f64.powf(decimals);
         (value_m * unit).round() / unit
     }
 
-    /// The coordinate at rest on `feet`: `pelvis_ty = 0.981`; `None` if no coordinate lifts it.
-    pub fn coordinate_on(&self, feet: &OnFeet) -> Option<String> {
-        Some(format!("{} = {}", self.coordinate_name()?, readable(self.rounded(feet.value_m?))))
+    /// The coordinate of a body at rest: `pelvis_ty = 0.981`; `None` if no coordinate lifts it.
+    pub fn coordinate_at_rest(&self, rest: &BodyAtRest) -> Option<String> {
+        Some(format!("{} = {}", self.coordinate_name()?, readable(self.rounded_coordinate(rest.value_m?))))
     }
 }

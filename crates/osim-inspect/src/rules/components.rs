@@ -37,7 +37,7 @@ pub(super) static MISNAMED_PARAMETER_SET: Rule = Rule {
     },
 };
 
-/// Connections that were found by a name, and sets that OpenSim does not find, in the order in which they are read.
+/// Finds connections that were resolved by name, and parameter sets that OpenSim does not find, in the order of reading.
 pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
     let finding = |irregularity: &Irregularity| match irregularity {
         Irregularity::TakenByName { owner, text, taken, line } => {
@@ -121,17 +121,17 @@ pub(super) static INCLUDED_FILE: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "format/file_forceset.osim" },
 };
 
-/// Contacts that are in included files can be read but not changed.
+/// Finds contacts in included files, which can be read but not changed.
 pub(super) fn find_included_file(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
     let forces = model.forces().iter().map(|force| (force.file, &force.path));
     let spheres = model.spheres().iter().map(|sphere| (sphere.file, &sphere.path));
-    let mut said: HashSet<FileId> = HashSet::new();
+    let mut reported: HashSet<FileId> = HashSet::new();
     for (file, path) in forces.chain(spheres) {
-        if let (Some(name), false) = (model.included_file(file), said.contains(&file)) {
+        if let (Some(name), false) = (model.included_file(file), reported.contains(&file)) {
             let text = format!("{path} and others are in the file '{name}' that the model includes");
             found.push(Finding::new(&INCLUDED_FILE, text));
-            said.insert(file);
+            reported.insert(file);
         }
     }
     found
@@ -154,8 +154,8 @@ pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
     for &(file, element) in &components.tree.skipped {
         let document = components.document(file);
         let tree = document.tree();
-        let inside = tree.slice(tree.span(element));
-        if inside.contains("<HuntCrossleyForce ") || inside.contains("<SmoothSphereHalfSpaceForce ") {
+        let text = tree.slice(tree.span(element));
+        if text.contains("<HuntCrossleyForce ") || text.contains("<SmoothSphereHalfSpaceForce ") {
             let line = document.line(tree.span(element).start);
             let text = format!(
                 "contacts inside a <{}> are left alone: OpenSim does not know that class",
@@ -167,7 +167,7 @@ pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
     found
 }
 
-/// What is odd about each component, in the order of the tree.
+/// Applies the rules about single components, in the order of the tree.
 pub(super) fn find_in_components(model: &Model) -> Vec<Finding> {
     let all = model.components().tree.iter();
     let found = all.flat_map(|(id, object)| {
@@ -218,11 +218,11 @@ pub(super) static DUPLICATE_NAMES: Rule = Rule {
 fn find_duplicate_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
     let components = model.components();
     let tag = components.tag(id);
-    let ours =
+    let is_relevant =
         ["Contact", "HuntCrossleyForce", "SmoothSphere", "Body"].iter().any(|class| tag.starts_with(class));
     let unnumbered =
-        object.unnumbered_name.as_ref().filter(|_| ours && tag != Class::ContactParameters.tag())?;
-    // What has no name is called after its class.
+        object.unnumbered_name.as_ref().filter(|_| is_relevant && tag != Class::ContactParameters.tag())?;
+    // OpenSim names an object without a name after its class.
     let is_named = tag.ends_with("Set") || !components.name(id).is_empty();
     is_named.then(|| {
         let path = components.tree.path(id);
@@ -245,10 +245,10 @@ pub(super) static REFUSED_NAME: Rule = Rule {
 fn find_refused_name(model: &Model, id: ComponentId, object: &Component) -> Option<Finding> {
     object.parent?;
     let components = model.components();
-    let in_paths = object.unnumbered_name.as_ref().unwrap_or(&object.segment);
-    // Joints of old documents call bodies by their names as they are written.
+    let name_in_paths = object.unnumbered_name.as_ref().unwrap_or(&object.segment);
+    // Joints of old documents refer to bodies by the names in the file.
     let written = (components.tag(id) == "Body").then(|| components.name(id)).filter(|name| !name.is_empty());
-    let why = refuse_name_in_paths(written.as_deref().unwrap_or(in_paths)).err()?;
+    let why = refuse_name_in_paths(written.as_deref().unwrap_or(name_in_paths)).err()?;
     let path = components.tree.path(id);
     Some(Finding::at(&REFUSED_NAME, components.line(id), why.to_string()).with_place(&path))
 }
@@ -264,8 +264,8 @@ pub(super) static LOOP_OF_JOINTS: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "format/loop_of_joints.osim" },
 };
 
-/// Joints of a loop that a text names.
-const NAMED: usize = 6;
+/// A message names at most so many joints of a loop.
+const MOST_NAMED: usize = 6;
 
 pub(super) fn find_loop_of_joints(model: &Model) -> Vec<Finding> {
     let (components, skeleton) = (model.components(), model.skeleton());
@@ -278,13 +278,13 @@ pub(super) fn find_loop_of_joints(model: &Model) -> Vec<Finding> {
     let loops = skeleton.loops();
     let cut = loops.joints.first().map(|&first| {
         let joints: Vec<_> = loops.joints.iter().map(|&joint| components.name(joint).into_owned()).collect();
-        let named = listed(&joints, NAMED);
+        let names = listed(&joints, MOST_NAMED);
         let what = if loops.mass_is_in_doubt {
             "counts the mass of a body in it twice"
         } else {
             "divides a body in it, whose parts weigh together what the body weighs"
         };
-        finding(first, format!("joints form a loop ({named}): OpenSim {what}"))
+        finding(first, format!("joints form a loop ({names}): OpenSim {what}"))
     });
     ignored.chain(cut).collect()
 }

@@ -1,4 +1,4 @@
-//! Which contacts a model has: none, or not those that were chosen; for which mass they were made; and who published them.
+//! Rules about which contacts a model has, for which mass they were made, and who published them.
 
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable};
 use osim_model::{
@@ -8,7 +8,7 @@ use osim_model::{
 use osim_requests::options::MassOptions;
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
-use crate::findings::{Found, Remedies, rounded};
+use crate::findings::{FindingWithRemedy, Remedies, rounded_mass};
 use crate::inspection::Inspection;
 use crate::known_contacts::KnownContacts;
 use crate::load::InspectOptions;
@@ -24,7 +24,7 @@ pub(crate) static BARE_MODEL: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "bad/no_contacts.osim" },
 };
 
-/// A model in which nothing can be chosen.
+/// Finds a model without contacts that can be chosen.
 pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option<Finding> {
     let fault = options.selection.apply(model).err().filter(|fault| fault.code() == "no-contacts")?;
     Some(Finding::new(&BARE_MODEL, fault.phrase()))
@@ -44,14 +44,18 @@ pub(crate) static UNMATCHED_PATTERN: Rule = Rule {
     },
 };
 
-/// A message for each pattern of `selection` and of `masses` that fits no name in `model`.
-pub fn unmatched_patterns(selection: &Selection, masses: &MassRequest, model: &Model) -> Vec<Phrase> {
-    let said = |input: Input, pattern: &Pattern, what: &str| {
+/// One message for each pattern of `selection` and of `masses` that fits no name in `model`.
+pub fn describe_unmatched_patterns(
+    selection: &Selection,
+    masses: &MassRequest,
+    model: &Model,
+) -> Vec<Phrase> {
+    let message = |input: Input, pattern: &Pattern, what: &str| {
         phrase![input.with_value(pattern.to_string()), format!(": no {what} of the model has such a name")]
     };
     let forces = selection.unmatched_patterns(model).into_iter();
-    let forces = forces.map(|(input, pattern)| said(input, pattern, "contact force"));
-    let bodies = masses.unmatched_patterns(model).map(|pattern| said(Input::ExcludeBody, pattern, "body"));
+    let forces = forces.map(|(input, pattern)| message(input, pattern, "contact force"));
+    let bodies = masses.unmatched_patterns(model).map(|pattern| message(Input::ExcludeBody, pattern, "body"));
     forces.chain(bodies).collect()
 }
 
@@ -60,8 +64,8 @@ pub(crate) fn find_unmatched_patterns(
     masses: &MassRequest,
     model: &Model,
 ) -> Vec<Finding> {
-    let said = unmatched_patterns(selection, masses, model).into_iter();
-    said.map(|message| Finding::new(&UNMATCHED_PATTERN, message)).collect()
+    let messages = describe_unmatched_patterns(selection, masses, model).into_iter();
+    messages.map(|message| Finding::new(&UNMATCHED_PATTERN, message)).collect()
 }
 
 pub(crate) static MASS_UNKNOWN: Rule = Rule {
@@ -79,7 +83,7 @@ pub(crate) static MASS_UNKNOWN: Rule = Rule {
     },
 };
 
-/// Why a mass is not known.
+/// The finding that a mass is not known, from the fault that says why.
 pub(crate) fn mass_unknown(fault: &Fault) -> Finding {
     Finding::new(&MASS_UNKNOWN, fault.phrase())
 }
@@ -95,7 +99,7 @@ pub(crate) static STALE_NOTE: Rule = Rule {
     example: Example::Models { good: "check/noted.osim", bad: "check/stale_note.osim" },
 };
 
-/// Why a mass is not known, where it is the note's.
+/// The finding that the note is out of date, if that is why a mass is not known.
 pub(crate) fn stale_note(fault: &Fault) -> Option<Finding> {
     (fault.code() == "stale-note").then(|| Finding::new(&STALE_NOTE, fault.phrase()))
 }
@@ -111,11 +115,12 @@ pub(crate) static COUNT_UNKNOWN: Rule = Rule {
     example: Example::Models { good: "check/within_limits.osim", bad: "format/no_sides.osim" },
 };
 
-/// Limbs are not known either where forces of several animals are there and nobody chose among them.
+/// Finds a model whose number of spheres per limb is not known. It also is not known for forces of several animals, if the caller chose
+/// none of these.
 pub(crate) fn find_count_unknown(inspected: &Inspection) -> Option<Finding> {
     let limbs = &inspected.figures.limbs;
-    let counted = !limbs.is_empty() && limbs.iter().all(|limb| limb.sphere_count.is_some());
-    match (&inspected.limbs, counted, &inspected.limbs_unknown) {
+    let is_counted = !limbs.is_empty() && limbs.iter().all(|limb| limb.sphere_count.is_some());
+    match (&inspected.limbs, is_counted, &inspected.limbs_unknown) {
         (None, false, Some(why)) => Some(Finding::new(&COUNT_UNKNOWN, why.clone())),
         _ => None,
     }
@@ -158,17 +163,17 @@ pub(crate) static CONTACTS_OF_ANOTHER_MASS: Rule = Rule {
     },
 };
 
-/// Known contacts under a body of another mass, where no note says that this is known. They can be scaled where the places of
-/// the spheres are right.
+/// Finds known contacts under a body of another mass, unless the note or the caller gives their mass. The remedy scales them, if the
+/// places of the spheres are right.
 pub(crate) fn find_contacts_of_another_mass(
     inspected: &Inspection,
     remedies: &Remedies<'_>,
     places_are_right: bool,
-) -> Option<Found> {
+) -> Option<FindingWithRemedy> {
     let mass = inspected.mass_kg?;
     let known = inspected.known_contacts?;
-    let unsaid = inspected.contacts_mass_kg.as_ref().is_some_and(|made_for| made_for.source == "bodies");
-    if !unsaid || same_mass(mass, known.made_for_kg) {
+    let is_assumed = inspected.contacts_mass_kg.as_ref().is_some_and(|made_for| made_for.source == "bodies");
+    if !is_assumed || same_mass(mass, known.made_for_kg) {
         return None;
     }
     let made_for = known.made_for_kg;
@@ -179,16 +184,15 @@ pub(crate) fn find_contacts_of_another_mass(
         four_significant(mass)
     );
     let remedy = places_are_right.then(|| scale_to_body(remedies, made_for, mass)).flatten();
-    Some(Found::new(Finding::new(&CONTACTS_OF_ANOTHER_MASS, text), remedy))
+    Some(FindingWithRemedy::new(Finding::new(&CONTACTS_OF_ANOTHER_MASS, text), remedy))
 }
 
-/// Scales contacts that were made for another body to this one.
 fn scale_to_body(remedies: &Remedies<'_>, contacts_mass_kg: f64, target_mass_kg: f64) -> Option<Request> {
-    let contacts_mass = Some(Kilograms::new(rounded(contacts_mass_kg)).ok()?);
+    let contacts_mass = Some(Kilograms::new(rounded_mass(contacts_mass_kg)).ok()?);
     Some(
         RescaleRequest {
             models: remedies.models(true)?,
-            target_mass: Some(Kilograms::new(rounded(target_mass_kg)).ok()?),
+            target_mass: Some(Kilograms::new(rounded_mass(target_mass_kg)).ok()?),
             masses: MassOptions { contacts_mass, ..MassOptions::default() },
             choice: remedies.choice(),
             set_files: remedies.set_files(),

@@ -6,8 +6,8 @@ use osim_model::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictO
 use osim_requests::Request;
 
 use crate::figures::{Figure, SphereFigures};
-use crate::findings::Found;
-use crate::rules::limits::{CENTRE, Limits, beyond};
+use crate::findings::FindingWithRemedy;
+use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE, value_beyond_limit};
 
 pub(super) static SUNK_IN: Rule = Rule {
     code: FindingCode::SunkIn,
@@ -26,39 +26,40 @@ pub(super) static SUNK_IN: Rule = Rule {
     },
 };
 
-pub(super) fn find_sunk_in(limits: &Limits<'_>) -> Option<Found> {
-    sunk_in_level(limits).or_else(|| sunk_in_at_own_heights(limits))
+pub(super) fn find_sunk_in(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    sunk_in_level(check).or_else(|| sunk_in_at_own_heights(check))
 }
 
-/// Whether a sphere is as deep as its centre where its limb carries the body and each sphere is at its own height.
-fn is_own_height_too_deep(sphere: &SphereFigures) -> Option<f64> {
-    sphere.value(Figure::StandingIndentationModelLaw).filter(|&x| x >= CENTRE)
+/// x̂ with each sphere at its own height, if the sphere is then in the floor up to its centre.
+fn too_deep_at_own_height(sphere: &SphereFigures) -> Option<f64> {
+    sphere.value(Figure::StandingIndentationModelLaw).filter(|&x| x >= UP_TO_CENTRE)
 }
 
-fn sunk_in_level(limits: &Limits<'_>) -> Option<Found> {
-    let found = limits.concerned(|sphere| sphere.value(Figure::Indentation).filter(|&x| x >= CENTRE))?;
-    let x = four_significant(found.most);
+fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    let affected =
+        check.spheres_with(|sphere| sphere.value(Figure::Indentation).filter(|&x| x >= UP_TO_CENTRE))?;
+    let x = four_significant(affected.largest);
     let text = format!(
         "too soft: at body weight on {} spheres sink {x} R into the floor (x/R by Hertz)",
-        carriers(limits)
+        carrying_limbs(check)
     );
-    let finding = limits.about(&SUNK_IN, &text, &found);
-    Some(match ManyLimbs::of(limits) {
-        Some(limbs) => limbs.sunk_in(finding, found.most, limits),
+    let finding = check.finding_at_sphere(&SUNK_IN, &text, &affected);
+    Some(match ManyLimbs::of(check) {
+        Some(limbs) => limbs.sunk_in(finding, affected.largest, check),
         None => {
-            let finding = match made_for_this_body(limits) {
+            let finding = match advice_if_made_for_this_body(check) {
                 Some(advice) => finding.with_advice(advice),
                 None => finding,
             };
-            Found::new(finding, limits.remedies.indentation(&limits.spheres))
+            FindingWithRemedy::new(finding, check.remedies.reduce_indentation(&check.spheres))
         }
     })
 }
 
-/// What to do if somebody said that the contacts were made for a body of this mass: no scaling helps then.
-fn made_for_this_body(limits: &Limits<'_>) -> Option<Phrase> {
-    let made_for = limits.inspected.contacts_mass_kg.as_ref().filter(|mass| mass.recorded)?;
-    let weighs_kg = limits.inspected.figures.mass_kg.filter(|&kg| same_mass(kg, made_for.value))?;
+/// Advice if the contacts are recorded as made for this mass: scaling does not help then.
+fn advice_if_made_for_this_body(check: &FigureCheck<'_>) -> Option<Phrase> {
+    let made_for = check.inspected.contacts_mass_kg.as_ref().filter(|mass| mass.recorded)?;
+    let weighs_kg = check.inspected.figures.mass_kg.filter(|&kg| same_mass(kg, made_for.value))?;
     Some(phrase![
         format!("They were made for {} kg (", readable(weighs_kg)),
         &made_for.description,
@@ -69,72 +70,79 @@ fn made_for_this_body(limits: &Limits<'_>) -> Option<Phrase> {
     ])
 }
 
-/// What carries the body, as the caller said.
-fn carriers(limits: &Limits<'_>) -> String {
-    match limits.inspected.stance_limbs {
+/// The limbs that carry the body, in words.
+fn carrying_limbs(check: &FigureCheck<'_>) -> String {
+    match check.inspected.stance_limbs {
         1.0 => "one limb".to_owned(),
         limbs => format!("{} limbs", readable(limbs)),
     }
 }
 
-/// Softer contacts are not what is wrong then: the lower spheres carry what all should carry.
-fn sunk_in_at_own_heights(limits: &Limits<'_>) -> Option<Found> {
-    let found = limits.concerned(is_own_height_too_deep)?;
-    let x = four_significant(found.most);
+/// Finds limbs whose lower spheres carry alone what all should carry. Their contacts are not too soft.
+fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    let affected = check.spheres_with(too_deep_at_own_height)?;
+    let x = four_significant(affected.largest);
     let text = format!(
         "at body weight on {} the lower spheres carry the body alone, and sink {x} R into the floor (x/R with each sphere at its own \
          height at the default pose)",
-        carriers(limits)
+        carrying_limbs(check)
     );
-    Some(Found::new(limits.about(&SUNK_IN, &text, &found), limits.remedies.level()))
+    Some(FindingWithRemedy::new(
+        check.finding_at_sphere(&SUNK_IN, &text, &affected),
+        check.remedies.level_feet(),
+    ))
 }
 
-/// Limbs that carry a body on more of them, at least: of a horse that trots.
-const CARRIERS: f64 = 2.0;
+/// At least so many limbs carry a body that has more than two, as those of a horse that trots.
+const LEAST_CARRYING_LIMBS: f64 = 2.0;
 
-/// A body on more limbs than a biped's.
+/// A body with more than two limbs.
 struct ManyLimbs {
     limbs: usize,
-    /// How many of them share the weight, as the caller said.
-    said: f64,
+    /// How many of them share the weight in the figures.
+    stance_limbs: f64,
 }
 
 impl ManyLimbs {
-    /// The limbs, if there are more than two; `None` also if the caller said how many spheres share the weight, or if that is not known.
-    pub(super) fn of(limits: &Limits<'_>) -> Option<Self> {
-        let stance = &limits.remedies.options.stance;
-        let limbs = limits.inspected.limbs.as_ref()?.len();
-        let is_counted = stance.spheres.is_none() && limits.remedies.counted;
-        (limbs > 2 && is_counted).then_some(Self { limbs, said: limits.inspected.stance_limbs })
+    /// `None` for two limbs or fewer, and if the caller gives the number of spheres that share the weight, or it is not known.
+    fn of(check: &FigureCheck<'_>) -> Option<Self> {
+        let stance = &check.remedies.options.stance;
+        let limbs = check.inspected.limbs.as_ref()?.len();
+        let is_counted = stance.spheres.is_none() && check.remedies.is_counted;
+        (limbs > 2 && is_counted).then_some(Self { limbs, stance_limbs: check.inspected.stance_limbs })
     }
 
-    /// `finding` about spheres that sink in by `x` of their radius, as it is for a body on so many limbs: what x/R is on two of them, and
-    /// what to do about it.
-    fn sunk_in(&self, finding: Finding, x: f64, limits: &Limits<'_>) -> Found {
-        let carriers = self.said.max(CARRIERS);
+    /// Adapts `finding`, that spheres sink in by `x` of their radius, to such a body: adds x/R on two limbs, and what to do.
+    fn sunk_in(&self, finding: Finding, x: f64, check: &FigureCheck<'_>) -> FindingWithRemedy {
+        let carrying = self.stance_limbs.max(LEAST_CARRYING_LIMBS);
         // Equal spheres share the load, and x̂ follows F^(2/3) (3).
-        let there = x * (self.said / carriers).powf(2.0 / 3.0);
-        let on = format!("on {} of its {} limbs", readable(carriers), self.limbs);
-        let finding = match self.said < carriers {
+        let x_hat = x * (self.stance_limbs / carrying).powf(2.0 / 3.0);
+        let on = format!("on {} of its {} limbs", readable(carrying), self.limbs);
+        let finding = match self.stance_limbs < carrying {
             true => {
                 let message =
-                    phrase![&finding.message, format!("; {on} it is {} R", four_significant(there))];
+                    phrase![&finding.message, format!("; {on} it is {} R", four_significant(x_hat))];
                 finding.with_message(message)
             }
             false => finding,
         };
-        match there < CENTRE {
-            // No animal stands on one of four limbs: its contacts may be right.
-            true => finding.with_advice(self.stands_on_two(carriers)).with_severity(Severity::Warning).into(),
+        match x_hat < UP_TO_CENTRE {
+            // The contacts may be right, because no animal stands on one of four limbs.
+            true => {
+                finding.with_advice(self.advice_to_stand_on(carrying)).with_severity(Severity::Warning).into()
+            }
             false => {
-                let remedy = limits.remedies.published(Some(carriers)).map(Request::from);
-                Found::new(finding.with_advice(of_another_body(carriers)), remedy)
+                let remedy = check.remedies.transfer_published(Some(carrying)).map(Request::from);
+                FindingWithRemedy::new(
+                    finding.with_advice(advice_for_other_number_of_limbs(carrying)),
+                    remedy,
+                )
             }
         }
     }
 
-    fn stands_on_two(&self, carriers: f64) -> Phrase {
-        let check = Verb::Check.call_with_model().with_value(Input::StanceLimbs, readable(carriers));
+    fn advice_to_stand_on(&self, carrying: f64) -> Phrase {
+        let check = Verb::Check.call_with_model().with_value(Input::StanceLimbs, readable(carrying));
         phrase![
             format!("Nothing, if at least two of its {} limbs always carry it: say so, with ", self.limbs),
             check,
@@ -143,11 +151,11 @@ impl ManyLimbs {
     }
 }
 
-/// Why the mass alone does not make contacts right that were made for a body on other limbs.
-fn of_another_body(carriers: f64) -> Phrase {
+/// Advice for contacts that were made for a body on another number of limbs: scaling by mass alone does not make them right.
+fn advice_for_other_number_of_limbs(carrying: f64) -> Phrase {
     phrase![
         "If the contacts were made for another body, take those of a known model, as large against this body, with ",
-        Input::StanceLimbs.with_value(readable(carriers)),
+        Input::StanceLimbs.with_value(readable(carrying)),
         ": scaled by mass alone they are still those of another number of spheres. If they were made for this one, make them stiffer, for \
          the x/R that is meant with so many limbs",
     ]
@@ -168,11 +176,13 @@ pub(super) static BEYOND_HERTZ: Rule = Rule {
     },
 };
 
-pub(super) fn find_beyond_hertz(limits: &Limits<'_>) -> Option<Found> {
-    let found = limits.concerned(|sphere| beyond(sphere, Figure::Indentation).filter(|&x| x < CENTRE))?;
-    let (x, limit) = (four_significant(found.most), INDENTATION.in_words());
+pub(super) fn find_beyond_hertz(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    let affected = check.spheres_with(|sphere| {
+        value_beyond_limit(sphere, Figure::Indentation).filter(|&x| x < UP_TO_CENTRE)
+    })?;
+    let (x, limit) = (four_significant(affected.largest), INDENTATION.in_words());
     let text = format!("at body weight on one limb x/R is {x} by Hertz, {limit}");
-    Some(limits.about(&BEYOND_HERTZ, &text, &found).into())
+    Some(check.finding_at_sphere(&BEYOND_HERTZ, &text, &affected).into())
 }
 
 pub(super) static BEYOND_HERTZ_AT_TWO: Rule = Rule {
@@ -190,13 +200,13 @@ pub(super) static BEYOND_HERTZ_AT_TWO: Rule = Rule {
     },
 };
 
-pub(super) fn find_beyond_hertz_at_two(limits: &Limits<'_>) -> Option<Found> {
+pub(super) fn find_beyond_hertz_at_two(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let only_at_two = |sphere: &SphereFigures| {
-        beyond(sphere, Figure::IndentationAtTwo)
+        value_beyond_limit(sphere, Figure::IndentationAtTwo)
             .filter(|_| sphere.is_within(Figure::Indentation) == Some(true))
     };
-    let found = limits.concerned(only_at_two)?;
-    let (x, limit) = (four_significant(found.most), INDENTATION.in_words());
+    let affected = check.spheres_with(only_at_two)?;
+    let (x, limit) = (four_significant(affected.largest), INDENTATION.in_words());
     let text = format!("at two body weights on one limb x/R is {x} by Hertz, {limit}");
-    Some(limits.about(&BEYOND_HERTZ_AT_TWO, &text, &found).into())
+    Some(check.finding_at_sphere(&BEYOND_HERTZ_AT_TWO, &text, &affected).into())
 }

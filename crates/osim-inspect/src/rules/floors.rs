@@ -1,4 +1,5 @@
-//! Floors that are turned wrongly, slope, or hang on the body that stands on them; gravity that is none, in another unit, or not towards the floor.
+//! Rules about floors that are turned wrongly, slope, or are on the body that stands on them; and about gravity that is absent, in another
+//! unit, or not towards the floor.
 
 use osim_model::messages::{Input, phrase, readable, shown, three_significant};
 use osim_model::{
@@ -9,22 +10,22 @@ use crate::floors::{Floors, JudgedPlane, PlaneKind};
 use crate::inspection::Inspection;
 use crate::load::InspectOptions;
 
-/// A floor that leans by more than this, degrees, is nearer to upside down than to upright.
+/// A floor that leans by more than this, degrees, counts as upside down, else as upright.
 pub(super) const UPSIDE_DOWN_DEGREES: f64 = 135.0;
 
-/// The floors that lean as `is_so` (degrees) says, with what to write instead.
-fn find_turned(floors: &Floors, rule: &'static Rule, is_so: impl Fn(f64) -> bool) -> Vec<Finding> {
-    let of_plane = |judged: &JudgedPlane| match judged.kind {
-        PlaneKind::Steep(degrees) if is_so(degrees) => turned_finding(judged, rule, degrees),
+/// Finds too steep floors with a tilt in degrees that `applies`, and says what to write instead.
+fn find_turned(floors: &Floors, rule: &'static Rule, applies: impl Fn(f64) -> bool) -> Vec<Finding> {
+    let finding = |judged: &JudgedPlane| match judged.kind {
+        PlaneKind::Steep(degrees) if applies(degrees) => turned_finding(judged, rule, degrees),
         _ => None,
     };
-    floors.iter().filter_map(of_plane).collect()
+    floors.iter().filter_map(finding).collect()
 }
 
 fn turned_finding(judged: &JudgedPlane, rule: &'static Rule, degrees: f64) -> Option<Finding> {
     let plane = &judged.plane;
-    let (own, surface) = plane.orientations.first().zip(plane.surface)?;
-    let tag = own.tag;
+    let (orientation, surface) = plane.orientations.first().zip(plane.surface)?;
+    let tag = orientation.tag;
     let text = format!(
         "the surface of {} faces {} degrees away from up, expected less than 45, and its spheres have no other floor; to make it \
          level write <{tag}>{}</{tag}>",
@@ -32,7 +33,7 @@ fn turned_finding(judged: &JudgedPlane, rule: &'static Rule, degrees: f64) -> Op
         three_significant(degrees),
         surface.level_orientation.map(readable).join(" "),
     );
-    Some(Finding::at(rule, own.line, text).with_place(&plane.path))
+    Some(Finding::at(rule, orientation.line, text).with_place(&plane.path))
 }
 
 pub(super) static FLOOR_UPSIDE_DOWN: Rule = Rule {
@@ -138,8 +139,6 @@ fn slope_finding(judged: &JudgedPlane) -> Option<Finding> {
     Some(Finding::at(&FLOOR_SLOPES, plane.line, text).with_place(&plane.path))
 }
 
-// Gravity: none, in another unit, not towards the floor, or another one than in the note.
-
 pub(crate) static NO_GRAVITY: Rule = Rule {
     code: FindingCode::NoGravity,
     severity: Severity::Error,
@@ -161,10 +160,10 @@ pub(crate) fn find_no_gravity(
     inspected: &Inspection,
     are_floors: impl FnOnce() -> bool,
 ) -> Option<Finding> {
-    let own = inspected.gravity_m_s2.filter(|&gravity| gravity != 0.0);
-    // Where figures are made, it may also have been given.
+    let gravity = inspected.gravity_m_s2.filter(|&gravity| gravity != 0.0);
+    // The caller may also have given a gravity for the figures.
     let needed = Needed::Gravity { purpose: GravityFor::Figures };
-    let is_missing = own.or(inspected.figures.gravity_m_s2).is_none() && are_floors();
+    let is_missing = gravity.or(inspected.figures.gravity_m_s2).is_none() && are_floors();
     is_missing.then(|| Finding::new(&NO_GRAVITY, needed.phrase()).with_line(model.gravity_line()))
 }
 
@@ -185,21 +184,21 @@ pub(crate) static GRAVITY_TOO_LARGE: Rule = Rule {
     },
 };
 
-/// The largest gravity that somebody may mean, m/s².
-const LARGEST: f64 = 100.0;
-/// Millimetres and centimetres in a metre.
+/// A gravity above this, m/s², probably is in another unit.
+const LARGEST_GRAVITY: f64 = 100.0;
+/// Other units in which gravity may be: how many millimetres and centimetres are in a metre.
 const UNITS: [f64; 2] = [1000.0, 100.0];
-/// What gravity is taken for in another unit, m/s²: within half and twice the Earth's.
-const USUAL: std::ops::RangeInclusive<f64> = 5.0..=20.0;
+/// A gravity in another unit is recognised if it is between half and twice the Earth's, m/s².
+const LIKE_ON_EARTH: std::ops::RangeInclusive<f64> = 5.0..=20.0;
 
 pub(crate) fn find_too_large(model: &Model) -> Option<Finding> {
-    let (gravity, size) = (model.gravity_m_s2?, model.gravity().filter(|&size| size > LARGEST)?);
+    let (gravity, size) = (model.gravity_m_s2?, model.gravity().filter(|&size| size > LARGEST_GRAVITY)?);
     let mut text = format!(
         "gravity is {} in the file, which OpenSim reads in m/s2: expected at most {} m/s2",
         gravity.map(readable).join(" "),
-        readable(LARGEST)
+        readable(LARGEST_GRAVITY)
     );
-    if let Some(unit) = UNITS.into_iter().find(|unit| USUAL.contains(&(size / unit))) {
+    if let Some(unit) = UNITS.into_iter().find(|unit| LIKE_ON_EARTH.contains(&(size / unit))) {
         let metres = gravity.map(|value| readable(value / unit)).join(" ");
         text.push_str(&format!("; write <gravity>{metres}</gravity>"));
     }
@@ -223,18 +222,18 @@ pub(crate) static GRAVITY_NOT_DOWN: Rule = Rule {
     },
 };
 
-/// Components of gravity below this share of its size are what rounding left.
-const NOISE: f64 = 1e-6;
+/// Components of a direction below this are rounding errors.
+const ROUNDING: f64 = 1e-6;
 
-/// The finding, from the first floor that shows it.
+/// Finds the first floor that gravity does not point into.
 pub(crate) fn find_not_down(model: &Model, floors: &Floors) -> Option<Finding> {
     floors.iter().find_map(|judged| not_down_finding(model, judged))
 }
 
 fn not_down_finding(model: &Model, judged: &JudgedPlane) -> Option<Finding> {
-    let PlaneKind::GravityAside(degrees) = judged.kind else { return None };
+    let PlaneKind::GravityMisaligned(degrees) = judged.kind else { return None };
     let (surface, size) = judged.plane.surface.zip(model.gravity())?;
-    let down = surface.normal.map(|value| if value.abs() < NOISE { 0.0 } else { -value * size });
+    let down = surface.normal.map(|value| if value.abs() < ROUNDING { 0.0 } else { -value * size });
     let points = if degrees > UPSIDE_DOWN_DEGREES { "out of" } else { "along" };
     let text = format!(
         "gravity is {} m/s2, which points {points} the floor {}, not into it; write <gravity>{}</gravity>",
@@ -260,17 +259,17 @@ pub(crate) static GRAVITY_SOURCES_DISAGREE: Rule = Rule {
     },
 };
 
-/// The finding, where the note in the file gives a gravity, the model another, and nobody says which is meant.
+/// Finds a note with another gravity than the model's, unless the caller says which one counts.
 pub(crate) fn find_sources_disagree(model: &Model, options: &InspectOptions) -> Option<Finding> {
     let noted = model.note.as_ref()?.gravity_m_s2?;
-    let own = model.gravity().filter(|&gravity| gravity > 0.0)?;
-    if options.stance.gravity_m_s2.is_some() || same_gravity(noted, own) {
+    let present = model.gravity().filter(|&gravity| gravity > 0.0)?;
+    if options.stance.gravity_m_s2.is_some() || same_gravity(noted, present) {
         return None;
     }
-    let (noted, own) = (readable(noted), readable(own));
+    let (noted, present) = (readable(noted), readable(present));
     let message = phrase![
         format!(
-            "its contacts are made for {noted} m/s2 (note in the file), and its gravity is {own} m/s2: set <gravity>"
+            "its contacts are made for {noted} m/s2 (note in the file), and its gravity is {present} m/s2: set <gravity>"
         ),
         Input::Gravity.either(phrase![", or say ", Input::Gravity.with_value(noted)], ""),
     ];

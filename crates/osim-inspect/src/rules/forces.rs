@@ -1,4 +1,4 @@
-//! Rules about contact forces: their spheres, their parameter sets, and what of them counts nowhere.
+//! Rules about contact forces: their spheres, their elements in the file, and terrain, which counts in no figure.
 
 use osim_model::messages::readable;
 use osim_model::{
@@ -8,7 +8,7 @@ use osim_model::{
 use osim_requests::options::{ClassChoice, ForceOptions};
 use osim_requests::{ConvertRequest, Request};
 
-use crate::findings::{Remedies, exactly};
+use crate::findings::{Remedies, exact_pattern};
 use crate::rules::spheres::about_spheres;
 
 pub(super) static SEVERAL_SPHERES_ONE_FORCE: Rule = Rule {
@@ -74,20 +74,21 @@ pub(super) static MOCO_DIALECT: Rule = Rule {
 };
 
 pub(super) fn find_moco_dialect(model: &Model) -> Vec<Finding> {
-    let inside = model.spheres().iter().filter(|sphere| sphere.is_inside_force());
+    let inside_forces = model.spheres().iter().filter(|sphere| sphere.is_inside_force());
     let finding = |sphere: &Sphere| {
         let text = format!("{} keeps its sphere inside: OpenSim 4.2 and later cannot read it", sphere.path);
         Finding::at(&MOCO_DIALECT, sphere.line, text).with_place(&sphere.path)
     };
-    inside.map(finding).collect()
+    inside_forces.map(finding).collect()
 }
 
-/// Whether a force is spelled as in Moco 0.1 to 0.3.
+/// Whether a force has its sphere inside its own element, as in Moco 0.1 to 0.3.
 fn keeps_sphere_inside(model: &Model, force: &Force) -> bool {
     force.spheres().into_iter().any(|id| model.sphere(id).is_some_and(Sphere::is_inside_force))
 }
 
-/// The force that `finding` is about as OpenSim reads it today; all forces, where all are such and nobody chose among them.
+/// Converts the force that `finding` is about into a form that OpenSim reads today; all forces, if all keep their spheres inside and the
+/// caller chose none of them.
 pub(super) fn convert_moco_forces(
     remedies: &Remedies<'_>,
     model: &Model,
@@ -97,7 +98,7 @@ pub(super) fn convert_moco_forces(
     let all = remedies.options.selection == Selection::default()
         && model.forces().iter().all(|force| keeps_sphere_inside(model, force));
     let force = model.forces().iter().find(|force| Some(force.path.as_str()) == finding.place.as_deref())?;
-    let select = if all { Vec::new() } else { vec![exactly(&force.name)?] };
+    let select = if all { Vec::new() } else { vec![exact_pattern(&force.name)?] };
     let choice = ForceOptions { select, ..ForceOptions::default() };
     let to = Some(ClassChoice::of(ForceKind::SmoothSphereHalfSpace));
     Some(ConvertRequest { models, to, choice, ..ConvertRequest::default() }.into())
@@ -120,7 +121,7 @@ pub(super) static DEAD_DERIVATIVE_SMOOTHING: Rule = Rule {
 
 pub(super) fn find_dead_derivative_smoothing(model: &Model) -> Vec<Finding> {
     let mut found = Vec::new();
-    // Where the force keeps its sphere inside itself, its class is that of early Moco, and the element is alive.
+    // Early Moco, whose forces keep their spheres inside, reads the element.
     for force in model.forces().iter().filter(|force| !keeps_sphere_inside(model, force)) {
         let document = model.file(force.file);
         if let Some(dead) = document.tree().child(force.element(), "derivative_smoothing") {
@@ -143,7 +144,7 @@ pub(super) static TERRAIN: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "format/terrain_on_ground.osim" },
 };
 
-/// One finding for all spheres that are scenery, and one for all bodies.
+/// One finding for all spheres of the terrain, and one for all its bodies.
 pub(super) fn find_terrain(model: &Model) -> Vec<Finding> {
     terrain_spheres(model).into_iter().chain(terrain_bodies(model)).collect()
 }

@@ -1,12 +1,12 @@
-//! What one model shows: a file for each topic, with the texts of its rules, what raises them, and their remedies. A new rule is a static
-//! there and a line in one of the tables here.
+//! The rules about one model, a file for each topic, with their texts, the functions that apply them, and their remedies. A new rule is a
+//! static there and a line in one of the tables here.
 
 mod components;
 pub(crate) mod contacts;
 mod depth;
+mod figure_check;
 pub(crate) mod floors;
 mod forces;
-mod limits;
 mod numbers;
 pub(crate) mod places;
 pub(crate) mod sides;
@@ -17,18 +17,18 @@ mod standing;
 use osim_model::{Finding, FindingCode, Model, Rule};
 use osim_requests::Request;
 
-use crate::findings::{Found, Remedies};
+use crate::findings::{FindingWithRemedy, Remedies};
 use crate::floors::Floors;
 use crate::sides::BothSides;
-pub use contacts::unmatched_patterns;
-pub(crate) use limits::Limits;
-pub use places::misplaced_spheres;
+pub use contacts::describe_unmatched_patterns;
+pub(crate) use figure_check::FigureCheck;
+pub use places::find_misplaced_spheres;
 
-/// Rules, one or several whose findings are listed by turns, and what tries them.
+/// Lines with one or several rules, and the function that applies these together.
 type Table<F> = &'static [(&'static [&'static Rule], F)];
 
-/// What one model shows by itself, in the order in which reports list it.
-static OF_MODEL: Table<fn(&Model) -> Vec<Finding>> = &[
+/// Rules about a model, in the order in which reports list their findings.
+static MODEL_RULES: Table<fn(&Model) -> Vec<Finding>> = &[
     (&[&components::CONNECTEE_BY_NAME, &components::MISNAMED_PARAMETER_SET], components::find_irregularities),
     (&[&numbers::ODD_NUMBER, &numbers::NOT_FINITE, &numbers::OUT_OF_DOMAIN], numbers::find_odd_numbers),
     (&[&numbers::ANGLE_IN_DEGREES], numbers::find_angle_in_degrees),
@@ -38,8 +38,8 @@ static OF_MODEL: Table<fn(&Model) -> Vec<Finding>> = &[
     (&[&forces::SPHERE_IN_TWO_FORCES], forces::find_sphere_in_two_forces),
     (&[&numbers::DEFAULT_STIFFNESS], numbers::find_default_stiffness),
     (&[&numbers::ZERO_CONSTANT_CONTACT_FORCE], numbers::find_zero_constant_contact_force),
-    // And those of `OF_SIDES`.
-    (&[&sides::LEFT_RIGHT_DIFFER, &sides::LEFT_RIGHT_CLOSE], find_on_sides),
+    // This line also applies `SIDE_RULES`.
+    (&[&sides::LEFT_RIGHT_DIFFER, &sides::LEFT_RIGHT_CLOSE], find_in_sides),
     (&[&numbers::LARGE_FRICTION], numbers::find_large_friction),
     (&[&components::CONTACT_DEFAULTS], components::find_contact_defaults),
     (&[&forces::MOCO_DIALECT], forces::find_moco_dialect),
@@ -53,8 +53,8 @@ static OF_MODEL: Table<fn(&Model) -> Vec<Finding>> = &[
     (&[&components::MIXED_PAIR], components::find_mixed_pair),
 ];
 
-/// What the two sides of the body show, and places and sizes of spheres on it.
-static OF_SIDES: Table<fn(&BothSides<'_>) -> Option<Finding>> = &[
+/// Rules about the two sides of the body, and about places and sizes of spheres.
+static SIDE_RULES: Table<fn(&BothSides<'_>) -> Option<Finding>> = &[
     (&[&sides::LEFT_RIGHT_PLACES], sides::find_left_right_places),
     (&[&sides::LEFT_RIGHT_MISSING], sides::find_left_right_missing),
     (&[&sides::LEFT_RIGHT_OFF], sides::find_left_right_off),
@@ -66,16 +66,16 @@ static OF_SIDES: Table<fn(&BothSides<'_>) -> Option<Finding>> = &[
     (&[&spheres::ODD_PLACE], spheres::find_odd_place),
 ];
 
-/// What is wrong with the floors that spheres press on.
-static OF_FLOORS: Table<fn(&Floors) -> Vec<Finding>> = &[
+/// Rules about the floors that spheres press on.
+static FLOOR_RULES: Table<fn(&Floors) -> Vec<Finding>> = &[
     (&[&floors::FLOOR_UPSIDE_DOWN], floors::find_upside_down),
     (&[&floors::FLOOR_UPRIGHT], floors::find_upright),
     (&[&floors::FLOOR_ON_LIMB], floors::find_on_limb),
     (&[&floors::FLOOR_SLOPES], floors::find_slopes),
 ];
 
-/// What figures show.
-static OF_FIGURES: Table<fn(&Limits<'_>) -> Option<Found>> = &[
+/// Rules about figures.
+static FIGURE_RULES: Table<fn(&FigureCheck<'_>) -> Option<FindingWithRemedy>> = &[
     (&[&depth::SUNK_IN], depth::find_sunk_in),
     (&[&depth::BEYOND_HERTZ], depth::find_beyond_hertz),
     (&[&depth::BEYOND_HERTZ_AT_TWO], depth::find_beyond_hertz_at_two),
@@ -88,8 +88,8 @@ static OF_FIGURES: Table<fn(&Limits<'_>) -> Option<Found>> = &[
     (&[&standing::UNLEVEL_FOOT], standing::find_unlevel_foot),
 ];
 
-/// Rules that look at something else, or at what the caller says, too.
-static OTHERS: [&Rule; 15] = [
+/// Rules that also depend on other things, such as options of the caller.
+static OTHER_RULES: [&Rule; 15] = [
     &contacts::BARE_MODEL,
     &contacts::CONTACTS_OF_ANOTHER_MASS,
     &contacts::COUNT_UNKNOWN,
@@ -109,15 +109,15 @@ static OTHERS: [&Rule; 15] = [
 
 /// The rules of this crate.
 pub fn rules() -> impl Iterator<Item = &'static Rule> {
-    let of_tables = rules_of(OF_MODEL).chain(rules_of(OF_SIDES)).chain(rules_of(OF_FLOORS));
-    of_tables.chain(rules_of(OF_FIGURES)).chain(OTHERS)
+    let of_tables = rules_in(MODEL_RULES).chain(rules_in(SIDE_RULES)).chain(rules_in(FLOOR_RULES));
+    of_tables.chain(rules_in(FIGURE_RULES)).chain(OTHER_RULES)
 }
 
-fn rules_of<F>(table: Table<F>) -> impl Iterator<Item = &'static Rule> {
+fn rules_in<F>(table: Table<F>) -> impl Iterator<Item = &'static Rule> {
     table.iter().flat_map(|(rules, _)| rules.iter().copied())
 }
 
-/// What is odd about a model itself. Its rules are tried once.
+/// The findings of the rules about a model itself, computed once for each model.
 ///
 /// ```
 /// use osim_inspect::model_findings;
@@ -132,30 +132,30 @@ fn rules_of<F>(table: Table<F>) -> impl Iterator<Item = &'static Rule> {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 pub fn model_findings(model: &Model) -> &[Finding] {
-    model.findings(|model| OF_MODEL.iter().flat_map(|(_, find)| find(model)).collect())
+    model.findings(|model| MODEL_RULES.iter().flat_map(|(_, find)| find(model)).collect())
 }
 
-fn find_on_sides(model: &Model) -> Vec<Finding> {
+fn find_in_sides(model: &Model) -> Vec<Finding> {
     let sides = BothSides::of(model);
-    let mut found = sides::find_differences(&sides);
-    found.extend(OF_SIDES.iter().filter_map(|(_, find)| find(&sides)));
-    found
+    let mut findings = sides::find_differences(&sides);
+    findings.extend(SIDE_RULES.iter().filter_map(|(_, find)| find(&sides)));
+    findings
 }
 
-/// What is wrong with floors, and with gravity towards them.
-pub(crate) fn of_floors(model: &Model, floors: &Floors) -> Vec<Finding> {
-    let of_gravity = [floors::find_too_large(model), floors::find_not_down(model, floors)];
-    of_gravity.into_iter().flatten().chain(OF_FLOORS.iter().flat_map(|(_, find)| find(floors))).collect()
+/// Applies the rules about floors and about gravity towards them.
+pub(crate) fn find_in_floors(model: &Model, floors: &Floors) -> Vec<Finding> {
+    let about_gravity = [floors::find_too_large(model), floors::find_not_down(model, floors)];
+    about_gravity.into_iter().flatten().chain(FLOOR_RULES.iter().flat_map(|(_, find)| find(floors))).collect()
 }
 
-/// Everything that figures show.
-pub(crate) fn of_figures(limits: &Limits<'_>) -> Vec<Found> {
-    let found = OF_FIGURES.iter().filter_map(|(_, find)| find(limits));
-    found.chain(standing::find_not_on_floor(limits)).collect()
+/// Applies the rules about figures.
+pub(crate) fn find_in_figures(check: &FigureCheck<'_>) -> Vec<FindingWithRemedy> {
+    let findings = FIGURE_RULES.iter().filter_map(|(_, find)| find(check));
+    findings.chain(standing::find_not_on_floor(check)).collect()
 }
 
-/// What puts right what [`model_findings`] found.
-pub(crate) fn remedy_of(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Option<Request> {
+/// The request that corrects a finding of [`model_findings`], if there is one.
+pub(crate) fn find_remedy(model: &Model, finding: &Finding, remedies: &Remedies<'_>) -> Option<Request> {
     match finding.code() {
         FindingCode::DefaultStiffness => numbers::take_published_contacts(remedies),
         FindingCode::ZeroConstantContactForce => numbers::set_suggested_constant_indentation(remedies),

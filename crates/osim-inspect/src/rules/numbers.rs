@@ -11,48 +11,48 @@ use osim_requests::Request;
 
 use crate::findings::Remedies;
 
-/// A rule about one value: what is wrong, in words that follow the name of the value.
-type OfValue = fn(&Value) -> Option<String>;
+/// Says what is wrong with a value, in words that follow its name; `None` if nothing is.
+type DescribeValue = fn(&Value) -> Option<String>;
 
-/// The first that applies makes the finding.
-const OF_VALUES: [(&Rule, OfValue); 3] = [
+/// Rules about single values; of each value the first one that applies is reported.
+const VALUE_RULES: [(&Rule, DescribeValue); 3] = [
     (&ODD_NUMBER, describe_odd_number),
     (&NOT_FINITE, describe_not_finite),
     (&OUT_OF_DOMAIN, describe_out_of_domain),
 ];
 
-/// Numbers that are written wrongly, are none, or are outside their domain.
+/// Finds numbers that are written oddly, are not finite, or are outside their domain.
 pub(super) fn find_odd_numbers(model: &Model) -> Vec<Finding> {
     find_in_values(model).into_iter().chain(find_in_triples(model)).collect()
 }
 
 fn find_in_values(model: &Model) -> Vec<Finding> {
     let parameters = model.forces().iter().flat_map(|force| {
-        // For the older class, what is not in its sets.
-        let beside = (force.kind == ForceKind::HuntCrossley).then_some(&force.transition_velocity);
-        let own = force.sets.iter().flat_map(|set| &set.values);
-        own.chain(beside).map(move |value| (force.path.as_str(), force.file, value))
+        // The older class has its transition velocity outside its parameter sets.
+        let outside_sets = (force.kind == ForceKind::HuntCrossley).then_some(&force.transition_velocity);
+        let in_sets = force.sets.iter().flat_map(|set| &set.values);
+        in_sets.chain(outside_sets).map(move |value| (force.path.as_str(), force.file, value))
     });
     let radii = model.spheres().iter().map(|sphere| (sphere.path.as_str(), sphere.file, &sphere.radius));
     let masses = model.bodies().iter().map(|body| (body.path.as_str(), body.file, &body.mass));
     let finding = |(path, file, value): (&str, FileId, &Value)| {
-        let (rule, text) = OF_VALUES.iter().find_map(|(rule, of)| Some((*rule, of(value)?)))?;
+        let (rule, text) = VALUE_RULES.iter().find_map(|(rule, describe)| Some((*rule, describe(value)?)))?;
         let line = model.file(file).line(value.offset);
         Some(Finding::at(rule, line, format!("{} of {path} {text}", value.property)).with_place(path))
     };
     parameters.chain(radii).chain(masses).filter_map(finding).collect()
 }
 
-/// Places of spheres, and gravity: a text that OpenSim cannot read is its default without a word.
+/// Finds odd places of spheres and odd gravity. OpenSim silently takes its default for a text that it cannot read.
 fn find_in_triples(model: &Model) -> Vec<Finding> {
     let locations = model.spheres().iter().filter_map(|sphere| {
-        let read = Triple {
+        let triple = Triple {
             file: sphere.file,
             object: sphere.element(),
             tag: sphere.location_slot().tag,
             read: sphere.location_m,
         };
-        Some(read.finding(model, &sphere.path)?.with_place(&sphere.path))
+        Some(triple.finding(model, &sphere.path)?.with_place(&sphere.path))
     });
     let gravity = model.gravity_object().and_then(|(file, object)| {
         let read = model.file(file).triple(object, "gravity").unwrap_or(Model::DEFAULT_GRAVITY);
@@ -61,7 +61,7 @@ fn find_in_triples(model: &Model) -> Vec<Finding> {
     locations.chain(gravity).collect()
 }
 
-/// Three numbers of an object, and how OpenSim reads them.
+/// Three numbers in one element of an object, as OpenSim reads them.
 struct Triple {
     file: FileId,
     object: ElementId,
@@ -70,7 +70,7 @@ struct Triple {
 }
 
 impl Triple {
-    fn finding(&self, model: &Model, whose: &str) -> Option<Finding> {
+    fn finding(&self, model: &Model, owner: &str) -> Option<Finding> {
         let document = model.file(self.file);
         let element = document.property_element(self.object, self.tag)?;
         let text = document.tree().raw_text(element).text;
@@ -78,7 +78,7 @@ impl Triple {
         let not_finite = || Some((&NOT_FINITE, describe_not_finite_triple(self.read)?));
         let (rule, text) = odd.or_else(not_finite)?;
         let line = document.line(document.tree().span(element).start);
-        Some(Finding::at(rule, line, format!("{} of {whose} {text}", self.tag)))
+        Some(Finding::at(rule, line, format!("{} of {owner} {text}", self.tag)))
     }
 }
 
@@ -121,7 +121,7 @@ pub(super) static ODD_NUMBER: Rule = Rule {
     },
 };
 
-/// What is odd about a value, in words that follow its name.
+/// What is odd about how a value is written, in words that follow its name.
 fn describe_odd_number(value: &Value) -> Option<String> {
     value.fault.is_some().then(|| format!("is '{}', which OpenSim reads as {}", value.text, value.number))
 }
@@ -129,7 +129,7 @@ fn describe_odd_number(value: &Value) -> Option<String> {
 /// What is odd about three numbers, written as `text` and read as `read`.
 fn describe_odd_triple(text: &str, [x, y, z]: [f64; 3]) -> Option<String> {
     (!is_plain_triple(text)).then(|| {
-        // A blank that is not ASCII looks like one and does not count as one: show it.
+        // Show a blank that is not ASCII by its code, because OpenSim does not take it for a blank.
         let text = if text.is_ascii() { text.to_owned() } else { text.escape_default().to_string() };
         format!("is '{text}', which OpenSim reads as {x} {y} {z}")
     })
@@ -150,7 +150,7 @@ pub(super) static OUT_OF_DOMAIN: Rule = Rule {
     },
 };
 
-/// Why OpenSim computes nonsense from a value, in words that follow its name. A default stiffness has a rule of its own.
+/// Why a value is outside its domain, in words that follow its name. A default stiffness has its own rule.
 fn describe_out_of_domain(value: &Value) -> Option<String> {
     (!value.property.allows(value.number) && !is_default_stiffness(value))
         .then(|| format!("is {}, expected {}", value.number, value.property.domain()))
@@ -184,9 +184,9 @@ pub(super) fn find_default_stiffness(model: &Model) -> Vec<Finding> {
     found
 }
 
-/// A published model has a stiffness.
+/// Corrects a default stiffness with the contacts of a published model.
 pub(super) fn take_published_contacts(remedies: &Remedies<'_>) -> Option<Request> {
-    remedies.published(None).map(Request::from)
+    remedies.transfer_published(None).map(Request::from)
 }
 
 /// Whether a value is a stiffness that nobody wrote.
@@ -224,12 +224,11 @@ pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
     found
 }
 
-/// A small constant indentation.
 pub(super) fn set_suggested_constant_indentation(remedies: &Remedies<'_>) -> Option<Request> {
-    remedies.constant_indentation(SUGGESTED_CONSTANT_INDENTATION)
+    remedies.design_constant_indentation(SUGGESTED_CONSTANT_INDENTATION)
 }
 
-/// Between a foot and a floor it is about 0.3 to 1; of the stickiest rubber some 2.
+/// A friction coefficient above this is not plausible: between foot and floor it is 0.3 to 1, of the stickiest rubber about 2.
 const LARGEST_FRICTION: f64 = 10.0;
 
 pub(super) static LARGE_FRICTION: Rule = Rule {
@@ -248,11 +247,11 @@ pub(super) static LARGE_FRICTION: Rule = Rule {
 };
 
 pub(super) fn find_large_friction(model: &Model) -> Vec<Finding> {
-    model.forces().iter().filter_map(large_friction_in).collect()
+    model.forces().iter().filter_map(find_large_friction_in).collect()
 }
 
-/// The first coefficient of a force that is too large.
-fn large_friction_in(force: &Force) -> Option<Finding> {
+/// Finds the first friction coefficient of a force that is too large.
+fn find_large_friction_in(force: &Force) -> Option<Finding> {
     let is_friction = |property| {
         matches!(property, Property::StaticFriction | Property::DynamicFriction | Property::ViscousFriction)
     };
@@ -285,18 +284,18 @@ pub(super) static ANGLE_IN_DEGREES: Rule = Rule {
     },
 };
 
-/// Half-spaces that are turned by an angle of more than a whole turn, each orientation once.
+/// Finds half-spaces that are turned by more than a whole turn, each orientation once.
 pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {
     let mut found: Vec<Finding> = Vec::new();
     let planes = model.half_spaces().into_iter().chain(model.half_spaces_inside());
     for orientation in planes.flat_map(|plane| plane.orientations) {
-        let is_known = found.iter().any(|known| known.place.as_deref() == Some(orientation.path.as_str()));
-        found.extend(angles_in_degrees(&orientation).filter(|_| !is_known));
+        let is_reported = found.iter().any(|known| known.place.as_deref() == Some(orientation.path.as_str()));
+        found.extend(find_degrees_in(&orientation).filter(|_| !is_reported));
     }
     found
 }
 
-fn angles_in_degrees(orientation: &Orientation) -> Option<Finding> {
+fn find_degrees_in(orientation: &Orientation) -> Option<Finding> {
     let angles = orientation.angles_rad.filter(|_| orientation.is_in_degrees())?;
     let listed = |angles: [f64; 3]| angles.map(readable).join(" ");
     let Orientation { path, tag, line, .. } = orientation;

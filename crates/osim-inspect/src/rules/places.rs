@@ -1,4 +1,4 @@
-//! Findings about the places of spheres: from the model that was scaled if it was given, else from this file alone.
+//! Rules about the places of spheres, compared with the model that was scaled if the caller gives it, else by this file alone.
 
 use osim_model::compare::{PlacedSphere, SpherePlacements, is_stretched};
 use osim_model::messages::{Input, Verb, phrase, readable};
@@ -8,104 +8,108 @@ use osim_model::{
 use osim_requests::options::{FollowOptions, MovedChoice, ScalingOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest, TransferRequest};
 
-use crate::evidence::{Evidence, LayoutAnswer};
-use crate::findings::{Found, Remedies, rounded};
+use crate::findings::{FindingWithRemedy, Remedies, rounded_mass};
 use crate::inspection::Inspection;
+use crate::place_evidence::{LayoutMatch, PlaceEvidence};
 use crate::reach::Reach;
 use crate::rules::spheres::about_spheres;
 
-/// What is known of the places of spheres.
-pub(crate) enum Places<'i> {
+/// What is known about the places of a model's spheres.
+pub(crate) enum SpherePlaces<'i> {
+    /// They were compared with the model that was scaled.
     Compared(&'i SpherePlacements),
-    Alone(Evidence),
-    /// They cannot be compared: what this file alone shows.
-    NotCompared(&'i SpherePlacements, Evidence),
+    /// No other model is given: what this file alone shows.
+    FileAlone(PlaceEvidence),
+    /// The other model cannot be compared: why, and what this file alone shows.
+    NotCompared(&'i SpherePlacements, PlaceEvidence),
 }
 
-/// What the note in the file says about sizes, where that settles it: bodies were scaled since, or the spheres were placed with
-/// their bodies when it was written.
+/// How bodies were scaled since the note was written, if that decides whether spheres are at the right places: bodies were scaled since, or
+/// the spheres were placed with their bodies when the note was written.
 fn noted_sizes(model: &Model) -> Option<ScaledSinceNote> {
     let since = model.scaled_since_note()?;
     let placed = model.note.as_ref().is_some_and(Note::has_placed_spheres);
     (since.is_scaled() || placed).then_some(since)
 }
 
-/// What one file alone shows of spheres that are where they should not be: for changes that leave them there.
-pub fn misplaced_spheres(model: &Model) -> Option<Finding> {
-    let evidence = Evidence::of(model, noted_sizes(model));
+/// The finding that spheres are at wrong places, by this file alone, for changes that leave them there.
+pub fn find_misplaced_spheres(model: &Model) -> Option<Finding> {
+    let evidence = PlaceEvidence::of(model, noted_sizes(model));
     evidence.is_wrong().then(|| find_in_file(&evidence, model)).flatten()
 }
 
-impl<'i> Places<'i> {
+impl<'i> SpherePlaces<'i> {
     pub(crate) fn of(model: &Model, inspected: &'i Inspection) -> Self {
         match &inspected.placement {
             Some(placement) if placement.unknown.is_none() => Self::Compared(placement),
-            Some(placement) => Self::NotCompared(placement, Evidence::of(model, noted_sizes(model))),
-            None => Self::Alone(Evidence::of(model, noted_sizes(model))),
+            Some(placement) => Self::NotCompared(placement, PlaceEvidence::of(model, noted_sizes(model))),
+            None => Self::FileAlone(PlaceEvidence::of(model, noted_sizes(model))),
         }
     }
 
-    /// Spheres are where they should not be.
+    /// Whether spheres are known to be at wrong places.
     pub(crate) fn are_wrong(&self) -> bool {
         match self {
             Self::Compared(placement) => placement.is_wrong(),
-            Self::Alone(evidence) | Self::NotCompared(_, evidence) => evidence.is_wrong(),
+            Self::FileAlone(evidence) | Self::NotCompared(_, evidence) => evidence.is_wrong(),
         }
     }
 
-    /// They are certain to be where they were before their bodies were scaled.
+    /// Whether spheres are certainly where they were before their bodies were scaled.
     pub(crate) fn were_left_behind(&self) -> bool {
         match self {
             Self::Compared(placement) => placement.was_left_behind(),
-            Self::Alone(evidence) | Self::NotCompared(_, evidence) => {
-                matches!(evidence, Evidence::Note(_) | Evidence::OtherSize(_))
+            Self::FileAlone(evidence) | Self::NotCompared(_, evidence) => {
+                matches!(evidence, PlaceEvidence::ScaledSinceNote(_) | PlaceEvidence::OtherSize(_))
             }
         }
     }
 
-    /// They are known to be where they belong.
+    /// Whether spheres are known to be at the right places.
     pub(crate) fn are_right(&self) -> bool {
         match self {
             Self::Compared(placement) => placement.is_right(),
-            Self::Alone(evidence) | Self::NotCompared(_, evidence) => evidence.is_right(),
+            Self::FileAlone(evidence) | Self::NotCompared(_, evidence) => evidence.is_right(),
         }
     }
 
-    pub(crate) fn findings(&self, model: &Model, remedies: &Remedies<'_>) -> Vec<Found> {
+    pub(crate) fn findings(&self, model: &Model, remedies: &Remedies<'_>) -> Vec<FindingWithRemedy> {
         match self {
-            Self::Alone(evidence) => {
-                let is_noted = matches!(evidence, Evidence::Note(_));
+            Self::FileAlone(evidence) => {
+                let is_noted = matches!(evidence, PlaceEvidence::ScaledSinceNote(_));
                 let remedy = || is_noted.then(|| follow_by_note(remedies, model)).flatten();
                 find_in_file(evidence, model)
                     .into_iter()
-                    .map(|finding| Found::new(finding, remedy()))
+                    .map(|finding| FindingWithRemedy::new(finding, remedy()))
                     .collect()
             }
             Self::NotCompared(placement, evidence) => {
-                let alone = Self::Alone(evidence.clone()).findings(model, remedies);
-                // If the file shows nothing, one finding says that it cannot be compared.
-                let shown = alone.into_iter().filter(|one| one.code() != FindingCode::SpheresNotCompared);
-                find_compared(placement).into_iter().map(Found::from).chain(shown).collect()
+                let alone = Self::FileAlone(evidence.clone()).findings(model, remedies);
+                // The finding that the models cannot be compared is enough, if the file alone shows nothing either.
+                let alone = alone.into_iter().filter(|one| one.code() != FindingCode::SpheresNotCompared);
+                find_compared(placement).into_iter().map(FindingWithRemedy::from).chain(alone).collect()
             }
             Self::Compared(placement) => {
                 let found = find_compared(placement).into_iter();
-                found.map(|finding| Found::new(finding, follow_by_original(remedies, placement))).collect()
+                found
+                    .map(|finding| FindingWithRemedy::new(finding, follow_by_original(remedies, placement)))
+                    .collect()
             }
         }
     }
 }
 
-/// The model's own contacts at the mass of its body, on spheres that follow it by the sizes in the note.
+/// Scales the contacts to the mass of the body, and lets the spheres follow their bodies by the sizes in the note.
 fn follow_by_note(remedies: &Remedies<'_>, model: &Model) -> Option<Request> {
     let since = model.scaled_since_note().filter(|_| model.doubt_about_note().is_none())?;
     if !since.has_all_carriers(model) {
         return None;
     }
-    // What the model weighs otherwise is for the user to say.
-    let target_mass_kg = rounded(remedies.body_kg.filter(|_| remedies.load.masses.mass.is_none())?);
-    // A rescaling since then may have changed radii, and bottoms with them.
-    let untouched = model.note.as_ref().is_some_and(|note| note.operation() == Verb::Note.name());
-    let level = untouched && !since.factors.values().any(|factors| is_stretched(*factors));
+    // If the bodies do not give the mass, only the user knows it.
+    let target_mass_kg = rounded_mass(remedies.body_kg.filter(|_| remedies.load.masses.mass.is_none())?);
+    // Only if no rescaling changed radii since then, the bottoms can be kept level.
+    let has_only_note = model.note.as_ref().is_some_and(|note| note.operation() == Verb::Note.name());
+    let level = has_only_note && !since.factors.values().any(|factors| is_stretched(*factors));
     Some(
         RescaleRequest {
             models: remedies.models(true)?,
@@ -121,7 +125,7 @@ fn follow_by_note(remedies: &Remedies<'_>, model: &Model) -> Option<Request> {
     )
 }
 
-/// Contacts of the model that OpenSim scaled, on spheres that follow their bodies.
+/// Takes the contacts of the model that OpenSim scaled, and lets the spheres follow their bodies.
 fn follow_by_original(remedies: &Remedies<'_>, placement: &SpherePlacements) -> Option<Request> {
     if !placement.can_follow() {
         return None;
@@ -136,13 +140,11 @@ fn follow_by_original(remedies: &Remedies<'_>, placement: &SpherePlacements) -> 
     Some(TransferRequest { follow, scaling, ..remedies.transfer(placement.from.clone())? }.into())
 }
 
-// What this file alone shows, or the model that was scaled.
-
-/// The finding that this file alone is.
-fn find_in_file(evidence: &Evidence, model: &Model) -> Option<Finding> {
+/// The finding that this file alone gives.
+fn find_in_file(evidence: &PlaceEvidence, model: &Model) -> Option<Finding> {
     match evidence {
-        Evidence::Note(noted) => Some(left_behind_since_note(noted)),
-        Evidence::OtherSize(LayoutAnswer::OtherSize { title, body, here, published }) => {
+        PlaceEvidence::ScaledSinceNote(noted) => Some(left_behind_since_note(noted)),
+        PlaceEvidence::OtherSize(LayoutMatch::OtherSize { title, body, here, published }) => {
             let text = format!(
                 "the spheres stand where {title} has them on bones of size {}, and {body} has the size {}",
                 size_text(*published),
@@ -150,14 +152,14 @@ fn find_in_file(evidence: &Evidence, model: &Model) -> Option<Finding> {
             );
             Some(Finding::new(&SPHERES_MISPLACED, text))
         }
-        Evidence::Mirrored(title) => {
+        PlaceEvidence::Mirrored(title) => {
             let text = format!(
                 "each foot has the spheres where {title} has them on the other foot: left and right are swapped, or z has the wrong sign"
             );
             Some(Finding::new(&SPHERES_MISPLACED, text))
         }
-        Evidence::Reach(odd) => misplaced_by_reach(model, odd),
-        Evidence::Unknown => {
+        PlaceEvidence::FarReach(far) => misplaced_by_reach(model, far),
+        PlaceEvidence::Unknown => {
             let generic = Verb::Check.call_with_model().with_placeholder(Input::From, "GENERIC");
             let text = phrase![
                 "the bones were scaled; whether the spheres followed cannot be seen here: ",
@@ -166,7 +168,9 @@ fn find_in_file(evidence: &Evidence, model: &Model) -> Option<Finding> {
             ];
             Some(Finding::new(&SPHERES_NOT_COMPARED, text))
         }
-        Evidence::OtherSize(LayoutAnswer::AsPublished) | Evidence::Right | Evidence::Unscaled => None,
+        PlaceEvidence::OtherSize(LayoutMatch::AsPublished)
+        | PlaceEvidence::Right
+        | PlaceEvidence::Unscaled => None,
     }
 }
 
@@ -194,7 +198,7 @@ pub(super) static SPHERES_LEFT_BEHIND: Rule = Rule {
     example: Example::Models { good: "drawn_feet/six_spheres.osim", bad: "drawn_feet/left_behind.osim" },
 };
 
-/// By the note, bodies were scaled since.
+/// The finding that bodies were scaled after the note was written, and the spheres stayed.
 fn left_behind_since_note(noted: &ScaledSinceNote) -> Finding {
     let bodies: Vec<String> =
         noted.factors.iter().map(|(body, factors)| format!("{body} x{}", size_text(*factors))).collect();
@@ -205,7 +209,7 @@ fn left_behind_since_note(noted: &ScaledSinceNote) -> Finding {
     Finding::new(&SPHERES_LEFT_BEHIND, text)
 }
 
-/// One number for equal factors.
+/// Factors along x, y and z in words; one number if they are equal.
 fn size_text([x, y, z]: [f64; 3]) -> String {
     if x == y && y == z { readable(x) } else { [x, y, z].map(readable).join(",") }
 }
@@ -223,7 +227,7 @@ pub(super) static SPHERES_MISPLACED: Rule = Rule {
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/spheres_misplaced.osim" },
 };
 
-/// A sphere is where it was in the model that was scaled, or neither there nor where it belongs.
+/// The finding about one sphere that stayed at its place in the model that was scaled, or was moved to a third place.
 fn misplaced_sphere(sphere: &PlacedSphere) -> Finding {
     let PlacedSphere { name, path, line, .. } = sphere;
     let (here, belongs) = (millimetres(sphere.here_m), millimetres(sphere.belongs_m));
@@ -243,23 +247,23 @@ fn misplaced_sphere(sphere: &PlacedSphere) -> Finding {
 fn millimetres(place: [f64; 3]) -> String {
     let axes = place.map(|metres| {
         let text = format!("{:.2}", metres * 1e3);
-        // No sign before a zero.
+        // Write zero without a minus.
         if text == "-0.00" { "0.00".to_owned() } else { text }
     });
     axes.join(" ")
 }
 
-/// Spheres reach further than those of published models; `None` without any.
-fn misplaced_by_reach(model: &Model, odd: &[Reach]) -> Option<Finding> {
-    let named: Vec<(&Reach, &Sphere)> =
-        odd.iter().filter_map(|reach| Some((reach, model.sphere(reach.sphere)?))).collect();
-    let (reach, sphere) = named.first()?;
-    let more = match named.len() {
+/// The finding that these spheres reach further than those of published models.
+fn misplaced_by_reach(model: &Model, far: &[Reach]) -> Option<Finding> {
+    let spheres: Vec<(&Reach, &Sphere)> =
+        far.iter().filter_map(|reach| Some((reach, model.sphere(reach.sphere)?))).collect();
+    let (reach, sphere) = spheres.first()?;
+    let more = match spheres.len() {
         1 => String::new(),
         count => format!(" ({} more)", count - 1),
     };
     let text = format!("{} {}{more}", sphere.name, reach.describe());
-    about_spheres(&SPHERES_MISPLACED, text, named.iter().map(|(_, sphere)| *sphere))
+    about_spheres(&SPHERES_MISPLACED, text, spheres.iter().map(|(_, sphere)| *sphere))
 }
 
 pub(super) static SPHERES_NOT_COMPARED: Rule = Rule {

@@ -1,5 +1,5 @@
-//! Rules about the left and the right side: contacts that differ, spheres without a counterpart; and which of two sides that differ is
-//! the slip: it gets the values of the other.
+//! Rules about the left and the right side: contacts that differ between the sides, and spheres without a counterpart. If it is known which
+//! of two uneven sides is wrong, the remedy gives it the values of the other.
 
 use osim_model::messages::{shown, three_significant};
 use osim_model::{
@@ -9,11 +9,11 @@ use osim_model::{
 use osim_requests::options::ForceOptions;
 use osim_requests::{Request, SetRequest};
 
-use crate::findings::{Found, Remedies, exactly};
+use crate::findings::{FindingWithRemedy, Remedies, exact_pattern};
 use crate::inspection::Inspection;
 use crate::known_contacts::KnownContacts;
 use crate::rules::spheres::{about_spheres, and_others};
-use crate::sides::{BothSides, Difference, Placed, SAME_PLACE, SpherePair};
+use crate::sides::{BothSides, SAME_PLACE_OF_BONE, SideDifference, SideSphere, SpherePair};
 
 pub(super) static LEFT_RIGHT_DIFFER: Rule = Rule {
     code: FindingCode::LeftRightDiffer,
@@ -32,35 +32,34 @@ pub(super) static LEFT_RIGHT_DIFFER: Rule = Rule {
     },
 };
 
-/// Forces whose spheres are mirror images should have equal parameters, or such as follow bones that were scaled unlike. Those that
-/// differ as little as published ones, and in nothing else, come last.
+/// Finds forces on spheres that are mirror images, with parameters that neither are equal nor follow bones of different sizes. Forces that
+/// only differ as little as published ones come last.
 pub(super) fn find_differences(sides: &BothSides<'_>) -> Vec<Finding> {
-    let all = sides.differences();
-    let large = all
+    let pairs = sides.differences();
+    let large = pairs
         .iter()
         .filter_map(|(left, right, all)| find_difference(&LEFT_RIGHT_DIFFER, left, right, all, false));
-    let are_small = |(_, _, all): &&(_, _, Vec<Difference>)| all.iter().all(|one| one.is_small);
-    let small = all.iter().filter(are_small);
+    let are_small = |(_, _, all): &&(_, _, Vec<SideDifference>)| all.iter().all(|one| one.is_small);
+    let small = pairs.iter().filter(are_small);
     let small =
         small.filter_map(|(left, right, all)| find_difference(&LEFT_RIGHT_CLOSE, left, right, all, true));
     large.chain(small).collect()
 }
 
-/// What differs between two forces, as much as `are_small` says: the first difference of that kind.
+/// The finding about the first small or large difference between two forces.
 fn find_difference(
     rule: &'static Rule,
     left: &Force,
     right: &Force,
-    differences: &[Difference],
-    are_small: bool,
+    differences: &[SideDifference],
+    is_small: bool,
 ) -> Option<Finding> {
-    let first = differences.iter().find(|difference| difference.is_small == are_small)?;
+    let first = differences.iter().find(|difference| difference.is_small == is_small)?;
     let text = format!("{} and {} differ: {}", left.path, right.path, first.text);
     Some(Finding::at(rule, left.line, text).with_place(&left.path))
 }
 
-/// The side that has contacts that are known, where the other one has not: those of the reference that the caller named, or published
-/// ones, from the table of known contacts.
+/// The only side with the contacts of the reference that the caller names, or with published ones from the table of known contacts.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct KnownSide {
     pub side: Side,
@@ -71,13 +70,15 @@ pub(crate) struct KnownSide {
 impl KnownSide {
     pub(crate) fn of(model: &Model, sides: &BothSides<'_>, inspected: &Inspection) -> Option<Self> {
         let reference = inspected.reference_contacts.as_ref();
-        if let Some((side, reference)) = reference.and_then(|one| Some((one.side(model, sides)?, one))) {
+        if let Some((side, reference)) =
+            reference.and_then(|one| Some((one.side_like_reference(model, sides)?, one)))
+        {
             return Some(Self { side, title: reference.title() });
         }
         #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
         let count = inspected.spheres_per_limb.map(|count| count as f64);
-        let known = |side| KnownContacts::find(model, &sides.forces_on(side), count, inspected.mass_kg);
-        match (known(Side::Right), known(Side::Left)) {
+        let known_on = |side| KnownContacts::find(model, &sides.forces_on(side), count, inspected.mass_kg);
+        match (known_on(Side::Right), known_on(Side::Left)) {
             (Some(contacts), None) => Some(Self { side: Side::Right, title: contacts.title.to_string() }),
             (None, Some(contacts)) => Some(Self { side: Side::Left, title: contacts.title.to_string() }),
             _ => None,
@@ -85,22 +86,22 @@ impl KnownSide {
     }
 }
 
-/// A difference of the sides, with the side that is the slip, if it is known.
+/// `finding` about a difference of the sides, with the side that is wrong and the remedy, if they are known.
 pub(crate) fn with_odd_side(
     model: &Model,
     sides: &BothSides<'_>,
     known: Option<&KnownSide>,
     finding: &Finding,
     remedies: &Remedies<'_>,
-) -> Found {
+) -> FindingWithRemedy {
     let remedy = copy_other_side(remedies, model, sides, known, finding);
-    let mut named = finding.clone();
-    name_the_odd_side(&mut named, sides, known);
-    Found::new(named, remedy)
+    let mut finding = finding.clone();
+    name_odd_side(&mut finding, sides, known);
+    FindingWithRemedy::new(finding, remedy)
 }
 
-/// Says which side is the slip, and why, if it is known. A majority is in the message already.
-fn name_the_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<&KnownSide>) {
+/// Adds to the message which side is wrong, and why. A majority of other contacts is in the message already.
+fn name_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<&KnownSide>) {
     let left = finding.place.as_deref().and_then(|path| sides.force(path));
     let Some(odd) = left.and_then(|left| odd_side(known, sides, left)) else { return };
     finding.message.push(format!("; the one on the {} is the odd one", odd.as_str()));
@@ -110,22 +111,21 @@ fn name_the_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option
     }
 }
 
-/// The side that is the slip where `left` and its counterpart differ: the one that has not the known contacts that the other
-/// side has, else the one that is unlike most other contacts of the model; `None` if neither shows it.
+/// The side that is wrong if `left` and its counterpart differ: the side without the known contacts that the other side has, else the side
+/// that is unlike most other contacts of the model; `None` if neither is known.
 fn odd_side(known: Option<&KnownSide>, sides: &BothSides<'_>, left: &Force) -> Option<Side> {
-    // A slip in every contact of one side is in no majority.
+    // Known contacts come first, because there is no majority if every contact of one side is wrong.
     known.map(|known| known.side.other()).or_else(|| sides.odd_side(left))
 }
 
-/// A number that differs between the sides.
-struct Differing {
+/// A property with different values on the two sides.
+struct UnevenValue {
     property: Property,
     left: f64,
     right: f64,
 }
 
-/// Writes the values of the side that is right into the other force of the pair that `finding` is about. `None` if neither the table of
-/// known contacts nor the other forces say which side that is: to copy one would be right as often as wrong.
+/// Writes the values of the right side into the wrong force of the pair that `finding` is about; `None` if it is not known which one is wrong.
 fn copy_other_side(
     remedies: &Remedies<'_>,
     model: &Model,
@@ -134,23 +134,24 @@ fn copy_other_side(
     finding: &Finding,
 ) -> Option<Request> {
     let left = sides.force(finding.place.as_deref()?)?;
-    let right = sides.right_of(left)?;
-    let values = differing(model, sides, left, right)?;
+    let right = sides.right_counterpart(left)?;
+    let values = uneven_values(model, sides, left, right)?;
     let odd = odd_side(known, sides, left)?;
     let wrong = if odd == Side::Left { left } else { right };
-    let value = |one: &Differing| if odd == Side::Left { one.right } else { one.left };
-    let assignments: Vec<(Property, f64)> = values.iter().map(|one| (one.property, value(one))).collect();
+    let correct_value = |one: &UnevenValue| if odd == Side::Left { one.right } else { one.left };
+    let assignments: Vec<(Property, f64)> =
+        values.iter().map(|one| (one.property, correct_value(one))).collect();
     can_be_set(&assignments).then_some(())?;
     if !remedies.options.selection.select.is_empty() {
         return None;
     }
     let assignments = assignments.iter().map(|(property, value)| (*property, Assignment::Value(*value)));
     let set = remedies.set(assignments.collect())?;
-    let choice = ForceOptions { select: vec![exactly(&wrong.name)?], ..remedies.choice() };
+    let choice = ForceOptions { select: vec![exact_pattern(&wrong.name)?], ..remedies.choice() };
     Some(SetRequest { choice, ..set }.into())
 }
 
-/// Whether nobody refuses to write them; a constant_contact_force of 0 would be.
+/// Whether `set` accepts these values; it refuses a constant_contact_force of 0.
 fn can_be_set(values: &[(Property, f64)]) -> bool {
     values.iter().all(|(property, value)| property.allows(*value))
         && !values.contains(&(Property::ConstantContactForce, 0.0))
@@ -161,25 +162,31 @@ fn radii(model: &Model, force: &Force) -> Vec<f64> {
     spheres.map(|sphere| sphere.radius.number).collect()
 }
 
-/// What differs between the forces; `None` where one `set` cannot say it.
-fn differing(model: &Model, sides: &BothSides<'_>, left: &Force, right: &Force) -> Option<Vec<Differing>> {
-    let ([of_left], [of_right]) = (left.sets.as_slice(), right.sets.as_slice()) else { return None };
-    let pairs = of_left.values.iter().zip(&of_right.values).filter(|(l, r)| l.number != r.number);
-    let mut found: Vec<Differing> =
-        pairs.map(|(l, r)| Differing { property: r.property, left: l.number, right: r.number }).collect();
-    let (ours, theirs) = (radii(model, left), radii(model, right));
-    if ours != theirs {
-        // On bones of another size the radius of the other side is wrong, and numbers that follow it are.
+/// The values that differ between the forces; `None` if one `set` cannot make them equal.
+fn uneven_values(
+    model: &Model,
+    sides: &BothSides<'_>,
+    left: &Force,
+    right: &Force,
+) -> Option<Vec<UnevenValue>> {
+    let ([left_set], [right_set]) = (left.sets.as_slice(), right.sets.as_slice()) else { return None };
+    let pairs = left_set.values.iter().zip(&right_set.values).filter(|(l, r)| l.number != r.number);
+    let mut uneven: Vec<UnevenValue> =
+        pairs.map(|(l, r)| UnevenValue { property: r.property, left: l.number, right: r.number }).collect();
+    let (left_radii, right_radii) = (radii(model, left), radii(model, right));
+    if left_radii != right_radii {
+        // On bones of another size, the radius of the other side and what follows from it would be wrong.
         if sides.bones_differ(left, right) {
             return None;
         }
-        found.push(Differing { property: Property::Radius, left: only(&ours)?, right: only(&theirs)? });
+        let (left, right) = (common_number(&left_radii)?, common_number(&right_radii)?);
+        uneven.push(UnevenValue { property: Property::Radius, left, right });
     }
-    Some(found).filter(|found| !found.is_empty())
+    Some(uneven).filter(|uneven| !uneven.is_empty())
 }
 
-/// The number that all of them are.
-fn only(numbers: &[f64]) -> Option<f64> {
+/// The number that all of `numbers` are, if they are equal.
+fn common_number(numbers: &[f64]) -> Option<f64> {
     let first = *numbers.first()?;
     numbers.iter().all(|&one| one == first).then_some(first)
 }
@@ -214,22 +221,22 @@ pub(super) static LEFT_RIGHT_PLACES: Rule = Rule {
     },
 };
 
-/// One finding, about the pair that is farthest apart. Spheres on bodies that are not counterparts are the farthest.
+/// One finding for all pairs, about the pair that is farthest apart; spheres on bodies that are not counterparts count as the farthest.
 pub(super) fn find_left_right_places(sides: &BothSides<'_>) -> Option<Finding> {
-    let mut all: Vec<(f64, &SpherePair<'_>)> =
+    let mut far_pairs: Vec<(f64, &SpherePair<'_>)> =
         sides.pairs.iter().filter_map(|pair| Some((distance_too_far(pair)?, pair))).collect();
-    all.sort_by(|(a, _), (b, _)| b.total_cmp(a));
-    let (_, worst) = all.first()?;
-    let more = and_others(all.len(), "another pair, too", "other pairs, too");
+    far_pairs.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+    let (_, worst) = far_pairs.first()?;
+    let more = and_others(far_pairs.len(), "another pair, too", "other pairs, too");
     let text = format!("{}{more}", describe_places(worst));
-    about_spheres(&LEFT_RIGHT_PLACES, text, all.iter().map(|(_, pair)| pair.left.sphere))
+    about_spheres(&LEFT_RIGHT_PLACES, text, far_pairs.iter().map(|(_, pair)| pair.left.sphere))
 }
 
-/// How far a pair is apart, as a part of the limb's longest bone, if that is too far.
+/// How far the places of a pair are apart, as a part of the limb's longest bone, if that is too far.
 fn distance_too_far(pair: &SpherePair<'_>) -> Option<f64> {
     let Some(bodies) = &pair.bodies else { return Some(f64::INFINITY) };
     let apart = bodies.apart_m(pair.right.place_m, pair.left.place_m)? / bodies.bone_m?;
-    (apart > SAME_PLACE).then_some(apart)
+    (apart > SAME_PLACE_OF_BONE).then_some(apart)
 }
 
 fn describe_places(pair: &SpherePair<'_>) -> String {
@@ -243,14 +250,14 @@ fn describe_places(pair: &SpherePair<'_>) -> String {
     let Some((bodies, apart_m, bone_m)) = apart else {
         return format!("{left_name} is on {left_body}, its counterpart {right_name} on {right_body}");
     };
-    let sign = bodies.other_sign(right.place_m, left.place_m, SAME_PLACE / 3.0 * bone_m);
+    let sign = bodies.axis_with_wrong_sign(right.place_m, left.place_m, SAME_PLACE_OF_BONE / 3.0 * bone_m);
     let sign = sign.map(|axis| format!(": the sign of {axis} is wrong on one of them")).unwrap_or_default();
     let [apart_mm, bone_mm] = [apart_m, bone_m].map(|m| three_significant(m * 1e3));
     let part = three_significant(100.0 * apart_m / bone_m);
     format!(
         "{left_name} on {left_body} is {apart_mm} mm from the mirror image of {right_name} on {right_body}, \
          {part} % of the limb's longest bone ({bone_mm} mm), expected at most {} %{sign}",
-        100.0 * SAME_PLACE
+        100.0 * SAME_PLACE_OF_BONE
     )
 }
 
@@ -269,12 +276,12 @@ pub(super) static LEFT_RIGHT_MISSING: Rule = Rule {
     },
 };
 
-/// One finding for all of them.
+/// One finding for all spheres without a counterpart.
 pub(super) fn find_left_right_missing(sides: &BothSides<'_>) -> Option<Finding> {
     let all: Vec<(&Sphere, &str, &str)> = sides
-        .alone
+        .unpaired
         .iter()
-        .filter_map(|alone| Some((alone.sphere.sphere, alone.sphere.body, alone.other_body?)))
+        .filter_map(|unpaired| Some((unpaired.sphere.sphere, unpaired.sphere.body, unpaired.other_body?)))
         .collect();
     let (sphere, body, other_body) = all.first()?;
     let text = format!(
@@ -302,10 +309,10 @@ pub(super) static LEFT_RIGHT_OFF: Rule = Rule {
     },
 };
 
-/// One finding for all of them.
+/// One finding for all contacts that are switched off on one side.
 pub(super) fn find_left_right_off(sides: &BothSides<'_>) -> Option<Finding> {
     let pairs = sides.pairs.iter();
-    let off: Vec<[&Placed<'_>; 2]> = pairs
+    let off: Vec<[&SideSphere<'_>; 2]> = pairs
         .filter_map(|pair| match (sides.applies(pair.right.sphere), sides.applies(pair.left.sphere)) {
             (true, false) => Some([&pair.left, &pair.right]),
             (false, true) => Some([&pair.right, &pair.left]),
@@ -338,7 +345,7 @@ pub(super) static LEFT_RIGHT_SWAPPED: Rule = Rule {
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/left_right_swapped.osim" },
 };
 
-/// One finding for all pairs. A single sphere on the wrong side has no counterpart there, which is another finding.
+/// One finding for all swapped pairs. A single sphere on the wrong side has no counterpart, which is another finding.
 pub(super) fn find_left_right_swapped(sides: &BothSides<'_>) -> Option<Finding> {
     let swapped: Vec<&SpherePair<'_>> = sides.pairs.iter().filter(|pair| is_swapped(pair)).collect();
     let first = swapped.first()?;
@@ -350,10 +357,10 @@ pub(super) fn find_left_right_swapped(sides: &BothSides<'_>) -> Option<Finding> 
     about_spheres(&LEFT_RIGHT_SWAPPED, text, spheres)
 }
 
-/// Whether the names of both spheres say the side of the other one.
+/// Whether the name of each sphere has the side of the other one.
 fn is_swapped(pair: &SpherePair<'_>) -> bool {
-    let says = |placed: &Placed<'_>, side| Side::of_name(&placed.sphere.name) == Some(side);
-    pair.bodies.is_some() && says(&pair.right, Side::Left) && says(&pair.left, Side::Right)
+    let names_side = |placed: &SideSphere<'_>, side| Side::of_name(&placed.sphere.name) == Some(side);
+    pair.bodies.is_some() && names_side(&pair.right, Side::Left) && names_side(&pair.left, Side::Right)
 }
 
 pub(super) static ONE_SIDE_ONLY: Rule = Rule {
@@ -371,18 +378,18 @@ pub(super) static ONE_SIDE_ONLY: Rule = Rule {
     },
 };
 
-/// One finding for all of them.
+/// One finding for all spheres of a side alone.
 pub(super) fn find_one_side_only(sides: &BothSides<'_>) -> Option<Finding> {
     if let Some(first) = sides.one_side.first() {
         let text = format!("only the {} side has contact spheres that meet a floor", first.side.as_str());
         return about_spheres(&ONE_SIDE_ONLY, text, sides.one_side.iter().map(|placed| placed.sphere));
     }
-    let without_body = sides.alone.iter().filter(|alone| alone.other_body.is_none());
+    let without_body = sides.unpaired.iter().filter(|unpaired| unpaired.other_body.is_none());
     let first = without_body.clone().next()?.sphere;
     let text = format!(
         "{} on {} has no counterpart: the other side has no such body",
         shown(&first.sphere.name),
         shown(first.body)
     );
-    about_spheres(&ONE_SIDE_ONLY, text, without_body.map(|alone| alone.sphere.sphere))
+    about_spheres(&ONE_SIDE_ONLY, text, without_body.map(|unpaired| unpaired.sphere.sphere))
 }

@@ -1,4 +1,4 @@
-//! Smoothing and dissipation: what a solver feels before and during contact.
+//! Rules about smoothing and dissipation: forces before contact, and energy lost in an impact.
 
 use contact_scaling::limits::{
     CONSTANT_INDENTATION, RESTITUTION, SUGGESTED_TRANSITION_WIDTH, TOUCHING_SHARE, TRANSITION_WIDTH,
@@ -9,8 +9,8 @@ use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, Positive, Request};
 
 use crate::figures::{Figure, SphereFigures};
-use crate::findings::{Found, Remedies, standing_width, touching_indentation};
-use crate::rules::limits::{Limits, beyond};
+use crate::findings::{FindingWithRemedy, Remedies, constant_indentation_for_touching, transition_width_for};
+use crate::rules::figure_check::{FigureCheck, value_beyond_limit};
 
 pub(super) static FLOATS: Rule = Rule {
     code: FindingCode::Floats,
@@ -27,26 +27,30 @@ pub(super) static FLOATS: Rule = Rule {
     },
 };
 
-pub(super) fn find_floats(limits: &Limits<'_>) -> Option<Found> {
+pub(super) fn find_floats(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let above =
         |sphere: &SphereFigures| sphere.value(Figure::IndentationModelLaw).filter(|&x| x <= 0.0).map(|x| -x);
-    let found = limits.concerned(above)?;
-    let text = format!("body weight is carried {} R above the floor", four_significant(found.most));
-    let finding = limits.about_force(&FLOATS, &text, &found);
-    Some(Found::new(finding, bring_to_floor(limits.remedies, &limits.spheres)))
+    let affected = check.spheres_with(above)?;
+    let text = format!("body weight is carried {} R above the floor", four_significant(affected.largest));
+    let finding = check.finding_at_force(&FLOATS, &text, &affected);
+    Some(FindingWithRemedy::new(finding, bring_to_floor(check.remedies, &check.spheres)))
 }
 
-/// Brings the spheres to the floor. Where contact sets in over a long way that has to be shorter, too: far above the floor the force
-/// of (C.1) is large again.
+/// Designs the constant indentation so that spheres reach the floor. A wide transition is made narrower, too, because far above the floor
+/// the force of (C.1) is large again.
 fn bring_to_floor(remedies: &Remedies<'_>, spheres: &[&SphereFigures]) -> Option<Request> {
-    let (tenth, half) = (standing_width(spheres, TOUCHING_SHARE.value)?, standing_width(spheres, 0.5)?);
+    let (width_for_tenth, width_for_half) =
+        (transition_width_for(spheres, TOUCHING_SHARE.value)?, transition_width_for(spheres, 0.5)?);
     let is_wide = |sphere: &&SphereFigures| {
         let width = sphere.value(Figure::TransitionWidth);
-        sphere.is_within(Figure::TransitionWidth) == Some(false) || width.is_some_and(|width| width > half)
+        sphere.is_within(Figure::TransitionWidth) == Some(false)
+            || width.is_some_and(|width| width > width_for_half)
     };
-    let width = spheres.iter().any(is_wide).then_some(tenth.min(SUGGESTED_TRANSITION_WIDTH));
+    let width = spheres.iter().any(is_wide).then_some(width_for_tenth.min(SUGGESTED_TRANSITION_WIDTH));
     let wanted = WantedOptions {
-        constant_indentation: Some(ConstantIndentation::new(touching_indentation(spheres)?).ok()?),
+        constant_indentation: Some(
+            ConstantIndentation::new(constant_indentation_for_touching(spheres)?).ok()?,
+        ),
         state_width: width.map(Positive::new).transpose().ok()?,
         ..WantedOptions::default()
     };
@@ -68,15 +72,15 @@ pub(super) static FORCE_BEFORE_CONTACT: Rule = Rule {
     },
 };
 
-pub(super) fn find_force_before_contact(limits: &Limits<'_>) -> Option<Found> {
-    let found = limits.concerned(|sphere| beyond(sphere, Figure::TouchingShare))?;
-    let force = found.worst.value(Figure::ForceJustTouching).map(four_significant).unwrap_or_default();
-    let share = four_significant(found.most);
+pub(super) fn find_force_before_contact(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    let affected = check.spheres_with(|sphere| value_beyond_limit(sphere, Figure::TouchingShare))?;
+    let force = affected.worst.value(Figure::ForceJustTouching).map(four_significant).unwrap_or_default();
+    let share = four_significant(affected.largest);
     let text = format!("just touching, a sphere carries {force} N, {share} of its share of body weight");
-    let finding = limits.about_force(&FORCE_BEFORE_CONTACT, &text, &found);
-    // Down to a tenth of the share of the weight.
-    let below = touching_indentation(&limits.spheres);
-    Some(Found::new(finding, below.and_then(|below| limits.remedies.constant_indentation(below))))
+    let finding = check.finding_at_force(&FORCE_BEFORE_CONTACT, &text, &affected);
+    let constant = constant_indentation_for_touching(&check.spheres);
+    let remedy = constant.and_then(|constant| check.remedies.design_constant_indentation(constant));
+    Some(FindingWithRemedy::new(finding, remedy))
 }
 
 pub(super) static LARGE_CONSTANT_INDENTATION: Rule = Rule {
@@ -94,12 +98,15 @@ pub(super) static LARGE_CONSTANT_INDENTATION: Rule = Rule {
     },
 };
 
-pub(super) fn find_large_constant_indentation(limits: &Limits<'_>) -> Option<Found> {
-    let found = limits.concerned(|sphere| beyond(sphere, Figure::ConstantIndentation))?;
-    let x = four_significant(found.most);
+pub(super) fn find_large_constant_indentation(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    let affected = check.spheres_with(|sphere| value_beyond_limit(sphere, Figure::ConstantIndentation))?;
+    let x = four_significant(affected.largest);
     let text = format!("sqrt(constant_contact_force)/R is {x}, {}", CONSTANT_INDENTATION.in_words());
-    let remedy = limits.remedies.constant_indentation(CONSTANT_INDENTATION.value);
-    Some(Found::new(limits.about_force(&LARGE_CONSTANT_INDENTATION, &text, &found), remedy))
+    let remedy = check.remedies.design_constant_indentation(CONSTANT_INDENTATION.value);
+    Some(FindingWithRemedy::new(
+        check.finding_at_force(&LARGE_CONSTANT_INDENTATION, &text, &affected),
+        remedy,
+    ))
 }
 
 pub(super) static WIDE_TRANSITION: Rule = Rule {
@@ -117,11 +124,14 @@ pub(super) static WIDE_TRANSITION: Rule = Rule {
     },
 };
 
-pub(super) fn find_wide_transition(limits: &Limits<'_>) -> Option<Found> {
-    let found = limits.concerned(|sphere| beyond(sphere, Figure::TransitionWidth))?;
-    let (width, limit) = (four_significant(found.most), TRANSITION_WIDTH.in_words());
+pub(super) fn find_wide_transition(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    let affected = check.spheres_with(|sphere| value_beyond_limit(sphere, Figure::TransitionWidth))?;
+    let (width, limit) = (four_significant(affected.largest), TRANSITION_WIDTH.in_words());
     let text = format!("contact sets in over {width} R, {limit}");
-    Some(Found::new(limits.about_force(&WIDE_TRANSITION, &text, &found), narrow_transition(limits.remedies)))
+    Some(FindingWithRemedy::new(
+        check.finding_at_force(&WIDE_TRANSITION, &text, &affected),
+        narrow_transition(check.remedies),
+    ))
 }
 
 fn narrow_transition(remedies: &Remedies<'_>) -> Option<Request> {
@@ -144,19 +154,19 @@ pub(super) static BEYOND_HUNT_CROSSLEY: Rule = Rule {
     },
 };
 
-pub(super) fn find_beyond_hunt_crossley(limits: &Limits<'_>) -> Option<Found> {
-    let speed = limits.inspected.figures.impact_speed_m_s?;
+pub(super) fn find_beyond_hunt_crossley(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    let speed = check.inspected.figures.impact_speed_m_s?;
     // The largest dissipation has the least restitution.
-    let found = limits.concerned(|sphere| {
+    let affected = check.spheres_with(|sphere| {
         let outside = sphere.is_within(Figure::RestitutionApproximate) == Some(false);
         sphere.value(Figure::Dissipation).filter(|_| outside)
     })?;
-    let restitution = found.worst.value(Figure::RestitutionApproximate);
+    let restitution = affected.worst.value(Figure::RestitutionApproximate);
     let restitution = restitution.map_or_else(|| "below 0".to_owned(), four_significant);
     let text = format!(
         "at an impact speed of {} m/s the restitution is {restitution} by (13), {}",
         four_significant(speed),
         RESTITUTION.in_words()
     );
-    Some(limits.about_force(&BEYOND_HUNT_CROSSLEY, &text, &found).into())
+    Some(check.finding_at_force(&BEYOND_HUNT_CROSSLEY, &text, &affected).into())
 }

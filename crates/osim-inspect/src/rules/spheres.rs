@@ -11,7 +11,7 @@ use osim_model::{
 
 use crate::sides::{BothSides, place_key};
 
-/// A finding about all of `spheres`, at the first of them; `None` without any.
+/// A finding about all of `spheres`, placed at the first of them; `None` if there are none.
 pub(super) fn about_spheres<'s>(
     rule: &'static Rule,
     text: String,
@@ -22,7 +22,7 @@ pub(super) fn about_spheres<'s>(
     Some(finding.with_spheres(spheres.map(|sphere| sphere.name.clone()).collect()))
 }
 
-/// What follows the words about the first of `count` cases.
+/// The end of a message about the first of `count` cases: empty for one, else `one` or the number with `several`.
 pub(super) fn and_others(count: usize, one: &str, several: &str) -> String {
     match count {
         0 | 1 => String::new(),
@@ -31,17 +31,17 @@ pub(super) fn and_others(count: usize, one: &str, several: &str) -> String {
     }
 }
 
-/// Published spheres are at most 0.353 of the limb's longest bone from the nearest joint of their body.
+/// A sphere is too far from the nearest joint of its body above this part of the limb's longest bone. Published ones are at most 0.353 away.
 const PLACE_OF_BONE: f64 = 0.6;
-/// On a body without a side, such as the last link of a pendulum, which may be a long one: only another unit is seen.
+/// The limit on a body without a side. It only finds another unit, because such a body, for example the last link of a pendulum, can be long.
 const PLACE_OF_BONE_WITHOUT_SIDE: f64 = 10.0;
-/// And at most 2.7 radii of gyration from its centre of mass.
+/// A sphere within so many radii of gyration of its body's centre of mass is not too far. Published ones are at most 2.7 away.
 const PLACE_OF_GYRATION: f64 = 4.0;
-/// Sideways, the spheres of the 13 models of the corpus that have a left and a right side are at most 0.149 of that bone from the nearest
-/// joint (the outer toes of Falisse et al.): a foot is longer than wide.
+/// The limit of the distance sideways. In the 13 models of the corpus with two sides it is at most 0.149 (the outer toes of Falisse et al.),
+/// because a foot is longer than wide.
 const PLACE_OF_BONE_SIDEWAYS: f64 = 0.25;
-/// And at most 2.8 radii of gyration from its centre of mass, where they are at 0.149; a foot without a limb, whose longest bone is its
-/// own, has them at 0.38 and less than 2.
+/// A sphere within so many radii of gyration sideways is not too far. In the corpus the largest is 2.8 for spheres at 0.149 of the bone; a
+/// foot without a limb has spheres at 0.38 of its own bone and less than 2.
 const PLACE_OF_GYRATION_SIDEWAYS: f64 = 2.0;
 
 pub(super) static ODD_PLACE: Rule = Rule {
@@ -59,103 +59,110 @@ pub(super) static ODD_PLACE: Rule = Rule {
     },
 };
 
-/// One finding, about the sphere that is farthest away.
+/// One finding for all spheres that are too far away, about the farthest.
 pub(super) fn find_odd_place(sides: &BothSides<'_>) -> Option<Finding> {
     let shapes = sides.model.body_shapes();
-    let mut bodies: HashMap<&str, Option<OnBody<'_>>> = HashMap::new();
-    let mut all: Vec<Far<'_>> = Vec::new();
+    let mut bodies: HashMap<&str, Option<BodyExtent<'_>>> = HashMap::new();
+    let mut far: Vec<FarSphere<'_>> = Vec::new();
     for (sphere, body, place_m) in sides.spheres() {
-        let on_body = bodies.entry(body).or_insert_with(|| OnBody::of(body, shapes.get(body)?, sides));
-        all.extend(on_body.as_ref().and_then(|on_body| on_body.far(sphere, place_m)));
+        let extent = bodies.entry(body).or_insert_with(|| BodyExtent::of(body, shapes.get(body)?, sides));
+        far.extend(extent.as_ref().and_then(|extent| extent.find_far(sphere, place_m)));
     }
-    all.sort_by(|a, b| b.times().total_cmp(&a.times()));
-    let worst = all.first()?;
-    about_spheres(&ODD_PLACE, describe_far(worst, all.len()), all.iter().map(|far| far.sphere))
+    far.sort_by(|a, b| b.times_limit().total_cmp(&a.times_limit()));
+    let worst = far.first()?;
+    about_spheres(&ODD_PLACE, describe_far(worst, far.len()), far.iter().map(|far| far.sphere))
 }
 
-/// A body by whose size places are judged.
-struct OnBody<'m> {
+/// The size of a body, with which the distances of its spheres are compared.
+struct BodyExtent<'m> {
     shape: &'m BodyShape,
     /// The limb's longest bone, m.
     bone_m: f64,
-    /// How far a sphere may be, as a part of that bone.
-    most: f64,
-    /// The axis that leads sideways.
+    /// How far a sphere may be from the nearest joint, as a part of that bone.
+    limit: f64,
+    /// The axis of the body's frame that leads sideways.
     sideways: Option<usize>,
 }
 
-struct Far<'m> {
+/// A sphere and its distance from the nearest joint of its body.
+struct FarSphere<'m> {
     sphere: &'m Sphere,
     from_joint_m: f64,
     bone_m: f64,
-    most: f64,
-    sideways: bool,
+    limit: f64,
+    is_sideways: bool,
 }
 
-impl<'m> OnBody<'m> {
+impl<'m> BodyExtent<'m> {
     fn of(body: &str, shape: &'m BodyShape, sides: &BothSides<'_>) -> Option<Self> {
         let has_side = Side::of_name(body).is_some();
-        let most = if has_side { PLACE_OF_BONE } else { PLACE_OF_BONE_WITHOUT_SIDE };
+        let limit = if has_side { PLACE_OF_BONE } else { PLACE_OF_BONE_WITHOUT_SIDE };
         let sideways = sides.sideways_axis(body).filter(|_| has_side);
-        Some(Self { shape, bone_m: sides.longest_of_limb_m(body)?, most, sideways })
+        Some(Self { shape, bone_m: sides.longest_bone_of_limb_m(body)?, limit, sideways })
     }
 
-    fn far<'s>(&self, sphere: &'s Sphere, place_m: DVec3) -> Option<Far<'s>> {
-        let far =
-            |from_joint_m, most, sideways| Far { sphere, from_joint_m, bone_m: self.bone_m, most, sideways };
-        let altogether = far(self.nearest_joint_m(|joint_m| joint_m.distance(place_m)), self.most, false);
-        if altogether.is_too_far() && !self.is_near(self.shape.centre_m.distance(place_m), PLACE_OF_GYRATION)
-        {
-            return Some(altogether);
+    /// The distance of a sphere, if it is too far away in any direction, or else sideways.
+    fn find_far<'s>(&self, sphere: &'s Sphere, place_m: DVec3) -> Option<FarSphere<'s>> {
+        let far = |from_joint_m, limit, is_sideways| FarSphere {
+            sphere,
+            from_joint_m,
+            bone_m: self.bone_m,
+            limit,
+            is_sideways,
+        };
+        let in_all_axes = far(self.nearest_joint_m(|joint_m| joint_m.distance(place_m)), self.limit, false);
+        let from_centre_m = self.shape.centre_m.distance(place_m);
+        if in_all_axes.is_too_far() && !self.is_near(from_centre_m, PLACE_OF_GYRATION) {
+            return Some(in_all_axes);
         }
         let axis = self.sideways?;
         let apart = |other: DVec3| (other[axis] - place_m[axis]).abs();
-        let aside = far(self.nearest_joint_m(apart), PLACE_OF_BONE_SIDEWAYS, true);
+        let sideways = far(self.nearest_joint_m(apart), PLACE_OF_BONE_SIDEWAYS, true);
         let is_near = self.is_near(apart(self.shape.centre_m), PLACE_OF_GYRATION_SIDEWAYS);
-        (aside.is_too_far() && !is_near).then_some(aside)
+        (sideways.is_too_far() && !is_near).then_some(sideways)
     }
 
-    /// How far it is to the nearest joint, m; infinite without joints.
+    /// The distance to the nearest joint, m; infinite without joints.
     fn nearest_joint_m(&self, apart: impl Fn(DVec3) -> f64) -> f64 {
         self.shape.joints_m.iter().map(|&joint_m| apart(joint_m)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether the centre of mass is within so many radii of gyration.
+    /// Whether a distance from the centre of mass is within so many radii of gyration.
     fn is_near(&self, from_centre_m: f64, radii: f64) -> bool {
         self.shape.gyration_m.is_some_and(|gyration_m| from_centre_m <= radii * gyration_m)
     }
 }
 
-impl Far<'_> {
-    fn of_bone(&self) -> f64 {
+impl FarSphere<'_> {
+    fn part_of_bone(&self) -> f64 {
         self.from_joint_m / self.bone_m
     }
 
-    /// How many times as far as it may be.
-    fn times(&self) -> f64 {
-        self.of_bone() / self.most
+    /// The distance over its limit.
+    fn times_limit(&self) -> f64 {
+        self.part_of_bone() / self.limit
     }
 
     fn is_too_far(&self) -> bool {
-        self.times().is_finite() && self.times() > 1.0
+        self.times_limit().is_finite() && self.times_limit() > 1.0
     }
 }
 
-fn describe_far(worst: &Far<'_>, count: usize) -> String {
+fn describe_far(worst: &FarSphere<'_>, count: usize) -> String {
     let more = and_others(count, "another sphere, too", "other spheres, too");
     format!(
         "{} is {} m{} from the nearest joint of {}, {} of the limb's longest bone ({} m), expected at most {}{more}",
         shown(&worst.sphere.name),
         three_significant(worst.from_joint_m),
-        if worst.sideways { " sideways" } else { "" },
+        if worst.is_sideways { " sideways" } else { "" },
         shown(worst.sphere.body.as_deref().unwrap_or_default()),
-        three_significant(worst.of_bone()),
+        three_significant(worst.part_of_bone()),
         three_significant(worst.bone_m),
-        worst.most
+        worst.limit
     )
 }
 
-/// Published radii are 0.011 to 0.2 of the longest bone of their limb.
+/// Plausible radii as parts of the limb's longest bone. Published ones are 0.011 to 0.2.
 const RADIUS_OF_BONE: std::ops::RangeInclusive<f64> = 0.005..=0.3;
 
 pub(super) static ODD_RADIUS: Rule = Rule {
@@ -173,55 +180,57 @@ pub(super) static ODD_RADIUS: Rule = Rule {
     },
 };
 
-/// One finding, about the sphere that is farthest outside.
+/// One finding for all odd radii, about the one that is farthest outside the range.
 pub(super) fn find_odd_radius(sides: &BothSides<'_>) -> Option<Finding> {
-    let odd = |(sphere, body, _): (_, &str, _)| odd(sphere, sides.longest_of_limb_m(body)?);
-    let mut all: Vec<Odd<'_>> = sides.spheres().filter_map(odd).collect();
-    all.sort_by(|a, b| b.beyond().total_cmp(&a.beyond()));
-    let worst = all.first()?;
-    let text = describe_odd_radius(worst, all.len(), sides.model);
-    about_spheres(&ODD_RADIUS, text, all.iter().map(|odd| odd.sphere))
+    let find = |(sphere, body, _): (_, &str, _)| find_odd(sphere, sides.longest_bone_of_limb_m(body)?);
+    let mut odd: Vec<OddRadius<'_>> = sides.spheres().filter_map(find).collect();
+    odd.sort_by(|a, b| b.times_limit().total_cmp(&a.times_limit()));
+    let worst = odd.first()?;
+    let text = describe_odd_radius(worst, odd.len(), sides.model);
+    about_spheres(&ODD_RADIUS, text, odd.iter().map(|odd| odd.sphere))
 }
 
-struct Odd<'m> {
+/// A sphere whose radius is too large or too small for its limb.
+struct OddRadius<'m> {
     sphere: &'m Sphere,
     bone_m: f64,
-    of_bone: f64,
+    part_of_bone: f64,
 }
 
-impl Odd<'_> {
-    /// By how many times it is outside.
-    fn beyond(&self) -> f64 {
-        (self.of_bone / RADIUS_OF_BONE.end()).max(RADIUS_OF_BONE.start() / self.of_bone)
+impl OddRadius<'_> {
+    /// How many times the radius is too large or too small.
+    fn times_limit(&self) -> f64 {
+        (self.part_of_bone / RADIUS_OF_BONE.end()).max(RADIUS_OF_BONE.start() / self.part_of_bone)
     }
 }
 
-fn odd(sphere: &Sphere, bone_m: f64) -> Option<Odd<'_>> {
-    let of_bone = sphere.radius_m().ok()? / bone_m;
-    (!RADIUS_OF_BONE.contains(&of_bone)).then_some(Odd { sphere, bone_m, of_bone })
+fn find_odd(sphere: &Sphere, bone_m: f64) -> Option<OddRadius<'_>> {
+    let part_of_bone = sphere.radius_m().ok()? / bone_m;
+    (!RADIUS_OF_BONE.contains(&part_of_bone)).then_some(OddRadius { sphere, bone_m, part_of_bone })
 }
 
-fn describe_odd_radius(worst: &Odd<'_>, count: usize, model: &Model) -> String {
+fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> String {
     let radius_m = worst.sphere.radius.number;
     let more = and_others(count, "another radius, too", "other radii, too");
-    let of_mass = MassRequest::default().bodies_kg(model).filter(|kg| *kg > 0.0);
-    let of_mass = of_mass
+    let mass_kg = MassRequest::default().bodies_kg(model).filter(|kg| *kg > 0.0);
+    let against_mass = mass_kg
         .map(|kg| format!(" (R / M^(1/3) is {} m/kg^(1/3))", three_significant(radius_m / libm::cbrt(kg))));
     format!(
         "radius of {} is {} m, {} of the limb's longest bone ({} m), expected {} to {}{}{more}",
         shown(&worst.sphere.name),
         readable(radius_m),
-        three_significant(worst.of_bone),
+        three_significant(worst.part_of_bone),
         three_significant(worst.bone_m),
         RADIUS_OF_BONE.start(),
         RADIUS_OF_BONE.end(),
-        of_mass.unwrap_or_default()
+        against_mass.unwrap_or_default()
     )
 }
 
-/// In the corpus the spheres of a body extend over 0.077 (the forefoot of D'Hondt et al.) to 0.9 of the limb's longest bone.
+/// Spheres of one body are crowded if they extend over less than this part of the limb's longest bone. In the corpus they extend over 0.077
+/// (the forefoot of D'Hondt et al.) to 0.9.
 const CROWD_OF_BONE: f64 = 0.02;
-/// And the nearest two are 1.36 radii apart.
+/// They are only crowded if they also extend over less than this part of the smallest radius. In the corpus two are at least 1.36 radii apart.
 const CROWD_OF_RADIUS: f64 = 0.5;
 
 pub(super) static CROWDED_SPHERES: Rule = Rule {
@@ -235,18 +244,19 @@ pub(super) static CROWDED_SPHERES: Rule = Rule {
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/crowded_spheres.osim" },
 };
 
-/// One finding, about the body whose spheres are the most crowded.
+/// One finding for all crowded spheres, about the body whose spheres are the most crowded.
 pub(super) fn find_crowded_spheres(sides: &BothSides<'_>) -> Option<Finding> {
     let mut by_body: BTreeMap<&str, Vec<(&Sphere, DVec3)>> = BTreeMap::new();
     for (sphere, body, place_m) in sides.spheres().filter(|(_, body, _)| Side::of_name(body).is_some()) {
         by_body.entry(body).or_default().push((sphere, place_m));
     }
-    let crowds = by_body.iter().filter_map(|(body, spheres)| crowd(spheres, sides.longest_of_limb_m(body)?));
-    let mut all: Vec<Crowd<'_>> = crowds.collect();
-    all.sort_by(|a, b| a.of_bone().total_cmp(&b.of_bone()));
-    let worst = all.first()?;
-    let text = describe_crowd(worst, all.len())?;
-    about_spheres(&CROWDED_SPHERES, text, all.iter().flat_map(|crowd| &crowd.spheres).copied())
+    let crowds =
+        by_body.iter().filter_map(|(body, spheres)| find_crowd(spheres, sides.longest_bone_of_limb_m(body)?));
+    let mut crowds: Vec<Crowd<'_>> = crowds.collect();
+    crowds.sort_by(|a, b| a.part_of_bone().total_cmp(&b.part_of_bone()));
+    let worst = crowds.first()?;
+    let text = describe_crowd(worst, crowds.len())?;
+    about_spheres(&CROWDED_SPHERES, text, crowds.iter().flat_map(|crowd| &crowd.spheres).copied())
 }
 
 /// Spheres of one body that are nearly in one place.
@@ -257,21 +267,23 @@ struct Crowd<'m> {
 }
 
 impl Crowd<'_> {
-    fn of_bone(&self) -> f64 {
+    fn part_of_bone(&self) -> f64 {
         self.extent_m / self.bone_m
     }
 }
 
-/// Spheres at one place are doubled, which is another finding.
-fn crowd<'m>(spheres: &[(&'m Sphere, DVec3)], bone_m: f64) -> Option<Crowd<'m>> {
+/// `None` also if all spheres are at exactly one place: they are doubled, which is another finding.
+fn find_crowd<'m>(spheres: &[(&'m Sphere, DVec3)], bone_m: f64) -> Option<Crowd<'m>> {
     let places: BTreeSet<[i64; 3]> = spheres.iter().map(|(_, place_m)| place_key(*place_m)).collect();
-    let least_m = spheres.iter().map(|(sphere, _)| sphere.radius.number).fold(f64::INFINITY, f64::min);
+    let smallest_radius_m =
+        spheres.iter().map(|(sphere, _)| sphere.radius.number).fold(f64::INFINITY, f64::min);
     let crowd = Crowd {
         spheres: spheres.iter().map(|(sphere, _)| *sphere).collect(),
         extent_m: extent_m(spheres),
         bone_m,
     };
-    let is_crowd = crowd.of_bone() < CROWD_OF_BONE && crowd.extent_m < CROWD_OF_RADIUS * least_m;
+    let is_crowd =
+        crowd.part_of_bone() < CROWD_OF_BONE && crowd.extent_m < CROWD_OF_RADIUS * smallest_radius_m;
     (places.len() > 1 && is_crowd).then_some(crowd)
 }
 
@@ -293,7 +305,7 @@ fn describe_crowd(worst: &Crowd<'_>, count: usize) -> Option<String> {
         worst.spheres.len(),
         shown(first.body.as_deref().unwrap_or_default()),
         three_significant(worst.extent_m),
-        three_significant(worst.of_bone()),
+        three_significant(worst.part_of_bone()),
         three_significant(worst.bone_m),
     ))
 }

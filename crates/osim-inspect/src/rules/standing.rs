@@ -1,4 +1,4 @@
-//! How the body stands at its default pose: over the floor, and with its soles level.
+//! Rules about the default pose: whether the body is on its floor, and whether the bottoms of its spheres are level.
 
 use foldhash::HashMap;
 use osim_model::feet::MOST_LEAN_RAD;
@@ -6,9 +6,9 @@ use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
 
 use crate::figures::{Figure, LimbFigures, SphereFigures};
-use crate::findings::Found;
+use crate::findings::FindingWithRemedy;
 use crate::inspection::{Bottom, StandingBody};
-use crate::rules::limits::Limits;
+use crate::rules::figure_check::FigureCheck;
 
 pub(super) static NOT_ON_FLOOR: Rule = Rule {
     code: FindingCode::NotOnFloor,
@@ -26,30 +26,23 @@ pub(super) static NOT_ON_FLOOR: Rule = Rule {
 };
 
 /// A finding for each body that does not start on its floor.
-pub(super) fn find_not_on_floor(limits: &Limits<'_>) -> Vec<Found> {
-    let bodies = &limits.inspected.standing;
-    let found = bodies
-        .iter()
-        .filter(|body| is_off(body))
-        .filter_map(|body| not_on_floor_finding(body, bodies.len() > 1));
-    found.map(Found::from).collect()
+pub(super) fn find_not_on_floor(check: &FigureCheck<'_>) -> Vec<FindingWithRemedy> {
+    let bodies = &check.inspected.standing;
+    let off_floor = bodies.iter().filter(|body| body.is_above_floor() || body.is_inside_floor());
+    let findings = off_floor.filter_map(|body| not_on_floor_finding(body, bodies.len() > 1));
+    findings.map(FindingWithRemedy::from).collect()
 }
 
-/// Whether a simulation of `body` starts inside the floor or above it.
-fn is_off(body: &StandingBody) -> bool {
-    body.is_above_floor() || body.is_inside_floor()
-}
-
-fn not_on_floor_finding(body: &StandingBody, of_several: bool) -> Option<Finding> {
-    let which = if of_several { format!("with {} ", shown(&body.body)) } else { String::new() };
-    let (place, way) = (body.place()?, body.way_to_stand());
-    let text = format!("a simulation {which}from the default pose starts {place}; {way}");
+fn not_on_floor_finding(body: &StandingBody, is_one_of_several: bool) -> Option<Finding> {
+    let which = if is_one_of_several { format!("with {} ", shown(&body.body)) } else { String::new() };
+    let (height, way) = (body.height_in_words()?, body.describe_way_to_stand());
+    let text = format!("a simulation {which}from the default pose starts {height}; {way}");
     Some(Finding::new(&NOT_ON_FLOOR, text).with_place(&body.lowest()?.path))
 }
 
-/// Bottoms that differ by more than this, in the radius of the lowest sphere, are too uneven.
-const TOO_MUCH: f64 = 0.5;
-/// Heights have rounding errors.
+/// A height difference of bottoms above this, in the radius of the lowest sphere, is a warning.
+const WARNING_RADII: f64 = 0.5;
+/// Tolerance for rounding errors of heights.
 const ROUNDING: f64 = 1e-9;
 
 pub(super) static UNEVEN_BOTTOMS: Rule = Rule {
@@ -66,9 +59,11 @@ pub(super) static UNEVEN_BOTTOMS: Rule = Rule {
 };
 
 /// The limb whose bottoms differ most.
-pub(super) fn find_uneven_bottoms(limits: &Limits<'_>) -> Option<Found> {
-    let worst = Uneven::worst(limits)?;
-    worst.is_too_much().then(|| Found::new(worst.finding(&UNEVEN_BOTTOMS), limits.remedies.level()))
+pub(super) fn find_uneven_bottoms(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    let worst = Uneven::worst(check)?;
+    worst
+        .is_warning()
+        .then(|| FindingWithRemedy::new(worst.finding(&UNEVEN_BOTTOMS), check.remedies.level_feet()))
 }
 
 /// A limb whose lowest and highest bottoms differ.
@@ -76,45 +71,43 @@ struct Uneven<'i> {
     limb: &'i LimbFigures,
     lowest: &'i Bottom,
     highest: &'i Bottom,
-    /// By how much, in the radius of the lowest sphere.
-    share: f64,
+    /// The height difference in the radius of the lowest sphere.
+    difference_radii: f64,
     /// How far the bodies of these spheres lean, rad.
     tilt_rad: f64,
 }
 
 impl<'i> Uneven<'i> {
-    /// The limb whose bottoms differ most.
-    pub(super) fn worst(limits: &Limits<'i>) -> Option<Self> {
-        let bottoms = limits.inspected.standing.iter().flat_map(|body| &body.bottoms);
+    fn worst(check: &FigureCheck<'i>) -> Option<Self> {
+        let bottoms = check.inspected.standing.iter().flat_map(|body| &body.bottoms);
         let bottoms: HashMap<&str, &Bottom> = bottoms.map(|bottom| (bottom.path.as_str(), bottom)).collect();
-        let limbs = limits.inspected.figures.limbs.iter();
+        let limbs = check.inspected.figures.limbs.iter();
         let uneven = limbs.filter_map(|limb| Self::of(&bottoms, limb));
-        uneven.reduce(|a, b| if b.share > a.share { b } else { a })
+        uneven.reduce(|a, b| if b.difference_radii > a.difference_radii { b } else { a })
     }
 
-    /// Whether they differ by more than `share` of the radius of the lowest sphere.
-    fn is_beyond(&self, share: f64) -> bool {
-        self.share > share + ROUNDING
+    fn differs_by_more_than(&self, radii: f64) -> bool {
+        self.difference_radii > radii + ROUNDING
     }
 
-    /// Whether that is a warning: a foot that leans has such contacts by its pose.
-    fn is_too_much(&self) -> bool {
-        self.is_beyond(TOO_MUCH) && self.tilt_rad <= MOST_LEAN_RAD
+    /// Whether the difference is a warning. It is none if the foot leans, because then it follows from the pose.
+    fn is_warning(&self) -> bool {
+        self.differs_by_more_than(WARNING_RADII) && self.tilt_rad <= MOST_LEAN_RAD
     }
 
     fn of(bottoms: &HashMap<&str, &'i Bottom>, limb: &'i LimbFigures) -> Option<Self> {
         limb.limb.as_ref()?;
-        let own = limb.spheres.iter().filter_map(|sphere| bottoms.get(sphere.path.as_str()));
-        let bottoms: Vec<&Bottom> = own.copied().collect();
+        let of_limb = limb.spheres.iter().filter_map(|sphere| bottoms.get(sphere.path.as_str()));
+        let bottoms: Vec<&Bottom> = of_limb.copied().collect();
         let lowest = bottoms.iter().copied().reduce(|a, b| if b.height_m < a.height_m { b } else { a })?;
         let highest = bottoms.iter().copied().reduce(|a, b| if b.height_m > a.height_m { b } else { a })?;
-        let share = (highest.height_m - lowest.height_m) / lowest.radius_m;
+        let difference_radii = (highest.height_m - lowest.height_m) / lowest.radius_m;
         let tilt_rad = bottoms.iter().map(|bottom| bottom.tilt_rad).fold(0.0, f64::max);
-        Some(Self { limb, lowest, highest, share, tilt_rad })
+        Some(Self { limb, lowest, highest, difference_radii, tilt_rad })
     }
 
-    pub(super) fn finding(&self, rule: &'static Rule) -> Finding {
-        let Self { limb, lowest, highest, share, tilt_rad } = self;
+    fn finding(&self, rule: &'static Rule) -> Finding {
+        let Self { limb, lowest, highest, difference_radii, tilt_rad } = self;
         let millimetres = readable(((highest.height_m - lowest.height_m) * 1e4).round() / 10.0);
         let tilted = match *tilt_rad > MOST_LEAN_RAD {
             true => format!("; the foot leans by {:.0} degrees there", tilt_rad.to_degrees()),
@@ -123,22 +116,22 @@ impl<'i> Uneven<'i> {
         let text = format!(
             "the bottoms of {} differ by {millimetres} mm at the default pose, {} R, from {} to {}{}{tilted}",
             shown(limb.limb.as_deref().unwrap_or_default()),
-            three_significant(*share),
+            three_significant(*difference_radii),
             shown(&lowest.sphere),
             shown(&highest.sphere),
-            self.shares(),
+            self.depths_in_words(),
         );
         Finding::new(rule, text).with_place(&highest.path)
     }
 
-    /// How deep the two are where the limb carries the body.
-    fn shares(&self) -> String {
-        let of = |bottom: &Bottom| {
-            let is_it = |sphere: &&SphereFigures| sphere.path == bottom.path;
-            let sphere = self.limb.spheres.iter().find(is_it)?;
+    /// How deep the lowest and the highest sphere are while the limb carries the body; empty if it is not known.
+    fn depths_in_words(&self) -> String {
+        let depth = |bottom: &Bottom| {
+            let has_path = |sphere: &&SphereFigures| sphere.path == bottom.path;
+            let sphere = self.limb.spheres.iter().find(has_path)?;
             Some(three_significant(sphere.value(Figure::StandingIndentationModelLaw)?))
         };
-        match of(self.lowest).zip(of(self.highest)) {
+        match depth(self.lowest).zip(depth(self.highest)) {
             Some((lowest, highest)) => {
                 format!(": with body weight on them x/R is {lowest} and {highest}")
             }
@@ -147,8 +140,8 @@ impl<'i> Uneven<'i> {
     }
 }
 
-/// Bottoms that differ by more than this, in the radius of the lowest sphere, are a remark.
-const REMARK: f64 = 0.3;
+/// A height difference of bottoms above this, in the radius of the lowest sphere, is a remark.
+const REMARK_RADII: f64 = 0.3;
 
 pub(super) static UNLEVEL_FOOT: Rule = Rule {
     code: FindingCode::UnlevelFoot,
@@ -162,7 +155,8 @@ pub(super) static UNLEVEL_FOOT: Rule = Rule {
 };
 
 /// The limb whose bottoms differ most, unless that is a warning.
-pub(super) fn find_unlevel_foot(limits: &Limits<'_>) -> Option<Found> {
-    let worst = Uneven::worst(limits).filter(|worst| worst.is_beyond(REMARK) && !worst.is_too_much())?;
+pub(super) fn find_unlevel_foot(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    let worst = Uneven::worst(check)
+        .filter(|worst| worst.differs_by_more_than(REMARK_RADII) && !worst.is_warning())?;
     Some(worst.finding(&UNLEVEL_FOOT).into())
 }

@@ -1,4 +1,4 @@
-//! Bodies whose contacts are drawn, what their spheres are called, and the reference beside them.
+//! Bodies whose contacts are drawn, names for their spheres, and the reference that is drawn beside them.
 
 use std::fmt::Display;
 
@@ -13,10 +13,10 @@ use osim_model::{
 };
 
 use crate::figures::Figures;
-use crate::floors::weight_share;
+use crate::floors::weight_share_on_floor;
 use crate::load::{InspectOptions, LoadSharing, MassMismatch, Stance};
 
-/// What a body weighs and on how many spheres it stands.
+/// The weight of a body, and the spheres that carry it.
 #[derive(Debug, Clone)]
 pub struct Weight {
     /// M, kg.
@@ -25,7 +25,7 @@ pub struct Weight {
     pub gravity_m_s2: f64,
     /// n, spheres that share the weight.
     pub sphere_count: f64,
-    /// The spheres, each with its share of those that stand.
+    /// The spheres, each with the number of spheres that it represents: the sum is n.
     pub spheres: Vec<Spheres>,
 }
 
@@ -41,10 +41,10 @@ impl Weight {
     }
 }
 
-/// Spheres of one radius with one contact.
+/// All spheres of a body with the same radius and contact.
 #[derive(Debug, Clone)]
 pub struct SphereKind {
-    /// Names of its spheres; empty where all spheres of the body are of this kind.
+    /// Names of the spheres in words; empty if all spheres of the body are of this kind.
     pub spheres: String,
     /// R, m.
     pub radius_m: f64,
@@ -52,30 +52,32 @@ pub struct SphereKind {
 }
 
 impl SphereKind {
-    /// The only kind of a body.
+    /// For a body whose spheres are all of this kind.
     pub fn new(radius_m: f64, contact: Contact) -> Self {
         Self { spheres: String::new(), radius_m, contact }
     }
 }
 
+/// A body whose contacts are drawn: a model or a preset.
 #[derive(Debug, Clone)]
 pub struct Body {
     pub name: String,
     /// Its kinds of spheres, in the order of the file.
     pub kinds: Vec<SphereKind>,
+    /// Its weight, or why it is not known.
     pub weight: Result<Weight, Failure>,
-    /// The mass its contacts are made for, likewise.
+    /// The mass that its contacts are made for, or why it is not known.
     contacts_mass_kg: Result<f64, Failure>,
-    /// The two masses, where they disagree.
+    /// The masses of the note and of the bodies, if they disagree.
     pub mismatch: Option<MassMismatch>,
 }
 
 impl Body {
-    /// A model's chosen forces; `failed` names the file a fault is in.
+    /// The body of a model with the chosen `forces`; `failed` adds the name of the file to a fault.
     ///
     /// # Errors
-    /// No chosen force applies, or a value is not a number. What is not known of the weight is no error until it is needed.
-    pub fn of_model(
+    /// No chosen force applies, or a value is not a number. An unknown weight is an error only when it is needed.
+    pub fn from_model(
         name: String,
         model: &Model,
         forces: &[ForceId],
@@ -83,26 +85,27 @@ impl Body {
         stance: &Stance,
         failed: &dyn Fn(Fault) -> Failure,
     ) -> Result<Self, Failure> {
-        let kinds = kinds(model, forces).map_err(failed)?;
+        let kinds = sphere_kinds(model, forces).map_err(failed)?;
         let weight = weight(model, forces, masses, stance).map_err(failed);
         let contacts_mass_kg = masses.contacts_mass(model).map(|(mass, _)| mass.kg).map_err(failed);
         let mismatch = MassMismatch::find(model, masses);
         Ok(Self { name, kinds, weight, contacts_mass_kg, mismatch })
     }
 
-    /// A model as it is inspected.
-    pub fn inspected(
+    /// The body of a model with the options of an inspection.
+    pub fn from_inspected_model(
         name: String,
         model: &Model,
         options: &InspectOptions,
         failed: &dyn Fn(Fault) -> Failure,
     ) -> Result<Self, Failure> {
         let selected = options.selection.apply(model).map_err(failed)?;
-        Self::of_model(name, model, &selected.forces, &options.masses, &options.stance, failed)
+        Self::from_model(name, model, &selected.forces, &options.masses, &options.stance, failed)
     }
 
-    /// A preset; masses, spheres and gravity that are given count instead of its own. It stands on as many limbs as are given, else on one.
-    pub fn of_preset(preset: &Preset, masses: &MassRequest, stance: &Stance) -> Result<Self, DomainError> {
+    /// The body of a preset. Masses, spheres and gravity that the caller gives replace those of the preset; it stands on the given number of
+    /// limbs, else on one.
+    pub fn from_preset(preset: &Preset, masses: &MassRequest, stance: &Stance) -> Result<Self, DomainError> {
         let scale = &preset.scale;
         let law = Law::of(&preset.contact, scale.radius_m())?;
         let on_limbs = scale.sphere_count() * stance.limbs.unwrap_or(1.0);
@@ -155,13 +158,13 @@ impl Body {
         Ok(Self { name, kinds, weight, contacts_mass_kg: Ok(target_mass_kg), mismatch: None })
     }
 
-    /// The contact of each of its kinds of spheres, without dimensions.
+    /// The dimensionless contact of each kind of sphere.
     ///
     /// # Errors
     /// What it weighs is not known, or a quantity is outside its domain.
     pub fn dimensionless(&self) -> Result<Vec<(&SphereKind, DimensionlessContact)>, Failure> {
         let weight = self.weight()?;
-        let of = |kind| {
+        let dimensionless = |kind| {
             let &SphereKind { radius_m, ref contact, .. } = kind;
             let scale = Scale::new(ScaleValues {
                 mass_kg: weight.mass_kg,
@@ -172,18 +175,18 @@ impl Body {
             let scale = scale.map_err(|error| self.failure(&error))?;
             Ok((kind, DimensionlessContact::of(contact, &scale)))
         };
-        self.kinds.iter().map(of).collect()
+        self.kinds.iter().map(dimensionless).collect()
     }
 
-    /// What it weighs, where it must be known.
+    /// Its weight.
     ///
     /// # Errors
-    /// What is missing, if it is not known.
+    /// Why the weight is not known.
     pub fn weight(&self) -> Result<&Weight, Failure> {
         self.weight.as_ref().map_err(Failure::clone)
     }
 
-    /// Something that went wrong with it.
+    /// An error of a plot of this body.
     pub(crate) fn failure(&self, error: &dyn Display) -> Failure {
         Failure::outside(&self.name, "plot", error.to_string())
     }
@@ -206,13 +209,13 @@ fn scaled_spheres(
     Ok(scaled)
 }
 
-/// The kinds of spheres among the forces, in the order of the file.
-fn kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fault> {
+/// The kinds of spheres that the forces press, in the order of the file.
+fn sphere_kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fault> {
     let mut kinds: Vec<(SphereKind, Vec<String>)> = Vec::new();
     for loaded in loaded_spheres(model, forces)? {
         let name = model.sphere(loaded.sphere).map(|sphere| sphere.name.clone()).unwrap_or_default();
-        let same = |kind: &SphereKind| kind.radius_m == loaded.radius_m && kind.contact == loaded.contact;
-        match kinds.iter_mut().find(|(kind, _)| same(kind)) {
+        let is_alike = |kind: &SphereKind| kind.radius_m == loaded.radius_m && kind.contact == loaded.contact;
+        match kinds.iter_mut().find(|(kind, _)| is_alike(kind)) {
             Some((_, names)) => names.push(name),
             None => kinds.push((SphereKind::new(loaded.radius_m, loaded.contact), vec![name])),
         }
@@ -220,9 +223,9 @@ fn kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fault> {
     if kinds.is_empty() {
         return Err(none_applies());
     }
-    let single = kinds.len() == 1;
+    let is_only_kind = kinds.len() == 1;
     let named = kinds.into_iter().map(|(kind, names)| {
-        let spheres = if single { String::new() } else { spheres(&names) };
+        let spheres = if is_only_kind { String::new() } else { list_spheres(&names) };
         SphereKind { spheres, ..kind }
     });
     Ok(named.collect())
@@ -235,45 +238,44 @@ fn none_applies() -> Fault {
 fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stance) -> Result<Weight, Fault> {
     let mass_kg = masses.model_mass(model)?.kg;
     let sharing = LoadSharing::of(model, forces);
-    let sphere_count = sharing.count(stance.spheres, stance.limbs_of(model), CountedSpheres::Model)?;
+    let sphere_count = sharing.count(stance.spheres, stance.limb_count(model), CountedSpheres::Model)?;
     let gravity = stance.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
     let Some(gravity_m_s2) = gravity else {
         return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Weight }));
     };
     let spheres = standing_spheres(model, forces, sphere_count)?;
-    let gravity_m_s2 = gravity_m_s2 * weight_share(model, sharing.forces());
+    let gravity_m_s2 = gravity_m_s2 * weight_share_on_floor(model, sharing.forces());
     Ok(Weight { mass_kg, gravity_m_s2, sphere_count, spheres })
 }
 
-/// The chosen spheres, each with its share of the n that stand: 1/2 where one of two limbs does. Where only some are chosen,
-/// the n that stand are all like these.
+/// The chosen spheres, each with the number of the `count` spheres that it represents: 1/2 if one of two limbs carries the body. If only some
+/// are chosen, all `count` spheres are assumed to be like these.
 pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result<Vec<Spheres>, Fault> {
     let loaded = loaded_spheres(model, forces)?;
     #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
-    let found = model.loaded_spheres(forces).len() as f64;
+    let chosen = model.loaded_spheres(forces).len() as f64;
     if loaded.is_empty() {
         return Err(none_applies());
     }
     let mut spheres = Vec::new();
     for one in loaded {
         let law = Law::of(&one.contact, one.radius_m).map_err(Fault::new)?;
-        spheres.push(Spheres::new(law, count / found).map_err(Fault::new)?);
+        spheres.push(Spheres::new(law, count / chosen).map_err(Fault::new)?);
     }
     Ok(spheres)
 }
 
-// What spheres that are drawn as one curve are called.
+// Names for spheres that are drawn as one curve.
 
-/// Of more names than this, the first and the last are given.
-const LISTED: usize = 4;
-/// Endings by which models part the sides, and what they mean.
-const SIDES: [(&str, &str); 4] = [("_r", "_l"), ("_R", "_L"), ("R", "L"), ("r", "l")];
+/// If there are more names than this, only the first and the last are listed.
+const MOST_LISTED: usize = 4;
+/// Endings of names on the right and on the left side.
+const SIDE_ENDINGS: [(&str, &str); 4] = [("_r", "_l"), ("_R", "_L"), ("R", "L"), ("r", "l")];
 
-/// Spheres by their names: all of them where they are few, those of both sides together; else how many they are, with the first
-/// and the last.
-pub(super) fn spheres(names: &[String]) -> String {
-    if let Some(of_both) = of_both_sides(names) {
-        return format!("{}, both sides", listed(&of_both));
+/// The names of spheres in words, with those of both sides given once. Many names are shortened to the first, the last and the number.
+pub(super) fn list_spheres(names: &[String]) -> String {
+    if let Some(common) = names_without_sides(names) {
+        return format!("{}, both sides", listed(&common));
     }
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
     listed(&names)
@@ -281,46 +283,47 @@ pub(super) fn spheres(names: &[String]) -> String {
 
 fn listed(names: &[&str]) -> String {
     match names {
-        [first, .., last] if names.len() > LISTED => format!("{first} to {last} ({} spheres)", names.len()),
+        [first, .., last] if names.len() > MOST_LISTED => {
+            format!("{first} to {last} ({} spheres)", names.len())
+        }
         few => few.join(", "),
     }
 }
 
-/// Names without their sides, where each stands there for the right and for the left.
-fn of_both_sides(names: &[String]) -> Option<Vec<&str>> {
-    SIDES.iter().find_map(|&(right, left)| {
-        let of = |side: &str| -> Vec<&str> {
+/// The names without their sides, if each is there for the right and for the left.
+fn names_without_sides(names: &[String]) -> Option<Vec<&str>> {
+    SIDE_ENDINGS.iter().find_map(|&(right, left)| {
+        let stems = |side: &str| -> Vec<&str> {
             names.iter().filter_map(|name| name.strip_suffix(side)).filter(|name| !name.is_empty()).collect()
         };
-        let (of_right, of_left) = (of(right), of(left));
-        let all = of_right.len() + of_left.len() == names.len() && !of_right.is_empty();
-        (all && of_right.len() == of_left.len() && of_right.iter().all(|name| of_left.contains(name)))
-            .then_some(of_right)
+        let (right, left) = (stems(right), stems(left));
+        let all_have_sides = right.len() + left.len() == names.len() && !right.is_empty();
+        (all_have_sides && right.len() == left.len() && right.iter().all(|name| left.contains(name)))
+            .then_some(right)
     })
 }
 
-/// A reference: what its spheres do, under its own weight.
+/// A reference model or preset under the weight that its contacts are made for.
 #[derive(Debug, Clone)]
 pub struct ReferenceState {
     pub name: String,
-    /// The first 16 digits of the SHA-256 of its file; `None` of a preset.
+    /// The first 16 digits of the SHA-256 of its file; `None` for a preset.
     pub digest: Option<String>,
-    /// It, to be drawn; `None` if it cannot be.
+    /// The body to draw; `None` if it cannot be drawn.
     pub body: Option<Body>,
     pub figures: Option<Figures>,
 }
 
 impl ReferenceState {
-    /// A preset, with what the caller says of it.
-    pub fn of_preset(preset: &Preset, mass_kg: f64, spheres: f64, gravity_m_s2: Option<f64>) -> Self {
+    pub fn from_preset(preset: &Preset, mass_kg: f64, spheres: f64, gravity_m_s2: Option<f64>) -> Self {
         let masses = MassRequest { model_kg: Some(mass_kg), ..MassRequest::default() };
         let stance = Stance { spheres: Some(spheres), gravity_m_s2, ..Stance::default() };
         let name = preset.name.to_string();
-        Self { name, digest: None, body: Body::of_preset(preset, &masses, &stance).ok(), figures: None }
+        Self { name, digest: None, body: Body::from_preset(preset, &masses, &stance).ok(), figures: None }
     }
 
-    /// A model, under the weight that its contacts were made for.
-    pub fn of_model(
+    /// The mass, number of spheres and gravity are those that the contacts are made for.
+    pub fn from_model(
         name: String,
         open: &OpenModel,
         selection: Selection,
@@ -332,7 +335,9 @@ impl ReferenceState {
             stance: Stance { spheres, gravity_m_s2, ..Stance::default() },
             ..InspectOptions::default()
         };
-        let body = Body::inspected(name.clone(), &open.model, &options, &|fault| open.failure(fault)).ok();
+        let body =
+            Body::from_inspected_model(name.clone(), &open.model, &options, &|fault| open.failure(fault))
+                .ok();
         let figures = options.inspect(open.name(), &open.model, None).figures;
         let digest = Some(short_digest(open.model.document().bytes()));
         Self { name, digest, body, figures: Some(figures) }
@@ -344,31 +349,31 @@ mod tests {
     use super::*;
 
     #[track_caller]
-    fn called(names: &[&str], expected: &str) {
+    fn assert_listed(names: &[&str], expected: &str) {
         let names: Vec<String> = names.iter().map(|&name| name.to_owned()).collect();
-        assert_eq!(spheres(&names), expected);
+        assert_eq!(list_spheres(&names), expected);
     }
 
     #[test]
     fn few_spheres_are_named() {
-        called(&["heel"], "heel");
-        called(&["heel", "toe"], "heel, toe");
-        called(&[], "");
+        assert_listed(&["heel"], "heel");
+        assert_listed(&["heel", "toe"], "heel, toe");
+        assert_listed(&[], "");
     }
 
     #[test]
     fn spheres_of_both_sides_are_named_once() {
-        called(&["heel_r", "toe_r", "heel_l", "toe_l"], "heel, toe, both sides");
-        called(&["heel_r", "heel_l", "toe_r"], "heel_r, heel_l, toe_r");
-        called(&["SmoothSphereHeelR", "SmoothSphereHeelL"], "SmoothSphereHeel, both sides");
-        called(&["r", "l"], "r, l");
+        assert_listed(&["heel_r", "toe_r", "heel_l", "toe_l"], "heel, toe, both sides");
+        assert_listed(&["heel_r", "heel_l", "toe_r"], "heel_r, heel_l, toe_r");
+        assert_listed(&["SmoothSphereHeelR", "SmoothSphereHeelL"], "SmoothSphereHeel, both sides");
+        assert_listed(&["r", "l"], "r, l");
     }
 
     #[test]
     fn many_spheres_are_counted() {
         let names: Vec<String> =
             ["r", "l"].iter().flat_map(|side| (1..=5).map(move |i| format!("s{i}_{side}"))).collect();
-        assert_eq!(spheres(&names), "s1 to s5 (5 spheres), both sides");
-        called(&["a", "b", "c", "d", "e"], "a to e (5 spheres)");
+        assert_eq!(list_spheres(&names), "s1 to s5 (5 spheres), both sides");
+        assert_listed(&["a", "b", "c", "d", "e"], "a to e (5 spheres)");
     }
 }

@@ -1,4 +1,4 @@
-//! A quantity over stiffness and dissipation.
+//! The points of heat maps: a quantity over stiffness and dissipation.
 
 use contact_scaling::drop_test::{DropTest, DropValues};
 use contact_scaling::{Contact, ContactValues, DomainError, Law, Spheres, equilibrium, limits, restitution};
@@ -13,9 +13,9 @@ use crate::series::sampling::Point;
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatRequest {
     pub quantity: HeatQuantity,
-    /// From how high the body falls.
+    /// The height from which the body falls.
     pub height: DropHeight,
-    /// How long it is followed, s; `None`: until well after the impact.
+    /// How long the fall is computed, s; `None`: until well after the impact.
     pub duration_s: Option<f64>,
 }
 
@@ -36,19 +36,17 @@ pub struct HeatSeries {
     pub x: Vec<f64>,
     /// α.
     pub y: Vec<f64>,
-    /// A row for each α; `None` where there is no answer.
+    /// A row for each α; `None` if the quantity has no value there.
     pub values: Vec<Vec<Option<f64>>>,
-    /// The limit of the law, in the units of the quantity, where it has one.
+    /// The limit of the quantity, if it has one.
     pub limit: Option<f64>,
-    /// The body's own E₁* and α.
-    pub now: (f64, f64),
-    /// Where only one of the two changes the quantity: the quantity along it.
+    /// E₁* and α of the body as it is.
+    pub present: (f64, f64),
+    /// The quantity along the only parameter that changes it; `None` if both change it.
     pub profile: Option<Profile>,
 }
 
-/// Which parameter changes.
-///
-/// Exhaustive: code that draws it needs an axis for each.
+/// A parameter that is sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parameter {
     /// E₁*.
@@ -61,21 +59,21 @@ pub enum Parameter {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
     pub along: Parameter,
-    /// The quantity over it, at more values than the grid has.
+    /// The quantity over that parameter, at more values than the grid has.
     pub points: Vec<Point>,
-    /// The body's own value; `None` where there is no answer.
-    pub now: Option<Point>,
+    /// The point of the body as it is; `None` if the quantity has no value there.
+    pub present: Option<Point>,
 }
 
-/// Values between two neighbours of a grid along which a curve is drawn.
-const FINER: u32 = 8;
-/// Quantities that differ by less, relative to themselves, are the same.
-const SAME: f64 = 1e-9;
+/// A profile has so many times as many values as the grid.
+const PROFILE_STEPS: u32 = 8;
+/// Quantities whose relative difference is no more than this are the same.
+const SAME_VALUE: f64 = 1e-9;
 
-/// The one contact of a body.
+/// The only kind of sphere of a body.
 ///
 /// # Errors
-/// It has several.
+/// The body has several kinds.
 fn only_kind(body: &Body) -> Result<&SphereKind, Failure> {
     match body.kinds.as_slice() {
         [kind] => Ok(kind),
@@ -92,7 +90,7 @@ fn only_kind(body: &Body) -> Result<&SphereKind, Failure> {
     }
 }
 
-/// The quantity for the one contact of a body; `x` and `y` make axes of its own E₁* and α.
+/// The quantity for the only contact of a body; `x` and `y` make the axes from its present E₁* and α.
 ///
 /// # Errors
 /// The body has several contacts, its weight is not known, or its contact has no dissipation to multiply.
@@ -103,8 +101,8 @@ pub fn heat(
     y: impl FnOnce(f64) -> Vec<f64>,
 ) -> Result<HeatSeries, Failure> {
     let kind = only_kind(body)?;
-    let now = (kind.contact.plane_strain_modulus(), kind.contact.dissipation());
-    let (x, y) = (x(now.0), y(now.1));
+    let present = (kind.contact.plane_strain_modulus(), kind.contact.dissipation());
+    let (x, y) = (x(present.0), y(present.1));
     if y.first() == Some(&0.0) {
         let message = phrase![
             "its contacts have no dissipation that could be multiplied: give values like ",
@@ -112,18 +110,18 @@ pub fn heat(
         ];
         return Err(Failure::outside(&body.name, "plot", message));
     }
-    let swept = Swept::new(body, kind, request)?;
-    let row = |dissipation: &f64| x.iter().map(|stiffness| swept.value(*stiffness, *dissipation)).collect();
+    let sweep = Sweep::new(body, kind, request)?;
+    let row = |dissipation: &f64| x.iter().map(|stiffness| sweep.value(*stiffness, *dissipation)).collect();
     let values: Vec<Vec<Option<f64>>> = y.iter().map(row).collect();
-    let limit = swept.limit();
-    let profile = only_parameter(&values).map(|along| swept.profile(along, (&x, &y), now));
-    Ok(HeatSeries { x, y, values, limit, now, profile })
+    let limit = sweep.limit();
+    let profile = only_parameter(&values).map(|along| sweep.profile(along, (&x, &y), present));
+    Ok(HeatSeries { x, y, values, limit, present, profile })
 }
 
-/// The parameter that alone changes the values; `None` where both do, or none.
+/// The parameter that alone changes the values; `None` if both change them, or none does.
 fn only_parameter(values: &[Vec<Option<f64>>]) -> Option<Parameter> {
     let same = |a: &Option<f64>, b: &Option<f64>| match (a, b) {
-        (Some(a), Some(b)) => (a - b).abs() <= SAME * a.abs(),
+        (Some(a), Some(b)) => (a - b).abs() <= SAME_VALUE * a.abs(),
         (None, None) => true,
         _ => false,
     };
@@ -136,26 +134,26 @@ fn only_parameter(values: &[Vec<Option<f64>>]) -> Option<Parameter> {
     }
 }
 
-/// The values with more between each two neighbours, equally far apart in their logarithms.
-fn finer(values: &[f64]) -> Vec<f64> {
+/// The values with more values between neighbours, equally far apart in their logarithms.
+fn refine(values: &[f64]) -> Vec<f64> {
     let between = values.windows(2).flat_map(|pair| {
         let ratio = pair[1] / pair[0];
-        (0..FINER).map(move |step| pair[0] * ratio.powf(f64::from(step) / f64::from(FINER)))
+        (0..PROFILE_STEPS).map(move |step| pair[0] * ratio.powf(f64::from(step) / f64::from(PROFILE_STEPS)))
     });
     between.chain(values.last().copied()).collect()
 }
 
-/// What is computed for each cell.
-struct Swept<'s> {
+/// Computes the quantity for any stiffness and dissipation.
+struct Sweep<'s> {
     kind: &'s SphereKind,
     quantity: HeatQuantity,
-    /// n spheres carry M g.
+    /// n, the spheres that carry the weight.
     sphere_count: f64,
     values: DropValues,
     impact_speed_m_s: f64,
 }
 
-impl<'s> Swept<'s> {
+impl<'s> Sweep<'s> {
     fn new(body: &'s Body, kind: &'s SphereKind, request: &HeatRequest) -> Result<Self, Failure> {
         let weight = body.weight()?;
         let height_m = request.height.metres(kind.radius_m);
@@ -183,13 +181,13 @@ impl<'s> Swept<'s> {
         Spheres::new(Law::of(&Contact::new(values)?, self.kind.radius_m)?, self.sphere_count)
     }
 
-    /// The quantity; `None` where there is no answer.
+    /// `None` if the quantity has no value there.
     fn value(&self, stiffness: f64, dissipation: f64) -> Option<f64> {
         let spheres = self.spheres(stiffness, dissipation).ok()?;
         match self.quantity {
             HeatQuantity::Indentation => {
                 let load = self.values.mass_kg * self.values.gravity_m_s2;
-                // By the Hertz law, as `check` and the manifest of a sweep have it: the limit is that law's.
+                // By the Hertz law, which the limit is about; `check` and the manifest of a sweep also use it.
                 let indentation = equilibrium::hertz_indentation(&[spheres], load).ok()?;
                 Some(indentation / self.kind.radius_m)
             }
@@ -201,14 +199,18 @@ impl<'s> Swept<'s> {
         }
     }
 
-    /// The quantity along one parameter, the other as the body has it.
-    fn profile(&self, along: Parameter, (x, y): (&[f64], &[f64]), now: (f64, f64)) -> Profile {
-        let (grid, own, value): (_, _, &dyn Fn(f64) -> Option<f64>) = match along {
-            Parameter::Stiffness => (x, now.0, &|stiffness| self.value(stiffness, now.1)),
-            Parameter::Dissipation => (y, now.1, &|dissipation| self.value(now.0, dissipation)),
+    /// The quantity along one parameter, with the present value of the other.
+    fn profile(&self, along: Parameter, (x, y): (&[f64], &[f64]), present: (f64, f64)) -> Profile {
+        let (grid, at_present, value): (_, _, &dyn Fn(f64) -> Option<f64>) = match along {
+            Parameter::Stiffness => (x, present.0, &|stiffness| self.value(stiffness, present.1)),
+            Parameter::Dissipation => (y, present.1, &|dissipation| self.value(present.0, dissipation)),
         };
         let point = |at: f64| Some((at, value(at)?));
-        Profile { along, points: finer(grid).into_iter().filter_map(point).collect(), now: point(own) }
+        Profile {
+            along,
+            points: refine(grid).into_iter().filter_map(point).collect(),
+            present: point(at_present),
+        }
     }
 
     fn limit(&self) -> Option<f64> {
@@ -216,7 +218,7 @@ impl<'s> Swept<'s> {
         match self.quantity {
             HeatQuantity::Indentation => Some(limits::INDENTATION.value),
             HeatQuantity::Restitution => {
-                // The limit is one of (13), as `check` has it; the values are the law's own.
+                // The limit is about (13), as in `check`; the values are exact. So convert it.
                 let dissipation = restitution::dissipation(limits::RESTITUTION.value, speed).ok()?;
                 restitution::exact(dissipation, speed).ok()
             }

@@ -1,4 +1,4 @@
-//! The points of every plot: bodies, and what their contacts do.
+//! The points of every plot: forces, contact states and drops of bodies on their contacts.
 
 mod body;
 mod curves;
@@ -7,8 +7,8 @@ mod sampling;
 
 pub use body::{Body, ReferenceState, SphereKind, Weight, standing_spheres};
 pub use curves::{
-    DropSeries, ForceSeries, LoopSeries, dropped, duration, elastic, fall, force, hysteresis, impact_speed,
-    kinds, name_of, reach, state, thresholds,
+    DropSeries, ForceSeries, LoopSeries, bodies_and_kinds, contact_state, curve_name, default_duration,
+    default_range, drop_force, force, force_at_rest, hysteresis, impact_speed, run_drop_test, thresholds,
 };
 pub use heat::{HeatRequest, HeatSeries, Parameter, Profile, heat};
 pub use sampling::{ForceUnit, IndentationUnit, Point, Units};

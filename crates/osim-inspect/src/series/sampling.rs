@@ -1,11 +1,9 @@
-//! Units of series, and their points: many where a curve bends, few where it is straight, so that lines between them look like the curve.
+//! Units of series, and points of curves: many where a curve bends and few where it is straight, so that lines between them look like it.
 
 /// A point of a curve.
 pub type Point = (f64, f64);
 
-/// How indentations are counted.
-///
-/// Exhaustive: code that draws a series needs an axis for each unit, and no other axis can take its place.
+/// The unit of an axis of indentations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum IndentationUnit {
     /// x/R.
@@ -13,11 +11,11 @@ pub enum IndentationUnit {
     Millimetre,
 }
 
-/// How forces are counted. Exhaustive, as [`IndentationUnit`] is.
+/// The unit of an axis of forces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ForceUnit {
     Newton,
-    /// Shares of the body weight that one sphere carries, M g / n.
+    /// The share of the body weight that one sphere carries, M g / n.
     WeightShare,
 }
 
@@ -28,7 +26,7 @@ pub struct Units {
 }
 
 impl Units {
-    /// An indentation in m, of a sphere of radius R.
+    /// An indentation of a sphere in the unit of the axis.
     pub fn x(self, indentation_m: f64, radius_m: f64) -> f64 {
         match self.indentation {
             IndentationUnit::Relative => indentation_m / radius_m,
@@ -36,7 +34,7 @@ impl Units {
         }
     }
 
-    /// The indentation in m that the axis shows as `value`, of a sphere of radius R.
+    /// The indentation of a sphere, m, that the axis shows as `value`.
     pub fn metres(self, value: f64, radius_m: f64) -> f64 {
         match self.indentation {
             IndentationUnit::Relative => value * radius_m,
@@ -45,19 +43,19 @@ impl Units {
     }
 }
 
-/// How far a line may be from its curve, as a share of the figure's height or width: a hundredth of a millimetre or so.
+/// Lines stay closer to their curve than this share of the plot's height or width, about a hundredth of a millimetre.
 const TOLERANCE: f64 = 2e-4;
-/// How often an interval is halved at most.
-const DEPTH: u32 = 10;
+/// An interval is halved at most so many times.
+const MOST_HALVINGS: u32 = 10;
 
-/// Points of a curve for parameters from the first to the last of `breaks`, which rise; the curve is smooth between two
-/// neighbours of them, and each is among the points.
-pub(super) fn sampled(curve: impl Fn(f64) -> Point, breaks: &[f64]) -> Vec<Point> {
+/// Points of a curve for parameters from the first to the last of `breaks`, which must rise. The curve must be smooth between neighbouring
+/// breaks; each break is among the points.
+pub(super) fn sample_curve(curve: impl Fn(f64) -> Point, breaks: &[f64]) -> Vec<Point> {
     let knots: Vec<(f64, Point)> = breaks.iter().map(|&at| (at, curve(at))).collect();
     let size = (extent(knots.iter().map(|(_, p)| p.0)), extent(knots.iter().map(|(_, p)| p.1)));
     let mut points: Vec<Point> = knots.first().map(|(_, point)| *point).into_iter().collect();
     for pair in knots.windows(2) {
-        refine(&curve, (pair[0], pair[1]), size, DEPTH, &mut points);
+        refine(&curve, (pair[0], pair[1]), size, MOST_HALVINGS, &mut points);
     }
     points
 }
@@ -67,23 +65,23 @@ fn refine(
     curve: &impl Fn(f64) -> Point,
     (from, to): ((f64, Point), (f64, Point)),
     size: (f64, f64),
-    depth: u32,
+    halvings_left: u32,
     points: &mut Vec<Point>,
 ) {
-    let within = |share: f64| {
+    let point_at = |share: f64| {
         let at = from.0 + share * (to.0 - from.0);
         (at, curve(at))
     };
-    // In the middle alone a curve that bends both ways may cross its line.
-    let inner = [within(0.25), within(0.5), within(0.75)];
-    let bends = inner.iter().any(|(_, point)| distance(*point, (from.1, to.1), size) > TOLERANCE);
-    if depth == 0 || !bends {
+    // Not only in the middle, where a curve that bends both ways may cross its line.
+    let inner = [point_at(0.25), point_at(0.5), point_at(0.75)];
+    let bends = inner.iter().any(|(_, point)| distance_to_line(*point, (from.1, to.1), size) > TOLERANCE);
+    if halvings_left == 0 || !bends {
         points.push(to.1);
         return;
     }
     let [_, middle, _] = inner;
-    refine(curve, (from, middle), size, depth - 1, points);
-    refine(curve, (middle, to), size, depth - 1, points);
+    refine(curve, (from, middle), size, halvings_left - 1, points);
+    refine(curve, (middle, to), size, halvings_left - 1, points);
 }
 
 fn extent(values: impl Iterator<Item = f64>) -> f64 {
@@ -92,8 +90,8 @@ fn extent(values: impl Iterator<Item = f64>) -> f64 {
     if high > low { high - low } else { 1.0 }
 }
 
-/// From a point to the line between two, as a share of the figure's size.
-fn distance(point: Point, (from, to): (Point, Point), (width, height): (f64, f64)) -> f64 {
+/// The distance from a point to the line between two others, as a share of the plot's size.
+fn distance_to_line(point: Point, (from, to): (Point, Point), (width, height): (f64, f64)) -> f64 {
     let scaled = |(x, y): Point| (x / width, y / height);
     let ((px, py), (ax, ay), (bx, by)) = (scaled(point), scaled(from), scaled(to));
     let (dx, dy) = (bx - ax, by - ay);
@@ -102,18 +100,17 @@ fn distance(point: Point, (from, to): (Point, Point), (width, height): (f64, f64
     (px - ax - along * dx).hypot(py - ay - along * dy)
 }
 
-/// `count` equal intervals from `from` to `to`, and `also` where it lies between them.
-pub(super) fn breaks(from: f64, to: f64, count: u32, also: f64) -> Vec<f64> {
+/// The ends of `count` equal intervals from `from` to `to`, and `extra` if it is between these.
+pub(super) fn equal_breaks(from: f64, to: f64, count: u32, extra: f64) -> Vec<f64> {
     let equal = (0..=count).map(|step| from + (to - from) * f64::from(step) / f64::from(count));
-    let mut breaks: Vec<f64> = equal.chain((from < also && also < to).then_some(also)).collect();
+    let mut breaks: Vec<f64> = equal.chain((from < extra && extra < to).then_some(extra)).collect();
     breaks.sort_by(f64::total_cmp);
     breaks.dedup();
     breaks
 }
 
-/// The points of a series of many that are needed to draw it: its ends, its turning points, and what lies between them where
-/// it bends.
-pub(super) fn thinned(series: &[Point]) -> Vec<Point> {
+/// The points of a long series that are needed to draw it: its ends, its turning points, and points between them where it bends.
+pub(super) fn thin_out(series: &[Point]) -> Vec<Point> {
     let value = |at: usize| series.get(at).copied().unwrap_or_default();
     let last = series.len().saturating_sub(1);
     let turns = (1..last).filter(|&at| {
@@ -123,12 +120,12 @@ pub(super) fn thinned(series: &[Point]) -> Vec<Point> {
     #[expect(clippy::cast_precision_loss, reason = "some hundred thousand points")]
     let knots: Vec<f64> =
         std::iter::once(0).chain(turns).chain((last > 0).then_some(last)).map(|at| at as f64).collect();
-    sampled(|at| between(series, at), &knots)
+    sample_curve(|at| interpolate(series, at), &knots)
 }
 
-/// A point of a series at a place between two of its numbers.
-fn between(series: &[Point], at: f64) -> Point {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a place in the series")]
+/// The point of a series at a fractional index.
+fn interpolate(series: &[Point], at: f64) -> Point {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an index of the series")]
     let before = at.floor() as usize;
     let from = series.get(before).or(series.last()).copied().unwrap_or_default();
     let to = series.get(before + 1).copied().unwrap_or(from);
@@ -140,8 +137,8 @@ fn between(series: &[Point], at: f64) -> Point {
 mod tests {
     use super::*;
 
-    /// From a curve to the lines that are drawn for it, at right angles, in a figure of this width and height.
-    fn farthest(points: &[Point], curve: impl Fn(f64) -> f64, (width, height): (f64, f64)) -> f64 {
+    /// The largest distance between a curve and the lines that are drawn for it, in a plot of this width and height.
+    fn largest_distance(points: &[Point], curve: impl Fn(f64) -> f64, (width, height): (f64, f64)) -> f64 {
         let mut farthest = 0.0_f64;
         for pair in points.windows(2) {
             let ((x0, y0), (x1, y1)) = (pair[0], pair[1]);
@@ -156,15 +153,15 @@ mod tests {
 
     #[test]
     fn a_straight_line_has_its_breaks_only() {
-        let points = sampled(|x| (x, 2.0 * x), &breaks(0.0, 1.0, 4, 0.1));
+        let points = sample_curve(|x| (x, 2.0 * x), &equal_breaks(0.0, 1.0, 4, 0.1));
         assert_eq!(points.iter().map(|p| p.0).collect::<Vec<_>>(), [0.0, 0.1, 0.25, 0.5, 0.75, 1.0]);
     }
 
     #[test]
     fn a_steep_step_is_followed() {
         let step = |x: f64| 0.5 + 0.5 * (300.0 * x).tanh();
-        let points = sampled(|x| (x, step(x)), &breaks(-0.5, 0.5, 24, 0.0));
-        let farthest = farthest(&points, step, (1.0, 1.0));
+        let points = sample_curve(|x| (x, step(x)), &equal_breaks(-0.5, 0.5, 24, 0.0));
+        let farthest = largest_distance(&points, step, (1.0, 1.0));
         assert!(farthest < 5e-4, "{farthest}");
         assert!(points.len() < 200, "{}", points.len());
         assert!(points.contains(&(0.0, 0.5)));
@@ -174,11 +171,11 @@ mod tests {
     fn a_thinned_series_keeps_its_peaks() {
         let wave = |t: f64| (-t).exp() * (9.0 * t).sin();
         let series: Vec<Point> = (0..=20_000).map(|i| f64::from(i) / 4000.0).map(|t| (t, wave(t))).collect();
-        let points = thinned(&series);
+        let points = thin_out(&series);
         assert!(points.len() < 600, "{}", points.len());
         let top = |points: &[Point]| points.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max);
         assert_eq!(top(&points), top(&series));
-        let farthest = farthest(&points, wave, (5.0, 1.3));
+        let farthest = largest_distance(&points, wave, (5.0, 1.3));
         assert!(farthest < 5e-4, "{farthest}");
         assert_eq!((points.first(), points.last()), (series.first(), series.last()));
     }

@@ -1,4 +1,4 @@
-//! Contacts of the left and the right side, paired and compared.
+//! Pairs the contacts of the left and the right side, and compares them.
 
 mod mirror;
 mod pairs;
@@ -11,70 +11,81 @@ use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::{readable, shown};
 use osim_model::{DVec3, Force, ForceId, Model, ParameterSet, Property, SetId, Side, Sphere, Value};
 
-use crate::sides::mirror::{BodyPairs, Bones, close};
-use crate::sides::pairs::{Pairs, Users};
-pub(crate) use pairs::{Alone, Placed, SAME_PLACE, SpherePair, place_key};
+use crate::sides::mirror::{BodyPairs, BoneSizes, close};
+use crate::sides::pairs::{SetsBySphere, SpherePairs, UnpairedSphere};
+pub(crate) use pairs::{SAME_PLACE_OF_BONE, SideSphere, SpherePair, place_key};
 
-/// The contacts of both sides, paired by mirrored place: from [`BothSides::of`].
+/// The contacts of both sides of a model, paired by mirrored places.
 #[derive(Debug)]
 pub struct BothSides<'m> {
     pub(crate) model: &'m Model,
-    by_path: HashMap<&'m str, &'m Force>,
-    users: Users<'m>,
-    bones: Bones<'m>,
+    forces_by_path: HashMap<&'m str, &'m Force>,
+    sets_by_sphere: SetsBySphere<'m>,
+    bones: BoneSizes<'m>,
     bodies: &'m BodyPairs,
-    usual: Usual<'m>,
+    majorities: Majorities<'m>,
     pub(crate) pairs: Vec<SpherePair<'m>>,
-    /// Spheres without a counterpart, where both sides have spheres.
-    pub(crate) alone: Vec<Alone<'m>>,
-    /// The spheres of a model that has spheres on one side alone, although it has bodies on both.
-    pub(crate) one_side: Vec<Placed<'m>>,
+    /// Spheres without a counterpart, if both sides have spheres.
+    pub(crate) unpaired: Vec<UnpairedSphere<'m>>,
+    /// All spheres, if only one side has some although both have bodies.
+    pub(crate) one_side: Vec<SideSphere<'m>>,
     /// In the order of the forces on the left.
-    sets: Vec<SetPair<'m>>,
+    set_pairs: Vec<SetPair<'m>>,
 }
 
 impl<'m> BothSides<'m> {
-    /// The contacts of both sides, paired.
     pub fn of(model: &'m Model) -> Self {
-        let users = Users::of(model);
-        let bones = Bones::of(model);
-        let spheres = users.on_sides(model);
-        let has = |side| spheres.iter().any(|placed| placed.side == side);
+        let sets_by_sphere = SetsBySphere::of(model);
+        let bones = BoneSizes::of(model);
+        let spheres = sets_by_sphere.spheres_on_sides(model);
+        let has_spheres_on = |side| spheres.iter().any(|sphere| sphere.side == side);
         let bodies = model.derived_from_bodies(BodyPairs::of);
-        let (mut found, mut one_side) = (Pairs::default(), Vec::new());
-        match (has(Side::Right), has(Side::Left)) {
-            (true, true) => found = Pairs::of(spheres, bodies, &bones),
-            (true, false) if bodies.has(Side::Left) => one_side = spheres,
-            (false, true) if bodies.has(Side::Right) => one_side = spheres,
+        let (mut paired, mut one_side) = (SpherePairs::default(), Vec::new());
+        match (has_spheres_on(Side::Right), has_spheres_on(Side::Left)) {
+            (true, true) => paired = SpherePairs::of(spheres, bodies, &bones),
+            (true, false) if bodies.has_side(Side::Left) => one_side = spheres,
+            (false, true) if bodies.has_side(Side::Right) => one_side = spheres,
             _ => {}
         }
-        let sets = set_pairs(&found.pairs, &users);
-        let mut by_path = HashMap::new();
+        let set_pairs = pair_sets(&paired.pairs, &sets_by_sphere);
+        let mut forces_by_path = HashMap::new();
         for force in model.forces() {
-            by_path.entry(force.path.as_str()).or_insert(force);
+            forces_by_path.entry(force.path.as_str()).or_insert(force);
         }
-        let (usual, Pairs { pairs, alone }) = (Usual::of(model), found);
-        Self { model, by_path, users, bones, bodies, usual, pairs, alone, one_side, sets }
+        let (majorities, SpherePairs { pairs, unpaired }) = (Majorities::of(model), paired);
+        Self {
+            model,
+            forces_by_path,
+            sets_by_sphere,
+            bones,
+            bodies,
+            majorities,
+            pairs,
+            unpaired,
+            one_side,
+            set_pairs,
+        }
     }
 
     pub fn force(&self, path: &str) -> Option<&'m Force> {
-        self.by_path.get(path).copied()
+        self.forces_by_path.get(path).copied()
     }
 
     /// The force on the right whose spheres are the mirror images of those of `left`.
-    pub(crate) fn right_of(&self, left: &Force) -> Option<&'m Force> {
-        self.sets_of(left).first().map(|pair| pair.right.0)
+    pub(crate) fn right_counterpart(&self, left: &Force) -> Option<&'m Force> {
+        self.set_pairs_of(left).first().map(|pair| pair.right.0)
     }
 
     /// The forces of one side that have counterparts, in file order.
     pub(crate) fn forces_on(&self, side: Side) -> Vec<ForceId> {
-        let of = |pair: &SetPair<'_>| if side == Side::Right { pair.right.0.id } else { pair.left.0.id };
-        self.sets.iter().map(of).collect::<BTreeSet<ForceId>>().into_iter().collect()
+        let force_on_side =
+            |pair: &SetPair<'_>| if side == Side::Right { pair.right.0.id } else { pair.left.0.id };
+        self.set_pairs.iter().map(force_on_side).collect::<BTreeSet<ForceId>>().into_iter().collect()
     }
 
-    /// Whether the bones under the spheres of `left` are of another size than those under `right`.
+    /// Whether the bones that carry the spheres of `left` have another size than those that carry the spheres of `right`.
     pub(crate) fn bones_differ(&self, left: &Force, right: &Force) -> bool {
-        let sets = self.sets_of(left).iter().filter(|pair| pair.right.0.id == right.id);
+        let sets = self.set_pairs_of(left).iter().filter(|pair| pair.right.0.id == right.id);
         let spheres = sets.flat_map(|pair| &pair.spheres);
         let mut pairs = spheres.filter_map(|&index| self.pairs.get(index));
         pairs.any(|pair| {
@@ -83,163 +94,165 @@ impl<'m> BothSides<'m> {
         })
     }
 
-    /// The side whose numbers are unlike those of most other contacts of the model, where `left` and its counterpart differ;
-    /// `None` if the majority does not show it.
+    /// The side whose numbers are unlike those of most other contacts of the model, if `left` and its counterpart differ; `None` if there is no
+    /// such majority.
     pub fn odd_side(&self, left: &Force) -> Option<Side> {
-        let all = self.sets_of(left).iter().flat_map(|pair| self.differences_of(pair));
+        let all = self.set_pairs_of(left).iter().flat_map(|pair| self.differences_of(pair));
         let mut odd = all.filter(|difference| !difference.is_small).map(|difference| difference.odd);
         let first = odd.next()??;
         odd.all(|side| side == Some(first)).then_some(first)
     }
 
-    /// The parameter sets of `left` that have counterparts.
-    fn sets_of(&self, left: &Force) -> &[SetPair<'m>] {
-        let start = self.sets.partition_point(|pair| pair.left.0.id < left.id);
-        let end = self.sets.partition_point(|pair| pair.left.0.id <= left.id);
-        self.sets.get(start..end).unwrap_or_default()
+    /// The parameter sets of `left` with their counterparts.
+    fn set_pairs_of(&self, left: &Force) -> &[SetPair<'m>] {
+        let start = self.set_pairs.partition_point(|pair| pair.left.0.id < left.id);
+        let end = self.set_pairs.partition_point(|pair| pair.left.0.id <= left.id);
+        self.set_pairs.get(start..end).unwrap_or_default()
     }
 
-    /// Forces that differ, the left one first, with what differs.
-    pub(crate) fn differences(&self) -> Vec<(&'m Force, &'m Force, Vec<Difference>)> {
-        let mut found: BTreeMap<(ForceId, ForceId), (&Force, &Force, Vec<Difference>)> = BTreeMap::new();
-        for pair in &self.sets {
+    /// Pairs of forces that differ, the left one first, with their differences.
+    pub(crate) fn differences(&self) -> Vec<(&'m Force, &'m Force, Vec<SideDifference>)> {
+        let mut by_forces: BTreeMap<(ForceId, ForceId), (&Force, &Force, Vec<SideDifference>)> =
+            BTreeMap::new();
+        for pair in &self.set_pairs {
             let (left, right) = (pair.left.0, pair.right.0);
-            let (_, _, all) = found.entry((left.id, right.id)).or_insert((left, right, Vec::new()));
+            let (_, _, all) = by_forces.entry((left.id, right.id)).or_insert((left, right, Vec::new()));
             all.extend(self.differences_of(pair));
         }
-        found.into_values().filter(|(_, _, differences)| !differences.is_empty()).collect()
+        by_forces.into_values().filter(|(_, _, differences)| !differences.is_empty()).collect()
     }
 
-    fn differences_of(&self, pair: &SetPair<'_>) -> Vec<Difference> {
+    fn differences_of(&self, pair: &SetPair<'_>) -> Vec<SideDifference> {
         let spheres = pair.spheres.iter().filter_map(|&index| self.pairs.get(index));
-        let radii = spheres.filter_map(|spheres| of_radii(spheres, &self.bones, &self.usual));
-        // Numbers may differ because radii do.
-        radii.chain(pair.differing_values(self.model, &self.usual)).collect()
+        let radii = spheres.filter_map(|spheres| radius_difference(spheres, &self.bones, &self.majorities));
+        // Radii come first, because other numbers may differ for that reason.
+        radii.chain(pair.differing_values(self.model, &self.majorities)).collect()
     }
 
-    /// Whether a force by which `sphere` meets a floor is switched on.
+    /// Whether a force that presses `sphere` on a floor is switched on.
     pub(crate) fn applies(&self, sphere: &Sphere) -> bool {
-        self.users.applies(sphere.id)
+        self.sets_by_sphere.applies(sphere.id)
     }
 
-    /// All moving spheres that meet a floor, in file order, with their bodies and their places there, m.
+    /// All moving spheres that meet a floor, in file order, with their bodies and their centres in these, m.
     pub(crate) fn spheres(&self) -> impl Iterator<Item = (&'m Sphere, &'m str, DVec3)> {
-        self.users.spheres(self.model)
+        self.sets_by_sphere.spheres(self.model)
     }
 
-    /// The longest bone of the limb to which `body` belongs, m; `None` where no body of it has two joints.
-    pub(crate) fn longest_of_limb_m(&self, body: &str) -> Option<f64> {
-        self.bones.longest_of_limb_m(body)
+    /// The length of the longest bone of the limb to which `body` belongs, m; `None` if no body of the limb has two joints.
+    pub(crate) fn longest_bone_of_limb_m(&self, body: &str) -> Option<f64> {
+        self.bones.longest_bone_of_limb_m(body)
     }
 
-    /// The axis of its frame (0, 1 or 2) that leads from `body` sideways; `None` if no body of the other side is its mirror image in one
-    /// axis.
+    /// The axis (0, 1 or 2) of the frame of `body` that leads sideways; `None` if no body of the other side is its mirror image in one axis.
     pub(crate) fn sideways_axis(&self, body: &str) -> Option<usize> {
         self.bodies.pair(body, &self.bones)?.reversed_axis()
     }
 }
 
-/// Parameter sets that are counterparts because their spheres are: those of the first sphere that they share.
-fn set_pairs<'m>(pairs: &[SpherePair<'m>], users: &Users<'m>) -> Vec<SetPair<'m>> {
-    let mut found: BTreeMap<(ForceId, SetId, ForceId, SetId), SetPair<'m>> = BTreeMap::new();
+/// Pairs the parameter sets whose spheres are counterparts.
+fn pair_sets<'m>(pairs: &[SpherePair<'m>], sets_by_sphere: &SetsBySphere<'m>) -> Vec<SetPair<'m>> {
+    let mut set_pairs: BTreeMap<(ForceId, SetId, ForceId, SetId), SetPair<'m>> = BTreeMap::new();
     for (index, pair) in pairs.iter().enumerate() {
-        let of = |placed: &Placed<'_>| users.of_sphere(placed.sphere.id).iter().copied();
-        for (left, right) in of(&pair.left).zip(of(&pair.right)) {
+        let sets = |sphere: &SideSphere<'_>| sets_by_sphere.get(sphere.sphere.id).iter().copied();
+        for (left, right) in sets(&pair.left).zip(sets(&pair.right)) {
             let key = (left.0.id, left.1.id, right.0.id, right.1.id);
             let empty = || SetPair { right, left, spheres: Vec::new() };
-            found.entry(key).or_insert_with(empty).spheres.push(index);
+            set_pairs.entry(key).or_insert_with(empty).spheres.push(index);
         }
     }
-    found.into_values().collect()
+    set_pairs.into_values().collect()
 }
 
-// What differs between the contacts of two spheres that are counterparts.
+// Differences between the contacts of two spheres that are counterparts.
 
-/// Radii of published models differ by up to 5.7 % between the sides.
-const RADII: f64 = 0.1;
-/// A radius follows its bone if it is that close to the ratio of the bones.
-const FOLLOWS: f64 = 0.01;
-/// One published model has transition velocities that differ by 5 %; others that differ, by 200 times.
-const VELOCITIES: f64 = 1.2;
+/// A relative difference of radii up to this is small. Radii of published models differ by up to 5.7 % between the sides.
+const SMALL_RADIUS_DIFFERENCE: f64 = 0.1;
+/// Radii differ as their bones do if their ratio is this close to a ratio of the bones, relatively.
+const FOLLOWS_BONES: f64 = 0.01;
+/// A ratio of transition velocities up to this is small. They differ by 5 % in one published model, and by 200 times in models with a typing
+/// mistake.
+const SMALL_VELOCITY_RATIO: f64 = 1.2;
 
 /// A number that differs between the sides.
 #[derive(Debug, Clone)]
-pub(crate) struct Difference {
-    /// In words that follow "differ: ".
+pub(crate) struct SideDifference {
+    /// Words that follow "differ: ".
     pub text: String,
-    /// Published models differ as much.
+    /// Whether published models differ as much.
     pub is_small: bool,
-    /// The side that is unlike the rest of the model, if it is known.
+    /// The side that is unlike most other contacts of the model, if it is known.
     pub odd: Option<Side>,
 }
 
-/// How often each number is in the model: the majority shows which side is the slip.
+/// The numbers that most contacts of a model have: they show which of two sides is wrong.
 #[derive(Debug)]
-pub(crate) struct Usual<'m> {
+pub(crate) struct Majorities<'m> {
     model: &'m Model,
-    /// Counted when two numbers differ.
-    numbers: OnceCell<Numbers>,
+    /// Counted at the first difference.
+    counts: OnceCell<NumberCounts>,
 }
 
+/// How often each number and each property is in a model.
 #[derive(Debug, Default)]
-struct Numbers {
-    counts: HashMap<(Property, u64), usize>,
-    totals: HashMap<Property, usize>,
+struct NumberCounts {
+    by_number: HashMap<(Property, u64), usize>,
+    by_property: HashMap<Property, usize>,
 }
 
-impl Numbers {
-    /// Those of all forces that meet a floor, and of their spheres.
+impl NumberCounts {
+    /// Counts the numbers of all forces that meet a floor, and of their spheres.
     fn of(model: &Model) -> Self {
-        let mut usual = Self::default();
+        let mut counts = Self::default();
         for force in model.forces().iter().filter(|force| model.meets_half_space(force)) {
             for set in &force.sets {
-                of_set(force, set).for_each(|value| usual.add(value));
+                values_of_set(force, set).for_each(|value| counts.add(value));
                 set.spheres
                     .iter()
                     .filter_map(|&id| model.sphere(id))
-                    .for_each(|sphere| usual.add(&sphere.radius));
+                    .for_each(|sphere| counts.add(&sphere.radius));
             }
         }
-        usual
+        counts
     }
 
     fn add(&mut self, value: &Value) {
-        *self.counts.entry((value.property, value.number.to_bits())).or_default() += 1;
-        *self.totals.entry(value.property).or_default() += 1;
+        *self.by_number.entry((value.property, value.number.to_bits())).or_default() += 1;
+        *self.by_property.entry(value.property).or_default() += 1;
     }
 }
 
-impl<'m> Usual<'m> {
+impl<'m> Majorities<'m> {
     pub(crate) fn of(model: &'m Model) -> Self {
-        Self { model, numbers: OnceCell::new() }
+        Self { model, counts: OnceCell::new() }
     }
 
-    /// How many others have the number of `value`, if that is most of those that are not compared.
-    fn majority(&self, value: &Value) -> Option<usize> {
-        let numbers = self.numbers.get_or_init(|| Numbers::of(self.model));
-        let count = numbers.counts.get(&(value.property, value.number.to_bits()))?.saturating_sub(1);
-        let others = numbers.totals.get(&value.property)?.saturating_sub(2);
+    /// How many other contacts have the number of `value`, if that is more than half of those that are not compared.
+    fn majority_with(&self, value: &Value) -> Option<usize> {
+        let counts = self.counts.get_or_init(|| NumberCounts::of(self.model));
+        let count = counts.by_number.get(&(value.property, value.number.to_bits()))?.saturating_sub(1);
+        let others = counts.by_property.get(&value.property)?.saturating_sub(2);
         (2 * count > others).then_some(count)
     }
 
-    /// The difference of `left` and `right`, called `what`, with the side that is unlike the others.
-    fn difference(&self, (left, right): (&Value, &Value), what: &str, is_small: bool) -> Difference {
-        let of_right = self.majority(right).map(|count| (Side::Left, count, right.number));
-        let of_left = || self.majority(left).map(|count| (Side::Right, count, left.number));
-        let odd = of_right.or_else(of_left);
+    /// The difference of `left` and `right`, in the words `what`, with the side that is unlike the others.
+    fn difference(&self, (left, right): (&Value, &Value), what: &str, is_small: bool) -> SideDifference {
+        let with_right = self.majority_with(right).map(|count| (Side::Left, count, right.number));
+        let with_left = || self.majority_with(left).map(|count| (Side::Right, count, left.number));
+        let odd = with_right.or_else(with_left);
         let others = match odd {
             Some((_, 1, number)) => format!(" (1 other has {number})"),
             Some((_, count, number)) => format!(" ({count} others have {number})"),
             None => String::new(),
         };
-        Difference { text: format!("{what}{others}"), is_small, odd: odd.map(|(side, _, _)| side) }
+        SideDifference { text: format!("{what}{others}"), is_small, odd: odd.map(|(side, _, _)| side) }
     }
 }
 
-/// The values of a set, and those of its force that are not in it.
-fn of_set<'m>(force: &'m Force, set: &'m ParameterSet) -> impl Iterator<Item = &'m Value> {
-    let beside = set.value(Property::TransitionVelocity).is_none().then_some(&force.transition_velocity);
-    set.values.iter().chain(beside)
+/// The values of a set, and the transition velocity of its force.
+fn values_of_set<'m>(force: &'m Force, set: &'m ParameterSet) -> impl Iterator<Item = &'m Value> {
+    let of_force = set.value(Property::TransitionVelocity).is_none().then_some(&force.transition_velocity);
+    set.values.iter().chain(of_force)
 }
 
 /// A parameter set on the right and its counterpart on the left.
@@ -247,31 +260,36 @@ fn of_set<'m>(force: &'m Force, set: &'m ParameterSet) -> impl Iterator<Item = &
 pub(crate) struct SetPair<'m> {
     pub right: (&'m Force, &'m ParameterSet),
     pub left: (&'m Force, &'m ParameterSet),
-    /// The spheres that make them counterparts.
+    /// Indices of the sphere pairs that make the sets counterparts.
     pub spheres: Vec<usize>,
 }
 
 impl SetPair<'_> {
-    /// Numbers of the left set that are neither those of the right one nor follow the radii.
-    pub(crate) fn differing_values(&self, model: &Model, usual: &Usual<'_>) -> Vec<Difference> {
-        let ratios = self.ratios(model);
-        let right = |property: Property| of_set(self.right.0, self.right.1).find(|r| r.property == property);
-        let both = of_set(self.left.0, self.left.1).filter_map(|l| Some((l, right(l.property)?)));
+    /// Numbers of the left set that are neither equal to those of the right set nor follow from different radii.
+    pub(crate) fn differing_values(&self, model: &Model, majorities: &Majorities<'_>) -> Vec<SideDifference> {
+        let ratios = self.radius_ratios(model);
+        let right =
+            |property: Property| values_of_set(self.right.0, self.right.1).find(|r| r.property == property);
+        let both = values_of_set(self.left.0, self.left.1).filter_map(|l| Some((l, right(l.property)?)));
         let differing = both.filter(|(l, r)| {
             let follows =
-                |ratios| factor(l.property, ratios).is_some_and(|by| close(l.number, by * r.number));
+                |ratios| radius_factor(l.property, ratios).is_some_and(|by| close(l.number, by * r.number));
             !(l.number.is_nan() || close(l.number, r.number) || ratios.as_ref().is_some_and(follows))
         });
         let difference = |(l, r): (&Value, &Value)| {
             let what = format!("{} is {} and {}", l.property, l.number, r.number);
             let times = (l.number / r.number).max(r.number / l.number);
-            usual.difference((l, r), &what, l.property == Property::TransitionVelocity && times <= VELOCITIES)
+            majorities.difference(
+                (l, r),
+                &what,
+                l.property == Property::TransitionVelocity && times <= SMALL_VELOCITY_RATIO,
+            )
         };
         differing.map(difference).collect()
     }
 
-    /// The ratios of the radii of both sets, left over right; `None` where they are equal, or cannot be divided.
-    fn ratios(&self, model: &Model) -> Option<Ratios> {
+    /// Scaling ratios from the right set to the left one, if their radii differ.
+    fn radius_ratios(&self, model: &Model) -> Option<Ratios> {
         let mean_square = |set: &ParameterSet| -> f64 {
             let spheres =
                 set.spheres.iter().filter_map(|&id| model.sphere(id)).filter(|sphere| !sphere.fixed);
@@ -286,8 +304,8 @@ impl SetPair<'_> {
     }
 }
 
-/// By what a parameter is multiplied where radii alone change.
-fn factor(property: Property, ratios: &Ratios) -> Option<f64> {
+/// The factor of a parameter if only radii change.
+fn radius_factor(property: Property, ratios: &Ratios) -> Option<f64> {
     Some(match property {
         Property::Stiffness => ratios.plane_strain_modulus(),
         Property::Dissipation => ratios.dissipation(),
@@ -300,26 +318,33 @@ fn factor(property: Property, ratios: &Ratios) -> Option<f64> {
     })
 }
 
-/// How the radii of a pair differ, unless they are equal or differ as their bones do.
-fn of_radii(pair: &SpherePair<'_>, bones: &Bones<'_>, usual: &Usual<'_>) -> Option<Difference> {
+/// The difference of the radii of a pair, unless they are equal or differ as their bones do.
+fn radius_difference(
+    pair: &SpherePair<'_>,
+    bones: &BoneSizes<'_>,
+    majorities: &Majorities<'_>,
+) -> Option<SideDifference> {
     let (left, right) = (pair.left.sphere, pair.right.sphere);
     let ratio = left.radius.number / right.radius.number;
     if !ratio.is_finite() || close(ratio, 1.0) {
         return None;
     }
-    let of_bones = bones.ratios(pair.left.body, pair.right.body);
-    let nearest = of_bones.map(|[x, y, z]| apart(ratio, &[libm::cbrt(x * y * z), x, y, z]));
-    if nearest.is_some_and(|apart| apart <= FOLLOWS) {
+    let bone_ratios = bones.ratios(pair.left.body, pair.right.body);
+    let from_bones =
+        bone_ratios.map(|[x, y, z]| distance_from_nearest(ratio, &[libm::cbrt(x * y * z), x, y, z]));
+    if from_bones.is_some_and(|apart| apart <= FOLLOWS_BONES) {
         return None;
     }
-    let is_small = nearest.unwrap_or(f64::INFINITY).min(apart(ratio, &[1.0])) <= RADII;
-    let of = |sphere: &Sphere| format!("{} m for {}", readable(sphere.radius.number), shown(&sphere.name));
-    let what = format!("radius is {} and {}", of(left), of(right));
-    Some(usual.difference((&left.radius, &right.radius), &what, is_small))
+    let is_small = from_bones.unwrap_or(f64::INFINITY).min(distance_from_nearest(ratio, &[1.0]))
+        <= SMALL_RADIUS_DIFFERENCE;
+    let describe =
+        |sphere: &Sphere| format!("{} m for {}", readable(sphere.radius.number), shown(&sphere.name));
+    let what = format!("radius is {} and {}", describe(left), describe(right));
+    Some(majorities.difference((&left.radius, &right.radius), &what, is_small))
 }
 
-/// How far `ratio` is from the nearest of `expected`, relatively.
-fn apart(ratio: f64, expected: &[f64]) -> f64 {
+/// The relative distance of `ratio` from the nearest of `expected`.
+fn distance_from_nearest(ratio: f64, expected: &[f64]) -> f64 {
     expected.iter().map(|expected| (ratio / expected - 1.0).abs()).fold(f64::INFINITY, f64::min)
 }
 
@@ -331,6 +356,6 @@ mod tests {
     fn one_foot_has_no_counterpart() {
         let model =
             Model::parse(include_bytes!("../../../osim-model/tests/data/one_foot.osim").as_slice()).unwrap();
-        assert!(BothSides::of(&model).right_of(&model.forces()[0]).is_none());
+        assert!(BothSides::of(&model).right_counterpart(&model.forces()[0]).is_none());
     }
 }

@@ -47,7 +47,8 @@ fn what_falls_weighs_the_same_on_chosen_spheres() {
     let model = Model::parse(HUMAN).unwrap();
     let failed = |fault: Fault| Failure::outside("human.osim", "plot", fault.to_string());
     for pattern in ["*", "contact_s1_*", "contact_s3_r"] {
-        let body = Body::inspected("human".to_owned(), &model, &selecting(pattern), &failed).unwrap();
+        let body =
+            Body::from_inspected_model("human".to_owned(), &model, &selecting(pattern), &failed).unwrap();
         let weight = body.weight().unwrap();
         let carried: f64 = weight.spheres.iter().map(contact_scaling::Spheres::count).sum();
         assert_eq!((weight.sphere_count, carried), (6.0, 6.0), "{pattern}");

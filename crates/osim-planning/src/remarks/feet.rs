@@ -115,7 +115,7 @@ pub(crate) fn standing(plan: &Plan, built: &Model) -> Option<Phrase> {
 }
 
 fn over_the_floor(body: &StandingBody) -> Option<Phrase> {
-    let (lowest, place, way) = (body.lowest()?, body.place()?, body.way_to_stand());
+    let (lowest, place, way) = (body.lowest()?, body.height_in_words()?, body.describe_way_to_stand());
     let lowest = shown(&lowest.sphere);
     Some(format!("at the default pose {lowest}, the lowest sphere, is {place}; {way}").into())
 }

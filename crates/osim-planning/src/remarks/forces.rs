@@ -1,7 +1,7 @@
 //! Remarks about forces: smoothed or of another class now, with friction of another size, still named, or of two spheres.
 
 use contact_scaling::{Ratios, SmoothingValues};
-use osim_inspect::{Found, InspectOptions, check_model};
+use osim_inspect::{FindingWithRemedy, InspectOptions, check_model};
 use osim_model::feet::{DefaultPose, SpherePair, sphere_pairs};
 use osim_model::messages::{Input, Phrase, Verb, listed, phrase, readable, three_significant};
 use osim_model::{
@@ -83,8 +83,8 @@ pub(crate) fn too_smooth(model: &Model) -> Vec<Finding> {
 }
 
 /// The finding about a model that is not written yet: lines are not known, and a remedy is about the result.
-fn with_way_out(found: Found) -> Finding {
-    let Found { mut finding, remedy, .. } = found;
+fn with_way_out(found: FindingWithRemedy) -> Finding {
+    let FindingWithRemedy { mut finding, remedy, .. } = found;
     finding.line = None;
     finding.message.push(": smooth less with ");
     finding.message.push(Input::ConstantContactForce.with_placeholder("M2"));

@@ -52,7 +52,7 @@ impl Fall {
             forces_bw: Vec::new(),
             why_not: Some(failure.message.to_string()),
         };
-        let report = match series::dropped(body, HEIGHT, duration_s, MOMENTS) {
+        let report = match series::run_drop_test(body, HEIGHT, duration_s, MOMENTS) {
             Ok(report) => report,
             Err(failure) => return none(failure),
         };

@@ -8,7 +8,7 @@ use std::iter::StepBy;
 use std::ops::Range;
 use std::path::Path;
 
-use osim_inspect::{Figure, unexplained_slip};
+use osim_inspect::{Figure, unexplained_mass_slip};
 use osim_model::files::{Failure, ModelFiles};
 use osim_model::messages::{Phrase, shortest};
 use osim_model::{MassRequest, Property, Question};
@@ -190,7 +190,7 @@ impl<'s> SweepPlan<'s> {
         let is_asked = |target_mass_kg: f64| {
             let target_mass_kg = Some(target_mass_kg);
             let said = MassRequest { target_mass_kg, ..self.request.masses.request() };
-            unexplained_slip(&said, &open.model, &selection).is_some()
+            unexplained_mass_slip(&said, &open.model, &selection).is_some()
         };
         Ok(masses
             .into_iter()

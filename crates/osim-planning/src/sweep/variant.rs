@@ -81,7 +81,7 @@ impl Variant {
         let stance = Stance::from(&request.counts.stance_options(request.wanted.impact_speed, None));
         let wrong = wrong(request, &open, mass.as_ref(), stance);
         let sharing = LoadSharing::of(model, &selected.forces);
-        let figures = Figures::of(model, &selected, &sharing, mass.as_ref(), &stance, &[]).ok();
+        let figures = Figures::compute(model, &selected, &sharing, mass.as_ref(), &stance, &[]).ok();
         let bytes = model.file(FileId::MAIN).bytes().to_vec();
         let digest = model.contact_digest(|_| None);
         Ok(Self { bytes, values: values(model, &selected), figures, digest, wrong })

@@ -1,7 +1,7 @@
 //! Parameters from what is wanted.
 
 use contact_scaling::SharedLoad;
-use osim_inspect::{LoadSharing, weight_share};
+use osim_inspect::{LoadSharing, weight_share_on_floor};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
     CountedSpheres, Fault, GravityFor, Mass, MassRequest, Model, Needed, RadiusRule, Selected, Selection,
@@ -135,7 +135,7 @@ impl Designing {
                 let Some(gravity) = gravity else {
                     return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Load }));
                 };
-                let along_normal = gravity * weight_share(model, sharing.forces());
+                let along_normal = gravity * weight_share_on_floor(model, sharing.forces());
                 (mass.kg * along_normal * self.load.body_weights(), Some(mass))
             }
         };

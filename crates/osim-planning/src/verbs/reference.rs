@@ -65,7 +65,7 @@ pub(super) fn of_preset(request: &TransferRequest, preset: &Preset) -> (Referenc
     let count = request.reference.reference_spheres.map(Count::get);
     reference.sphere_count = count.unwrap_or(reference.sphere_count);
     let gravity = request.reference.reference_gravity.map(Acceleration::get);
-    let state = ReferenceState::of_preset(preset, reference.mass.kg, reference.sphere_count, gravity);
+    let state = ReferenceState::from_preset(preset, reference.mass.kg, reference.sphere_count, gravity);
     (reference, state)
 }
 
@@ -125,7 +125,7 @@ fn state(request: &TransferRequest, from: &Path, open: &OpenModel, reference: &R
     let selection = Selection { select: options.reference_select.clone(), ..Selection::default() };
     let gravity = options.reference_gravity.map(Acceleration::get).or(reference.gravity_m_s2);
     let spheres = options.reference_spheres.map(Count::get);
-    ReferenceState::of_model(file_name(from), open, selection, (reference.mass.kg, spheres, gravity))
+    ReferenceState::from_model(file_name(from), open, selection, (reference.mass.kg, spheres, gravity))
 }
 
 fn reference_from_model(

@@ -1,6 +1,6 @@
 //! A model's own contacts at another mass, with spheres that follow their bodies.
 
-use osim_inspect::misplaced_spheres;
+use osim_inspect::find_misplaced_spheres;
 use osim_model::compare::ScaleFile;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Verb, phrase, readable};
@@ -108,7 +108,7 @@ impl Planner for Rescaling {
             }));
         }
         if bodies.is_none() {
-            warnings.extend(misplaced_spheres(model));
+            warnings.extend(find_misplaced_spheres(model));
         }
         let mut wanted = Rescale::new(self.target_mass_kg, contacts_mass);
         wanted.radius = radius.unwrap_or(RadiusRule::Isometric);

@@ -84,7 +84,7 @@ fn one_value_that_is_off_by_two_per_cent_makes_them_unknown() {
             assert_eq!(known(&text), None, "{off}");
             let found = check(&text);
             let hertz = found.findings.iter().find(|one| one.code() == FindingCode::BeyondHertz).unwrap();
-            assert!(!hertz.as_published, "{off}");
+            assert!(!hertz.is_published, "{off}");
         }
     }
 }
@@ -95,7 +95,7 @@ fn what_was_published_so_is_a_remark_and_nothing_else_is() {
     assert_eq!((found.counts.error, found.counts.warning), (0, 0), "{:?}", found.findings);
     let codes: Vec<&str> = found.findings.iter().map(|finding| finding.code().as_str()).collect();
     assert_eq!(codes, ["beyond-hertz", "beyond-hunt-crossley", "known-contacts"]);
-    assert!(found.findings[0].as_published && !found.findings[2].as_published);
+    assert!(found.findings[0].is_published && !found.findings[2].is_published);
 
     // A wrong number is an error with known contacts, too; a body of another mass is a warning.
     let forgotten = FALISSE.replacen("<mass>60<", "<mass>58<", 1);

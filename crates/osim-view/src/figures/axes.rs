@@ -2,7 +2,7 @@
 
 use contact_plots::{Axis, Limit};
 use contact_scaling::limits;
-use osim_inspect::series::{self, Body, ForceUnit, IndentationUnit, SphereKind, Units, kinds};
+use osim_inspect::series::{self, Body, ForceUnit, IndentationUnit, SphereKind, Units, bodies_and_kinds};
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, Phrase, counted, readable};
 
@@ -17,7 +17,7 @@ pub enum Axes {
 
 /// The units wanted, else those that compare well: x/R, and newtons for one contact, shares of the weight for several.
 pub fn units(bodies: &[Body], wanted: Option<Axes>) -> Units {
-    let single = kinds(bodies).count() == 1;
+    let single = bodies_and_kinds(bodies).count() == 1;
     let indentation = match wanted {
         Some(Axes::Real) => IndentationUnit::Millimetre,
         _ => IndentationUnit::Relative,

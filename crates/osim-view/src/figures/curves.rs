@@ -36,23 +36,23 @@ pub fn force(
     wanted_title: Option<&str>,
 ) -> Result<Figure, Failure> {
     let mut drawn = Vec::new();
-    for (body, kind) in series::kinds(bodies) {
+    for (body, kind) in series::bodies_and_kinds(bodies) {
         let radius_m = kind.radius_m;
         let (from_m, to_m) = match limits {
             Some((from, to)) => (units.metres(from, radius_m), units.metres(to, radius_m)),
             None => {
-                let (from, to) = series::reach(bodies);
+                let (from, to) = series::default_range(bodies);
                 (from * radius_m, to * radius_m)
             }
         };
         let series = series::force(body, kind, units, (from_m, to_m))?;
         let outside = series.rest.map(|(x, _)| x).filter(|x| *x > units.x(to_m, radius_m));
         let remark = outside.map(|x| format!(" (rests at {}, outside the figure)", rest_text(x, units)));
-        let name = series::name_of(body, kind, bodies.len() == 1);
+        let name = series::curve_name(body, kind, bodies.len() == 1);
         drawn.push(Laws { name, series, remark: remark.unwrap_or_default() });
     }
     let description = match drawn.as_slice() {
-        [one] if !one.series.own.is_empty() => format!(
+        [one] if !one.series.model_law.is_empty() => format!(
             "Force against indentation of {}: the Hertz law, the Hertz law with the constant indentation, and the \
              smoothed law. The force before contact is shaded.",
             one.name
@@ -73,19 +73,19 @@ pub(super) fn force_panel(laws: Vec<Laws>, units: Units) -> Panel {
     panel.marks = laws.iter().filter_map(|one| one.series.rest).map(rest).collect();
     let is_single = laws.len() == 1;
     for (index, Laws { name, series, remark }) in laws.into_iter().enumerate() {
-        let ForceSeries { hertz, with_constant, own, .. } = series;
-        panel.curves.extend(match (is_single, own.is_empty()) {
+        let ForceSeries { hertz, with_constant, model_law, .. } = series;
+        panel.curves.extend(match (is_single, model_law.is_empty()) {
             (false, is_plain) => {
-                let points = if is_plain { hertz } else { own };
+                let points = if is_plain { hertz } else { model_law };
                 vec![Curve::new(format!("{name}{remark}"), points, Look::series(index))]
             }
             (true, true) => vec![Curve::new(format!("Hertz (1){remark}"), hertz, Look::HERTZ)],
             (true, false) => {
-                panel.areas.push(before_contact(&own));
+                panel.areas.push(before_contact(&model_law));
                 vec![
                     Curve::new("Hertz (1)", hertz, Look::HERTZ),
                     Curve::new("Hertz with cf (C.1)", with_constant, Look::WITH_CONSTANT),
-                    Curve::new(format!("smoothed, at rest (C.9){remark}"), own, Look::OWN),
+                    Curve::new(format!("smoothed, at rest (C.9){remark}"), model_law, Look::OWN),
                 ]
             }
         });
@@ -113,7 +113,7 @@ fn names<'n>(names: impl Iterator<Item = &'n String>) -> String {
 fn top(drawn: &[Laws]) -> Option<f64> {
     let rests: Option<Vec<f64>> = drawn.iter().map(|one| one.series.rest.map(|(_, force)| force)).collect();
     let top = SHARES_SHOWN * rests?.into_iter().fold(0.0, f64::max);
-    let highest = drawn.iter().flat_map(|one| one.series.hertz.iter().chain(&one.series.own));
+    let highest = drawn.iter().flat_map(|one| one.series.hertz.iter().chain(&one.series.model_law));
     let highest = highest.fold(0.0_f64, |most, (_, force)| most.max(*force));
     (highest > top && top > 0.0).then_some(top)
 }
@@ -140,15 +140,15 @@ pub fn loops(
 ) -> Result<Figure, Failure> {
     let mut loops = Vec::new();
     let mut at_rest = Vec::new();
-    let only = series::kinds(bodies).count() == 1;
-    for (body, kind) in series::kinds(bodies) {
+    let only = series::bodies_and_kinds(bodies).count() == 1;
+    for (body, kind) in series::bodies_and_kinds(bodies) {
         if !only {
-            let name = series::name_of(body, kind, bodies.len() == 1);
+            let name = series::curve_name(body, kind, bodies.len() == 1);
             loops.push(named(&name, impact(body, kind, units, height)?));
             continue;
         }
         let speed = series::impact_speed(body, kind, height)?;
-        at_rest = series::elastic(body, kind, units)?;
+        at_rest = series::force_at_rest(body, kind, units)?;
         for share in [0.25, 0.5, 1.0] {
             loops.push(series::hysteresis(body, kind, units, share * speed)?);
         }
@@ -174,11 +174,11 @@ pub fn impact_loops(
     wanted_title: Option<&str>,
 ) -> Result<Figure, Failure> {
     let mut loops = Vec::new();
-    for (body, kind) in series::kinds(bodies) {
+    for (body, kind) in series::bodies_and_kinds(bodies) {
         let impact = impact(body, kind, units, height)?;
         // One curve of one model needs no name.
         let is_alone = bodies.len() == 1 && kind.spheres.is_empty();
-        let name = || series::name_of(body, kind, bodies.len() == 1);
+        let name = || series::curve_name(body, kind, bodies.len() == 1);
         loops.push(if is_alone { impact } else { named(&name(), impact) });
     }
     let from = match height {
@@ -236,10 +236,10 @@ pub fn state(
 ) -> Result<Figure, Failure> {
     let mut states = Vec::new();
     let mut marked = Vec::new();
-    for (body, kind) in series::kinds(bodies) {
+    for (body, kind) in series::bodies_and_kinds(bodies) {
         let metres = |(from, to)| (units.metres(from, kind.radius_m), units.metres(to, kind.radius_m));
-        if let Some(points) = series::state(body, kind, units, limits.map(metres))? {
-            states.push((series::name_of(body, kind, bodies.len() == 1), points));
+        if let Some(points) = series::contact_state(body, kind, units, limits.map(metres))? {
+            states.push((series::curve_name(body, kind, bodies.len() == 1), points));
         }
         marked = thresholds(kind, units);
     }
@@ -300,9 +300,9 @@ pub fn drops(
 ) -> Result<Figure, Failure> {
     let followed_s = match duration_s {
         Some(duration_s) => duration_s,
-        None => series::duration(bodies)?,
+        None => series::default_duration(bodies)?,
     };
-    let falls = bodies.iter().map(|body| series::fall(body, height, followed_s));
+    let falls = bodies.iter().map(|body| series::drop_force(body, height, followed_s));
     let falls: Vec<DropSeries> = falls.collect::<Result<_, _>>()?;
     let at_rest = |unit: &dyn Fn(&DropSeries) -> f64| {
         AFTER_REST * falls.iter().map(|fall| fall.settled_s / unit(fall)).fold(0.0, f64::max)

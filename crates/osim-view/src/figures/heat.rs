@@ -48,7 +48,7 @@ pub fn heat(
         x: series.x,
         y: series.y,
         limit: series.limit.map(|at| HeatLimit { label: words.limit.clone(), at }),
-        mark: Some((now, series.now)),
+        mark: Some((now, series.present)),
     }))
 }
 
@@ -82,7 +82,7 @@ fn curve(profile: Profile, limit: Option<f64>, words: &Words, texts: Texts<'_>) 
     };
     let mut panel = Panel::new("", Axis::logarithmic(axis), Axis::new(words.label));
     panel.curves.push(Curve::new(words.curve, profile.points, Look::HERTZ));
-    panel.marks.extend(profile.now.map(|at| Mark { label: now, at, look: Look::OWN }));
+    panel.marks.extend(profile.present.map(|at| Mark { label: now, at, look: Look::OWN }));
     panel.limits.extend(limit.map(|at| Limit::horizontal(&words.limit, at)));
     let description = format!(
         "{} of {body} over {axis}, on a logarithmic axis. It does not depend on the {other}, so it is a curve and no \

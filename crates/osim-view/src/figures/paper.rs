@@ -157,7 +157,7 @@ fn body(scale: &Scale, contact: Contact) -> Body {
 
 fn forces(title: &str, body: &Body) -> Result<Panel, Failure> {
     let mut laws = Vec::new();
-    for (body, kind) in series::kinds(std::slice::from_ref(body)) {
+    for (body, kind) in series::bodies_and_kinds(std::slice::from_ref(body)) {
         let reach_m = (-REACH * kind.radius_m, REACH * kind.radius_m);
         let series = series::force(body, kind, UNITS, reach_m)?;
         laws.push(Laws { name: body.name.clone(), series, remark: String::new() });
@@ -168,8 +168,8 @@ fn forces(title: &str, body: &Body) -> Result<Panel, Failure> {
 fn states(title: &str, body: &Body) -> Result<Panel, Failure> {
     let mut states = Vec::new();
     let mut limits = Vec::new();
-    for (body, kind) in series::kinds(std::slice::from_ref(body)) {
-        let points = series::state(body, kind, UNITS, None)?;
+    for (body, kind) in series::bodies_and_kinds(std::slice::from_ref(body)) {
+        let points = series::contact_state(body, kind, UNITS, None)?;
         states.extend(points.map(|points| (body.name.clone(), points)));
         limits.extend(thresholds(kind, UNITS));
     }

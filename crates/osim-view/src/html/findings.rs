@@ -1,7 +1,7 @@
 //! The six verdicts on a model, what `check` found, and what a change made of it.
 
 use maud::{Markup, html};
-use osim_inspect::{CheckResult, Found, Kin, Sign, Verdict};
+use osim_inspect::{CheckResult, FindingIndex, FindingWithRemedy, Sign, Verdict};
 use osim_model::messages::readable;
 
 use crate::html::explained::severity;
@@ -12,7 +12,7 @@ pub(super) const SECTION: (&str, &str) = ("findings", "Findings");
 
 /// Findings of a model that was inspected.
 pub(super) fn of_model(fragment: &mut Fragment, found: &CheckResult) {
-    let findings: Vec<&Found> = found.findings.iter().collect();
+    let findings: Vec<&FindingWithRemedy> = found.findings.iter().collect();
     let list = list(&items(fragment, &findings, Lines::Only, Commands::Shown));
     let body = html! {
         (verdicts_of_model(&found.verdicts))
@@ -34,11 +34,11 @@ pub(super) struct After<'r> {
 /// Findings before and after: what came, what stayed, what went.
 pub(super) fn of_change(fragment: &mut Fragment, now: &CheckResult, new: &After<'_>) {
     let pairs = paired(&now.findings, &new.found.findings);
-    let comes: Vec<&Found> =
+    let comes: Vec<&FindingWithRemedy> =
         pairs.iter().filter(|(_, before)| before.is_none()).map(|(one, _)| *one).collect();
-    let kin = Kin::of(&new.found.findings);
-    let gone = |one: &&Found| kin.nearest(one).is_none();
-    let goes: Vec<&Found> = now.findings.iter().filter(gone).collect();
+    let index = FindingIndex::new(&new.found.findings);
+    let gone = |one: &&FindingWithRemedy| index.find_same_or_other_depth(one).is_none();
+    let goes: Vec<&FindingWithRemedy> = now.findings.iter().filter(gone).collect();
     let commands = if new.in_file { Commands::Shown } else { Commands::Left };
     let comes = items(fragment, &comes, Lines::New, commands);
     let stays: Vec<Markup> = pairs
@@ -67,13 +67,16 @@ pub(super) fn of_change(fragment: &mut Fragment, now: &CheckResult, new: &After<
 }
 
 /// Each new finding with the old one that says the same, if there is one.
-fn paired<'f>(now: &'f [Found], new: &'f [Found]) -> Vec<(&'f Found, Option<&'f Found>)> {
-    let kin = Kin::of(now);
-    new.iter().map(|one| (one, kin.nearest(one))).collect()
+fn paired<'f>(
+    now: &'f [FindingWithRemedy],
+    new: &'f [FindingWithRemedy],
+) -> Vec<(&'f FindingWithRemedy, Option<&'f FindingWithRemedy>)> {
+    let index = FindingIndex::new(now);
+    new.iter().map(|one| (one, index.find_same_or_other_depth(one))).collect()
 }
 
 /// What the finding was before, where that differs.
-fn was(fragment: &mut Fragment, one: &Found, before: &Found) -> Markup {
+fn was(fragment: &mut Fragment, one: &FindingWithRemedy, before: &FindingWithRemedy) -> Markup {
     let other = before.code() != one.code();
     let (message, message_before) = (one.message.to_string(), before.message.to_string());
     html! {
@@ -106,11 +109,16 @@ fn list(items: &[Markup]) -> Markup {
     html! { @if !items.is_empty() { ul.findings { @for item in items { li { (item) } } } } }
 }
 
-fn items(fragment: &mut Fragment, findings: &[&Found], lines: Lines, commands: Commands) -> Vec<Markup> {
+fn items(
+    fragment: &mut Fragment,
+    findings: &[&FindingWithRemedy],
+    lines: Lines,
+    commands: Commands,
+) -> Vec<Markup> {
     findings.iter().map(|finding| item(fragment, finding, lines, commands)).collect()
 }
 
-fn item(fragment: &mut Fragment, finding: &Found, lines: Lines, commands: Commands) -> Markup {
+fn item(fragment: &mut Fragment, finding: &FindingWithRemedy, lines: Lines, commands: Commands) -> Markup {
     let message = finding.message.to_string();
     let place = finding.place.as_deref().filter(|place| !message.contains(*place));
     let file = match lines {
@@ -197,14 +205,14 @@ mod tests {
 
     use super::*;
 
-    fn finding(code: FindingCode, place: &str, spheres: &[&str]) -> Found {
+    fn finding(code: FindingCode, place: &str, spheres: &[&str]) -> FindingWithRemedy {
         let spheres = spheres.iter().map(|&name| name.to_owned()).collect();
         let rule = rules::of(|one| one == code).next().unwrap();
         Finding::new(rule, "").with_place(place).with_spheres(spheres).into()
     }
 
-    fn are_akin(old: &Found, new: &Found) -> bool {
-        Kin::of(std::slice::from_ref(old)).nearest(new).is_some()
+    fn are_akin(old: &FindingWithRemedy, new: &FindingWithRemedy) -> bool {
+        FindingIndex::new(std::slice::from_ref(old)).find_same_or_other_depth(new).is_some()
     }
 
     #[test]

@@ -49,7 +49,9 @@ pub(super) fn fill(fragment: &mut Fragment, inspected: Inspected<'_>, dialect: &
         fragment.section(recording.id, recording.title, &maud::PreEscaped(recording.html));
     }
     let failed = |fault| model.failure(fault);
-    let body = || Body::inspected(file_name(model.name()).to_owned(), &model.model, options, &failed).ok();
+    let body = || {
+        Body::from_inspected_model(file_name(model.name()).to_owned(), &model.model, options, &failed).ok()
+    };
     let drawn = Drawn {
         bodies: body().into_iter().collect(),
         has_reference: false,

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
-use osim_inspect::{CheckResult, Counts, Found, Verdict};
+use osim_inspect::{CheckResult, Counts, FindingWithRemedy, Verdict};
 use osim_model::messages::{Phrase, one_line};
 use osim_model::{FindingCode, Severity};
 use osim_requests::spell::FrontEnd;
@@ -39,12 +39,12 @@ fn line(verdict: &Verdict, colour: Colour) -> String {
 pub fn text(found: &CheckResult, prompt: &str, colour: Colour, extent: Extent) -> String {
     let known = found.findings.iter().find(|finding| finding.code() == FindingCode::KnownContacts);
     let clean = known.filter(|_| found.counts.error + found.counts.warning == 0);
-    let shown: Vec<&Found> = found
+    let shown: Vec<&FindingWithRemedy> = found
         .findings
         .iter()
         .filter(|finding| {
             extent.is_full()
-                || (!finding.as_published || is_of_another_mass(finding))
+                || (!finding.is_published || is_of_another_mass(finding))
                     && clean.is_none_or(|known| known.code() != finding.code())
         })
         .collect();
@@ -96,7 +96,7 @@ fn commands<'f>(commands: impl IntoIterator<Item = &'f String>, prompt: &str) ->
 }
 
 /// Whether it is a doubt about the mass: that others published contacts so does not make them right for this body.
-fn is_of_another_mass(finding: &Found) -> bool {
+fn is_of_another_mass(finding: &FindingWithRemedy) -> bool {
     finding.code() == FindingCode::ContactsOfAnotherMass
 }
 
@@ -105,7 +105,7 @@ fn published(found: &CheckResult) -> String {
     let mut codes: Vec<&str> = found
         .findings
         .iter()
-        .filter(|finding| finding.as_published && !is_of_another_mass(finding))
+        .filter(|finding| finding.is_published && !is_of_another_mass(finding))
         .map(|finding| finding.code().as_str())
         .collect();
     codes.dedup();
@@ -116,7 +116,7 @@ fn published(found: &CheckResult) -> String {
     }
 }
 
-fn block(first: &Found, alike: &[&Found], more: &str, colour: Colour, extent: Extent) -> String {
+fn block(first: &FindingWithRemedy, alike: &[&FindingWithRemedy], more: &str, colour: Colour, extent: Extent) -> String {
     let mut text = format!("{} {}\n", severity(first.severity, colour), first.code());
     for finding in alike {
         let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();

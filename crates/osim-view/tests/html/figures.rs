@@ -14,7 +14,8 @@ const HEIGHT: DropHeight = DropHeight::Radii(0.25);
 fn body(name: &str) -> Body {
     let model = open(&format!("table1/{name}.osim"));
     let options = InspectOptions::default();
-    Body::inspected(name.to_owned(), &model.model, &options, &|fault| model.failure(fault)).unwrap()
+    Body::from_inspected_model(name.to_owned(), &model.model, &options, &|fault| model.failure(fault))
+        .unwrap()
 }
 
 /// What the horizontal and the vertical axis of the first panel say.

@@ -1,6 +1,6 @@
 //! What `check` finds in a model, and the sphere that has it.
 
-use osim_inspect::{CheckResult, Found, InspectOptions};
+use osim_inspect::{CheckResult, FindingWithRemedy, InspectOptions};
 use osim_model::{FindingCode, Model, Rule};
 use osim_planning::{check_with_trials, rules};
 use osim_requests::Request;
@@ -36,7 +36,7 @@ pub fn has(result: &CheckResult, code: FindingCode) -> bool {
 }
 
 #[track_caller]
-pub fn find(result: &CheckResult, code: FindingCode) -> &Found {
+pub fn find(result: &CheckResult, code: FindingCode) -> &FindingWithRemedy {
     let found = result.findings.iter().find(|finding| finding.code() == code);
     found.unwrap_or_else(|| panic!("no {code:?}: {:?}", codes(result)))
 }

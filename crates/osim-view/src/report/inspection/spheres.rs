@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use osim_inspect::{
-    Figure, Figures, InspectedForce, Inspection, LimbFigures, Quantity, Shown, SphereFigures,
+    Figure, FigureVisibility, Figures, InspectedForce, Inspection, LimbFigures, Quantity, SphereFigures,
 };
 use osim_model::Property;
 use osim_model::messages::{Dialect, Phrase, four_significant, shortest};
@@ -29,12 +29,12 @@ impl Spheres {
 
     /// The figures that are shown for them, in their order.
     pub fn figures(self) -> impl Iterator<Item = Figure> {
-        let shown = move |figure: &Figure| match figure.shown() {
-            Shown::Always => true,
-            Shown::Nowhere => false,
-            Shown::Smooth => self.smooth,
-            Shown::Mixed => self.mixed,
-            Shown::MixedSmooth => self.mixed && self.smooth,
+        let shown = move |figure: &Figure| match figure.visibility() {
+            FigureVisibility::Always => true,
+            FigureVisibility::Never => false,
+            FigureVisibility::IfSmooth => self.smooth,
+            FigureVisibility::IfMixed => self.mixed,
+            FigureVisibility::IfMixedAndSmooth => self.mixed && self.smooth,
         };
         Figure::ALL.iter().copied().filter(shown)
     }
@@ -72,7 +72,7 @@ pub fn value(figure: Figure, sphere: &SphereFigures, extent: Extent) -> Option<F
 }
 
 fn shown(extent: Extent) -> impl Iterator<Item = Figure> {
-    Figure::ALL.iter().copied().filter(move |figure| extent.is_full() || figure.shown() != Shown::Nowhere)
+    Figure::ALL.iter().copied().filter(move |figure| extent.is_full() || figure.visibility() != FigureVisibility::Never)
 }
 
 /// What is shown of a sphere: spheres with the same figures share a column.

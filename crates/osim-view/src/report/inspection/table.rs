@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use osim_inspect::{InspectedForce, InspectedSphere, Inspection, OnFeet, StandingBody, StandingSphere};
+use osim_inspect::{BodyAtRest, InspectedForce, InspectedSphere, Inspection, StandingBody, StandingSphere};
 use osim_model::Property;
 use osim_model::messages::{Dialect, Phrase, four_significant, one_line, readable, shown, three_significant};
 
@@ -173,7 +173,7 @@ const NAMED: usize = 6;
 
 /// The text about a body: where it is at the default pose, and where it stands on all its feet and on one limb.
 pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
-    let Some((lowest, place)) = body.lowest().zip(body.place()) else { return Vec::new() };
+    let Some((lowest, place)) = body.lowest().zip(body.height_in_words()) else { return Vec::new() };
     let mut said = format!("at the default pose {}, the lowest sphere, is {place}", shown(&lowest.sphere));
     if let Some(why) = &body.why_no_coordinate {
         said.push_str(&format!("; no coordinate puts the body on its feet: {why}"));
@@ -193,23 +193,23 @@ pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
 }
 
 /// The body on one limb, unless it has no other.
-fn other_than_all(body: &StandingBody) -> Option<&OnFeet> {
+fn other_than_all(body: &StandingBody) -> Option<&BodyAtRest> {
     let (one, all) = (body.on_one_limb.as_ref()?, body.as_posed.as_ref()?);
     (one.spheres != all.spheres).then_some(one)
 }
 
-fn on_feet(body: &StandingBody, how: &str, rest: &OnFeet, extent: Extent) -> String {
+fn on_feet(body: &StandingBody, how: &str, rest: &BodyAtRest, extent: Extent) -> String {
     let limb = rest.limb.as_deref().map(|limb| format!(", {}", shown(limb))).unwrap_or_default();
     let load = extent.number(rest.load_n, four_significant);
     if !rest.carried {
         return format!("{how}{limb}: its spheres cannot carry the {load} N; {}", depths(rest, extent));
     }
-    let place = body.coordinate_on(rest).map(|set| format!(" with {set}")).unwrap_or_default();
+    let place = body.coordinate_at_rest(rest).map(|set| format!(" with {set}")).unwrap_or_default();
     format!("{how}{limb}: carries {load} N{place}; {}", depths(rest, extent))
 }
 
 /// Which spheres touch, and how deep they are.
-fn depths(rest: &OnFeet, extent: Extent) -> String {
+fn depths(rest: &BodyAtRest, extent: Extent) -> String {
     let touching: Vec<&StandingSphere> = rest.touching().collect();
     let deep = |one: &StandingSphere| extent.number(one.relative_indentation, three_significant);
     let least = touching

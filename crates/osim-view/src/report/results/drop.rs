@@ -211,8 +211,8 @@ impl JsonSchema for DropRecord<'_> {
         for figure in DropFigure::ALL {
             let info = figure.info();
             match figure.is_always_known() {
-                true => object.field::<f64>(info.name, &info.described()),
-                false => object.field::<Option<f64>>(info.name, &info.described()),
+                true => object.field::<f64>(info.name, &info.schema_description()),
+                false => object.field::<Option<f64>>(info.name, &info.schema_description()),
             }
         }
         let compare = "How far it is from another drop, where one was asked for.";
@@ -243,7 +243,7 @@ impl JsonSchema for DropSeriesRecord<'_> {
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let mut object = ObjectSchema::new(generator);
         for info in DropColumn::ALL.iter().map(|column| column.info()) {
-            object.field::<Vec<f64>>(info.name, &info.described());
+            object.field::<Vec<f64>>(info.name, &info.schema_description());
         }
         object.finish("The motion of a drop; entry `i` of each list is one moment.")
     }

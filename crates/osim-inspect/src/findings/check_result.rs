@@ -1,4 +1,4 @@
-//! What `check` found: data for the table, CSV, JSON and reports.
+//! The result of `check`: data for the table, CSV, JSON and reports.
 
 use std::cmp::Reverse;
 
@@ -10,11 +10,11 @@ use osim_requests::spell::Speller;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::findings::finding::Found;
+use crate::findings::finding::FindingWithRemedy;
 use crate::inspection::Inspection;
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
-use crate::serialized::{SCHEMA_VERSION, found_records};
+use crate::serialized::{SCHEMA_VERSION, records_with_commands};
 use crate::similarity::SizeList;
 use crate::verdicts::{self, Verdict};
 
@@ -24,34 +24,34 @@ use crate::verdicts::{self, Verdict};
 pub struct CheckResult {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
-    /// The model as it was named.
+    /// Name of the model's file, as the caller gave it.
     pub model: String,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The bytes of that name, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
-    /// How many of each severity.
+    /// How many findings have each severity.
     pub counts: Counts,
-    /// Six questions answered, always in the same order; a seventh about a recording, where one is named.
+    /// The answers to six questions, always in the same order; a seventh about a recording, if one is given.
     pub verdicts: Vec<Verdict>,
     /// From the worst to the least; equally bad ones in the order of the register.
-    #[serde(serialize_with = "found_records")]
+    #[serde(serialize_with = "records_with_commands")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<FindingRecord>"))]
-    pub findings: Vec<Found>,
-    /// The calls that put right what can be put right, in the order in which they work: each changes what the one before wrote.
+    pub findings: Vec<FindingWithRemedy>,
+    /// The calls that correct what can be corrected, in the order in which they work: each changes what the one before wrote.
     pub commands: Vec<String>,
-    /// The same as requests.
+    /// The requests that [`commands`](Self::commands) spell.
     #[serde(skip)]
     #[cfg_attr(feature = "schemas", schemars(skip))]
     pub steps: Vec<Request>,
-    /// What else of the model follows its size, compared with the model that was scaled, where one is named.
+    /// What else of the model follows its size, compared with the model that was scaled, if one is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub similarity: Option<SizeList>,
 }
 
-/// From the worst to the least; equally bad ones in the order of the register.
-pub(crate) fn in_order(mut findings: Vec<Found>) -> Vec<Found> {
-    // What spheres do where they should not be is a symptom.
-    let is_symptom = |finding: &Found| {
+/// Sorts findings from the worst to the least; equally bad ones in the order of the register.
+pub(crate) fn sort_findings(mut findings: Vec<FindingWithRemedy>) -> Vec<FindingWithRemedy> {
+    // Misplaced spheres come first: what such spheres do is a symptom.
+    let is_symptom = |finding: &FindingWithRemedy| {
         !matches!(finding.code(), FindingCode::SpheresLeftBehind | FindingCode::SpheresMisplaced)
     };
     findings.sort_by_key(|finding| {
@@ -60,20 +60,20 @@ pub(crate) fn in_order(mut findings: Vec<Found>) -> Vec<Found> {
     findings
 }
 
-/// How many findings of each severity.
+/// Numbers of findings by severity.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct Counts {
-    /// What OpenSim computes otherwise than it looks, or as nonsense.
+    /// OpenSim reads something else than is written, or the contacts cannot be right.
     pub error: usize,
-    /// Limits of the paper, and traps.
+    /// A value is outside a limit, or OpenSim does not compute what the file seems to say.
     pub warning: usize,
-    /// Worth knowing.
+    /// Remarks.
     pub remark: usize,
 }
 
 impl Counts {
-    /// Those of the worst severity that there is, without the others.
+    /// The number of the worst findings, with 0 for less bad ones.
     pub const fn worst(self) -> Self {
         let Self { error, warning, remark } = self;
         match (error, warning) {
@@ -83,7 +83,7 @@ impl Counts {
         }
     }
 
-    /// "1 error, 2 warnings"; `none` where there is nothing.
+    /// "1 error, 2 warnings", or `none`.
     pub fn describe(self, none: &str) -> String {
         let all = [(self.error, "error"), (self.warning, "warning"), (self.remark, "remark")];
         let parts: Vec<String> = all
@@ -96,10 +96,9 @@ impl Counts {
 }
 
 impl CheckResult {
-    /// Everything found in a model, in any order.
-    pub fn new(model: &Model, inspected: &Inspection, findings: Vec<Found>) -> Self {
-        let mut findings = in_order(findings);
-        // A remark is worth knowing, and no reason to change the model.
+    pub fn new(model: &Model, inspected: &Inspection, findings: Vec<FindingWithRemedy>) -> Self {
+        let mut findings = sort_findings(findings);
+        // A remark is no reason to change the model.
         for remark in findings.iter_mut().filter(|finding| finding.severity == Severity::Remark) {
             remark.remedy = None;
         }
@@ -114,7 +113,7 @@ impl CheckResult {
             model: inspected.model.clone(),
             model_bytes: inspected.model_bytes.clone(),
             counts,
-            verdicts: verdicts::of(model, inspected, &findings),
+            verdicts: verdicts::answer_all(model, inspected, &findings),
             findings,
             commands: Vec::new(),
             steps: Vec::new(),
@@ -123,7 +122,7 @@ impl CheckResult {
         .with_steps_of_remedies()
     }
 
-    /// Makes each remedy a step by itself, which nobody has tried.
+    /// Makes each remedy a step; whether the steps work one after the other was not tried.
     fn with_steps_of_remedies(mut self) -> Self {
         for remedy in self.findings.iter().filter_map(|found| found.remedy.as_ref()) {
             if !self.steps.contains(remedy) {
@@ -133,18 +132,18 @@ impl CheckResult {
         self
     }
 
-    /// The steps up to the one that puts a finding right, this one last; empty if no step does.
-    pub fn steps_to(&self, finding: &Found) -> &[Request] {
+    /// The steps up to and with the one that corrects the finding; empty if no step does.
+    pub fn steps_to(&self, finding: &FindingWithRemedy) -> &[Request] {
         let last = self.steps.iter().position(|step| finding.remedy.as_ref() == Some(step));
         last.and_then(|last| self.steps.get(..=last)).unwrap_or_default()
     }
 
-    /// Whether something is as bad as `severity`, or worse.
+    /// Whether a finding is as bad as `severity`, or worse.
     pub fn reaches(&self, severity: Severity) -> bool {
         self.findings.iter().any(|finding| finding.severity >= severity)
     }
 
-    /// Spells everything it says in the words of a front end.
+    /// Puts all its texts into the words of a front end.
     pub fn spell(&mut self, speller: &dyn Speller) {
         self.verdicts.iter_mut().for_each(|verdict| verdict.spell(speller));
         self.findings.iter_mut().for_each(|finding| finding.spell(speller));

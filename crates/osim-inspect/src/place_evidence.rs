@@ -1,0 +1,409 @@
+//! What one model file alone shows about the places of its spheres: its note, published layouts of spheres, and how far spheres reach.
+
+use std::cell::{OnceCell, RefCell};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use osim_model::{Model, ScaledSinceNote};
+use serde::Deserialize;
+use sha2::{Digest, Sha256};
+
+use crate::reach::{BodyBones, Reach, reaches, same_size};
+
+/// Whether spheres are at the right places, as far as the file shows it.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum PlaceEvidence {
+    /// The note shows that bodies were scaled and the spheres stayed.
+    ScaledSinceNote(ScaledSinceNote),
+    /// The spheres have the places of a published layout, but the bones have another size.
+    OtherSize(LayoutMatch),
+    /// Each foot has the places that the published layout of this title has on the other foot.
+    Mirrored(&'static str),
+    /// These spheres reach further than published ones.
+    FarReach(Vec<Reach>),
+    /// The note, or a published layout on bones of its size, shows that the spheres are at the right places.
+    Right,
+    /// Nothing in the file shows that bones were scaled.
+    Unscaled,
+    /// Bones were scaled, and nothing shows whether spheres followed.
+    Unknown,
+}
+
+impl PlaceEvidence {
+    /// What `model` shows. `noted` is what its note says about sizes, if it has such a note.
+    pub(crate) fn of(model: &Model, noted: Option<ScaledSinceNote>) -> Self {
+        let bones = BodyBones::of(model);
+        // Also before a note, which only says that spheres are where somebody put them.
+        if let Some(title) = bones.and_then(|bones| find_mirrored_layout(model, bones)) {
+            return Self::Mirrored(title);
+        }
+        if let Some(noted) = noted {
+            return if noted.is_scaled() { Self::ScaledSinceNote(noted) } else { Self::Right };
+        }
+        let Some(bones) = bones else { return Self::Unscaled };
+        match find_layout(model, bones) {
+            Some(LayoutMatch::AsPublished) => return Self::Right,
+            Some(other) => return Self::OtherSize(other),
+            None => {}
+        }
+        let far: Vec<Reach> = reaches(model, bones).into_iter().filter(Reach::is_odd).collect();
+        if !far.is_empty() {
+            return Self::FarReach(far);
+        }
+        let carriers = model.loaded_spheres(&model.force_ids());
+        let mut bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_deref());
+        // Only feet count: meshes of balls and blocks are stretched to their size.
+        let is_scaled =
+            |body: &str| bones.is_foot(body) && bones.size(body).is_some_and(|size| !is_unit(size));
+        if bodies.any(is_scaled) { Self::Unknown } else { Self::Unscaled }
+    }
+
+    /// Whether spheres are where they should not be. Other corrections wait until they are moved.
+    pub(crate) fn is_wrong(&self) -> bool {
+        matches!(self, Self::ScaledSinceNote(_) | Self::OtherSize(_) | Self::Mirrored(_) | Self::FarReach(_))
+    }
+
+    /// Whether spheres are known to be where they belong.
+    pub(crate) fn is_right(&self) -> bool {
+        matches!(self, Self::Right)
+    }
+}
+
+/// Whether the factors of meshes are 1, or convert a unit of length, such as 0.001.
+fn is_unit(factors: [f64; 3]) -> bool {
+    (-6..=3).any(|exponent| same_size(factors, [10_f64.powi(exponent); 3]))
+}
+
+// Published layouts of contact spheres, `layouts.json`, and the sizes of bones on which they were published.
+//
+// A layout is recognised by its places. If its licence does not allow copying, the table has a digest of the places, in
+// whole micrometres, from which they cannot be read.
+
+/// Places that differ by no more than this in each axis are the same, m.
+const SAME_PLACE_M: f64 = 1e-6;
+
+/// Where the contact spheres of a published model are.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PublishedLayout {
+    #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
+    name: String,
+    /// How people cite the publication.
+    title: String,
+    /// Where the layout was published, under which licence.
+    #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
+    source: String,
+    /// For each published size of the bones, the factors of each body's meshes; names of bodies are without their side.
+    sizes: Vec<BTreeMap<String, [f64; 3]>>,
+    places: Option<Vec<PublishedPlace>>,
+    /// Digest of the places, if the licence does not allow copying them.
+    digest: Option<String>,
+}
+
+/// The name of a body, and x, y, z of a sphere centre in it, m.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+struct PublishedPlace(String, f64, f64, f64);
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Centre<'m> {
+    body: &'m str,
+    at_m: [f64; 3],
+}
+
+/// The sphere centres of a model, with digests that are computed when a layout is compared by them.
+struct DigestedCentres<'m> {
+    list: Vec<Centre<'m>>,
+    digest: OnceCell<String>,
+    /// The centres divided by the growth of their bones, and the digest of that; one entry for each published size that was compared.
+    rescaled: RefCell<Vec<(Vec<Centre<'m>>, String)>>,
+}
+
+impl<'m> From<Vec<Centre<'m>>> for DigestedCentres<'m> {
+    fn from(list: Vec<Centre<'m>>) -> Self {
+        Self { list, digest: OnceCell::new(), rescaled: RefCell::default() }
+    }
+}
+
+/// How the bones of a model fit the published layout that its spheres have.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum LayoutMatch {
+    /// The bones are as large as published, or the layout grew with them.
+    AsPublished,
+    /// The bones have another size than published; one of them is named.
+    OtherSize {
+        /// How people cite the publication.
+        title: &'static str,
+        body: String,
+        /// The factors of the body's meshes along x, y and z, here and as published.
+        here: [f64; 3],
+        published: [f64; 3],
+    },
+}
+
+/// The published layout that the spheres of `model` have; `None` if it is not known, or nothing shows how large the bones are.
+fn find_layout(model: &Model, bones: &BodyBones) -> Option<LayoutMatch> {
+    let list = sphere_centres(model)?;
+    LayoutCache::of(model, &list).layout.get_or_init(|| match_layout(list, bones)).clone()
+}
+
+/// The layouts that were found for one list of sphere centres. It is kept with the bodies of a model, because most changes leave the
+/// places as they are.
+#[derive(Debug, Default)]
+struct LayoutCache {
+    places: Vec<(String, [f64; 3])>,
+    layout: OnceLock<Option<LayoutMatch>>,
+    mirrored: OnceLock<Option<&'static str>>,
+}
+
+impl LayoutCache {
+    fn of(model: &Model, list: &[Centre<'_>]) -> Arc<Self> {
+        let last = model.derived_from_bodies(|_| Mutex::new(Arc::<Self>::default()));
+        let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);
+        let places = list.iter().map(|place| (place.body, place.at_m));
+        if !places.clone().eq(last.places.iter().map(|(body, at_m)| (body.as_str(), *at_m))) {
+            let places = places.map(|(body, at_m)| (body.to_owned(), at_m)).collect();
+            *last = Arc::new(Self { places, ..Self::default() });
+        }
+        Arc::clone(&last)
+    }
+}
+
+fn match_layout(list: Vec<Centre<'_>>, bones: &BodyBones) -> Option<LayoutMatch> {
+    let centres = DigestedCentres::from(list);
+    let Some(layout) = layouts().iter().find(|layout| layout.has_places(&centres)) else {
+        let followed = layouts().iter().any(|layout| layout.grew_to(&centres, bones));
+        return followed.then_some(LayoutMatch::AsPublished);
+    };
+    let sizes: Vec<(&str, [f64; 3])> =
+        centres.list.iter().filter_map(|place| Some((place.body, bones.size(place.body)?))).collect();
+    if sizes.is_empty() {
+        return None;
+    }
+    let differs = |published: &BTreeMap<String, [f64; 3]>| {
+        sizes.iter().find_map(|&(body, here)| {
+            let published = *published.get(published_name(body))?;
+            (!same_size(here, published)).then(|| (body.to_owned(), here, published))
+        })
+    };
+    // If the bones have none of the published sizes, the difference from the first is reported.
+    let differences: Option<Vec<_>> = layout.sizes.iter().map(differs).collect();
+    let first = differences.and_then(|differences| differences.into_iter().next());
+    let Some((body, here, published)) = first else { return Some(LayoutMatch::AsPublished) };
+    Some(LayoutMatch::OtherSize { title: &layout.title, body, here, published })
+}
+
+/// The title of the published layout whose mirror image the spheres of `model` are: each foot has the places of the other one. `None` if
+/// the spheres also are as published, because a layout can be symmetric.
+fn find_mirrored_layout(model: &Model, bones: &BodyBones) -> Option<&'static str> {
+    let list = sphere_centres(model)?;
+    *LayoutCache::of(model, &list).mirrored.get_or_init(|| match_mirrored_layout(list, bones))
+}
+
+fn match_mirrored_layout(list: Vec<Centre<'_>>, bones: &BodyBones) -> Option<&'static str> {
+    let mirrored = list.iter().map(Centre::mirrored).collect();
+    let title = layout_with(mirrored, bones)?.title.as_str();
+    layout_with(list, bones).is_none().then_some(title)
+}
+
+/// The layout with these centres, in a published size or grown with the bones.
+fn layout_with(list: Vec<Centre<'_>>, bones: &BodyBones) -> Option<&'static PublishedLayout> {
+    let centres = DigestedCentres::from(list);
+    layouts().iter().find(|layout| layout.has_places(&centres) || layout.grew_to(&centres, bones))
+}
+
+/// Centres of the spheres that carry weight; `None` if the place of one is not known, or there are none.
+fn sphere_centres(model: &Model) -> Option<Vec<Centre<'_>>> {
+    let spheres = model.loaded_spheres(&model.force_ids());
+    let place = |&id| {
+        let body = model.sphere(id)?.body.as_deref()?;
+        Some(Centre { body, at_m: model.centre_m(id)?.to_array() })
+    };
+    spheres.iter().map(place).collect::<Option<Vec<Centre<'_>>>>().filter(|places| !places.is_empty())
+}
+
+impl PublishedLayout {
+    fn has_places(&self, centres: &DigestedCentres<'_>) -> bool {
+        self.matches(&centres.list, |own| own == centres.digest.get_or_init(|| digest(&centres.list)))
+    }
+
+    /// Whether `list` has the places of the layout, or their digest if the layout only has that.
+    fn matches(&self, list: &[Centre<'_>], has_digest: impl FnOnce(&str) -> bool) -> bool {
+        match (&self.places, &self.digest) {
+            (Some(places), _) => {
+                let is_there = |place: &PublishedPlace| list.iter().any(|centre| place.is_at(centre));
+                places.len() == list.len() && places.iter().all(is_there)
+            }
+            (None, Some(digest)) => has_digest(digest),
+            (None, None) => false,
+        }
+    }
+
+    /// Whether each centre is the place of the layout times the factor by which its bone is larger than published.
+    fn grew_to(&self, centres: &DigestedCentres<'_>, bones: &BodyBones) -> bool {
+        self.sizes.iter().any(|published| {
+            let back = centres.list.iter().map(|&Centre { body, at_m }| {
+                let (here, published) = (bones.size(body)?, published.get(published_name(body))?);
+                let at_m = std::array::from_fn(|axis| at_m[axis] * (published[axis] / here[axis]));
+                Some(Centre { body, at_m })
+            });
+            let back: Option<Vec<Centre<'_>>> = back.collect();
+            back.is_some_and(|back| self.matches(&back, |own| centres.rescaled_have_digest(&back, own)))
+        })
+    }
+}
+
+impl<'m> DigestedCentres<'m> {
+    /// Whether `rescaled`, these centres on bones of another size, have the digest `expected`.
+    fn rescaled_have_digest(&self, rescaled: &[Centre<'m>], expected: &str) -> bool {
+        let mut computed = self.rescaled.borrow_mut();
+        if let Some((_, digest)) = computed.iter().find(|(list, _)| list == rescaled) {
+            return digest == expected;
+        }
+        let digest = digest(rescaled);
+        let is_equal = digest == expected;
+        computed.push((rescaled.to_vec(), digest));
+        is_equal
+    }
+}
+
+impl Centre<'_> {
+    /// The place on the other foot that mirrors this one, in its frame.
+    fn mirrored(&self) -> Self {
+        let [x, y, z] = self.at_m;
+        Self { at_m: [x, y, -z], ..*self }
+    }
+}
+
+impl PublishedPlace {
+    fn is_at(&self, other: &Centre<'_>) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= SAME_PLACE_M;
+        let [x, y, z] = other.at_m;
+        self.0 == other.body && near(self.1, x) && near(self.2, y) && near(self.3, z)
+    }
+}
+
+/// A digest of the places in whole micrometres, whatever their order.
+fn digest(places: &[Centre<'_>]) -> String {
+    #[expect(clippy::cast_possible_truncation, reason = "no foot is kilometres long")]
+    let micrometres = |metres: f64| (metres * 1e6).round() as i64;
+    let mut lines: Vec<String> = places
+        .iter()
+        .map(|Centre { body, at_m: [x, y, z] }| {
+            format!("{body} {} {} {}\n", micrometres(*x), micrometres(*y), micrometres(*z))
+        })
+        .collect();
+    lines.sort();
+    let hash = Sha256::digest(lines.concat());
+    hash.iter().take(16).fold(String::with_capacity(32), |mut text, byte| {
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}
+
+/// The name of a body in the table of layouts: `calcn` for `calcn_r`.
+fn published_name(body: &str) -> &str {
+    ["_r", "_l"].iter().find_map(|side| body.strip_suffix(side)).unwrap_or(body)
+}
+
+fn layouts() -> &'static [PublishedLayout] {
+    static LAYOUTS: OnceLock<Vec<PublishedLayout>> = OnceLock::new();
+    // A test checks that the table can be read.
+    LAYOUTS.get_or_init(|| serde_json::from_str(include_str!("layouts.json")).unwrap_or_default())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+    use std::path::PathBuf;
+
+    use super::*;
+
+    /// Models of the corpus that have contacts, with their names.
+    fn corpus_models_with_contacts() -> Vec<(String, Model)> {
+        let Some(folder) =
+            std::env::var_os("OSIM_CORPUS").map(PathBuf::from).filter(|folder| folder.is_dir())
+        else {
+            eprintln!(
+                "skipped: evidence of published models: OSIM_CORPUS is not set to the folder of real models"
+            );
+            return Vec::new();
+        };
+        let mut paths: Vec<PathBuf> =
+            std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+        paths.retain(|path| path.extension().is_some_and(|end| end == "osim"));
+        paths.sort();
+        let read = |path: &PathBuf| {
+            let model = Model::parse(std::fs::read(path).unwrap()).ok()?;
+            let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+            (!model.loaded_spheres(&model.force_ids()).is_empty()).then_some((name, model))
+        };
+        let models: Vec<_> = paths.iter().filter_map(read).collect();
+        assert!(models.len() >= 15, "{} models with contacts", models.len());
+        models
+    }
+
+    #[test]
+    fn spheres_of_published_models_are_not_reported() {
+        for (name, model) in corpus_models_with_contacts() {
+            let evidence = PlaceEvidence::of(&model, None);
+            assert!(!evidence.is_wrong(), "{name}: {evidence:?}");
+            assert_ne!(
+                evidence,
+                PlaceEvidence::Unknown,
+                "{name}: its layout is in the table, or its bones are not scaled"
+            );
+        }
+    }
+
+    const FALISSE: &str = include_str!("../../../fixtures/check/known_contacts.osim");
+
+    /// `text` with the sign of z changed in the place of each sphere.
+    fn mirrored(text: &str) -> String {
+        let with_opposite_z = |part: &str| {
+            let start = part.find("<location>").unwrap() + "<location>".len();
+            let end = start + part[start..].find('<').unwrap();
+            let [x, y, z] = *part[start..end].split(' ').collect::<Vec<_>>() else { panic!("{part}") };
+            let z: f64 = z.parse().unwrap();
+            format!("{}{x} {y} {}{}", &part[..start], -z, &part[end..])
+        };
+        let mut parts = text.split("<ContactSphere ");
+        let first = parts.next().unwrap().to_owned();
+        parts.fold(first, |text, part| format!("{text}<ContactSphere {}", with_opposite_z(part)))
+    }
+
+    #[test]
+    fn feet_with_the_places_of_the_other_foot_are_reported() {
+        let evidence = |text: &str| PlaceEvidence::of(&Model::parse(text).unwrap(), None);
+        assert_eq!(evidence(FALISSE), PlaceEvidence::Right);
+        let swapped = mirrored(FALISSE);
+        assert_eq!(evidence(&swapped), PlaceEvidence::Mirrored("Falisse et al. (2022)"));
+        assert_eq!(evidence(&mirrored(&swapped)), PlaceEvidence::Right);
+        // Also on bones of another size.
+        let grown = swapped.replace("0.913924 0.913924 0.913924", "0.8 0.8 0.8");
+        assert_eq!(evidence(&grown), PlaceEvidence::Mirrored("Falisse et al. (2022)"));
+    }
+
+    #[test]
+    fn the_table_of_layouts_is_complete() {
+        let layouts: Vec<PublishedLayout> = serde_json::from_str(include_str!("layouts.json")).unwrap();
+        assert!(layouts.len() >= 10);
+        let names: BTreeSet<&str> = layouts.iter().map(|layout| layout.name.as_str()).collect();
+        assert_eq!(names.len(), layouts.len());
+        for layout in &layouts {
+            assert!(layout.places.is_some() != layout.digest.is_some(), "{}", layout.name);
+            assert!(!layout.sizes.is_empty() && !layout.source.is_empty(), "{}", layout.name);
+            assert!(layout.digest.as_ref().is_none_or(|digest| digest.len() == 32), "{}", layout.name);
+        }
+    }
+
+    #[test]
+    fn a_digest_depends_on_micrometres_and_not_on_the_order() {
+        let heel = Centre { body: "calcn_r", at_m: [0.01, -0.02, 0.0] };
+        let toe = Centre { body: "toes_r", at_m: [0.03, 0.0, 0.001] };
+        let one = digest(&[heel, toe]);
+        assert_eq!(one, digest(&[toe, heel]));
+        assert_ne!(one, digest(&[Centre { at_m: [0.010001, -0.02, 0.0], ..heel }, toe]));
+    }
+}

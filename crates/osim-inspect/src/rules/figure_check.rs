@@ -1,0 +1,84 @@
+//! What the rules about figures of spheres share: the spheres beyond a limit, and findings about them.
+
+use osim_model::{Finding, Rule};
+
+use crate::figures::{Figure, SphereFigures};
+use crate::findings::Remedies;
+use crate::inspection::{InspectedForce, Inspection};
+
+/// x̂ at which a sphere is in the floor up to its centre.
+pub(super) const UP_TO_CENTRE: f64 = 1.0;
+
+/// The figures of a model that rules compare with limits, and the remedies for it.
+pub(crate) struct FigureCheck<'l> {
+    pub(super) inspected: &'l Inspection,
+    pub(super) remedies: &'l Remedies<'l>,
+    pub(super) spheres: Vec<&'l SphereFigures>,
+}
+
+/// The spheres that a finding is about, and the one with the largest figure.
+pub(super) struct AffectedSpheres<'l> {
+    pub(super) largest: f64,
+    pub(super) worst: &'l SphereFigures,
+    all: Vec<&'l SphereFigures>,
+}
+
+/// The value of a figure, if it is beyond its limit.
+pub(super) fn value_beyond_limit(sphere: &SphereFigures, figure: Figure) -> Option<f64> {
+    sphere.value(figure).filter(|_| sphere.is_within(figure) == Some(false))
+}
+
+impl<'l> FigureCheck<'l> {
+    pub(crate) fn new(inspected: &'l Inspection, remedies: &'l Remedies<'l>) -> Self {
+        Self { inspected, remedies, spheres: inspected.figures.spheres().collect() }
+    }
+
+    /// The spheres for which `figure` gives a value.
+    pub(super) fn spheres_with(
+        &self,
+        figure: impl Fn(&SphereFigures) -> Option<f64>,
+    ) -> Option<AffectedSpheres<'l>> {
+        let affected: Vec<(f64, &SphereFigures)> =
+            self.spheres.iter().filter_map(|sphere| Some((figure(sphere)?, *sphere))).collect();
+        // The first of equally bad ones.
+        let (largest, worst) = affected.iter().copied().reduce(|a, b| if b.0 > a.0 { b } else { a })?;
+        let all = affected.into_iter().map(|(_, sphere)| sphere).collect();
+        Some(AffectedSpheres { largest, worst, all })
+    }
+
+    /// A finding about spheres, placed at the worst of them.
+    pub(super) fn finding_at_sphere(
+        &self,
+        rule: &'static Rule,
+        text: &str,
+        affected: &AffectedSpheres<'_>,
+    ) -> Finding {
+        let AffectedSpheres { worst, all, .. } = affected;
+        let which = match (all.len(), self.spheres.len()) {
+            (1, _) => worst.sphere.clone(),
+            (some, total) if some == total => format!("all {total} spheres"),
+            (some, total) => format!("{some} of {total} spheres, most in {}", worst.sphere),
+        };
+        let line =
+            self.inspected.spheres.iter().find(|sphere| sphere.path == worst.path).map(|sphere| sphere.line);
+        let finding = Finding::new(rule, format!("{text} ({which})")).with_place(&worst.path);
+        finding.with_line(line).with_spheres(all.iter().map(|sphere| sphere.sphere.clone()).collect())
+    }
+
+    /// A finding about spheres, placed at the force that presses the worst of them, because its parameters can be changed.
+    pub(super) fn finding_at_force(
+        &self,
+        rule: &'static Rule,
+        text: &str,
+        affected: &AffectedSpheres<'_>,
+    ) -> Finding {
+        let (finding, sphere) = (self.finding_at_sphere(rule, text, affected), affected.worst);
+        let presses = |force: &&InspectedForce| {
+            sphere.forces.contains(&force.name) && force.spheres.contains(&sphere.sphere)
+        };
+        match self.inspected.forces.iter().find(presses) {
+            Some(force) => finding.with_place(&force.path).with_line(Some(force.line)),
+            None => finding,
+        }
+    }
+}
