@@ -98,7 +98,10 @@ fn a_schema_says_what_a_figure_is_with_equation_and_unit() {
         (Figure::Radius, "Radius R, m."),
         (Figure::MeanContactStress, "Mean contact stress σ under one body weight (15), N/m2."),
         (Figure::Indentation, "x̂ under its share of one body weight, by the Hertz law (11)."),
-        (Figure::TouchingShare, "Force at rest while the sphere just touches, over its share of one body weight."),
+        (
+            Figure::TouchingShare,
+            "Force at rest while the sphere just touches, over its share of one body weight.",
+        ),
     ] {
         assert_eq!(described(figure), text);
     }

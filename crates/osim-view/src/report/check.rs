@@ -116,7 +116,13 @@ fn published(found: &CheckResult) -> String {
     }
 }
 
-fn block(first: &FindingWithRemedy, alike: &[&FindingWithRemedy], more: &str, colour: Colour, extent: Extent) -> String {
+fn block(
+    first: &FindingWithRemedy,
+    alike: &[&FindingWithRemedy],
+    more: &str,
+    colour: Colour,
+    extent: Extent,
+) -> String {
     let mut text = format!("{} {}\n", severity(first.severity, colour), first.code());
     for finding in alike {
         let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();

@@ -72,7 +72,10 @@ pub fn value(figure: Figure, sphere: &SphereFigures, extent: Extent) -> Option<F
 }
 
 fn shown(extent: Extent) -> impl Iterator<Item = Figure> {
-    Figure::ALL.iter().copied().filter(move |figure| extent.is_full() || figure.visibility() != FigureVisibility::Never)
+    Figure::ALL
+        .iter()
+        .copied()
+        .filter(move |figure| extent.is_full() || figure.visibility() != FigureVisibility::Never)
 }
 
 /// What is shown of a sphere: spheres with the same figures share a column.
