@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::InspectOptions;
 use osim_model::files::{InMemory, ModelFiles, OpenModel};
-use osim_planning::{BeforeAfter, Change, changeable, check_with_remedies, prepare};
+use osim_planning::{BeforeAfter, PreparedChange, changeable, check_with_remedies, prepare};
 use osim_requests::spell::CommandLine;
 use serde_json::json;
 
@@ -40,7 +40,7 @@ fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
             json!({"verb": "set", "models": "model.osim", "set": {"stiffness": "x2"}}),
             json!({"verb": "design", "models": "model.osim", "restitution": 0.9, "impact_speed": 0.1}),
         ] {
-            let change: Change = prepare(read(&request), &files).unwrap();
+            let change: PreparedChange = prepare(read(&request), &files).unwrap();
             let Ok(changed) = Changed::new(&change, Path::new("model.osim"), &files) else { continue };
             let asked = Cell::new(0);
             let beside = change.set_files.companion_paths();
@@ -52,7 +52,7 @@ fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
             };
             let before = found(&change.options, &changed.opened);
             let both =
-                BeforeAfter::of(&change, &changed.opened, &changed.plan, new_files, &CommandLine, false)
+                BeforeAfter::of_plan(&change, &changed.opened, &changed.plan, new_files, &CommandLine, false)
                     .unwrap();
             assert_eq!(
                 serde_json::to_value(&both.before.1).unwrap(),

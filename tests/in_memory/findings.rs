@@ -19,7 +19,7 @@ use crate::support::{Bench, HUMAN};
 
 /// What is found in a model, spelled.
 fn checked(request: &CheckRequest, path: &Path, files: &InMemory) -> CheckResult {
-    let inspector = Inspector::of_check(request, files);
+    let inspector = Inspector::for_check(request, files);
     let opened = open_with(path, inspector.set_files().companion_paths(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     inspector.refuse_without_contacts(&opened, &inspected).unwrap();
@@ -106,7 +106,7 @@ fn remedies() {
 #[test]
 fn a_remedy_in_the_words_of_requests_is_a_request() {
     let bench = Bench::human();
-    let inspector = Inspector::of_check(&check_of("human.osim"), &files_of(&bench));
+    let inspector = Inspector::for_check(&check_of("human.osim"), &files_of(&bench));
     let opened =
         open_with(Path::new("human.osim"), inspector.set_files().companion_paths(), &files_of(&bench))
             .unwrap();

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use osim_model::FileId;
 use osim_model::files::{Failure, InMemory, ModelFiles, OpenModel};
 use osim_patch::Plan;
-use osim_planning::{Change, prepare};
+use osim_planning::{PreparedChange, prepare};
 use osim_requests::Request;
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::CommandLine;
@@ -60,7 +60,7 @@ pub(crate) struct NewFile {
 
 impl Changed {
     /// Does `change` to the model that is called `path`.
-    pub(crate) fn new(change: &Change, path: &Path, files: &InMemory) -> Result<Self, Failure> {
+    pub(crate) fn new(change: &PreparedChange, path: &Path, files: &InMemory) -> Result<Self, Failure> {
         let opened = change.open(path, files)?;
         let mut plan = change.plan(&opened, files)?;
         plan.spell(&CommandLine);

@@ -16,7 +16,7 @@ use crate::support::{Bench, HUMAN};
 
 /// All models of a request, inspected and spelled.
 fn inspected(request: &InspectRequest, files: &InMemory) -> Vec<Inspection> {
-    let inspector = Inspector::of_inspect(request, files);
+    let inspector = Inspector::for_inspect(request, files);
     let one = |path| {
         let opened = open_with(path, inspector.set_files().companion_paths(), files).unwrap();
         let mut inspected = inspector.inspect(&opened).unwrap();

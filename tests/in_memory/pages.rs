@@ -39,13 +39,13 @@ fn of_an_inspection() {
     let bench = Bench::human();
     let files = files_of(&bench);
     let request = request!(Inspect, {"verb": "inspect", "models": "human.osim"});
-    let inspector = Inspector::of_inspect(&request, &files);
+    let inspector = Inspector::for_inspect(&request, &files);
     let opened = open_with(&request.models[0], inspector.set_files().companion_paths(), &files).unwrap();
     let mut inspected = inspector.inspect(&opened).unwrap();
     let mut found = inspector.check(&opened.model, &inspected, None, &files);
     inspected.spell(&CommandLine);
     found.spell(&CommandLine);
-    let mut feet = ModelFeet::of(opened.name(), &opened, &inspector.options().selection).unwrap();
+    let mut feet = ModelFeet::of_selection(opened.name(), &opened, &inspector.options().selection).unwrap();
     feet.add_bones(&opened.model, &request.models[0], None, &files);
     let shown = Inspected {
         recording: None,
@@ -73,7 +73,7 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
     let changed = Changed::new(&change, path, &files).unwrap();
     let new_files = || changed_files(path, &change.set_files.companion_paths(), &files, &changed);
     let both =
-        BeforeAfter::of(&change, &changed.opened, &changed.plan, new_files, &CommandLine, true).unwrap();
+        BeforeAfter::of_plan(&change, &changed.opened, &changed.plan, new_files, &CommandLine, true).unwrap();
 
     let (shown, names) = (changed.opened.name().to_string(), changed.names());
     let mut row = RunRow::new(shown.as_str(), "written");

@@ -15,7 +15,7 @@ use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, Model, Needed};
 use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestError, RequestFault};
 
-use self::Value::{Always, Shown};
+use self::FigureValue::{Always, Shown};
 use crate::calculator::STANDARD_GRAVITY_M_S2;
 use crate::opening::Subject;
 
@@ -28,31 +28,29 @@ pub struct DropResult {
     /// n, spheres that share the weight.
     pub sphere_count: f64,
     pub report: DropReport,
-    /// How far it is from another drop, where one was asked for.
+    /// The difference from another drop, if the request compares with one.
     pub compared: Option<ComparedDrop>,
-    /// Bodies that weigh something else than their contacts were made for, by their names.
+    /// Bodies that weigh something else than their contacts were made for, each with its name.
     pub mismatches: Vec<(String, MassMismatch)>,
 }
 
 #[derive(Debug, Clone)]
 pub struct ComparedDrop {
     pub name: FileName,
-    /// How far apart they are without dimensions.
+    /// Differences without dimensions.
     pub difference: Difference,
 }
 
-// Lets a body fall on its contacts.
-
-/// A body about to fall.
-struct Falling {
+/// A body with its contacts, ready to fall.
+struct PreparedDrop {
     name: FileName,
     test: DropTest,
     sphere_count: f64,
     mismatch: Option<MassMismatch>,
 }
 
-/// What the request says about one of the two bodies; what is about the first does not count for the other.
-struct Own {
+/// The options for one of the two bodies: those for the first do not apply to the one it is compared with.
+struct BodyOptions {
     mass_kg: Option<f64>,
     spheres: Option<f64>,
     stance_limbs: Option<f64>,
@@ -60,7 +58,7 @@ struct Own {
     count_of: CountedSpheres,
 }
 
-impl Own {
+impl BodyOptions {
     /// Limbs that share the weight of `model`.
     fn limb_count(&self, model: &Model) -> f64 {
         Stance { limbs: self.stance_limbs, ..Stance::default() }.limb_count(model)
@@ -72,34 +70,34 @@ impl Own {
 /// # Errors
 /// Numbers that are missing or contradict a model, a model that cannot be read, or a drop that cannot be followed.
 pub fn run_drop_test(request: &DropTestRequest, files: &dyn Files) -> Result<DropResult, RequestError> {
-    let falling = subject(request, files)?;
+    let prepared_drop = drop_of_subject(request, files)?;
     let other = match &request.compare {
-        Some(path) => Some(named(request, path, &about_other(request), files)?),
+        Some(path) => Some(drop_of_named(request, path, &options_for_compared(request), files)?),
         None => None,
     };
-    let failed = |error: DropError| Failure::outside(&falling.name, "drop-test", error.to_string());
-    let report = falling.test.run().map_err(failed)?;
+    let failed = |error: DropError| Failure::outside(&prepared_drop.name, "drop-test", error.to_string());
+    let report = prepared_drop.test.run().map_err(failed)?;
     let is_finite = |sample| DropColumn::ALL.iter().all(|column| column.value(&report, sample).is_finite());
     if !report.series.iter().all(is_finite) {
         let why = "the series of this drop is not finite, expected a shorter duration, or masses, radii and gravity of a real body";
-        return Err(Failure::outside(&falling.name, "drop-test", why).into());
+        return Err(Failure::outside(&prepared_drop.name, "drop-test", why).into());
     }
     let compared = match &other {
         Some(other) => {
-            let difference = compare(&falling.test, &other.test).map_err(failed)?;
+            let difference = compare(&prepared_drop.test, &other.test).map_err(failed)?;
             Some(ComparedDrop { name: other.name.clone(), difference })
         }
         None => None,
     };
-    let values = falling.test.values();
-    let both = [Some(&falling), other.as_ref()].into_iter().flatten();
+    let values = prepared_drop.test.values();
+    let both = [Some(&prepared_drop), other.as_ref()].into_iter().flatten();
     let mismatches = both.filter_map(|one| Some((one.name.to_string(), one.mismatch.clone()?))).collect();
-    let (name, sphere_count) = (falling.name.clone(), falling.sphere_count);
+    let (name, sphere_count) = (prepared_drop.name.clone(), prepared_drop.sphere_count);
     Ok(DropResult { name, values, sphere_count, report, compared, mismatches })
 }
 
-fn about_subject(request: &DropTestRequest) -> Own {
-    Own {
+fn options_for_subject(request: &DropTestRequest) -> BodyOptions {
+    BodyOptions {
         mass_kg: request.masses.mass.map(Kilograms::get),
         spheres: request.counts.spheres(),
         stance_limbs: request.counts.stance_limbs.map(Count::get),
@@ -108,8 +106,8 @@ fn about_subject(request: &DropTestRequest) -> Own {
     }
 }
 
-fn about_other(request: &DropTestRequest) -> Own {
-    Own {
+fn options_for_compared(request: &DropTestRequest) -> BodyOptions {
+    BodyOptions {
         mass_kg: None,
         spheres: request.compare_spheres.map(Count::get),
         stance_limbs: None,
@@ -118,31 +116,35 @@ fn about_other(request: &DropTestRequest) -> Own {
     }
 }
 
-/// The model, preset or numbers to drop.
-fn subject(request: &DropTestRequest, files: &dyn Files) -> Result<Falling, RequestError> {
-    let Some(path) = &request.subject else { return Ok(of_numbers(request)?) };
+/// The body of the model, the preset or the numbers that the request gives.
+fn drop_of_subject(request: &DropTestRequest, files: &dyn Files) -> Result<PreparedDrop, RequestError> {
+    let Some(path) = &request.subject else { return Ok(drop_of_numbers(request)?) };
     let given = request.numbers.given();
     if !given.is_empty() {
         let mut message = phrase!["a model or preset has its own numbers: leave out "];
         push_listed(&mut message, &given);
         return Err(RequestFault::general(message).into());
     }
-    named(request, path, &about_subject(request), files)
+    drop_of_named(request, path, &options_for_subject(request), files)
 }
 
-fn named(
+fn drop_of_named(
     request: &DropTestRequest,
     path: &Path,
-    own: &Own,
+    own: &BodyOptions,
     files: &dyn Files,
-) -> Result<Falling, RequestError> {
+) -> Result<PreparedDrop, RequestError> {
     match Subject::find(path, request.presets.as_deref(), &request.set_files, files)? {
-        Subject::Preset(preset) => Ok(of_preset(request, &preset, own)?),
-        Subject::Model(open) => Ok(of_model(request, &open, own).map_err(|fault| open.failure(fault))?),
+        Subject::Preset(preset) => Ok(drop_of_preset(request, &preset, own)?),
+        Subject::Model(open) => Ok(drop_of_model(request, &open, own).map_err(|fault| open.failure(fault))?),
     }
 }
 
-fn of_model(request: &DropTestRequest, open: &OpenModel, own: &Own) -> Result<Falling, Fault> {
+fn drop_of_model(
+    request: &DropTestRequest,
+    open: &OpenModel,
+    own: &BodyOptions,
+) -> Result<PreparedDrop, Fault> {
     let model = &open.model;
     let masses = MassRequest { model_kg: own.mass_kg, ..request.masses.request() };
     let slip = unexplained_mass_slip(&masses, model, &request.choice.selection());
@@ -154,23 +156,27 @@ fn of_model(request: &DropTestRequest, open: &OpenModel, own: &Own) -> Result<Fa
     let spheres = standing_spheres(model, &selected.forces, count)?;
     let gravity = own.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
     let Some(gravity) = gravity else {
-        // `gravity` is about the first body alone.
+        // The option `gravity` applies to the first body alone.
         let purpose = match own.count_of {
             CountedSpheres::Compared => GravityFor::Compared,
             _ => GravityFor::Weight,
         };
         return Err(Fault::new(Needed::Gravity { purpose }));
     };
-    // It falls along the normal of its floor.
+    // The body falls along the normal of its floor.
     let along_normal = gravity * weight_share_on_floor(model, sharing.forces());
     let weight = Weight { mass_kg: mass.kg, gravity_m_s2: along_normal, sphere_count: count };
-    let falling =
-        falling(request, open.name(), spheres, &weight).map_err(|error| Fault::refused(error.to_string()))?;
+    let prepared_drop = prepared_drop(request, open.name(), spheres, &weight)
+        .map_err(|error| Fault::refused(error.to_string()))?;
     let mismatch = MassMismatch::find(model, &masses);
-    Ok(Falling { mismatch, ..falling })
+    Ok(PreparedDrop { mismatch, ..prepared_drop })
 }
 
-fn of_preset(request: &DropTestRequest, preset: &Preset, own: &Own) -> Result<Falling, RequestFault> {
+fn drop_of_preset(
+    request: &DropTestRequest,
+    preset: &Preset,
+    own: &BodyOptions,
+) -> Result<PreparedDrop, RequestFault> {
     let scale = &preset.scale;
     let on_limbs = scale.sphere_count() * own.stance_limbs.unwrap_or(1.0);
     let count = own.spheres.unwrap_or(on_limbs);
@@ -180,11 +186,11 @@ fn of_preset(request: &DropTestRequest, preset: &Preset, own: &Own) -> Result<Fa
         sphere_count: count,
     };
     let spheres = Law::of(&preset.contact, scale.radius_m()).and_then(|law| Spheres::new(law, count));
-    let spheres = vec![spheres.map_err(refused)?];
-    falling(request, &*preset.name, spheres, &weight).map_err(refused)
+    let spheres = vec![spheres.map_err(domain_fault)?];
+    prepared_drop(request, &*preset.name, spheres, &weight).map_err(domain_fault)
 }
 
-fn of_numbers(request: &DropTestRequest) -> Result<Falling, RequestFault> {
+fn drop_of_numbers(request: &DropTestRequest) -> Result<PreparedDrop, RequestFault> {
     let numbers = &request.numbers;
     let needed = [
         (Input::Mass, request.masses.mass.map(Kilograms::get)),
@@ -205,25 +211,25 @@ fn of_numbers(request: &DropTestRequest) -> Result<Falling, RequestFault> {
     };
     let values = ContactValues { plane_strain_modulus, dissipation, smoothing: numbers.smoothing()? };
     let law = Contact::new(values).and_then(|contact| Law::of(&contact, radius));
-    let spheres = vec![law.and_then(|law| Spheres::new(law, count)).map_err(refused)?];
+    let spheres = vec![law.and_then(|law| Spheres::new(law, count)).map_err(domain_fault)?];
     let gravity_m_s2 = numbers.gravity().unwrap_or(STANDARD_GRAVITY_M_S2);
     let weight = Weight { mass_kg: mass, gravity_m_s2, sphere_count: count };
-    falling(request, "the numbers given", spheres, &weight).map_err(refused)
+    prepared_drop(request, "the numbers given", spheres, &weight).map_err(domain_fault)
 }
 
-/// What falls: a mass, under a gravity, on so many spheres.
+/// The mass that falls, its gravity, and the number of spheres that share its weight.
 struct Weight {
     mass_kg: f64,
     gravity_m_s2: f64,
     sphere_count: f64,
 }
 
-fn falling(
+fn prepared_drop(
     request: &DropTestRequest,
     name: impl Into<FileName>,
     spheres: Vec<Spheres>,
     weight: &Weight,
-) -> Result<Falling, DropError> {
+) -> Result<PreparedDrop, DropError> {
     let values = DropValues {
         mass_kg: weight.mass_kg,
         gravity_m_s2: weight.gravity_m_s2,
@@ -234,10 +240,10 @@ fn falling(
     let on_ground = DropTest::new(spheres, values)?;
     let height_m = request.height.get().metres(on_ground.reference_radius_m());
     let test = DropTest::new(on_ground.spheres().to_vec(), DropValues { height_m, ..values })?;
-    Ok(Falling { name: name.into(), test, sphere_count: weight.sphere_count, mismatch: None })
+    Ok(PreparedDrop { name: name.into(), test, sphere_count: weight.sphere_count, mismatch: None })
 }
 
-fn refused(error: impl std::fmt::Display) -> RequestFault {
+fn domain_fault(error: impl std::fmt::Display) -> RequestFault {
     RequestFault::general(error.to_string())
 }
 
@@ -252,40 +258,40 @@ fn push_listed(message: &mut Phrase, inputs: &[Input]) {
 
 // The one register of the figures of a drop, and of the columns of its series. A new one is a new entry here, and a test.
 
-/// What an entry has beside its quantity.
+/// Where a figure is shown, and how its value is calculated.
 struct Entry {
     row: DropRow,
-    value: Value,
+    value: FigureValue,
 }
 
 /// How to get a figure.
-enum Value {
-    /// It is always known.
+enum FigureValue {
+    /// Every drop has it.
     Always(fn(&DropResult) -> f64),
-    /// It is known where the drop showed it.
+    /// Only some drops have it, for example those that lift off again.
     Shown(fn(&DropResult) -> Option<f64>),
 }
 
-/// Where the table has a figure; JSON has all of them.
+/// Where the table shows a figure; JSON has all of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DropRow {
-    /// Nowhere: it is in the line above, or not shown.
+    /// Not in the table: the line above has it, or it is not shown.
     Nowhere,
     /// In the order of the register.
-    Here,
+    InOrder,
     /// After all others.
     Last,
 }
 
-const fn nowhere(value: Value) -> Entry {
+const fn nowhere(value: FigureValue) -> Entry {
     Entry { row: DropRow::Nowhere, value }
 }
 
-const fn here(value: Value) -> Entry {
-    Entry { row: DropRow::Here, value }
+const fn in_order(value: FigureValue) -> Entry {
+    Entry { row: DropRow::InOrder, value }
 }
 
-const fn last(value: Value) -> Entry {
+const fn last(value: FigureValue) -> Entry {
     Entry { row: DropRow::Last, value }
 }
 
@@ -310,42 +316,42 @@ osim_inspect::quantities! {
             => last(Always(|drop| drop.report.reference_time_s));
         /// x̂ at the end of the series.
         FinalIndentation = Quantity::new("final_relative_indentation", "indentation/radius at the end", "")
-            => here(Always(|drop| drop.report.final_indentation_m / drop.report.reference_radius_m));
+            => in_order(Always(|drop| drop.report.final_indentation_m / drop.report.reference_radius_m));
         /// x̂ that the Hertz law (1) gives under body weight: the x̂ of the paper, of `design` and of scaling.
         IndentationHertz = Quantity::INDENTATION_HERTZ.labelled("  at rest, Hertz law")
-            => here(Always(|drop| drop.report.hertz_indentation_m / drop.report.reference_radius_m));
+            => in_order(Always(|drop| drop.report.hertz_indentation_m / drop.report.reference_radius_m));
         /// x̂ where the force by the model's law at speed 0, (C.9) for a smoothed one, equals body weight.
         IndentationModelLaw = Quantity::INDENTATION_MODEL_LAW.labelled("  at rest, the model's law").by_equation("")
-            => here(Always(|drop| drop.report.equilibrium_indentation_m / drop.report.reference_radius_m));
+            => in_order(Always(|drop| drop.report.equilibrium_indentation_m / drop.report.reference_radius_m));
         /// The largest force of all spheres together.
-        PeakForce = Quantity::new("peak_force_n", "peak force", "N") => here(Always(|drop| drop.report.peak_force_n));
-        /// The same over body weight.
+        PeakForce = Quantity::new("peak_force_n", "peak force", "N") => in_order(Always(|drop| drop.report.peak_force_n));
+        /// The largest force over body weight.
         PeakForceBw = Quantity::new("peak_force_bw", "peak force/body weight", "")
-            => here(Always(|drop| drop.report.peak_force_bw()));
+            => in_order(Always(|drop| drop.report.peak_force_bw()));
         /// Slope of the force of one sphere where it rests, by the model's law; the mean of spheres that differ.
         EquilibriumStiffness
             = Quantity::new("equilibrium_stiffness_n_m", "stiffness of one sphere at rest, model's law", "N/m")
-            => here(Always(|drop| drop.report.equilibrium_stiffness_n_m));
-        /// The same by the Hertz law: the k of Table 1.
+            => in_order(Always(|drop| drop.report.equilibrium_stiffness_n_m));
+        /// Slope of the Hertz force of one sphere where it rests: the k of Table 1.
         HertzStiffness
             = Quantity::new("hertz_stiffness_n_m", "stiffness of one sphere at rest, Hertz", "N/m").by_equation("B.1")
-            => here(Always(|drop| drop.report.hertz_stiffness_n_m));
+            => in_order(Always(|drop| drop.report.hertz_stiffness_n_m));
         /// Speed at height 0: smoothed forces brake before, so it is a little below √(2gh). Absent where the ground is not
         /// reached.
         ImpactSpeed = Quantity::IMPACT_SPEED
-            => here(Shown(|drop| Some(first_contact(drop)?.impact_speed_m_s)));
+            => in_order(Shown(|drop| Some(first_contact(drop)?.impact_speed_m_s)));
         /// Restitution of an impact at this speed by (12), if there were no gravity.
         RestitutionExact = Quantity::RESTITUTION_EXACT.labelled("restitution without gravity, exact")
-            => here(Shown(|drop| Some(first_contact(drop)?.restitution_exact)));
-        /// The same by (13), 1 − α ẋ. Absent if it is below 0.
+            => in_order(Shown(|drop| Some(first_contact(drop)?.restitution_exact)));
+        /// Restitution of an impact at this speed by (13), 1 − α ẋ. Absent if it is below 0.
         RestitutionApproximate = Quantity::RESTITUTION_APPROXIMATE
-            => here(Shown(|drop| first_contact(drop)?.restitution_approximate));
+            => in_order(Shown(|drop| first_contact(drop)?.restitution_approximate));
         /// Time from touch-down to lift-off. Absent where the body does not leave the ground again.
         ContactTime = Quantity::new("contact_time_s", "contact time", "s")
-            => here(Shown(|drop| Some(lift(drop)?.contact_time_s)));
+            => in_order(Shown(|drop| Some(lift_off(drop)?.contact_time_s)));
         /// Speed at lift-off. Absent where the body does not leave the ground again.
         ReboundSpeed = Quantity::new("rebound_speed_m_s", "rebound speed", "m/s")
-            => here(Shown(|drop| Some(lift(drop)?.rebound_speed_m_s)));
+            => in_order(Shown(|drop| Some(lift_off(drop)?.rebound_speed_m_s)));
     }
 }
 
@@ -371,7 +377,7 @@ fn first_contact(drop: &DropResult) -> Option<FirstContact> {
     drop.report.first_contact
 }
 
-fn lift(drop: &DropResult) -> Option<Lift> {
+fn lift_off(drop: &DropResult) -> Option<Lift> {
     first_contact(drop)?.end
 }
 
@@ -389,7 +395,7 @@ osim_inspect::quantities! {
         Speed = Quantity::new("speed_m_s", "speed", "m/s") => |_, sample| sample.speed_m_s;
         /// Force of all spheres.
         Force = Quantity::new("force_n", "force", "N") => |_, sample| sample.force_n;
-        /// The same over body weight.
+        /// Force of all spheres over body weight.
         ForceBw = Quantity::new("force_bw", "force/body weight", "")
             => |report, sample| sample.force_n / report.body_weight_n;
         /// Time over √(R/g).

@@ -9,15 +9,15 @@ use osim_requests::{FitRequest, RequestError, RequestFault};
 
 use crate::sheet::Sheet;
 
-/// What a measurement says of a contact.
+/// A fit of contact parameters to a measured curve.
 #[derive(Debug, Clone)]
 pub struct FitResult {
-    /// The measurement.
+    /// The file of the measurement.
     pub file: PathBuf,
     /// Spheres that shared the force.
     pub sphere_count: f64,
     pub radius_m: f64,
-    /// The parameters, with what is left over.
+    /// The parameters, with the residuals.
     pub fit: Fit,
     /// Line in the file of each row that was fitted.
     pub lines: Vec<u64>,
@@ -37,7 +37,7 @@ pub fn run_fit(request: &FitRequest, files: &dyn Files) -> Result<FitResult, Req
         FitValues { radius_m, sphere_count, onset: request.onset.get(), branch: request.branch.branch() };
     let shown = file.display().to_string();
     let failed = |why: String| Failure::outside(&shown, "fit", format!("{shown}: {why}"));
-    let measured = Measured::read(&file, &request.columns, files).map_err(failed)?;
+    let measured = MeasuredCurve::read(&file, &request.columns, files).map_err(failed)?;
     let rate = match (&measured.speed_m_s, &measured.time_s) {
         (Some(speed), _) => Rate::Speed(speed),
         (None, Some(time)) => Rate::Time(time),
@@ -45,28 +45,29 @@ pub fn run_fit(request: &FitRequest, files: &dyn Files) -> Result<FitResult, Req
     };
     let measurement =
         Measurement { indentation_m: &measured.indentation_m, force_n: &measured.force_n, rate };
-    let fit = fit(&measurement, &values).map_err(|error| failed(in_file(&error, &measured)))?;
-    let lines = fit.rows.iter().map(|&row| measured.line(row)).collect();
+    let fit = fit(&measurement, &values).map_err(|error| failed(with_line_of_file(&error, &measured)))?;
+    let lines = fit.rows.iter().map(|&row| measured.line_of_row(row)).collect();
     Ok(FitResult { file, sphere_count, radius_m, fit, lines })
 }
 
-/// Rows count from 0 in the equations and from the first line in a file.
-fn in_file(error: &FitError, measured: &Measured) -> String {
+/// The error in words, with the line in the file instead of the row that the equations count from 0.
+fn with_line_of_file(error: &FitError, measured: &MeasuredCurve) -> String {
     match error {
         FitError::NotFinite { column, row, value } => {
-            format!("line {}: {column} is {value}, expected a finite number", measured.line(*row))
+            format!("line {}: {column} is {value}, expected a finite number", measured.line_of_row(*row))
         }
         FitError::TimeOrder { row } => {
-            format!("line {}: the time does not rise after it, expected rising times", measured.line(*row))
+            format!(
+                "line {}: the time does not rise after it, expected rising times",
+                measured.line_of_row(*row)
+            )
         }
         other => other.to_string(),
     }
 }
 
-// A measured curve from a CSV file, as spreadsheets of any country write it.
-
-/// Columns in SI units; row `i` of each belongs together.
-struct Measured {
+/// A measured curve from a CSV file, in SI units; the values at one index belong together.
+struct MeasuredCurve {
     indentation_m: Vec<f64>,
     force_n: Vec<f64>,
     speed_m_s: Option<Vec<f64>>,
@@ -75,7 +76,7 @@ struct Measured {
     lines: Vec<u64>,
 }
 
-impl Measured {
+impl MeasuredCurve {
     /// Reads the columns that `columns` names.
     ///
     /// # Errors
@@ -118,8 +119,7 @@ impl Measured {
         Ok(Self { indentation_m, force_n, speed_m_s, time_s, lines })
     }
 
-    /// Line of a row in the file.
-    fn line(&self, row: usize) -> u64 {
+    fn line_of_row(&self, row: usize) -> u64 {
         self.lines.get(row).copied().unwrap_or_default()
     }
 }

@@ -1,4 +1,4 @@
-//! Models inspected and checked as a request says.
+//! Inspects and checks models with the options of a request, and compares them with a generic model if one is named.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -15,25 +15,24 @@ use osim_requests::{CheckRequest, InspectRequest, Kilograms};
 use crate::motion::MotionResult;
 use crate::motion_remarks::{CheckedMotion, MotionRemark};
 use crate::opening::{moco_setup, open, scale_file};
-use crate::planner::check_with_trials;
-use crate::remedies::Trials;
+use crate::prepared_change::check_with_trials;
+use crate::remedies::RemedyTrials;
 use crate::rules;
 
 #[derive(Debug)]
 pub struct Inspector {
     options: InspectOptions,
     set_files: SetFiles,
-    /// The generic model's bones and the Scale Tool's factors, where a generic model is named; why not, where it cannot be
-    /// read: that is a failure of each model.
+    /// The generic model, where one is named. If it cannot be read, that is a failure of each model.
     generic: Option<Result<Generic, Failure>>,
-    /// The names of both files, where they are for the places of spheres and not for factors.
-    places: Option<OriginalFiles>,
-    reads: Vec<PathBuf>,
-    /// The mass of a body that is asked about, kg: what else would follow its size is listed.
+    /// The files of the generic model, if `check` compares places of spheres with it (`inspect` compares sizes of bodies).
+    place_reference: Option<ReferenceFiles>,
+    extra_files: Vec<PathBuf>,
+    /// A mass, kg, for which the inspection lists what else would follow the size of the body.
     target_mass_kg: Option<f64>,
     /// The recording that the contacts are compared with, if one is given.
     motion: Option<CheckedMotion>,
-    /// Answers to questions about masses that the caller gave; `None` if the masses were asked about already.
+    /// The caller's answers to questions about masses; `None` if the masses were checked already.
     answers: Option<AnswerOptions>,
 }
 
@@ -41,17 +40,17 @@ pub struct Inspector {
 struct Generic {
     anatomy: Anatomy,
     contacts: ReferenceContacts,
-    /// The Scale Tool's factors.
+    /// The Scale Tool's factors of bodies.
     file: Option<ScaleFile>,
-    /// How large it is, and what may follow that.
+    /// Its size, and quantities that follow size.
     size: ModelSize,
     /// The Moco setup of the models that are compared with it.
     moco: Option<Document>,
 }
 
-/// Names of the files that say where spheres belong.
+/// The files from which the right places of spheres follow.
 #[derive(Debug)]
-struct OriginalFiles {
+struct ReferenceFiles {
     from: PathBuf,
     body_scale_file: Option<PathBuf>,
 }
@@ -66,14 +65,14 @@ fn generic_model(
     let anatomy = Anatomy::of(&generic.model).map_err(|fault| generic.failure(fault))?;
     let file = body_scale_file.map(|path| scale_file(path, files)).transpose()?;
     let contacts = ReferenceContacts::from_model(&from.display().to_string(), &generic.model);
-    // What the caller says of masses is about the scaled model.
+    // The masses from_model the request are those from_model the scaled model.
     let masses = MassRequest { exclude_bodies: masses.exclude_bodies.clone(), ..MassRequest::default() };
     let size = ModelSize::of(&generic.model, &masses);
     Ok(Generic { anatomy, contacts, file, size, moco: None })
 }
 
 /// The generic model that `check` compares with, and the setups of Moco.
-fn checked_generic(
+fn generic_model_for_check(
     from: &Path,
     request: &CheckRequest,
     masses: &MassRequest,
@@ -91,49 +90,56 @@ fn checked_generic(
 }
 
 impl Inspector {
-    /// As `inspect` is asked; reads what is needed for all models.
-    pub fn of_inspect(request: &InspectRequest, files: &dyn Files) -> Self {
-        let plain = Self::asking(&request.options);
+    /// An inspector for the verb `inspect`; reads the files that all models are compared with.
+    pub fn for_inspect(request: &InspectRequest, files: &dyn Files) -> Self {
+        let plain = Self::asking_about_masses(&request.options);
         let read = |from: &Path| {
             generic_model(from, request.body_scale_file.as_deref(), &plain.options.masses, files)
         };
         let named = request.from.iter().chain(&request.body_scale_file).cloned();
-        let reads = request.options.set_files.paths().cloned().chain(named).collect();
+        let extra_files = request.options.set_files.paths().cloned().chain(named).collect();
         let target_mass_kg = request.target_mass.map(Kilograms::get);
-        Self { generic: request.from.as_deref().map(read), reads, target_mass_kg, ..plain }
+        Self { generic: request.from.as_deref().map(read), extra_files, target_mass_kg, ..plain }
     }
 
-    /// As `check` is asked; reads what is needed for all models.
-    pub fn of_check(request: &CheckRequest, files: &dyn Files) -> Self {
-        let plain = Self { motion: CheckedMotion::of(request), ..Self::asking(&request.options) };
+    /// An inspector for the verb `check`; reads the files that all models are compared with.
+    pub fn for_check(request: &CheckRequest, files: &dyn Files) -> Self {
+        let plain =
+            Self { motion: CheckedMotion::of(request), ..Self::asking_about_masses(&request.options) };
         let Some(from) = request.from.clone() else { return plain };
         let file = request.body_scale_file.clone();
-        let generic = Some(checked_generic(&from, request, &plain.options.masses, files));
+        let generic = Some(generic_model_for_check(&from, request, &plain.options.masses, files));
         let setups = request.moco_setup.iter().chain(&request.from_moco_setup);
-        let reads = plain.reads.iter().chain([&from]).chain(&file).chain(setups).cloned().collect();
-        Self { generic, places: Some(OriginalFiles { from, body_scale_file: file }), reads, ..plain }
+        let extra_files =
+            plain.extra_files.iter().chain([&from]).chain(&file).chain(setups).cloned().collect();
+        Self {
+            generic,
+            place_reference: Some(ReferenceFiles { from, body_scale_file: file }),
+            extra_files,
+            ..plain
+        }
     }
 
-    /// Inspects by these options, without a generic model.
+    /// An inspector without a generic model.
     pub fn new(options: &InspectionOptions) -> Self {
         Self {
             options: InspectOptions::from(options),
             set_files: options.set_files.clone(),
             generic: None,
-            places: None,
-            reads: options.set_files.paths().cloned().collect(),
+            place_reference: None,
+            extra_files: options.set_files.paths().cloned().collect(),
             target_mass_kg: None,
             motion: None,
             answers: None,
         }
     }
 
-    /// An inspector that asks if a mass that the caller gave looks like a slip.
-    fn asking(options: &InspectionOptions) -> Self {
+    /// An inspector that asks about a mass that looks like a slip.
+    fn asking_about_masses(options: &InspectionOptions) -> Self {
         Self { answers: Some(options.answers.clone()), ..Self::new(options) }
     }
 
-    /// Why the generic model cannot be used, where one is named and cannot.
+    /// Why the generic model cannot be read.
     pub fn generic_failure(&self) -> Option<&Failure> {
         self.generic.as_ref()?.as_ref().err()
     }
@@ -147,8 +153,8 @@ impl Inspector {
     }
 
     /// Files that are read beside the models.
-    pub fn reads(&self) -> &[PathBuf] {
-        &self.reads
+    pub fn extra_files(&self) -> &[PathBuf] {
+        &self.extra_files
     }
 
     /// Everything about a model.
@@ -163,7 +169,7 @@ impl Inspector {
             asked.map_err(|kind| opened.failure(Fault::new(kind)))?;
         }
         let generic = self.generic.as_ref().map(Result::as_ref).transpose().map_err(Failure::clone)?;
-        let factors = match (generic, &self.places) {
+        let factors = match (generic, &self.place_reference) {
             (Some(Generic { anatomy, file, .. }), None) => {
                 let scaled = Anatomy::of(&opened.model).map_err(|fault| opened.failure(fault))?;
                 let found = Factors::find(&scaled, anatomy, file.as_ref(), &BTreeMap::new());
@@ -172,7 +178,7 @@ impl Inspector {
             _ => None,
         };
         let mut inspection = self.options.inspect(opened.name(), &opened.model, factors.as_ref());
-        self.compare(&opened.model, &mut inspection);
+        self.add_comparison(&opened.model, &mut inspection);
         if let Some(kg) = self.target_mass_kg {
             let size = ModelSize::of(&opened.model, &self.options.masses);
             inspection.similarity = Some(Similarity::at_mass(&size, kg).into());
@@ -192,17 +198,18 @@ impl Inspector {
         let name = FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone());
         let mesh = rules::find_odd_mesh(model, &name.to_path(), files);
         let beside: Vec<Finding> = compiled.cloned().into_iter().chain(mesh).collect();
-        let found = check_with_trials(&self.options, model, inspected, &beside);
+        let result = check_with_trials(&self.options, model, inspected, &beside);
         let inspect = |name: &FileName, model: &Model| self.inspect_again(name, model);
-        let mut found = Trials { options: &self.options, files, inspect: &inspect }.tried(model, found);
-        found.similarity = self.similarity(model);
-        found.verdicts.extend(self.motion.as_ref().map(|motion| motion.verdict(&name.to_path(), files)));
-        found
+        let mut result = RemedyTrials { options: &self.options, files, inspect: &inspect }
+            .with_tried_remedies(model, result);
+        result.similarity = self.scaled_with_size(model);
+        result.verdicts.extend(self.motion.as_ref().map(|motion| motion.verdict(&name.to_path(), files)));
+        result
     }
 
-    /// What else of `model` follows its size, where it is compared with the model that was scaled.
-    fn similarity(&self, model: &Model) -> Option<SizeList> {
-        let (Some(Ok(generic)), Some(_)) = (&self.generic, &self.places) else { return None };
+    /// What else of `model` follows its size, compared with the generic model.
+    fn scaled_with_size(&self, model: &Model) -> Option<SizeList> {
+        let (Some(Ok(generic)), Some(_)) = (&self.generic, &self.place_reference) else { return None };
         let mut size = ModelSize::of(model, &self.options.masses);
         if let Some(setup) = &generic.moco {
             size = size.with_values(moco_bounds(setup, model));
@@ -210,21 +217,21 @@ impl Inspector {
         Some(Similarity::between(&size, &generic.size).into())
     }
 
-    /// What the contacts of the model at `path` do along the recording, where one was named and can be followed.
+    /// The contacts of the model at `path` along the recording of the request, where one is named and can be followed.
     pub fn recording(&self, path: &Path, files: &dyn Files) -> Option<(MotionResult, Vec<MotionRemark>)> {
-        self.motion.as_ref()?.followed(path, files).ok()
+        self.motion.as_ref()?.follow(path, files).ok()
     }
 
-    /// A model that a remedy made, inspected like the first.
+    /// Inspects a model that a remedy made, with the same comparisons as the original.
     fn inspect_again(&self, name: &FileName, model: &Model) -> Inspection {
         let mut inspection = self.options.inspect(name.clone(), model, None);
-        self.compare(model, &mut inspection);
+        self.add_comparison(model, &mut inspection);
         inspection
     }
 
-    /// Adds the places of the spheres compared with those in the generic model, and its contacts, where one is named for that.
-    fn compare(&self, model: &Model, inspection: &mut Inspection) {
-        let (Some(Ok(generic)), Some(files)) = (&self.generic, &self.places) else { return };
+    /// Adds to the inspection how places and contacts differ from those of the generic model, if `check` names one.
+    fn add_comparison(&self, model: &Model, inspection: &mut Inspection) {
+        let (Some(Ok(generic)), Some(files)) = (&self.generic, &self.place_reference) else { return };
         let (from, scale_file) = (&files.from, files.body_scale_file.as_deref());
         let placement =
             SpherePlacements::compare(model, from, scale_file, &generic.anatomy, generic.file.as_ref());

@@ -18,7 +18,7 @@
 //!
 //! # Where to begin
 //!
-//! - [`prepare`] checks a request that changes models; its [`Change`] makes a plan for each.
+//! - [`prepare`] checks a request that changes models; its [`PreparedChange`] makes a plan for each.
 //! - [`Inspector`] inspects and checks models as a request says; [`BeforeAfter`] shows a change from both sides.
 //! - [`design_sheet`], [`run_drop_test`], [`run_fit`] and [`SweepPlan`] answer what needs no plan.
 //!
@@ -27,7 +27,7 @@
 //! It knows no disk, only [`osim_model::files::Files`], and no terminal.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-mod afterwards;
+mod before_after;
 mod calculator;
 pub mod contact_table;
 mod drop_test;
@@ -36,18 +36,19 @@ mod inspector;
 pub(crate) mod motion;
 mod motion_remarks;
 mod opening;
-mod planner;
 mod plot;
+mod prepared_change;
 mod remarks;
 mod remedies;
+mod result_check;
 pub mod rules;
 pub mod scene;
 pub mod sheet;
-mod states;
 mod sweep;
 mod table;
 pub(crate) mod verbs;
 
+pub use crate::before_after::{BeforeAfter, BeforeAndAfterPlan};
 pub use crate::calculator::{DesignFigure, DesignLimit, DesignSheet, design_sheet};
 pub use crate::drop_test::{ComparedDrop, DropResult, DropRow, run_drop_test};
 pub use crate::fit::{FitResult, run_fit};
@@ -55,12 +56,11 @@ pub use crate::inspector::Inspector;
 pub use crate::motion::{MotionResult, PlatesRead, run_motion};
 pub use crate::motion_remarks::MotionRemark;
 pub use crate::opening::{find_presets, may_be_file, open_with, presets};
-pub use crate::planner::{Change, changeable, check_with_trials};
 pub use crate::plot::{HeatTable, ModelFeet, TableColumn, plot_bodies, plot_feet, plot_motion, plot_table};
+pub use crate::prepared_change::{PreparedChange, changeable, check_with_trials};
 pub use crate::remedies::check_with_remedies;
-pub use crate::sheet::{cell, from_cell, marked, unmarked};
-pub use crate::states::{BeforeAfter, States};
-pub use crate::sweep::{SweepPlan, VariantMade};
+pub use crate::sheet::{cell, from_cell, with_text_mark, without_text_mark};
+pub use crate::sweep::{MadeVariant, SweepPlan};
 pub use crate::table::{RowFault, RowRequest, Table};
 pub use crate::verbs::prepare;
 pub use calculator::DesignQuantity;

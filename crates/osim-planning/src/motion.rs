@@ -1,4 +1,4 @@
-//! Contacts along a recorded motion, beside what force plates measured.
+//! Contacts along a recorded motion, compared with force plates.
 
 use std::path::{Path, PathBuf};
 
@@ -13,31 +13,31 @@ use osim_requests::{AngleChoice, MotionRequest, Positive, RequestError, RequestF
 
 use crate::opening::{open_with, read};
 
-/// What contacts do along a motion.
+/// The contacts of a model along a recorded motion, compared with force plates if there are some.
 #[derive(Debug)]
 pub struct MotionResult {
     pub opened: OpenModel,
     pub motion: FileName,
     /// The coordinates of the model in each frame.
     pub recording: Recording,
-    /// Each sphere on each plane in each frame.
+    /// The state of each sphere on each plane in each frame.
     pub states: ContactStates,
     pub plates: Option<PlatesRead>,
     pub measured: Option<Measured>,
     pub summary: Summary,
-    /// Where forces act on the sole of each foot; `None` where the default pose is not known.
+    /// The centre of pressure on the sole of each foot; `None` where the default pose is not known.
     pub on_soles: Vec<Option<OnSole>>,
     /// What the model weighs, kg.
     pub mass_kg: f64,
     pub gravity_m_s2: f64,
-    /// How the belt moves, where there is one.
+    /// The motion of the treadmill's belt, if there is one.
     pub belt: Option<Belt>,
 }
 
 /// Follows the contacts along the motion.
 ///
 /// # Errors
-/// A file that cannot be read, a motion of another model, or a model whose place is not known.
+/// A file that cannot be read, a motion of another model, or a model whose pose is not known.
 pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionResult, RequestError> {
     let Some(subject) = &request.subject else {
         return Err(RequestFault::Missing { field: "subject" }.into());
@@ -45,15 +45,15 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
     let Some(motion) = &request.motion else { return Err(RequestFault::Missing { field: "motion" }.into()) };
     let opened = open_with(subject, request.set_files.companion_paths(), files)?;
     let options = recording_options(motion, request.angles, request.low_pass);
-    let table = table(motion, files)?;
+    let table = read_table(motion, files)?;
     let recording =
         Recording::of(&opened.model, &table, &options).map_err(|fault| failure(motion, &fault))?;
     let loads = request.loads.as_deref();
     let plates = request.plates.as_ref().map(|file| PlatesRead::read(file, loads, files)).transpose()?;
     let (mass_kg, gravity_m_s2) =
-        weight(&request.masses.request(), &opened.model).map_err(|fault| opened.failure(fault))?;
+        mass_and_gravity(&request.masses.request(), &opened.model).map_err(|fault| opened.failure(fault))?;
     let selected = request.choice.selection().apply(&opened.model).map_err(|fault| opened.failure(fault))?;
-    let belt = belt(motion, &table, request.belt, request.belt_column.as_deref())?;
+    let belt = belt_of_motion(motion, &table, request.belt, request.belt_column.as_deref())?;
     let states =
         ContactStates::of(&opened.model, &recording, &selected.forces, belt.clone().unwrap_or_default())
             .map_err(|error| match error {
@@ -68,8 +68,9 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
             Fault::refused("no applied force presses a sphere on the ground: there is nothing to follow");
         return Err(opened.failure(fault).into());
     }
-    let on_ground = OnGround { recording, states, feet, weight: (mass_kg, gravity_m_s2), belt };
-    let result = on_ground.beside(opened, FileName::from(motion.as_path()), plates);
+    let followed =
+        FollowedMotion { recording, states, feet, mass_and_gravity: (mass_kg, gravity_m_s2), belt };
+    let result = followed.compared_with_plates(opened, FileName::from(motion.as_path()), plates);
     if let (Some(read), Some(measured)) = (&result.plates, &result.measured)
         && measured.total.iter().all(Option::is_none)
     {
@@ -84,25 +85,25 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
     Ok(result)
 }
 
-/// Contacts along a motion.
-pub(crate) struct OnGround {
+/// A motion that was followed, before it is compared with force plates.
+pub(crate) struct FollowedMotion {
     pub(crate) recording: Recording,
     pub(crate) states: ContactStates,
     pub(crate) feet: Vec<Foot>,
-    /// What the model weighs, kg, and its gravity, m/s².
-    pub(crate) weight: (f64, f64),
+    /// Mass of the model, kg, and its gravity, m/s².
+    pub(crate) mass_and_gravity: (f64, f64),
     pub(crate) belt: Option<Belt>,
 }
 
-impl OnGround {
-    /// Beside what plates measured, where there are some.
-    pub(crate) fn beside(
+impl FollowedMotion {
+    /// The result of the motion, compared with `plates` where there are some.
+    pub(crate) fn compared_with_plates(
         self,
         opened: OpenModel,
         motion: FileName,
         plates: Option<PlatesRead>,
     ) -> MotionResult {
-        let Self { recording, states, feet, weight: (mass_kg, gravity_m_s2), belt } = self;
+        let Self { recording, states, feet, mass_and_gravity: (mass_kg, gravity_m_s2), belt } = self;
         let weight_n = mass_kg * gravity_m_s2;
         let measured = plates.as_ref().map(|read| Measured::of(&read.plates, &feet, &states, weight_n));
         let summary = Summary::of(&states, &feet, measured.as_ref(), weight_n);
@@ -126,11 +127,11 @@ impl OnGround {
     }
 }
 
-/// What `model` weighs, kg and m/s².
+/// Mass of `model`, kg, and its gravity, m/s².
 ///
 /// # Errors
 /// No mass, or no gravity.
-pub(crate) fn weight(masses: &MassRequest, model: &Model) -> Result<(f64, f64), Fault> {
+pub(crate) fn mass_and_gravity(masses: &MassRequest, model: &Model) -> Result<(f64, f64), Fault> {
     let mass = masses.model_mass(model)?;
     let gravity = model.gravity().filter(|&gravity| gravity > 0.0);
     let needed =
@@ -138,28 +139,28 @@ pub(crate) fn weight(masses: &MassRequest, model: &Model) -> Result<(f64, f64), 
     Ok((mass.kg, gravity.ok_or_else(needed)?))
 }
 
-// What force plates measured, as files say it.
+// Force plates as files have them.
 
 #[derive(Debug, Clone)]
 pub struct PlatesRead {
     /// The table that they were read from.
     pub file: PathBuf,
-    /// The ExternalLoads that say what its columns are.
+    /// The ExternalLoads that name its columns.
     pub loads: Option<PathBuf>,
-    /// What the ExternalLoads name as their table, where its last part is another name than that of the table.
+    /// The data file that the ExternalLoads name, if its name differs from that of the table.
     pub other_data_file: Option<String>,
     pub plates: Vec<Plate>,
-    /// Where rows of the table are missing.
+    /// Times in which rows of the table are missing.
     pub gaps: Vec<Gap>,
 }
 
 impl PlatesRead {
-    /// Those of the table `file`, as the ExternalLoads at `loads` name them.
+    /// Reads the plates of the table `file`, whose columns the ExternalLoads at `loads` name.
     ///
     /// # Errors
     /// A file that cannot be read, or columns that are not there.
     pub(crate) fn read(file: &Path, loads: Option<&Path>, files: &dyn Files) -> Result<Self, Failure> {
-        let table = table(file, files)?;
+        let table = read_table(file, files)?;
         let gaps = table.gaps();
         let Some(path) = loads else {
             let plates = Plate::all(&table).map_err(|fault| failure(file, &fault))?;
@@ -167,13 +168,14 @@ impl PlatesRead {
         };
         let loads = ExternalLoads::read(&read(path, files)?).map_err(|fault| failure(path, &fault))?;
         let plates = Plate::of_loads(&table, &loads).map_err(|fault| failure(file, &fault))?;
-        let own = file.file_name().map(|name| name.to_string_lossy().into_owned());
-        let other = loads.data_file_name().map(str::to_owned).filter(|named| Some(named) != own.as_ref());
+        let own_name = file.file_name().map(|name| name.to_string_lossy().into_owned());
+        let other =
+            loads.data_file_name().map(str::to_owned).filter(|named| Some(named) != own_name.as_ref());
         let (file, loads) = (file.to_owned(), Some(path.to_owned()));
         Ok(Self { file, loads, other_data_file: other, plates, gaps })
     }
 
-    /// That rows are missing among those that a motion with these times needs, where they are.
+    /// A remark about missing rows between the first and the last of `time_s`, if there are some.
     pub(crate) fn gaps_during(&self, time_s: &[f64]) -> Option<String> {
         let (first, last) = (time_s.first()?, time_s.last()?);
         let during = || self.gaps.iter().filter(|gap| gap.from_s < *last && gap.to_s > *first);
@@ -190,7 +192,6 @@ impl PlatesRead {
         ))
     }
 
-    /// The file's name, for sentences.
     pub fn name(&self) -> &Path {
         &self.file
     }
@@ -202,7 +203,7 @@ impl PlatesRead {
 ///
 /// # Errors
 /// It cannot be read, with the line.
-pub(crate) fn table(path: &Path, files: &dyn Files) -> Result<Table, Failure> {
+pub(crate) fn read_table(path: &Path, files: &dyn Files) -> Result<Table, Failure> {
     Table::read(&read(path, files)?).map_err(|fault| failure(path, &fault))
 }
 
@@ -222,11 +223,11 @@ fn failure(path: &Path, fault: &MotionFault) -> Failure {
     failure
 }
 
-/// The belt under the feet of the motion at `path`, where one is named: by its speed, or by a column of `table`.
+/// The belt under the feet of the motion at `path`, where the caller gave its speed or names a column of `table`.
 ///
 /// # Errors
 /// No such column.
-pub(crate) fn belt(
+pub(crate) fn belt_of_motion(
     path: &Path,
     table: &Table,
     speed: Option<Speed>,
@@ -249,13 +250,13 @@ pub(crate) fn recording_options(
             AngleChoice::Degrees => AngleUnit::Degrees,
             _ => AngleUnit::Radians,
         }),
-        undeclared: undeclared(path),
+        undeclared: usual_unit_of_angles(path),
         low_pass_hz: low_pass.map(Positive::get),
     }
 }
 
-/// What OpenSim takes the angles of a file of this name for where its header has neither unit nor version.
-fn undeclared(path: &Path) -> Option<AngleUnit> {
+/// The unit of angles that OpenSim assumes for a file of this name, if its header has neither a unit nor a version.
+fn usual_unit_of_angles(path: &Path) -> Option<AngleUnit> {
     let ending = path.extension()?.to_string_lossy().to_ascii_lowercase();
     match ending.as_str() {
         "mot" => Some(AngleUnit::Degrees),
@@ -264,15 +265,15 @@ fn undeclared(path: &Path) -> Option<AngleUnit> {
     }
 }
 
-// Numbers so large or small that what follows from them is not finite.
+// Numbers so large or small that results calculated from them are not finite.
 
-/// Nothing of a body is larger than this, in SI units: squares of what is larger, such as of errors, are not finite.
-const LARGEST: f64 = 1e100;
+/// Values of bodies are at most this large, in SI units: squares of larger ones are not finite.
+const LARGEST_VALUE: f64 = 1e100;
 
 /// # Errors
-/// A sphere whose force, place or speed is beyond all measure, or a weight that is.
+/// A force, place or speed of a sphere, or the weight, is too large to calculate with.
 fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(), Fault> {
-    if !(1.0 / LARGEST..=LARGEST).contains(&weight_n) {
+    if !(1.0 / LARGEST_VALUE..=LARGEST_VALUE).contains(&weight_n) {
         return Err(Fault::refused(format!(
             "the body weight is {weight_n:e} N: forces cannot be compared with that, correct mass and gravity of the model"
         )));
@@ -300,7 +301,7 @@ fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(), Fault> {
     Ok(())
 }
 
-/// A force or a moment of the plates that is beyond all measure, if there is one, in words: of all plates, or of those of one foot.
+/// A force or a moment of the plates that is too large to calculate with, in words, if there is one.
 fn unmeasurable(measured: &Measured) -> Option<String> {
     let mut all = measured.total.iter().chain(measured.feet.iter().flatten()).flatten();
     all.find_map(|wrench| {
@@ -311,5 +312,5 @@ fn unmeasurable(measured: &Measured) -> Option<String> {
 }
 
 fn is_measurable(value: f64) -> bool {
-    value.abs() <= LARGEST
+    value.abs() <= LARGEST_VALUE
 }

@@ -1,4 +1,4 @@
-//! What a motion shows, in words and as a verdict.
+//! What contacts along a motion show, in sentences and as a verdict.
 
 use std::path::Path;
 
@@ -12,18 +12,18 @@ use osim_requests::{CheckRequest, MotionRequest, RequestError};
 
 use crate::motion::{MotionResult, run_motion};
 
-/// Forces this many times too large or small are not a matter of tuning.
-const FAR_OFF: f64 = 1.5;
-/// A mean over whole strides that differs from the weight by more than this (relative) is another weight.
-const OTHER_WEIGHT: f64 = 0.05;
-/// Feet that move faster than this over the floor in stance stand on a belt, m/s.
+/// Forces that differ from the plates' by a larger ratio cannot be mended by tuning the contacts.
+const TUNABLE_RATIO: f64 = 1.5;
+/// If the mean force over whole strides differs from the model's weight by more than this (relative), they do not belong together.
+const WEIGHT_TOLERANCE: f64 = 0.05;
+/// Feet that move over the floor in stance faster than this are probably on a treadmill, m/s.
 const BELT_M_S: f64 = 0.3;
-/// Centres of pressure that are further apart along the foot act at another place of it, m.
-const ELSEWHERE_M: f64 = 0.02;
-/// Names that are listed, at most.
-const LISTED: usize = 6;
+/// Centres of pressure of model and plates that are further apart along the foot than this get a remark, m.
+const DISPLACED_COP_M: f64 = 0.02;
+/// Names that a remark lists at most.
+const NAMES_LISTED: usize = 6;
 
-/// Something that a reader should know of a motion.
+/// Something that a reader should know about a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionRemark {
     /// Stable short name.
@@ -32,53 +32,52 @@ pub struct MotionRemark {
 }
 
 impl MotionResult {
-    /// One sentence for each foot, then what is odd, for a call that has no word for a belt, which changes slip alone, and that says
-    /// itself which choices fit nothing.
-    pub(crate) fn remarks_without_belt(&self, request: &MotionRequest) -> Vec<MotionRemark> {
+    /// [`remarks`](Self::remarks) for `check` and `fit`: without the treadmill, for which they have no option, and without patterns that
+    /// match nothing, which they report themselves.
+    pub(crate) fn remarks_without_options(&self, request: &MotionRequest) -> Vec<MotionRemark> {
         let mut remarks = self.remarks(request);
         remarks.retain(|remark| !["treadmill", "unmatched-pattern"].contains(&remark.code));
         remarks
     }
 
-    /// One sentence for each foot, then what is odd.
+    /// One sentence for each foot, then remarks about the files and the model.
     pub fn remarks(&self, request: &MotionRequest) -> Vec<MotionRemark> {
         let mut remarks = Remarks::default();
-        self.weights(&mut remarks);
+        self.add_weight(&mut remarks);
         for foot in &self.summary.feet {
-            remarks.say("foot", self.foot(foot));
+            remarks.add("foot", self.foot_sentence(foot));
         }
         for (foot, on_sole) in self.summary.feet.iter().zip(&self.on_soles) {
             let apart_m = on_sole.as_ref().and_then(OnSole::mean_difference_m);
             if let Some(message) =
-                apart_m.and_then(|[ahead_m, _]| pressed_elsewhere(&foot.foot.name, ahead_m))
+                apart_m.and_then(|[ahead_m, _]| displaced_centre_of_pressure(&foot.foot.name, ahead_m))
             {
-                remarks.say("centre-of-pressure", message);
+                remarks.add("centre-of-pressure", message);
             }
         }
         let (selection, masses) = (request.choice.selection(), request.masses.request());
         for message in describe_unmatched_patterns(&selection, &masses, &self.opened.model) {
-            remarks.say("unmatched-pattern", message);
+            remarks.add("unmatched-pattern", message);
         }
-        self.treadmill(request, &mut remarks);
-        self.taken(&mut remarks);
-        self.plates_taken(&mut remarks);
+        self.add_treadmill(request, &mut remarks);
+        self.add_recording_facts(&mut remarks);
+        self.add_plate_facts(&mut remarks);
         remarks.0
     }
 
-    /// Another weight is said before anything else.
-    fn weights(&self, remarks: &mut Remarks) {
-        if let Some(message) = other_weight(&self.summary, self.mass_kg, self.gravity_m_s2) {
-            remarks.say("subject-weight", message);
+    fn add_weight(&self, remarks: &mut Remarks) {
+        if let Some(message) = weight_mismatch(&self.summary, self.mass_kg, self.gravity_m_s2) {
+            remarks.add("subject-weight", message);
         }
     }
 
-    fn foot(&self, foot: &FootSummary) -> Phrase {
+    fn foot_sentence(&self, foot: &FootSummary) -> Phrase {
         let name = &foot.foot.name;
-        let bw = |force_n: f64| two(force_n / self.summary.weight_n);
+        let bw = |force_n: f64| two_digits(force_n / self.summary.weight_n);
         if foot.deepest_m >= 0.0 && foot.peak_n <= 0.0 {
             return format!(
                 "{name}: it never pushes, although it is up to {} mm inside the floor: it moves up faster than its dissipation allows",
-                two(1e3 * foot.deepest_m)
+                two_digits(1e3 * foot.deepest_m)
             )
             .into();
         }
@@ -90,12 +89,12 @@ impl MotionResult {
             });
             return format!(
                 "{name}: it never touches: its lowest sphere stays {} mm above the floor{}",
-                two(above),
+                two_digits(above),
                 where_measured.unwrap_or_default()
             )
             .into();
         }
-        // Beside the plates, the frames count that the plates measured.
+        // If there are plates, only the frames count in which they measured.
         let peak_n = foot.comparison.as_ref().map_or(foot.peak_n, |plate| plate.peak_n);
         let mut text = format!("{name}: up to {} body weights", bw(peak_n));
         if let Some(plate) = &foot.comparison {
@@ -103,18 +102,21 @@ impl MotionResult {
         }
         if let Some(depth_m) = foot.stance_depth_m {
             let (mm, side) = (1e3 * depth_m.abs(), if depth_m < 0.0 { "above" } else { "inside" });
-            text.push_str(&format!("; in stance its deepest sphere is {} mm {side} the floor", two(mm)));
+            text.push_str(&format!(
+                "; in stance its deepest sphere is {} mm {side} the floor",
+                two_digits(mm)
+            ));
             if let Some(radius_m) = self.deepest_radius_m(foot) {
-                text.push_str(&format!(" (R {} mm)", two(1e3 * radius_m)));
+                text.push_str(&format!(" (R {} mm)", two_digits(1e3 * radius_m)));
             }
         }
         if let Some(plate) = &foot.comparison {
             let times = plate.peak_n / plate.measured_peak_n;
             if plate.measured_peak_n <= ON_BW * self.summary.weight_n {
                 text.push_str(": hardly anything of it is on a plate");
-            } else if times > FAR_OFF {
+            } else if times > TUNABLE_RATIO {
                 text.push_str(": the floor is too high for this recording, or the contacts too stiff");
-            } else if times < 1.0 / FAR_OFF {
+            } else if times < 1.0 / TUNABLE_RATIO {
                 text.push_str(": the floor is too low for this recording, or the contacts too soft");
             }
         }
@@ -131,7 +133,7 @@ impl MotionResult {
         by_depth(&deepest.pair)
     }
 
-    fn treadmill(&self, request: &MotionRequest, remarks: &mut Remarks) {
+    fn add_treadmill(&self, request: &MotionRequest, remarks: &mut Remarks) {
         if request.belt.is_some() || request.belt_column.is_some() {
             return;
         }
@@ -140,37 +142,37 @@ impl MotionResult {
         let mean = slips.iter().sum::<DVec3>() / count as f64;
         let speed = mean.length();
         if speed > BELT_M_S {
-            remarks.say(
+            remarks.add(
                 "treadmill",
                 phrase![
                     format!(
                         "in stance the feet move over the floor at {} m/s. On a treadmill, say ",
-                        two(speed)
+                        two_digits(speed)
                     ),
-                    Input::Belt.with_value(two(-mean.x)),
+                    Input::Belt.with_value(two_digits(-mean.x)),
                     ", and slip is taken against the belt"
                 ],
             );
         }
     }
 
-    fn taken(&self, remarks: &mut Remarks) {
+    fn add_recording_facts(&self, remarks: &mut Remarks) {
         let facts = &self.recording.facts;
         if !facts.kept.is_empty() {
-            remarks.say(
+            remarks.add(
                 "kept-coordinates",
                 format!(
                     "the motion has no column for {}: kept at the default of the model",
-                    listed(&facts.kept, LISTED)
+                    listed(&facts.kept, NAMES_LISTED)
                 ),
             );
         }
         if !facts.unused.is_empty() {
-            remarks.say(
+            remarks.add(
                 "unused-columns",
                 format!(
                     "columns that belong to no coordinate of the model: {}",
-                    listed(&facts.unused, LISTED)
+                    listed(&facts.unused, NAMES_LISTED)
                 ),
             );
         }
@@ -179,7 +181,7 @@ impl MotionResult {
                 AngleUnit::Degrees => "degrees",
                 AngleUnit::Radians => "radians",
             };
-            remarks.say(
+            remarks.add(
                 "undeclared-angles",
                 format!(
                     "the header does not say the unit of angles; they are taken for {unit}, as OpenSim does"
@@ -191,25 +193,25 @@ impl MotionResult {
                 "in {} frames a sphere of a HuntCrossleyForce leaves the floor so fast that it would pull. OpenSim may then leave out \
                  other spheres of the same force, which push with up to {} N; here they count. One force for each sphere avoids it: ",
                 left_out.frames,
-                two(left_out.most_n)
+                two_digits(left_out.most_n)
             );
-            remarks.say("left-out-by-opensim", phrase![text, Verb::Convert.call_with_model()]);
+            remarks.add("left-out-by-opensim", phrase![text, Verb::Convert.call_with_model()]);
         }
         for constraint in &facts.unenforced {
-            remarks.say("constraint", format!("not enforced here: {constraint}"));
+            remarks.add("constraint", format!("not enforced here: {constraint}"));
         }
         for joint in &self.states.loops {
-            remarks.say(
+            remarks.add(
                 "loop",
                 format!("joint {joint} closes a loop of joints, which nothing keeps closed here"),
             );
         }
     }
 
-    fn plates_taken(&self, remarks: &mut Remarks) {
+    fn add_plate_facts(&self, remarks: &mut Remarks) {
         let Some((read, measured)) = self.plates.as_ref().zip(self.measured.as_ref()) else { return };
         if let Some(other) = &read.other_data_file {
-            remarks.say(
+            remarks.add(
                 "other-data-file",
                 format!(
                     "the ExternalLoads name '{other}' as their data; what was given is read: {}",
@@ -218,11 +220,11 @@ impl MotionResult {
             );
         }
         if let Some(gaps) = read.gaps_during(&self.recording.time_s) {
-            remarks.say("gaps-in-plates", gaps);
+            remarks.add("gaps-in-plates", gaps);
         }
         let names = self.summary.feet.iter().map(|foot| &foot.foot.name);
         for (name, frames) in names.zip(&measured.beside).filter(|(_, frames)| **frames > 0) {
-            remarks.say(
+            remarks.add(
                 "beside-plates",
                 format!(
                     "{name}: in {frames} frames it seems to stand beside the plates, as low and as still as on them without a force; \
@@ -232,13 +234,13 @@ impl MotionResult {
         }
         let lost = |one: &&PlateUse| one.by.is_none();
         for plate in measured.uses.iter().filter(lost) {
-            remarks.say("plate-of-no-foot", format!(
+            remarks.add("plate-of-no-foot", format!(
                 "nothing says which foot the force '{}' is under, so it counts in the total alone: ExternalLoads say it",
                 plate.plate
             ));
         }
         if read.plates.iter().any(|plate| !plate.has_points) {
-            remarks.say(
+            remarks.add(
                 "no-centre-of-pressure",
                 "the plates' points are all 0 or missing: their centre of pressure is not known".to_owned(),
             );
@@ -250,54 +252,52 @@ impl MotionResult {
 struct Remarks(Vec<MotionRemark>);
 
 impl Remarks {
-    fn say(&mut self, code: &'static str, message: impl Into<Phrase>) {
+    fn add(&mut self, code: &'static str, message: impl Into<Phrase>) {
         self.0.push(MotionRemark { code, message: message.into() });
     }
 }
 
-/// Two significant digits, or all before the point.
-/// Another weight over whole strides than the model's.
-pub(crate) fn other_weight(summary: &Summary, mass_kg: f64, gravity_m_s2: f64) -> Option<String> {
+/// A remark if the plates' mean over whole strides is not the model's weight.
+pub(crate) fn weight_mismatch(summary: &Summary, mass_kg: f64, gravity_m_s2: f64) -> Option<String> {
     let mean_n = summary.measured_stride_mean_n?;
     let part = mean_n / summary.weight_n;
-    ((part - 1.0).abs() > OTHER_WEIGHT).then(|| {
+    ((part - 1.0).abs() > WEIGHT_TOLERANCE).then(|| {
         format!(
             "over whole strides the plates measured {} of the model's weight: the model weighs {} kg, and the subject {} kg, \
              unless a plate is missing",
-            two(part),
+            two_digits(part),
             readable(mass_kg),
             four_significant(mean_n / gravity_m_s2)
         )
     })
 }
 
-/// A centre of pressure that is nearer to the toes than that of the plates, or nearer to the heel.
-fn pressed_elsewhere(foot: &str, ahead_m: f64) -> Option<String> {
+/// A remark if the model's centre of pressure is nearer to the toes, or to the heel, than that of the plates.
+fn displaced_centre_of_pressure(foot: &str, ahead_m: f64) -> Option<String> {
     let side = if ahead_m < 0.0 { "heel" } else { "toes" };
-    (ahead_m.abs() > ELSEWHERE_M).then(|| {
+    (ahead_m.abs() > DISPLACED_COP_M).then(|| {
         format!(
             "{foot}: its centre of pressure is on average {} mm nearer to the {side} than that of the plates",
-            two(1e3 * ahead_m.abs())
+            two_digits(1e3 * ahead_m.abs())
         )
     })
 }
 
-fn two(value: f64) -> String {
+/// Two significant digits, or all before the point.
+fn two_digits(value: f64) -> String {
     let digits = if value.abs() >= 10.0 || value == 0.0 { 0 } else { 1 - value.abs().log10().floor() as i32 };
     format!("{value:.*}", usize::try_from(digits.clamp(0, 9)).unwrap_or(0))
 }
 
-// Whether contacts fit a recording, as a verdict.
-
-/// What three fitted numbers reach on measured gaits, body weights (rms per foot): contacts as close as this fit.
+/// Contacts fit a recording up to this error, body weights (rms per foot): three fitted numbers reach it on measured gaits.
 const FITS_BW: f64 = 0.2;
 
-/// The recording that `check` is asked about.
+/// The recording that `check` compares the contacts with.
 #[derive(Debug, Clone)]
 pub(crate) struct CheckedMotion(MotionRequest);
 
 impl CheckedMotion {
-    /// That of the request, if it names one.
+    /// The recording of the request, if it names one.
     pub(crate) fn of(request: &CheckRequest) -> Option<Self> {
         request.motion.as_ref()?;
         let InspectionOptions { masses, choice, set_files, .. } = request.options.clone();
@@ -313,21 +313,21 @@ impl CheckedMotion {
         }))
     }
 
-    /// What the contacts of the model at `path` do, and what should be known of it.
-    pub(crate) fn followed(
+    /// Follows the contacts of the model at `path` along the recording.
+    pub(crate) fn follow(
         &self,
         path: &Path,
         files: &dyn Files,
     ) -> Result<(MotionResult, Vec<MotionRemark>), RequestError> {
         let request = MotionRequest { subject: Some(path.to_owned()), ..self.0.clone() };
         let result = run_motion(&request, files)?;
-        let remarks = result.remarks_without_belt(&request);
+        let remarks = result.remarks_without_options(&request);
         Ok((result, remarks))
     }
 
-    /// The verdict on the model at `path`.
+    /// The verdict whether the contacts of the model at `path` fit the recording.
     pub(crate) fn verdict(&self, path: &Path, files: &dyn Files) -> Verdict {
-        match self.followed(path, files) {
+        match self.follow(path, files) {
             Ok((result, _)) => verdict(&result),
             Err(RequestError::Failure(failure)) => Verdict::on_recording(
                 Sign::Unknown,

@@ -13,7 +13,7 @@ use osim_requests::{PresetsRequest, RequestError, RequestFault};
 use serde::Deserialize;
 use toml::Spanned;
 
-/// Opens a model that stands alone.
+/// Opens a model without files beside it.
 pub(crate) fn open(path: &Path, files: &dyn Files) -> Result<OpenModel, Failure> {
     open_with(path, CompanionPaths::default(), files)
 }
@@ -52,21 +52,19 @@ pub(crate) fn moco_setup(path: &Path, files: &dyn Files) -> Result<Document, Fai
     Ok(document)
 }
 
-// Is this word a model or a preset? One rule for all verbs.
-
-/// What a word names.
-pub(crate) enum Named {
+/// What a word in a request names. All verbs tell models and presets apart by this rule.
+pub(crate) enum NamedSource {
     Preset(Preset),
-    /// A preset whose spheres differ in their numbers: a model of ours, which nothing but a model can say.
-    Placed(Box<OpenModel>),
+    /// A preset with places of spheres, which is kept as a model.
+    PlacedPreset(Box<OpenModel>),
     File,
 }
 
-impl Named {
-    /// The preset of this name, also where a file is called so; else a file. `input` is the field of the word, for messages.
+impl NamedSource {
+    /// A preset of this name, even if a file has the name, too; else a file. `input` is the field of the request, for messages.
     ///
     /// # Errors
-    /// It can be neither, or the file of presets cannot be read.
+    /// There is neither, or the file of presets cannot be read.
     pub(crate) fn find(
         word: &Path,
         input: Option<Input>,
@@ -77,7 +75,7 @@ impl Named {
             return Ok(Self::Preset(preset));
         }
         if let Some(open) = placed_preset(word)? {
-            return Ok(Self::Placed(Box::new(open)));
+            return Ok(Self::PlacedPreset(Box::new(open)));
         }
         if may_be_file(word, files) {
             return Ok(Self::File);
@@ -85,7 +83,7 @@ impl Named {
         let neither = format!(
             "'{}': there is no such file and no such preset, expected a model or one of: {}",
             word.display(),
-            all_names(presets, files)
+            all_preset_names(presets, files)
         );
         let fault = match input {
             Some(input) => RequestFault::refused(input, phrase![input, " ", neither]),
@@ -95,14 +93,14 @@ impl Named {
     }
 }
 
-/// The preset of this name that has places, as a model; also where a file is called so.
+/// The preset with places of spheres that has this name, as a model.
 pub(crate) fn placed_preset(name: &Path) -> Result<Option<OpenModel>, Failure> {
     let Some(text) = name.to_str().and_then(preset_model) else { return Ok(None) };
     ModelFiles::read(name, text.into(), CompanionPaths::default(), &InMemory::default())?.open().map(Some)
 }
 
-/// All that may be named: presets, and those that only a model can say.
-fn all_names(presets: Option<&Path>, files: &dyn Files) -> String {
+/// Names of all presets, without and with places of spheres.
+fn all_preset_names(presets: Option<&Path>, files: &dyn Files) -> String {
     let mut names = preset_names(presets, files);
     for name in presets_with_places() {
         if !names.iter().any(|known| known == name) {
@@ -112,12 +110,12 @@ fn all_names(presets: Option<&Path>, files: &dyn Files) -> String {
     names.join(", ")
 }
 
-/// Whether `word` names a file: it is there, is standard input, or looks like the name of one.
+/// Whether `word` names a file: the file exists, or the word is `-` or looks like the name of a file.
 pub fn may_be_file(word: &Path, files: &dyn Files) -> bool {
     files.exists(word) || looks_like_file(word)
 }
 
-/// Whether `word` looks like the name of a file, without a look at the files.
+/// Whether `word` is `-`, or has a folder or an ending.
 pub(crate) fn looks_like_file(word: &Path) -> bool {
     word.as_os_str() == "-" || word.components().count() > 1 || word.extension().is_some()
 }
@@ -128,7 +126,7 @@ pub(crate) enum Subject {
 }
 
 impl Subject {
-    /// The preset of this name, else the model.
+    /// The preset of this name, else the model of this path.
     ///
     /// # Errors
     /// There is neither, or the model cannot be read.
@@ -138,27 +136,26 @@ impl Subject {
         set_files: &SetFiles,
         files: &dyn Files,
     ) -> Result<Self, RequestError> {
-        Ok(match Named::find(path, None, presets, files)? {
-            Named::Preset(preset) => Self::Preset(preset),
-            Named::Placed(open) => Self::Model(open),
-            Named::File => Self::Model(Box::new(open_with(path, set_files.companion_paths(), files)?)),
+        Ok(match NamedSource::find(path, None, presets, files)? {
+            NamedSource::Preset(preset) => Self::Preset(preset),
+            NamedSource::PlacedPreset(open) => Self::Model(open),
+            NamedSource::File => Self::Model(Box::new(open_with(path, set_files.companion_paths(), files)?)),
         })
     }
 }
 
-// Presets: the published ones, and those of a user's own TOML file.
-
+/// A user's TOML file of presets.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+struct PresetFile {
     #[serde(default)]
-    preset: Vec<Entry>,
+    preset: Vec<PresetEntry>,
 }
 
-/// One `[[preset]]`.
+/// One `[[preset]]` of a user's file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Entry {
+struct PresetEntry {
     name: Spanned<String>,
     source: String,
     mass_kg: f64,
@@ -190,7 +187,7 @@ pub fn presets(file: Option<&Path>, files: &dyn Files) -> Result<Vec<Preset>, Re
         let at = LineIndex::new(&bytes).position(&bytes, offset);
         format!("{shown}:{}:{}", at.line, at.column)
     };
-    let parsed: File = toml::from_str(text).map_err(|error| {
+    let parsed: PresetFile = toml::from_str(text).map_err(|error| {
         let place = error.span().map_or_else(|| shown.clone(), |span| place(span.start));
         fault(format!("{place}: {}", error.message().replace("expected f64", "expected a number")))
     })?;
@@ -219,9 +216,9 @@ fn preset_names(file: Option<&Path>, files: &dyn Files) -> Vec<String> {
     presets.iter().map(|preset| preset.name.to_string()).collect()
 }
 
-/// Why the values of a preset make no contact.
+/// Why the values of a user's preset are not a contact.
 #[derive(Debug, thiserror::Error)]
-enum EntryError {
+enum PresetEntryError {
     #[error(transparent)]
     Domain(#[from] DomainError),
     #[error(
@@ -230,15 +227,15 @@ enum EntryError {
     Smoothing,
 }
 
-impl Entry {
-    fn preset(self) -> Result<Preset, EntryError> {
+impl PresetEntry {
+    fn preset(self) -> Result<Preset, PresetEntryError> {
         let smoothing =
             match (self.constant_contact_force, self.hertz_smoothing, self.hunt_crossley_smoothing) {
                 (None, None, None) => None,
                 (Some(constant_contact_force), Some(hertz_smoothing), Some(hunt_crossley_smoothing)) => {
                     Some(SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })
                 }
-                _ => return Err(EntryError::Smoothing),
+                _ => return Err(PresetEntryError::Smoothing),
             };
         let scale = Scale::new(ScaleValues {
             mass_kg: self.mass_kg,
@@ -255,7 +252,7 @@ impl Entry {
     }
 }
 
-/// The presets that are asked for.
+/// The presets that the request names, else all.
 ///
 /// # Errors
 /// As [`presets`], or an unknown name.

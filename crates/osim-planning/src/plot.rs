@@ -1,4 +1,4 @@
-//! What a figure shows: bodies, feet, units, the fall, columns of a table.
+//! Prepares what a figure shows: bodies, feet, a recorded motion, or columns of a table.
 
 use std::collections::HashSet;
 use std::path::Path;
@@ -22,8 +22,8 @@ pub fn plot_table(request: &PlotRequest, files: &dyn Files) -> Result<Option<Hea
     Ok(Some(HeatTable::read(path, &request.heat, files)?))
 }
 
-/// The states of the feet that a figure shows, the later one last: those of a model, of the same with radii scaled to the
-/// target mass, or of two models.
+/// The one or two states of feet that a figure shows, the later one last: those of a model, those with radii scaled to the target
+/// mass, or those of a second model.
 ///
 /// # Errors
 /// A preset, which has no places, too many models, or a model that cannot be read or has no feet.
@@ -39,14 +39,14 @@ pub fn plot_feet(request: &PlotRequest, files: &dyn Files) -> Result<Vec<ModelFe
     }
     let mut feet = Vec::new();
     for path in &request.models {
-        let (own, scaled) = feet_of(request, path, files)?;
-        feet.push(own);
+        let (feet_of_model, scaled) = feet_and_scaled_feet(request, path, files)?;
+        feet.push(feet_of_model);
         feet.extend(scaled);
     }
     Ok(feet)
 }
 
-fn feet_of(
+fn feet_and_scaled_feet(
     request: &PlotRequest,
     path: &Path,
     files: &dyn Files,
@@ -59,9 +59,9 @@ fn feet_of(
         }
     };
     let name = short_name(path);
-    let mut feet = ModelFeet::of(&name, &open, &request.choice.selection())?;
+    let mut feet = ModelFeet::of_selection(&name, &open, &request.choice.selection())?;
     let geometry = request.geometry_dir.as_deref();
-    // Of a standalone set, the model beside it says where the bones are.
+    // For a standalone set, the bones are those of the model beside it.
     let beside = request.set_files.model.as_deref().unwrap_or(path);
     feet.add_bones(&open.model, beside, geometry, files);
     let Some(target_mass) = request.target_mass else { return Ok((feet, None)) };
@@ -73,7 +73,7 @@ fn feet_of(
     Ok((feet, Some(scaled)))
 }
 
-/// What a figure of motion shows.
+/// The motion that a figure of motion shows.
 ///
 /// # Errors
 /// More than one model, or none; a recording that cannot be read.
@@ -95,14 +95,14 @@ pub fn plot_motion(request: &PlotRequest, files: &dyn Files) -> Result<MotionRes
     run_motion(&motion, files)
 }
 
-/// All bodies of the figure: those that were named, each followed by its scaled self if a target mass is given.
+/// All bodies of a figure of curves: those that were named, each followed by the scaled one if a target mass is given.
 ///
 /// # Errors
 /// A name that is neither a model's nor a preset's, or a model that cannot be read.
 pub fn plot_bodies(request: &PlotRequest, files: &dyn Files) -> Result<Vec<Body>, RequestError> {
     let mut bodies = Vec::new();
     for path in &request.models {
-        let body = body(request, path, &name_of(request, path), files)?;
+        let body = plotted_body(request, path, &unique_name(request, path), files)?;
         let scaled =
             request.target_mass_kg().map(|target_mass_kg| body.scaled(target_mass_kg)).transpose()?;
         bodies.push(body);
@@ -111,8 +111,8 @@ pub fn plot_bodies(request: &PlotRequest, files: &dyn Files) -> Result<Vec<Body>
     Ok(bodies)
 }
 
-/// A model's name, with its folder where another model has the same.
-fn name_of(request: &PlotRequest, path: &Path) -> String {
+/// A model's name, with its folder if another model of the request has the same name.
+fn unique_name(request: &PlotRequest, path: &Path) -> String {
     let name = short_name(path);
     let alike = request.models.iter().filter(|other| short_name(other) == name).count() > 1;
     match path.parent().and_then(Path::file_name).filter(|_| alike) {
@@ -121,7 +121,12 @@ fn name_of(request: &PlotRequest, path: &Path) -> String {
     }
 }
 
-fn body(request: &PlotRequest, path: &Path, name: &str, files: &dyn Files) -> Result<Body, RequestError> {
+fn plotted_body(
+    request: &PlotRequest,
+    path: &Path,
+    name: &str,
+    files: &dyn Files,
+) -> Result<Body, RequestError> {
     let masses = request.masses.request();
     let stance = Stance::from(&request.counts.stance_options(None, request.gravity));
     match Subject::find(path, request.presets.as_deref(), &request.set_files, files)? {
@@ -130,9 +135,9 @@ fn body(request: &PlotRequest, path: &Path, name: &str, files: &dyn Files) -> Re
             Ok(body.map_err(|error| RequestFault::general(error.to_string()))?)
         }
         Subject::Model(open) => {
-            let said = MassRequest { target_mass_kg: request.target_mass_kg(), ..masses.clone() };
+            let given_masses = MassRequest { target_mass_kg: request.target_mass_kg(), ..masses.clone() };
             let selection = request.choice.selection();
-            let asked = request.answers.ask(unexplained_mass_slip(&said, &open.model, &selection));
+            let asked = request.answers.ask(unexplained_mass_slip(&given_masses, &open.model, &selection));
             asked.map_err(|kind| open.failure(Fault::new(kind)))?;
             let selected = selection.apply(&open.model).map_err(|fault| open.failure(fault))?;
             let failed = |fault| open.failure(fault);
@@ -146,20 +151,18 @@ fn short_name(path: &Path) -> String {
     path.file_stem().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
 }
 
-// The feet of a model, as figures show them.
+/// A page shows the feet of models with at most so many spheres and bodies.
+const MOST_SPHERES_ON_PAGE: usize = 200;
+const MOST_BODIES_ON_PAGE: usize = 1000;
 
-/// Spheres and bodies that a model may have at most for its feet to be on a page.
-const MOST_SPHERES: usize = 200;
-const MOST_BODIES: usize = 1000;
-
-/// The feet of one state of a model.
+/// The feet of one state of a model, as figures show them.
 #[derive(Debug, Clone)]
 pub struct ModelFeet {
     pub name: String,
     pub feet: Vec<Foot>,
-    /// What says that spheres are where they should not be.
+    /// The finding that spheres are in wrong places.
     pub misplaced: Option<Finding>,
-    /// Bones that could not be read, each with what is wrong.
+    /// Faults of bones that could not be read.
     pub missing: Vec<FeetFault>,
     anatomy: Anatomy,
     pose: DefaultPose,
@@ -167,40 +170,40 @@ pub struct ModelFeet {
 }
 
 impl ModelFeet {
-    /// The feet of a model without their bones: with all moving spheres where `selection` chooses nothing, else with those of the
-    /// chosen forces.
+    /// The feet of a model without their bones. If `selection` chooses forces, only their spheres are shown.
     ///
     /// # Errors
     /// A number that cannot be read, no force that is chosen, or no feet.
-    pub fn of(name: &str, opened: &OpenModel, selection: &Selection) -> Result<Self, Failure> {
-        let found = Self::find(name, &opened.model, selection).map_err(|fault| opened.failure(fault))?;
-        if found.feet.is_empty() {
+    pub fn of_selection(name: &str, opened: &OpenModel, selection: &Selection) -> Result<Self, Failure> {
+        let feet = Self::find(name, &opened.model, selection).map_err(|fault| opened.failure(fault))?;
+        if feet.feet.is_empty() {
             let why = "there are no feet to draw: the model has no contact sphere that moves, and no body near the ground has \
                        a side in its name, such as calcn_r";
             return Err(opened.failure(Fault::refused(why)));
         }
-        Ok(found)
+        Ok(feet)
     }
 
-    /// The feet for a page: `None` without feet, or with more spheres or bodies than a page should show.
+    /// The feet for a page; `None` if the model has no feet, or more spheres or bodies than a page should show.
     pub fn for_page(name: &str, opened: &OpenModel, selection: &Selection) -> Option<Self> {
         let model = &opened.model;
-        let few = model.spheres().len() <= MOST_SPHERES && model.bodies().len() <= MOST_BODIES;
-        few.then(|| Self::of(name, opened, selection).ok()).flatten()
+        let few =
+            model.spheres().len() <= MOST_SPHERES_ON_PAGE && model.bodies().len() <= MOST_BODIES_ON_PAGE;
+        few.then(|| Self::of_selection(name, opened, selection).ok()).flatten()
     }
 
     fn find(name: &str, model: &Model, selection: &Selection) -> Result<Self, Fault> {
         let anatomy = Anatomy::of(model)?;
         let pose = DefaultPose::of(model);
-        let (spheres, forces) = chosen(model, selection)?;
+        let (spheres, forces) = spheres_and_forces(model, selection)?;
         let bodies = FootBodies::find(model, &anatomy, &spheres, &forces, &pose);
         let mut feet = Foot::all(model, &anatomy, &bodies, &pose);
         let misplaced = find_misplaced_spheres(model);
-        mark(&mut feet, misplaced.as_ref());
+        mark_misplaced(&mut feet, misplaced.as_ref());
         Ok(Self { name: name.to_owned(), feet, misplaced, missing: Vec::new(), anatomy, pose, bodies })
     }
 
-    /// Adds the bones whose meshes are there: in the folder of the model, in its `Geometry`, or in `geometry_dir`.
+    /// Adds the bones whose meshes exist in the folder of the model, in its `Geometry`, or in `geometry_dir`.
     pub fn add_bones(&mut self, model: &Model, path: &Path, geometry_dir: Option<&Path>, files: &dyn Files) {
         let mut folders = MeshFolders::of_model(path);
         if let Some(folder) = geometry_dir {
@@ -208,19 +211,19 @@ impl ModelFeet {
         }
         let attached = AttachedBones::of(model);
         for (foot, bodies) in self.feet.iter_mut().zip(&self.bodies) {
-            let mut found = Vec::new();
+            let mut bones_of_foot = Vec::new();
             for body in foot.bodies_with_bones(&self.anatomy, bodies) {
                 match attached.bones(&body, &folders, files) {
-                    Ok(bones) => found.extend(bones),
+                    Ok(bones) => bones_of_foot.extend(bones),
                     Err(FeetFault::NoMesh { .. }) => {}
                     Err(fault) => self.missing.push(fault),
                 }
             }
-            foot.add_bones(&self.anatomy, bodies, &found, &self.pose);
+            foot.add_bones(&self.anatomy, bodies, &bones_of_foot, &self.pose);
         }
     }
 
-    /// The feet with spheres of other radii: all multiplied by `ratio`, the centres where they are.
+    /// The feet with all radii multiplied by `ratio`, around centres that stay.
     pub(crate) fn with_radii(&self, name: String, ratio: f64) -> Self {
         let mut scaled = Self { name, ..self.clone() };
         for sphere in scaled.feet.iter_mut().flat_map(|foot| &mut foot.spheres) {
@@ -241,21 +244,21 @@ impl ModelFeet {
 }
 
 /// The spheres to draw, and the forces by which limbs are found.
-fn chosen(model: &Model, selection: &Selection) -> Result<(Vec<SphereId>, Vec<ForceId>), Fault> {
+fn spheres_and_forces(model: &Model, selection: &Selection) -> Result<(Vec<SphereId>, Vec<ForceId>), Fault> {
     let moving = |id: &SphereId| model.sphere(*id).is_some_and(|sphere| !sphere.fixed);
     if *selection == Selection::default() {
         let spheres = model.spheres().iter().map(|sphere| sphere.id).filter(moving).collect();
         return Ok((spheres, model.force_ids()));
     }
     let forces = selection.apply(model)?.forces;
-    let held = forces.iter().filter_map(|&id| model.force(id)).flat_map(osim_model::Force::spheres);
-    let mut spheres: Vec<SphereId> = held.filter(moving).collect();
+    let used = forces.iter().filter_map(|&id| model.force(id)).flat_map(osim_model::Force::spheres);
+    let mut spheres: Vec<SphereId> = used.filter(moving).collect();
     spheres.sort_unstable();
     spheres.dedup();
     Ok((spheres, forces))
 }
 
-fn mark(feet: &mut [Foot], finding: Option<&Finding>) {
+fn mark_misplaced(feet: &mut [Foot], finding: Option<&Finding>) {
     let Some(finding) = finding else { return };
     let misplaced: HashSet<&String> = finding.spheres.iter().collect();
     for sphere in feet.iter_mut().flat_map(|foot| &mut foot.spheres) {
@@ -263,10 +266,8 @@ fn mark(feet: &mut [Foot], finding: Option<&Finding>) {
     }
 }
 
-// A column of a table over one or two others, such as a result over the grid of a sweep.
-
-/// Columns that say what a sweep was asked for begin with this.
-const GRID: &str = "grid_";
+/// How columns begin that have the values of a sweep's grid.
+const GRID_PREFIX: &str = "grid_";
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct TableColumn {
@@ -275,7 +276,7 @@ pub struct TableColumn {
     pub values: Vec<Option<f64>>,
 }
 
-/// What is drawn of a table.
+/// A column of a table over one or two others, such as a result over the grid of a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatTable {
     /// The file's name without its folders.
@@ -303,7 +304,7 @@ impl HeatTable {
 
     fn of_sheet(name: String, sheet: &Sheet, options: &HeatOptions) -> Result<Self, String> {
         let grid: Vec<&str> =
-            sheet.header.iter().map(String::as_str).filter(|name| name.starts_with(GRID)).collect();
+            sheet.header.iter().map(String::as_str).filter(|name| name.starts_with(GRID_PREFIX)).collect();
         let (x, y) = match (options.x_column.as_deref(), options.y_column.as_deref()) {
             (Some(x), y) => (x, y),
             (None, y) => match (grid.as_slice(), y) {
@@ -311,10 +312,10 @@ impl HeatTable {
                 ([x, y], None) => (*x, Some(*y)),
                 _ => {
                     return Err(format!(
-                        "the table has {} columns that begin with '{GRID}', expected one or two: say which columns are \
+                        "the table has {} columns that begin with '{GRID_PREFIX}', expected one or two: say which columns are \
                          the axes; there are {}",
                         grid.len(),
-                        sheet.columns()
+                        sheet.listed_columns()
                     ));
                 }
             },
@@ -353,7 +354,7 @@ mod tests {
     }
 
     #[test]
-    fn the_columns_of_the_grid_are_the_axes() {
+    fn columns_of_the_grid_become_axes() {
         let table =
             read("file,grid_stiffness,grid_dissipation,speed\na,1,2,3\nb,1,4,\n", None, None).unwrap();
         assert_eq!(
@@ -366,7 +367,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_clear_is_asked_for() {
+    fn unclear_columns_are_refused() {
         let refused = |table: &str, x, words: &str| {
             let message = read(table, x, None).unwrap_err();
             assert!(message.contains(words), "{message}");

@@ -1,4 +1,4 @@
-//! Remedies that hold: each is tried, and the next is taken from a check of the result.
+//! Remedies that are tried before they are proposed: each step is tried, and the next one comes from a check of its result.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -9,11 +9,11 @@ use osim_model::{Finding, FindingCode, Model, Pattern, Repair, Severity};
 use osim_requests::options::{OutputOptions, WantedOptions};
 use osim_requests::{ConstantIndentation, DesignRequest, Request};
 
-use crate::planner::check_with_trials;
+use crate::prepared_change::check_with_trials;
 use crate::verbs::prepare;
 
-/// Checks a model that was inspected, with remedies that were tried, for a model by itself: they name no other files. `beside` is
-/// what was found in files beside it.
+/// Checks a model that was inspected, with remedies that were tried. The remedies name no other files. `beside` are findings about
+/// files beside the model.
 pub fn check_with_remedies(
     options: &InspectOptions,
     model: &Model,
@@ -21,157 +21,160 @@ pub fn check_with_remedies(
     beside: &[Finding],
 ) -> CheckResult {
     let inspect = |name: &FileName, model: &Model| options.inspect(name.clone(), model, None);
-    let trials = Trials { options, files: &InMemory::default(), inspect: &inspect };
-    trials.tried(model, check_with_trials(options, model, inspected, beside))
+    let trials = RemedyTrials { options, files: &InMemory::default(), inspect: &inspect };
+    trials.with_tried_remedies(model, check_with_trials(options, model, inspected, beside))
 }
 
-// The steps that put a model right, one after the other.
+/// Most steps that are proposed. The next check finds what is still wrong after them.
+const MOST_STEPS: usize = 8;
 
-/// Steps at most. What is still wrong then is found by the next check.
-const STEPS: usize = 8;
-
-/// Tries the remedies of a model.
-pub(crate) struct Trials<'t> {
+/// Tries the remedies that a check proposes.
+pub(crate) struct RemedyTrials<'t> {
     pub(crate) options: &'t InspectOptions,
-    /// What requests name beside the model.
+    /// The files that remedies name.
     pub(crate) files: &'t dyn Files,
     pub(crate) inspect: &'t dyn Fn(&FileName, &Model) -> Inspection,
 }
 
-/// A model on the way, and what is found in it.
-struct State {
+/// The model after a step, and its findings.
+struct ModelAfterStep {
     model: Model,
     found: CheckResult,
 }
 
-struct Step {
+/// A remedy that is effective, and the findings afterwards.
+struct TriedStep {
     request: Request,
-    /// What is found afterwards.
     found: CheckResult,
 }
 
-impl Trials<'_> {
-    /// `found` in `model` with the remedies that hold, as steps that work one after the other. Each succeeds, its finding is gone
-    /// afterwards, and no warning is new. A finding has the step after which it is gone.
-    pub(crate) fn tried(&self, model: &Model, mut found: CheckResult) -> CheckResult {
+impl RemedyTrials<'_> {
+    /// The result `found` of checking `model`, with steps that work one after the other as remedies. After each step its finding is gone,
+    /// and no warning is new. A finding gets the step after which it is gone.
+    pub(crate) fn with_tried_remedies(&self, model: &Model, mut found: CheckResult) -> CheckResult {
         if found.steps.is_empty() {
             return found;
         }
         let mut steps = self.steps(model, &found);
-        let path = path_of(&found);
+        let path = model_path(&found);
         if let [only] = steps.as_mut_slice() {
-            unnumbered(&mut only.request, &path, self.files);
+            set_default_output(&mut only.request, &path, self.files);
         }
-        let left: Vec<FindingIndex<'_>> =
-            steps.iter().map(|step| FindingIndex::new(&step.found.findings)).collect();
+        let remaining: Vec<FindingIndex<'_>> = steps.iter().map(|step| FindingIndex::new(&step.found.findings)).collect();
         for one in &mut found.findings {
-            let gone =
-                steps.iter().zip(&left).find(|(_, left)| left.find_same(one).is_none()).map(|(step, _)| step);
-            one.remedy = gone.filter(|_| has_command(one)).map(|step| step.request.clone());
+            let step_without_it = steps
+                .iter()
+                .zip(&remaining)
+                .find(|(_, remaining)| remaining.find_same(one).is_none())
+                .map(|(step, _)| step);
+            one.remedy = step_without_it.filter(|_| may_have_command(one)).map(|step| step.request.clone());
         }
         found.steps = steps.into_iter().map(|step| step.request).collect();
         found
     }
 
-    fn steps(&self, model: &Model, found: &CheckResult) -> Vec<Step> {
+    fn steps(&self, model: &Model, found: &CheckResult) -> Vec<TriedStep> {
         let one_file = self.options.geometry.is_none() && self.options.model.is_none();
         // A standalone set is two files, which a step would have to name anew.
-        let most = if one_file { STEPS } else { 1 };
-        let mut steps: Vec<Step> = Vec::new();
-        let mut made: Option<Model> = None;
+        let most = if one_file { MOST_STEPS } else { 1 };
+        let mut steps: Vec<TriedStep> = Vec::new();
+        let mut latest_model: Option<Model> = None;
         while steps.len() < most {
-            let now = steps.last().map_or(found, |step| &step.found);
-            let Some((request, next)) = self.next(made.as_ref().unwrap_or(model), now) else { break };
-            steps.push(Step { request, found: next.found });
-            made = Some(next.model);
+            let latest_findings = steps.last().map_or(found, |step| &step.found);
+            let Some((request, next)) =
+                self.next_step(latest_model.as_ref().unwrap_or(model), latest_findings)
+            else {
+                break;
+            };
+            steps.push(TriedStep { request, found: next.found });
+            latest_model = Some(next.model);
         }
         steps
     }
 
-    /// The first remedy that holds, and the model that it makes.
-    fn next(&self, model: &Model, found: &CheckResult) -> Option<(Request, State)> {
-        let from = path_of(found);
+    /// The first remedy that is effective, and the model that it makes.
+    fn next_step(&self, model: &Model, found: &CheckResult) -> Option<(Request, ModelAfterStep)> {
+        let from = model_path(found);
         candidates(found).into_iter().find_map(|Candidate { mut request, parts, .. }| {
-            let its: Vec<&FindingWithRemedy> =
-                found.findings.iter().filter(|one| is_for(&parts, one)).collect();
-            let to = output(&mut request, &from, self.files)?;
-            let next = self.after(&request, model, &to)?;
-            // What makes it uncertain what the contacts are made for blocks the next step.
+            let its: Vec<&FindingWithRemedy> = found.findings.iter().filter(|one| is_proposed_in(&parts, one)).collect();
+            let to = set_numbered_output(&mut request, &from, self.files)?;
+            let next = self.model_after(&request, model, &to)?;
+            // If the mass that the contacts are made for becomes uncertain, the next step cannot be planned.
             let in_doubt = next.model.doubt_about_note().is_some() && model.doubt_about_note().is_none();
-            (!in_doubt && holds(&its, &request, found, &next.found)).then_some((request, next))
+            (!in_doubt && is_effective(&its, &request, found, &next.found)).then_some((request, next))
         })
     }
 
-    /// The model after a request, as the file `to`; `None` where it is refused or changes nothing.
-    fn after(&self, request: &Request, model: &Model, to: &Path) -> Option<State> {
+    /// The model after a request, written as the file `to`; `None` if the request is refused or changes nothing.
+    fn model_after(&self, request: &Request, model: &Model, to: &Path) -> Option<ModelAfterStep> {
         let change = prepare(request.clone(), self.files).ok()?;
         let plan = change.plan_alone(model).ok().filter(|plan| !plan.is_empty())?;
         let model = plan.changed(model).ok()?;
         let inspected = (self.inspect)(&FileName::from(to), &model);
         let found = check_with_trials(self.options, &model, &inspected, &[]);
-        Some(State { model, found })
+        Some(ModelAfterStep { model, found })
     }
 }
 
-fn path_of(found: &CheckResult) -> PathBuf {
+fn model_path(found: &CheckResult) -> PathBuf {
     FileName::from_parts(found.model.clone(), found.model_bytes.clone()).to_path()
 }
 
-/// What to try next: remedies that are one command together, each remedy by itself, and all designs at once. What makes contacts right
-/// for their body comes first, because the others follow from it; then what makes other forces, then numbers of some, then those
-/// of all.
+/// The remedies to try, in this order: those that make contacts right for their body, because the others depend on them; those that
+/// convert forces; those that set numbers of some forces; designs of all forces. Remedies that differ only in their forces are also
+/// joined to one command, and all designs are merged to one.
 fn candidates(found: &CheckResult) -> Vec<Candidate> {
     let rank = |one: &Candidate| match &one.request {
         Request::Rescale(_) | Request::Transfer(_) => 0,
         Request::Convert(_) => 1,
         Request::Set(_) => 2,
-        // What a sphere carries at rest follows from the dissipation (C.9), and the smoothing from how deep it rests.
+        // The load of a sphere at rest depends on its dissipation (C.9), and the smoothing on its indentation at rest.
         Request::Design(design) if design.wanted.restitution.is_some() => 3,
         Request::Design(design) if design.wanted.indentation.is_some() => 4,
         _ => 5,
     };
-    // Of several constant indentations the least does what the others do.
+    // The smallest of several constant indentations also has the effect of the others.
     let constant = |one: &Candidate| match &one.request {
         Request::Design(design) => design.wanted.constant_indentation.map_or(1.0, ConstantIndentation::get),
         _ => 1.0,
     };
-    let mut all = joined(&found.steps);
-    all.extend(found.steps.iter().cloned().map(Candidate::alone));
+    let mut all = joined_over_forces(&found.steps);
+    all.extend(found.steps.iter().cloned().map(Candidate::of_one));
     all.sort_by(|a, b| rank(a).cmp(&rank(b)).then(constant(a).total_cmp(&constant(b))));
-    all.extend(merged(&all));
+    all.extend(merged_designs(&all));
     all
 }
 
-/// Whether one of these requests was proposed for the finding.
-fn is_for(requests: &[Request], finding: &FindingWithRemedy) -> bool {
+/// Whether one of `requests` was proposed for the finding.
+fn is_proposed_in(requests: &[Request], finding: &FindingWithRemedy) -> bool {
     finding.remedy.as_ref().is_some_and(|remedy| requests.contains(remedy))
 }
 
-fn has_command(finding: &FindingWithRemedy) -> bool {
+fn may_have_command(finding: &FindingWithRemedy) -> bool {
     finding.severity >= Severity::Warning && matches!(finding.rule.repair, Repair::Command(_))
 }
 
-/// Whether a remedy did what it promises.
-fn holds(its: &[&FindingWithRemedy], request: &Request, before: &CheckResult, after: &CheckResult) -> bool {
-    let (left, old) = (FindingIndex::new(&after.findings), FindingIndex::new(&before.findings));
-    let gone = its.iter().all(|one| left.find_same(one).is_none());
+/// Whether the findings `its`, for which the remedy was proposed, are gone after it, and no other warning is new.
+fn is_effective(its: &[&FindingWithRemedy], request: &Request, before: &CheckResult, after: &CheckResult) -> bool {
+    let (findings_after, findings_before) = (FindingIndex::new(&after.findings), FindingIndex::new(&before.findings));
+    let are_gone = its.iter().all(|one| findings_after.find_same(one).is_none());
     let makes_forces = matches!(request, Request::Convert(_));
-    let moved = bad(after).filter(|one| old.find_same(one).is_none()).any(|one| one.spheres.is_empty())
+    let has_new_warnings = warnings_and_errors(after)
+        .filter(|one| findings_before.find_same(one).is_none())
+        .any(|one| one.spheres.is_empty())
         && !makes_forces;
-    gone && !moved && codes(after).is_subset(&codes(before))
+    are_gone && !has_new_warnings && codes_of_warnings(after).is_subset(&codes_of_warnings(before))
 }
 
-fn bad(found: &CheckResult) -> impl Iterator<Item = &FindingWithRemedy> {
+fn warnings_and_errors(found: &CheckResult) -> impl Iterator<Item = &FindingWithRemedy> {
     found.findings.iter().filter(|one| one.severity >= Severity::Warning)
 }
 
-fn codes(found: &CheckResult) -> BTreeSet<FindingCode> {
-    bad(found).map(|one| one.code()).collect()
+fn codes_of_warnings(found: &CheckResult) -> BTreeSet<FindingCode> {
+    warnings_and_errors(found).map(|one| one.code()).collect()
 }
 
-// Several remedies as one command.
-
-/// A request to try, and the remedies that it does.
+/// A request to try, and the proposed remedies that it stands for.
 #[derive(Debug, Clone, PartialEq)]
 struct Candidate {
     request: Request,
@@ -179,41 +182,42 @@ struct Candidate {
 }
 
 impl Candidate {
-    fn alone(request: Request) -> Self {
+    fn of_one(request: Request) -> Self {
         Self { parts: vec![request.clone()], request }
     }
 }
 
-/// Remedies that do the same to other forces, each group as one that names all of them.
-fn joined(remedies: &[Request]) -> Vec<Candidate> {
+/// One request for each group of remedies that differ only in the forces that they name.
+fn joined_over_forces(remedies: &[Request]) -> Vec<Candidate> {
     let mut groups: Vec<Candidate> = Vec::new();
     for remedy in remedies {
-        let both = |group: &Candidate| with_forces(&group.request, remedy);
-        match groups.iter_mut().find_map(|group| both(group).map(|both| (group, both))) {
-            Some((group, both)) => {
-                group.request = both;
+        let joined_with = |group: &Candidate| joined_pair(&group.request, remedy);
+        match groups.iter_mut().find_map(|group| joined_with(group).map(|joined_with| (group, joined_with))) {
+            Some((group, joined_with)) => {
+                group.request = joined_with;
                 group.parts.push(remedy.clone());
             }
-            None => groups.push(Candidate::alone(remedy.clone())),
+            None => groups.push(Candidate::of_one(remedy.clone())),
         }
     }
     groups.retain(|group| group.parts.len() > 1);
     groups
 }
 
-/// `one` for the forces of `other`, too; `None` where they differ in anything else, or one is for all forces.
-fn with_forces(one: &Request, other: &Request) -> Option<Request> {
+/// The request `one` for the forces of `other`, too; `None` if they differ in something else, or one of them is for all forces.
+fn joined_pair(one: &Request, other: &Request) -> Option<Request> {
     let (mut all, mut more) = (one.clone(), other.clone());
-    let (before, added) = (std::mem::take(forces(&mut all)?), std::mem::take(forces(&mut more)?));
+    let (before, added) =
+        (std::mem::take(selected_forces(&mut all)?), std::mem::take(selected_forces(&mut more)?));
     let are_chosen = !added.is_empty() && !before.is_empty();
     if !are_chosen || all != more {
         return None;
     }
-    forces(&mut all)?.extend(before.into_iter().chain(added));
+    selected_forces(&mut all)?.extend(before.into_iter().chain(added));
     Some(all)
 }
 
-fn forces(request: &mut Request) -> Option<&mut Vec<Pattern>> {
+fn selected_forces(request: &mut Request) -> Option<&mut Vec<Pattern>> {
     match request {
         Request::Set(request) => Some(&mut request.choice.select),
         Request::Convert(request) => Some(&mut request.choice.select),
@@ -221,9 +225,9 @@ fn forces(request: &mut Request) -> Option<&mut Vec<Pattern>> {
     }
 }
 
-/// Everything that the designs want, in one; `None` where there are not several. Where two want other numbers of the same, the first
-/// counts.
-fn merged(candidates: &[Candidate]) -> Option<Candidate> {
+/// One design with everything that the designs among the candidates want; `None` if there are fewer than two. If two want different
+/// numbers of one quantity, the first counts.
+fn merged_designs(candidates: &[Candidate]) -> Option<Candidate> {
     let designs: Vec<&DesignRequest> = candidates
         .iter()
         .filter_map(|candidate| match &candidate.request {
@@ -234,14 +238,14 @@ fn merged(candidates: &[Candidate]) -> Option<Candidate> {
     let (first, others) = designs.split_first().filter(|(_, others)| !others.is_empty())?;
     let mut all: DesignRequest = (*first).clone();
     for other in others {
-        add(&mut all.wanted, &other.wanted);
+        add_wanted(&mut all.wanted, &other.wanted);
     }
     let parts = designs.into_iter().map(|design| design.clone().into()).collect();
     Some(Candidate { request: all.into(), parts })
 }
 
-/// Wants what `other` wants, too, where nothing is wanted of that yet.
-fn add(wanted: &mut WantedOptions, other: &WantedOptions) {
+/// Adds what `other` wants to `wanted`, where `wanted` has nothing yet.
+fn add_wanted(wanted: &mut WantedOptions, other: &WantedOptions) {
     wanted.indentation = wanted.indentation.or(other.indentation);
     wanted.restitution = wanted.restitution.or(other.restitution);
     wanted.impact_speed = wanted.impact_speed.or(other.impact_speed);
@@ -249,16 +253,14 @@ fn add(wanted: &mut WantedOptions, other: &WantedOptions) {
     wanted.state_width = wanted.state_width.or(other.state_width);
 }
 
-// The files that steps write: `human.fixed-1.osim`, `human.fixed-2.osim`.
+/// Steps write `human.fixed-1.osim`, `human.fixed-2.osim`: this is before the number.
+const STEP_MARK: &str = ".fixed-";
 
-/// What the names of results of steps end in, before their number.
-const MARK: &str = ".fixed-";
-
-/// Lets a step write the next file that is not there yet, and says which; `None` of a request that writes none.
-fn output(request: &mut Request, from: &Path, files: &dyn Files) -> Option<PathBuf> {
-    let (stem, done) = numbered(from);
+/// Sets and returns the output of a step: the file with the next free number; `None` for a request that writes no file.
+fn set_numbered_output(request: &mut Request, from: &Path, files: &dyn Files) -> Option<PathBuf> {
+    let (stem, done) = split_step_number(from);
     let name = |number: u32| {
-        let mut name = format!("{stem}{MARK}{number}");
+        let mut name = format!("{stem}{STEP_MARK}{number}");
         if let Some(extension) = from.extension() {
             name = format!("{name}.{}", extension.to_string_lossy());
         }
@@ -269,10 +271,10 @@ fn output(request: &mut Request, from: &Path, files: &dyn Files) -> Option<PathB
     Some(to)
 }
 
-/// Lets a step that is the only one write the file that every change writes, if that is not there yet. A model that is the result
-/// of a step stays in its series.
-fn unnumbered(request: &mut Request, from: &Path, files: &dyn Files) {
-    if numbered(from).1 == 0
+/// Sets the output of the only step to the one of every change, if that does not exist yet. If the model is itself the result of a
+/// step, the output keeps its number.
+fn set_default_output(request: &mut Request, from: &Path, files: &dyn Files) {
+    if split_step_number(from).1 == 0
         && !files.exists(&OutputOptions::beside(from))
         && let Some(output) = request.output_mut()
     {
@@ -280,11 +282,11 @@ fn unnumbered(request: &mut Request, from: &Path, files: &dyn Files) {
     }
 }
 
-/// The name without extension and number, and the number; 0 of a model that no step wrote.
-fn numbered(model: &Path) -> (String, u32) {
+/// The name without extension and number, and the number; 0 if no step wrote the model.
+fn split_step_number(model: &Path) -> (String, u32) {
     let stem = model.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let number =
-        stem.rsplit_once(MARK).and_then(|(stem, number)| Some((stem.to_owned(), number.parse().ok()?)));
+        stem.rsplit_once(STEP_MARK).and_then(|(stem, number)| Some((stem.to_owned(), number.parse().ok()?)));
     number.unwrap_or((stem, 0))
 }
 
@@ -306,7 +308,10 @@ mod tests {
             ("human.fixed-x.osim", "human.fixed-x.fixed-1.osim"),
         ] {
             let mut request = Request::from(DesignRequest::default());
-            assert_eq!(output(&mut request, Path::new(from), &files).as_deref(), Some(Path::new(to)));
+            assert_eq!(
+                set_numbered_output(&mut request, Path::new(from), &files).as_deref(),
+                Some(Path::new(to))
+            );
             assert_eq!(request.output_mut().unwrap().output.as_deref(), Some(Path::new(to)));
         }
     }

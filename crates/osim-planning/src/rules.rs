@@ -1,4 +1,4 @@
-//! All rules, in the order of their codes; and those of this crate: about what a change does to spheres, and about files beside a model.
+//! The list of all rules, in the order of their codes; and the rules about the result of a change and about files beside a model.
 
 use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
@@ -12,7 +12,7 @@ use osim_model::{Anatomy, Example, Finding, FindingCode, Model, Repair, Rule, Se
 
 const RULES: &[&Rule] = &[&BOTTOMS_MOVED, &COMPILED_MODEL_BESIDE, &HARD_LINKED, &ODD_MESH];
 
-/// Every rule of every crate, one for each code.
+/// Every rule of every crate, one for each code of a finding.
 pub fn all() -> &'static [&'static Rule] {
     static ALL: LazyLock<Vec<&Rule>> = LazyLock::new(|| {
         let below = [osim_model::RULES, osim_patch::RULES, RULES].concat();
@@ -23,8 +23,8 @@ pub fn all() -> &'static [&'static Rule] {
     &ALL
 }
 
-/// Those of `codes`, in the order of the codes.
-pub fn of<'c>(codes: impl Fn(FindingCode) -> bool + 'c) -> impl Iterator<Item = &'static Rule> + 'c {
+/// The rules whose code `codes` accepts, in the order of the codes.
+pub fn with_code<'c>(codes: impl Fn(FindingCode) -> bool + 'c) -> impl Iterator<Item = &'static Rule> + 'c {
     all().iter().copied().filter(move |rule| codes(rule.code))
 }
 
@@ -42,7 +42,7 @@ static BOTTOMS_MOVED: Rule = Rule {
     },
 };
 
-/// A body that stood as `before` and does not as `now`; it is named if there are `several`.
+/// The finding about a body that stood `before` the change and does not `now`; it names the body if there are `several`.
 pub(crate) fn bottoms_moved_of_body(
     before: &StandingBody,
     now: &StandingBody,
@@ -54,7 +54,7 @@ pub(crate) fn bottoms_moved_of_body(
     Some(Finding::new(&BOTTOMS_MOVED, text).with_place(&now.lowest()?.path))
 }
 
-/// A limb whose bottoms differed by `before_m` and differ more now, from `lowest` to `highest`.
+/// The finding about a limb whose bottoms differed by `before_m` and differ more now, from `lowest` to `highest`.
 pub(crate) fn bottoms_moved_of_limb(limb: &str, before_m: f64, lowest: &Bottom, highest: &Bottom) -> Finding {
     let millimetres = |metres: f64| readable((metres * 1e4).round() / 10.0);
     let now_m = highest.height_m - lowest.height_m;
@@ -84,7 +84,7 @@ static COMPILED_MODEL_BESIDE: Rule = Rule {
     },
 };
 
-/// The compiled file `compiled` would be used instead of the output.
+/// The finding that other programs would use the file `compiled` instead of the output.
 pub fn compiled_model_beside(compiled: &Path) -> Finding {
     let text =
         format!("{} lies beside the output: PredSim and OpenCap would go on using it", compiled.display());
@@ -105,17 +105,17 @@ static HARD_LINKED: Rule = Rule {
     },
 };
 
-/// The file `path` has `others` more names.
+/// The finding that the file `path` has `others` more names.
 pub fn hard_linked(path: &Path, others: u64) -> Finding {
     let names = if others == 1 { "one more name".to_owned() } else { format!("{others} more names") };
     let text = format!("{} has {names} (hard links), under which the old model stays", path.display());
     Finding::new(&HARD_LINKED, text)
 }
 
-/// Bodies whose meshes are looked at: more than a model has feet. Each is a file to read.
-const MOST_BODIES: usize = 40;
-/// Among more bodies nobody looks for those near the ground, which takes longer than all other rules.
-const MOST_BARE_BODIES: usize = 200;
+/// Bodies of feet whose meshes are read at most. Each mesh is a file.
+const MOST_FEET_BODIES: usize = 40;
+/// In a model with more bodies and without spheres, bodies near the ground are not searched: that takes longer than all other rules.
+const MOST_BODIES_TO_SEARCH: usize = 200;
 
 static ODD_MESH: Rule = Rule {
     code: FindingCode::OddMesh,
@@ -128,13 +128,13 @@ static ODD_MESH: Rule = Rule {
     example: Example::Models { good: "feet/human_40000.osim", bad: "feet/human_in_millimetres.osim" },
 };
 
-/// One finding, about the first mesh of a foot that does not fit; the model is the file at `path`.
+/// The finding about the first mesh of a foot that does not fit the skeleton; the model is the file at `path`.
 pub(crate) fn find_odd_mesh(model: &Model, path: &Path, files: &dyn Files) -> Option<Finding> {
-    let feet = feet(model);
+    let feet = bodies_of_feet(model);
     if feet.is_empty() {
         return None;
     }
-    let bodies: HashSet<&str> = feet.iter().take(MOST_BODIES).map(String::as_str).collect();
+    let bodies: HashSet<&str> = feet.iter().take(MOST_FEET_BODIES).map(String::as_str).collect();
     let odd = odd_meshes(model, &bodies, &MeshFolders::of_model(path), files);
     let first = odd.first()?;
     let more = match odd.len() {
@@ -145,11 +145,11 @@ pub(crate) fn find_odd_mesh(model: &Model, path: &Path, files: &dyn Files) -> Op
     Some(Finding::new(&ODD_MESH, format!("{}{more}", first.text)))
 }
 
-/// The bodies of feet: those with spheres; in a model without spheres those near the ground.
-fn feet(model: &Model) -> BTreeSet<String> {
+/// The bodies of feet: those with spheres, or those near the ground in a model without spheres.
+fn bodies_of_feet(model: &Model) -> BTreeSet<String> {
     let moving = model.spheres().iter().filter(|sphere| !sphere.fixed);
     let carriers: BTreeSet<String> = moving.filter_map(|sphere| sphere.body.clone()).collect();
-    if !carriers.is_empty() || model.bodies().len() > MOST_BARE_BODIES {
+    if !carriers.is_empty() || model.bodies().len() > MOST_BODIES_TO_SEARCH {
         return carriers;
     }
     let Ok(anatomy) = Anatomy::of(model) else { return carriers };

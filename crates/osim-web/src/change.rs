@@ -8,7 +8,7 @@ use osim_model::messages::Verb;
 use osim_model::{FileId, Model};
 use osim_patch::Plan;
 use osim_planning::scene::{Fall, Scene};
-use osim_planning::{BeforeAfter, Change, States};
+use osim_planning::{BeforeAfter, BeforeAndAfterPlan, PreparedChange};
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::{CommandLine, FrontEnd};
 use osim_view::html::{
@@ -32,7 +32,7 @@ const FALLS: &str = "falls";
 
 /// A change that is planned.
 pub(crate) struct Planned {
-    change: Change,
+    change: PreparedChange,
     opened: Rc<Opened>,
     plan: Plan,
     /// The model as it will be; `None` where nothing changes.
@@ -81,7 +81,7 @@ impl Planned {
     /// # Errors
     /// What cannot be done with this model, or what only the user can know.
     pub(crate) fn new(
-        change: Change,
+        change: PreparedChange,
         opened: Rc<Opened>,
         shelf: &Shelf,
         words: &'static dyn FrontEnd,
@@ -127,16 +127,22 @@ impl Planned {
     /// Both states of the model.
     fn both(&self, with_feet: bool, shelf: &Shelf) -> Result<BeforeAfter, Problem> {
         let opened = &self.opened.model;
-        let mut both =
-            BeforeAfter::of(&self.change, opened, &self.plan, || self.as_files(), self.words, with_feet)?;
+        let mut both = BeforeAfter::of_plan(
+            &self.change,
+            opened,
+            &self.plan,
+            || self.as_files(),
+            self.words,
+            with_feet,
+        )?;
         if let Some(feet) = both.feet.last_mut() {
             feet.add_bones(&opened.model, &self.opened.path, None, shelf);
         }
         Ok(both)
     }
 
-    fn states(&self) -> States<'_> {
-        States {
+    fn states(&self) -> BeforeAndAfterPlan<'_> {
+        BeforeAndAfterPlan {
             change: &self.change,
             opened: &self.opened.model,
             plan: &self.plan,

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::rc::Rc;
 
 use osim_model::files::{Failure, Files};
-use osim_planning::scene::{AnimalFall, Bones};
-use osim_planning::{Change, Inspector, prepare};
+use osim_planning::scene::{AnimalFall, BoneSurfaces};
+use osim_planning::{Inspector, PreparedChange, prepare};
 use osim_requests::Request;
 use osim_requests::options::SetFiles;
 use osim_requests::spell::{CommandLine, FrontEnd, Page, Speller};
@@ -112,7 +112,7 @@ impl Engine {
             Question::Bones { model, fields } => {
                 let inspector = look::inspector(&model, fields, &self.shelf)?;
                 let opened = self.open(Path::new(&model), inspector.set_files())?;
-                ok(Bones::of(&opened.model.model, Path::new(&model), &self.shelf))
+                ok(BoneSurfaces::of(&opened.model.model, Path::new(&model), &self.shelf))
             }
             Question::Play { request } => ok(look::played(Request::from_map(request)?, &self.shelf)?),
             Question::Change { request, parts } => {
@@ -147,7 +147,7 @@ impl Engine {
     }
 
     fn plan(&mut self, request: Request, words: &'static dyn FrontEnd) -> Result<Planned, Problem> {
-        let change: Change = prepare(request, &self.shelf)?;
+        let change: PreparedChange = prepare(request, &self.shelf)?;
         let [path] = change.models.as_slice() else {
             return Err(Problem::question("a change is of one model"));
         };
@@ -182,7 +182,7 @@ impl Engine {
             let [path] = request.models.as_slice() else {
                 return Err(Problem::question("this report is about one model"));
             };
-            let inspector = Inspector::of_inspect(request, &self.shelf);
+            let inspector = Inspector::for_inspect(request, &self.shelf);
             let opened = self.open(path, inspector.set_files())?;
             let entry = look::entry(&inspector, &opened, &self.shelf, &CommandLine)?;
             return Report::of(verb, path, asked(&mut fields, path)?, entry);

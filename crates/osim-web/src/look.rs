@@ -6,7 +6,7 @@ use osim_inspect::series::Body;
 use osim_inspect::{CheckResult, FindingRecord, FindingWithRemedy, Inspection, Verdict};
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
 use osim_model::messages::Verb;
-use osim_planning::scene::{Fall, Played, Scene};
+use osim_planning::scene::{Fall, PlayedRecording, Scene};
 use osim_planning::{Inspector, ModelFeet, run_motion};
 use osim_requests::Request;
 use osim_requests::options::SetFiles;
@@ -125,8 +125,8 @@ pub(crate) fn inspector(model: &str, mut fields: Fields, shelf: &Shelf) -> Resul
     let verb = if fields.contains_key("from") { Verb::Check } else { Verb::Inspect };
     fields.insert("models".to_owned(), model.into());
     match Request::read(verb, fields)? {
-        Request::Inspect(request) => Ok(Inspector::of_inspect(&request, shelf)),
-        Request::Check(request) => Ok(Inspector::of_check(&request, shelf)),
+        Request::Inspect(request) => Ok(Inspector::for_inspect(&request, shelf)),
+        Request::Check(request) => Ok(Inspector::for_check(&request, shelf)),
         other => Err(Problem::defect(format!("a request for {}", other.verb().name()))),
     }
 }
@@ -180,9 +180,9 @@ pub(crate) fn look(
 }
 
 /// The model along a recording.
-pub(crate) fn played(request: Request, shelf: &Shelf) -> Result<Played, Problem> {
+pub(crate) fn played(request: Request, shelf: &Shelf) -> Result<PlayedRecording, Problem> {
     match request {
-        Request::Motion(request) => Ok(Played::of(&run_motion(&request, shelf)?, &request, &Page)),
+        Request::Motion(request) => Ok(PlayedRecording::of(&run_motion(&request, shelf)?, &request, &Page)),
         other => Err(Problem::question(format!("{} follows no recording", other.verb().name()))),
     }
 }

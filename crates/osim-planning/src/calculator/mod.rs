@@ -1,6 +1,6 @@
 //! A design without a model: from what is known, every figure that follows, with its equation and limit.
 
-mod given;
+mod inputs;
 
 use std::borrow::Cow;
 
@@ -18,8 +18,8 @@ use osim_requests::{ConstantIndentation, DesignRequest, Positive, RequestFault, 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 
-pub(crate) use given::STANDARD_GRAVITY_M_S2;
-use given::{AtRest, Given, ModulusFrom, refused, solve_at_rest};
+pub(crate) use inputs::STANDARD_GRAVITY_M_S2;
+use inputs::{AtRest, DesignInputs, ModulusSource, domain_fault, solve_at_rest};
 
 /// Every figure that follows from what is known. Serialised it is the JSON contract of `design` without a model;
 /// `docs/reference/json.md` describes it.
@@ -30,7 +30,7 @@ pub struct DesignSheet {
     pub schema_version: u32,
     /// The figures, in the order in which they follow.
     pub figures: Vec<DesignFigure>,
-    /// Things to know about them.
+    /// Sentences about how figures were calculated, and limits of that.
     pub remarks: Vec<String>,
 }
 
@@ -38,11 +38,11 @@ pub struct DesignSheet {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct DesignFigure {
-    /// What it is.
+    /// The quantity of the register.
     #[serde(skip)]
     pub quantity: DesignQuantity,
     /// Its name, with its unit.
-    #[cfg_attr(feature = "schemas", schemars(schema_with = "names"))]
+    #[cfg_attr(feature = "schemas", schemars(schema_with = "figure_names"))]
     pub name: &'static str,
     /// Its value.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
@@ -51,7 +51,7 @@ pub struct DesignFigure {
     pub unit: &'static str,
     /// Number of the equation in the paper, or a word where there is none.
     pub equation: Cow<'static, str>,
-    /// It was given, and does not follow from other numbers.
+    /// Whether it was given; else it was calculated from other numbers.
     pub given: bool,
     /// Its limit, where it has one.
     pub limit: Option<DesignLimit>,
@@ -76,14 +76,14 @@ impl DesignSheet {
         self.add_by(quantity.info().equation, quantity, value, given);
     }
 
-    /// A figure that depends on the force at rest: by (C.9), too, if that is not the Hertz force.
+    /// Adds a figure that depends on the force at rest: its equations include (C.9) if the contact is `add_smoothing`.
     fn add_at_rest(&mut self, smoothed: bool, quantity: DesignQuantity, value: f64, given: bool) {
         let equation = quantity.info().equation;
         let equation = if smoothed { format!("{equation}, C.9").into() } else { Cow::from(equation) };
         self.add_by(equation, quantity, value, given);
     }
 
-    /// A figure by another equation than its quantity has as a rule.
+    /// Adds a figure that was calculated by another equation than its quantity usually is.
     fn add_by(
         &mut self,
         equation: impl Into<Cow<'static, str>>,
@@ -101,16 +101,16 @@ impl DesignSheet {
 
 /// A name from the register.
 #[cfg(feature = "schemas")]
-fn names(_: &mut SchemaGenerator) -> Schema {
-    let names: Vec<&str> = DesignQuantity::ALL.iter().map(|quantity| quantity.info().name).collect();
-    json_schema!({"type": "string", "enum": names})
+fn figure_names(_: &mut SchemaGenerator) -> Schema {
+    let figure_names: Vec<&str> = DesignQuantity::ALL.iter().map(|quantity| quantity.info().name).collect();
+    json_schema!({"type": "string", "enum": figure_names})
 }
 
-// The one register of what a design without a model finds. A new quantity is a new entry here, a line in `design_sheet` that
+// The one register of the figures of a design without a model. A new quantity is a new entry here, a line in `design_sheet` that
 // adds its value, and a test.
 
 osim_inspect::quantities! {
-    /// A quantity of a design, see [`Quantity`]; its equation may be another in a case.
+    /// A quantity of a design, see [`Quantity`].
     DesignQuantity {
         /// Load F/n on each sphere.
         LoadPerSphere = Quantity::new("load_per_sphere_n", "load per sphere", "N").by_equation("3");
@@ -135,7 +135,7 @@ osim_inspect::quantities! {
         ContactPatchDiameter = Quantity::new("contact_patch_diameter_m", "contact patch diameter", "m").by_equation("15");
         /// Natural frequency f_n about the rest under one body weight, from k and the mass on the sphere, M/n.
         NaturalFrequency = Quantity::NATURAL_FREQUENCY;
-        /// The same from gravity and the indentation at rest.
+        /// Frequency about the rest from gravity and the indentation at rest.
         EquilibriumFrequency = Quantity::new("equilibrium_frequency_hz", "equilibrium frequency", "Hz").by_equation("B.5");
         /// Speed before the impact.
         ImpactSpeed = Quantity::IMPACT_SPEED.by_equation("13");
@@ -146,11 +146,11 @@ osim_inspect::quantities! {
         /// Restitution of the law itself with that dissipation.
         RestitutionExact
             = Quantity::new("restitution_exact_at_this_dissipation", "restitution exact at this dissipation", "")
-            .by_equation(DesignQuantity::EXACT);
+            .by_equation(DesignQuantity::EXACT_LAW);
         /// Dissipation with which the law itself has the restitution that is wanted; absent for a restitution of 0.
         DissipationExact
             = Quantity::new("dissipation_for_exact_restitution_s_m", "dissipation for exact restitution", "s/m")
-            .by_equation(DesignQuantity::EXACT);
+            .by_equation(DesignQuantity::EXACT_LAW);
         /// cf, which gives the constant indentation √cf / R that is wanted.
         ConstantContactForce = Quantity::property(Property::ConstantContactForce).by_equation("C.2");
         /// bd, which gives the width of the contact transition that is wanted.
@@ -163,47 +163,45 @@ osim_inspect::quantities! {
 }
 
 impl DesignQuantity {
-    /// In the place of an equation: the law itself, which has no number.
-    pub const EXACT: &'static str = "exact";
+    /// Stands in the place of an equation where a figure follows from the law itself, which has no number.
+    pub const EXACT_LAW: &'static str = "exact";
 }
-
-// Figures that follow from what is known.
 
 /// Calculates a design that names no model.
 ///
 /// # Errors
 /// Too little is known, or it contradicts itself; or something is given that only makes sense with a model.
 pub fn design_sheet(request: &DesignRequest) -> Result<DesignSheet, RequestFault> {
-    if let Some(input) = without_meaning(request) {
+    if let Some(input) = input_that_needs_a_model(request) {
         let message = phrase![input, " needs a model to work on: name one, or leave it out"];
         return Err(RequestFault::refused(input, message));
     }
-    let given = Given::new(request)?;
-    let load = given.shared_load().map_err(refused)?;
-    let known = given.known(load.as_ref());
+    let inputs = DesignInputs::new(request)?;
+    let load = inputs.shared_load().map_err(domain_fault)?;
+    let given_quantities = inputs.known_quantities(load.as_ref());
     let mut sheet = DesignSheet::new();
-    let (sizing, at_rest) = solve_at_rest(&known, &given, &request.wanted)?;
+    let (sizing, at_rest) = solve_at_rest(&given_quantities, &inputs, &request.wanted)?;
     match &sizing {
-        Some(sizing) => sized(&mut sheet, sizing, &known, &given, load.as_ref(), at_rest)?,
-        None if given.needs_sizing() => return Err(given.missing()),
+        Some(sizing) => add_sizing(&mut sheet, sizing, &given_quantities, &inputs, load.as_ref(), at_rest)?,
+        None if inputs.needs_sizing() => return Err(inputs.missing_inputs()),
         None => {
-            if let Some(composite) = given.composite_modulus {
-                moduli(&mut sheet, composite, given.modulus, false)?;
+            if let Some(composite) = inputs.composite_modulus {
+                add_moduli(&mut sheet, composite, inputs.modulus, false)?;
             }
         }
     }
-    let radius = sizing.map(|sizing| sizing.radius_m).or(given.radius_m);
-    let composite = sizing.map(|sizing| sizing.composite_modulus_n_m2).or(given.composite_modulus);
-    dissipation(&mut sheet, &request.wanted, radius, given.gravity_m_s2)?;
-    smoothed(&mut sheet, &request.wanted, radius, composite, at_rest)?;
+    let radius = sizing.map(|sizing| sizing.radius_m).or(inputs.radius_m);
+    let composite = sizing.map(|sizing| sizing.composite_modulus_n_m2).or(inputs.composite_modulus);
+    add_dissipation(&mut sheet, &request.wanted, radius, inputs.gravity_m_s2)?;
+    add_smoothing(&mut sheet, &request.wanted, radius, composite, at_rest)?;
     if sheet.figures.is_empty() {
-        return Err(given.missing());
+        return Err(inputs.missing_inputs());
     }
     Ok(sheet)
 }
 
 /// The first input that only makes sense with a model.
-fn without_meaning(request: &DesignRequest) -> Option<Input> {
+fn input_that_needs_a_model(request: &DesignRequest) -> Option<Input> {
     let output = &request.output;
     let given = [
         (Input::Output, output.output.is_some()),
@@ -226,51 +224,63 @@ fn without_meaning(request: &DesignRequest) -> Option<Input> {
     given.into_iter().find(|(_, given)| *given).map(|(input, _)| input)
 }
 
-fn moduli(
+fn add_moduli(
     sheet: &mut DesignSheet,
     composite: f64,
-    from: ModulusFrom,
+    from: ModulusSource,
     smoothed: bool,
 ) -> Result<(), RequestFault> {
     match from.equation() {
         Some(equation) => sheet.add_by(equation, DesignQuantity::CompositeModulus, composite, false),
         None => sheet.add_at_rest(smoothed, DesignQuantity::CompositeModulus, composite, false),
     }
-    let surface = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(refused)?;
-    sheet.add(DesignQuantity::Stiffness, surface, from == ModulusFrom::Stiffness);
+    let surface =
+        modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).map_err(domain_fault)?;
+    sheet.add(DesignQuantity::Stiffness, surface, from == ModulusSource::Stiffness);
     Ok(())
 }
 
-fn sized(
+fn add_sizing(
     sheet: &mut DesignSheet,
     sizing: &Sizing,
-    known: &Known,
-    given: &Given,
+    given_quantities: &Known,
+    inputs: &DesignInputs,
     load: Option<&SharedLoad>,
     at_rest: Option<AtRest>,
 ) -> Result<(), RequestFault> {
     let (radius, x) = (sizing.radius_m, sizing.relative_indentation);
     let (load_n, k) = (sizing.load_per_sphere_n, sizing.stiffness_n_m);
-    let smoothed = at_rest.is_some_and(AtRest::matters);
-    sheet.add_at_rest(smoothed, DesignQuantity::LoadPerSphere, load_n, known.load_per_sphere_n.is_some());
-    sheet.add(DesignQuantity::Radius, radius, known.radius_m.is_some());
-    let x_given = known.relative_indentation.is_some();
+    let smoothed = at_rest.is_some_and(AtRest::changes_force);
+    sheet.add_at_rest(
+        smoothed,
+        DesignQuantity::LoadPerSphere,
+        load_n,
+        given_quantities.load_per_sphere_n.is_some(),
+    );
+    sheet.add(DesignQuantity::Radius, radius, given_quantities.radius_m.is_some());
+    let x_given = given_quantities.relative_indentation.is_some();
     sheet.add_at_rest(smoothed, DesignQuantity::RelativeIndentation, x, x_given);
     sheet.add(DesignQuantity::Indentation, x * radius, false);
-    moduli(sheet, sizing.composite_modulus_n_m2, given.modulus, smoothed)?;
-    sheet.add_at_rest(smoothed, DesignQuantity::ContactStiffness, k, known.stiffness_n_m.is_some());
-    let one = SharedLoad::new(load_n, 1.0).map_err(refused)?;
-    let pure = stiffness::dimensionless(k, radius, &one).map_err(refused)?;
-    sheet.add(DesignQuantity::DimensionlessStiffness, pure, false);
-    let stress = patch::mean_stress(load_n, radius, x).map_err(refused)?;
+    add_moduli(sheet, sizing.composite_modulus_n_m2, inputs.modulus, smoothed)?;
+    sheet.add_at_rest(
+        smoothed,
+        DesignQuantity::ContactStiffness,
+        k,
+        given_quantities.stiffness_n_m.is_some(),
+    );
+    let one = SharedLoad::new(load_n, 1.0).map_err(domain_fault)?;
+    let dimensionless = stiffness::dimensionless(k, radius, &one).map_err(domain_fault)?;
+    sheet.add(DesignQuantity::DimensionlessStiffness, dimensionless, false);
+    let stress = patch::mean_stress(load_n, radius, x).map_err(domain_fault)?;
     sheet.add(DesignQuantity::MeanContactStress, stress, false);
-    let diameter = patch::diameter(x * radius, radius).map_err(refused)?;
+    let diameter = patch::diameter(x * radius, radius).map_err(domain_fault)?;
     sheet.add(DesignQuantity::ContactPatchDiameter, diameter, false);
-    if let (Some(mass), Some(load), true) = (given.mass_kg, load, given.is_body_weight) {
+    if let (Some(mass), Some(load), true) = (inputs.mass_kg, load, inputs.is_body_weight) {
         let on_sphere = mass / load.sphere_count();
-        let frequency = stiffness::natural_frequency(k, on_sphere).map_err(refused)?;
+        let frequency = stiffness::natural_frequency(k, on_sphere).map_err(domain_fault)?;
         sheet.add(DesignQuantity::NaturalFrequency, frequency, false);
-        let frequency = stiffness::equilibrium_frequency(x, radius, given.gravity_m_s2).map_err(refused)?;
+        let frequency =
+            stiffness::equilibrium_frequency(x, radius, inputs.gravity_m_s2).map_err(domain_fault)?;
         sheet.add(DesignQuantity::EquilibriumFrequency, frequency, false);
     }
     sheet.remarks.extend(at_rest.and_then(AtRest::remark));
@@ -281,7 +291,7 @@ fn sized(
     Ok(())
 }
 
-fn dissipation(
+fn add_dissipation(
     sheet: &mut DesignSheet,
     wanted: &WantedOptions,
     radius: Option<f64>,
@@ -293,7 +303,7 @@ fn dissipation(
         (None, Some(radius)) => {
             let text = "the impact speed is that of a fall from a quarter of the radius, sqrt(gR/2)";
             sheet.remarks.push(text.to_owned());
-            restitution::drop_speed(gravity, radius).map_err(refused)?
+            restitution::drop_speed(gravity, radius).map_err(domain_fault)?
         }
         (None, None) => {
             let message = phrase![
@@ -306,19 +316,19 @@ fn dissipation(
         }
     };
     sheet.add(DesignQuantity::ImpactSpeed, speed, wanted.impact_speed.is_some());
-    let alpha = restitution::dissipation(target, speed).map_err(refused)?;
+    let alpha = restitution::dissipation(target, speed).map_err(domain_fault)?;
     sheet.add(DesignQuantity::Restitution, target, true);
     sheet.add(DesignQuantity::Dissipation, alpha, false);
-    let exact = restitution::exact(alpha, speed).map_err(refused)?;
+    let exact = restitution::exact(alpha, speed).map_err(domain_fault)?;
     sheet.add(DesignQuantity::RestitutionExact, exact, false);
     if target > 0.0 {
-        let exact = restitution::exact_dissipation(target, speed).map_err(refused)?;
+        let exact = restitution::exact_dissipation(target, speed).map_err(domain_fault)?;
         sheet.add(DesignQuantity::DissipationExact, exact, false);
     }
     Ok(())
 }
 
-fn smoothed(
+fn add_smoothing(
     sheet: &mut DesignSheet,
     wanted: &WantedOptions,
     radius: Option<f64>,
@@ -336,18 +346,18 @@ fn smoothed(
     let mut bd = None;
     if let Some(x) = wanted.constant_indentation.map(ConstantIndentation::get) {
         let radius = need(Input::ConstantIndentation)?;
-        let value = smoothing::constant_contact_force(x, radius).map_err(refused)?;
+        let value = smoothing::constant_contact_force(x, radius).map_err(domain_fault)?;
         sheet.add(DesignQuantity::ConstantContactForce, value, false);
         cf = Some(value);
     }
     if let Some(width) = wanted.state_width.map(Positive::get) {
         let radius = need(Input::StateWidth)?;
-        let value = smoothing::hertz_smoothing_for_width(t, width, radius).map_err(refused)?;
+        let value = smoothing::hertz_smoothing_for_width(t, width, radius).map_err(domain_fault)?;
         sheet.add(DesignQuantity::HertzSmoothing, value, false);
         bd = Some(value);
     }
     if let Some(width) = wanted.speed_width.map(Positive::get) {
-        let value = smoothing::hunt_crossley_smoothing_for_speed_width(t, width).map_err(refused)?;
+        let value = smoothing::hunt_crossley_smoothing_for_speed_width(t, width).map_err(domain_fault)?;
         sheet.add(DesignQuantity::HuntCrossleySmoothing, value, false);
     }
     if let (Some(constant_contact_force), Some(hertz_smoothing), Some(radius), Some(composite)) =
@@ -355,8 +365,8 @@ fn smoothed(
     {
         let values =
             SmoothingValues { constant_contact_force, hertz_smoothing, ..SmoothingValues::OPENSIM_DEFAULT };
-        let hertz = Hertz::sphere(composite, radius).map_err(refused)?;
-        let elastic = SmoothSphere::new(hertz, 0.0, values).map_err(refused)?.elastic_force(0.0);
+        let hertz = Hertz::sphere(composite, radius).map_err(domain_fault)?;
+        let elastic = SmoothSphere::new(hertz, 0.0, values).map_err(domain_fault)?.elastic_force(0.0);
         match at_rest {
             Some(known) => sheet.add(DesignQuantity::ForceJustTouching, elastic * known.speed_state, false),
             None => sheet.add_by("C.3", DesignQuantity::ForceJustTouching, elastic, false),

@@ -10,7 +10,7 @@ use osim_model::refuse_name;
 use crate::sheet::{Row, Sheet};
 pub use place::{PlaceFault, PlaceOnBody, TablePlace};
 
-/// What is wrong with a table, and where.
+/// What is wrong with a table of contacts, and where.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableFault {
     /// Line in the file, where it is about one.
@@ -38,13 +38,13 @@ impl Display for TableFault {
 
 impl std::error::Error for TableFault {}
 
-/// No place and no radius is beyond this, in whatever unit, m.
-const LARGEST: f64 = 1e9;
+/// No coordinate and no radius may be larger than this, m.
+const LARGEST_LENGTH_M: f64 = 1e9;
 /// What MuSkeMo writes where a contact has no body.
 const NO_BODY: &str = "not_assigned";
 
-/// Contacts as a table has them: one's own (`name`, `body`, `x`, `y`, `z` in the body's frame and perhaps `radius`, all in metres),
-/// or MuSkeMo's export as it is.
+/// The contacts of a table with the columns `name`, `body`, `x`, `y`, `z` (in the body's frame) and perhaps `radius`, all in metres;
+/// or of a table that MuSkeMo exported.
 ///
 /// ```
 /// use osim_planning::contact_table::{ContactTable, TablePlace};
@@ -58,7 +58,7 @@ const NO_BODY: &str = "not_assigned";
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactTable {
     pub rows: Vec<ContactRow>,
-    /// Whether it has radii; then each row has one.
+    /// Whether the table has a column of radii; then each row has one.
     pub has_radii: bool,
 }
 
@@ -84,7 +84,7 @@ impl ContactTable {
     pub fn read(bytes: &[u8]) -> Result<Self, TableFault> {
         let whole = |message| TableFault { line: None, column: None, message };
         let sheet = Sheet::read(bytes).map_err(whole)?;
-        let columns = Columns::of(&sheet)?;
+        let columns = Columns::from_header(&sheet)?;
         let mut lines: HashMap<String, u64> = HashMap::new();
         let mut rows = Vec::new();
         for row in &sheet.rows {
@@ -122,10 +122,11 @@ impl Cells<'_> {
             return Err(self.fault(columns.body, message));
         }
         let place = match columns.of_body {
-            Some(own) => TablePlace::OfBody(self.numbers(own)?),
+            Some(columns_of_body) => TablePlace::OfBody(self.place(columns_of_body)?),
             None => {
-                let triple =
-                    |columns: Option<[usize; 3]>| columns.map_or(Ok(None), |own| self.numbers_or_none(own));
+                let triple = |columns: Option<[usize; 3]>| {
+                    columns.map_or(Ok(None), |columns_of_body| self.optional_place(columns_of_body))
+                };
                 TablePlace::Exported { global_m: triple(columns.global)?, local_m: triple(columns.local)? }
             }
         };
@@ -145,15 +146,15 @@ impl Cells<'_> {
         Err(self.fault(column, format!("'{}' is not a radius, expected metres above 0", self.cell(column))))
     }
 
-    fn numbers(&self, [x, y, z]: [usize; 3]) -> Result<[f64; 3], TableFault> {
+    fn place(&self, [x, y, z]: [usize; 3]) -> Result<[f64; 3], TableFault> {
         Ok([self.number(x)?, self.number(y)?, self.number(z)?])
     }
 
     /// Three numbers, or three cells that are empty or nan.
-    fn numbers_or_none(&self, columns: [usize; 3]) -> Result<Option<[f64; 3]>, TableFault> {
-        let silent =
+    fn optional_place(&self, columns: [usize; 3]) -> Result<Option<[f64; 3]>, TableFault> {
+        let is_blank =
             |&column: &usize| self.cell(column).is_empty() || self.cell(column).eq_ignore_ascii_case("nan");
-        if columns.iter().all(silent) { Ok(None) } else { self.numbers(columns).map(Some) }
+        if columns.iter().all(is_blank) { Ok(None) } else { self.place(columns).map(Some) }
     }
 
     fn number(&self, column: usize) -> Result<f64, TableFault> {
@@ -162,7 +163,7 @@ impl Cells<'_> {
             return Err(self.fault(column, "the cell is empty, expected a number"));
         }
         match self.sheet.number(cell) {
-            Ok(value) if value.abs() <= LARGEST => Ok(value),
+            Ok(value) if value.abs() <= LARGEST_LENGTH_M => Ok(value),
             Ok(_) => Err(self.fault(column, format!("'{cell}' is beyond 1e9, expected metres"))),
             Err(why) => Err(self.fault(column, format!("'{cell}' {why}"))),
         }
@@ -180,41 +181,41 @@ impl Cells<'_> {
     }
 }
 
-/// What a column says of a contact.
+/// What a column of the table contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
+enum ColumnMeaning {
     Name,
     Body,
     Radius,
-    /// A coordinate in the frame of the body.
+    /// A coordinate (0 for x, 1 for y, 2 for z) in the frame of the body.
     OfBody(usize),
-    /// As MuSkeMo exports it: a number only where a local frame was assigned.
+    /// A coordinate in MuSkeMo's local frame: a number only where a local frame was assigned.
     Local(usize),
     /// A coordinate in MuSkeMo's global frame.
     Global(usize),
-    /// A remark of the user, or a name that nothing follows from.
+    /// A column that is not used, such as a remark of the user.
     Remark,
 }
 
-/// Names of columns without their unit, in small letters. Those of MuSkeMo's export follow one's own.
-const KNOWN: [(&str, Kind); 15] = [
-    ("name", Kind::Name),
-    ("body", Kind::Body),
-    ("x", Kind::OfBody(0)),
-    ("y", Kind::OfBody(1)),
-    ("z", Kind::OfBody(2)),
-    ("radius", Kind::Radius),
-    ("contact_name", Kind::Name),
-    ("parent_body", Kind::Body),
-    ("pos_x_in_global", Kind::Global(0)),
-    ("pos_y_in_global", Kind::Global(1)),
-    ("pos_z_in_global", Kind::Global(2)),
-    ("pos_x_in_local", Kind::Local(0)),
-    ("pos_y_in_local", Kind::Local(1)),
-    ("pos_z_in_local", Kind::Local(2)),
-    ("parent_frame_name", Kind::Remark),
+/// Names of columns without their unit, in small letters: those for tables of users, then those of MuSkeMo's export.
+const MEANINGS: [(&str, ColumnMeaning); 15] = [
+    ("name", ColumnMeaning::Name),
+    ("body", ColumnMeaning::Body),
+    ("x", ColumnMeaning::OfBody(0)),
+    ("y", ColumnMeaning::OfBody(1)),
+    ("z", ColumnMeaning::OfBody(2)),
+    ("radius", ColumnMeaning::Radius),
+    ("contact_name", ColumnMeaning::Name),
+    ("parent_body", ColumnMeaning::Body),
+    ("pos_x_in_global", ColumnMeaning::Global(0)),
+    ("pos_y_in_global", ColumnMeaning::Global(1)),
+    ("pos_z_in_global", ColumnMeaning::Global(2)),
+    ("pos_x_in_local", ColumnMeaning::Local(0)),
+    ("pos_y_in_local", ColumnMeaning::Local(1)),
+    ("pos_z_in_local", ColumnMeaning::Local(2)),
+    ("parent_frame_name", ColumnMeaning::Remark),
 ];
-const EXPECTED: &str = "name, body, x, y, z and radius (remarks begin with #), or MuSkeMo's own";
+const EXPECTED_COLUMNS: &str = "name, body, x, y, z and radius (remarks begin with #), or MuSkeMo's own";
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Columns {
@@ -229,46 +230,50 @@ struct Columns {
 impl Columns {
     /// # Errors
     /// A column that is missing, appears twice or is not known, or one in another unit than metres.
-    fn of(sheet: &Sheet) -> Result<Self, TableFault> {
-        let mut found: Vec<(Kind, usize)> = Vec::new();
+    fn from_header(sheet: &Sheet) -> Result<Self, TableFault> {
+        let mut used_columns: Vec<(ColumnMeaning, usize)> = Vec::new();
         for (index, header) in sheet.header.iter().enumerate() {
-            let kind = kind(header).map_err(|message| TableFault::of_header(index, message))?;
-            if kind == Kind::Remark {
+            let column_meaning =
+                column_meaning(header).map_err(|message| TableFault::of_header(index, message))?;
+            if column_meaning == ColumnMeaning::Remark {
                 continue;
             }
-            if let Some((_, first)) = found.iter().find(|(known, _)| *known == kind) {
+            if let Some((_, first)) = used_columns.iter().find(|(known, _)| *known == column_meaning) {
                 let other = sheet.header.get(*first).map_or("", String::as_str);
                 let message = format!("the columns '{other}' and '{header}' say the same: leave one out");
                 return Err(TableFault::of_header(index, message));
             }
-            found.push((kind, index));
+            used_columns.push((column_meaning, index));
         }
-        let at = |kind: Kind| found.iter().find(|(known, _)| *known == kind).map(|(_, index)| *index);
+        let at = |column_meaning: ColumnMeaning| {
+            used_columns.iter().find(|(known, _)| *known == column_meaning).map(|(_, index)| *index)
+        };
         let missing = |what: &str| {
             TableFault::of_header(
                 0,
-                format!("no column '{what}' in the first row, which has {}", sheet.columns()),
+                format!("no column '{what}' in the first row, which has {}", sheet.listed_columns()),
             )
         };
-        let triple =
-            |kind: fn(usize) -> Kind, name: fn(&str) -> String| match [0, 1, 2].map(|axis| at(kind(axis))) {
-                [None, None, None] => Ok(None),
-                [Some(x), Some(y), Some(z)] => Ok(Some([x, y, z])),
-                [x, y, _] => Err(missing(&name(if x.is_none() {
-                    "x"
-                } else if y.is_none() {
-                    "y"
-                } else {
-                    "z"
-                }))),
-            };
+        let triple = |column_meaning: fn(usize) -> ColumnMeaning, name: fn(&str) -> String| match [0, 1, 2]
+            .map(|axis| at(column_meaning(axis)))
+        {
+            [None, None, None] => Ok(None),
+            [Some(x), Some(y), Some(z)] => Ok(Some([x, y, z])),
+            [x, y, _] => Err(missing(&name(if x.is_none() {
+                "x"
+            } else if y.is_none() {
+                "y"
+            } else {
+                "z"
+            }))),
+        };
         let columns = Self {
-            name: at(Kind::Name).ok_or_else(|| missing("name"))?,
-            body: at(Kind::Body).ok_or_else(|| missing("body"))?,
-            radius: at(Kind::Radius),
-            of_body: triple(Kind::OfBody, str::to_owned)?,
-            local: triple(Kind::Local, |axis| format!("pos_{axis}_in_local"))?,
-            global: triple(Kind::Global, |axis| format!("pos_{axis}_in_global"))?,
+            name: at(ColumnMeaning::Name).ok_or_else(|| missing("name"))?,
+            body: at(ColumnMeaning::Body).ok_or_else(|| missing("body"))?,
+            radius: at(ColumnMeaning::Radius),
+            of_body: triple(ColumnMeaning::OfBody, str::to_owned)?,
+            local: triple(ColumnMeaning::Local, |axis| format!("pos_{axis}_in_local"))?,
+            global: triple(ColumnMeaning::Global, |axis| format!("pos_{axis}_in_global"))?,
         };
         match (columns.of_body, columns.local.or(columns.global)) {
             (None, None) => Err(missing("x")),
@@ -281,17 +286,17 @@ impl Columns {
     }
 }
 
-fn kind(header: &str) -> Result<Kind, String> {
+fn column_meaning(header: &str) -> Result<ColumnMeaning, String> {
     if header.is_empty() || header.starts_with('#') {
-        return Ok(Kind::Remark);
+        return Ok(ColumnMeaning::Remark);
     }
     let lower = header.to_ascii_lowercase();
     let (name, unit) = without_unit(&lower);
-    let Some((_, kind)) = KNOWN.iter().find(|(known, _)| *known == name) else {
-        return Err(format!("the column '{header}' is not known, expected {EXPECTED}"));
+    let Some((_, column_meaning)) = MEANINGS.iter().find(|(known, _)| *known == name) else {
+        return Err(format!("the column '{header}' is not known, expected {EXPECTED_COLUMNS}"));
     };
     match unit {
-        None | Some("m") => Ok(*kind),
+        None | Some("m") => Ok(*column_meaning),
         Some(_) => Err(format!(
             "the column '{header}' is not in metres: write its numbers in metres, and [m] or no unit"
         )),
@@ -332,7 +337,7 @@ mod tests {
     }
 
     #[test]
-    fn what_muskemo_exports_is_read_as_it_is() {
+    fn an_export_of_muskemo_is_read_unchanged() {
         let header = "CONTACT_name,pos_x_in_global(m),pos_y_in_global,pos_z_in_global,parent_body,parent_frame_name,\
                   pos_x_in_local(m),pos_y_in_local,pos_z_in_local\n";
         let table =
@@ -348,7 +353,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_said_with_its_place() {
+    fn a_fault_names_its_line_and_column() {
         refused("name,body,x,y\na,foot,1,2\n", Some(1), Some(1), "no column 'z'");
         refused("name,body,x,y,z,radus\na,foot,1,2,3,4\n", Some(1), Some(6), "'radus' is not known");
         refused("name,body,x,y,z,radius [mm]\na,foot,1,2,3,4\n", Some(1), Some(6), "not in metres");

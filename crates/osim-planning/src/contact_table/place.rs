@@ -3,29 +3,29 @@
 use osim_model::feet::{DefaultPose, PoseFault};
 use osim_model::{DVec3, Placement};
 
-/// A frame this close to ground's is there, m.
-const SAME_FRAME: f64 = 1e-9;
-/// Two places that are farther from each other are not one, m.
-const SAME_PLACE: f64 = 1e-3;
+/// A frame that is at most this far from ground's coincides with it, m.
+const SAME_FRAME_M: f64 = 1e-9;
+/// The global and the local place of a contact agree if they are at most this far apart, m.
+const SAME_PLACE_M: f64 = 1e-3;
 
-/// Where a table says that a contact is, m.
+/// The place of a contact as its table gives it, m.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TablePlace {
     /// In the frame of its body.
     OfBody([f64; 3]),
-    /// As MuSkeMo exports it: in its global frame, in a local one, or in both.
+    /// In MuSkeMo's global frame, in a local one, or in both.
     Exported { global_m: Option<[f64; 3]>, local_m: Option<[f64; 3]> },
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlaceOnBody {
-    /// Its centre, m.
+    /// The contact's centre in the frame of its body, m.
     pub location_m: [f64; 3],
-    /// Whether it was given in ground, and moved into the body at the default pose.
+    /// Whether the place was given in ground, and converted to the body's frame at the default pose.
     pub from_default_pose: bool,
 }
 
-/// Why it is not known where a contact is on its body.
+/// Why the place of a contact on its body is not known.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlaceFault {
     /// It is not known where the body is at the default pose.
@@ -37,9 +37,9 @@ pub enum PlaceFault {
 }
 
 impl TablePlace {
-    /// The place in the frame of `body`: as given there; of an export the global one where the body's frame is that of ground at the
-    /// default pose (MuSkeMo's global mode), else the local one. What is given in ground only is moved into the body if `posed`
-    /// says that it was measured at the default pose.
+    /// The place in the frame of `body`. Of an export it is the global place if the body's frame coincides with ground at the default
+    /// pose (MuSkeMo's global mode), else the local one. A place that is given in ground only is converted to the body's frame if
+    /// `at_default_pose` says that it was measured at the default pose.
     ///
     /// # Errors
     /// Two places that differ by more than 1 mm, a global one alone, or a body whose place is not known.
@@ -47,26 +47,26 @@ impl TablePlace {
         &self,
         body: &str,
         pose: impl FnOnce() -> &'p DefaultPose,
-        posed: bool,
+        at_default_pose: bool,
     ) -> Result<PlaceOnBody, PlaceFault> {
-        let own = |location_m| PlaceOnBody { location_m, from_default_pose: false };
+        let as_given = |location_m| PlaceOnBody { location_m, from_default_pose: false };
         let (global, local) = match *self {
-            Self::OfBody(place) => return Ok(own(place)),
+            Self::OfBody(place) => return Ok(as_given(place)),
             Self::Exported { global_m: None, local_m: None } => return Err(PlaceFault::OnlyGlobal),
-            Self::Exported { global_m: None, local_m: Some(local) } => return Ok(own(local)),
+            Self::Exported { global_m: None, local_m: Some(local) } => return Ok(as_given(local)),
             Self::Exported { global_m: Some(global), local_m } => (global, local_m),
         };
         let frame = pose().placement(body).map_err(PlaceFault::Pose)?;
         if let Some(local) = local {
             let apart = frame.point(local).distance(global.into());
-            if apart > SAME_PLACE {
+            if apart > SAME_PLACE_M {
                 return Err(PlaceFault::Disagree(apart));
             }
         }
         match local {
-            _ if is_ground(frame) => Ok(own(global)),
-            Some(local) => Ok(own(local)),
-            None if posed => {
+            _ if coincides_with_ground(frame) => Ok(as_given(global)),
+            Some(local) => Ok(as_given(local)),
+            None if at_default_pose => {
                 Ok(PlaceOnBody { location_m: frame.inverse().point(global).into(), from_default_pose: true })
             }
             None => Err(PlaceFault::OnlyGlobal),
@@ -74,10 +74,10 @@ impl TablePlace {
     }
 }
 
-/// Whether the frame is that of ground: its origin, and the tips of its axes.
-fn is_ground(frame: &Placement) -> bool {
+/// Whether the frame's origin and the tips of its axes are those of ground.
+fn coincides_with_ground(frame: &Placement) -> bool {
     let points = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
-    points.into_iter().all(|point| frame.point(point).distance(point) <= SAME_FRAME)
+    points.into_iter().all(|point| frame.point(point).distance(point) <= SAME_FRAME_M)
 }
 
 #[cfg(test)]

@@ -1,4 +1,5 @@
-//! Remarks about feet that get spheres: their parts, floors, planes and limbs, and sizes and masses that are probably a slip.
+//! Remarks about feet that get spheres: their parts, floors, planes and limbs; and questions about sizes and masses that are probably
+//! a slip.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -13,20 +14,28 @@ use osim_patch::{Deed, Plan, Rebuilt};
 use osim_requests::BodyScale;
 use osim_requests::options::CountOptions;
 
-use crate::afterwards::standing_bodies;
+use crate::result_check::standing_bodies;
 
-/// What a user may not expect of feet with `soles`: one side alone, parts that get nothing, and feet that do not bend.
-pub(crate) fn parts_of_feet(model: &Model, soles: &[Sole]) -> Vec<Phrase> {
-    let feet = Feet { model, soles };
-    [feet.one_side(), feet.left_out(), feet.rigid(), feet.one_piece()].into_iter().flatten().collect()
+/// Remarks if only one side gets spheres, if parts of a foot get none, or if a foot does not bend.
+pub(crate) fn remarks_on_parts_of_feet(model: &Model, soles: &[Sole]) -> Vec<Phrase> {
+    let feet = FeetWithSpheres { model, soles };
+    [
+        feet.spheres_on_one_side_only(),
+        feet.bodies_without_spheres(),
+        feet.rigid_joints(),
+        feet.feet_of_one_body(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
-struct Feet<'f> {
+struct FeetWithSpheres<'f> {
     model: &'f Model,
     soles: &'f [Sole],
 }
 
-impl<'f> Feet<'f> {
+impl<'f> FeetWithSpheres<'f> {
     fn bodies(&self) -> impl Iterator<Item = &'f str> {
         self.soles.iter().flat_map(|sole| &sole.bodies).map(String::as_str)
     }
@@ -40,37 +49,37 @@ impl<'f> Feet<'f> {
         })
     }
 
-    fn has(&self, body: &str) -> bool {
+    fn gets_spheres(&self, body: &str) -> bool {
         self.bodies().any(|own| own == body)
     }
 
-    /// The bodies of the other side, where only one side gets spheres.
-    fn one_side(&self) -> Option<Phrase> {
+    /// A remark if only one side gets spheres; it names the bodies of the other side.
+    fn spheres_on_one_side_only(&self) -> Option<Phrase> {
         let other = |body: &&str| {
             let is_counterpart = |there: &str| {
                 without_side(there) == without_side(body)
                     && Side::of_name(there).is_some_and(|side| Some(side) != Side::of_name(body))
             };
             let there = self.model.bodies().iter().map(|there| there.name.as_str());
-            there.filter(|there| is_counterpart(there)).find(|there| !self.has(there))
+            there.filter(|there| is_counterpart(there)).find(|there| !self.gets_spheres(there))
         };
         let missing: Vec<&str> = self.bodies().filter_map(|body| other(&body)).collect();
         about_bodies(&missing, |bodies| format!("one side alone gets spheres: the other side has {bodies}"))
     }
 
-    /// Bodies that hang on a foot and get nothing.
-    fn left_out(&self) -> Option<Phrase> {
+    /// A remark that names bodies below a foot's bodies which get no spheres.
+    fn bodies_without_spheres(&self) -> Option<Phrase> {
         let out: Vec<&str> =
-            self.joints_below().map(|(_, child)| child).filter(|child| !self.has(child)).collect();
+            self.joints_below().map(|(_, child)| child).filter(|child| !self.gets_spheres(child)).collect();
         about_bodies(&out, |bodies| {
             format!("no spheres under {bodies}: part of the foot, but not among the bodies that were given")
         })
     }
 
-    /// Parts of a foot that do not move against each other.
-    fn rigid(&self) -> Option<Phrase> {
+    /// A remark that names bodies which cannot move against the rest of their foot.
+    fn rigid_joints(&self) -> Option<Phrase> {
         let movements = Movements::of(self.model);
-        let inside = self.joints_below().filter(|(_, child)| self.has(child));
+        let inside = self.joints_below().filter(|(_, child)| self.gets_spheres(child));
         let stiff = inside.filter(|(parent, child)| {
             movements.between(parent, child).is_some_and(|freedom| !freedom.is_any())
         });
@@ -82,8 +91,8 @@ impl<'f> Feet<'f> {
         })
     }
 
-    /// Feet of one body, on which nothing hangs.
-    fn one_piece(&self) -> Option<Phrase> {
+    /// A remark that names feet which are one body.
+    fn feet_of_one_body(&self) -> Option<Phrase> {
         let single = self.soles.iter().filter_map(|sole| match sole.bodies.as_slice() {
             [only] => Some(only.as_str()),
             _ => None,
@@ -99,9 +108,9 @@ fn about_bodies(bodies: &[&str], text: impl FnOnce(String) -> String) -> Option<
     (!listed.is_empty()).then(|| text(listed.join(", ")).into())
 }
 
-/// How far the spheres that `plan` adds are from the floor of `built`, the model that it makes, at the default pose, and which
+/// A remark how far the new spheres of `plan` are from the floor of `built`, the model that it makes, at the default pose, and which
 /// coordinate puts the body on them. `None` if they press on no floor.
-pub(crate) fn standing(plan: &Plan, built: &Model) -> Option<Phrase> {
+pub(crate) fn remark_on_standing(plan: &Plan, built: &Model) -> Option<Phrase> {
     let bodies = match standing_bodies(built) {
         Ok((bodies, _)) => bodies,
         Err(fault) => {
@@ -111,22 +120,20 @@ pub(crate) fn standing(plan: &Plan, built: &Model) -> Option<Phrase> {
     let new = plan.new_spheres();
     let new: HashSet<&str> = new.iter().map(|sphere| sphere.name).collect();
     let is_new = |body: &StandingBody| body.bottoms.iter().any(|one| new.contains(one.sphere.as_str()));
-    bodies.into_iter().find(is_new).and_then(|body| over_the_floor(&body))
+    bodies.into_iter().find(is_new).and_then(|body| lowest_sphere_remark(&body))
 }
 
-fn over_the_floor(body: &StandingBody) -> Option<Phrase> {
-    let (lowest, place, way) = (body.lowest()?, body.height_in_words()?, body.describe_way_to_stand());
+fn lowest_sphere_remark(body: &StandingBody) -> Option<Phrase> {
+    let (lowest, height_in_words, way) = (body.lowest()?, body.height_in_words()?, body.describe_way_to_stand());
     let lowest = shown(&lowest.sphere);
     Some(format!("at the default pose {lowest}, the lowest sphere, is {place}; {way}").into())
 }
 
-// Remarks about planes that new contacts do not meet.
+/// A plane that leans by at most this, degrees, was probably meant to be level.
+const LEVEL_TOLERANCE_DEG: f64 = 10.0;
 
-/// A plane that leans by no more than this, degrees, was probably meant to be level.
-const LEANING: f64 = 10.0;
-
-/// Planes of `base` that are nearly a floor, beside which a level one was made.
-pub(crate) fn leaning(base: &Model, rebuilt: &Rebuilt) -> Option<Phrase> {
+/// A remark that names planes of `base` which are not quite level, if a level floor was added beside them.
+pub(crate) fn remark_on_leaning_planes(base: &Model, rebuilt: &Rebuilt) -> Option<Phrase> {
     let added = |object: &osim_patch::ObjectChange| object.deed == Deed::Added;
     let made = rebuilt.objects.iter().find(|object| added(object) && object.class == "ContactHalfSpace")?;
     let up = base.up();
@@ -135,7 +142,8 @@ pub(crate) fn leaning(base: &Model, rebuilt: &Rebuilt) -> Option<Phrase> {
         .into_iter()
         .filter_map(|plane| {
             let degrees = angle(plane.normal, up).to_degrees();
-            (degrees <= LEANING).then(|| format!("{} (by {} degrees)", plane.name, readable(degrees)))
+            (degrees <= LEVEL_TOLERANCE_DEG)
+                .then(|| format!("{} (by {} degrees)", plane.name, readable(degrees)))
         })
         .collect();
     if planes.is_empty() {
@@ -149,8 +157,12 @@ pub(crate) fn leaning(base: &Model, rebuilt: &Rebuilt) -> Option<Phrase> {
     Some(text.into())
 }
 
-/// Planes that the `removed` forces of `model` met and that those of `rebuilt` do not.
-pub(crate) fn planes_left(model: &Model, removed: &[ForceId], rebuilt: &Rebuilt) -> Option<Phrase> {
+/// A remark that names planes which the `removed` forces of `model` used and the new forces of `rebuilt` do not.
+pub(crate) fn remark_on_other_planes(
+    model: &Model,
+    removed: &[ForceId],
+    rebuilt: &Rebuilt,
+) -> Option<Phrase> {
     let met = |model: &Model, forces: &mut dyn Iterator<Item = &Force>| -> BTreeSet<String> {
         let sets = forces.flat_map(|force| &force.sets);
         sets.flat_map(|set| model.half_spaces_of(set)).map(|plane| plane.name).collect()
@@ -163,8 +175,8 @@ pub(crate) fn planes_left(model: &Model, removed: &[ForceId], rebuilt: &Rebuilt)
         .filter(|object| object.deed == Deed::Added)
         .map(|object| object.path.as_str())
         .collect();
-    let mut made = built.forces().iter().filter(|force| new.contains(force.path.as_str()));
-    let after = met(built, &mut made);
+    let mut new_forces = built.forces().iter().filter(|force| new.contains(force.path.as_str()));
+    let after = met(built, &mut new_forces);
     let left: Vec<&str> = before.difference(&after).map(String::as_str).collect();
     if left.is_empty() || after.is_empty() {
         return None;
@@ -178,59 +190,58 @@ pub(crate) fn planes_left(model: &Model, removed: &[ForceId], rebuilt: &Rebuilt)
     Some(text.into())
 }
 
-// Places, soles and factors that are probably in another unit.
-
-/// A sphere is at most this many times as far from the joints of its body as the longest distance between joints around it.
-/// Published ones are closer than half of that distance; in centimetres they would be some tens of times as far.
-const FAR: f64 = 3.0;
-/// What is usual, as a part of that distance: the ball of a human foot and its shank.
-const USUAL: f64 = 0.4;
-/// The foot's length over what is usual for its sole below the bones: 0.26 m and 13 mm.
-const PADS: f64 = 20.0;
-/// Bones of a giraffe are 38 times as long as those of a mouse: the cube root of 1190 kg over 0.0209 kg.
+/// The program asks about a sphere that is farther than this from the joints of its body, in units of the longest distance between
+/// joints around it. Published spheres are closer than half of that; in centimetres they would be at some tens.
+const FAR_FROM_JOINTS: f64 = 3.0;
+/// A usual distance of a sphere in the same units: that of the ball of a human foot, over the length of the shank.
+const USUAL_DISTANCE: f64 = 0.4;
+/// Length of a foot over the usual distance of its sole below the bones: 0.26 m over 13 mm.
+const FOOT_LENGTH_OVER_PAD: f64 = 20.0;
+/// The program asks about larger factors of bones. Those of a giraffe are 38 times as long as those of a mouse: the cube root of
+/// 1190 kg over 0.0209 kg.
 const LARGEST_SCALE: f64 = 50.0;
 
-/// The joints of a model's bodies, and how far they are apart.
-pub(crate) struct Bones {
+/// The joints of a model's bodies, and the distances between them.
+pub(crate) struct JointPositions {
     anatomy: Option<Anatomy>,
     distances: JointDistances,
 }
 
-/// How far a place is from its bones.
-pub(crate) struct Distance {
+/// The distance of a place from the joints of its body.
+pub(crate) struct DistanceFromJoints {
     from_joints_m: f64,
     longest_m: f64,
 }
 
-impl Bones {
+impl JointPositions {
     pub(crate) fn of(model: &Model) -> Self {
         Self { anatomy: Anatomy::of(model).ok(), distances: model.joint_distances().clone() }
     }
 
-    /// How far a place is from the nearest joint of `body`, or its origin; `None` if it is not known how large the bones are.
-    pub(crate) fn distance(&self, body: &str, place_m: [f64; 3]) -> Option<Distance> {
+    /// The distance of a place from the nearest joint of `body`, or its origin; `None` if the size of the bones is not known.
+    pub(crate) fn distance(&self, body: &str, place_m: [f64; 3]) -> Option<DistanceFromJoints> {
         let longest_m = self.distances.longest_around_body(body)?;
         let anatomy = self.anatomy.as_ref()?;
         let above = anatomy.joint_above(body).map(|joint| joint.in_child_m);
         let below = anatomy.joints_below(body).map(|joint| joint.in_parent_m);
         let apart = |joint: DVec3| joint.distance(place_m.into());
         let from_joints_m = below.chain(above).chain([DVec3::ZERO]).map(apart).fold(f64::INFINITY, f64::min);
-        Some(Distance { from_joints_m, longest_m })
+        Some(DistanceFromJoints { from_joints_m, longest_m })
     }
 }
 
-impl Distance {
-    /// In distances between joints.
-    pub(crate) fn times(&self) -> f64 {
+impl DistanceFromJoints {
+    /// The distance in units of the longest one between joints.
+    pub(crate) fn relative(&self) -> f64 {
         self.from_joints_m / self.longest_m
     }
 
-    /// What is asked of a place so far away; `at` is where it is in its table.
-    pub(crate) fn place_slip(&self, at: &str, name: &str, body: &str) -> Option<NeedsAnswer> {
-        if self.times() <= FAR {
+    /// The question about a place that is too far away; `at` names its table and line.
+    pub(crate) fn question_about_place(&self, at: &str, name: &str, body: &str) -> Option<NeedsAnswer> {
+        if self.relative() <= FAR_FROM_JOINTS {
             return None;
         }
-        let units = probable_units(self.times() / USUAL);
+        let units = probable_units(self.relative() / USUAL_DISTANCE);
         let units: Vec<String> = units
             .iter()
             .map(|(unit, per_metre)| format!("divide them by {per_metre} if they are in {unit}"))
@@ -249,13 +260,13 @@ impl Distance {
     }
 }
 
-/// What is asked where a sole is farther below the bones than the foot is long.
-pub(crate) fn pad_slip(sole: &Sole, pad_m: f64) -> Option<NeedsAnswer> {
+/// The question about a sole that is farther below the bones than the foot is long.
+pub(crate) fn question_about_pad(sole: &Sole, pad_m: f64) -> Option<NeedsAnswer> {
     let length_m = sole.footprint.length_m;
     if pad_m <= length_m {
         return None;
     }
-    let units = probable_units(pad_m * PADS / length_m);
+    let units = probable_units(pad_m * FOOT_LENGTH_OVER_PAD / length_m);
     let units: Vec<String> = units
         .iter()
         .map(|(unit, per_metre)| format!("{} if it is in {unit}", readable(pad_m / per_metre)))
@@ -274,8 +285,8 @@ pub(crate) fn pad_slip(sole: &Sole, pad_m: f64) -> Option<NeedsAnswer> {
     Some(NeedsAnswer::Other { question: Question::ImplausiblePlace, text })
 }
 
-/// What is asked where a body would be scaled as no two animals differ.
-pub(crate) fn scale_slip(scales: &[BodyScale]) -> Option<NeedsAnswer> {
+/// The question about a factor of bones that is larger than between any two animals.
+pub(crate) fn question_about_scale(scales: &[BodyScale]) -> Option<NeedsAnswer> {
     let usual = 1.0 / LARGEST_SCALE..=LARGEST_SCALE;
     let factors = scales.iter().flat_map(|scale| scale.factors.map(|factor| (scale, factor)));
     let (scale, factor) = factors.into_iter().find(|(_, factor)| !usual.contains(factor))?;
@@ -293,9 +304,9 @@ pub(crate) fn scale_slip(scales: &[BodyScale]) -> Option<NeedsAnswer> {
     Some(NeedsAnswer::Other { question: Question::ImplausibleScale, text })
 }
 
-/// Refuses to take what the bodies weigh where the contacts are known ones that were made for another mass, which `input` can
-/// give.
-pub(crate) fn refuse_known(
+/// Refuses the mass of the bodies as the mass of the contacts, if these are published ones that were made for another mass, which the
+/// caller can give with `input`.
+pub(crate) fn refuse_known_contacts_of_other_mass(
     model: &Model,
     selected: &Selected,
     mass: &Mass,
@@ -304,11 +315,11 @@ pub(crate) fn refuse_known(
     if mass.source.is_about_contacts() {
         return Ok(());
     }
-    let known = KnownContacts::find(model, &selected.forces, None, Some(mass.kg));
-    match known.filter(|known| !same_mass(known.made_for_kg, mass.kg)) {
-        Some(known) => Err(Fault::new(Needed::KnownContactsMass {
-            title: known.title.to_owned(),
-            made_for_kg: known.made_for_kg,
+    let known_contacts = KnownContacts::find(model, &selected.forces, None, Some(mass.kg));
+    match known_contacts.filter(|known_contacts| !same_mass(known_contacts.made_for_kg, mass.kg)) {
+        Some(known_contacts) => Err(Fault::new(Needed::KnownContactsMass {
+            title: known_contacts.title.to_owned(),
+            made_for_kg: known_contacts.made_for_kg,
             bodies_kg: mass.kg,
             input,
         })),
@@ -316,10 +327,10 @@ pub(crate) fn refuse_known(
     }
 }
 
-/// How many limbs carry the body, where the note in `model` says so and the caller did not.
-pub(crate) fn noted_limbs(counts: &CountOptions, model: &Model) -> Option<Phrase> {
+/// A remark on how many limbs share the weight, if the note in `model` has the number and the caller did not give it.
+pub(crate) fn remark_on_noted_limbs(counts: &CountOptions, model: &Model) -> Option<Phrase> {
     let noted = model.noted_stance_limbs()?;
-    let is_said = counts.stance_limbs.is_some() || counts.spheres.is_some();
+    let is_given = counts.stance_limbs.is_some() || counts.spheres.is_some();
     let text = format!("{} limbs share the weight, as the note in the model says: ", readable(noted));
-    (!is_said).then(|| phrase![text, Input::StanceLimbs, " says another number"])
+    (!is_given).then(|| phrase![text, Input::StanceLimbs, " says another number"])
 }

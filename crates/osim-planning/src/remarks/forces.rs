@@ -1,4 +1,4 @@
-//! Remarks about forces: smoothed or of another class now, with friction of another size, still named, or of two spheres.
+//! Remarks about forces that a change makes or removes: smoothing, friction, names in other objects, contacts between spheres.
 
 use contact_scaling::{Ratios, SmoothingValues};
 use osim_inspect::{FindingWithRemedy, InspectOptions, check_model};
@@ -10,31 +10,34 @@ use osim_model::{
 use osim_patch::{Deed, Leftover, ObjectChange, Plan, Rebuilt, leftovers};
 use osim_requests::{ConstantIndentation, Request};
 
-use crate::planner;
+use crate::prepared_change;
 
-/// Different numbers that are listed; more are counted.
+/// Sets of smoothing values that are listed at most.
 const NUMBERS_LISTED: usize = 3;
 const PROPERTIES: [Property; 3] =
     [Property::ConstantContactForce, Property::HertzSmoothing, Property::HuntCrossleySmoothing];
 
-/// The numbers that forces are smoothed with, and what that does; `given` says that all of them were.
-pub(crate) fn smoothed(objects: &[ObjectChange], given: bool) -> Vec<Phrase> {
+/// Remarks on the smoothing values of new forces and their effects; `given` says that the caller gave all of these values.
+pub(crate) fn remarks_on_smoothing(objects: &[ObjectChange], given: bool) -> Vec<Phrase> {
     let mut groups: Vec<([f64; 3], usize)> = Vec::new();
-    for values in objects.iter().filter(|object| object.deed == Deed::Added).filter_map(values) {
+    for values in objects.iter().filter(|object| object.deed == Deed::Added).filter_map(smoothing_values) {
         match groups.iter_mut().find(|(known, _)| *known == values) {
             Some((_, count)) => *count += 1,
             None => groups.push((values, 1)),
         }
     }
-    let mut said: Vec<Phrase> =
-        groups.iter().take(NUMBERS_LISTED).map(|(values, count)| numbers(values, *count)).collect();
+    let mut remarks: Vec<Phrase> = groups
+        .iter()
+        .take(NUMBERS_LISTED)
+        .map(|(values, count)| smoothing_sentence(values, *count))
+        .collect();
     if let Some(more) = groups.len().checked_sub(NUMBERS_LISTED).filter(|more| *more > 0) {
-        said.push(format!("{more} more smoothings, at other radii, are in the JSON of this run").into());
+        remarks.push(format!("{more} more smoothings, at other radii, are in the JSON of this run").into());
     }
     if !given {
         let text = "smoothing that is not given is that of Falisse et al. (2022) without dimensions, at the radius of each sphere: \
                     (C.2), (C.5), (C.10)";
-        said.push(text.into());
+        remarks.push(text.into());
     }
     let default = SmoothingValues::OPENSIM_DEFAULT;
     let default = [default.constant_contact_force, default.hertz_smoothing, default.hunt_crossley_smoothing];
@@ -44,15 +47,15 @@ pub(crate) fn smoothed(objects: &[ObjectChange], given: bool) -> Vec<Phrase> {
     } else {
         ""
     };
-    said.push(
+    remarks.push(
         format!("a smoothed force presses a little also where nothing touches, and more where a sphere hardly sinks in{how_much}")
             .into(),
     );
-    said.push("columns of results are named after the sphere, such as force.Sphere.force.X".into());
-    said
+    remarks.push("columns of results are named after the sphere, such as force.Sphere.force.X".into());
+    remarks
 }
 
-fn values(object: &ObjectChange) -> Option<[f64; 3]> {
+fn smoothing_values(object: &ObjectChange) -> Option<[f64; 3]> {
     let value = |wanted: Property| {
         object.parameters.iter().find(|(property, _)| *property == wanted).map(|(_, value)| *value)
     };
@@ -60,7 +63,7 @@ fn values(object: &ObjectChange) -> Option<[f64; 3]> {
     (object.class == ForceKind::SmoothSphereHalfSpace.as_str()).then_some([force?, hertz?, hunt_crossley?])
 }
 
-fn numbers(values: &[f64; 3], count: usize) -> Phrase {
+fn smoothing_sentence(values: &[f64; 3], count: usize) -> Phrase {
     let one = |(property, value): (Property, &f64)| {
         format!("{} {} {}", property.name(), readable(*value), property.unit())
     };
@@ -69,21 +72,27 @@ fn numbers(values: &[f64; 3], count: usize) -> Phrase {
     format!("smoothing of {count} {forces}: {}", all.join(", ")).into()
 }
 
-/// What `check` finds of the smoothing of `model`: whether its body floats, or is carried before it touches.
-pub(crate) fn too_smooth(model: &Model) -> Vec<Finding> {
+/// Warnings that `check` has about the smoothing of `model`: its body floats, or is carried before it touches.
+pub(crate) fn warnings_of_smoothing(model: &Model) -> Vec<Finding> {
     let options = InspectOptions::default();
     let inspection = options.inspect("", model, None);
-    let found = check_model(&options, model, &inspection, &[], planner::with_numbers(&options, model, true))
-        .findings
-        .into_iter();
-    found
+    let findings = check_model(
+        &options,
+        model,
+        &inspection,
+        &[],
+        prepared_change::changeable_with_numbers(&options, model, true),
+    )
+    .findings
+    .into_iter();
+    findings
         .filter(|finding| matches!(finding.code(), FindingCode::Floats | FindingCode::ForceBeforeContact))
-        .map(with_way_out)
+        .map(with_advice)
         .collect()
 }
 
-/// The finding about a model that is not written yet: lines are not known, and a remedy is about the result.
-fn with_way_out(found: FindingWithRemedy) -> Finding {
+/// The finding about a model that is not written yet, without its line, and with advice for this call instead of a remedy.
+fn with_advice(found: FindingWithRemedy) -> Finding {
     let FindingWithRemedy { mut finding, remedy, .. } = found;
     finding.line = None;
     finding.message.push(": smooth less with ");
@@ -101,16 +110,17 @@ fn with_way_out(found: FindingWithRemedy) -> Finding {
     finding
 }
 
-/// A factor of speeds so close to 1 (masses within 1.8) changes little.
-const SAME: f64 = 0.1;
+/// Speeds of friction that differ by less than this (relative; masses within 1.8 times) make little difference.
+const SIMILAR_SPEEDS: f64 = 0.1;
 
-/// What it costs that the contacts of `built` keep their reference's speeds of friction; `None` where the body is as large as the
-/// reference, or has no friction. The slip speed at which friction is full goes with √R (isometric: M^(1/6)), as all speeds of a body do.
-pub(crate) fn friction_stays(plan: &Plan, built: &Model) -> Option<Phrase> {
+/// A remark on the effects of speeds of friction that stay those of the reference; `None` if the body is about as large as the
+/// reference, or has no friction. The slip speed at which friction is full goes with √R (isometric: M^(1/6)), as all speeds of a
+/// body do.
+pub(crate) fn remark_on_kept_friction(plan: &Plan, built: &Model) -> Option<Phrase> {
     let masses = plan.masses.as_ref()?;
     let ratios = Ratios::isometric(masses.target_mass_kg / masses.contacts_mass.kg).ok()?;
     let factor = ratios.transition_velocity();
-    if (factor - 1.0).abs() <= SAME || !built.forces().iter().any(has_friction) {
+    if (factor - 1.0).abs() <= SIMILAR_SPEEDS || !built.forces().iter().any(has_friction) {
         return None;
     }
     let text = format!(
@@ -131,15 +141,15 @@ fn has_friction(force: &Force) -> bool {
         .any(|set| FRICTION.iter().any(|&one| value(set.id, one).is_some_and(|value| value > 0.0)))
 }
 
-/// Documents before this version are of OpenSim 1 to 3.
-const OF_OPENSIM_4: u32 = 40_000;
+/// Version of a document; OpenSim 1 to 3 wrote smaller ones.
+const FIRST_VERSION_OF_OPENSIM_4: u32 = 40_000;
 
-/// What to know of smooth forces that `rebuilt` adds to a document of an OpenSim before 4: they came with OpenSim 4.1 (its list of
+/// A remark on smooth forces that `rebuilt` adds to a document of an OpenSim before 4: they came with OpenSim 4.1 (its list of
 /// changes), which reads such documents too.
-pub(crate) fn too_new(rebuilt: &Rebuilt) -> Option<Phrase> {
+pub(crate) fn remark_on_old_document(rebuilt: &Rebuilt) -> Option<Phrase> {
     let smooth = ForceKind::SmoothSphereHalfSpace.as_str();
     let is_new = |object: &ObjectChange| object.deed == Deed::Added && object.class == smooth;
-    let is_old = rebuilt.model().document().version() < OF_OPENSIM_4;
+    let is_old = rebuilt.model().document().version() < FIRST_VERSION_OF_OPENSIM_4;
     (is_old && rebuilt.objects.iter().any(is_new)).then(|| {
         let text = format!(
             "the document is of an OpenSim before 4, and {smooth} came with OpenSim 4.1, which reads it; for older programs the \
@@ -150,50 +160,48 @@ pub(crate) fn too_new(rebuilt: &Rebuilt) -> Option<Phrase> {
     })
 }
 
-/// Objects and names that are listed; more are counted.
+/// Objects and names that are listed at most.
 const NAMES_LISTED: usize = 3;
 
-/// Which objects of `rebuilt` name others that it does not have any more, one sentence for each.
-pub(crate) fn still_named(rebuilt: &Rebuilt) -> Vec<Phrase> {
-    let left = leftovers(rebuilt);
-    let one = |leftover: &Leftover| {
+/// Remarks on objects of `rebuilt` that name objects which it does not have any more.
+pub(crate) fn remarks_on_missing_names(rebuilt: &Rebuilt) -> Vec<Phrase> {
+    let objects_with_missing_names = leftovers(rebuilt);
+    let remark = |leftover: &Leftover| {
         let names = listed(&leftover.names, NAMES_LISTED);
         Phrase::from(format!(
             "{} still names {names}, gone from this model: change that in OpenSim",
             leftover.object
         ))
     };
-    let mut said: Vec<Phrase> = left.iter().take(NAMES_LISTED).map(one).collect();
-    if let Some(more) = left.len().checked_sub(NAMES_LISTED).filter(|more| *more > 0) {
-        said.push(format!("and so do {more} more").into());
+    let mut remarks: Vec<Phrase> = objects_with_missing_names.iter().take(NAMES_LISTED).map(remark).collect();
+    if let Some(more) = objects_with_missing_names.len().checked_sub(NAMES_LISTED).filter(|more| *more > 0) {
+        remarks.push(format!("and so do {more} more").into());
     }
-    said
+    remarks
 }
 
-// Contacts between spheres, which end when a force is divided into forces of one sphere each.
+/// Pairs of spheres that are listed at most.
+const PAIRS_LISTED: usize = 3;
 
-/// Pairs that are named; more are counted.
-const NAMED: usize = 3;
-
-/// Remarks about contacts between spheres that end, one sentence for each force.
+/// Remarks on contacts between two spheres of one force, which end when the force is divided into forces of one sphere each.
 ///
 /// # Errors
-/// Two spheres touch at the default pose, or it is not known whether they do: what keeps them apart now would be gone.
-pub(crate) fn dropped_pairs(model: &Model, selected: &Selected) -> Result<Vec<Phrase>, Fault> {
+/// Two spheres touch at the default pose, or it is not known whether they do: the force that keeps them apart would be gone.
+pub(crate) fn remarks_on_dropped_pairs(model: &Model, selected: &Selected) -> Result<Vec<Phrase>, Fault> {
     let pose = DefaultPose::of(model);
-    let mut said = Vec::new();
+    let mut remarks = Vec::new();
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         let pairs = sphere_pairs(model, &pose, force);
         let names: Vec<String> =
-            pairs.iter().map(|pair| apart(model, force, pair)).collect::<Result<_, _>>()?;
+            pairs.iter().map(|pair| names_of_apart_pair(model, force, pair)).collect::<Result<_, _>>()?;
         if names.is_empty() {
             continue;
         }
-        let more = names.len().saturating_sub(NAMED);
-        let named: Vec<&str> = names.iter().take(NAMED).map(String::as_str).collect();
+        let more = names.len().saturating_sub(PAIRS_LISTED);
+        let named: Vec<&str> = names.iter().take(PAIRS_LISTED).map(String::as_str).collect();
         let more = if more == 0 { String::new() } else { format!(", and {more} more") };
         let named = named.join("; ");
-        said.push(
+        remarks.push(
             format!(
                 "{} acts between spheres of different bodies, too, and the new forces do not: {named}{more}",
                 force.path
@@ -201,11 +209,11 @@ pub(crate) fn dropped_pairs(model: &Model, selected: &Selected) -> Result<Vec<Ph
             .into(),
         );
     }
-    Ok(said)
+    Ok(remarks)
 }
 
-/// The names of two spheres that do not touch.
-fn apart(model: &Model, force: &Force, pair: &SpherePair) -> Result<String, Fault> {
+/// The names of two spheres, if they do not touch.
+fn names_of_apart_pair(model: &Model, force: &Force, pair: &SpherePair) -> Result<String, Fault> {
     let name = |id: SphereId| model.sphere(id).map_or("", |sphere| sphere.name.as_str());
     let (one, other) = (name(pair.one), name(pair.other));
     let refused = |text: String, otherwise: &'static str| {

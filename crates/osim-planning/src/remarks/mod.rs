@@ -1,5 +1,4 @@
-//! Remarks when contacts are made, converted or removed, beside the numbers that change: remarks about the result,
-//! questions about values that are probably in another unit, and what is refused.
+//! Remarks, questions and refusals when contacts are added, converted, removed or scaled.
 
 mod feet;
 mod forces;
@@ -10,15 +9,20 @@ use osim_requests::RequestFault;
 use osim_requests::options::OutputOptions;
 
 pub(crate) use feet::{
-    Bones, leaning, noted_limbs, pad_slip, parts_of_feet, planes_left, refuse_known, scale_slip, standing,
+    JointPositions, question_about_pad, question_about_scale, refuse_known_contacts_of_other_mass,
+    remark_on_leaning_planes, remark_on_noted_limbs, remark_on_other_planes, remark_on_standing,
+    remarks_on_parts_of_feet,
 };
-pub(crate) use forces::{dropped_pairs, friction_stays, smoothed, still_named, too_new, too_smooth};
+pub(crate) use forces::{
+    remark_on_kept_friction, remark_on_old_document, remarks_on_dropped_pairs, remarks_on_missing_names,
+    remarks_on_smoothing, warnings_of_smoothing,
+};
 
-/// A factor that the note says was applied already is not applied once more in place, unless that is wanted.
+/// Refuses to apply a factor once more in place, if the note says that it was applied already and `may_repeat` is false.
 ///
 /// # Errors
-/// The question whether it is.
-pub(crate) fn refuse_again(model: &Model, operation: &str, may_repeat: bool) -> Result<(), Fault> {
+/// The question whether it should be applied again.
+pub(crate) fn refuse_repetition(model: &Model, operation: &str, may_repeat: bool) -> Result<(), Fault> {
     let done = model.note.as_ref().is_some_and(|note| note.operation() == operation);
     if !done || may_repeat {
         return Ok(());
@@ -26,18 +30,18 @@ pub(crate) fn refuse_again(model: &Model, operation: &str, may_repeat: bool) -> 
     Err(Fault::new(Needed::Repetition { operation: operation.to_owned() }))
 }
 
-/// The verb, and the factor of the radius where one is given.
-pub(crate) fn operation(verb: &str, radius: Option<RadiusRule>) -> String {
+/// An operation as notes name it: the verb, and the factor of the radius where one is given.
+pub(crate) fn operation_with_radius(verb: &str, radius: Option<RadiusRule>) -> String {
     match radius {
         Some(RadiusRule::Factor(factor)) => format!("{verb} radius=x{}", shortest(factor)),
         _ => verb.to_owned(),
     }
 }
 
-/// Verbs that change whole objects do so in models: no geometry set is written beside them.
+/// Refuses an output file for a geometry set: verbs that change whole objects do so in whole models only.
 ///
 /// # Errors
-/// A file for one is named.
+/// The request names such a file.
 pub(crate) fn refuse_geometry_output(output: &OutputOptions) -> Result<(), RequestFault> {
     if output.geometry_output.is_none() {
         return Ok(());

@@ -8,16 +8,17 @@ use osim_model::files::Failure;
 use osim_requests::DropHeight;
 use serde::Serialize;
 
-/// A fall from a quarter of the radius, as in the paper's drop tests.
-const HEIGHT: DropHeight = DropHeight::Radii(0.25);
-/// Moments that are shown.
+/// Bodies fall from a quarter of the radius, as in the paper's drop tests.
+const DROP_HEIGHT: DropHeight = DropHeight::Radii(0.25);
+/// Moments of a fall that are shown.
 const MOMENTS: usize = 361;
-/// More than enough for a body to come to rest that bounces as feet do, in √(R/g).
-const TIMES: f64 = 12.0;
+/// How long a fall is followed, in √(R/g): a body that bounces as feet do rests before.
+const DURATION_UNITS: f64 = 12.0;
 
+/// A body that falls on its contacts.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Fall {
-    /// Whose contacts.
+    /// Name of the body.
     pub name: String,
     /// Time from one moment to the next, s.
     pub step_s: f64,
@@ -27,23 +28,23 @@ pub struct Fall {
     pub heights_m: Vec<f64>,
     /// Force of all spheres at each moment, body weights.
     pub forces_bw: Vec<f64>,
-    /// Why it cannot be followed; then there are no moments.
+    /// Why the fall cannot be calculated; then there are no moments.
     pub why_not: Option<String>,
 }
 
 impl Fall {
-    /// The falls of `bodies`, followed for the same time.
+    /// The falls of `bodies`, all followed for the same time.
     pub fn all(bodies: &[Body]) -> Vec<Self> {
         let radii = bodies.iter().filter_map(|body| {
             let weight = body.weight().ok()?;
             let largest = body.kinds.iter().map(|kind| kind.radius_m).fold(0.0, f64::max);
             Some((largest / weight.gravity_m_s2).sqrt())
         });
-        let duration_s = TIMES * radii.fold(0.0, f64::max);
-        bodies.iter().map(|body| Self::of(body, duration_s)).collect()
+        let duration_s = DURATION_UNITS * radii.fold(0.0, f64::max);
+        bodies.iter().map(|body| Self::of_body(body, duration_s)).collect()
     }
 
-    fn of(body: &Body, duration_s: f64) -> Self {
+    fn of_body(body: &Body, duration_s: f64) -> Self {
         let none = |failure: Failure| Self {
             name: body.name.clone(),
             step_s: 0.0,
@@ -52,7 +53,7 @@ impl Fall {
             forces_bw: Vec::new(),
             why_not: Some(failure.message.to_string()),
         };
-        let report = match series::run_drop_test(body, HEIGHT, duration_s, MOMENTS) {
+        let report = match series::run_drop_test(body, DROP_HEIGHT, duration_s, MOMENTS) {
             Ok(report) => report,
             Err(failure) => return none(failure),
         };
@@ -70,16 +71,15 @@ impl Fall {
     }
 }
 
-// Animals of the paper's Table 1 that fall on the contacts of a human, and on their own.
+/// Height from which animals of the paper's Table 1 fall, in radii, as in its drop tests.
+const DROP_HEIGHT_RADII: f64 = 0.25;
+/// How long animals are followed, in √(R/g): in this unit, bodies of all sizes fall alike.
+const ANIMAL_DURATION_UNITS: f64 = 12.0;
+const ANIMAL_MOMENTS: usize = 181;
+const ANIMALS_SHOWN: [&str; 3] = ["mouse", "human", "giraffe"];
 
-/// Height of the fall, in radii, as in the paper's drop tests.
-const HEIGHT_RADII: f64 = 0.25;
-/// How long they are followed, in √(R/g): bodies of all sizes fall alike in it.
-const TIMES_OF_ANIMALS: f64 = 12.0;
-const MOMENTS_OF_ANIMALS: usize = 181;
-const SHOWN: [&str; 3] = ["mouse", "human", "giraffe"];
-
-/// An animal that falls twice. Heights are those of its spheres' bottoms over the ground in radii, at equal times in √(R/g).
+/// An animal that falls on two kinds of contacts. Heights are those of its spheres' bottoms over the ground in radii, at equal times
+/// in √(R/g).
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct AnimalFall {
     pub name: &'static str,
@@ -102,22 +102,22 @@ impl AnimalFall {
             Ok(Self {
                 name: animal.taxon(),
                 mass_kg: animal.scale().mass_kg(),
-                left_behind: heights(&human, &animal)?,
-                scaled: heights(&animal.contact()?, &animal)?,
+                left_behind: heights_in_radii(&human, &animal)?,
+                scaled: heights_in_radii(&animal.contact()?, &animal)?,
             })
         };
-        SHOWN.iter().filter_map(first).map(of).collect()
+        ANIMALS_SHOWN.iter().filter_map(first).map(of).collect()
     }
 }
 
-fn heights(contact: &Contact, animal: &Animal) -> Result<Vec<f64>, DropError> {
+fn heights_in_radii(contact: &Contact, animal: &Animal) -> Result<Vec<f64>, DropError> {
     let scale = animal.scale();
     let radius_m = scale.radius_m();
-    let duration_s = TIMES_OF_ANIMALS * (radius_m / scale.gravity_m_s2()).sqrt();
-    let report: DropReport = DropTest::of(contact, &scale, HEIGHT_RADII, duration_s)?.run()?;
+    let duration_s = ANIMAL_DURATION_UNITS * (radius_m / scale.gravity_m_s2()).sqrt();
+    let report: DropReport = DropTest::of(contact, &scale, DROP_HEIGHT_RADII, duration_s)?.run()?;
     let last = report.series.len().saturating_sub(1);
-    let moment = |index: usize| report.series.get(index * last / (MOMENTS_OF_ANIMALS - 1));
-    Ok((0..MOMENTS_OF_ANIMALS).filter_map(moment).map(|sample| sample.height_m / radius_m).collect())
+    let moment = |index: usize| report.series.get(index * last / (ANIMAL_MOMENTS - 1));
+    Ok((0..ANIMAL_MOMENTS).filter_map(moment).map(|sample| sample.height_m / radius_m).collect())
 }
 
 #[cfg(test)]

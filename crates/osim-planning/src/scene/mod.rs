@@ -1,4 +1,4 @@
-//! A model in space, as a view that can be turned needs it: bodies, spheres, floors and forces; bones; frames of a recording; falls.
+//! Data for a three-dimensional view of a model: bodies, spheres, floors and forces; bones; frames of a recording; falls.
 
 mod falls;
 
@@ -29,7 +29,7 @@ pub struct Scene {
     pub spheres: Vec<PlacedSphere>,
     /// Planes that spheres press on.
     pub planes: Vec<PlacedPlane>,
-    /// Lines from joint to joint, for bodies without bones.
+    /// Lines from joint to joint, which are drawn for bodies without bones.
     pub lines: Vec<BodyLine>,
     pub why_not_placed: Option<String>,
 }
@@ -37,7 +37,7 @@ pub struct Scene {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlacedBody {
     pub name: String,
-    /// Its axes x, y and z, and its origin.
+    /// Its axes x, y and z, and its origin, in ground.
     pub frame: [[f64; 3]; 4],
 }
 
@@ -52,9 +52,9 @@ pub struct PlacedSphere {
     pub side: Option<&'static str>,
     pub centre_m: [f64; 3],
     pub radius_m: f64,
-    /// What it carries, in body weights, where the body stands on all its spheres with the weight that they are to carry.
+    /// Its force, in body weights, if the body stands on all its spheres.
     pub force_bw: Option<f64>,
-    /// How deep it is then, in its radius.
+    /// Its indentation then, in radii.
     pub relative_indentation: Option<f64>,
 }
 
@@ -66,7 +66,7 @@ pub struct PlacedPlane {
 }
 
 impl Scene {
-    /// A model as it is inspected by `options`, which say what its contacts carry.
+    /// The scene of `model`, whose contacts carry the weight that `options` give.
     pub fn of(model: &Model, options: &InspectOptions) -> Self {
         let pose = DefaultPose::of(model);
         let forces = options.selection.apply(model).map(|selected| selected.forces);
@@ -74,7 +74,7 @@ impl Scene {
         let axes = ViewAxes::of(model);
         let planes = ContactPlane::all(model, &forces, &pose);
         let surfaces = planes.iter().filter_map(|plane| plane.surface);
-        let placed = |name: &str| pose.placement(name).ok().map(frame);
+        let placed = |name: &str| pose.placement(name).ok().map(axes_and_origin);
         let bodies = model
             .bodies()
             .iter()
@@ -83,52 +83,58 @@ impl Scene {
         Self {
             axes: [axes.forward, axes.up, axes.right].map(DVec3::into),
             bodies: bodies.collect(),
-            spheres: spheres(model, &forces, &pose, &loads(model, &forces, options)),
+            spheres: placed_spheres(model, &forces, &pose, &loads_at_rest(model, &forces, options)),
             planes: surfaces
                 .map(|one| PlacedPlane { point_m: one.point_m.into(), normal: one.normal.into() })
                 .collect(),
-            lines: lines(model),
+            lines: body_lines(model),
             why_not_placed: faults.next().map(|fault| fault.to_string()),
         }
     }
 }
 
-/// The axes of a placement, and its origin.
-fn frame(placement: &Placement) -> [[f64; 3]; 4] {
+/// Axes x, y, z and origin of a placement, in ground.
+fn axes_and_origin(placement: &Placement) -> [[f64; 3]; 4] {
     let [x, y, z] = DVec3::AXES.map(|axis| placement.rotation.to_body(axis));
     [x, y, z, placement.translation_m].map(DVec3::into)
 }
 
-struct Load {
+struct RestingLoad {
     force_bw: f64,
     relative_indentation: f64,
 }
 
-/// What each sphere carries under the weight that the contacts are to carry.
-fn loads(model: &Model, forces: &[ForceId], options: &InspectOptions) -> HashMap<SphereId, Load> {
-    let mut found = HashMap::new();
-    // Contacts may be for a body that the bodies of the model still have to become.
-    let weighs = options.masses.model_mass(model).ok().map(|mass| mass.kg);
-    let share = weighs.zip(MassRequest::default().bodies_kg(model)).map_or(1.0, |(kg, bodies)| kg / bodies);
+/// Force and indentation of each sphere if the body stands on all its spheres.
+fn loads_at_rest(
+    model: &Model,
+    forces: &[ForceId],
+    options: &InspectOptions,
+) -> HashMap<SphereId, RestingLoad> {
+    let mut loads = HashMap::new();
+    // The contacts may be made for another mass than the bodies have before they are scaled.
+    let mass_kg = options.masses.model_mass(model).ok().map(|mass| mass.kg);
+    let share = mass_kg.zip(MassRequest::default().bodies_kg(model)).map_or(1.0, |(kg, bodies)| kg / bodies);
     for standing in Standing::all(model, forces).unwrap_or_default() {
         let all: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
         let Some(Ok(rest)) = standing.rest(&all, share) else { continue };
         for one in &rest.spheres {
-            let load =
-                Load { force_bw: one.force_n / rest.load_n, relative_indentation: one.relative_indentation };
+            let load = RestingLoad {
+                force_bw: one.force_n / rest.load_n,
+                relative_indentation: one.relative_indentation,
+            };
             if load.force_bw.is_finite() && load.relative_indentation.is_finite() {
-                found.insert(one.sphere, load);
+                loads.insert(one.sphere, load);
             }
         }
     }
-    found
+    loads
 }
 
-fn spheres(
+fn placed_spheres(
     model: &Model,
     forces: &[ForceId],
     pose: &DefaultPose,
-    loads: &HashMap<SphereId, Load>,
+    loads: &HashMap<SphereId, RestingLoad>,
 ) -> Vec<PlacedSphere> {
     let limbs = model.limbs(forces);
     let limbs = limbs.if_known().unwrap_or_default().iter();
@@ -154,9 +160,7 @@ fn spheres(
     placed.filter(|sphere| sphere.centre_m.iter().all(|value| value.is_finite())).collect()
 }
 
-// Lines from joint to joint.
-
-/// A line on a body, from the joint above it to one below it, in the frame of the body, m.
+/// A line on a body, from its joint to the body above to a joint with a body below, in the frame of the body, m.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BodyLine {
     pub body: String,
@@ -166,8 +170,8 @@ pub struct BodyLine {
     pub to_m: [f64; 3],
 }
 
-/// The lines of all bodies; none where the bodies cannot be read.
-fn lines(model: &Model) -> Vec<BodyLine> {
+/// The lines of all bodies; none if the skeleton cannot be read.
+fn body_lines(model: &Model) -> Vec<BodyLine> {
     let Ok(anatomy) = Anatomy::of(model) else { return Vec::new() };
     let line = |below: &osim_model::AnatomyJoint| {
         let above = anatomy.joint_above(&below.parent)?;
@@ -181,15 +185,13 @@ fn lines(model: &Model) -> Vec<BodyLine> {
     anatomy.joints.iter().filter_map(line).collect()
 }
 
-// The bones of all bodies, as surfaces.
-
-/// Triangles of all bones together: more is too slow to turn.
+/// Most triangles of all bones together: a view with more is too slow to turn.
 const MOST_TRIANGLES: usize = 600_000;
 
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct Bones {
+pub struct BoneSurfaces {
     pub surfaces: Vec<BoneSurface>,
-    /// Meshes that are not there, as the model spells them, each once.
+    /// Meshes whose files do not exist, as the model spells them, each once.
     pub missing: Vec<String>,
     pub broken: Vec<String>,
 }
@@ -201,11 +203,11 @@ pub struct BoneSurface {
     pub mesh: String,
     /// x, y and z of one point after the other in the frame of the body, in hundredths of a millimetre.
     pub points: Vec<i32>,
-    /// Three places among the points for each triangle.
+    /// Three indices of points for each triangle.
     pub triangles: Vec<u32>,
 }
 
-impl Bones {
+impl BoneSurfaces {
     /// The bones of `model`, which was read from `path`.
     pub fn of(model: &Model, path: &Path, files: &dyn Files) -> Self {
         let folders = MeshFolders::of_model(path);
@@ -226,7 +228,7 @@ impl Bones {
                         bones.broken.push(format!("{mesh}: left out, there are too many triangles to turn"));
                         continue;
                     }
-                    let points = surface.points.iter().flatten().map(|&value| rounded(value)).collect();
+                    let points = surface.points.iter().flatten().map(|&value| in_units(value)).collect();
                     let triangles = surface.triangles.concat();
                     bones.surfaces.push(BoneSurface { body, mesh, points, triangles });
                 }
@@ -236,30 +238,28 @@ impl Bones {
     }
 }
 
-/// Places are rounded to a hundredth of a millimetre.
-const PER_M: f64 = 1e5;
+/// Lengths are whole numbers of hundredths of a millimetre.
+const UNITS_PER_M: f64 = 1e5;
 
-/// Metres in hundredths of a millimetre; parts of an axis in hundred-thousandths.
+/// Metres in hundredths of a millimetre, or a component of an axis in hundred-thousandths.
 #[expect(clippy::cast_possible_truncation, reason = "what is too far away is at the edge of what is drawn")]
-fn rounded(metres: f64) -> i32 {
-    (metres * PER_M).round() as i32
+fn in_units(metres: f64) -> i32 {
+    (metres * UNITS_PER_M).round() as i32
 }
 
-// A model along a recording, frame by frame: bodies, the forces of its contacts, and what plates measured.
-
-/// Frames that are shown at most: those of a longer recording are left out evenly.
+/// Most frames that are shown: of a longer recording every second, third, ... frame is.
 const MOST_FRAMES: usize = 600;
 
-/// A model along a recording.
+/// A model along a recording, frame by frame: its bodies, and the forces of its contacts and of plates.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Played {
+pub struct PlayedRecording {
     pub time_s: Vec<f64>,
-    /// Bodies that have a place.
+    /// Bodies whose place is known.
     pub bodies: Vec<String>,
-    /// For each frame, of each body axes x, y and z and the origin in ground, in hundred-thousandths.
+    /// For each frame and each body, axes x, y and z and the origin in ground, in hundred-thousandths.
     pub poses: Vec<i32>,
     pub feet: Vec<PlayedFoot>,
-    /// What the recording shows, and what is odd, in words.
+    /// Remarks on the recording.
     pub remarks: Vec<String>,
 }
 
@@ -269,7 +269,7 @@ pub struct PlayedFoot {
     /// `right` or `left`.
     pub side: Option<&'static str>,
     pub model: PlayedForce,
-    /// What plates measured; `None` without plates.
+    /// The forces that plates measured; `None` without plates.
     pub plates: Option<PlayedForce>,
 }
 
@@ -277,12 +277,12 @@ pub struct PlayedFoot {
 pub struct PlayedForce {
     /// In each frame, body weights, in ground; `None` where it is not known.
     pub forces_bw: Vec<Option<[f64; 3]>>,
-    /// Where it acts on the floor, m; `None` where it is too small, or where that is not known.
+    /// The centre of pressure on the floor in each frame, m; `None` where the force is too small, or the point is not known.
     pub points_m: Vec<Option<[f64; 3]>>,
 }
 
-impl Played {
-    /// What `result` shows of what `request` asked for, its words spelled by `dialect`.
+impl PlayedRecording {
+    /// The frames of `result`, with the remarks that belong to `request`, spelled by `dialect`.
     pub fn of(result: &MotionResult, request: &MotionRequest, dialect: &dyn Dialect) -> Self {
         let states = &result.states;
         let step = states.frames().div_ceil(MOST_FRAMES).max(1);
@@ -292,18 +292,19 @@ impl Played {
             let measured = result.measured.as_ref();
             let has_points = measured.is_some_and(|measured| measured.has_points.get(index) == Some(&true));
             let plates = measured.and_then(|measured| measured.feet.get(index));
-            let seen = Seen { result, foot, frames: &frames };
+            let seen = FootFrames { result, foot, frames: &frames };
             PlayedFoot {
                 name: foot.foot.name.clone(),
                 side: foot.foot.side.map(Side::as_str),
-                model: seen.force(|frame| foot.wrenches.get(frame).copied(), true),
-                plates: plates
-                    .map(|plates| seen.force(|frame| plates.get(frame).copied().flatten(), has_points)),
+                model: seen.played_force(|frame| foot.wrenches.get(frame).copied(), true),
+                plates: plates.map(|plates| {
+                    seen.played_force(|frame| plates.get(frame).copied().flatten(), has_points)
+                }),
             }
         });
         Self {
             time_s: frames.iter().filter_map(|&frame| states.time_s.get(frame).copied()).collect(),
-            poses: (0..frames.len()).flat_map(|number| poses.frame(number)).flat_map(numbers).collect(),
+            poses: (0..frames.len()).flat_map(|number| poses.frame(number)).flat_map(pose_numbers).collect(),
             bodies: poses.bodies,
             feet: feet.collect(),
             remarks: result.remarks(request).iter().map(|remark| remark.message.spelled(dialect)).collect(),
@@ -312,23 +313,28 @@ impl Played {
 }
 
 /// A foot in the frames that are shown.
-struct Seen<'r> {
+struct FootFrames<'r> {
     result: &'r MotionResult,
     foot: &'r FootSummary,
     frames: &'r [usize],
 }
 
-impl Seen<'_> {
-    fn force(&self, of: impl Fn(usize) -> Option<Wrench>, has_points: bool) -> PlayedForce {
+impl FootFrames<'_> {
+    fn played_force(&self, wrench_at: impl Fn(usize) -> Option<Wrench>, has_points: bool) -> PlayedForce {
         let weight_n = self.result.summary.weight_n;
-        let forces =
-            self.frames.iter().map(|&frame| of(frame).map(|wrench| (wrench.force_n / weight_n).into()));
-        let points = self.frames.iter().map(|&frame| self.point(frame, &of(frame)?).filter(|_| has_points));
+        let forces = self
+            .frames
+            .iter()
+            .map(|&frame| wrench_at(frame).map(|wrench| (wrench.force_n / weight_n).into()));
+        let points = self
+            .frames
+            .iter()
+            .map(|&frame| self.point_on_floor(frame, &wrench_at(frame)?).filter(|_| has_points));
         PlayedForce { forces_bw: forces.collect(), points_m: points.collect() }
     }
 
-    /// Where a force acts on the floor below the foot.
-    fn point(&self, frame: usize, wrench: &Wrench) -> Option<[f64; 3]> {
+    /// The centre of pressure on the floor below the foot.
+    fn point_on_floor(&self, frame: usize, wrench: &Wrench) -> Option<[f64; 3]> {
         let states = &self.result.states;
         let first = *self.foot.foot.pairs.first()?;
         let (state, pair) = (states.frame(frame).get(first)?, states.pairs.get(first)?);
@@ -338,6 +344,6 @@ impl Seen<'_> {
     }
 }
 
-fn numbers(placement: &Placement) -> Vec<i32> {
-    frame(placement).into_iter().flatten().map(rounded).collect()
+fn pose_numbers(placement: &Placement) -> Vec<i32> {
+    axes_and_origin(placement).into_iter().flatten().map(in_units).collect()
 }

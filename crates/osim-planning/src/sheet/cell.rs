@@ -1,19 +1,19 @@
-//! Text from outside as a cell of a table: no formula, nothing that steers a terminal, and one line.
+//! Any text as a cell of a CSV table: it is no formula, has no control characters, and is one line.
 
 use std::borrow::Cow;
 
 use osim_model::messages::is_visible;
 
-/// Marks a cell as text, as in spreadsheets themselves.
+/// An apostrophe before it marks a cell as text in spreadsheets.
 const TEXT_MARK: char = '\'';
-/// How a letter begins that is written as its number.
+/// A letter that is written as its number, such as `\u{1b}`, begins with this.
 const ESCAPE: &str = "\\u{";
 
-/// The text as a cell of CSV, from which [`from_cell`] makes the text again.
+/// The text as a cell of CSV; [`from_cell`] reads it back.
 ///
-/// Control characters, line ends and marks that turn the direction of writing are `\u{1b}`: those who print the table, with `cat`
-/// for example, see them, and each record is one line. A text that would look like that itself begins with `\u{5c}`, which is the
-/// `\`. What spreadsheets would run is [`marked`].
+/// Control characters, line ends and marks that change the direction of writing become escapes such as `\u{1b}`, so that they have
+/// no effect in a terminal, and each record is one line. A `\` before something that looks like an escape becomes `\u{5c}`. A text
+/// that spreadsheets would run as a formula gets a mark, see [`with_text_mark`].
 ///
 /// ```
 /// use osim_planning::sheet::{cell, from_cell};
@@ -25,36 +25,36 @@ const ESCAPE: &str = "\\u{";
 /// assert_eq!(cell(r"C:\models\heel_r.osim"), r"C:\models\heel_r.osim");
 /// ```
 pub fn cell(text: &str) -> Cow<'_, str> {
-    match escaped(text) {
-        Cow::Borrowed(text) => marked(text),
-        Cow::Owned(text) => marked(&text).into_owned().into(),
+    match with_escapes(text) {
+        Cow::Borrowed(text) => with_text_mark(text),
+        Cow::Owned(text) => with_text_mark(&text).into_owned().into(),
     }
 }
 
-/// A text that is shown already, as a cell of CSV. Spreadsheets run what begins with `=`, `+`, `-`, `@`, a tab or a line end; such a
-/// text gets an apostrophe before it. Numbers stay as they are.
+/// A text without control characters as a cell of CSV. Spreadsheets run a text that begins with `=`, `+`, `-`, `@`, a tab or a line
+/// end as a formula; such a text gets an apostrophe before it. Numbers stay as they are.
 ///
 /// ```
-/// use osim_planning::sheet::marked;
+/// use osim_planning::sheet::with_text_mark;
 ///
-/// assert_eq!(marked("=1+1"), "'=1+1");
-/// assert_eq!(marked("-0.05"), "-0.05");
+/// assert_eq!(with_text_mark("=1+1"), "'=1+1");
+/// assert_eq!(with_text_mark("-0.05"), "-0.05");
 /// ```
-pub fn marked(text: &str) -> Cow<'_, str> {
+pub fn with_text_mark(text: &str) -> Cow<'_, str> {
     match is_formula(text) && text.parse::<f64>().is_err() {
         true => format!("{TEXT_MARK}{text}").into(),
         false => text.into(),
     }
 }
 
-/// The text of a cell that [`marked`] wrote.
-pub fn unmarked(cell: &str) -> &str {
+/// The text of a cell that [`with_text_mark`] wrote.
+pub fn without_text_mark(cell: &str) -> &str {
     cell.strip_prefix(TEXT_MARK).filter(|text| is_formula(text)).unwrap_or(cell)
 }
 
 /// The text of a cell that [`cell`] wrote.
 pub fn from_cell(cell: &str) -> Cow<'_, str> {
-    let text = unmarked(cell);
+    let text = without_text_mark(cell);
     let mut pieces = text.split(ESCAPE);
     let first = pieces.next().unwrap_or_default();
     if first.len() == text.len() {
@@ -62,7 +62,7 @@ pub fn from_cell(cell: &str) -> Cow<'_, str> {
     }
     let mut out = first.to_owned();
     for piece in pieces {
-        if let Some((letter, rest)) = escaped_letter(piece) {
+        if let Some((letter, rest)) = letter_of_escape(piece) {
             out.push(letter);
             out.push_str(rest);
         } else {
@@ -73,19 +73,19 @@ pub fn from_cell(cell: &str) -> Cow<'_, str> {
     out.into()
 }
 
-/// Whether a spreadsheet would run it, also after marks of its own: what is marked once more can be read back.
+/// Whether a spreadsheet would run the text as a formula if the apostrophes before it were removed.
 fn is_formula(text: &str) -> bool {
     text.trim_start_matches(TEXT_MARK).starts_with(['=', '+', '-', '@', '\t', '\r', '\n'])
 }
 
-fn escaped(text: &str) -> Cow<'_, str> {
-    if !text.contains(steers) && !text.contains(ESCAPE) {
+fn with_escapes(text: &str) -> Cow<'_, str> {
+    if !text.contains(controls_terminal) && !text.contains(ESCAPE) {
         return text.into();
     }
     let mut out = String::with_capacity(text.len() + 8);
     for (at, letter) in text.char_indices() {
-        let like_ours = || text.get(at..).is_some_and(|rest| rest.starts_with(ESCAPE));
-        if steers(letter) || like_ours() {
+        let is_like_an_escape = || text.get(at..).is_some_and(|rest| rest.starts_with(ESCAPE));
+        if controls_terminal(letter) || is_like_an_escape() {
             out.extend(letter.escape_unicode());
         } else {
             out.push(letter);
@@ -94,14 +94,14 @@ fn escaped(text: &str) -> Cow<'_, str> {
     out.into()
 }
 
-/// Whether printing a letter does something, such as ending the line or turning the direction of what follows. Other letters that
-/// are not seen, such as a no-break space, stay: they belong to the names of files.
-fn steers(letter: char) -> bool {
+/// Whether a letter has an effect when it is printed, such as ending the line or changing the direction of writing. Other invisible
+/// letters, such as a no-break space, are not meant: names of files have them.
+fn controls_terminal(letter: char) -> bool {
     letter.is_control() || matches!(letter, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
-/// The letter whose number begins `text`, and what follows; `None` if it is a letter that is never written so.
-fn escaped_letter(text: &str) -> Option<(char, &str)> {
+/// The letter whose number is at the beginning of `text`, and the text after it; `None` if that letter is never escaped.
+fn letter_of_escape(text: &str) -> Option<(char, &str)> {
     let (digits, rest) = text.split_once('}')?;
     let letter = char::from_u32(u32::from_str_radix(digits, 16).ok()?)?;
     (letter == '\\' || !is_visible(letter)).then_some((letter, rest))
@@ -112,7 +112,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_text_begins_like_a_formula_and_all_read_back() {
+    fn no_cell_is_a_formula_and_all_read_back() {
         for text in [
             "=1+1", "+1+1", "-a", "@SUM(A1)", "\t=1", "\r=1", "\n=1", "-", "'=1", "''=1", "'heel'", "", "a=b",
         ] {
@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_in_a_cell_steers_a_terminal_and_all_read_back() {
+    fn no_cell_has_control_characters_and_all_read_back() {
         for text in [
             "a\u{1b}[2J",
             "=1\u{7}",
@@ -156,7 +156,7 @@ mod tests {
     }
 
     #[test]
-    fn names_that_steer_nothing_stay_as_they_are() {
+    fn names_without_control_characters_are_not_escaped() {
         for text in [
             r"C:\new\tab.osim",
             r"\\server\u\a.osim",

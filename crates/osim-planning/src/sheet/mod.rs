@@ -1,4 +1,4 @@
-//! Tables as text: CSV of any country, and texts as cells of it.
+//! CSV tables, with decimal points or commas, and texts as their cells.
 
 mod cell;
 
@@ -7,11 +7,11 @@ use std::borrow::Cow;
 use csv::StringRecord;
 use osim_requests::values::typed::trimmed;
 
-pub use cell::{cell, from_cell, marked, unmarked};
+pub use cell::{cell, from_cell, with_text_mark, without_text_mark};
 
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
-/// How .xlsx and .ods begin.
-const PACKED: &[u8] = b"PK\x03\x04";
+/// Files of .xlsx and .ods begin with this.
+const ZIP_SIGNATURE: &[u8] = b"PK\x03\x04";
 
 /// A table with a header.
 ///
@@ -27,8 +27,7 @@ pub struct Sheet {
     pub header: Vec<String>,
     pub rows: Vec<Row>,
     delimiter: u8,
-    /// Whether a spreadsheet wrote it in a country whose decimal mark is the comma: semicolons separate the cells, or some number
-    /// has one.
+    /// Whether the decimal mark is the comma: semicolons separate the cells, or some number has a comma.
     pub decimal_commas: bool,
 }
 
@@ -45,9 +44,9 @@ impl Sheet {
     /// Reads a whole table.
     ///
     /// # Errors
-    /// It is not text in UTF-8, or a row has more or fewer cells than the header: with the line. Rows of empty cells are left out.
+    /// It is not text in UTF-8, or a row has more or fewer cells than the header (with its line). Rows of empty cells are left out.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
-        if bytes.starts_with(PACKED) {
+        if bytes.starts_with(ZIP_SIGNATURE) {
             return Err(
                 "the file is a workbook or another packed file that cannot be read here: save it as CSV in UTF-8".to_owned()
             );
@@ -65,15 +64,15 @@ impl Sheet {
         }
         let mut reader = csv::ReaderBuilder::new();
         let mut reader = reader.delimiter(delimiter).trim(csv::Trim::All).flexible(true).from_reader(bytes);
-        let not_text = |error: &csv::Error| in_words(error, bytes);
+        let not_text = |error: &csv::Error| csv_error_text(error, bytes);
         let header = reader.headers().map_err(|error| not_text(&error))?;
         let header: Vec<String> = header.iter().map(str::to_owned).collect();
-        let mut lines = Lines { bytes, at: 0, line: 1 };
-        let (mut rows, mut unequal) = (Vec::new(), Unequal::default());
+        let mut lines = LineCounter { bytes, at: 0, line: 1 };
+        let (mut rows, mut unequal) = (Vec::new(), UnequalRows::default());
         for record in reader.records() {
             let record = record.map_err(|error| not_text(&error))?;
-            let line = record.position().map_or(0, |position| lines.of(position.byte()));
-            // What spreadsheets leave behind, like lines without anything.
+            let line = record.position().map_or(0, |position| lines.line_at(position.byte()));
+            // Spreadsheets leave rows of empty cells at the end.
             if record.iter().all(str::is_empty) {
                 continue;
             }
@@ -86,62 +85,63 @@ impl Sheet {
             return Err(message);
         }
         let decimal_commas =
-            delimiter == b';' || rows.iter().flat_map(|row| &row.cells).any(|cell| has_comma(cell));
+            delimiter == b';' || rows.iter().flat_map(|row| &row.cells).any(|cell| has_decimal_comma(cell));
         Ok(Self { header, rows, delimiter, decimal_commas })
     }
 
-    /// A number's text with a decimal point. A decimal comma is clear only where commas do not separate the cells.
+    /// A number's text with a decimal point instead of a comma.
     ///
     /// # Errors
-    /// The comma may mean something else.
-    pub(crate) fn with_point<'c>(&self, cell: &'c str) -> Result<Cow<'c, str>, &'static str> {
-        with_point(cell, self.delimiter)
+    /// Commas separate the cells of this table, or thousands in this number.
+    pub(crate) fn with_decimal_point<'c>(&self, cell: &'c str) -> Result<Cow<'c, str>, &'static str> {
+        with_decimal_point(cell, self.delimiter)
     }
 
     /// A cell that is one plain finite number.
     ///
     /// # Errors
-    /// What is wrong with it, to be read after the cell.
+    /// What is wrong with the cell, as the end of a sentence that begins with it.
     pub fn number(&self, cell: &str) -> Result<f64, &'static str> {
         if cell.is_empty() {
             return Err("is empty, expected a number");
         }
-        match self.with_point(cell)?.parse::<f64>() {
+        match self.with_decimal_point(cell)?.parse::<f64>() {
             Ok(value) if value.is_finite() => Ok(value),
             Ok(_) => Err("is not finite, expected a number"),
             Err(_) => Err("is not a number"),
         }
     }
 
-    /// The place of the column called `name`, in capital letters or not.
+    /// The index of the column called `name`, in capital letters or not.
     ///
     /// # Errors
     /// There is none, or there are two.
     pub fn column(&self, name: &str) -> Result<usize, String> {
-        let mut own = self.header.iter().enumerate().filter(|(_, cell)| cell.eq_ignore_ascii_case(name));
-        match (own.next(), own.next()) {
+        let mut columns_of_that_name =
+            self.header.iter().enumerate().filter(|(_, cell)| cell.eq_ignore_ascii_case(name));
+        match (columns_of_that_name.next(), columns_of_that_name.next()) {
             (Some((index, _)), None) => Ok(index),
             (Some(_), Some(_)) => Err(format!("the column '{name}' appears twice, expected one")),
-            _ => Err(format!("no column '{name}' in the first row, which has {}", self.columns())),
+            _ => Err(format!("no column '{name}' in the first row, which has {}", self.listed_columns())),
         }
     }
 
-    pub fn columns(&self) -> String {
+    pub fn listed_columns(&self) -> String {
         let known: Vec<_> = self.header.iter().map(|cell| format!("'{cell}'")).collect();
         if known.is_empty() { "nothing".to_owned() } else { known.join(", ") }
     }
 }
 
-/// Lines of records that come one after the other. The reader's own count is one short where lines end with CR and LF.
-struct Lines<'b> {
+/// Counts the lines before a record. (The count of the CSV reader is one short where lines end with CR and LF.)
+struct LineCounter<'b> {
     bytes: &'b [u8],
     at: usize,
     line: u64,
 }
 
-impl Lines<'_> {
-    /// Line of the first letter of the record that begins at `start`, or after the line ends there.
-    fn of(&mut self, start: u64) -> u64 {
+impl LineCounter<'_> {
+    /// The line of the record that begins at byte `start`, after line ends there.
+    fn line_at(&mut self, start: u64) -> u64 {
         let start = usize::try_from(start).unwrap_or(self.bytes.len());
         let rest = self.bytes.get(start..).unwrap_or_default();
         let blank = rest.iter().position(|&byte| byte != b'\r' && byte != b'\n').unwrap_or(0);
@@ -152,23 +152,23 @@ impl Lines<'_> {
     }
 }
 
-/// `;` and tabs separate the cells where commas are decimal; the first line shows which.
+/// The mark between cells: a semicolon or a tab if the first line has one, else the comma.
 fn delimiter(bytes: &[u8]) -> u8 {
     let first = bytes.split(|&byte| byte == b'\n').next().unwrap_or_default();
     [b';', b'\t'].into_iter().find(|delimiter| first.contains(delimiter)).unwrap_or(b',')
 }
 
-/// Whether it is a number with a comma, such as `0,5`.
-fn has_comma(cell: &str) -> bool {
+/// Whether the cell is a number with a comma, such as `0,5`.
+fn has_decimal_comma(cell: &str) -> bool {
     let digits = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
     cell.split_once(',').is_some_and(|(head, tail)| digits(head) && digits(tail))
 }
 
-/// What is wrong with a cell in which a spreadsheet says that its formula has no value, to be read after it.
+/// What is wrong with a cell that [`is_broken_formula`], as the end of a sentence that begins with the cell.
 pub const BROKEN_FORMULA: &str =
     "is a broken formula of the spreadsheet: repair it there, and save the table again";
 
-/// Whether a spreadsheet wrote into the cell that its formula has no value, such as `#REF!` and `#N/A`.
+/// Whether the cell is what spreadsheets write for a formula without a value, such as `#REF!` and `#N/A`.
 pub(crate) fn is_broken_formula(cell: &str) -> bool {
     const ERRORS: [&str; 12] = [
         "#REF!",
@@ -185,13 +185,13 @@ pub(crate) fn is_broken_formula(cell: &str) -> bool {
         "#ERROR!",
     ];
     let cell = trimmed(cell);
-    // LibreOffice writes numbers of errors, such as Err:502.
+    // LibreOffice writes Err:502, for example.
     let numbered =
         cell.strip_prefix("Err:").is_some_and(|rest| rest.bytes().all(|byte| byte.is_ascii_digit()));
     numbered || ERRORS.iter().any(|known| known.eq_ignore_ascii_case(cell))
 }
 
-fn with_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {
+fn with_decimal_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {
     if is_broken_formula(cell) {
         return Err(BROKEN_FORMULA);
     }
@@ -203,35 +203,33 @@ fn with_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {
     }
 }
 
-fn in_words(error: &csv::Error, bytes: &[u8]) -> String {
+fn csv_error_text(error: &csv::Error, bytes: &[u8]) -> String {
     match error.kind() {
         csv::ErrorKind::Utf8 { pos: Some(place), .. } => {
-            let line = Lines { bytes, at: 0, line: 1 }.of(place.byte());
+            let line = LineCounter { bytes, at: 0, line: 1 }.line_at(place.byte());
             format!("line {line}: not UTF-8 text: save it as CSV in UTF-8")
         }
         _ => error.to_string(),
     }
 }
 
-// Rows that have more or fewer cells than the first one.
+/// Rows of a wrong length that are listed at most.
+const ROWS_LISTED: usize = 20;
 
-/// Rows that are named at most.
-const NAMED: usize = 20;
-
-/// What is known of such rows.
+/// Rows that have more or fewer cells than the header.
 #[derive(Debug, Default)]
-struct Unequal {
-    /// Line, cells, and whether the row begins as a comment would.
+struct UnequalRows {
+    /// Line, number of cells, and whether the row begins with `#`.
     rows: Vec<(u64, usize, bool)>,
 }
 
-impl Unequal {
+impl UnequalRows {
     fn add(&mut self, record: &StringRecord, line: u64) {
         let is_comment = record.get(0).is_some_and(|cell| cell.starts_with('#'));
         self.rows.push((line, record.len(), is_comment));
     }
 
-    /// What is wrong, and what to do about it; `None` where all rows are like the first one.
+    /// The rows and what to do about them; `None` if all rows are as long as the header.
     fn message(&self, header: &[String], delimiter: u8) -> Option<String> {
         if self.rows.is_empty() {
             return None;
@@ -240,17 +238,20 @@ impl Unequal {
         let mut rows: Vec<String> = self
             .rows
             .iter()
-            .take(NAMED)
+            .take(ROWS_LISTED)
             .map(|(line, cells, _)| format!("line {line}: {cells} cells"))
             .collect();
-        if self.rows.len() > NAMED {
-            rows.push(format!("{} more lines", self.rows.len() - NAMED));
+        if self.rows.len() > ROWS_LISTED {
+            rows.push(format!("{} more lines", self.rows.len() - ROWS_LISTED));
         }
         let rows = rows.join(", ");
-        Some(format!("{rows}, expected {expected} as in the first row: {}", self.cause(header, delimiter)))
+        Some(format!(
+            "{rows}, expected {expected} as in the first row: {}",
+            self.probable_cause(header, delimiter)
+        ))
     }
 
-    fn cause(&self, header: &[String], delimiter: u8) -> String {
+    fn probable_cause(&self, header: &[String], delimiter: u8) -> String {
         if header.first().is_some_and(|cell| cell.starts_with('#')) {
             return "the first row begins with #, and it names the columns: leave comments out".to_owned();
         }
@@ -280,11 +281,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_of_european_spreadsheets_are_read_where_they_are_clear() {
-        assert_eq!(with_point("1,5", b';').unwrap(), "1.5");
-        assert_eq!(with_point("1.5", b';').unwrap(), "1.5");
-        assert!(with_point("1.234,5", b';').is_err());
-        assert!(with_point("1,5", b',').is_err());
+    fn decimal_commas_are_read_if_semicolons_separate_the_cells() {
+        assert_eq!(with_decimal_point("1,5", b';').unwrap(), "1.5");
+        assert_eq!(with_decimal_point("1.5", b';').unwrap(), "1.5");
+        assert!(with_decimal_point("1.234,5", b';').is_err());
+        assert!(with_decimal_point("1,5", b',').is_err());
     }
 
     #[test]
@@ -299,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_line_tells_the_delimiter() {
+    fn the_delimiter_is_found_in_the_first_line() {
         assert_eq!(delimiter(b"a;b\n1,5;2"), b';');
         assert_eq!(delimiter(b"a\tb\n"), b'\t');
         assert_eq!(delimiter(b"a,b\n"), b',');

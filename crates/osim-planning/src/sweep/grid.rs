@@ -1,4 +1,4 @@
-//! The points of a grid, and the part of them that one call makes.
+//! The points of a sweep's grid, and those of them that one call makes.
 
 use std::fmt;
 use std::iter::StepBy;
@@ -8,21 +8,25 @@ use osim_model::messages::{Input, phrase};
 use osim_requests::{Axis, AxisName, GridValue, RequestFault, SweepRequest};
 
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Point<'g> {
+pub(super) struct GridPoint<'g> {
     pub values: Vec<(AxisName, &'g GridValue)>,
 }
 
-impl fmt::Display for Point<'_> {
+impl fmt::Display for GridPoint<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let each: Vec<String> =
-            self.values.iter().map(|(name, value)| format!("{}={}", in_files(*name), value.label)).collect();
+        let each: Vec<String> = self
+            .values
+            .iter()
+            .map(|(name, value)| format!("{}={}", name_in_files(*name), value.label))
+            .collect();
         f.write_str(&each.join(" "))
     }
 }
 
-impl Point<'_> {
+impl GridPoint<'_> {
     pub(super) fn file_part(&self) -> String {
-        let each = self.values.iter().map(|(name, value)| format!("{}-{}", in_files(*name), value.label));
+        let each =
+            self.values.iter().map(|(name, value)| format!("{}-{}", name_in_files(*name), value.label));
         each.collect::<Vec<_>>().join("_")
     }
 
@@ -31,16 +35,16 @@ impl Point<'_> {
     }
 }
 
-/// The axis in notes and in names of files, as those that people have already say it.
-fn in_files(name: AxisName) -> &'static str {
+/// The name of an axis in notes and in names of files.
+fn name_in_files(name: AxisName) -> &'static str {
     match name {
         AxisName::TargetMass => "target-mass",
         other => other.as_str(),
     }
 }
 
-/// Point `index` of all, the last axis fastest.
-pub(super) fn point(axes: &[Axis], index: usize) -> Point<'_> {
+/// The point with this index, counted from 0; the last axis changes fastest.
+pub(super) fn point_at(axes: &[Axis], index: usize) -> GridPoint<'_> {
     let mut rest = index;
     let mut values = Vec::with_capacity(axes.len());
     for axis in axes.iter().rev() {
@@ -51,11 +55,11 @@ pub(super) fn point(axes: &[Axis], index: usize) -> Point<'_> {
         rest /= count;
     }
     values.reverse();
-    Point { values }
+    GridPoint { values }
 }
 
-/// Points along one axis, the others at their first value: each with the number of this axis.
-pub(super) fn along(axes: &[Axis], name: AxisName) -> Vec<(usize, f64)> {
+/// Index and number of each point along one axis, with the other axes at their first value.
+pub(super) fn points_along(axes: &[Axis], name: AxisName) -> Vec<(usize, f64)> {
     let mut stride = 1_usize;
     for axis in axes.iter().rev() {
         if axis.name == name {
@@ -67,9 +71,9 @@ pub(super) fn along(axes: &[Axis], name: AxisName) -> Vec<(usize, f64)> {
     Vec::new()
 }
 
-/// Points at the ends of every axis, the others at their first value: where one value makes no sense, one of these does
-/// not, because what a value may be is an interval.
-pub(super) fn ends(axes: &[Axis]) -> Vec<usize> {
+/// Indices of the points with the least and the largest value of each axis, with the other axes at their first value. If a value is
+/// outside its domain, which is an interval, one of these points is.
+pub(super) fn points_at_ends(axes: &[Axis]) -> Vec<usize> {
     let mut indices = Vec::new();
     let mut stride = 1_usize;
     for axis in axes.iter().rev() {
@@ -85,15 +89,13 @@ pub(super) fn ends(axes: &[Axis]) -> Vec<usize> {
     indices
 }
 
-// The part of a sweep that one call makes: all of it, one point, or a share of the points.
-
 /// A number from 1 to `count`, with zeros before it, so that names sort as the numbers do.
 pub(super) fn padded(number: usize, count: usize) -> String {
     format!("{number:0width$}", width = count.to_string().len())
 }
 
-/// Which of `count` variants a call makes, counted from 0.
-pub(super) fn indices_of_part(request: &SweepRequest, count: usize) -> StepBy<Range<usize>> {
+/// Indices of the variants that a call makes: all of `count`, one point, or a shard.
+pub(super) fn indices_of_call(request: &SweepRequest, count: usize) -> StepBy<Range<usize>> {
     match (request.point, request.shard) {
         (Some(point), _) => (point.saturating_sub(1)..point.min(count)).step_by(1),
         (None, Some(shard)) => shard.of(count),
@@ -101,32 +103,32 @@ pub(super) fn indices_of_part(request: &SweepRequest, count: usize) -> StepBy<Ra
     }
 }
 
-/// Refuses a point that is not there.
+/// Refuses a number of a point that does not exist.
 ///
 /// # Errors
-/// Which there are.
-pub(super) fn check_part(request: &SweepRequest, count: usize) -> Result<(), RequestFault> {
+/// The message has the range of the numbers.
+pub(super) fn check_point_exists(request: &SweepRequest, count: usize) -> Result<(), RequestFault> {
     let Some(point) = request.point.filter(|point| !(1..=count).contains(point)) else { return Ok(()) };
     let points = if request.ladder.is_some() { "steps of the ladder" } else { "points of the grid" };
     let message = phrase![Input::Point, format!(" {point}: the {points} are counted from 1 to {count}")];
     Err(RequestFault::refused(Input::Point, message))
 }
 
-/// What the name of the table of a part has before its end; `None` if all is made.
+/// The end of the name of a table with one point or shard, such as `shard-1-of-4`; `None` if the call makes all variants.
 pub(super) fn part_name(request: &SweepRequest) -> Option<String> {
-    // Without zeros before it, as the job of an array knows its own number.
-    let point = request.point.map(|point| format!("{POINT}{point}"));
+    // Without zeros before it, because an array job has its number in this form.
+    let point = request.point.map(|point| format!("{POINT_PREFIX}{point}"));
     point.or_else(|| request.shard.map(osim_requests::Shard::file_part))
 }
 
-const POINT: &str = "point-";
-const SHARD: &str = "shard-";
+const POINT_PREFIX: &str = "point-";
+const SHARD_PREFIX: &str = "shard-";
 
-/// Whether the table of some part has this in its name.
+/// Whether [`part_name`] may return this text.
 pub(super) fn is_part_name(text: &str) -> bool {
     let numbers = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit()) && !text.is_empty();
-    let is_point = text.strip_prefix(POINT).is_some_and(numbers);
-    let share = text.strip_prefix(SHARD).and_then(|share| share.split_once("-of-"));
+    let is_point = text.strip_prefix(POINT_PREFIX).is_some_and(numbers);
+    let share = text.strip_prefix(SHARD_PREFIX).and_then(|share| share.split_once("-of-"));
     is_point || share.is_some_and(|(index, count)| numbers(index) && numbers(count))
 }
 
@@ -142,7 +144,7 @@ mod tests {
     fn the_ends_of_every_axis_are_among_its_points() {
         let axes = [axis("stiffness=3,1,2"), axis("dissipation=0.5,4,1")];
         let ends: Vec<String> =
-            ends(&axes).into_iter().map(|index| point(&axes, index).to_string()).collect();
+            points_at_ends(&axes).into_iter().map(|index| point_at(&axes, index).to_string()).collect();
         for wanted in ["stiffness=1", "stiffness=3", "dissipation=0.5", "dissipation=4"] {
             assert!(ends.iter().any(|point| point.contains(wanted)), "{wanted}: {ends:?}");
         }
@@ -152,8 +154,10 @@ mod tests {
     fn points_along_an_axis_have_each_of_its_numbers() {
         let axes = [axis("target_mass=3,1,2"), axis("dissipation=0.5,4")];
         let name = axes[0].name;
-        let points: Vec<String> =
-            along(&axes, name).into_iter().map(|(index, _)| point(&axes, index).to_string()).collect();
+        let points: Vec<String> = points_along(&axes, name)
+            .into_iter()
+            .map(|(index, _)| point_at(&axes, index).to_string())
+            .collect();
         assert_eq!(
             points,
             [
@@ -167,10 +171,10 @@ mod tests {
     #[test]
     fn a_grid_is_every_combination() {
         let axes = [axis("stiffness=x0.1,x1"), axis("dissipation=0.5,1,2")];
-        let names: Vec<String> = (0..6).map(|index| point(&axes, index).file_part()).collect();
+        let names: Vec<String> = (0..6).map(|index| point_at(&axes, index).file_part()).collect();
         assert_eq!(names[0], "stiffness-x0.1_dissipation-0.5");
         assert_eq!(names[5], "stiffness-x1_dissipation-2");
-        assert_eq!(point(&axes, 1).to_string(), "stiffness=x0.1 dissipation=1");
+        assert_eq!(point_at(&axes, 1).to_string(), "stiffness=x0.1 dissipation=1");
     }
 
     fn request(point: Option<usize>, shard: Option<&str>) -> SweepRequest {
@@ -179,7 +183,7 @@ mod tests {
 
     #[test]
     fn parts_together_are_the_whole() {
-        let of = |point, shard| indices_of_part(&request(point, shard), 5).collect::<Vec<_>>();
+        let of = |point, shard| indices_of_call(&request(point, shard), 5).collect::<Vec<_>>();
         assert_eq!(of(None, None), [0, 1, 2, 3, 4]);
         assert_eq!((1..=5).flat_map(|point| of(Some(point), None)).collect::<Vec<_>>(), [0, 1, 2, 3, 4]);
         assert_eq!([of(None, Some("1/2")), of(None, Some("2/2"))].concat(), [0, 2, 4, 1, 3]);
@@ -188,7 +192,7 @@ mod tests {
     #[test]
     fn points_are_counted_from_1() {
         for (point, is_there) in [(0, false), (1, true), (5, true), (6, false)] {
-            assert_eq!(check_part(&request(Some(point), None), 5).is_ok(), is_there, "{point}");
+            assert_eq!(check_point_exists(&request(Some(point), None), 5).is_ok(), is_there, "{point}");
         }
     }
 

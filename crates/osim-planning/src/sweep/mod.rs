@@ -14,7 +14,7 @@ use osim_model::messages::{Phrase, shortest};
 use osim_model::{MassRequest, Property, Question};
 use osim_requests::{AxisName, RequestError, RequestFault, SweepRequest};
 
-use grid::{Point, along, ends, padded, point};
+use grid::{GridPoint, padded, point_at, points_along, points_at_ends};
 use variant::{Ladder, Stages, Variant};
 
 pub struct SweepPlan<'s> {
@@ -25,71 +25,72 @@ pub struct SweepPlan<'s> {
     count: usize,
 }
 
-struct Job {
-    /// What was asked, in the columns of the table.
+struct VariantJob {
+    /// The values of the grid or the ladder, as cells of the table.
     asked: Vec<String>,
     operation: String,
-    /// The mass that the contacts are made for then, if it changes.
+    /// The mass that the contacts are made for, if the grid changes it.
     target_mass_kg: Option<f64>,
     stages: Stages,
 }
 
-/// A variant that was made, in memory.
-pub struct VariantMade {
+/// A variant, in memory.
+pub struct MadeVariant {
     /// The model.
     pub bytes: Vec<u8>,
-    /// What was done, in words.
+    /// What was done to the model, as its note says it.
     pub operation: String,
     number: usize,
     file: String,
     asked: Vec<String>,
     variant: Variant,
-    /// Codes of errors and warnings that the model itself has not.
+    /// Codes of errors and warnings that the original does not have.
     worse: Vec<&'static str>,
 }
 
-impl VariantMade {
+impl MadeVariant {
     pub fn row(self, sha256: String) -> Vec<String> {
         row(self.number, self.file, self.asked, &self.variant, (&self.worse, sha256))
     }
 
-    /// A digest that is equal for variants whose contacts have the same numbers, however they were asked for.
+    /// A digest that is equal for variants whose contacts have equal numbers.
     pub fn contact_digest(&self) -> &str {
         &self.variant.digest
     }
 
-    /// Whether something is wrong with it that is not with the model itself.
+    /// Whether it has errors or warnings that the original does not have.
     pub fn is_worse(&self) -> bool {
         !self.worse.is_empty()
     }
 }
 
 impl<'s> SweepPlan<'s> {
-    /// A sweep of the model whose files are `model`.
+    /// Plans a sweep of the model whose files are `model`.
     ///
     /// # Errors
     /// Those of [`SweepRequest::check`], or the model itself cannot be read, a ladder has no last step, or there is no such point.
     pub fn new(request: &'s SweepRequest, model: ModelFiles) -> Result<Self, RequestError> {
         request.check()?;
         let count = request.count()?;
-        // What is wrong with the model itself is reported once, not for every variant.
+        // A model that is wrong itself is refused here, once for all variants.
         let original = Variant::unchanged(request, &model)?;
-        let ladder = request.ladder.map(|steps| Ladder::of(request, &model, steps.get())).transpose()?;
-        grid::check_part(request, count)?;
+        let ladder =
+            request.ladder.map(|steps| Ladder::of_model(request, &model, steps.get())).transpose()?;
+        grid::check_point_exists(request, count)?;
         Ok(Self { request, model, original, ladder, count })
     }
 
-    /// How many variants, of all points or steps.
+    /// The number of all variants, also those that other calls make.
     pub fn count(&self) -> usize {
         self.count
     }
 
-    /// Which of them this call makes, counted from 0.
+    /// Indices of the variants that this call makes.
     pub fn indices(&self) -> StepBy<Range<usize>> {
-        grid::indices_of_part(self.request, self.count)
+        grid::indices_of_call(self.request, self.count)
     }
 
-    /// The model that they are made from.
+    /// The original model.
     pub fn model(&self) -> &ModelFiles {
         &self.model
     }
@@ -98,31 +99,33 @@ impl<'s> SweepPlan<'s> {
         let part = match &self.ladder {
             Some(ladder) => ladder.file_part(index),
             None => {
-                let point = point(&self.request.grid, index);
+                let point = point_at(&self.request.grid, index);
                 format!("{}_{}", padded(index + 1, self.count), point.file_part())
             }
         };
-        self.named(&part, "osim")
+        self.file_name_with(&part, "osim")
     }
 
-    /// Name of the table that says what is in which file, of all.
+    /// Name of the table of all variants.
     pub fn table_name(&self) -> String {
-        self.named(self.kind(), "csv")
+        self.file_name_with(self.table_kind(), "csv")
     }
 
-    /// Name of the table of what this call makes, if it is a part of all.
+    /// Name of the table of the variants that this call makes, if it makes only some.
     pub fn part_table_name(&self) -> Option<String> {
         let part = grid::part_name(self.request)?;
-        Some(self.named(self.kind(), &format!("{part}.csv")))
+        Some(self.file_name_with(self.table_kind(), &format!("{part}.csv")))
     }
 
-    /// Whether the table of some part of this sweep, or of one with other points, has this name.
+    /// Whether this is the name of a table of some variants, of this sweep or of another sweep of the model.
     pub fn is_part_table_name(&self, name: &str) -> bool {
-        let part = name.strip_prefix(&self.named(self.kind(), "")).and_then(|end| end.strip_suffix(".csv"));
+        let part = name
+            .strip_prefix(&self.file_name_with(self.table_kind(), ""))
+            .and_then(|end| end.strip_suffix(".csv"));
         part.is_some_and(grid::is_part_name)
     }
 
-    /// Whether a variant of this model could have this name, in this sweep or in one with other points.
+    /// Whether this may be the name of a variant of the model, of this sweep or of another one.
     pub fn is_like_file_name(&self, name: &str) -> bool {
         let own = || name.strip_prefix(&*self.model_name())?.strip_prefix('_')?.strip_suffix(".osim");
         own().is_some_and(|part| match self.ladder {
@@ -131,12 +134,12 @@ impl<'s> SweepPlan<'s> {
         })
     }
 
-    fn kind(&self) -> &'static str {
+    fn table_kind(&self) -> &'static str {
         if self.ladder.is_some() { "ladder" } else { "sweep" }
     }
 
     /// `NAME_part.extension`
-    fn named(&self, part: &str, extension: &str) -> String {
+    fn file_name_with(&self, part: &str, extension: &str) -> String {
         format!("{}_{part}.{extension}", self.model_name())
     }
 
@@ -146,30 +149,34 @@ impl<'s> SweepPlan<'s> {
 
     pub fn table_header(&self) -> Vec<String> {
         header(match self.ladder {
-            Some(_) => LADDER.map(str::to_owned).to_vec(),
-            None => self.request.grid.iter().map(|axis| format!("{GRID}{}", axis.name.as_str())).collect(),
+            Some(_) => LADDER_COLUMNS.map(str::to_owned).to_vec(),
+            None => {
+                self.request.grid.iter().map(|axis| format!("{GRID_PREFIX}{}", axis.name.as_str())).collect()
+            }
         })
     }
 
-    /// Whether these are the columns of a sweep's table, also of one that asked something else.
+    /// Whether these are the columns of the table of some sweep.
     pub fn is_table_header<C: AsRef<str>>(columns: &[C]) -> bool {
         is_header(columns)
     }
 
-    /// What a variant asks for may make no sense: that shows before anything is written.
+    /// Plans the variants at the ends of the axes, so that values outside their domain are refused before anything is written.
     ///
     /// # Errors
     /// What is wrong, with the point.
     pub fn check_ends(&self) -> Result<(), RequestError> {
         let points = match self.ladder {
             Some(_) => vec![0, self.count.saturating_sub(1)],
-            None => self.asked_masses()?.into_iter().chain(ends(&self.request.grid)).collect(),
+            None => {
+                self.points_with_odd_mass()?.into_iter().chain(points_at_ends(&self.request.grid)).collect()
+            }
         };
         for index in points {
             let job = self.job(index)?;
             self.variant(&job).map_err(|mut failure| {
-                failure.message = at(&failure, &job);
-                // What is asked has a code, which answers it.
+                failure.message = message_with_point(&failure, &job);
+                // A question stays a failure, because its code answers it.
                 match failure.code.parse::<Question>() {
                     Ok(_) => RequestError::Failure(failure),
                     Err(_) => RequestFault::general(failure.message).into(),
@@ -179,9 +186,9 @@ impl<'s> SweepPlan<'s> {
         Ok(())
     }
 
-    /// Points whose mass looks like a slip, which need not be at an end.
-    fn asked_masses(&self) -> Result<Vec<usize>, RequestError> {
-        let masses = along(&self.request.grid, AxisName::TargetMass);
+    /// Indices of points whose mass looks like a slip; they need not be at an end of the axis.
+    fn points_with_odd_mass(&self) -> Result<Vec<usize>, RequestError> {
+        let masses = points_along(&self.request.grid, AxisName::TargetMass);
         if masses.is_empty() {
             return Ok(Vec::new());
         }
@@ -203,40 +210,40 @@ impl<'s> SweepPlan<'s> {
     ///
     /// # Errors
     /// What is wrong, with the point.
-    pub fn make(&self, index: usize) -> Result<VariantMade, Failure> {
+    pub fn make(&self, index: usize) -> Result<MadeVariant, Failure> {
         let job = self
             .job(index)
             .map_err(|fault| Failure::outside(self.model.name(), "refused", fault.phrase()))?;
         let mut variant = self.variant(&job).map_err(|failure| {
             let mut placed = failure.clone();
-            placed.message = at(&failure, &job);
+            placed.message = message_with_point(&failure, &job);
             placed
         })?;
         let bytes = std::mem::take(&mut variant.bytes);
-        Ok(VariantMade {
+        Ok(MadeVariant {
             bytes,
             operation: job.operation,
             number: index + 1,
             file: self.file_name(index),
             asked: job.asked,
-            worse: variant.worse_than(&self.original),
+            worse: variant.codes_not_in(&self.original),
             variant,
         })
     }
 
-    fn variant(&self, job: &Job) -> Result<Variant, Failure> {
-        Variant::of(self.request, &self.model, &job.stages, &job.operation, job.target_mass_kg)
+    fn variant(&self, job: &VariantJob) -> Result<Variant, Failure> {
+        Variant::of_stages(self.request, &self.model, &job.stages, &job.operation, job.target_mass_kg)
     }
 
-    fn job(&self, index: usize) -> Result<Job, RequestFault> {
+    fn job(&self, index: usize) -> Result<VariantJob, RequestFault> {
         match &self.ladder {
-            Some(ladder) => self.step(ladder, index),
-            None => self.point(&point(&self.request.grid, index)),
+            Some(ladder) => self.job_of_step(ladder, index),
+            None => self.job_of_point(&point_at(&self.request.grid, index)),
         }
     }
 
-    fn point(&self, point: &Point<'_>) -> Result<Job, RequestFault> {
-        Ok(Job {
+    fn job_of_point(&self, point: &GridPoint<'_>) -> Result<VariantJob, RequestFault> {
+        Ok(VariantJob {
             asked: point.values.iter().map(|(_, value)| value.exact()).collect(),
             operation: format!("sweep {point}"),
             target_mass_kg: point.number(AxisName::TargetMass),
@@ -244,10 +251,10 @@ impl<'s> SweepPlan<'s> {
         })
     }
 
-    fn step(&self, ladder: &Ladder, index: usize) -> Result<Job, RequestFault> {
+    fn job_of_step(&self, ladder: &Ladder, index: usize) -> Result<VariantJob, RequestFault> {
         let (number, count) = (index + 1, ladder.len());
         let stiffness = ladder.dimensionless_stiffness(index).map(shortest).unwrap_or_default();
-        Ok(Job {
+        Ok(VariantJob {
             asked: vec![stiffness],
             operation: format!("ladder step {number} of {count}"),
             target_mass_kg: None,
@@ -256,15 +263,14 @@ impl<'s> SweepPlan<'s> {
     }
 }
 
-/// A failure with the point that it is about.
-fn at(failure: &Failure, job: &Job) -> Phrase {
+/// The message of a failure, with the point that it is about.
+fn message_with_point(failure: &Failure, job: &VariantJob) -> Phrase {
     let mut message = failure.message.clone();
     message.push(format!(" ({})", job.operation));
     message
 }
 
-// The table that says what is in which file.
-
+/// Properties that are columns of the table of variants.
 const PROPERTIES: [Property; 6] = [
     Property::Radius,
     Property::Stiffness,
@@ -274,38 +280,47 @@ const PROPERTIES: [Property; 6] = [
     Property::HuntCrossleySmoothing,
 ];
 
-/// What is before the name of what was asked, in the name of a column.
-const GRID: &str = "grid_";
-/// What a ladder asks at each step.
-const LADDER: [&str; 1] = ["wanted_dimensionless_stiffness"];
-/// x̂ at rest by the Hertz law, in whose k̂ a ladder steps, and by the law of the class of the force.
-const HERTZ: &str = "relative_indentation_hertz";
-const MODEL_LAW: &str = "relative_indentation_model_law";
-/// Codes of errors and warnings that the model itself has not.
-const WORSE: &str = "worse";
-/// The number of the point or step, from 1, and its file.
-const FIRST: [&str; 2] = ["index", "file"];
+/// Before the name of an axis, in the name of its column.
+const GRID_PREFIX: &str = "grid_";
+/// The column with the aim of each step of a ladder.
+const LADDER_COLUMNS: [&str; 1] = ["wanted_dimensionless_stiffness"];
+/// x̂ at rest by the Hertz law, which also gives the k̂ of a ladder's steps.
+const HERTZ_INDENTATION: &str = "relative_indentation_hertz";
+/// x̂ at rest by the law of the force's class.
+const MODEL_LAW_INDENTATION: &str = "relative_indentation_model_law";
+/// Codes of errors and warnings that the original does not have.
+const WORSE_COLUMN: &str = "worse";
+/// The number of the point or step, from 1, and the file of the variant.
+const FIRST_COLUMNS: [&str; 2] = ["index", "file"];
 
-/// Names of the columns: the number and the file, what was asked, what is in the file, what follows from it.
+/// Names of all columns: number and file, values of the grid or ladder, parameters of the contacts, and figures.
 fn header(asked: Vec<String>) -> Vec<String> {
     let properties = PROPERTIES.map(|property| property.name().to_owned());
-    let follows =
-        [HERTZ, MODEL_LAW, "dimensionless_stiffness", "restitution", WORSE, "sha256"].map(str::to_owned);
-    let first = FIRST.map(str::to_owned).into_iter();
+    let follows = [
+        HERTZ_INDENTATION,
+        MODEL_LAW_INDENTATION,
+        "dimensionless_stiffness",
+        "restitution",
+        WORSE_COLUMN,
+        "sha256",
+    ]
+    .map(str::to_owned);
+    let first = FIRST_COLUMNS.map(str::to_owned).into_iter();
     first.chain(asked).chain(properties).chain(follows).collect()
 }
 
-/// Whether these are the columns of some sweep's table, by grid or by ladder.
+/// Whether these are the columns of the table of some sweep, by grid or by ladder.
 fn is_header<C: AsRef<str>>(columns: &[C]) -> bool {
     let others = header(Vec::new()).len();
     let Some(count) = columns.len().checked_sub(others) else { return false };
-    let asked: Vec<&str> = columns.iter().skip(FIRST.len()).take(count).map(AsRef::as_ref).collect();
-    let is_grid = asked.iter().all(|column| column.starts_with(GRID));
+    let asked: Vec<&str> = columns.iter().skip(FIRST_COLUMNS.len()).take(count).map(AsRef::as_ref).collect();
+    let is_grid = asked.iter().all(|column| column.starts_with(GRID_PREFIX));
     let whole = header(asked.iter().map(|&column| column.to_owned()).collect());
-    (is_grid || asked == LADDER) && columns.iter().map(AsRef::as_ref).eq(whole)
+    (is_grid || asked == LADDER_COLUMNS) && columns.iter().map(AsRef::as_ref).eq(whole)
 }
 
-/// One variant, with its number from 1 and its file; `worse` are codes of what is wrong with it alone, `sha256` is that of its bytes.
+/// The cells of one variant; `worse` are codes of errors and warnings that the original does not have, `sha256` is the digest of its
+/// bytes.
 fn row(
     number: usize,
     file: String,
@@ -314,7 +329,7 @@ fn row(
     (worse, sha256): (&[&str], String),
 ) -> Vec<String> {
     let cell = |value: Option<f64>| value.map(shortest).unwrap_or_default();
-    let properties = PROPERTIES.map(|property| cell(variant.common(property)));
+    let properties = PROPERTIES.map(|property| cell(variant.common_value(property)));
     let follows = [
         variant.indentations(Figure::Indentation),
         variant.indentations(Figure::IndentationModelLaw),

@@ -1,4 +1,4 @@
-//! One variant of a model: what is done to it, its bytes and what is in them; and the steps of a ladder.
+//! One variant of a model: the changes that make it, its bytes and figures; and the steps of a ladder.
 
 use std::collections::BTreeSet;
 
@@ -15,29 +15,29 @@ use osim_requests::{
     RestitutionCoefficient, SetRequest, SweepRequest,
 };
 
-use super::grid::{Point, padded};
-use crate::afterwards::{is_due, unmended};
-use crate::planner::Change;
+use super::grid::{GridPoint, padded};
+use crate::prepared_change::PreparedChange;
+use crate::result_check::{findings_without_remedies, says_bodies_are_unscaled};
 use crate::verbs::{design, rescale, set};
 
-/// A variant, read again from its own bytes.
+/// A variant that was made and read again from its bytes.
 pub(super) struct Variant {
     pub bytes: Vec<u8>,
     values: Vec<(Property, f64)>,
     figures: Option<Figures>,
-    /// Equal for variants whose contacts have the same numbers.
+    /// A digest that is equal for variants whose contacts have equal numbers.
     pub digest: String,
     /// Codes of its errors and warnings.
     wrong: BTreeSet<FindingCode>,
 }
 
 impl Variant {
-    /// Does `stages` one after the other and reads the result. The contacts are then made for `target_mass_kg`, else for what
-    /// the model weighs.
+    /// Makes the changes `stages` one after the other and reads the result. Its figures are for `target_mass_kg`, else for the mass of
+    /// the model.
     ///
     /// # Errors
     /// A stage that cannot be planned, or that would change an included file.
-    pub(super) fn of(
+    pub(super) fn of_stages(
         request: &SweepRequest,
         model: &ModelFiles,
         stages: &Stages,
@@ -67,7 +67,7 @@ impl Variant {
         Self::read(request, current, target_mass_kg)
     }
 
-    /// The model as it is.
+    /// The original as a variant.
     pub(super) fn unchanged(request: &SweepRequest, model: &ModelFiles) -> Result<Self, Failure> {
         Self::read(request, model.clone(), None)
     }
@@ -79,38 +79,38 @@ impl Variant {
         let given = |kg| Mass { kg, source: MassSource::Grid };
         let mass = target_mass_kg.map(given).or_else(|| request.masses.request().model_mass(model).ok());
         let stance = Stance::from(&request.counts.stance_options(request.wanted.impact_speed, None));
-        let wrong = wrong(request, &open, mass.as_ref(), stance);
+        let wrong = codes_of_warnings(request, &open, mass.as_ref(), stance);
         let sharing = LoadSharing::of(model, &selected.forces);
         let figures = Figures::compute(model, &selected, &sharing, mass.as_ref(), &stance, &[]).ok();
         let bytes = model.file(FileId::MAIN).bytes().to_vec();
         let digest = model.contact_digest(|_| None);
-        Ok(Self { bytes, values: values(model, &selected), figures, digest, wrong })
+        Ok(Self { bytes, values: contact_values(model, &selected), figures, digest, wrong })
     }
 
-    /// Codes of the errors and warnings that `original` has not.
-    pub(super) fn worse_than(&self, original: &Self) -> Vec<&'static str> {
+    /// Codes of the errors and warnings that `original` does not have.
+    pub(super) fn codes_not_in(&self, original: &Self) -> Vec<&'static str> {
         self.wrong.difference(&original.wrong).map(|code| code.as_str()).collect()
     }
 
-    /// Every value of `property`.
-    pub(super) fn all(&self, property: Property) -> impl Iterator<Item = f64> {
+    /// The values of `property` in all contacts.
+    pub(super) fn values_of(&self, property: Property) -> impl Iterator<Item = f64> {
         self.values.iter().filter(move |(known, _)| *known == property).map(|(_, value)| *value)
     }
 
-    /// The value of `property`, where it is the same everywhere.
-    pub(super) fn common(&self, property: Property) -> Option<f64> {
-        alike(self.all(property))
+    /// The value of `property`, if all contacts have the same.
+    pub(super) fn common_value(&self, property: Property) -> Option<f64> {
+        common_number(self.values_of(property))
     }
 
-    /// x̂ under one body weight: a number where all spheres have the same, else that of each kind, called by its first sphere, such as
-    /// `heel_r=0.16 toe_r=0.12`. `figure` says by which law.
+    /// x̂ under one body weight by the law of `figure`: one number if all spheres have the same, else each different number with the name
+    /// of the first sphere that has it, such as `heel_r=0.16 toe_r=0.12`.
     pub(super) fn indentations(&self, figure: Figure) -> String {
         let spheres = self.figures.iter().flat_map(Figures::spheres);
         let known: Option<Vec<(&str, f64)>> =
             spheres.map(|sphere| Some((sphere.sphere.as_str(), sphere.value(figure)?))).collect();
         let mut kinds: Vec<(&str, f64)> = Vec::new();
         for (name, value) in known.unwrap_or_default() {
-            if !kinds.iter().any(|(_, known)| is_alike(*known, value)) {
+            if !kinds.iter().any(|(_, known)| is_nearly_equal(*known, value)) {
                 kinds.push((name, value));
             }
         }
@@ -137,12 +137,12 @@ impl Variant {
     fn figure(&self, figure: Figure) -> Option<f64> {
         let figures = self.figures.as_ref()?;
         let all: Option<Vec<f64>> = figures.spheres().map(|sphere| sphere.value(figure)).collect();
-        alike(all?.into_iter())
+        common_number(all?.into_iter())
     }
 }
 
 /// Codes of the errors and warnings of a model that carries `mass`.
-fn wrong(
+fn codes_of_warnings(
     request: &SweepRequest,
     open: &OpenModel,
     mass: Option<&Mass>,
@@ -151,22 +151,25 @@ fn wrong(
     let masses = MassRequest { model_kg: mass.map(|mass| mass.kg), ..request.masses.request() };
     let options =
         InspectOptions { masses, selection: request.choice.selection(), stance, ..InspectOptions::default() };
-    let found = unmended(&options, open, &open.model).into_iter();
-    found.filter(|one| one.severity >= Severity::Warning && !is_due(one)).map(|one| one.code()).collect()
+    let findings = findings_without_remedies(&options, open, &open.model).into_iter();
+    findings
+        .filter(|one| one.severity >= Severity::Warning && !says_bodies_are_unscaled(one))
+        .map(|one| one.code())
+        .collect()
 }
 
-/// The common value; figures of like spheres may differ in their last digits.
-fn alike(mut values: impl Iterator<Item = f64>) -> Option<f64> {
+/// The first value, if all others are nearly equal: figures of like spheres may differ in their last digits.
+fn common_number(mut values: impl Iterator<Item = f64>) -> Option<f64> {
     let first = values.next()?;
-    values.all(|value| is_alike(first, value)).then_some(first)
+    values.all(|value| is_nearly_equal(first, value)).then_some(first)
 }
 
-fn is_alike(first: f64, value: f64) -> bool {
+fn is_nearly_equal(first: f64, value: f64) -> bool {
     (value - first).abs() <= 1e-12 * first.abs()
 }
 
 /// Parameters of the selected forces, and radii of their spheres.
-fn values(model: &Model, selected: &Selected) -> Vec<(Property, f64)> {
+fn contact_values(model: &Model, selected: &Selected) -> Vec<(Property, f64)> {
     let mut values = Vec::new();
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         for set in &force.sets {
@@ -178,16 +181,14 @@ fn values(model: &Model, selected: &Selected) -> Vec<(Property, f64)> {
     values
 }
 
-// What is done to the model at a point: rescaled, then set, then designed, each if the point asks for it.
+/// The changes that make one variant, one after the other: rescale, set, design, each if the point needs it.
+pub(super) type Stages = Vec<PreparedChange>;
 
-/// The changes that lead to a point, one after the other.
-pub(super) type Stages = Vec<Change>;
-
-/// The stages of a point of a grid.
+/// The changes that make the variant at a point of a grid.
 ///
 /// # Errors
 /// Values that do not go together.
-pub(super) fn stages_at(request: &SweepRequest, point: &Point<'_>) -> Result<Stages, RequestFault> {
+pub(super) fn stages_at(request: &SweepRequest, point: &GridPoint<'_>) -> Result<Stages, RequestFault> {
     let (indentation, restitution) =
         (point.number(AxisName::Indentation), point.number(AxisName::Restitution));
     let wanted = &request.wanted;
@@ -200,7 +201,7 @@ pub(super) fn stages_at(request: &SweepRequest, point: &Point<'_>) -> Result<Sta
                 "target_mass and a design (indentation, restitution, ...) contradict each other in one sweep",
             ));
         }
-        stages.push(rescale(request, target_mass_kg)?);
+        stages.push(prepare_rescale(request, target_mass_kg)?);
     }
     let assignments: Vec<(Property, Assignment)> = point
         .values
@@ -214,19 +215,19 @@ pub(super) fn stages_at(request: &SweepRequest, point: &Point<'_>) -> Result<Sta
         })
         .collect();
     if !assignments.is_empty() {
-        stages.push(set(request, assignments)?);
+        stages.push(prepare_set(request, assignments)?);
     }
     if designs {
-        stages.push(design(request, indentation, restitution)?);
+        stages.push(prepare_design(request, indentation, restitution)?);
     }
     Ok(stages)
 }
 
-fn design(
+fn prepare_design(
     request: &SweepRequest,
     indentation: Option<f64>,
     restitution: Option<f64>,
-) -> Result<Change, RequestFault> {
+) -> Result<PreparedChange, RequestFault> {
     let refused = |name: AxisName, number: f64| {
         move |why: String| {
             let value = format!(" {}={}: {why}", name.as_str(), shortest(number));
@@ -254,8 +255,10 @@ fn design(
     design::prepare(design)
 }
 
-/// `set` with these assignments.
-fn set(request: &SweepRequest, assignments: Vec<(Property, Assignment)>) -> Result<Change, RequestFault> {
+fn prepare_set(
+    request: &SweepRequest,
+    assignments: Vec<(Property, Assignment)>,
+) -> Result<PreparedChange, RequestFault> {
     let set = SetRequest {
         models: request.model.iter().cloned().collect(),
         set: assignments.into_iter().collect(),
@@ -267,7 +270,7 @@ fn set(request: &SweepRequest, assignments: Vec<(Property, Assignment)>) -> Resu
     set::prepare(set)
 }
 
-fn rescale(request: &SweepRequest, target_mass_kg: f64) -> Result<Change, RequestFault> {
+fn prepare_rescale(request: &SweepRequest, target_mass_kg: f64) -> Result<PreparedChange, RequestFault> {
     let target_mass =
         Kilograms::new(target_mass_kg).map_err(|why| RequestFault::refused(Input::TargetMass, why))?;
     let request = RescaleRequest {
@@ -277,24 +280,26 @@ fn rescale(request: &SweepRequest, target_mass_kg: f64) -> Result<Change, Reques
         answers: request.answers.clone(),
         ..RescaleRequest::default()
     };
-    rescale::with_bodies(request, None)
+    rescale::prepare_with_factors(request, None)
 }
 
-// From a soft contact to the wanted one, in steps (section 4.3 of the paper).
-
-/// What a ladder needs to know before its first step.
+/// Steps from a soft contact to the wanted one (section 4.3 of the paper).
 pub(super) struct Ladder {
     steps: Vec<continuation::Step>,
-    /// α of the softest step where the last has none, s/m.
+    /// α of the softest step if the last step has none, s/m.
     dissipation_if_none: Option<f64>,
 }
 
 impl Ladder {
-    /// Finds where the model begins and where the last step ends.
+    /// Calculates the steps from the model and the wanted design.
     ///
     /// # Errors
     /// The last step cannot be designed, or is softer than the first.
-    pub(super) fn of(request: &SweepRequest, model: &ModelFiles, count: u32) -> Result<Self, RequestFault> {
+    pub(super) fn of_model(
+        request: &SweepRequest,
+        model: &ModelFiles,
+        count: u32,
+    ) -> Result<Self, RequestFault> {
         let Some(indentation) = request.wanted.indentation else {
             let message = phrase![
                 Input::Ladder,
@@ -306,19 +311,26 @@ impl Ladder {
         };
         let last = stiffness::dimensionless_hertz(indentation.get())
             .map_err(|error| RequestFault::general(error.to_string()))?;
-        let end = vec![design(request, None, None)?];
-        let now = dissipation(&Variant::unchanged(request, model).map_err(|failure| of_model(&failure))?);
-        let then = dissipation(
-            &Variant::of(request, model, &end, "ladder", None).map_err(|failure| of_model(&failure))?,
+        let end = vec![prepare_design(request, None, None)?];
+        let original_dissipation = largest_dissipation(
+            &Variant::unchanged(request, model).map_err(|failure| fault_of_original(&failure))?,
         );
-        let falls = now > then && then > 0.0;
-        let ratio = if falls { now / then } else { 1.0 };
+        let wanted_dissipation = largest_dissipation(
+            &Variant::of_stages(request, model, &end, "ladder", None)
+                .map_err(|failure| fault_of_original(&failure))?,
+        );
+        let falls = original_dissipation > wanted_dissipation && wanted_dissipation > 0.0;
+        let ratio = if falls { original_dissipation / wanted_dissipation } else { 1.0 };
         let soft = request.soft.get();
         let steps = continuation::steps(soft, last, ratio, count).map_err(|error| {
             let message = phrase![Input::Soft, format!(" {}: {error}", shortest(soft))];
             RequestFault::refused(Input::Soft, message)
         })?;
-        Ok(Self { steps, dissipation_if_none: (then == 0.0 && now > 0.0).then_some(now) })
+        Ok(Self {
+            steps,
+            dissipation_if_none: (wanted_dissipation == 0.0 && original_dissipation > 0.0)
+                .then_some(original_dissipation),
+        })
     }
 
     pub(super) fn len(&self) -> usize {
@@ -336,12 +348,12 @@ impl Ladder {
         self.steps.get(index).map(|step| step.dimensionless_stiffness)
     }
 
-    /// What leads to step `index`, from 0: the last step, made softer.
+    /// The changes that make step `index`, from 0: the wanted design, made softer.
     ///
     /// # Errors
     /// The last step cannot be designed.
     pub(super) fn stages(&self, request: &SweepRequest, index: usize) -> Result<Stages, RequestFault> {
-        let mut stages = vec![design(request, None, None)?];
+        let mut stages = vec![prepare_design(request, None, None)?];
         let Some(step) = self.steps.get(index) else { return Err(RequestFault::general("no such step")) };
         if index + 1 < self.steps.len() {
             let mut assignments = vec![(Property::Stiffness, Assignment::Factor(step.modulus_factor))];
@@ -353,18 +365,18 @@ impl Ladder {
             } else if step.dissipation_factor != 1.0 {
                 assignments.push((Property::Dissipation, Assignment::Factor(step.dissipation_factor)));
             }
-            stages.push(set(request, assignments)?);
+            stages.push(prepare_set(request, assignments)?);
         }
         Ok(stages)
     }
 }
 
 /// The largest α of the selected forces, s/m.
-fn dissipation(variant: &Variant) -> f64 {
-    variant.all(Property::Dissipation).fold(0.0, f64::max)
+fn largest_dissipation(variant: &Variant) -> f64 {
+    variant.values_of(Property::Dissipation).fold(0.0, f64::max)
 }
 
-fn of_model(failure: &Failure) -> RequestFault {
+fn fault_of_original(failure: &Failure) -> RequestFault {
     let mut message = Phrase::from(format!("{}: ", failure.model));
     message.push(&failure.message);
     RequestFault::general(message)

@@ -180,7 +180,7 @@ pub(super) fn number(cell: &str, sheet: &Sheet, column: &Column) -> Result<Strin
             return Err(refused(format!("'{cell}' may be {plain} or {point}: write {plain} or {point}0")));
         }
     }
-    sheet.with_point(cell).map(Into::into).map_err(|why| refused(format!("'{cell}' {why}")))
+    sheet.with_decimal_point(cell).map(Into::into).map_err(|why| refused(format!("'{cell}' {why}")))
 }
 
 /// Whether `mark` may separate thousands: `1,190` is one number in some countries and another in others, and so is `1.190`;

@@ -13,7 +13,7 @@ use osim_requests::values::path;
 use osim_requests::{Request, RequestError, RequestFault};
 use serde_json::{Map, Value, json};
 
-use crate::planner::Change;
+use crate::prepared_change::PreparedChange;
 use crate::sheet::{Row, Sheet};
 use crate::table::cells::{Cells, Masses};
 use crate::table::columns::{Columns, model_field};
@@ -91,7 +91,7 @@ impl Table {
     ///
     /// # Errors
     /// What is wrong, with its column.
-    pub fn prepare(&self, row: &RowRequest, files: &dyn Files) -> Result<Change, RowFault> {
+    pub fn prepare(&self, row: &RowRequest, files: &dyn Files) -> Result<PreparedChange, RowFault> {
         let mut fields = row.fields.clone();
         if row.verb == Verb::Fit && !fields.contains_key(Input::Motion.name()) {
             let column = self.columns.header_of(Input::Motion.name()).map(str::to_owned);
@@ -120,7 +120,7 @@ impl Table {
                 RowFault::of("from", text)
             }
         })?;
-        Ok(Change { output: row.output.clone(), ..change })
+        Ok(PreparedChange { output: row.output.clone(), ..change })
     }
 
     fn placed(&self, fault: &RequestFault, verb: Verb) -> RowFault {

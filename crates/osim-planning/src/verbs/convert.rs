@@ -1,4 +1,4 @@
-//! Forces of one class as forces of the other.
+//! The verb `convert`: forces of one class become forces of the other.
 
 use osim_model::messages::{Input, Phrase, Verb, counted, listed, phrase};
 use osim_model::{Fault, ForceKind, Model, Selection};
@@ -6,14 +6,17 @@ use osim_patch::{Convert, Converted, Deed, ObjectChange, Plan, convert, kept_not
 use osim_requests::options::InspectionOptions;
 use osim_requests::{ConvertRequest, Positive, RequestFault};
 
-use crate::planner::{Change, Planner};
-use crate::remarks::{dropped_pairs, refuse_geometry_output, smoothed, still_named, too_new, too_smooth};
+use crate::prepared_change::{Planner, PreparedChange};
+use crate::remarks::{
+    refuse_geometry_output, remark_on_old_document, remarks_on_dropped_pairs, remarks_on_missing_names,
+    remarks_on_smoothing, warnings_of_smoothing,
+};
 
-/// What is said where forces had their spheres inside themselves.
-const TAKEN_OUT: &str = "spheres and planes that forces kept inside themselves, as in Moco 0.1 to 0.3, are in the ContactGeometrySet: OpenSim 4.2 and \
+/// The remark if forces had their spheres inside themselves.
+const GEOMETRY_TAKEN_OUT: &str = "spheres and planes that forces kept inside themselves, as in Moco 0.1 to 0.3, are in the ContactGeometrySet: OpenSim 4.2 and \
      later read the model now, and Moco 0.1 to 0.3 does not any more";
 
-struct Converting {
+struct ConvertPlanner {
     wanted: Convert,
     selection: Selection,
 }
@@ -22,7 +25,7 @@ struct Converting {
 ///
 /// # Errors
 /// No model, or no class.
-pub(super) fn prepare(request: ConvertRequest) -> Result<Change, RequestFault> {
+pub(super) fn prepare(request: ConvertRequest) -> Result<PreparedChange, RequestFault> {
     let Some(to) = request.to else { return Err(RequestFault::Missing { field: "to" }) };
     if request.models.is_empty() {
         return Err(RequestFault::Missing { field: "models" });
@@ -34,17 +37,16 @@ pub(super) fn prepare(request: ConvertRequest) -> Result<Change, RequestFault> {
     wanted.hertz_smoothing = request.hertz_smoothing.map(Positive::get);
     wanted.hunt_crossley_smoothing = request.hunt_crossley_smoothing.map(Positive::get);
     wanted.strict = request.strict;
-    let planner = Converting { wanted, selection: request.choice.selection() };
+    let planner = ConvertPlanner { wanted, selection: request.choice.selection() };
     let inspection = InspectionOptions {
         choice: request.choice,
         answers: request.answers,
         ..InspectionOptions::default()
     };
-    Ok(Change::new(Verb::Convert, request.models, request.output, inspection, planner))
+    Ok(PreparedChange::new(Verb::Convert, request.models, request.output, inspection, planner))
 }
 
-/// # Errors
-/// Smoothing of forces that are not smoothed.
+/// Refuses smoothing values for forces that are not smoothed.
 fn refuse_smoothing(request: &ConvertRequest, to: ForceKind) -> Result<(), RequestFault> {
     let smoothing = [
         (Input::ConstantContactForce, request.constant_contact_force),
@@ -66,20 +68,20 @@ fn refuse_smoothing(request: &ConvertRequest, to: ForceKind) -> Result<(), Reque
     }
 }
 
-impl Planner for Converting {
+impl Planner for ConvertPlanner {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply_to_all(model)?;
-        let dropped = dropped_pairs(model, &selected)?;
+        let dropped_pairs = remarks_on_dropped_pairs(model, &selected)?;
         let Converted { rebuilt, warnings, renamed, without_sphere, .. } =
             convert(model, &selected, &self.wanted)?;
-        // Spheres and planes that forces kept inside themselves are new, too.
+        // Spheres and planes that forces had inside themselves are new objects, too.
         let is_force = |object: &&ObjectChange| !object.class.starts_with("Contact");
-        let of =
+        let forces_with =
             |deed: Deed| rebuilt.objects.iter().filter(move |object| object.deed == deed).filter(is_force);
-        let (old, new) = (of(Deed::Removed).count(), of(Deed::Added).count());
+        let (old, new) = (forces_with(Deed::Removed).count(), forces_with(Deed::Added).count());
         let class = self.wanted.to.as_str();
-        let changes_class = of(Deed::Removed).any(|object| object.class != class);
-        let taken = match old {
+        let changes_class = forces_with(Deed::Removed).any(|object| object.class != class);
+        let summary = match old {
             0 if !without_sphere.is_empty() => "no force changes".to_owned(),
             0 if selected.forces.len() < model.forces().len() => {
                 format!("every chosen force is a {class} for one sphere already")
@@ -89,31 +91,32 @@ impl Planner for Converting {
             _ => format!("{old} forces become {}, one for each sphere", counted(new, class)),
         };
         let taken_out = rebuilt.objects.iter().any(|object| !is_force(&object));
-        let named = still_named(&rebuilt);
+        let missing_names = remarks_on_missing_names(&rebuilt);
         let is_smoothed = changes_class && self.wanted.to == ForceKind::SmoothSphereHalfSpace;
-        let too_far = if is_smoothed { too_smooth(rebuilt.model()) } else { Vec::new() };
-        let unknown_class = too_new(&rebuilt);
+        let smoothing_warnings =
+            if is_smoothed { warnings_of_smoothing(rebuilt.model()) } else { Vec::new() };
+        let old_document = remark_on_old_document(&rebuilt);
         let note = kept_note(model, &rebuilt, "convert");
-        let mut plan = Plan::of_objects(rebuilt, taken.into()).with_note(note);
+        let mut plan = Plan::of_objects(rebuilt, summary.into()).with_note(note);
         plan.warnings.extend(warnings);
-        plan.remarks.extend(renamed_forces(&renamed));
-        plan.remarks.extend(taken_out.then(|| TAKEN_OUT.into()));
-        plan.remarks.extend(named);
-        plan.remarks.extend(unknown_class);
+        plan.remarks.extend(remarks_on_renamed_forces(&renamed));
+        plan.remarks.extend(taken_out.then(|| GEOMETRY_TAKEN_OUT.into()));
+        plan.remarks.extend(missing_names);
+        plan.remarks.extend(old_document);
         if changes_class {
-            plan.remarks.extend(names_of_the_other_class(&plan, class));
-            plan.remarks.extend(other_class(&plan, &self.wanted));
-            plan.warnings.extend(too_far);
+            plan.remarks.extend(remark_on_names_of_old_class(&plan, class));
+            plan.remarks.extend(remarks_on_new_class(&plan, &self.wanted));
+            plan.warnings.extend(smoothing_warnings);
         }
-        plan.remarks.extend(dropped);
+        plan.remarks.extend(dropped_pairs);
         let stays = |path: &String| format!("{path} holds no sphere that moves, and stays as it is").into();
         plan.remarks.extend(without_sphere.iter().map(stays));
         Ok(plan)
     }
 }
 
-/// What other files have to name from now on.
-fn renamed_forces(renamed: &[(String, Vec<String>)]) -> Vec<Phrase> {
+/// Remarks on the new names of forces, which other files have to use.
+fn remarks_on_renamed_forces(renamed: &[(String, Vec<String>)]) -> Vec<Phrase> {
     let one = |(old, new): &(String, Vec<String>)| Phrase::from(format!("{old} is now {}", new.join(", ")));
     let mut remarks: Vec<Phrase> = renamed.iter().map(one).collect();
     if !renamed.is_empty() {
@@ -123,22 +126,22 @@ fn renamed_forces(renamed: &[(String, Vec<String>)]) -> Vec<Phrase> {
     remarks
 }
 
-/// Names that are listed; more are counted.
-const LISTED: usize = 3;
+/// Names that a remark lists at most.
+const NAMES_LISTED: usize = 3;
 
-/// Names of forces that say the class that they were.
-fn names_of_the_other_class(plan: &Plan, class: &str) -> Option<Phrase> {
+/// A remark on names of forces that contain the name of their old class.
+fn remark_on_names_of_old_class(plan: &Plan, class: &str) -> Option<Phrase> {
     let (hunt, smooth) = (ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str());
     let other = if class == hunt { smooth } else { hunt };
     let new = plan.objects().iter().filter(|object| object.deed == Deed::Added);
     let names: Vec<String> =
         new.filter(|object| object.name.contains(other)).map(|object| object.name.clone()).collect();
-    let said = format!("names stay, also where they say the other class: {}", listed(&names, LISTED));
-    (!names.is_empty()).then(|| said.into())
+    let text = format!("names stay, also where they say the other class: {}", listed(&names, NAMES_LISTED));
+    (!names.is_empty()).then(|| text.into())
 }
 
-/// How the forces differ from those that they were.
-fn other_class(plan: &Plan, wanted: &Convert) -> Vec<Phrase> {
+/// Remarks on the differences between the old class of the forces and the new one.
+fn remarks_on_new_class(plan: &Plan, wanted: &Convert) -> Vec<Phrase> {
     match wanted.to {
         ForceKind::HuntCrossley => vec![
             "columns of results are named after bodies, such as force.calcn_r.force.X; MocoContactTrackingGoal takes smooth \
@@ -147,7 +150,7 @@ fn other_class(plan: &Plan, wanted: &Convert) -> Vec<Phrase> {
         ],
         _ => {
             let given = [wanted.constant_contact_force, wanted.hertz_smoothing, wanted.hunt_crossley_smoothing];
-            smoothed(plan.objects(), given.iter().all(Option::is_some))
+            remarks_on_smoothing(plan.objects(), given.iter().all(Option::is_some))
         }
     }
 }

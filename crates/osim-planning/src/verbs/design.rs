@@ -1,4 +1,4 @@
-//! Parameters from what is wanted.
+//! The verb `design`: parameters of contacts from the properties that are wanted.
 
 use contact_scaling::SharedLoad;
 use osim_inspect::{LoadSharing, weight_share_on_floor};
@@ -13,11 +13,10 @@ use osim_requests::{
     RestitutionCoefficient,
 };
 
-use crate::planner::{Change, Planner};
-use crate::remarks::{noted_limbs, refuse_known};
+use crate::prepared_change::{Planner, PreparedChange};
+use crate::remarks::{refuse_known_contacts_of_other_mass, remark_on_noted_limbs};
 
-/// Plans designs.
-pub(super) struct Designing {
+pub(super) struct DesignPlanner {
     wanted: WantedOptions,
     load: LoadOptions,
     counts: CountOptions,
@@ -25,24 +24,24 @@ pub(super) struct Designing {
     masses: MassRequest,
 }
 
-/// Checks a request that names models, for all of them. Without models it is [calculated](crate::design_sheet).
+/// Checks a request that names models. ([`design_sheet`](crate::design_sheet) calculates a design without models.)
 ///
 /// # Errors
-/// Options that say nothing, or contradict each other.
-pub(crate) fn prepare(request: DesignRequest) -> Result<Change, RequestFault> {
+/// Options that have no effect, or contradict each other.
+pub(crate) fn prepare(request: DesignRequest) -> Result<PreparedChange, RequestFault> {
     let DesignRequest { models, output, answers, set_files, masses, choice, .. } = request.clone();
     let stance = request.counts.stance_options(request.wanted.impact_speed, request.load.gravity);
     let inspection = InspectionOptions { stance, masses, choice, set_files, answers };
-    Ok(Change::new(Verb::Design, models, output, inspection, planner(request)?))
+    Ok(PreparedChange::new(Verb::Design, models, output, inspection, planner(request)?))
 }
 
-/// What plans for each model.
+/// The planner of a design, which also gives new contacts their numbers.
 ///
 /// # Errors
-/// Options that say nothing, or contradict each other.
-pub(super) fn planner(request: DesignRequest) -> Result<Designing, RequestFault> {
+/// Options that have no effect, or contradict each other.
+pub(super) fn planner(request: DesignRequest) -> Result<DesignPlanner, RequestFault> {
     check(&request)?;
-    Ok(Designing {
+    Ok(DesignPlanner {
         selection: request.choice.selection(),
         masses: request.masses.request(),
         wanted: request.wanted,
@@ -116,8 +115,12 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
     Ok(())
 }
 
-impl Designing {
-    fn load(&self, model: &Model, selected: &Selected) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
+impl DesignPlanner {
+    fn load_per_sphere(
+        &self,
+        model: &Model,
+        selected: &Selected,
+    ) -> Result<(Option<SharedLoad>, Option<Mass>), Fault> {
         if self.wanted.indentation.is_none() {
             return Ok((None, None));
         }
@@ -143,49 +146,49 @@ impl Designing {
     }
 }
 
-impl Designing {
-    /// What the contacts are made for as they are, or are taken as made for; `None` if that is in doubt.
+impl DesignPlanner {
+    /// The mass that the contacts were made for before the design; `None` if it is uncertain.
     fn contacts_mass(&self, model: &Model, selected: &Selected) -> Option<Mass> {
         let (mass, _) = self.masses.contacts_mass(model).ok()?;
-        refuse_known(model, selected, &mass, Input::ContactsMass).ok().map(|()| mass)
+        refuse_known_contacts_of_other_mass(model, selected, &mass, Input::ContactsMass).ok().map(|()| mass)
     }
 }
 
-impl Planner for Designing {
+impl Planner for DesignPlanner {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         self.plan_for(model, &self.selection.apply(model)?)
     }
 }
 
-impl Designing {
-    /// Plans for the forces `selected` of `model`.
+impl DesignPlanner {
+    /// Plans the design of the forces `selected` of `model`.
     pub(super) fn plan_for(&self, model: &Model, selected: &Selected) -> Result<Plan, Fault> {
-        let asked = &self.wanted;
-        let (load, target_mass) = self.load(model, selected)?;
-        let young = asked.young.map(Positive::get).zip(asked.poisson.map(PoissonRatio::get));
-        let width = |width: Option<Positive>| width.map(|width| (asked.threshold.get(), width.get()));
+        let options = &self.wanted;
+        let (load, target_mass) = self.load_per_sphere(model, selected)?;
+        let young = options.young.map(Positive::get).zip(options.poisson.map(PoissonRatio::get));
+        let width = |width: Option<Positive>| width.map(|width| (options.threshold.get(), width.get()));
         let wanted = Design {
-            modulus: match (asked.indentation.map(RelativeIndentation::get), young) {
+            modulus: match (options.indentation.map(RelativeIndentation::get), young) {
                 (Some(x), _) => Some(DesignModulus::Indentation(x)),
                 (None, Some((young_n_m2, poisson))) => Some(DesignModulus::Young { young_n_m2, poisson }),
                 (None, None) => None,
             },
             load,
-            restitution: asked
+            restitution: options
                 .restitution
                 .map(RestitutionCoefficient::get)
-                .map(|restitution| (restitution, asked.impact_speed.map(Positive::get))),
-            constant_indentation: asked.constant_indentation.map(ConstantIndentation::get),
-            state_width: width(asked.state_width),
-            speed_width: width(asked.speed_width),
-            radius: asked.radius().unwrap_or(RadiusRule::Keep),
-            contact_stiffness_n_m: asked.contact_stiffness.map(Positive::get),
+                .map(|restitution| (restitution, options.impact_speed.map(Positive::get))),
+            constant_indentation: options.constant_indentation.map(ConstantIndentation::get),
+            state_width: width(options.state_width),
+            speed_width: width(options.speed_width),
+            radius: options.radius().unwrap_or(RadiusRule::Keep),
+            contact_stiffness_n_m: options.contact_stiffness.map(Positive::get),
             contacts_mass: self.contacts_mass(model, selected),
             target_mass,
             gravity_m_s2: self.load.gravity(),
         };
         let mut plan = design(model, selected, &wanted)?;
-        plan.remarks.extend(wanted.load.and(noted_limbs(&self.counts, model)));
+        plan.remarks.extend(wanted.load.and(remark_on_noted_limbs(&self.counts, model)));
         Ok(plan)
     }
 }

@@ -1,10 +1,10 @@
 //! Any request that changes models: each verb has a file.
 
-mod adding;
+mod add;
 mod convert;
 pub(crate) mod design;
-mod fitted_words;
-pub(crate) mod fitting;
+pub(crate) mod fit;
+mod fit_remarks;
 mod note;
 mod reference;
 mod remove;
@@ -16,7 +16,7 @@ use osim_model::files::Files;
 use osim_model::messages::Verb;
 use osim_requests::{Request, RequestError, RequestFault};
 
-use crate::planner::Change;
+use crate::prepared_change::PreparedChange;
 
 /// Verbs that change models.
 pub(crate) const CHANGING: [Verb; 9] = [
@@ -45,23 +45,23 @@ pub(crate) fn changing_verbs() -> String {
 ///
 /// # Errors
 /// Options that have no effect, or contradict each other; a file that cannot be read; or a verb that changes nothing.
-pub fn prepare(request: impl Into<Request>, files: &dyn Files) -> Result<Change, RequestError> {
+pub fn prepare(request: impl Into<Request>, files: &dyn Files) -> Result<PreparedChange, RequestError> {
     let request = request.into();
     let (details, settings) = (request.noted(), request.settings());
-    Ok(Change { details, settings, ..change(request, files)? })
+    Ok(PreparedChange { details, settings, ..change(request, files)? })
 }
 
-fn change(request: Request, files: &dyn Files) -> Result<Change, RequestError> {
+fn change(request: Request, files: &dyn Files) -> Result<PreparedChange, RequestError> {
     match request {
         Request::Rescale(request) => rescale::prepare(*request, files),
         Request::Design(request) => Ok(design::prepare(*request)?),
         Request::Set(request) => Ok(set::prepare(*request)?),
         Request::Note(request) => Ok(note::prepare(*request)?),
-        Request::Add(request) => adding::prepare::prepare(*request, files),
+        Request::Add(request) => add::prepare::prepare(*request, files),
         Request::Convert(request) => Ok(convert::prepare(*request)?),
         Request::Remove(request) => Ok(remove::prepare(*request)?),
         Request::Transfer(request) => transfer::prepare(*request, files),
-        Request::Fit(request) if request.is_of_motion() => fitting::prepare(*request, files),
+        Request::Fit(request) if request.is_of_motion() => fit::prepare(*request, files),
         Request::Fit(_) => Err(RequestFault::Missing { field: "motion" }.into()),
         other => {
             let message = format!("'{}', expected {}", other.verb().name(), changing_verbs());

@@ -1,4 +1,4 @@
-//! Notes of what the user knows.
+//! The verb `note`: writes into the model what its contacts were made for.
 
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{Fault, MassRequest, Model};
@@ -6,19 +6,18 @@ use osim_patch::{Plan, note, note_stance_limbs};
 use osim_requests::options::{InspectionOptions, MassOptions};
 use osim_requests::{Acceleration, Count, NoteRequest, RequestFault};
 
-use crate::planner::{Change, Planner};
+use crate::prepared_change::{Planner, PreparedChange};
 
-/// What the user knows.
-enum Noted {
+/// What the note says.
+enum NewNote {
     /// The mass that contacts were made for, kg, and perhaps how many limbs share the weight.
     Mass(f64, Option<f64>),
-    /// The limbs alone.
+    /// The number of limbs that share the weight, without a mass.
     StanceLimbs(f64),
 }
 
-struct Noting {
-    /// What to write down.
-    noted: Noted,
+struct NotePlanner {
+    noted: NewNote,
     gravity_m_s2: Option<f64>,
     masses: MassRequest,
 }
@@ -27,7 +26,7 @@ struct Noting {
 ///
 /// # Errors
 /// No model, no mass, or no note.
-pub(super) fn prepare(request: NoteRequest) -> Result<Change, RequestFault> {
+pub(super) fn prepare(request: NoteRequest) -> Result<PreparedChange, RequestFault> {
     let NoteRequest {
         models,
         contacts_mass,
@@ -42,11 +41,11 @@ pub(super) fn prepare(request: NoteRequest) -> Result<Change, RequestFault> {
         return Err(RequestFault::Missing { field: "models" });
     }
     let noted = match (contacts_mass, stance_limbs) {
-        (Some(mass), limbs) => Noted::Mass(mass.get(), limbs.map(Count::get)),
+        (Some(mass), limbs) => NewNote::Mass(mass.get(), limbs.map(Count::get)),
         (None, Some(_)) if contacts_gravity.is_some() => {
             return Err(RequestFault::Needs { field: "contacts_gravity", other: "contacts_mass" });
         }
-        (None, Some(limbs)) => Noted::StanceLimbs(limbs.get()),
+        (None, Some(limbs)) => NewNote::StanceLimbs(limbs.get()),
         (None, None) => {
             return Err(RequestFault::general(phrase![
                 "the mass is missing: say which mass the contacts in the file were made for with ",
@@ -61,20 +60,20 @@ pub(super) fn prepare(request: NoteRequest) -> Result<Change, RequestFault> {
     }
     let masses = MassOptions { contacts_mass, ..MassOptions::default() };
     let gravity_m_s2 = contacts_gravity.map(Acceleration::get);
-    let planner = Noting { noted, gravity_m_s2, masses: masses.request() };
+    let planner = NotePlanner { noted, gravity_m_s2, masses: masses.request() };
     let inspection = InspectionOptions { masses, set_files, answers, ..InspectionOptions::default() };
-    Ok(Change::new(Verb::Note, models, output, inspection, planner))
+    Ok(PreparedChange::new(Verb::Note, models, output, inspection, planner))
 }
 
-impl Planner for Noting {
+impl Planner for NotePlanner {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         match self.noted {
-            Noted::Mass(kg, limbs) => {
+            NewNote::Mass(kg, limbs) => {
                 let mut plan = note(model, kg, self.gravity_m_s2.or(model.gravity()), limbs)?;
                 plan.warnings.extend(self.masses.disagreement_with_note(model));
                 Ok(plan)
             }
-            Noted::StanceLimbs(limbs) => Ok(note_stance_limbs(model, limbs)),
+            NewNote::StanceLimbs(limbs) => Ok(note_stance_limbs(model, limbs)),
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Where the contacts of a transfer come from: a preset, or a model with its bones.
+//! The reference of a transfer: a preset, or a model with its skeleton.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -16,51 +16,57 @@ use osim_patch::{Reference, reference_of_model};
 use osim_requests::{Acceleration, Count, Kilograms, TransferRequest};
 
 use crate::opening::{open, scale_file};
-use crate::planner::file_name;
-use crate::remarks::refuse_known;
+use crate::prepared_change::file_name;
+use crate::remarks::refuse_known_contacts_of_other_mass;
 
-/// Which mass counts for published contacts of a reference that were made for another one than its bodies weigh.
+/// The mass that is taken for published contacts in a reference whose bodies have another mass.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum KnownMass {
-    /// Nobody but the caller knows.
-    Asked,
+pub(super) enum MassOfPublished {
+    /// The program asks the caller.
+    AskCaller,
     /// The mass of the bodies.
-    AsBodies,
+    OfBodies,
 }
 
-/// What spheres follow from.
+/// The generic model from whose spheres the places of scaled ones follow.
 #[derive(Clone)]
-pub(super) struct Generic {
+pub(super) struct GenericModel {
     pub(super) anatomy: Anatomy,
     pub(super) file: Option<ScaleFile>,
-    /// Its spheres that share the weight, or what to ask about them once spheres are matched.
+    /// Number of its spheres that share the weight, or the question about it, which is asked after spheres were matched.
     pub(super) sphere_count: Result<f64, Fault>,
-    /// Names of its spheres that can stand.
+    /// Names of its spheres that can carry weight.
     standing: BTreeSet<String>,
 }
 
-impl Generic {
-    /// With the spheres of `model`, where they are in `anatomy`.
+impl GenericModel {
+    /// The generic model with the skeleton `anatomy` and the spheres of `model`.
     pub(super) fn with_contacts(&self, anatomy: Anatomy, model: &Model) -> Self {
-        Self { anatomy, file: None, sphere_count: self.sphere_count.clone(), standing: standing(model) }
+        Self {
+            anatomy,
+            file: None,
+            sphere_count: self.sphere_count.clone(),
+            standing: names_of_standing_spheres(model),
+        }
     }
 
-    /// Whether each sphere of `model` that can stand has its own here, and the other way round.
-    pub(super) fn stands_like(&self, model: &Model) -> bool {
-        standing(model) == self.standing
+    /// Whether the spheres that can carry weight have the same names in `model`.
+    pub(super) fn has_same_standing_spheres(&self, model: &Model) -> bool {
+        names_of_standing_spheres(model) == self.standing
     }
 }
 
-fn standing(model: &Model) -> BTreeSet<String> {
+/// Names of the spheres of a model that can carry weight.
+fn names_of_standing_spheres(model: &Model) -> BTreeSet<String> {
     let spheres = model.loaded_spheres(&model.force_ids()).into_iter();
     spheres.filter_map(|sphere| Some(model.sphere(sphere)?.name.clone())).collect()
 }
 
-/// The numbers of a preset, with the mass and the spheres that the request says.
-pub(super) fn of_preset(request: &TransferRequest, preset: &Preset) -> (Reference, ReferenceState) {
+/// A preset as a reference, with the mass and the spheres that the request gives.
+pub(super) fn reference_of_preset(request: &TransferRequest, preset: &Preset) -> (Reference, ReferenceState) {
     let mut reference = Reference::from(preset);
     if let Some(kg) = request.reference.reference_mass {
-        reference.mass = reference_mass(kg);
+        reference.mass = given_reference_mass(kg);
     }
     let count = request.reference.reference_spheres.map(Count::get);
     reference.sphere_count = count.unwrap_or(reference.sphere_count);
@@ -69,11 +75,11 @@ pub(super) fn of_preset(request: &TransferRequest, preset: &Preset) -> (Referenc
     (reference, state)
 }
 
-fn reference_mass(kg: Kilograms) -> Mass {
+fn given_reference_mass(kg: Kilograms) -> Mass {
     Mass { kg: kg.get(), source: MassSource::ReferenceMass }
 }
 
-/// The contacts of the model that `from` names, and its bones where spheres follow their bodies.
+/// The model that `from` names as a reference, with its skeleton if spheres follow their bodies.
 ///
 /// # Errors
 /// It cannot be read, or cannot be a reference.
@@ -81,12 +87,13 @@ pub(super) fn reference_from_file(
     request: &TransferRequest,
     from: &Path,
     files: &dyn Files,
-) -> Result<(Reference, ReferenceState, Option<Generic>), Failure> {
-    // A scaled copy of the reference keeps what its contacts are to its bodies.
-    let known = if request.follow.follow_bodies { KnownMass::AsBodies } else { KnownMass::Asked };
-    let read = || of_opened(request, from, &open(from, files)?, known, files);
+) -> Result<(Reference, ReferenceState, Option<GenericModel>), Failure> {
+    // In a scaled copy of the reference, contacts are scaled as the bodies are, whatever mass they were made for.
+    let mass_of_published =
+        if request.follow.follow_bodies { MassOfPublished::OfBodies } else { MassOfPublished::AskCaller };
+    let read = || reference_of_opened(request, from, &open(from, files)?, mass_of_published, files);
     read().map_err(|failure: Failure| match failure.code {
-        // The usual way out is about the model that gets the contacts.
+        // The usual advice is for the model that gets the contacts.
         "incomplete-set" => {
             let mut failure = failure;
             failure.message =
@@ -97,30 +104,35 @@ pub(super) fn reference_from_file(
     })
 }
 
-/// The reference in a model that was opened, called `from`.
+/// An opened model, called `from`, as a reference.
 ///
 /// # Errors
 /// It cannot be a reference, or the Scale Tool's file cannot be read.
-pub(super) fn of_opened(
+pub(super) fn reference_of_opened(
     request: &TransferRequest,
     from: &Path,
     open: &OpenModel,
-    known: KnownMass,
+    mass_of_published: MassOfPublished,
     files: &dyn Files,
-) -> Result<(Reference, ReferenceState, Option<Generic>), Failure> {
-    let (reference, sphere_count) =
-        reference_from_model(&open.model, known, request, from).map_err(|fault| open.failure(fault))?;
-    let state = state(request, from, open, &reference);
+) -> Result<(Reference, ReferenceState, Option<GenericModel>), Failure> {
+    let (reference, sphere_count) = reference_from_model(&open.model, mass_of_published, request, from)
+        .map_err(|fault| open.failure(fault))?;
+    let state = reference_state(request, from, open, &reference);
     if !request.follow.follow_bodies {
         return Ok((reference, state, None));
     }
     let anatomy = Anatomy::of(&open.model).map_err(|fault| open.failure(fault))?;
     let file = request.follow.body_scale_file.as_deref().map(|path| scale_file(path, files)).transpose()?;
-    let standing = standing(&open.model);
-    Ok((reference, state, Some(Generic { anatomy, file, sphere_count, standing })))
+    let standing = names_of_standing_spheres(&open.model);
+    Ok((reference, state, Some(GenericModel { anatomy, file, sphere_count, standing })))
 }
 
-fn state(request: &TransferRequest, from: &Path, open: &OpenModel, reference: &Reference) -> ReferenceState {
+fn reference_state(
+    request: &TransferRequest,
+    from: &Path,
+    open: &OpenModel,
+    reference: &Reference,
+) -> ReferenceState {
     let options = &request.reference;
     let selection = Selection { select: options.reference_select.clone(), ..Selection::default() };
     let gravity = options.reference_gravity.map(Acceleration::get).or(reference.gravity_m_s2);
@@ -130,56 +142,56 @@ fn state(request: &TransferRequest, from: &Path, open: &OpenModel, reference: &R
 
 fn reference_from_model(
     model: &Model,
-    known: KnownMass,
+    mass_of_published: MassOfPublished,
     request: &TransferRequest,
     from: &Path,
 ) -> Result<(Reference, Result<f64, Fault>), Fault> {
     let options = &request.reference;
     let selection = Selection { select: options.reference_select.clone(), ..Selection::default() };
-    let selected = selection.apply(model).map_err(about_reference)?;
+    let selected = selection.apply(model).map_err(ask_for_reference_option)?;
     let mass = match options.reference_mass {
         Some(kg) => {
             let asks =
                 implausible_mass(Input::ReferenceMass, kg.get(), MassRequest::default().bodies_kg(model));
             request.answers.ask(asks).map_err(Fault::new)?;
-            reference_mass(kg)
+            given_reference_mass(kg)
         }
         None => {
-            let (mass, _) = MassRequest::default().contacts_mass(model).map_err(about_reference)?;
-            if known == KnownMass::Asked {
-                refuse_known(model, &selected, &mass, Input::ReferenceMass)?;
+            let (mass, _) = MassRequest::default().contacts_mass(model).map_err(ask_for_reference_option)?;
+            if mass_of_published == MassOfPublished::AskCaller {
+                refuse_known_contacts_of_other_mass(model, &selected, &mass, Input::ReferenceMass)?;
             }
             mass
         }
     };
-    // How many limbs stand is about the model that gets the contacts; a reference on several limbs says its own count.
+    // The option for limbs is about the model that gets the contacts; a reference on several limbs has an option of its own.
     let count = match options.reference_spheres {
         Some(count) => Ok(count.get()),
         None => LoadSharing::of(model, &selected.forces).count(None, 1.0, CountedSpheres::Reference),
     };
-    // Where spheres are matched, a sphere that is missing on one side is named first, by comparing the two models; and counts
-    // may cancel.
-    let may_wait = request.follow.follow_bodies && request.counts.spheres.is_none();
-    let (known, count) = match count {
-        Err(fault) if may_wait => (f64::NAN, Err(of_reference(fault, from))),
+    // If spheres are matched, the comparison of the two models names a sphere that is missing on one side before this question is
+    // asked; and the counts may cancel.
+    let may_be_asked_later = request.follow.follow_bodies && request.counts.spheres.is_none();
+    let (known_count, count) = match count {
+        Err(fault) if may_be_asked_later => (f64::NAN, Err(name_reference_in_question(fault, from))),
         Err(fault) => return Err(fault),
         Ok(count) => (count, Ok(count)),
     };
-    let mut reference = reference_of_model(model, &selected, mass, known)?;
+    let mut reference = reference_of_model(model, &selected, mass, known_count)?;
     reference.name = file_name(from);
     Ok((reference, count))
 }
 
-/// A question about the spheres of the reference names it: it may be asked when the model is read.
-fn of_reference(mut fault: Fault, from: &Path) -> Fault {
+/// Adds the name of the reference to a question about its spheres, because it may be asked when another model is read.
+fn name_reference_in_question(mut fault: Fault, from: &Path) -> Fault {
     if let FaultKind::Needed(Needed::SphereCount { why, .. }) = &mut fault.kind {
         *why = phrase![format!("in the reference {}, ", file_name(from)), &*why];
     }
     fault
 }
 
-/// A question about the forces of the reference, or about their mass, is answered by another field than one about the model's.
-fn about_reference(mut fault: Fault) -> Fault {
+/// Changes a question about the forces of the reference, or their mass, so that it names the options of the reference.
+fn ask_for_reference_option(mut fault: Fault) -> Fault {
     match &mut fault.kind {
         FaultKind::Needed(Needed::Selection { input, .. }) => *input = Input::ReferenceSelect,
         FaultKind::Needed(Needed::ContactsMass { input, .. }) => *input = Input::ReferenceMass,

@@ -1,4 +1,4 @@
-//! Contacts out of models.
+//! The verb `remove`: takes contacts out of models.
 
 use osim_model::messages::{Input, Phrase, Verb, counted, phrase, readable};
 use osim_model::{Fault, Model, Note, Selection};
@@ -6,10 +6,10 @@ use osim_patch::{Deed, Plan, added_forces, note_of_rest, remove};
 use osim_requests::options::InspectionOptions;
 use osim_requests::{RemoveRequest, RequestFault};
 
-use crate::planner::{Change, Planner};
-use crate::remarks::{refuse_geometry_output, still_named};
+use crate::prepared_change::{Planner, PreparedChange};
+use crate::remarks::{refuse_geometry_output, remarks_on_missing_names};
 
-struct Removing {
+struct RemovePlanner {
     selection: Selection,
 }
 
@@ -17,20 +17,20 @@ struct Removing {
 ///
 /// # Errors
 /// No model.
-pub(super) fn prepare(request: RemoveRequest) -> Result<Change, RequestFault> {
+pub(super) fn prepare(request: RemoveRequest) -> Result<PreparedChange, RequestFault> {
     let RemoveRequest { models, choice, output, run: _, answers } = request;
     if models.is_empty() {
         return Err(RequestFault::Missing { field: "models" });
     }
     refuse_geometry_output(&output)?;
-    let planner = Removing { selection: choice.selection() };
+    let planner = RemovePlanner { selection: choice.selection() };
     let inspection = InspectionOptions { choice, answers, ..InspectionOptions::default() };
-    Ok(Change::new(Verb::Remove, models, output, inspection, planner))
+    Ok(PreparedChange::new(Verb::Remove, models, output, inspection, planner))
 }
 
-impl Planner for Removing {
+impl Planner for RemovePlanner {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        // What was added is known, also where a change of it would have to be asked about.
+        // Without a choice, the forces that this program added are removed: there is no need to ask.
         let added = added_forces(model).filter(|_| self.selection.select.is_empty());
         let selected = match added {
             Some(added) => self.selection.apply_among(model, &added)?,
@@ -38,33 +38,34 @@ impl Planner for Removing {
         };
         let rebuilt = remove(model, &selected)?;
         let count = |class: &str| {
-            let gone = rebuilt.objects.iter().filter(|object| object.deed == Deed::Removed);
-            gone.filter(|object| object.class == class).count()
+            let removed = rebuilt.objects.iter().filter(|object| object.deed == Deed::Removed);
+            removed.filter(|object| object.class == class).count()
         };
         let spheres = count("ContactSphere");
         let planes = count("ContactHalfSpace");
         let forces = rebuilt.objects.len() - spheres - planes;
         let floor = if planes > 0 { ", and the floor that was made for them" } else { "" };
         let (forces, spheres) = (counted(forces, "force"), counted(spheres, "sphere"));
-        let taken = format!("removes {forces} and {spheres}{floor}; no other number changes");
+        let summary = format!("removes {forces} and {spheres}{floor}; no other number changes");
         let note = note_of_rest(model, &rebuilt);
-        let named = still_named(&rebuilt);
-        let mut plan = Plan::of_objects(rebuilt, taken.into());
-        plan.remarks.extend(named);
+        let missing_names = remarks_on_missing_names(&rebuilt);
+        let mut plan = Plan::of_objects(rebuilt, summary.into());
+        plan.remarks.extend(missing_names);
         if let Some(note) = &note {
-            plan.remarks.push(note_stays(note));
+            plan.remarks.push(remark_on_kept_note(note));
         }
         Ok(plan.with_note(note))
     }
 }
 
-/// The remark about a note if contacts are left.
-fn note_stays(note: &Note) -> Phrase {
-    let mut said = phrase!["contacts are left, and so is the note in the file, as one about a part of them"];
+/// The remark on the note if contacts are left.
+fn remark_on_kept_note(note: &Note) -> Phrase {
+    let mut remark =
+        phrase!["contacts are left, and so is the note in the file, as one about a part of them"];
     if let Some(kg) = note.contacts_mass_kg {
-        said.push(": for the next change say ");
-        said.push(Input::ContactsMass.with_value(readable(kg)));
-        said.push(" if these are still made for that mass");
+        remark.push(": for the next change say ");
+        remark.push(Input::ContactsMass.with_value(readable(kg)));
+        remark.push(" if these are still made for that mass");
     }
-    said
+    remark
 }

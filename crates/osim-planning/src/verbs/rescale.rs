@@ -1,4 +1,4 @@
-//! A model's own contacts at another mass, with spheres that follow their bodies.
+//! The verb `rescale`: a model's own contacts at another mass; spheres may follow their bodies.
 
 use osim_inspect::find_misplaced_spheres;
 use osim_model::compare::ScaleFile;
@@ -12,15 +12,15 @@ use osim_requests::options::{InspectionOptions, ScalingOptions};
 use osim_requests::{Acceleration, Radius, RequestError, RequestFault, RescaleRequest};
 
 use crate::opening::scale_file;
-use crate::planner::{Change, Planner};
-use crate::remarks::{operation, refuse_again, refuse_known};
+use crate::prepared_change::{Planner, PreparedChange};
+use crate::remarks::{operation_with_radius, refuse_known_contacts_of_other_mass, refuse_repetition};
 
-struct Rescaling {
+struct RescalePlanner {
     target_mass_kg: f64,
     masses: MassRequest,
     selection: Selection,
     scaling: ScalingOptions,
-    following: Following,
+    following: BodyFactors,
     may_repeat: bool,
 }
 
@@ -28,19 +28,19 @@ struct Rescaling {
 ///
 /// # Errors
 /// The target mass is missing, the options leave nothing to do, or the ScaleSet cannot be read.
-pub(super) fn prepare(request: RescaleRequest, files: &dyn Files) -> Result<Change, RequestError> {
+pub(super) fn prepare(request: RescaleRequest, files: &dyn Files) -> Result<PreparedChange, RequestError> {
     let bodies = request.body_scale_file.as_deref().map(|path| scale_file(path, files)).transpose()?;
-    Ok(with_bodies(request, bodies)?)
+    Ok(prepare_with_factors(request, bodies)?)
 }
 
-/// Rescaling with what the ScaleSet says.
+/// Checks the request; `bodies` are the factors of its ScaleSet.
 ///
 /// # Errors
 /// The target mass is missing, or the options leave nothing to do.
-pub(crate) fn with_bodies(
+pub(crate) fn prepare_with_factors(
     request: RescaleRequest,
     bodies: Option<ScaleFile>,
-) -> Result<Change, RequestFault> {
+) -> Result<PreparedChange, RequestFault> {
     let RescaleRequest {
         models,
         target_mass,
@@ -66,41 +66,41 @@ pub(crate) fn with_bodies(
     scaling.check()?;
     let target_mass_kg = Some(target_mass.get());
     let target_gravity_m_s2 = scaling.target_gravity.map(Acceleration::get);
-    let planner = Rescaling {
+    let planner = RescalePlanner {
         target_mass_kg: target_mass.get(),
         masses: MassRequest { target_mass_kg, ..masses.request() },
         selection: choice.selection(),
         scaling,
         following: match bodies {
-            Some(file) => Following::File(file),
-            None if follow_bodies => Following::Note,
-            None => Following::Nothing,
+            Some(file) => BodyFactors::File(file),
+            None if follow_bodies => BodyFactors::Note,
+            None => BodyFactors::Nothing,
         },
         may_repeat: output.may_repeat(),
     };
     let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
-    Ok(Change {
+    Ok(PreparedChange {
         target_mass_kg,
         target_gravity_m_s2,
-        reads: body_scale_file.into_iter().collect(),
-        ..Change::new(Verb::Rescale, models, output, inspection, planner)
+        extra_files: body_scale_file.into_iter().collect(),
+        ..PreparedChange::new(Verb::Rescale, models, output, inspection, planner)
     })
 }
 
-impl Planner for Rescaling {
+impl Planner for RescalePlanner {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
         let scaling = &self.scaling;
         let radius = scaling.radius.map(Radius::rule);
-        let operation = operation(self.following.operation(), radius);
+        let operation = operation_with_radius(self.following.operation(), radius);
         if matches!(radius, Some(RadiusRule::Factor(_))) {
-            refuse_again(model, &operation, self.may_repeat)?;
+            refuse_repetition(model, &operation, self.may_repeat)?;
         }
         let (contacts_mass, mut warnings) = self.masses.contacts_mass(model)?;
-        refuse_known(model, &selected, &contacts_mass, Input::ContactsMass)?;
+        refuse_known_contacts_of_other_mass(model, &selected, &contacts_mass, Input::ContactsMass)?;
         let bodies = self.following.factors(model)?;
         if bodies.is_some() && !contacts_mass.source.is_about_contacts() {
-            // What the bodies weigh now, the contacts were not made for.
+            // The bodies were scaled, so their mass is not the one that the contacts were made for.
             return Err(Fault::new(Needed::ContactsMass {
                 noted_kg: None,
                 doubt: NoteDoubt::Absent,
@@ -125,14 +125,12 @@ impl Planner for Rescaling {
     }
 }
 
-// By how much bodies were scaled, where a rescaling moves spheres with them.
+/// Factors of a ScaleSet and of a note agree if they differ by at most this (relative).
+const FACTOR_TOLERANCE: f64 = 1e-4;
 
-/// Factors that differ by more than this (relative) are not the same.
-const SAME_FACTOR: f64 = 1e-4;
-
-/// Where the factors come from.
-pub(super) enum Following {
-    /// Spheres stay.
+/// Where the factors of bodies come from, with which spheres move.
+pub(super) enum BodyFactors {
+    /// There are none: spheres stay.
     Nothing,
     /// From the sizes in the note.
     Note,
@@ -140,7 +138,7 @@ pub(super) enum Following {
     File(ScaleFile),
 }
 
-impl Following {
+impl BodyFactors {
     pub(super) const fn operation(&self) -> &'static str {
         match self {
             Self::Nothing => "rescale",
@@ -152,14 +150,14 @@ impl Following {
     /// The factors for `model`; `None` where spheres stay.
     ///
     /// # Errors
-    /// The note does not say them, says others than the ScaleSet, or says that spheres followed already.
+    /// The note does not have them, has others than the ScaleSet, or says that spheres followed already.
     pub(super) fn factors(&self, model: &Model) -> Result<Option<ScaleFile>, Fault> {
         match self {
             Self::Nothing => Ok(None),
-            Self::Note => of_note(model).map(Some),
+            Self::Note => factors_since_note(model).map(Some),
             Self::File(file) => {
                 match model.scaled_since_note() {
-                    Some(since) if since.is_scaled() => compare(&since, file)?,
+                    Some(since) if since.is_scaled() => check_factors_agree(&since, file)?,
                     Some(_) if model.note.as_ref().is_some_and(Note::has_placed_spheres) => {
                         return Err(Fault::new(Needed::AlreadyFollowed));
                     }
@@ -171,7 +169,8 @@ impl Following {
     }
 }
 
-fn of_note(model: &Model) -> Result<ScaleFile, Fault> {
+/// The factors of bodies since the note was written.
+fn factors_since_note(model: &Model) -> Result<ScaleFile, Fault> {
     let unknown = || Fault::new(Needed::NotedSizes);
     let since = model.scaled_since_note().ok_or_else(unknown)?;
     if !since.has_all_carriers(model) {
@@ -180,17 +179,17 @@ fn of_note(model: &Model) -> Result<ScaleFile, Fault> {
     Ok(ScaleFile::from_factors(since.factors))
 }
 
-/// Checks that the ScaleSet is that of this model.
-fn compare(since: &ScaledSinceNote, file: &ScaleFile) -> Result<(), Fault> {
+/// Refuses a ScaleSet whose factors are not those since the note.
+fn check_factors_agree(since: &ScaledSinceNote, file: &ScaleFile) -> Result<(), Fault> {
     for (body, noted) in &since.factors {
         let given = file.required_factors(body)?;
-        let same = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME_FACTOR * b.abs();
+        let same = |(a, b): (&f64, &f64)| (a - b).abs() <= FACTOR_TOLERANCE * b.abs();
         if !noted.iter().zip(&given).all(same) {
             return Err(Fault::refused(format!(
                 "the ScaleSet scales {body} by {}, and by the note in the file it was scaled by {}: expected the ScaleSet \
                  that was applied to this model",
-                in_words(given),
-                in_words(*noted)
+                listed_factors(given),
+                listed_factors(*noted)
             )));
         }
     }
@@ -198,6 +197,6 @@ fn compare(since: &ScaledSinceNote, file: &ScaleFile) -> Result<(), Fault> {
 }
 
 /// Factors along x, y and z.
-fn in_words(factors: [f64; 3]) -> String {
+fn listed_factors(factors: [f64; 3]) -> String {
     factors.map(readable).join(", ")
 }

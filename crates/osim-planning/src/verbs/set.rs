@@ -1,4 +1,4 @@
-//! Plain changes, and feet whose bottoms are made level.
+//! The verb `set`: gives properties new values, and makes the bottoms of feet level.
 
 use osim_model::feet::{NotLevelled, levelled_spheres};
 use osim_model::messages::{Input, Verb, phrase};
@@ -7,9 +7,9 @@ use osim_patch::{Plan, Set, set};
 use osim_requests::options::InspectionOptions;
 use osim_requests::{Assignments, RequestFault, SetRequest};
 
-use crate::planner::{Change, Planner};
+use crate::prepared_change::{Planner, PreparedChange};
 
-struct Setting {
+struct SetPlanner {
     assignments: Assignments,
     level: bool,
     selection: Selection,
@@ -21,7 +21,7 @@ struct Setting {
 ///
 /// # Errors
 /// No model, or nothing to set.
-pub(crate) fn prepare(request: SetRequest) -> Result<Change, RequestFault> {
+pub(crate) fn prepare(request: SetRequest) -> Result<PreparedChange, RequestFault> {
     let SetRequest { models, set, level, masses, choice, output, run: _, answers, set_files } = request;
     if models.is_empty() {
         return Err(RequestFault::Missing { field: "models" });
@@ -32,7 +32,7 @@ pub(crate) fn prepare(request: SetRequest) -> Result<Change, RequestFault> {
             Input::Level,
         ]));
     }
-    let planner = Setting {
+    let planner = SetPlanner {
         assignments: set,
         level,
         selection: choice.selection(),
@@ -40,17 +40,18 @@ pub(crate) fn prepare(request: SetRequest) -> Result<Change, RequestFault> {
         may_repeat: output.may_repeat(),
     };
     let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
-    Ok(Change::new(Verb::Set, models, output, inspection, planner))
+    Ok(PreparedChange::new(Verb::Set, models, output, inspection, planner))
 }
 
-impl Planner for Setting {
+impl Planner for SetPlanner {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
-        // A plain change needs no mass; if one is known, the new note has it, too.
-        let of_note = || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
+        // This change needs no mass; if one is known, the new note has it.
+        let noted_mass =
+            || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
         let (contacts_mass, mut warnings) = match self.masses.contacts_mass(model) {
             Ok((mass, warnings)) => (Some(mass), warnings),
-            Err(_) => (of_note(), Vec::new()),
+            Err(_) => (noted_mass(), Vec::new()),
         };
         let mut wanted = Set::new(self.assignments.as_slice().to_vec());
         wanted.contacts_mass = contacts_mass;
@@ -64,8 +65,8 @@ impl Planner for Setting {
     }
 }
 
-impl Setting {
-    /// Where spheres have to be for level feet, with the radii that they get.
+impl SetPlanner {
+    /// The new centres of spheres for level feet, with their new radii.
     fn level_places(
         &self,
         model: &Model,
@@ -84,15 +85,15 @@ impl Setting {
     }
 }
 
-/// Where spheres of `forces` have to be in `model` for the bottoms of each foot to be as low as its lowest one, in their own frames, m;
-/// those that are right are left out.
+/// The new centres of the spheres of `forces` with which the bottoms of each foot are as low as its lowest one, in their own frames,
+/// m. Spheres that stay are left out.
 ///
 /// # Errors
-/// Limbs, floors or the default pose are not known; a foot leans.
+/// Limbs, floors or the default pose are not known, or a foot leans.
 pub(super) fn level_places(model: &Model, forces: &[ForceId]) -> Result<Vec<(SphereId, [f64; 3])>, Fault> {
-    let found = levelled_spheres(model, forces).map_err(|fault| match fault {
+    let levelled_spheres = levelled_spheres(model, forces).map_err(|fault| match fault {
         NotLevelled::Frame(fault) => *fault,
         other => Fault::refused(other.to_string()),
     })?;
-    Ok(found.into_iter().map(|one| (one.sphere, one.location_m)).collect())
+    Ok(levelled_spheres.into_iter().map(|one| (one.sphere, one.location_m)).collect())
 }

@@ -1,4 +1,4 @@
-//! Contacts of another model or of a preset: requests, and their plans.
+//! The verb `transfer`: contacts of another model or of a preset.
 
 use std::path::Path;
 
@@ -15,22 +15,24 @@ use osim_patch::{Plan, Reference, ScalingRule, TRANSFER_FOLLOWING, Transfer, tra
 use osim_requests::options::{CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions};
 use osim_requests::{Acceleration, Kilograms, Positive, Radius, RequestError, RequestFault, TransferRequest};
 
-use super::reference::{Generic, KnownMass, of_opened, of_preset, reference_from_file};
-use crate::opening::Named;
-use crate::planner::{Change, Planner};
-use crate::remarks::{noted_limbs, operation, refuse_again};
+use super::reference::{
+    GenericModel, MassOfPublished, reference_from_file, reference_of_opened, reference_of_preset,
+};
+use crate::opening::NamedSource;
+use crate::prepared_change::{Planner, PreparedChange};
+use crate::remarks::{operation_with_radius, refuse_repetition, remark_on_noted_limbs};
 
 /// Checks the request and reads the reference once, for all models.
 ///
 /// # Errors
-/// The reference is neither a preset nor a file, or a model that cannot be a reference; or options that say nothing.
-pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Change, RequestError> {
-    check(&request)?;
+/// The reference is neither a preset nor a file, or a model that cannot be a reference; or options have no effect.
+pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<PreparedChange, RequestError> {
+    check_options(&request)?;
     let Some(from) = request.from.clone() else {
         return Err(RequestFault::Missing { field: "from" }.into());
     };
-    let named = Named::find(&from, Some(Input::From), request.presets.as_deref(), files)?;
-    let is_file = matches!(named, Named::File);
+    let named = NamedSource::find(&from, Some(Input::From), request.presets.as_deref(), files)?;
+    let is_file = matches!(named, NamedSource::File);
     if !is_file && request.follow.follow_bodies {
         let message = phrase![
             Input::FollowBodies,
@@ -41,40 +43,49 @@ pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Cha
         return Err(RequestFault::refused(Input::FollowBodies, message).into());
     }
     let (reference, state, generic) = match named {
-        Named::Preset(preset) => {
+        NamedSource::Preset(preset) => {
             // A preset has no bodies to compare its mass with.
-            let said = request.reference.reference_mass.map(Kilograms::get);
-            let asks = said.and_then(|kg| implausible_mass(Input::ReferenceMass, kg, None));
+            let given_mass = request.reference.reference_mass.map(Kilograms::get);
+            let asks = given_mass.and_then(|kg| implausible_mass(Input::ReferenceMass, kg, None));
             let asked = request.answers.ask(asks);
             asked.map_err(|kind| Failure::outside(from.as_path(), kind.code(), kind.phrase()))?;
-            let (reference, state) = of_preset(&request, &preset);
+            let (reference, state) = reference_of_preset(&request, &preset);
             (reference, state, None)
         }
-        Named::Placed(open) => of_opened(&request, &from, &open, KnownMass::Asked, files)?,
-        Named::File => reference_from_file(&request, &from, files)?,
+        NamedSource::PlacedPreset(open) => {
+            reference_of_opened(&request, &from, &open, MassOfPublished::AskCaller, files)?
+        }
+        NamedSource::File => reference_from_file(&request, &from, files)?,
     };
-    let own = request.from.iter().filter(|_| is_file);
-    let reads = own.chain(&request.presets).chain(&request.follow.body_scale_file).cloned().collect();
+    let file_of_reference = request.from.iter().filter(|_| is_file);
+    let extra_files =
+        file_of_reference.chain(&request.presets).chain(&request.follow.body_scale_file).cloned().collect();
     let TransferRequest { models, output, masses, choice, set_files, answers, .. } = request.clone();
     let stance = request.counts.stance_options(None, None);
     let inspection = InspectionOptions { stance, masses, choice, set_files, answers };
-    Ok(Change {
+    Ok(PreparedChange {
         reference: Some(state),
         target_gravity_m_s2: request.scaling.target_gravity.map(Acceleration::get),
-        reads,
-        ..Change::new(Verb::Transfer, models, output, inspection, planner(request, reference, generic))
+        extra_files,
+        ..PreparedChange::new(
+            Verb::Transfer,
+            models,
+            output,
+            inspection,
+            planner(request, reference, generic),
+        )
     })
 }
 
-/// What plans for each model, with a reference that was read: from a file, or a preset.
+/// The planner of a transfer from a reference that was read.
 pub(super) fn planner(
     request: TransferRequest,
     mut reference: Reference,
-    generic: Option<Generic>,
-) -> Transferring {
+    generic: Option<GenericModel>,
+) -> TransferPlanner {
     let gravity = request.reference.reference_gravity.map(Acceleration::get);
     reference.gravity_m_s2 = gravity.or(reference.gravity_m_s2);
-    Transferring {
+    TransferPlanner {
         counts: request.counts,
         follow: request.follow,
         scaling: request.scaling,
@@ -82,7 +93,7 @@ pub(super) fn planner(
         selection: request.choice.selection(),
         masses: request.masses.request(),
         reference,
-        reference_said: ReferenceSaid {
+        given_for_reference: GivenForReference {
             spheres: request.reference.reference_spheres.is_some(),
             gravity: gravity.is_some(),
         },
@@ -95,7 +106,7 @@ fn is_standard_input(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-fn check(request: &TransferRequest) -> Result<(), RequestFault> {
+fn check_options(request: &TransferRequest) -> Result<(), RequestFault> {
     if request.from.as_deref().is_some_and(is_standard_input)
         && request.models.iter().any(|path| is_standard_input(path))
     {
@@ -141,7 +152,7 @@ fn check(request: &TransferRequest) -> Result<(), RequestFault> {
     check_radii(request)
 }
 
-/// Combinations of radii and places that have no meaning.
+/// Refuses combinations of options for radii and places that have no meaning.
 fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
     let (scaling, follow) = (&request.scaling, &request.follow);
     let rule = scaling.radius.map(Radius::rule);
@@ -184,24 +195,21 @@ fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
     Ok(())
 }
 
-// Plans of contacts that come from a reference.
-
-/// What the caller gave about the reference: it counts for more than what its file says.
-pub(super) struct ReferenceSaid {
+/// Whether the caller gave these numbers of the reference.
+pub(super) struct GivenForReference {
     pub(super) spheres: bool,
     pub(super) gravity: bool,
 }
 
-/// Spheres that share the weight, here and in the reference.
+/// Numbers of spheres that share the weight, in the model and in the reference.
 struct SphereCounts {
-    here: f64,
-    there: f64,
-    /// Whether neither is known, only their ratio.
-    cancel: bool,
+    in_model: f64,
+    in_reference: f64,
+    /// Whether only the ratio of the numbers is known.
+    only_ratio_known: bool,
 }
 
-/// Plans transfers whose reference was read once for all models.
-pub(super) struct Transferring {
+pub(super) struct TransferPlanner {
     pub(super) counts: CountOptions,
     pub(super) follow: FollowOptions,
     pub(super) scaling: ScalingOptions,
@@ -209,35 +217,35 @@ pub(super) struct Transferring {
     pub(super) selection: Selection,
     pub(super) masses: MassRequest,
     pub(super) reference: Reference,
-    reference_said: ReferenceSaid,
-    /// The generic model's bones and the Scale Tool's factors, where spheres follow their bodies.
-    pub(super) generic: Option<Generic>,
+    given_for_reference: GivenForReference,
+    /// The generic model, if spheres follow their bodies.
+    pub(super) generic: Option<GenericModel>,
     pub(super) may_repeat: bool,
 }
 
-impl Planner for Transferring {
+impl Planner for TransferPlanner {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply(model)?;
-        self.plan_from(model, &selected, &self.reference, self.generic.as_ref())
+        self.plan_with_reference(model, &selected, &self.reference, self.generic.as_ref())
     }
 }
 
-impl Transferring {
-    /// Plans the contacts of `reference` for the forces `selected` of `model`, whose spheres follow their bodies from those of
-    /// `generic` where there is one.
+impl TransferPlanner {
+    /// Plans the contacts of `reference` for the forces `selected` of `model`. Their spheres follow their bodies from those of `generic`
+    /// if there is one.
     ///
     /// # Errors
-    /// Those of [`transfer`], and what only the caller can know.
-    pub(super) fn plan_from(
+    /// Those of [`transfer`], and questions that only the caller can answer.
+    pub(super) fn plan_with_reference(
         &self,
         model: &Model,
         selected: &Selected,
         reference: &Reference,
-        generic: Option<&Generic>,
+        generic: Option<&GenericModel>,
     ) -> Result<Plan, Fault> {
         let (follow, mut warnings, mut remarks) = match generic {
             Some(generic) => {
-                let (follow, factors) = self.follow(model, selected, reference, generic)?;
+                let (follow, factors) = self.followed_spheres(model, selected, reference, generic)?;
                 (Some(follow), factors.warnings, factors.remarks)
             }
             None => (None, Vec::new(), Vec::new()),
@@ -245,21 +253,21 @@ impl Transferring {
         let counts = self.sphere_counts(model, selected, reference, generic)?;
         let radius = self.scaling.radius.map(Radius::rule);
         let verb = if follow.is_some() { TRANSFER_FOLLOWING } else { "transfer" };
-        let operation = operation(verb, radius);
+        let operation = operation_with_radius(verb, radius);
         if matches!(radius, Some(RadiusRule::Factor(_))) {
-            refuse_again(model, &operation, self.may_repeat)?;
+            refuse_repetition(model, &operation, self.may_repeat)?;
         }
         let target_mass = self.masses.model_mass(model)?;
         warnings.extend(self.masses.weight_disagreements(model, &target_mass));
-        let mut wanted = Transfer::new(reference.clone(), target_mass, counts.here);
-        wanted.reference.sphere_count = counts.there;
-        wanted.counts_cancel = counts.cancel;
+        let mut wanted = Transfer::new(reference.clone(), target_mass, counts.in_model);
+        wanted.reference.sphere_count = counts.in_reference;
+        wanted.counts_cancel = counts.only_ratio_known;
         wanted.reference_sphere.clone_from(&self.reference_sphere);
         wanted.radius = radius.unwrap_or(RadiusRule::Keep);
         wanted.properties = self.scaling.properties();
         wanted.dissipation_by = self.scaling.dissipation();
         wanted.target_gravity_m_s2 = self.target_gravity(model)?;
-        wanted.rule = self.rule(follow.as_ref())?;
+        wanted.rule = self.scaling_rule(follow.as_ref())?;
         wanted.level = self.scaling.level_axis(model.gravity_m_s2);
         wanted.follow = follow;
         wanted.strict = self.follow.strict;
@@ -267,16 +275,16 @@ impl Transferring {
         plan.name_operation(&operation);
         plan.warnings.append(&mut warnings);
         plan.remarks.append(&mut remarks);
-        plan.remarks.extend(noted_limbs(&self.counts, model));
+        plan.remarks.extend(remark_on_noted_limbs(&self.counts, model));
         Ok(plan)
     }
 
-    fn follow(
+    fn followed_spheres(
         &self,
         model: &Model,
         selected: &Selected,
         reference: &Reference,
-        generic: &Generic,
+        generic: &GenericModel,
     ) -> Result<(Follow, Factors), Fault> {
         let scaled = Anatomy::of(model)?;
         let factors = Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.given())?;
@@ -303,48 +311,54 @@ impl Transferring {
         Ok((follow, factors))
     }
 
-    /// Spheres that share the weight, here and in the reference. Where each sphere has its own there, one of the two counts says
-    /// the other, and without either they cancel.
+    /// Numbers of spheres that share the weight. If the spheres of model and reference have the same names, one of the two numbers gives
+    /// the other, and if both are unknown their ratio is known.
     fn sphere_counts(
         &self,
         model: &Model,
         selected: &Selected,
         reference: &Reference,
-        generic: Option<&Generic>,
+        generic: Option<&GenericModel>,
     ) -> Result<SphereCounts, Fault> {
         let limbs = self.counts.stance_limbs(model.noted_stance_limbs());
-        let here = LoadSharing::of(model, &selected.forces).count(
-            self.counts.spheres(),
-            limbs,
-            CountedSpheres::Model,
-        );
-        let there = match generic {
+        let in_model =
+            LoadSharing::of(model, &selected.forces).count(self.counts.spheres(), limbs, CountedSpheres::Model);
+        let in_reference = match generic {
             Some(generic) => generic.sphere_count.clone(),
             None => Ok(reference.sphere_count),
         };
-        let nothing_said = self.counts.spheres.is_none() && !self.reference_said.spheres;
-        let alike = nothing_said && generic.is_some_and(|generic| generic.stands_like(model));
-        match (here, there) {
-            (Ok(here), Ok(there)) => Ok(SphereCounts { here, there, cancel: false }),
-            (Ok(here), Err(_)) if alike => Ok(SphereCounts { here, there: here / limbs, cancel: false }),
-            (Err(_), Ok(there)) if alike => Ok(SphereCounts { here: there * limbs, there, cancel: false }),
-            (Err(_), Err(_)) if alike => Ok(SphereCounts { here: limbs, there: 1.0, cancel: true }),
+        let no_counts_given = self.counts.spheres.is_none() && !self.given_for_reference.spheres;
+        let alike =
+            no_counts_given && generic.is_some_and(|generic| generic.has_same_standing_spheres(model));
+        match (in_model, in_reference) {
+            (Ok(in_model), Ok(in_reference)) => {
+                Ok(SphereCounts { in_model, in_reference, only_ratio_known: false })
+            }
+            (Ok(in_model), Err(_)) if alike => {
+                Ok(SphereCounts { in_model, in_reference: in_model / limbs, only_ratio_known: false })
+            }
+            (Err(_), Ok(in_reference)) if alike => {
+                Ok(SphereCounts { in_model: in_reference * limbs, in_reference, only_ratio_known: false })
+            }
+            (Err(_), Err(_)) if alike => {
+                Ok(SphereCounts { in_model: limbs, in_reference: 1.0, only_ratio_known: true })
+            }
             (Err(fault), _) | (_, Err(fault)) => Err(fault),
         }
     }
 
-    /// Gravity that the contacts are scaled to. Naming the reference's asks for the model's own, where no other is named.
+    /// Gravity that the contacts are scaled to. If the caller gave the gravity of the reference, the default is that of the model.
     fn target_gravity(&self, model: &Model) -> Result<Option<f64>, Fault> {
-        let asked = self.reference_said.gravity && self.follow.rule == RuleChoice::Paper;
+        let asked = self.given_for_reference.gravity && self.follow.rule == RuleChoice::Paper;
         let target = self.scaling.target_gravity.map(Acceleration::get);
         match (target, model.gravity().filter(|&gravity| gravity > 0.0)) {
             (None, None) if asked => Err(Fault::new(Needed::Gravity { purpose: GravityFor::Target })),
-            (None, own) if asked => Ok(own),
+            (None, file_of_reference) if asked => Ok(file_of_reference),
             (target, _) => Ok(target),
         }
     }
 
-    fn rule(&self, follow: Option<&Follow>) -> Result<ScalingRule, Fault> {
+    fn scaling_rule(&self, follow: Option<&Follow>) -> Result<ScalingRule, Fault> {
         if self.follow.rule == RuleChoice::Paper {
             return Ok(ScalingRule::Paper);
         }

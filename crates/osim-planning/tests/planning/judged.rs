@@ -7,7 +7,7 @@ use osim_inspect::{Changeable, InspectOptions, check_model, model_findings};
 use osim_model::files::{Files, OpenModel};
 use osim_model::{FileId, Finding, Force, Model, Question, Severity, Sphere, Value as Number};
 use osim_patch::Plan;
-use osim_planning::{Change, prepare};
+use osim_planning::{PreparedChange, prepare};
 use osim_requests::Request;
 use serde_json::{Value, json};
 
@@ -126,7 +126,7 @@ fn try_some(files: &Desk<'_>, name: &str, number: usize, compared: &mut Compared
 }
 
 fn compare(
-    change: &Change,
+    change: &PreparedChange,
     opened: &OpenModel,
     files: &dyn Files,
     compared: &mut Compared,

@@ -69,7 +69,7 @@ fn no_advice_about_a_model_names_a_command_that_changes_it() {
         }
     }
     // Without contacts there is nothing else to do.
-    let of_models = rules::of(|code| code != FindingCode::BareModel)
+    let of_models = rules::with_code(|code| code != FindingCode::BareModel)
         .filter(|rule| !matches!(rule.repair, Repair::OnlyInChange(_)));
     for rule in of_models {
         let advice = rule.advice().spelled(&Changing);
@@ -107,7 +107,7 @@ fn codes<'f>(findings: impl IntoIterator<Item = &'f Finding>) -> BTreeSet<Findin
 fn checked(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     let request = json!({"verb": "check", "models": [model]}).to_string();
     let Request::Check(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!("no check") };
-    let inspector = Inspector::of_check(&request, files);
+    let inspector = Inspector::for_check(&request, files);
     let opened = open_with(Path::new(model), inspector.set_files().companion_paths(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     let found = inspector.check(&opened.model, &inspected, None, files);
@@ -120,7 +120,7 @@ fn said(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     let model: PathBuf = request.to_map()["models"][0].as_str().unwrap().into();
     let opened = open_with(&model, CompanionPaths::default(), files).unwrap();
     if let Request::Inspect(request) = &request {
-        return codes(&Inspector::of_inspect(request, files).inspect(&opened).unwrap().warnings);
+        return codes(&Inspector::for_inspect(request, files).inspect(&opened).unwrap().warnings);
     }
     let plan = prepare(request, files).unwrap().plan(&opened, files).unwrap();
     codes(&plan.warnings)

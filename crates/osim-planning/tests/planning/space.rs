@@ -7,7 +7,7 @@ use osim_model::Model;
 use osim_model::files::{Files, InMemory};
 use osim_model::messages::FieldNames;
 use osim_planning::run_motion;
-use osim_planning::scene::{Bones, Played, Scene};
+use osim_planning::scene::{BoneSurfaces, PlayedRecording, Scene};
 use osim_requests::MotionRequest;
 use serde_json::Value;
 
@@ -41,7 +41,7 @@ fn walk() -> (InMemory, MotionRequest) {
 fn bodies_along_a_recording_carry_their_spheres_where_the_motion_has_them() {
     let (files, request) = walk();
     let result = run_motion(&request, &files).unwrap();
-    let played = serde_json::to_value(Played::of(&result, &request, &FieldNames)).unwrap();
+    let played = serde_json::to_value(PlayedRecording::of(&result, &request, &FieldNames)).unwrap();
     let bodies: Vec<&str> =
         played["bodies"].as_array().unwrap().iter().map(|body| body.as_str().unwrap()).collect();
     let poses = numbers(&played["poses"]);
@@ -67,7 +67,7 @@ fn bodies_along_a_recording_carry_their_spheres_where_the_motion_has_them() {
 fn forces_of_feet_are_those_of_the_motion_and_plates_have_a_place() {
     let (files, request) = walk();
     let result = run_motion(&request, &files).unwrap();
-    let played = serde_json::to_value(Played::of(&result, &request, &FieldNames)).unwrap();
+    let played = serde_json::to_value(PlayedRecording::of(&result, &request, &FieldNames)).unwrap();
     let feet = played["feet"].as_array().unwrap();
     for frame in 0..result.states.frames() {
         let up = |foot: &Value| foot["model"]["forces_bw"][frame][1].as_f64().unwrap();
@@ -111,7 +111,7 @@ fn bones_are_on_their_bodies_and_missing_ones_are_named() {
         files.add(name, read(&format!("feet/Geometry/{name}")));
     }
     assert!(files.exists(Path::new("r_human_foot.vtp")));
-    let bones = serde_json::to_value(Bones::of(&model, Path::new("human.osim"), &files)).unwrap();
+    let bones = serde_json::to_value(BoneSurfaces::of(&model, Path::new("human.osim"), &files)).unwrap();
     let surfaces = bones["surfaces"].as_array().unwrap();
     assert!(surfaces.iter().all(|surface| surface["triangles"].as_array().unwrap().len() == 3 * 188));
     let z = |mesh: &str| -> Vec<f64> {

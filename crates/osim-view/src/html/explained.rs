@@ -114,7 +114,7 @@ pub(super) fn section(topics: &Topics, dialect: &dyn Dialect) -> String {
             }
             @if !topics.codes.is_empty() {
                 h3 { "Findings" }
-                @for rule in rules::of(|code| topics.codes.contains(&code)) { (of_rule(rule, dialect)) }
+                @for rule in rules::with_code(|code| topics.codes.contains(&code)) { (of_rule(rule, dialect)) }
             }
             @if !topics.errors.is_empty() {
                 h3 { "Errors" }
@@ -130,7 +130,7 @@ pub(super) fn each(topics: &Topics, dialect: &dyn Dialect) -> Vec<(String, Marku
     let equations = equations().filter(|equation| topics.equations.contains(equation.label));
     let equations =
         equations.map(|equation| (anchor("equation", equation.label), of_equation(equation, dialect)));
-    let codes = rules::of(|code| topics.codes.contains(&code))
+    let codes = rules::with_code(|code| topics.codes.contains(&code))
         .map(|rule| (anchor("finding", rule.code.as_str()), of_rule(rule, dialect)));
     let errors = topics.errors.iter().filter_map(|code| explain::error(code));
     let errors = errors.map(|error| (anchor("error", error.code), of_error(error, dialect)));

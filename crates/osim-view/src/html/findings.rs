@@ -207,7 +207,7 @@ mod tests {
 
     fn finding(code: FindingCode, place: &str, spheres: &[&str]) -> FindingWithRemedy {
         let spheres = spheres.iter().map(|&name| name.to_owned()).collect();
-        let rule = rules::of(|one| one == code).next().unwrap();
+        let rule = rules::with_code(|one| one == code).next().unwrap();
         Finding::new(rule, "").with_place(place).with_spheres(spheres).into()
     }
 

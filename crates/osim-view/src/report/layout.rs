@@ -8,7 +8,7 @@ use csv::{IntoInnerError, WriterBuilder};
 use osim_inspect::Sign;
 use osim_model::Severity;
 use osim_model::messages::{one_line, shown, shown_whole};
-use osim_planning::marked;
+use osim_planning::with_text_mark;
 use textwrap::core::{Word, display_width};
 use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 use unicode_linebreak::linebreaks;
@@ -209,7 +209,9 @@ pub(crate) fn csv_text(records: impl IntoIterator<Item = Vec<String>>) -> Result
     let mut writer = WriterBuilder::new().from_writer(Vec::new());
     for record in records {
         // One line for each record, whatever names hold.
-        writer.write_record(record.iter().map(|text| marked(&shown_whole(text).to_string()).into_owned()))?;
+        writer.write_record(
+            record.iter().map(|text| with_text_mark(&shown_whole(text).to_string()).into_owned()),
+        )?;
     }
     let bytes = writer.into_inner().map_err(IntoInnerError::into_error)?;
     String::from_utf8(bytes).map_err(|error| io::Error::new(io::ErrorKind::InvalidData, error).into())

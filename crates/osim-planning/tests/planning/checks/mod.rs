@@ -24,7 +24,7 @@ pub fn check_foot(spheres: &[Smooth]) -> CheckResult {
 
 /// The rule of `code`.
 pub fn rule(code: FindingCode) -> &'static Rule {
-    rules::of(|one| one == code).next().unwrap()
+    rules::with_code(|one| one == code).next().unwrap()
 }
 
 pub fn codes(result: &CheckResult) -> Vec<FindingCode> {

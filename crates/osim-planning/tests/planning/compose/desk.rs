@@ -36,7 +36,7 @@ impl Desk {
 
     /// What `check` finds in a file; `None` where it cannot be read, or there is nothing to check.
     pub fn check(&self, model: &Path) -> Option<CheckResult> {
-        let inspector = Inspector::of_check(&self.request(model), &self.files);
+        let inspector = Inspector::for_check(&self.request(model), &self.files);
         let opened = open_with(model, inspector.set_files().companion_paths(), &self.files).ok()?;
         let inspected = inspector.inspect(&opened).ok()?;
         inspector.refuse_without_contacts(&opened, &inspected).ok()?;

@@ -61,7 +61,7 @@ pub fn drop_text(drop: &DropResult) -> String {
 
 fn rows(drop: &DropResult) -> String {
     let mut table = table(&["figure", "value", "unit"]);
-    for place in [DropRow::Here, DropRow::Last] {
+    for place in [DropRow::InOrder, DropRow::Last] {
         for figure in DropFigure::ALL.iter().filter(|figure| figure.row() == place) {
             let (info, value) = (figure.info(), figure.value(drop));
             let shown = value.map_or_else(|| "absent".to_owned(), readable);

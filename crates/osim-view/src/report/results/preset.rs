@@ -136,7 +136,7 @@ pub fn design_sheet_text(sheet: &DesignSheet) -> String {
             .map(|limit| format!("{} {}", if limit.within_limit { "ok:" } else { "outside:" }, limit.text));
         let given = figure.given.then(|| "given".to_owned());
         let mark = given.into_iter().chain(limit).collect::<Vec<_>>().join("; ");
-        let equation = if figure.equation == DesignQuantity::EXACT {
+        let equation = if figure.equation == DesignQuantity::EXACT_LAW {
             "exact law".to_owned()
         } else {
             format!("({})", figure.equation)

@@ -15,29 +15,28 @@ use osim_model::{
 use osim_patch::{ChangedBy, Plan, StepDetails};
 use osim_requests::NoteDetails;
 
-use crate::planner::Change;
+use crate::prepared_change::PreparedChange;
 use crate::rules;
 
-/// No remedy is asked for: what can be changed does not matter.
+/// For a check without remedies, which need not know what can be changed.
 const NO_REMEDIES: Changeable = Changeable { numbers: false, radii: false };
 
-impl Change {
-    /// Plans for a model that was [opened](Self::open), as the request says: with its note, with what is odd about the model itself
-    /// among the warnings, and what the change makes worse.
+impl PreparedChange {
+    /// Plans the change of a model that was [opened](Self::open). The plan has a note; its warnings name what is odd about the model
+    /// itself, and what the change makes worse.
     ///
     /// # Errors
     /// Those of [`plan_beside`](Self::plan_beside); a change after which the model is wrong, unless the caller means it.
     pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
-        let mut plan = self.unjudged(opened, files)?;
+        let mut plan = self.plan_with_note(opened, files)?;
         if !plan.is_empty() {
-            let changed = Changed::of(&plan, opened)?;
-            self.judge(opened, &mut plan, &changed)?;
+            let changed = ResultingModel::renumbered_or_read(&plan, opened)?;
+            self.add_worse_findings(opened, &mut plan, &changed)?;
         }
         Ok(plan)
     }
 
-    /// Plans like [`plan`](Self::plan), and gives the model as it will be, which was read from its new bytes; `None` where nothing
-    /// changes.
+    /// Plans like [`plan`](Self::plan), and also returns the changed model, read from its new bytes; `None` if nothing changes.
     ///
     /// # Errors
     /// Those of [`plan`](Self::plan).
@@ -46,17 +45,17 @@ impl Change {
         opened: &OpenModel,
         files: &dyn Files,
     ) -> Result<(Plan, Option<Model>), Failure> {
-        let mut plan = self.unjudged(opened, files)?;
+        let mut plan = self.plan_with_note(opened, files)?;
         if plan.is_empty() {
             return Ok((plan, None));
         }
-        let changed = Changed::read(&plan, opened)?;
-        self.judge(opened, &mut plan, &changed)?;
+        let changed = ResultingModel::read(&plan, opened)?;
+        self.add_worse_findings(opened, &mut plan, &changed)?;
         Ok((plan, Some(changed.into_model())))
     }
 
-    /// The plan, with its note and with what is odd about the model itself.
-    fn unjudged(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+    /// The plan with its note and the findings about the model itself, without those about the result.
+    fn plan_with_note(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         let model = &opened.model;
         let mut plan = self.plan_beside(opened, files)?;
         if self.output.no_note {
@@ -76,18 +75,19 @@ impl Change {
             let text = "the model has no <credits>: they are added for the note, because OpenSim drops comments when it saves";
             plan.remarks.push(text.into());
         }
-        let standing = standing_findings(&plan, model);
-        plan.warnings.splice(0..0, standing);
-        plan.remarks.extend(describe_unmatched_patterns(
-            &self.options.selection,
-            &self.options.masses,
-            model,
-        ));
+        let remaining = remaining_findings(&plan, model);
+        plan.warnings.splice(0..0, remaining);
+        plan.remarks.extend(describe_unmatched_patterns(&self.options.selection, &self.options.masses, model));
         Ok(plan)
     }
 
-    /// Adds to `plan` what it makes worse.
-    fn judge(&self, opened: &OpenModel, plan: &mut Plan, changed: &Changed) -> Result<(), Failure> {
+    /// Adds findings about what `plan` makes worse to its warnings.
+    fn add_worse_findings(
+        &self,
+        opened: &OpenModel,
+        plan: &mut Plan,
+        changed: &ResultingModel,
+    ) -> Result<(), Failure> {
         for mut finding in worse_findings(self, opened, plan, changed)? {
             self.keep_ways_out(&mut finding.message);
             plan.warnings.push(finding);
@@ -95,79 +95,78 @@ impl Change {
         Ok(())
     }
 
-    /// Whether the contacts are to carry the mass that they are scaled to, whatever the bodies weigh.
-    fn carries_target(&self) -> bool {
+    /// Whether the contacts are judged under the target mass instead of the mass of the bodies.
+    fn is_for_target_mass(&self) -> bool {
         self.verb == Verb::Rescale
     }
 
-    /// Whether the caller gave the numbers themselves, and not what they follow from: a model that is wrong with them is not refused.
-    fn is_as_given(&self) -> bool {
+    /// Whether the caller gave the new numbers themselves: then a model that is wrong with them is not refused.
+    fn writes_given_numbers(&self) -> bool {
         matches!(self.verb, Verb::Set | Verb::Design | Verb::Fit)
     }
 
-    /// How the new model is inspected, where the old one weighs `weighs_kg`: its contacts carry the body that they were scaled for.
+    /// How the new model is inspected, if the old one weighs `weighs_kg`: under the mass that its contacts were scaled for.
     pub(crate) fn options_after(&self, plan: &Plan, weighs_kg: Option<f64>) -> InspectOptions {
         let mut options = self.options.clone();
         let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
-        // The note has it; without one the caller has to give it.
+        // The inspection reads this mass from the note; if the plan writes no note, it has to be told.
         options.masses.contacts_mass_kg = target_mass_kg.filter(|_| plan.note().is_none());
-        if let Some(target_mass_kg) = target_mass_kg.filter(|_| self.carries_target())
+        if let Some(target_mass_kg) = target_mass_kg.filter(|_| self.is_for_target_mass())
             && weighs_kg.is_none_or(|weighs| !same_mass(weighs, target_mass_kg))
         {
             options.masses.model_kg = Some(target_mass_kg);
         }
-        // A gravity that figures are asked for (as in a design) is that of both states.
+        // If the caller gave a gravity for figures (as for a design), both states are inspected with it.
         options.stance.gravity_m_s2 = self.target_gravity_m_s2.or(options.stance.gravity_m_s2);
         options
     }
 
-    /// How the old model is inspected, to be compared with the new one: its contacts carry the body that they were made for, where the
-    /// new ones carry theirs.
+    /// How the old model is inspected, to be compared with the new one: under the mass that its contacts were made for, if the new
+    /// ones are inspected under their target mass.
     fn options_before(&self, plan: &Plan) -> InspectOptions {
         let mut options = self.options.clone();
-        if let Some(masses) = plan.masses.as_ref().filter(|_| self.carries_target()) {
+        if let Some(masses) = plan.masses.as_ref().filter(|_| self.is_for_target_mass()) {
             options.masses.model_kg = Some(masses.contacts_mass.kg);
         }
         options
     }
 
-    /// Whether the contacts are for a body that the bodies of the model still have to become: contacts are often scaled before the body
-    /// is. What its default pose is then nobody knows yet, so that every isometric rescaling to another mass would warn of the pose
-    /// that is.
-    fn is_to_be_scaled(&self, plan: &Plan, weighs_kg: Option<f64>) -> bool {
+    /// Whether the contacts are scaled before the bodies, which still have another mass. Then nobody knows the default pose of the scaled
+    /// bodies yet, and a warning about the pose of the present ones would come with every rescaling to another mass.
+    fn bodies_await_scaling(&self, plan: &Plan, weighs_kg: Option<f64>) -> bool {
         let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
         let is_other = |target| weighs_kg.is_none_or(|weighs| !same_mass(weighs, target));
-        self.carries_target() && target_mass_kg.is_some_and(is_other)
+        self.is_for_target_mass() && target_mass_kg.is_some_and(is_other)
     }
 }
 
-/// What is odd about `model` itself and stays so: a finding about an object that goes, or that becomes another one, is no longer one.
-fn standing_findings(plan: &Plan, model: &Model) -> Vec<Finding> {
+/// Findings about `model` that the change leaves: a finding about an object that the plan removes or replaces is left out.
+fn remaining_findings(plan: &Plan, model: &Model) -> Vec<Finding> {
     let key = |finding: &Finding| (finding.code(), finding.place.clone());
-    let still: HashSet<_> = model_findings(plan.ground(model)).iter().map(key).collect();
-    model_findings(model).iter().filter(|finding| still.contains(&key(finding))).cloned().collect()
+    let remaining: HashSet<_> = model_findings(plan.ground(model)).iter().map(key).collect();
+    model_findings(model).iter().filter(|finding| remaining.contains(&key(finding))).cloned().collect()
 }
 
 /// The model that a plan makes.
 #[derive(Debug)]
-enum Changed {
-    /// Nothing but numbers of contacts is other: most of it is what it was, and nobody has read a file.
-    InNumbers(Model),
-    /// It was read from its new bytes.
+enum ResultingModel {
+    /// The old model with other numbers of contacts: no bytes were read again.
+    NumbersChanged(Model),
+    /// Read from its new bytes.
     Read(Model),
 }
 
-impl Changed {
-    /// That of `plan`, which was made for `opened`, without its bytes if that can be.
+impl ResultingModel {
+    /// The model that `plan` makes of `opened`. It is read from its new bytes only if something else than numbers changes.
     ///
     /// # Errors
     /// Those of [`Plan::changed`].
-    fn of(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
+    fn renumbered_or_read(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
         plan.with_contact_numbers(&opened.model)
-            .map_or_else(|| Self::read(plan, opened), |model| Ok(Self::InNumbers(model)))
+            .map_or_else(|| Self::read(plan, opened), |model| Ok(Self::NumbersChanged(model)))
     }
 
-    /// The same from its bytes.
+    /// The model that `plan` makes of `opened`, read from its new bytes.
     ///
     /// # Errors
     /// Those of [`Plan::changed`].
@@ -176,93 +175,96 @@ impl Changed {
     }
 
     fn into_model(self) -> Model {
-        let (Self::InNumbers(model) | Self::Read(model)) = self;
+        let (Self::NumbersChanged(model) | Self::Read(model)) = self;
         model
     }
 
     fn model(&self) -> &Model {
-        let (Self::InNumbers(model) | Self::Read(model)) = self;
+        let (Self::NumbersChanged(model) | Self::Read(model)) = self;
         model
     }
 
-    /// What is found in `model`, which is this one or the one that was changed, as far as the change decides it, without remedies.
-    fn unmended(
+    /// Findings about `model`, which is this model or the one before the change, without remedies. If only numbers changed, only the
+    /// rules about numbers are checked.
+    fn findings_without_remedies(
         &self,
         options: &InspectOptions,
         opened: &OpenModel,
         model: &Model,
     ) -> Vec<FindingWithRemedy> {
         match self {
-            Self::InNumbers(_) => {
+            Self::NumbersChanged(_) => {
                 let inspected = options.inspect_for_rules(opened.name(), model);
                 check_numbers(options, model, &inspected)
             }
-            Self::Read(_) => unmended(options, opened, model),
+            Self::Read(_) => findings_without_remedies(options, opened, model),
         }
     }
 }
 
-/// Warnings and errors of the model as `changed` by `plan` that the model without it does not have, or has as less bad; and what the
-/// plan does to bottoms that stood.
+/// Warnings and errors of the resulting model that the model before does not have, or has with a lower level; and findings about
+/// bodies that stood at their default pose and do not any more.
 ///
 /// # Errors
-/// An error among them, unless the caller means it.
+/// An error among them, unless the caller confirmed it.
 fn worse_findings(
-    change: &Change,
+    change: &PreparedChange,
     opened: &OpenModel,
     plan: &Plan,
-    changed: &Changed,
+    changed: &ResultingModel,
 ) -> Result<Vec<Finding>, Failure> {
     let masses = &change.options.masses;
     let weighs = masses.model_mass(&opened.model).ok();
     let weighs = weighs.or_else(|| Some(masses.contacts_mass(&opened.model).ok()?.0));
     let weighs_kg = weighs.map(|mass| mass.kg);
-    // A model that is as it was before nobody has to be asked about.
-    let is_meant = change.is_as_given() || plan.takes_back() || change.answers.has(Question::WrongAfterwards);
+    // A change that is taken back gives a model that was there before: nobody has to be asked about it.
+    let is_confirmed =
+        change.writes_given_numbers() || plan.takes_back() || change.answers.has(Question::WrongAfterwards);
     let (before, after) = (change.options_before(plan), change.options_after(plan, weighs_kg));
-    let worse = worse_than(&before, &after, opened, plan, changed);
-    let mut said: Vec<Finding> = match worse.iter().find(|one| one.severity == Severity::Error) {
-        Some(wrong) if !is_meant => return Err(opened.failure(Fault::new(asks(wrong)))),
-        _ => worse.iter().map(of_new_model).collect(),
+    let worse = findings_that_became_worse(&before, &after, opened, plan, changed);
+    let mut findings: Vec<Finding> = match worse.iter().find(|one| one.severity == Severity::Error) {
+        Some(wrong) if !is_confirmed => return Err(opened.failure(Fault::new(question_about(wrong)))),
+        _ => worse.iter().map(about_new_model).collect(),
     };
-    if !change.is_to_be_scaled(plan, weighs_kg) {
-        said.extend(moved_bottoms(plan, &opened.model, changed.model(), &said));
+    if !change.bodies_await_scaling(plan, weighs_kg) {
+        findings.extend(bottoms_moved(plan, &opened.model, changed.model(), &findings));
     }
-    Ok(said)
+    Ok(findings)
 }
 
-/// What is wrong with the model `changed` by `plan`, and was not, or less.
-fn worse_than(
+/// Warnings and errors of the resulting model that the old one does not have, or has with a lower level.
+fn findings_that_became_worse(
     before: &InspectOptions,
     after: &InspectOptions,
     opened: &OpenModel,
     plan: &Plan,
-    changed: &Changed,
+    changed: &ResultingModel,
 ) -> Vec<FindingWithRemedy> {
-    let found = changed.unmended(after, opened, changed.model());
-    let is_bad =
-        |one: &&FindingWithRemedy| one.severity >= Severity::Warning && !is_due(one) && !is_known(plan, one);
-    let bad: Vec<&FindingWithRemedy> = found.iter().filter(is_bad).collect();
+    let new_findings = changed.findings_without_remedies(after, opened, changed.model());
+    let is_bad = |one: &&FindingWithRemedy| {
+        one.severity >= Severity::Warning && !says_bodies_are_unscaled(one) && !is_warned_by_plan(plan, one)
+    };
+    let bad: Vec<&FindingWithRemedy> = new_findings.iter().filter(is_bad).collect();
     if bad.is_empty() {
         return Vec::new();
     }
-    let old = changed.unmended(before, opened, &opened.model);
-    let previous = FindingIndex::new(&old);
-    // Contacts that are no longer those of a published model are not worse for it.
+    let old_findings = changed.findings_without_remedies(before, opened, &opened.model);
+    let old_kin = FindingIndex::new(&old_findings);
+    // A finding new another code in the same place is not new: contacts that no longer are those new a published model are not worse.
     let is_worse = |one: &&FindingWithRemedy| {
-        let was = previous.find_same_or_other_depth(one);
+        let was = old_kin.find_same_or_other_depth(one);
         was.is_none_or(|was| was.code() != one.code() && was.rule.severity < one.rule.severity)
     };
     bad.into_iter().filter(is_worse).cloned().collect()
 }
 
-/// Whether it only says that the bodies are not scaled yet: contacts are often scaled before them.
-pub(crate) fn is_due(one: &FindingWithRemedy) -> bool {
+/// Whether the finding only says that the bodies are not scaled yet: contacts are often scaled before them.
+pub(crate) fn says_bodies_are_unscaled(one: &FindingWithRemedy) -> bool {
     one.code() == FindingCode::MassSourcesDisagree
 }
 
-/// What is found in `model`, without remedies.
-pub(crate) fn unmended(
+/// All findings about `model`, without remedies.
+pub(crate) fn findings_without_remedies(
     options: &InspectOptions,
     opened: &OpenModel,
     model: &Model,
@@ -271,19 +273,19 @@ pub(crate) fn unmended(
     check_model(options, model, &inspected, &[], NO_REMEDIES).findings
 }
 
-/// Whether the verb says it itself, with a way out of its own: then it is neither repeated nor refused, such as what the smoothing of
-/// `convert` does on stiff spheres.
-fn is_known(plan: &Plan, one: &FindingWithRemedy) -> bool {
+/// Whether the plan already warns of this finding, with advice of its own, as `convert` does of the smoothing of stiff spheres. Such
+/// a finding is neither repeated nor a reason to refuse.
+fn is_warned_by_plan(plan: &Plan, one: &FindingWithRemedy) -> bool {
     plan.warnings.iter().any(|known| known.code() == one.code() && known.place == one.place)
 }
 
-/// Lines are those of a file that nobody has yet: they are left out.
-fn of_new_model(found: &FindingWithRemedy) -> Finding {
+/// The finding for people who have only the old file: its line, which is one of the new file, is left out.
+fn about_new_model(found: &FindingWithRemedy) -> Finding {
     let message = phrase!["in the new model: ", &found.message];
     found.finding.clone().with_message(message).with_line(None)
 }
 
-fn asks(wrong: &FindingWithRemedy) -> NeedsAnswer {
+fn question_about(wrong: &FindingWithRemedy) -> NeedsAnswer {
     let text: Phrase = phrase![
         "the model would be wrong afterwards [",
         wrong.code().as_str(),
@@ -298,41 +300,44 @@ fn asks(wrong: &FindingWithRemedy) -> NeedsAnswer {
 // What a change does to the bottoms of spheres: bodies that stood at their default pose and no longer do, and feet that it makes
 // uneven.
 
-/// Bottoms that move by less, in the radius of a sphere, do not matter.
-const SMALL: f64 = 0.1;
-/// A body whose lowest sphere is this near to its floor, in its radius, stands.
-const STANDS: f64 = 0.5;
+/// A move of a bottom that is smaller than this does not matter, in radii of the sphere.
+const SMALL_MOVE_RADII: f64 = 0.1;
+/// A body stands if its lowest sphere is at most this far from its floor, in radii of the sphere.
+const STANDING_RADII: f64 = 0.5;
 
-/// Findings about the bottoms that `plan` moves from where `before` has them to where `now` has them; `said` are those about the new
-/// model that are known already.
+/// Findings about the bottoms of spheres that `plan` moves, from the model `before` to the model `after`; `findings` are those about
+/// the new model so far.
 ///
-/// Spheres that follow their bodies are where their bones put them, and before that they were left behind: what they did there is no
-/// comparison. New spheres did not stand anywhere, and `add` says where they are.
-fn moved_bottoms(plan: &Plan, before: &Model, now: &Model, said: &[Finding]) -> Vec<Finding> {
+/// Spheres that follow their bodies are not judged: before, they were in wrong places. Nor are new spheres: `add` says where they are.
+fn bottoms_moved(plan: &Plan, before: &Model, after: &Model, findings: &[Finding]) -> Vec<Finding> {
     let radii = plan.changes.iter().any(|change| change.property == Property::Radius);
     let follow = plan.moves.iter().any(|one| one.by == ChangedBy::Follow);
     if (!radii && plan.moves.is_empty()) || follow || !plan.objects().is_empty() {
         return Vec::new();
     }
-    let Some((before, now)) = Bodies::of(before).zip(Bodies::of(now)) else { return Vec::new() };
-    let mut found: Vec<Finding> = now.lost(&before).collect();
+    let Some((before, after)) =
+        BodiesOverFloor::at_default_pose(before).zip(BodiesOverFloor::at_default_pose(after))
+    else {
+        return Vec::new();
+    };
+    let mut moved: Vec<Finding> = after.no_longer_standing(&before).collect();
     // A foot is called uneven once.
-    if !said.iter().any(|one| one.code() == FindingCode::UnevenBottoms) {
-        found.extend(now.uneven(&before));
+    if !findings.iter().any(|one| one.code() == FindingCode::UnevenBottoms) {
+        moved.extend(after.uneven(&before));
     }
-    found
+    moved
 }
 
-/// The bodies of a model over their floors.
-struct Bodies<'m> {
+/// The bodies of a model at its default pose, with the heights of their spheres over the floors.
+struct BodiesOverFloor<'m> {
     model: &'m Model,
     standing: Vec<StandingBody>,
     sharing: LoadSharing,
 }
 
-impl<'m> Bodies<'m> {
-    /// `None` if it is not known where bodies are at the default pose.
-    fn of(model: &'m Model) -> Option<Self> {
+impl<'m> BodiesOverFloor<'m> {
+    /// `None` if the default pose is not known.
+    fn at_default_pose(model: &'m Model) -> Option<Self> {
         let (standing, sharing) = standing_bodies(model).ok()?;
         Some(Self { model, standing, sharing })
     }
@@ -342,16 +347,16 @@ impl<'m> Bodies<'m> {
         all.map(|bottom| (bottom.path.as_str(), bottom)).collect()
     }
 
-    /// Bodies that stood as they were `before` and do not now.
-    fn lost(&self, before: &Self) -> impl Iterator<Item = Finding> {
+    /// Findings about bodies that stood `before` the change and do not any more.
+    fn no_longer_standing(&self, before: &Self) -> impl Iterator<Item = Finding> {
         let several = self.standing.len() > 1;
         self.standing.iter().filter_map(move |now| {
             let before = before.standing.iter().find(|old| old.body == now.body)?;
-            is_lost(before, now).then(|| rules::bottoms_moved_of_body(before, now, several))?
+            stands_no_longer(before, now).then(|| rules::bottoms_moved_of_body(before, now, several))?
         })
     }
 
-    /// Limbs whose bottoms are less level than `before`.
+    /// Findings about limbs whose bottoms are less level than `before` the change.
     fn uneven(&self, before: &Self) -> Vec<Finding> {
         let (old, new) = (before.bottoms(), self.bottoms());
         let pair = |path: &str| Some((*old.get(path)?, *new.get(path)?));
@@ -364,15 +369,15 @@ impl<'m> Bodies<'m> {
     }
 }
 
-/// Whether a body stood `before`, and is inside its floor or above it `now`, because its bottoms moved.
-fn is_lost(before: &StandingBody, now: &StandingBody) -> bool {
-    let Some((was, is)) = before.lowest().zip(now.lowest()) else { return false };
-    let stood = was.height_m.abs() <= STANDS * was.radius_m;
-    let is_off = is.height_m > STANDS * is.radius_m || now.is_inside_floor();
-    stood && is_off && (is.height_m - was.height_m).abs() > SMALL * is.radius_m
+/// Whether a body stood `before`, and `after` the change is inside its floor or above it because its bottoms moved.
+fn stands_no_longer(before: &StandingBody, after: &StandingBody) -> bool {
+    let Some((was, is)) = before.lowest().zip(after.lowest()) else { return false };
+    let stood = was.height_m.abs() <= STANDING_RADII * was.radius_m;
+    let is_off = is.height_m > STANDING_RADII * is.radius_m || after.is_inside_floor();
+    stood && is_off && (is.height_m - was.height_m).abs() > SMALL_MOVE_RADII * is.radius_m
 }
 
-/// What a change does to a limb whose bottoms it moves apart; each was at the first place and is at the second.
+/// The finding about a limb whose bottoms a change moves apart; `bottoms` has each before and after the change.
 fn uneven(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
     let heights = |of: fn(&(&Bottom, &Bottom)) -> f64| bottoms.iter().map(of).collect::<Vec<f64>>();
     let moved_m = spread(&heights(|(was, is)| is.height_m - was.height_m));
@@ -381,7 +386,7 @@ fn uneven(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
     let by_height = |a: &&Bottom, b: &&Bottom| a.height_m.total_cmp(&b.height_m);
     let lowest = bottoms.iter().map(|(_, is)| *is).min_by(by_height)?;
     let highest = bottoms.iter().map(|(_, is)| *is).max_by(by_height)?;
-    let small_m = SMALL * lowest.radius_m;
+    let small_m = SMALL_MOVE_RADII * lowest.radius_m;
     // Where a foot leans the pose decides which of its spheres is low.
     let leans = bottoms.iter().any(|(_, is)| is.tilt_rad > MOST_LEAN_RAD);
     let is_uneven = moved_m > small_m && now_m - before_m > small_m && !leans;

@@ -1,17 +1,17 @@
-//! What a fit to recordings found, in words.
+//! Remarks on a fit to recordings.
 
 use osim_model::messages::{Input, Phrase, phrase, shown};
 use osim_motion::Summary;
 use osim_motion::fit::{FitBounds, FitTrial, FittedParameter, MotionFit};
 
-/// A range of a stiffness wider than this ratio says that it is not determined.
-const WIDE: f64 = 3.0;
-/// A range of a dissipation wider than this says the same, s/m.
-const WIDE_S_M: f64 = 1.0;
-/// Unknowns with a correlation beyond this are not distinguished.
+/// If the largest over the smallest stiffness that fits nearly as well exceeds this, the stiffness is not determined.
+const WIDE_STIFFNESS_RATIO: f64 = 3.0;
+/// If the range of dissipations that fit nearly as well is wider than this, s/m, the dissipation is not determined.
+const WIDE_DISSIPATION_S_M: f64 = 1.0;
+/// If the correlation of stiffness and height is larger than this, they are not determined separately.
 const CORRELATED: f64 = 0.95;
 
-/// One remark for each thing that a reader should know of a fit. `others` are forces that use the floor and were not chosen.
+/// All remarks on a fit. `others` are forces that use the floor and were not chosen.
 pub(super) fn remarks(
     fit: &MotionFit,
     trials: &[FitTrial],
@@ -19,17 +19,17 @@ pub(super) fn remarks(
     bounds: &FitBounds,
     others: &[String],
 ) -> Vec<Phrase> {
-    let mut said = feet(before, after);
-    said.extend(without_force(trials));
+    let mut remarks = remarks_on_feet(before, after);
+    remarks.extend(remarks_on_feet_without_force(trials));
     for (trial, rms_bw) in fit.trials_rms_bw.iter().enumerate().skip(1) {
-        said.push(
+        remarks.push(
             format!("trial {}: the error of all its feet is {rms_bw:.3} body weights (rms)", trial + 1)
                 .into(),
         );
     }
-    said.extend(worse(fit, bounds));
+    remarks.extend(remark_if_worse(fit, bounds));
     for one in &fit.held_out {
-        said.push(
+        remarks.push(
             format!(
                 "held out: fitted to the {}, the error at the {} is {:.3} body weights (rms)",
                 one.fitted, one.tested, one.vertical_rms_bw
@@ -38,43 +38,43 @@ pub(super) fn remarks(
         );
     }
     for (trial, up) in fit.floor_up_m.iter().enumerate() {
-        // Where spheres move, the floor of the first trial stays.
+        // If spheres move, the floor of the first trial stays, and heights of floors begin with the second trial.
         let number = trial + usize::from(fit.spheres_down_m.is_some());
-        said.push(height(number, fit.trials_rms_bw.len(), up));
+        remarks.push(remark_on_floor(number, fit.trials_rms_bw.len(), up));
     }
-    said.extend(on_the_same_floor(others));
+    remarks.extend(remark_on_other_forces(others));
     if let Some(down) = &fit.spheres_down_m {
-        said.push(spheres_down(down));
+        remarks.push(remark_on_moved_spheres(down));
     }
     if let Some(factor) = &fit.stiffness_factor {
-        said.push(stiffness(factor));
+        remarks.push(remark_on_stiffness(factor));
     }
-    said.extend(fit.stiffness_height_correlation.and_then(correlated));
+    remarks.extend(fit.stiffness_height_correlation.and_then(remark_on_correlation));
     if let Some(dissipation) = &fit.dissipation {
-        said.push(of_dissipation(dissipation));
+        remarks.push(remark_on_dissipation(dissipation));
     }
-    if let Some(scatter) = scatter(before) {
-        said.push(scatter);
+    if let Some(scatter) = remark_on_scatter(before) {
+        remarks.push(scatter);
     }
     let is_deep = fit.after.largest_relative_indentation > 0.999;
     if bounds.most_relative_indentation.is_some() && (is_deep || fit.floor_up_m.iter().any(|up| up.at_bound))
     {
-        said.push(phrase![
+        remarks.push(phrase![
             "a sphere is as deep as its radius, which is the bound: ",
             Input::Unbounded,
             " would let it go deeper, and fit closer, but the law holds up to x/R 0.16"
         ]);
     }
     if fit.beside > 0 {
-        said.push(
+        remarks.push(
             format!("{} frames are left out: a foot seems to stand beside the plates", fit.beside).into(),
         );
     }
-    said.push("friction is not fitted: how feet slip in kinematics is mostly error".into());
-    said
+    remarks.push("friction is not fitted: how feet slip in kinematics is mostly error".into());
+    remarks
 }
 
-fn feet(before: &Summary, after: &Summary) -> Vec<Phrase> {
+fn remarks_on_feet(before: &Summary, after: &Summary) -> Vec<Phrase> {
     let pairs = before.feet.iter().zip(&after.feet);
     pairs
         .filter_map(|(old, new)| {
@@ -92,8 +92,8 @@ fn feet(before: &Summary, after: &Summary) -> Vec<Phrase> {
         .collect()
 }
 
-/// Feet that nothing was fitted to.
-fn without_force(trials: &[FitTrial]) -> Vec<Phrase> {
+/// Remarks on feet that were left out.
+fn remarks_on_feet_without_force(trials: &[FitTrial]) -> Vec<Phrase> {
     let mut names: Vec<&str> =
         trials.iter().flat_map(|trial| &trial.without_force).map(String::as_str).collect();
     names.sort_unstable();
@@ -102,8 +102,8 @@ fn without_force(trials: &[FitTrial]) -> Vec<Phrase> {
     names.into_iter().map(said).collect()
 }
 
-/// A fit that is further from the plates than the model as it is.
-fn worse(fit: &MotionFit, bounds: &FitBounds) -> Option<Phrase> {
+/// A remark if the forces of the fitted model are further from the plates than those of the original.
+fn remark_if_worse(fit: &MotionFit, bounds: &FitBounds) -> Option<Phrase> {
     if fit.after.vertical_rms_bw <= fit.before.vertical_rms_bw {
         return None;
     }
@@ -120,8 +120,8 @@ fn worse(fit: &MotionFit, bounds: &FitBounds) -> Option<Phrase> {
     Some(text.into())
 }
 
-/// What else stands on a floor that moves.
-fn on_the_same_floor(others: &[String]) -> Option<Phrase> {
+/// A remark if forces that were not chosen use the floor that moves.
+fn remark_on_other_forces(others: &[String]) -> Option<Phrase> {
     let first = others.first()?;
     let more = if others.len() > 1 { format!(" and {} more", others.len() - 1) } else { String::new() };
     Some(format!(
@@ -131,18 +131,18 @@ fn on_the_same_floor(others: &[String]) -> Option<Phrase> {
     .into())
 }
 
-/// The range of a height, m, along the way that the height itself goes.
-fn along_the_way(height: &FittedParameter) -> (f64, f64) {
+/// The range of a height, m, counted in the direction of the fitted height.
+fn range_along_direction(height: &FittedParameter) -> (f64, f64) {
     match height.nearly_as_good {
         (low_m, high_m) if height.value < 0.0 => (-high_m, -low_m),
         range => range,
     }
 }
 
-fn spheres_down(down: &FittedParameter) -> Phrase {
+fn remark_on_moved_spheres(down: &FittedParameter) -> Phrase {
     let way = if down.value < 0.0 { "up" } else { "down" };
-    let (low_m, high_m) = along_the_way(down);
-    // Without the sign of a zero.
+    let (low_m, high_m) = range_along_direction(down);
+    // Adding 0 removes the sign of a negative zero.
     let tenths = |metres: f64| (1e4 * metres).round() / 10.0 + 0.0;
     format!(
         "all spheres go {way} by {:.1} mm in their bodies, and the floor stays; {:.1} to {:.1} mm do nearly the same",
@@ -153,19 +153,19 @@ fn spheres_down(down: &FittedParameter) -> Phrase {
     .into()
 }
 
-fn correlated(correlation: f64) -> Option<Phrase> {
+fn remark_on_correlation(correlation: f64) -> Option<Phrase> {
     (correlation.abs() > CORRELATED).then(|| {
         format!("stiffness and height trade against each other (correlation {correlation:.2})").into()
     })
 }
 
-fn height(trial: usize, trials: usize, up: &FittedParameter) -> Phrase {
+fn remark_on_floor(trial: usize, trials: usize, up: &FittedParameter) -> Phrase {
     let way = if up.value < 0.0 { "down" } else { "up" };
-    let of = if trials > 1 { format!(" of trial {}", trial + 1) } else { String::new() };
-    let (low_m, high_m) = along_the_way(up);
+    let of_trial = if trials > 1 { format!(" of trial {}", trial + 1) } else { String::new() };
+    let (low_m, high_m) = range_along_direction(up);
     let bound = if up.at_bound { ", the bound of the search" } else { "" };
     format!(
-        "the floor{of} goes {way} by {:.1} mm{bound}; {:.1} to {:.1} mm do nearly the same",
+        "the floor{of_trial} goes {way} by {:.1} mm{bound}; {:.1} to {:.1} mm do nearly the same",
         1e3 * up.value.abs(),
         1e3 * low_m,
         1e3 * high_m
@@ -173,32 +173,32 @@ fn height(trial: usize, trials: usize, up: &FittedParameter) -> Phrase {
     .into()
 }
 
-fn stiffness(factor: &FittedParameter) -> Phrase {
+fn remark_on_stiffness(factor: &FittedParameter) -> Phrase {
     let (low, high) = factor.nearly_as_good;
     let bound = if factor.at_bound { ", the bound of the search" } else { "" };
     let mut text = format!(
         "stiffness: {:.3} times that of the model{bound}; {low:.2} to {high:.2} times do nearly the same",
         factor.value
     );
-    if high / low > WIDE {
+    if high / low > WIDE_STIFFNESS_RATIO {
         text.push_str(": it is not determined");
         return phrase![text, ". Keep the published one with ", Input::Fit.with_value("height")];
     }
     text.into()
 }
 
-fn of_dissipation(dissipation: &FittedParameter) -> Phrase {
+fn remark_on_dissipation(dissipation: &FittedParameter) -> Phrase {
     let (low, high) = dissipation.nearly_as_good;
     let mut text =
         format!("dissipation: {:.2} s/m; {low:.2} to {high:.2} s/m do nearly the same", dissipation.value);
-    if high - low > WIDE_S_M {
+    if high - low > WIDE_DISSIPATION_S_M {
         text.push_str(": it is not determined");
     }
     text.into()
 }
 
-/// Feet that scatter in height by more than the spheres' radius.
-fn scatter(before: &Summary) -> Option<Phrase> {
+/// A remark if the height of a foot in stance scatters by more than the radius of the spheres.
+fn remark_on_scatter(before: &Summary) -> Option<Phrase> {
     let widest = before.feet.iter().filter_map(|foot| foot.stance_scatter_m).reduce(f64::max)?;
     let radius_m = before.smallest_radius_m?;
     (widest > radius_m).then(|| {

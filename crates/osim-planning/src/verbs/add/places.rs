@@ -1,4 +1,4 @@
-//! Places that are this model's own: those of a table, and those under its bones.
+//! Places of new contacts: those of a table, or those under the bones of the model.
 
 use std::cell::LazyCell;
 use std::collections::HashSet;
@@ -13,30 +13,30 @@ use osim_model::{Fault, Model, NeedsAnswer, Question, Side};
 use osim_patch::{Layout, NewContact};
 use osim_requests::options::AnswerOptions;
 
-use super::bodies::{AddFault, meant, plain};
+use super::bodies::{AddFault, name_without_path, nearest_name_hint};
 use super::reference::Numbers;
 use crate::contact_table::{ContactRow, ContactTable, PlaceFault};
-use crate::remarks::{Bones, pad_slip, parts_of_feet};
+use crate::remarks::{JointPositions, question_about_pad, remarks_on_parts_of_feet};
 
-/// Feet whose poses differ by more than this are unequal, rad: a degree. At the fore end of a foot that is 2 % of its length.
-const UNEQUAL: f64 = std::f64::consts::PI / 180.0;
+/// The program asks about feet whose poses differ by more than this, rad: a degree, which is 2 % of the foot's length at its fore end.
+const UNEQUAL_POSES_RAD: f64 = std::f64::consts::PI / 180.0;
 
 pub(super) enum Places {
     Table(TablePlaces),
     Feet(FeetPlaces),
 }
 
-/// A table, read once for all models.
+/// A table of contacts, read once for all models.
 pub(super) struct TablePlaces {
     pub(super) name: String,
     pub(super) table: ContactTable,
-    /// Whether places that are given in ground are those at the default pose.
-    pub(super) posed: bool,
+    /// Whether places in ground were measured at the default pose.
+    pub(super) at_default_pose: bool,
     /// Radius of all spheres, m, if the table has none and one was given.
     pub(super) radius_m: Option<f64>,
 }
 
-/// Bodies under whose meshes spheres are laid.
+/// Bodies that get spheres under their meshes.
 pub(super) struct FeetPlaces {
     pub(super) bodies: Vec<String>,
     pub(super) count: usize,
@@ -47,7 +47,7 @@ pub(super) struct FeetPlaces {
 }
 
 impl Places {
-    /// Whether radii were given, in the table or for all.
+    /// Whether the table or the request has radii.
     pub(super) fn has_radii(&self) -> bool {
         match self {
             Self::Table(table) => table.table.has_radii || table.radius_m.is_some(),
@@ -55,8 +55,7 @@ impl Places {
         }
     }
 
-    /// The contacts of `model`, which is the file at `path`, with the numbers that they have before they are planned, and remarks
-    /// about the places.
+    /// The new contacts of `model`, which is the file at `path`, with preliminary numbers, and remarks about their places.
     pub(super) fn layout(
         &self,
         model: &Model,
@@ -70,32 +69,32 @@ impl Places {
         match self {
             Self::Table(table) => {
                 layout.contacts = table.contacts(model, numbers, &mut remarks)?;
-                answers.ask(table.place_slip(model, &layout)).map_err(Fault::new)?;
+                answers.ask(table.question_about_place(model, &layout)).map_err(Fault::new)?;
             }
             Self::Feet(feet) => {
                 let radius_m = match feet.radius_m {
-                    Some(said) => said,
-                    None => numbers.radius(None)? * numbers.growth(model)?,
+                    Some(given_radius) => given_radius,
+                    None => numbers.radius(None)? * numbers.radius_ratio(model)?,
                 };
                 let soles = feet.soles((model, path), radius_m, (answers, files), &mut remarks)?;
                 for sole in &soles {
-                    answers.ask(pad_slip(sole, feet.pad_m)).map_err(Fault::new)?;
-                    answers.ask(tilted(sole, model)).map_err(Fault::new)?;
-                    layout.contacts.extend(under(sole, numbers)?);
+                    answers.ask(question_about_pad(sole, feet.pad_m)).map_err(Fault::new)?;
+                    answers.ask(question_about_tilt(sole, model)).map_err(Fault::new)?;
+                    layout.contacts.extend(contacts_of_sole(sole, numbers)?);
                 }
-                answers.ask(unequal(&soles, model)).map_err(Fault::new)?;
-                remarks.extend(parts_of_feet(model, &soles));
+                answers.ask(question_about_unequal_feet(&soles, model)).map_err(Fault::new)?;
+                remarks.extend(remarks_on_parts_of_feet(model, &soles));
             }
         }
         if !self.has_radii() {
-            remarks.extend(radii_of_reference(&layout));
+            remarks.extend(remark_on_scaled_radii(&layout));
         }
         Ok((layout, remarks))
     }
 }
 
-/// How large spheres are, if no radius was given.
-fn radii_of_reference(layout: &Layout) -> Option<Phrase> {
+/// The remark that radii were scaled from the reference, if no radius was given.
+fn remark_on_scaled_radii(layout: &Layout) -> Option<Phrase> {
     let radii = || layout.contacts.iter().map(|contact| contact.radius_m);
     let (least, most) = (radii().reduce(f64::min)?, radii().reduce(f64::max)?);
     let radii = match four_significant(least) == four_significant(most) {
@@ -118,19 +117,21 @@ impl TablePlaces {
         let mut growth = None;
         let (mut contacts, mut moved) = (Vec::new(), Vec::new());
         for row in &self.table.rows {
-            let body = plain(&row.body);
+            let body = name_without_path(&row.body);
             if !bodies.contains(body) {
-                return Err(self.no_body(row, model));
+                return Err(self.fault_of_missing_body(row, model));
             }
-            let place = row.place.on_body(body, || &pose, self.posed);
-            let place = place.map_err(|fault| self.refused(row, &fault))?;
+            let place = row.place.on_body(body, || &pose, self.at_default_pose);
+            let place = place.map_err(|fault| self.fault_of_place(row, &fault))?;
             if place.from_default_pose {
                 moved.push(row.name.as_str());
             }
             let radius_m = match (row.radius_m.or(self.radius_m), growth) {
-                (Some(said), _) => said,
+                (Some(given_radius), _) => given_radius,
                 (None, Some(growth)) => numbers.radius(Some(&row.name))? * growth,
-                (None, None) => numbers.radius(Some(&row.name))? * *growth.insert(numbers.growth(model)?),
+                (None, None) => {
+                    numbers.radius(Some(&row.name))? * *growth.insert(numbers.radius_ratio(model)?)
+                }
             };
             let mut contact = numbers.contact(&row.name, radius_m)?;
             contact.body = body.to_owned();
@@ -147,35 +148,35 @@ impl TablePlaces {
         Ok(contacts)
     }
 
-    /// Which of its places is farthest from its bones, if that is too far.
-    fn place_slip(&self, model: &Model, layout: &Layout) -> Option<NeedsAnswer> {
-        let bones = Bones::of(model);
-        let far = |contact: &NewContact| bones.distance(&contact.body, contact.location_m);
+    /// The question about the place that is farthest from its bones, if that is too far.
+    fn question_about_place(&self, model: &Model, layout: &Layout) -> Option<NeedsAnswer> {
+        let bones = JointPositions::of(model);
+        let distance = |contact: &NewContact| bones.distance(&contact.body, contact.location_m);
         let contacts = self.table.rows.iter().zip(&layout.contacts);
-        let far = contacts.filter_map(|(row, contact)| Some((row, far(contact)?)));
-        let (row, far) = far.max_by(|(_, a), (_, b)| a.times().total_cmp(&b.times()))?;
-        far.place_slip(&self.at(row), &row.name, plain(&row.body))
+        let distance = contacts.filter_map(|(row, contact)| Some((row, distance(contact)?)));
+        let (row, distance) = distance.max_by(|(_, a), (_, b)| a.relative().total_cmp(&b.relative()))?;
+        distance.question_about_place(&self.table_and_line(row), &row.name, name_without_path(&row.body))
     }
 
-    fn no_body(&self, row: &ContactRow, model: &Model) -> AddFault {
+    fn fault_of_missing_body(&self, row: &ContactRow, model: &Model) -> AddFault {
         let bodies: Vec<String> = model.bodies().iter().map(|body| body.name.clone()).collect();
-        let meant = meant(plain(&row.body), &bodies);
+        let meant = nearest_name_hint(name_without_path(&row.body), &bodies);
         let fault = FeetFault::NoBody { body: row.body.clone(), bodies };
-        AddFault::Beside(fault.code(), phrase![self.at(row), &fault.phrase(), meant])
+        AddFault::OutsideModel(fault.code(), phrase![self.table_and_line(row), &fault.phrase(), meant])
     }
 
-    fn refused(&self, row: &ContactRow, fault: &PlaceFault) -> AddFault {
+    fn fault_of_place(&self, row: &ContactRow, fault: &PlaceFault) -> AddFault {
         let name = &row.name;
         match fault {
             PlaceFault::Pose(why) => {
                 let why =
                     format!("{why}; give its place in columns x, y and z, in the frame of {}", row.body);
-                AddFault::Beside("unknown-pose", phrase![self.at(row), why])
+                AddFault::OutsideModel("unknown-pose", phrase![self.table_and_line(row), why])
             }
-            PlaceFault::OnlyGlobal => AddFault::Beside(
+            PlaceFault::OnlyGlobal => AddFault::OutsideModel(
                 "table",
                 phrase![
-                    self.at(row),
+                    self.table_and_line(row),
                     format!(
                         "{name} has a place in ground only, and {} is elsewhere: give its place in the frame of ",
                         row.body
@@ -193,12 +194,12 @@ impl TablePlaces {
                      global, or those in local)",
                     1e3 * apart_m
                 );
-                AddFault::Beside("table", phrase![self.at(row), text])
+                AddFault::OutsideModel("table", phrase![self.table_and_line(row), text])
             }
         }
     }
 
-    fn at(&self, row: &ContactRow) -> String {
+    fn table_and_line(&self, row: &ContactRow) -> String {
         format!("{}, line {}: ", self.name, row.line)
     }
 }
@@ -217,7 +218,9 @@ impl FeetPlaces {
         }
         let bodies: Vec<&str> = self.bodies.iter().map(String::as_str).collect();
         let bones = bones(model, &bodies, &folders, files)?;
-        answers.ask(bones.iter().find_map(|bone| size_slip(model, bone))).map_err(Fault::new)?;
+        answers
+            .ask(bones.iter().find_map(|bone| question_about_mesh_size(model, bone)))
+            .map_err(Fault::new)?;
         let nothing = |folder: &&PathBuf| !bones.iter().any(|bone| bone.file.starts_with(folder));
         if let Some(folder) =
             self.geometry_dir.as_ref().filter(nothing).filter(|folder| !files.exists(folder))
@@ -233,14 +236,14 @@ impl FeetPlaces {
     }
 }
 
-/// What is asked about a mesh in another unit, or of another animal.
-fn size_slip(model: &Model, bone: &Bone) -> Option<NeedsAnswer> {
+/// The question about a mesh that is probably in another unit, or of another animal.
+fn question_about_mesh_size(model: &Model, bone: &Bone) -> Option<NeedsAnswer> {
     let text = odd_size(model, bone)?.text;
     Some(NeedsAnswer::Other { question: Question::ImplausibleScale, text: text.into() })
 }
 
-/// What is asked about a foot that does not lie flat.
-fn tilted(sole: &Sole, model: &Model) -> Option<NeedsAnswer> {
+/// The question about a foot that does not lie flat.
+fn question_about_tilt(sole: &Sole, model: &Model) -> Option<NeedsAnswer> {
     let mut text: Phrase = sole.not_flat()?.into();
     let tilting = sole.tilted_by(model);
     text.push(&match tilting.is_empty() {
@@ -258,16 +261,17 @@ fn tilted(sole: &Sole, model: &Model) -> Option<NeedsAnswer> {
     Some(NeedsAnswer::Other { question: Question::TiltedFoot, text })
 }
 
-/// What is asked about a pair of feet of which one is turned otherwise than the other's mirror image.
-fn unequal(soles: &[Sole], model: &Model) -> Option<NeedsAnswer> {
+/// The question about two feet that are not posed as mirror images.
+fn question_about_unequal_feet(soles: &[Sole], model: &Model) -> Option<NeedsAnswer> {
     let pairs = soles
         .iter()
         .enumerate()
         .flat_map(|(at, one)| soles.iter().skip(at + 1).map(move |other| (one, other)));
-    let posed = pairs.filter_map(|(one, other)| Some((one, other, one.pose_asymmetry(other, model)?)));
+    let at_default_pose =
+        pairs.filter_map(|(one, other)| Some((one, other, one.pose_asymmetry(other, model)?)));
     let (sole, other, apart_rad) =
-        posed.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|pair| pair.2 > UNEQUAL)?;
-    let listed = |sole: &Sole| match TiltingCoordinate::listed(&sole.tilted_by(model)) {
+        at_default_pose.max_by(|a, b| a.2.total_cmp(&b.2)).filter(|pair| pair.2 > UNEQUAL_POSES_RAD)?;
+    let angles = |sole: &Sole| match TiltingCoordinate::listed(&sole.tilted_by(model)) {
         none if none.is_empty() => "0".to_owned(),
         values => values,
     };
@@ -278,24 +282,24 @@ fn unequal(soles: &[Sole], model: &Model) -> Option<NeedsAnswer> {
         name(sole),
         name(other),
         apart_rad.to_degrees(),
-        listed(sole),
-        listed(other),
+        angles(sole),
+        angles(other),
     );
     Some(NeedsAnswer::Other { question: Question::UnequalFeet, text: text.into() })
 }
 
-/// The spheres that stand on one sole, each called after the body that carries it.
-fn under(sole: &Sole, numbers: &Numbers) -> Result<Vec<NewContact>, AddFault> {
-    let mut of_body: Vec<(&str, usize)> = Vec::new();
+/// The new contacts of one sole; each is named after the body that carries it.
+fn contacts_of_sole(sole: &Sole, numbers: &Numbers) -> Result<Vec<NewContact>, AddFault> {
+    let mut counts: Vec<(&str, usize)> = Vec::new();
     let mut contacts = Vec::new();
     for sphere in &sole.spheres {
-        let count = match of_body.iter_mut().find(|(body, _)| *body == sphere.body) {
+        let count = match counts.iter_mut().find(|(body, _)| *body == sphere.body) {
             Some((_, count)) => {
                 *count += 1;
                 *count
             }
             None => {
-                of_body.push((&sphere.body, 1));
+                counts.push((&sphere.body, 1));
                 1
             }
         };
@@ -307,7 +311,7 @@ fn under(sole: &Sole, numbers: &Numbers) -> Result<Vec<NewContact>, AddFault> {
     Ok(contacts)
 }
 
-/// `calcn_1_r` for the first sphere of `calcn_r`: the side stays last.
+/// The name of the sphere with this number on a body, such as `calcn_1_r` for the first one of `calcn_r`.
 fn sphere_name(body: &str, number: usize) -> String {
     for mark in ["_r", "_l"] {
         if let Some(bone) = body.strip_suffix(mark) {

@@ -1,4 +1,4 @@
-//! Bodies as people write their names, and what keeps contacts from being added to them.
+//! Names of bodies in a request, and the faults for which contacts cannot be added.
 
 use std::path::Path;
 
@@ -9,16 +9,16 @@ use osim_model::{Fault, FaultKind, Needed};
 use osim_requests::RequestFault;
 use osim_requests::values::typed::trimmed;
 
-/// Where OpenSim has bodies, in its paths.
+/// OpenSim's paths of bodies begin with this.
 const BODY_SET: &str = "/bodyset/";
-/// Names that differ in at most this many letters are probably one.
-const NEAR: usize = 2;
+/// A name with at most this many wrong letters is probably a misspelled one.
+const MOST_WRONG_LETTERS: usize = 2;
 
-/// The bodies of a list, each once: names with commas or semicolons between them, in one text or in several.
+/// The names of bodies in `texts`, each once. Commas, semicolons or blanks separate names in one text.
 ///
 /// # Errors
 /// A name is missing.
-pub(super) fn listed(texts: &[String]) -> Result<Vec<String>, RequestFault> {
+pub(super) fn body_names(texts: &[String]) -> Result<Vec<String>, RequestFault> {
     let mut bodies: Vec<String> = Vec::new();
     for text in texts.iter().flat_map(|text| text.split([',', ';'])).map(trimmed) {
         if text.is_empty() {
@@ -29,7 +29,7 @@ pub(super) fn listed(texts: &[String]) -> Result<Vec<String>, RequestFault> {
             ];
             return Err(RequestFault::refused(Input::Feet, message));
         }
-        for body in text.split(' ').filter(|name| !name.is_empty()).map(plain) {
+        for body in text.split(' ').filter(|name| !name.is_empty()).map(name_without_path) {
             if !bodies.iter().any(|known| known == body) {
                 bodies.push(body.to_owned());
             }
@@ -38,39 +38,37 @@ pub(super) fn listed(texts: &[String]) -> Result<Vec<String>, RequestFault> {
     Ok(bodies)
 }
 
-/// The name of a body that is written with OpenSim's path.
-pub(super) fn plain(body: &str) -> &str {
+/// The name of a body, without OpenSim's path if there is one.
+pub(super) fn name_without_path(body: &str) -> &str {
     body.strip_prefix(BODY_SET).unwrap_or(body)
 }
 
-/// `: did you mean calcn_r?`, where one of `bodies` is nearly called `body`.
-pub(super) fn meant(body: &str, bodies: &[String]) -> String {
+/// `: did you mean calcn_r?`, if one of `bodies` has nearly the name `body`.
+pub(super) fn nearest_name_hint(body: &str, bodies: &[String]) -> String {
     let flat = |name: &str| name.to_lowercase();
     let apart = |known: &&String| strsim::osa_distance(&flat(known), &flat(body));
-    match bodies.iter().min_by_key(apart).filter(|known| apart(known) <= NEAR) {
+    match bodies.iter().min_by_key(apart).filter(|known| apart(known) <= MOST_WRONG_LETTERS) {
         Some(known) => format!(": did you mean {}?", shown(known)),
         None => String::new(),
     }
 }
 
-// What keeps contacts from being added: the model, or something beside it.
-
 /// Why contacts cannot be added to a model.
 pub(super) enum AddFault {
     Model(Box<Fault>),
-    /// Something beside the model: a table, a mesh.
-    Beside(&'static str, Phrase),
+    /// A table, a mesh or an option, with the code of the fault.
+    OutsideModel(&'static str, Phrase),
 }
 
 impl From<Fault> for AddFault {
     fn from(fault: Fault) -> Self {
-        // Contacts that are new were made for no mass before.
+        // The usual advice names the mass that old contacts were made for. New contacts were made for none.
         if let FaultKind::Needed(Needed::ModelMass { bodies, kg }) = fault.kind {
             let text = format!(
                 "the {bodies} bodies weigh {} kg in all: say what the model weighs with ",
                 readable(kg)
             );
-            return Self::Beside("no-mass", phrase![text, Input::Mass.with_placeholder("KG")]);
+            return Self::OutsideModel("no-mass", phrase![text, Input::Mass.with_placeholder("KG")]);
         }
         Self::Model(Box::new(fault))
     }
@@ -78,55 +76,52 @@ impl From<Fault> for AddFault {
 
 impl From<FeetFault> for AddFault {
     fn from(fault: FeetFault) -> Self {
-        let said = fault.phrase();
+        let sentence = fault.phrase();
         match fault {
             FeetFault::Model(fault) => Self::from(fault),
             FeetFault::NoBody { body, bodies } => {
-                Self::Beside("no-such-body", phrase![&said, meant(&body, &bodies)])
+                Self::OutsideModel("no-such-body", phrase![&sentence, nearest_name_hint(&body, &bodies)])
             }
             FeetFault::NoMesh { .. } => {
-                Self::Beside("no-mesh", phrase![&said, ": ", Input::Contacts.with_placeholder("TABLE")])
+                Self::OutsideModel("no-mesh", phrase![&sentence, ": ", Input::Contacts.with_placeholder("TABLE")])
             }
             FeetFault::MeshMissing { .. } => {
-                Self::Beside("mesh-missing", phrase![&said, ": ", Input::GeometryDir.with_placeholder("DIR")])
+                Self::OutsideModel("mesh-missing", phrase![&sentence, ": ", Input::GeometryDir.with_placeholder("DIR")])
             }
             FeetFault::TooManySpheres { .. } => {
-                Self::Beside("too-many-spheres", phrase![&said, " with ", Input::Count.with_placeholder("N")])
+                Self::OutsideModel("too-many-spheres", phrase![&sentence, " with ", Input::Count.with_placeholder("N")])
             }
             FeetFault::Pose(_) => {
                 let way_out = ": give the places in a table, ";
-                Self::Beside(
-                    "unknown-pose",
-                    phrase![&said, way_out, Input::Contacts.with_placeholder("TABLE")],
-                )
+                Self::OutsideModel("unknown-pose", phrase![&sentence, way_out, Input::Contacts.with_placeholder("TABLE")])
             }
             other @ (FeetFault::Mesh { .. } | FeetFault::Unreadable { .. } | FeetFault::Factors { .. }) => {
                 let way_out = "; or give the places in a table: ";
-                Self::Beside(other.code(), phrase![&said, way_out, Input::Contacts.with_placeholder("TABLE")])
+                Self::OutsideModel(other.code(), phrase![&sentence, way_out, Input::Contacts.with_placeholder("TABLE")])
             }
-            other => Self::Beside(other.code(), said),
+            other => Self::OutsideModel(other.code(), sentence),
         }
     }
 }
 
 impl AddFault {
-    pub(super) fn fault(self) -> Fault {
+    pub(super) fn into_fault(self) -> Fault {
         match self {
             Self::Model(fault) => *fault,
-            Self::Beside(_, message) => Fault::refused(message.to_string()),
+            Self::OutsideModel(_, message) => Fault::refused(message.to_string()),
         }
     }
 
-    pub(super) fn failure(self, opened: &OpenModel) -> Failure {
+    pub(super) fn into_failure(self, opened: &OpenModel) -> Failure {
         match self {
             Self::Model(fault) => opened.failure(*fault),
-            Self::Beside(code, message) => Failure::outside(opened.name(), code, message),
+            Self::OutsideModel(code, message) => Failure::outside(opened.name(), code, message),
         }
     }
 }
 
-/// The failure of a file that is read once for all models.
-pub(super) fn failure_of_table(path: &Path, fault: &crate::contact_table::TableFault) -> Failure {
+/// A fault in a table of contacts as a failure of that file.
+pub(super) fn table_failure(path: &Path, fault: &crate::contact_table::TableFault) -> Failure {
     let mut failure = Failure::outside(path, "table", fault.message.clone());
     failure.line = fault.line.and_then(|line| usize::try_from(line).ok());
     failure.column = fault.column;
@@ -149,20 +144,20 @@ mod tests {
             &["calcn_r", "calcn_r", "calcn_l"],
         ] {
             let texts: Vec<String> = texts.iter().map(|text| (*text).to_owned()).collect();
-            assert_eq!(listed(&texts).unwrap(), ["calcn_r", "calcn_l"], "{texts:?}");
+            assert_eq!(body_names(&texts).unwrap(), ["calcn_r", "calcn_l"], "{texts:?}");
         }
         for texts in [&["calcn_r", ""][..], &[""], &["calcn_r,,calcn_l"], &[" "]] {
             let texts: Vec<String> = texts.iter().map(|text| (*text).to_owned()).collect();
-            assert!(listed(&texts).is_err(), "{texts:?}");
+            assert!(body_names(&texts).is_err(), "{texts:?}");
         }
-        assert!(listed(&[]).unwrap().is_empty());
+        assert!(body_names(&[]).unwrap().is_empty());
     }
 
     #[test]
     fn names_that_are_nearly_right_are_proposed() {
         let bodies = ["pelvis", "calcn_r", "calcn_l"].map(str::to_owned);
-        assert_eq!(meant("Calcn_R", &bodies), ": did you mean calcn_r?");
-        assert_eq!(meant("calc_l", &bodies), ": did you mean calcn_l?");
-        assert_eq!(meant("hoof_r", &bodies), "");
+        assert_eq!(nearest_name_hint("Calcn_R", &bodies), ": did you mean calcn_r?");
+        assert_eq!(nearest_name_hint("calc_l", &bodies), ": did you mean calcn_l?");
+        assert_eq!(nearest_name_hint("hoof_r", &bodies), "");
     }
 }

@@ -1,4 +1,4 @@
-//! What a request plans for each of its models, and trial plans: which changes would be refused.
+//! A checked request that makes a plan for each of its models; and trial plans, which show what can be changed in a model.
 
 use std::path::{Path, PathBuf};
 
@@ -22,7 +22,7 @@ use crate::motion::MotionResult;
 use crate::motion_remarks::MotionRemark;
 use crate::opening::open_with;
 
-/// Plans what one verb does to a model, on any thread.
+/// Plans the change that one verb makes to a model. Threads share it.
 pub(crate) trait Planner: Send + Sync {
     /// Plans the change of a model.
     ///
@@ -30,7 +30,7 @@ pub(crate) trait Planner: Send + Sync {
     /// What only the caller can know, or what cannot be done with this model.
     fn plan(&self, model: &Model) -> Result<Plan, Fault>;
 
-    /// Plans the change of a model of which files beside it say something, such as the meshes of its bones.
+    /// Plans the change of a model, with files beside it such as the meshes of its bones.
     ///
     /// # Errors
     /// Those of [`plan`](Self::plan), with the name of the file and the place; a file that is missing or broken.
@@ -40,14 +40,14 @@ pub(crate) trait Planner: Send + Sync {
         self.plan(&opened.model).map_err(|fault| opened.failure(fault))
     }
 
-    /// What the contacts of the changed model do along the recording that the change follows, where it follows one.
+    /// The contacts of the changed model along the recording that they were fitted to, if there is one.
     fn recording(&self, changed: OpenModel) -> Option<(MotionResult, Vec<MotionRemark>)> {
         let _ = changed;
         None
     }
 }
 
-/// A request that was checked: where its models are, what it plans for each, and where results go.
+/// A request that was checked once for all of its models: where they are, how the change of each is planned, and where results go.
 ///
 /// ```
 /// use osim_model::FileId;
@@ -68,38 +68,37 @@ pub(crate) trait Planner: Send + Sync {
 /// }
 /// # Ok::<(), RequestError>(())
 /// ```
-pub struct Change {
-    /// What is done.
+pub struct PreparedChange {
     pub verb: Verb,
-    /// Files and folders.
+    /// Files and folders of models.
     pub models: Vec<PathBuf>,
     pub output: OutputOptions,
     /// Files of a standalone set.
     pub set_files: SetFiles,
     /// How a model is inspected before the change.
     pub options: InspectOptions,
-    /// What the contacts are taken from, where they are another body's.
+    /// The model or preset that the contacts come from, if they are another body's.
     pub reference: Option<ReferenceState>,
-    /// Gravity that the contacts are scaled to, m/s², if it is asked for.
+    /// Gravity that the contacts are scaled to, m/s², if the caller gave it.
     pub target_gravity_m_s2: Option<f64>,
-    /// What notes say of the request.
+    /// Parts of the request that the notes in the models repeat.
     pub details: NoteDetails,
-    /// Whether it is for several models: then a mass that was said for all of them is not taken for one whose note says another
-    /// without asking.
+    /// Whether it is for several models: then the program asks before it takes a mass that was given for all of them for one whose note
+    /// has another mass.
     pub is_for_several: bool,
     /// The mass that the contacts are scaled to, kg, if the caller gave it.
     pub(crate) target_mass_kg: Option<f64>,
-    /// What the caller has answered before it was asked.
+    /// The caller's answers to questions, given beforehand.
     pub(crate) answers: AnswerOptions,
-    /// Files that were read for all models.
-    pub(crate) reads: Vec<PathBuf>,
+    /// Files that were read once for all models.
+    pub(crate) extra_files: Vec<PathBuf>,
     /// The fields of the request that decide its results.
     pub(crate) settings: Map<String, Value>,
     pub(crate) planner: Box<dyn Planner>,
 }
 
-impl Change {
-    /// What `planner` does to `models`, which are inspected by `inspection`.
+impl PreparedChange {
+    /// The change that `planner` plans for `models`, which are inspected with the options `inspection`.
     pub(crate) fn new(
         verb: Verb,
         models: Vec<PathBuf>,
@@ -119,13 +118,13 @@ impl Change {
             is_for_several: false,
             target_mass_kg: None,
             answers: inspection.answers,
-            reads: Vec::new(),
+            extra_files: Vec::new(),
             settings: Map::new(),
             planner: Box::new(planner),
         }
     }
 
-    /// Opens one of its models, with the files of a standalone set.
+    /// Opens one of the models, with the files of a standalone set.
     ///
     /// # Errors
     /// It cannot be read.
@@ -133,7 +132,7 @@ impl Change {
         open_with(path, self.set_files.companion_paths(), files)
     }
 
-    /// Plans for a model without files beside it: no note, no warnings about the model, and nothing about what gets worse.
+    /// Plans the change of a model without files beside it. The plan has no note, and no findings about the model or the result.
     ///
     /// # Errors
     /// What only the caller can know, or what cannot be done with this model.
@@ -154,45 +153,50 @@ impl Change {
         self.ask_about_radii(&opened.model, plan).map_err(failure)
     }
 
-    /// Asks if a mass that the caller gave looks like a slip, or is not that of this model.
+    /// Asks if a mass that the caller gave looks like a slip, or differs from the one in the note of this model.
     fn ask_about_masses(&self, model: &Model) -> Result<(), Fault> {
-        let asks = self.is_for_several.then(|| against_note(&self.options.masses, model)).flatten();
+        let asks = self.is_for_several.then(|| question_against_note(&self.options.masses, model)).flatten();
         self.answers.ask(asks).map_err(Fault::new)?;
         let slip = unexplained_mass_slip(&self.masses(), model, &self.options.selection);
         self.answers.ask(slip).map_err(Fault::new)
     }
 
-    /// Asks about radii that look like a slip, and says what is odd about masses and no reason to ask.
+    /// Asks about radii that look like a slip, and adds a remark if a mass is perhaps in pounds.
     fn ask_about_radii(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
-        let odd = masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
+        let perhaps_in_pounds_question = masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
         let is_meant = self.answers.has(Question::MassInPounds);
-        plan.remarks.extend(odd.filter(|_| !is_meant).map(|odd| odd.doubt()));
+        plan.remarks.extend(
+            perhaps_in_pounds_question
+                .filter(|_| !is_meant)
+                .map(|perhaps_in_pounds_question| perhaps_in_pounds_question.doubt()),
+        );
         match plan.implausible_radius(model) {
             Some(fault) if !self.answers.has(Question::ImplausibleRadius) => Err(fault),
             _ => Ok(plan),
         }
     }
 
-    /// Every mass that the caller gave.
+    /// All masses that the caller gave.
     fn masses(&self) -> MassRequest {
         MassRequest { target_mass_kg: self.target_mass_kg, ..self.options.masses.clone() }
     }
 
-    /// Takes out of `message` the ways out that the verb does not have.
+    /// Removes from `message` the advice that names options which the verb does not have.
     pub fn keep_ways_out(&self, message: &mut Phrase) {
         message.choose_alternatives(&|input| takes(self.verb, input));
     }
 
-    /// Files that are read beside the models.
-    pub fn reads(&self) -> impl Iterator<Item = &PathBuf> {
-        self.set_files.paths().chain(&self.reads)
+    /// All files that are read beside the models.
+    pub fn extra_files(&self) -> impl Iterator<Item = &PathBuf> {
+        self.set_files.paths().chain(&self.extra_files)
     }
 
-    /// Everything that results follow from, but for the models and the bytes of [`reads`](Self::reads): equal texts, equal results.
+    /// What a resumed run compares: everything that decides results, except the bytes of the models and of
+    /// [`extra_files`](Self::extra_files). Equal texts mean equal results.
     pub fn settings(&self) -> String {
         // A note names files without their folders.
         let names: Vec<(Value, String)> =
-            self.reads().map(|read| (path::to_value(read), file_name(read))).collect();
+            self.extra_files().map(|read| (path::to_value(read), file_name(read))).collect();
         let shorten = |value: &mut Value| {
             if let Some((_, name)) = names.iter().find(|(read, _)| read == value) {
                 *value = name.as_str().into();
@@ -209,9 +213,9 @@ impl Change {
     }
 }
 
-/// What is asked before a mass that was said for several models is taken for one whose own note says another.
-fn against_note(said: &MassRequest, model: &Model) -> Option<NeedsAnswer> {
-    let (said_kg, noted_kg) = said.contacts_mass_kg.zip(said.disagreeing_note_kg(model))?;
+/// The question whether a mass that was given for several models is right for this one, whose note has another mass.
+fn question_against_note(given: &MassRequest, model: &Model) -> Option<NeedsAnswer> {
+    let (said_kg, noted_kg) = given.contacts_mass_kg.zip(given.disagreeing_note_kg(model))?;
     let text = phrase![
         Input::ContactsMass.with_value(readable(said_kg)),
         format!(" is for all models of this call, and the note in this one says {} kg: ", readable(noted_kg)),
@@ -227,19 +231,17 @@ pub(crate) fn file_name(path: &Path) -> String {
     path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned())
 }
 
-// Trial plans: which changes of a model would be refused, so that no remedy proposes them.
-
-/// Tries what can be changed in a model.
+/// Finds by trial plans what can be changed in a model, so that no remedy proposes a change that would be refused.
 pub fn changeable(options: &InspectOptions, model: &Model) -> Changeable {
-    with_numbers(options, model, can_be_changed(options, model))
+    changeable_with_numbers(options, model, numbers_may_change(options, model))
 }
 
-/// Tries the rest where it is known whether the numbers can be changed.
-pub(crate) fn with_numbers(options: &InspectOptions, model: &Model, numbers: bool) -> Changeable {
+/// Like [`changeable`], if it is known whether numbers can be changed.
+pub(crate) fn changeable_with_numbers(options: &InspectOptions, model: &Model, numbers: bool) -> Changeable {
     Changeable { numbers, radii: !numbers || radii_may_change(options, model) }
 }
 
-/// Whether radii may change: no sphere is used by a force that would not change with it. This is tried.
+/// Whether a trial plan that changes radii is accepted: it is not if another force uses a sphere and would not change with it.
 fn radii_may_change(options: &InspectOptions, model: &Model) -> bool {
     let mut trial = Set::new(vec![(Property::Radius, Assignment::Factor(2.0))]);
     trial.again = true;
@@ -247,8 +249,8 @@ fn radii_may_change(options: &InspectOptions, model: &Model) -> bool {
     !plan.is_err_and(|fault| matches!(fault.kind, FaultKind::Needed(Needed::SharedSphere { .. })))
 }
 
-/// Whether the numbers of `model` can be changed. This is tried: a remedy that would be refused does not help.
-fn can_be_changed(options: &InspectOptions, model: &Model) -> bool {
+/// Whether a trial plan that changes dissipation and stiffness is accepted.
+fn numbers_may_change(options: &InspectOptions, model: &Model) -> bool {
     let assignments =
         vec![(Property::Dissipation, Assignment::Value(0.0)), (Property::Stiffness, Assignment::Value(1.0))];
     let mut trial = Set::new(assignments);
@@ -257,7 +259,8 @@ fn can_be_changed(options: &InspectOptions, model: &Model) -> bool {
     plan.and_then(|plan| plan.patched(model, FileId::MAIN)).is_ok()
 }
 
-/// Checks a model that was inspected, after it was tried what can be changed; `beside` is what was found in files beside it.
+/// Checks a model that was inspected, and proposes only remedies that change what can be changed; `beside` are findings about files
+/// beside the model.
 pub fn check_with_trials(
     options: &InspectOptions,
     model: &Model,
@@ -283,7 +286,7 @@ mod tests {
     }
 
     #[test]
-    fn settings_change_with_what_decides_results() {
+    fn settings_differ_only_if_results_differ() {
         let rescale = |more: &str| {
             settings(&format!(r#"{{"verb": "rescale", "models": "a.osim", "target_mass": 80{more}}}"#))
         };

@@ -1,4 +1,4 @@
-//! A request to add contacts, checked, and what it reads once for all models.
+//! Checks a request to add contacts, and reads its reference or table once for all models.
 
 use std::path::Path;
 
@@ -10,59 +10,63 @@ use osim_patch::reference_of_layout;
 use osim_requests::options::InspectionOptions;
 use osim_requests::{AddRequest, DesignRequest, Metres, NewRadius, RequestError, RequestFault};
 
-use super::bodies::{failure_of_table, listed};
+use super::bodies::{body_names, table_failure};
 use super::places::{FeetPlaces, Places, TablePlaces};
 use super::reference::{
-    FromReference, Numbers, OfReference, Wanted, check_maps, contacts_of, layout, reference, transfer,
+    DesignedNumbers, FromReference, Numbers, ReferenceNumbers, check_maps, layout, open_reference, transfer,
+    wanted_contacts,
 };
 use super::{Adding, Source};
 use crate::contact_table::ContactTable;
-use crate::planner::Change;
-use crate::verbs::reference::{KnownMass, of_opened};
+use crate::prepared_change::PreparedChange;
+use crate::verbs::reference::{MassOfPublished, reference_of_opened};
 
-/// No sole is farther below the bones, in whatever unit, m.
+/// Largest distance of a sole below the bones, m.
 const LARGEST_PAD: f64 = 1e9;
-/// How far published spheres reach below the bones.
-const PADS: &str = "bones have no skin, so say how far below their lowest point the sole is, in metres: 0.033 under a human heel in \
+/// How far published spheres reach below the bones, for messages.
+const PAD_HINT: &str = "bones have no skin, so say how far below their lowest point the sole is, in metres: 0.033 under a human heel in \
                     the contacts of Falisse et al. (2022), 0 to 0.013 in others";
 
 /// Checks the request and reads the reference or the table once, for all models.
 ///
 /// # Errors
-/// Nothing says where the contacts are, or their numbers; the reference is neither a preset with places nor a model with
-/// contacts; a table that cannot be read; or options that say nothing.
-pub(in crate::verbs) fn prepare(request: AddRequest, files: &dyn Files) -> Result<Change, RequestError> {
+/// The places of the contacts or their numbers are not given; the reference is neither a preset with places nor a model with contacts;
+/// a table cannot be read; or options have no effect.
+pub(in crate::verbs) fn prepare(
+    request: AddRequest,
+    files: &dyn Files,
+) -> Result<PreparedChange, RequestError> {
     check(&request)?;
     let (source, reference, is_file, remarks) = match (places(&request, files)?, request.from.as_deref()) {
-        (None, None) => return Err(no_source().into()),
+        (None, None) => return Err(missing_source().into()),
         (None, Some(from)) => {
-            let (own, reference, is_file, remarks) = whole_reference(&request, from, files)?;
-            (Source::Reference(Box::new(own)), Some(reference), is_file, remarks)
+            let (numbers_or_contacts, reference, is_file, remarks) = whole_reference(&request, from, files)?;
+            (Source::Reference(Box::new(numbers_or_contacts)), Some(reference), is_file, remarks)
         }
         (Some(places), Some(from)) => {
-            let (own, reference, is_file) = numbers_of(&request, from, files)?;
-            let numbers = Numbers::Reference(Box::new(own));
-            (Source::Placed(places, numbers), Some(reference), is_file, Vec::new())
+            let (numbers_or_contacts, reference, is_file) = reference_numbers(&request, from, files)?;
+            let numbers = Numbers::Reference(Box::new(numbers_or_contacts));
+            (Source::OwnPlaces(places, numbers), Some(reference), is_file, Vec::new())
         }
         (Some(places), None) => {
             if !places.has_radii() {
-                return Err(no_radius().into());
+                return Err(missing_radius().into());
             }
-            let numbers = Numbers::Wanted(Box::new(wanted(&request)?));
-            (Source::Placed(places, numbers), None, false, Vec::new())
+            let numbers = Numbers::Designed(Box::new(designed_numbers(&request)?));
+            (Source::OwnPlaces(places, numbers), None, false, Vec::new())
         }
     };
-    // Contacts that are designed are inspected under the load of the design.
+    // Designed contacts are inspected under the load of the design.
     let (impact_speed, gravity) = match reference {
         Some(_) => (None, None),
         None => (request.numbers.impact_speed, request.load.gravity),
     };
-    let reads = request.from.iter().filter(|_| is_file).chain(&request.contacts).cloned().collect();
+    let extra_files = request.from.iter().filter(|_| is_file).chain(&request.contacts).cloned().collect();
     let planner = Adding {
         source,
         level: request.level,
         replace: request.replace,
-        own: request.choice.selection(),
+        replaced_forces: request.choice.selection(),
         body_scale: request.body_scale,
         answers: request.answers.clone(),
         friction: request.friction,
@@ -74,8 +78,8 @@ pub(in crate::verbs) fn prepare(request: AddRequest, files: &dyn Files) -> Resul
         answers: request.answers,
         ..InspectionOptions::default()
     };
-    let change = Change::new(Verb::Add, request.models, request.output, inspection, planner);
-    Ok(Change { reference, reads, ..change })
+    let change = PreparedChange::new(Verb::Add, request.models, request.output, inspection, planner);
+    Ok(PreparedChange { reference, extra_files, ..change })
 }
 
 fn check(request: &AddRequest) -> Result<(), RequestFault> {
@@ -111,17 +115,17 @@ fn check(request: &AddRequest) -> Result<(), RequestFault> {
     if !request.feet.is_empty() && request.pad.is_none() {
         return Err(RequestFault::refused(
             Input::Pad,
-            phrase![Input::Pad.with_placeholder("METRES"), " is missing: ", PADS],
+            phrase![Input::Pad.with_placeholder("METRES"), " is missing: ", PAD_HINT],
         ));
     }
     if let Some(pad) = request.pad.map(Metres::get).filter(|pad| *pad > LARGEST_PAD) {
-        let message = phrase![Input::Pad.with_value(readable(pad)), ": expected metres, at most 1e9; ", PADS];
+        let message = phrase![Input::Pad.with_value(readable(pad)), ": expected metres, at most 1e9; ", PAD_HINT];
         return Err(RequestFault::refused(Input::Pad, message));
     }
     Ok(())
 }
 
-/// Places that are the models' own, where they are given.
+/// The places that the request gives by a table or by feet; `None` if they come from the reference.
 fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, RequestError> {
     let radius_m = match request.radius {
         NewRadius::Metres(metres) => Some(metres),
@@ -129,7 +133,7 @@ fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, Req
     };
     if let Some(path) = &request.contacts {
         let bytes = crate::opening::read(path, files)?;
-        let table = ContactTable::read(&bytes).map_err(|fault| failure_of_table(path, &fault))?;
+        let table = ContactTable::read(&bytes).map_err(|fault| table_failure(path, &fault))?;
         if table.has_radii && radius_m.is_some() {
             let message = phrase![
                 Input::Radius.with_placeholder("METRES"),
@@ -138,7 +142,12 @@ fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, Req
             return Err(RequestFault::refused(Input::Radius, message).into());
         }
         let name = path.display().to_string();
-        return Ok(Some(Places::Table(TablePlaces { name, table, posed: request.default_pose, radius_m })));
+        return Ok(Some(Places::Table(TablePlaces {
+            name,
+            table,
+            at_default_pose: request.default_pose,
+            radius_m,
+        })));
     }
     let (false, Some(count), Some(pad)) =
         (request.feet.is_empty(), request.count, request.pad.map(Metres::get))
@@ -146,7 +155,7 @@ fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, Req
         return Ok(None);
     };
     Ok(Some(Places::Feet(FeetPlaces {
-        bodies: listed(&request.feet)?,
+        bodies: body_names(&request.feet)?,
         count: usize::from(count.get()),
         pad_m: pad,
         geometry_dir: request.geometry_dir.clone(),
@@ -154,14 +163,16 @@ fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, Req
     })))
 }
 
+/// A reference from which places and numbers come.
 fn whole_reference(
     request: &AddRequest,
     from: &Path,
     files: &dyn Files,
 ) -> Result<(FromReference, ReferenceState, bool, Vec<Phrase>), RequestError> {
-    let (opened, is_file) = reference(from, files)?;
+    let (opened, is_file) = open_reference(from, files)?;
     let transfer = transfer(request, from);
-    let (reference, state, Some(generic)) = of_opened(&transfer, from, &opened, KnownMass::Asked, files)?
+    let (reference, state, Some(generic)) =
+        reference_of_opened(&transfer, from, &opened, MassOfPublished::AskCaller, files)?
     else {
         return Err(RequestFault::Missing { field: "from" }.into());
     };
@@ -170,40 +181,41 @@ fn whole_reference(
     check_maps(request, model, &selected)?;
     let (layout, mut anatomy, remarks) =
         layout(request, model, &selected).map_err(|fault| opened.failure(fault))?;
-    // Presets have the bodies with spheres and their joint.
+    // Presets have the bodies with spheres and their joint only.
     anatomy.is_fragment = !is_file;
-    let transferring = crate::verbs::transfer::planner(transfer, reference, Some(generic.clone()));
+    let transfer_planner = crate::verbs::transfer::planner(transfer, reference, Some(generic.clone()));
     let maps = request.body_map.clone();
-    Ok((FromReference { layout, anatomy, transferring, generic, maps }, state, is_file, remarks))
+    Ok((FromReference { layout, anatomy, transfer_planner, generic, maps }, state, is_file, remarks))
 }
 
-/// The reference's contacts without its places.
-fn numbers_of(
+/// A reference from which only the numbers of the contacts come.
+fn reference_numbers(
     request: &AddRequest,
     from: &Path,
     files: &dyn Files,
-) -> Result<(OfReference, ReferenceState, bool), RequestError> {
-    let (opened, is_file) = reference(from, files)?;
+) -> Result<(ReferenceNumbers, ReferenceState, bool), RequestError> {
+    let (opened, is_file) = open_reference(from, files)?;
     let transfer = transfer(request, from);
-    let (reference, state, generic) = of_opened(&transfer, from, &opened, KnownMass::Asked, files)?;
+    let (reference, state, generic) =
+        reference_of_opened(&transfer, from, &opened, MassOfPublished::AskCaller, files)?;
     let layout = selection(request)
         .apply(&opened.model)
-        .and_then(|selected| contacts_of(request, &opened.model, &selected))
+        .and_then(|selected| wanted_contacts(request, &opened.model, &selected))
         .map_err(|fault| opened.failure(fault))?;
-    let transferring = crate::verbs::transfer::planner(transfer, reference, generic);
-    let known = &transferring.reference;
+    let transfer_planner = crate::verbs::transfer::planner(transfer, reference, generic);
+    let known = &transfer_planner.reference;
     let (mass, sphere_count) = (known.mass.clone(), known.sphere_count);
     let reference = reference_of_layout(&known.name, &layout, mass, sphere_count, known.gravity_m_s2)
         .map_err(|fault| opened.failure(fault))?;
-    Ok((OfReference { layout, reference, transferring }, state, is_file))
+    Ok((ReferenceNumbers { layout, reference, transfer_planner }, state, is_file))
 }
 
 fn selection(request: &AddRequest) -> Selection {
     Selection { select: request.reference.reference_select.clone(), ..Selection::default() }
 }
 
-/// What is wanted of contacts without a reference.
-fn wanted(request: &AddRequest) -> Result<Wanted, RequestFault> {
+/// Numbers of contacts that are designed, without a reference.
+fn designed_numbers(request: &AddRequest) -> Result<DesignedNumbers, RequestFault> {
     let numbers = &request.numbers;
     if numbers.indentation.is_none() && numbers.young.is_none() {
         return Err(RequestFault::general(phrase![
@@ -234,29 +246,29 @@ fn wanted(request: &AddRequest) -> Result<Wanted, RequestFault> {
         counts: request.counts.clone(),
         ..DesignRequest::default()
     };
-    Ok(Wanted {
+    Ok(DesignedNumbers {
         kind: class.kind(),
         friction: friction.iter().filter_map(|&(property, value)| Some((property, value?))).collect(),
-        designing: crate::verbs::design::planner(design)?,
-        remarks: of_defaults(request, class.kind()),
+        design_planner: crate::verbs::design::planner(design)?,
+        remarks: remarks_on_defaults(request, class.kind()),
     })
 }
 
-/// What comes from OpenSim's defaults, because nothing else gives it.
-fn of_defaults(request: &AddRequest, kind: ForceKind) -> Vec<Phrase> {
+/// Remarks on numbers that are OpenSim's defaults, because the request does not give them.
+fn remarks_on_defaults(request: &AddRequest, kind: ForceKind) -> Vec<Phrase> {
     let numbers = &request.numbers;
     let class = osim_model::Class::ContactParameters;
-    let mut silent: Vec<String> = Vec::new();
+    let mut defaulted: Vec<String> = Vec::new();
     if numbers.restitution.is_none() {
-        silent.push("dissipation 0".to_owned());
+        defaulted.push("dissipation 0".to_owned());
     }
     let friction = numbers.friction().into_iter().filter(|(_, value)| value.is_none());
-    silent.extend(friction.map(|(property, _)| format!("{property} {}", class.default(property))));
+    defaulted.extend(friction.map(|(property, _)| format!("{property} {}", class.default(property))));
     let mut remarks: Vec<Phrase> = Vec::new();
-    if !silent.is_empty() {
+    if !defaulted.is_empty() {
         let slides = numbers.friction().iter().all(|(_, value)| value.is_none());
         let slides = if slides { "; without friction feet slide" } else { "" };
-        let text = format!("not given, so OpenSim's defaults are written: {}{slides}", silent.join(", "));
+        let text = format!("not given, so OpenSim's defaults are written: {}{slides}", defaulted.join(", "));
         remarks.push(text.into());
     }
     let smoothing = [
@@ -271,8 +283,7 @@ fn of_defaults(request: &AddRequest, kind: ForceKind) -> Vec<Phrase> {
     remarks
 }
 
-/// Only a reference has radii of its own.
-fn no_radius() -> RequestFault {
+fn missing_radius() -> RequestFault {
     let message = phrase![
         Input::Radius.with_placeholder("METRES"),
         " is missing: without a reference, and without a column radius in a table, nothing says how large the spheres are",
@@ -280,8 +291,7 @@ fn no_radius() -> RequestFault {
     RequestFault::refused(Input::Radius, message)
 }
 
-/// There are three ways to say where contacts are.
-fn no_source() -> RequestFault {
+fn missing_source() -> RequestFault {
     RequestFault::general(phrase![
         "nothing says where the contacts are: ",
         Input::From.with_placeholder("MODEL|PRESET"),

@@ -1,4 +1,4 @@
-//! Contacts fitted to recordings of a gait.
+//! The verb `fit` with recordings: contacts that are fitted to gaits.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -17,16 +17,18 @@ use osim_patch::{Plan, RecordingErrors, Set, set};
 use osim_requests::options::InspectionOptions;
 use osim_requests::{FitRequest, FittedChoice, HeightChoice, MotionRequest, RequestError, RequestFault};
 
-use super::fitted_words::remarks;
-use crate::motion::{MotionResult, OnGround, PlatesRead, belt, recording_options, table, weight};
-use crate::motion_remarks::{MotionRemark, other_weight};
-use crate::planner::{Change, Planner, file_name};
+use super::fit_remarks::remarks;
+use crate::motion::{
+    FollowedMotion, MotionResult, PlatesRead, belt_of_motion, mass_and_gravity, read_table, recording_options,
+};
+use crate::motion_remarks::{MotionRemark, weight_mismatch};
+use crate::prepared_change::{Planner, PreparedChange, file_name};
 
-/// Digits that are kept of a fitted number: more are not determined.
-const DIGITS: usize = 5;
+/// Significant digits of a fitted number that are written: more are not determined.
+const SIGNIFICANT_DIGITS: usize = 5;
 
-/// One recording.
-struct TrialFiles {
+/// One recording, as its files have it.
+struct TrialInput {
     name: String,
     table: Table,
     options: RecordingOptions,
@@ -34,8 +36,8 @@ struct TrialFiles {
     belt: Belt,
 }
 
-struct Fitting {
-    trials: Vec<TrialFiles>,
+struct FitPlanner {
+    trials: Vec<TrialInput>,
     bounds: FitBounds,
     options: InspectOptions,
 }
@@ -44,7 +46,7 @@ struct Fitting {
 ///
 /// # Errors
 /// Files that are missing or do not go together.
-pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, RequestError> {
+pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<PreparedChange, RequestError> {
     let Some(model) = request.file.clone() else {
         return Err(RequestFault::Missing { field: "file" }.into());
     };
@@ -62,9 +64,9 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
     let mut trials = Vec::new();
     for (index, (motion, table_of_plates)) in motions.iter().zip(plates).enumerate() {
         let loads = loads.get(index).or(loads.first()).map(PathBuf::as_path);
-        let table = table(motion, files)?;
-        let belt = belt(motion, &table, request.belt, request.belt_column.as_deref())?;
-        trials.push(TrialFiles {
+        let table = read_table(motion, files)?;
+        let belt = belt_of_motion(motion, &table, request.belt, request.belt_column.as_deref())?;
+        trials.push(TrialInput {
             name: file_name(motion),
             belt: belt.unwrap_or_default(),
             table,
@@ -72,7 +74,7 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
             plates: PlatesRead::read(table_of_plates, loads, files)?,
         });
     }
-    let reads = motions.iter().chain(plates).chain(loads).cloned().collect();
+    let extra_files = motions.iter().chain(plates).chain(loads).cloned().collect();
     let bounds = bounds(&request);
     if request.height_in == HeightChoice::Spheres && bounds.wanted.height.is_none() {
         let why = phrase![
@@ -85,11 +87,14 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Change, 
     }
     let FitRequest { masses, choice, output, answers, set_files, .. } = request;
     let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
-    let planner = Fitting { trials, bounds, options: InspectOptions::from(&inspection) };
-    Ok(Change { reads, ..Change::new(Verb::Fit, vec![model], output, inspection, planner) })
+    let planner = FitPlanner { trials, bounds, options: InspectOptions::from(&inspection) };
+    Ok(PreparedChange {
+        extra_files,
+        ..PreparedChange::new(Verb::Fit, vec![model], output, inspection, planner)
+    })
 }
 
-/// What is fitted, and between which bounds.
+/// Which parameters are fitted, and their bounds.
 fn bounds(request: &FitRequest) -> FitBounds {
     let is_wanted = |choice| request.fit.is_empty() || request.fit.contains(&choice);
     let is_in_spheres = request.height_in == HeightChoice::Spheres;
@@ -104,83 +109,83 @@ fn bounds(request: &FitRequest) -> FitBounds {
     }
 }
 
-/// One trial, seen by a model.
-struct Seen {
+/// The contacts of a model along one trial, and what the plates measured.
+struct TrialStates {
     summary: Summary,
     trial: FitTrial,
     planes: Vec<HalfSpace>,
-    /// Which way is down for each sphere in its body, where the height is in the spheres.
+    /// The direction down of each sphere in the frame of its body, if the fitted height moves spheres.
     down: BTreeMap<SphereId, DVec3>,
     measured: Measured,
 }
 
-impl Fitting {
+impl FitPlanner {
     /// The contacts of a model along a trial, and its feet.
-    fn follow(
+    fn follow_trial(
         &self,
-        trial: &TrialFiles,
+        trial: &TrialInput,
         model: &Model,
         selected: &Selected,
     ) -> Result<(Recording, ContactStates, Vec<Foot>), Fault> {
         let recording = Recording::of(model, &trial.table, &trial.options)
             .map_err(|fault| Fault::refused(format!("{}: {}", trial.name, fault.message)))?;
         let states = ContactStates::of(model, &recording, &selected.forces, trial.belt.clone())
-            .map_err(|error| unseen(&trial.name, error))?;
+            .map_err(|error| fault_of_states(&trial.name, error))?;
         let feet = Foot::all(model, &states, &selected.forces);
         Ok((recording, states, feet))
     }
 
-    /// One trial; `first` is what the first one showed.
-    fn see(
+    /// The contacts along one trial; `first` is the first trial.
+    fn trial_states(
         &self,
-        trial: &TrialFiles,
+        trial: &TrialInput,
         model: &Model,
         selected: &Selected,
         weight_n: f64,
-        first: Option<&Seen>,
-    ) -> Result<Seen, Fault> {
-        let (recording, states, feet) = self.follow(trial, model, selected)?;
+        first: Option<&TrialStates>,
+    ) -> Result<TrialStates, Fault> {
+        let (recording, states, feet) = self.follow_trial(trial, model, selected)?;
         let measured = Measured::of(&trial.plates.plates, &feet, &states, weight_n);
         let summary = Summary::of(&states, &feet, Some(&measured), weight_n);
         let fitted = match self.bounds.wanted.height {
             Some(FittedHeight::Spheres) => {
                 let down = first.map(|first| first.trial.down.as_slice());
                 FitTrial::of_lowered(model, &recording, &states, (&feet, &measured), weight_n, down)
-                    .map_err(|error| unseen(&trial.name, error))?
+                    .map_err(|error| fault_of_states(&trial.name, error))?
             }
             _ => FitTrial::of(&states, &feet, &measured, weight_n),
         };
         let down = states.pairs.iter().map(|pair| pair.sphere).zip(fitted.down.iter().copied()).collect();
-        Ok(Seen { summary, trial: fitted, planes: states.planes, down, measured })
+        Ok(TrialStates { summary, trial: fitted, planes: states.planes, down, measured })
     }
 
-    /// The values and places that a fit comes to.
-    fn wanted(
+    /// The new values and places that follow from a fit.
+    fn changes_of_fit(
         &self,
         model: &Model,
         selected: &Selected,
         fit: &MotionFit,
-        seen: &[Seen],
+        states_of_trials: &[TrialStates],
         mass_kg: f64,
     ) -> Result<Set, Fault> {
         let mut assignments = Vec::new();
-        let mut said: Vec<String> = Vec::new();
+        let mut summary: Vec<String> = Vec::new();
         if let Some(factor) = fit.stiffness_factor {
-            let assignment = stiffness(model, selected, factor.value);
-            said.push(format!("stiffness={assignment}"));
+            let assignment = stiffness_assignment(model, selected, factor.value);
+            summary.push(format!("stiffness={assignment}"));
             assignments.push((Property::Stiffness, assignment));
         }
         if let Some(dissipation) = fit.dissipation {
-            let assignment = Assignment::Value(rounded(dissipation.value));
-            said.push(format!("dissipation={assignment}"));
+            let assignment = Assignment::Value(with_significant_digits(dissipation.value));
+            summary.push(format!("dissipation={assignment}"));
             assignments.push((Property::Dissipation, assignment));
         }
         let mut wanted = Set::new(assignments);
-        // Of several trials, each has a floor of its own: the model gets that of the first. Where spheres move instead, that one stays.
+        // Each trial has a floor of its own. The model gets the floor of the first trial, unless spheres move instead.
         if let Some(up) = fit.floor_up_m.first().filter(|_| fit.spheres_down_m.is_none()) {
             let up_m = (up.value * 1e6).round() / 1e6;
-            said.push(format!("floor_up={}", shortest(up_m)));
-            for plane in seen.first().into_iter().flat_map(|first| &first.planes) {
+            summary.push(format!("floor_up={}", shortest(up_m)));
+            for plane in states_of_trials.first().into_iter().flat_map(|first| &first.planes) {
                 if !plane.on_ground {
                     return Err(Fault::refused(format!(
                         "the floor {} is on the body {}: only a floor on ground has a height that can be fitted",
@@ -194,11 +199,11 @@ impl Fitting {
             }
         }
         if let Some(down) = fit.spheres_down_m {
-            wanted.centres = centres(model, seen, down.value)?;
-            said.push("spheres".to_owned());
+            wanted.centres = fitted_centres(model, states_of_trials, down.value)?;
+            summary.push("spheres".to_owned());
         }
-        wanted.fitted = Some(said.join(" "));
-        // What was fitted to a body carries that body.
+        wanted.fitted = Some(summary.join(" "));
+        // Contacts are made for the body whose gait they were fitted to.
         wanted.made_for_kg = Some(mass_kg);
         wanted.again = true;
         let noted = || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
@@ -208,12 +213,12 @@ impl Fitting {
     }
 }
 
-impl Fitting {
-    /// What the contact is at every size.
-    fn without_dimensions(&self, changed: &Model) -> Option<Phrase> {
+impl FitPlanner {
+    /// A remark with the dimensionless numbers of the fitted contact, which rescaling keeps.
+    fn remark_on_dimensionless_numbers(&self, changed: &Model) -> Option<Phrase> {
         let name = FileName::from(Path::new("model"));
-        let seen = self.options.inspect(name, changed, None);
-        let sphere = seen.figures.spheres().next()?;
+        let states_of_trials = self.options.inspect(name, changed, None);
+        let sphere = states_of_trials.figures.spheres().next()?;
         let depth = sphere.value(Figure::Indentation)?;
         let stiffness = sphere.value(Figure::DimensionlessStiffness)?;
         Some(Phrase::from(format!(
@@ -224,70 +229,79 @@ impl Fitting {
     }
 }
 
-impl Planner for Fitting {
+impl Planner for FitPlanner {
     fn recording(&self, changed: OpenModel) -> Option<(MotionResult, Vec<MotionRemark>)> {
         let trial = self.trials.first()?;
         let selected = self.options.selection.apply(&changed.model).ok()?;
-        let (recording, states, feet) = self.follow(trial, &changed.model, &selected).ok()?;
-        let weight = weight(&self.options.masses, &changed.model).ok()?;
-        let on_ground = OnGround { recording, states, feet, weight, belt: Some(trial.belt.clone()) };
+        let (recording, states, feet) = self.follow_trial(trial, &changed.model, &selected).ok()?;
+        let mass_and_gravity = mass_and_gravity(&self.options.masses, &changed.model).ok()?;
+        let followed =
+            FollowedMotion { recording, states, feet, mass_and_gravity, belt: Some(trial.belt.clone()) };
         let name = FileName::from(Path::new(&trial.name));
-        let result = on_ground.beside(changed, name, Some(trial.plates.clone()));
-        let remarks = result.remarks_without_belt(&MotionRequest::default());
+        let result = followed.compared_with_plates(changed, name, Some(trial.plates.clone()));
+        let remarks = result.remarks_without_options(&MotionRequest::default());
         Some((result, remarks))
     }
 
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.options.selection.apply(model)?;
-        let (mass_kg, gravity_m_s2) = weight(&self.options.masses, model)?;
+        let (mass_kg, gravity_m_s2) = mass_and_gravity(&self.options.masses, model)?;
         let weight_n = mass_kg * gravity_m_s2;
-        let mut seen: Vec<Seen> = Vec::new();
+        let mut states_of_trials: Vec<TrialStates> = Vec::new();
         for trial in &self.trials {
-            seen.push(self.see(trial, model, &selected, weight_n, seen.first())?);
+            states_of_trials.push(self.trial_states(
+                trial,
+                model,
+                &selected,
+                weight_n,
+                states_of_trials.first(),
+            )?);
         }
-        let trials: Vec<FitTrial> = seen.iter().map(|one| one.trial.clone()).collect();
-        let uses = || seen.iter().flat_map(|one| &one.measured.uses);
-        let of_no_foot = uses().find(|one| one.by.is_none()).map(|one| &one.plate);
-        let fit = fit_motion(&trials, &self.bounds).map_err(|error| no_fit(&error, of_no_foot))?;
-        let first = seen.first().ok_or_else(|| Fault::refused(FitError::NoForce.to_string()))?;
-        let wanted = self.wanted(model, &selected, &fit, &seen, mass_kg)?;
+        let trials: Vec<FitTrial> = states_of_trials.iter().map(|one| one.trial.clone()).collect();
+        let uses = || states_of_trials.iter().flat_map(|one| &one.measured.uses);
+        let plate_of_no_foot = uses().find(|one| one.by.is_none()).map(|one| &one.plate);
+        let fit =
+            fit_motion(&trials, &self.bounds).map_err(|error| fault_of_fit(&error, plate_of_no_foot))?;
+        let first = states_of_trials.first().ok_or_else(|| Fault::refused(FitError::NoForce.to_string()))?;
+        let wanted = self.changes_of_fit(model, &selected, &fit, &states_of_trials, mass_kg)?;
         let mut plan = set(model, &selected, &wanted)?;
         let changed = plan.changed(model)?;
-        // The floor of the model is that of the first trial, and what its plates say does not change with the model.
+        // The measured forces of the first trial are those of the original, because they do not depend on the contacts.
         let after = match self.trials.first() {
             Some(trial) => {
-                let (_, states, feet) = self.follow(trial, &changed, &selected)?;
+                let (_, states, feet) = self.follow_trial(trial, &changed, &selected)?;
                 Summary::of(&states, &feet, Some(&first.measured), weight_n)
             }
             None => first.summary.clone(),
         };
-        plan.errors = Some(errors(&fit, &after)?);
-        // Where spheres move, the floor of the first recording stays.
+        plan.errors = Some(recording_errors(&fit, &after)?);
+        // If spheres move, the floor of the first recording stays.
         let first_m = fit.spheres_down_m.map(|_| 0.0);
         plan.floor_up_m = first_m.into_iter().chain(fit.floor_up_m.iter().map(|up| up.value)).collect();
         let others = match wanted.planes.is_empty() {
             true => Vec::new(),
-            false => others_on(model, &selected, &first.planes),
+            false => other_forces_on(model, &selected, &first.planes),
         };
-        let subject = seen.iter().find_map(|one| other_weight(&one.summary, mass_kg, gravity_m_s2));
+        let subject =
+            states_of_trials.iter().find_map(|one| weight_mismatch(&one.summary, mass_kg, gravity_m_s2));
         plan.remarks.extend(subject.map(Phrase::from));
         let gaps = self.trials.iter().filter_map(|trial| trial.plates.gaps_during(&trial.table.time_s));
         plan.remarks.extend(gaps.map(Phrase::from));
         plan.remarks.extend(remarks(&fit, &trials, (&first.summary, &after), &self.bounds, &others));
-        plan.remarks.extend(self.without_dimensions(&changed));
+        plan.remarks.extend(self.remark_on_dimensionless_numbers(&changed));
         Ok(plan)
     }
 }
 
-fn unseen(trial: &str, error: StatesError) -> Fault {
+fn fault_of_states(trial: &str, error: StatesError) -> Fault {
     match error {
         StatesError::Model(fault) => *fault,
         other => Fault::refused(format!("{trial}: {other}")),
     }
 }
 
-/// Names of applied forces that are not chosen and press on one of `planes`.
-fn others_on(model: &Model, selected: &Selected, planes: &[HalfSpace]) -> Vec<String> {
+/// Names of applied forces that use one of `planes` and are not chosen.
+fn other_forces_on(model: &Model, selected: &Selected, planes: &[HalfSpace]) -> Vec<String> {
     let others = model.forces().iter().filter(|force| force.applies && !selected.forces.contains(&force.id));
     let is_same = |one: &HalfSpace| planes.iter().any(|plane| plane.path == one.path);
     let on = |force: &&osim_model::Force| {
@@ -296,9 +310,9 @@ fn others_on(model: &Model, selected: &Selected, planes: &[HalfSpace]) -> Vec<St
     others.filter(on).map(|force| force.name.clone()).collect()
 }
 
-/// Why there is no fit, and what would help.
-fn no_fit(error: &FitError, of_no_foot: Option<&String>) -> Fault {
-    match (error, of_no_foot) {
+/// The fault if there is no fit, with advice.
+fn fault_of_fit(error: &FitError, plate_of_no_foot: Option<&String>) -> Fault {
+    match (error, plate_of_no_foot) {
         (FitError::NoForce, Some(plate)) => Fault::refused(format!(
             "nothing says which foot the force '{plate}' is under, so there is nothing to fit to: an ExternalLoads file says it"
         )),
@@ -306,9 +320,8 @@ fn no_fit(error: &FitError, of_no_foot: Option<&String>) -> Fault {
     }
 }
 
-/// # Errors
-/// Forces that are not finite.
-fn errors(fit: &MotionFit, after: &Summary) -> Result<RecordingErrors, Fault> {
+/// The errors of the fitted model; refused if forces are not finite.
+fn recording_errors(fit: &MotionFit, after: &Summary) -> Result<RecordingErrors, Fault> {
     let feet = || after.feet.iter().filter_map(|foot| foot.comparison.as_ref());
     let largest = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
     let worst = |of: fn(&osim_motion::Comparison) -> f64| feet().map(of).fold(0.0, largest);
@@ -327,10 +340,14 @@ fn errors(fit: &MotionFit, after: &Summary) -> Result<RecordingErrors, Fault> {
     })
 }
 
-/// Where the centres of all spheres that were fitted are to be in their own frames, m, to the micrometre.
-fn centres(model: &Model, seen: &[Seen], down_m: f64) -> Result<Vec<(SphereId, [f64; 3])>, Fault> {
-    let feet = || seen.iter().flat_map(|one| &one.trial.feet);
-    let directions = seen.first().into_iter().flat_map(|first| &first.down);
+/// The new centres of all fitted spheres in their own frames, m, rounded to micrometres.
+fn fitted_centres(
+    model: &Model,
+    states_of_trials: &[TrialStates],
+    down_m: f64,
+) -> Result<Vec<(SphereId, [f64; 3])>, Fault> {
+    let feet = || states_of_trials.iter().flat_map(|one| &one.trial.feet);
+    let directions = states_of_trials.first().into_iter().flat_map(|first| &first.down);
     let fitted = directions.filter(|(id, _)| feet().any(|foot| foot.spheres.contains(id)));
     let mut centres = Vec::new();
     for (&id, down) in fitted {
@@ -338,7 +355,7 @@ fn centres(model: &Model, seen: &[Seen], down_m: f64) -> Result<Vec<(SphereId, [
         let by_m = model.rotation_of(sphere)?.inverse().to_body(down_m * *down);
         let rounded = |metres: f64| (metres * 1e6).round() / 1e6;
         let location_m = std::array::from_fn(|i| {
-            // What does not move keeps all its digits.
+            // A coordinate that does not change keeps all its digits.
             if rounded(by_m[i]) == 0.0 {
                 sphere.location_m[i]
             } else {
@@ -350,8 +367,8 @@ fn centres(model: &Model, seen: &[Seen], down_m: f64) -> Result<Vec<(SphereId, [
     Ok(centres)
 }
 
-/// The stiffness as one value where all forces have the same, else as a factor.
-fn stiffness(model: &Model, selected: &Selected, factor: f64) -> Assignment {
+/// The change of stiffness: a value if all forces have the same stiffness, else a factor.
+fn stiffness_assignment(model: &Model, selected: &Selected, factor: f64) -> Assignment {
     let forces = selected.forces.iter().filter_map(|&id| model.force(id));
     let values = forces.flat_map(|force| {
         force.sets.iter().filter_map(|set| force.checked(set.id, Property::Stiffness).ok().flatten())
@@ -359,13 +376,13 @@ fn stiffness(model: &Model, selected: &Selected, factor: f64) -> Assignment {
     let values: Vec<f64> = values.collect();
     match values.first() {
         Some(&first) if values.iter().all(|&value| value == first) => {
-            Assignment::Value(rounded(first * factor))
+            Assignment::Value(with_significant_digits(first * factor))
         }
-        _ => Assignment::Factor(rounded(factor)),
+        _ => Assignment::Factor(with_significant_digits(factor)),
     }
 }
 
-/// With as many digits as a fit can give.
-fn rounded(value: f64) -> f64 {
-    format!("{value:.*e}", DIGITS - 1).parse().unwrap_or(value)
+/// The value with the digits that are written.
+fn with_significant_digits(value: f64) -> f64 {
+    format!("{value:.*e}", SIGNIFICANT_DIGITS - 1).parse().unwrap_or(value)
 }

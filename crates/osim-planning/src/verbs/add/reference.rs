@@ -1,4 +1,4 @@
-//! Contacts as a reference has them, on the bodies that take them here; and numbers of contacts whose places are given.
+//! Contacts of a reference, on the bodies of the model that get them; and numbers of contacts whose places are given.
 
 use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
@@ -16,87 +16,88 @@ use osim_patch::{
 use osim_requests::{AddRequest, BodyMap, NewRadius, Radius, RequestError, RequestFault, TransferRequest};
 
 use super::bodies::AddFault;
-use crate::opening::{Named, open, placed_preset};
-use crate::verbs::design::Designing;
-use crate::verbs::reference::Generic;
-use crate::verbs::transfer::Transferring;
+use crate::opening::{NamedSource, open, placed_preset};
+use crate::verbs::design::DesignPlanner;
+use crate::verbs::reference::GenericModel;
+use crate::verbs::transfer::TransferPlanner;
 
-/// Where the numbers come from.
+/// Where the numbers of contacts with given places come from.
 pub(super) enum Numbers {
-    /// The contacts of a reference, without dimensions.
-    Reference(Box<OfReference>),
-    Wanted(Box<Wanted>),
+    /// From a reference, scaled to the model.
+    Reference(Box<ReferenceNumbers>),
+    /// From a design.
+    Designed(Box<DesignedNumbers>),
 }
 
-/// Contacts of a reference.
-pub(super) struct OfReference {
-    /// As they are there, in the class that is wanted.
+/// The contacts of a reference, for their numbers.
+pub(super) struct ReferenceNumbers {
+    /// The contacts, converted to the wanted class of force.
     pub(super) layout: Layout,
-    /// The layout as a reference, free of names of forces.
+    /// The same contacts as a reference for scaling, which does not depend on names of forces.
     pub(super) reference: Reference,
-    pub(super) transferring: Transferring,
+    pub(super) transfer_planner: TransferPlanner,
 }
 
-pub(super) struct Wanted {
+pub(super) struct DesignedNumbers {
     pub(super) kind: ForceKind,
     /// Friction that the caller gave.
     pub(super) friction: Vec<(Property, f64)>,
-    pub(super) designing: Designing,
-    /// What comes from OpenSim's defaults.
+    pub(super) design_planner: DesignPlanner,
+    /// Remarks on numbers that are OpenSim's defaults.
     pub(super) remarks: Vec<Phrase>,
 }
 
 impl Numbers {
-    /// By how much radii that are not given are larger in `model` than in the reference: by (8).
+    /// The ratio of radii in `model` to those in the reference, by (8).
     ///
     /// # Errors
-    /// There is no reference, or a mass that is not known.
-    pub(super) fn growth(&self, model: &Model) -> Result<f64, AddFault> {
-        let own = self.of_reference()?;
-        let mass = own.transferring.masses.model_mass(model)?;
-        let ratios = Ratios::isometric(mass.kg / own.reference.mass.kg).map_err(Fault::new)?;
+    /// There is no reference, or a mass is not known.
+    pub(super) fn radius_ratio(&self, model: &Model) -> Result<f64, AddFault> {
+        let reference = self.reference_numbers()?;
+        let mass = reference.transfer_planner.masses.model_mass(model)?;
+        let ratios = Ratios::isometric(mass.kg / reference.reference.mass.kg).map_err(Fault::new)?;
         Ok(ratios.radius())
     }
 
-    /// The radius of the sphere in the reference that the sphere called `name` is made from, m.
+    /// The radius of the reference's sphere that the new sphere `name` is made from, m.
     ///
     /// # Errors
     /// There is no reference, or its radii differ and it has no sphere of that name.
     pub(super) fn radius(&self, name: Option<&str>) -> Result<f64, AddFault> {
-        let own = self.of_reference()?;
-        let reference = &own.reference;
-        own.radius(name)?.ok_or_else(|| {
+        let numbers = self.reference_numbers()?;
+        let reference = &numbers.reference;
+        numbers.radius(name)?.ok_or_else(|| {
             let message = phrase![
                 format!("radii differ in {}: say the radius with ", reference.name),
                 Input::Radius.with_placeholder("METRES"),
                 ", or whose with ",
                 Input::ReferenceSphere.with_placeholder("NAME"),
             ];
-            AddFault::Beside("which-reference", message)
+            AddFault::OutsideModel("which-reference", message)
         })
     }
 
-    fn of_reference(&self) -> Result<&OfReference, Fault> {
+    fn reference_numbers(&self) -> Result<&ReferenceNumbers, Fault> {
         match self {
-            Self::Reference(own) => Ok(own),
-            // Asked for before any model is read.
-            Self::Wanted(_) => Err(Fault::refused("nothing says how large the spheres are")),
+            Self::Reference(reference) => Ok(reference),
+            // Without a reference, radii have to be given: this was checked before.
+            Self::Designed(_) => Err(Fault::refused("nothing says how large the spheres are")),
         }
     }
 
-    /// The force and the sphere called `name`, which has this radius: numbers that `plan` changes, and those that stay.
+    /// A new contact for the sphere `name`, with numbers that [`plan`](Self::plan) changes later.
     pub(super) fn contact(&self, name: &str, radius_m: f64) -> Result<NewContact, Fault> {
         let force = format!("force_{name}");
         let mut contact = match self {
-            Self::Reference(own) => {
-                let mut like = own.like(Some(name))?.clone();
+            Self::Reference(reference) => {
+                let mut like = reference.contact_like(Some(name))?.clone();
                 (like.force, like.sphere) = (force, name.to_owned());
                 like
             }
-            Self::Wanted(wanted) => {
+            Self::Designed(wanted) => {
                 let mut contact = NewContact::new(wanted.kind, force, name);
                 contact.values.clone_from(&wanted.friction);
-                // Any value will do: the plan gives another one, and a force must have a stiffness.
+                // A force must have a stiffness; the plan gives it another value.
                 contact.set_value(Property::Stiffness, 1.0);
                 contact.radius_m = radius_m;
                 return contact.with_defaults();
@@ -106,12 +107,14 @@ impl Numbers {
         Ok(contact)
     }
 
-    /// Gives the contacts `selected` of `built` their numbers.
+    /// Plans the numbers of the new contacts, the forces `selected` of `built`.
     pub(super) fn plan(&self, built: &Model, selected: &Selected) -> Result<Plan, Fault> {
         let mut plan = match self {
-            Self::Reference(own) => own.transferring.plan_from(built, selected, &own.reference, None)?,
-            Self::Wanted(wanted) => {
-                let mut plan = wanted.designing.plan_for(built, selected)?;
+            Self::Reference(reference) => {
+                reference.transfer_planner.plan_with_reference(built, selected, &reference.reference, None)?
+            }
+            Self::Designed(wanted) => {
+                let mut plan = wanted.design_planner.plan_for(built, selected)?;
                 plan.remarks.extend(wanted.remarks.iter().cloned());
                 if selected.complete {
                     plan.note_all_values();
@@ -119,87 +122,90 @@ impl Numbers {
                 plan
             }
         };
-        // Spheres that are new do not stay anywhere.
+        // The remark that places stay makes no sense for new spheres.
         plan.remarks.retain(|remark| remark.to_string() != PLACES_STAY);
         Ok(plan)
     }
 }
 
-impl OfReference {
-    /// The contact that a sphere called `name` gets: that of the sphere that was chosen, else of that name, else the first. Where
-    /// they differ and none has the name, the transfer asks.
-    fn like(&self, name: Option<&str>) -> Result<&NewContact, Fault> {
+impl ReferenceNumbers {
+    /// The reference's contact from which a new sphere `name` is made: that of the sphere that the caller chose, else the one with this
+    /// name, else the first. If they differ and none has the name, the transfer asks.
+    fn contact_like(&self, name: Option<&str>) -> Result<&NewContact, Fault> {
         let contacts = &self.layout.contacts;
-        let of = |wanted: &str| contacts.iter().find(|contact| contact.sphere == wanted);
+        let named = |wanted: &str| contacts.iter().find(|contact| contact.sphere == wanted);
         let none = || self.reference.without_contacts();
-        match &self.transferring.reference_sphere {
-            Some(chosen) => of(chosen).ok_or_else(|| {
-                let known = contacts.iter().map(|contact| contact.sphere.clone()).collect();
+        match &self.transfer_planner.reference_sphere {
+            Some(chosen) => named(chosen).ok_or_else(|| {
+                let spheres = contacts.iter().map(|contact| contact.sphere.clone()).collect();
                 let reference = self.reference.name.clone();
-                Fault::new(FaultKind::UnknownReferenceSphere { sphere: chosen.clone(), reference, known })
+                Fault::new(FaultKind::UnknownReferenceSphere {
+                    sphere: chosen.clone(),
+                    reference,
+                    known: spheres,
+                })
             }),
-            None => name.and_then(of).or(contacts.first()).ok_or_else(none),
+            None => name.and_then(named).or(contacts.first()).ok_or_else(none),
         }
     }
 
-    /// The radius of the sphere in the reference that a sphere called `name` is made from; `None` if that is not clear.
+    /// The radius of the reference's sphere from which a new sphere `name` is made, m; `None` if radii differ and none has the name.
     fn radius(&self, name: Option<&str>) -> Result<Option<f64>, Fault> {
-        let like = self.like(name)?;
-        let named = self.transferring.reference_sphere.is_some() || Some(like.sphere.as_str()) == name;
+        let like = self.contact_like(name)?;
+        let named = self.transfer_planner.reference_sphere.is_some() || Some(like.sphere.as_str()) == name;
         let all = self.layout.contacts.iter().all(|contact| contact.radius_m == like.radius_m);
         Ok((named || all).then_some(like.radius_m))
     }
 }
 
-// Contacts as a reference has them, on the bodies that take them here.
-
 /// Places, radii and numbers of a reference.
 pub(super) struct FromReference {
-    /// What is made, with the places and values of the reference.
+    /// The new contacts, with the places and values of the reference.
     pub(super) layout: Layout,
-    /// The reference's bones, by the names that bodies have in the models.
+    /// The reference's skeleton, with the names that bodies have in the models.
     pub(super) anatomy: Anatomy,
-    /// Gives the contacts the size of each model.
-    pub(super) transferring: Transferring,
-    pub(super) generic: Generic,
-    /// Bodies that are to take spheres, as the caller gave them.
+    /// Scales the contacts to each model.
+    pub(super) transfer_planner: TransferPlanner,
+    pub(super) generic: GenericModel,
+    /// The caller's map from bodies of the reference to bodies of the models.
     pub(super) maps: Vec<BodyMap>,
 }
 
 impl FromReference {
-    /// The contacts as they are in the reference, and the plan that gives them the size of `base`.
+    /// The plan that scales the contacts to `base`, and `base` with the contacts as they are in the reference.
     pub(super) fn plan(&self, base: &Model) -> Result<(Plan, Rebuilt), AddFault> {
         let mut layout = self.layout.clone();
-        self.refuse_missing(base)?;
-        let (rebuilt, selected) = added(base, &mut layout)?;
+        self.refuse_missing_bodies(base)?;
+        let (rebuilt, selected) = with_contacts(base, &mut layout)?;
         let built = rebuilt.model();
-        let known = &self.transferring.reference;
+        let known = &self.transfer_planner.reference;
         let mut reference = reference_of_model(built, &selected, known.mass.clone(), known.sphere_count)?;
         reference.name.clone_from(&known.name);
         reference.gravity_m_s2 = known.gravity_m_s2;
         let mut anatomy = layout.anatomy(self.anatomy.clone());
-        // Two models without a common joint are explained by any factors.
+        // If two models have no common joint, their joints do not determine factors of bodies.
         anatomy.is_fragment |= !built.joints().iter().any(|joint| anatomy.joint(&joint.name).is_some());
         let generic = self.generic.with_contacts(anatomy, built);
-        let mut plan = self.transferring.plan_from(built, &selected, &reference, Some(&generic))?;
-        // That the two are different models is why contacts are added at all.
+        let mut plan =
+            self.transfer_planner.plan_with_reference(built, &selected, &reference, Some(&generic))?;
+        // A reference for `add` usually is another model.
         plan.warnings.retain(|warning| warning.code() != FindingCode::NotAScaledCopy);
         Ok((plan, rebuilt))
     }
 
-    /// A body that is to take spheres and is not in the model.
-    fn refuse_missing(&self, model: &Model) -> Result<(), AddFault> {
-        let own: HashSet<&str> = model.bodies().iter().map(|body| body.name.as_str()).collect();
+    /// Refuses a model that does not have all bodies that are to get spheres.
+    fn refuse_missing_bodies(&self, model: &Model) -> Result<(), AddFault> {
+        let bodies_of_model: HashSet<&str> = model.bodies().iter().map(|body| body.name.as_str()).collect();
         let all = self.layout.contacts.iter().map(|contact| contact.body.as_str());
-        let missing: BTreeSet<&str> = all.filter(|body| !own.contains(body)).collect();
-        let said = self.maps.iter().find(|map| missing.contains(map.model.as_str()));
-        if let Some(BodyMap { reference, model: body, .. }) = said {
+        let missing: BTreeSet<&str> = all.filter(|body| !bodies_of_model.contains(body)).collect();
+        let map_to_missing = self.maps.iter().find(|map| missing.contains(map.model.as_str()));
+        if let Some(BodyMap { reference, model: body, .. }) = map_to_missing {
             let bodies: Vec<&str> = model.bodies().iter().map(|body| body.name.as_str()).collect();
             let message = phrase![
                 Input::BodyMap.with_value(format!("{reference}={body}")),
                 format!(": the model has no body {body}, it has {}", bodies.join(", ")),
             ];
-            return Err(AddFault::Beside("no-such-body", message));
+            return Err(AddFault::OutsideModel("no-such-body", message));
         }
         match missing.is_empty() {
             true => Ok(()),
@@ -211,7 +217,7 @@ impl FromReference {
     }
 }
 
-/// The transfer that follows once the contacts were made: as the reference has them, or at places of this model's own.
+/// The request that scales the contacts of the reference to the model after they were added.
 pub(super) fn transfer(request: &AddRequest, from: &Path) -> TransferRequest {
     let mut transfer = TransferRequest {
         from: Some(from.to_owned()),
@@ -236,8 +242,12 @@ pub(super) fn transfer(request: &AddRequest, from: &Path) -> TransferRequest {
     transfer
 }
 
-/// The reference's contacts, with the class and the friction that are wanted.
-pub(super) fn contacts_of(request: &AddRequest, model: &Model, selected: &Selected) -> Result<Layout, Fault> {
+/// The reference's contacts, with the class and the friction that the request wants.
+pub(super) fn wanted_contacts(
+    request: &AddRequest,
+    model: &Model,
+    selected: &Selected,
+) -> Result<Layout, Fault> {
     let mut layout = Layout::of(model, selected)?;
     if let Some(class) = request.class {
         layout = layout.into_class(class.kind())?;
@@ -251,7 +261,7 @@ pub(super) fn contacts_of(request: &AddRequest, model: &Model, selected: &Select
     Ok(layout)
 }
 
-/// Refuses to map a body that is not in the reference, or to map one twice.
+/// Refuses a map of a body that is not in the reference, or two maps of one body.
 pub(super) fn check_maps(
     request: &AddRequest,
     model: &Model,
@@ -264,7 +274,7 @@ pub(super) fn check_maps(
         .filter_map(|sphere| model.sphere(sphere)?.body.as_deref())
         .collect();
     for (index, map) in request.body_map.iter().enumerate() {
-        let said = Input::BodyMap.with_value(format!("{}={}", map.reference, map.model));
+        let written_map = Input::BodyMap.with_value(format!("{}={}", map.reference, map.model));
         let why = if !bodies.contains(map.reference.as_str()) {
             let carriers: Vec<&str> = carriers.iter().copied().collect();
             format!(
@@ -277,22 +287,22 @@ pub(super) fn check_maps(
         } else {
             continue;
         };
-        return Err(RequestFault::refused(Input::BodyMap, phrase![said, why]));
+        return Err(RequestFault::refused(Input::BodyMap, phrase![written_map, why]));
     }
     Ok(())
 }
 
-/// What is made of the reference's contacts, on the bodies that take them, and its bones.
+/// The reference's contacts on the bodies of the model, its skeleton with the names of the model, and remarks.
 pub(super) fn layout(
     request: &AddRequest,
     model: &Model,
     selected: &Selected,
 ) -> Result<(Layout, Anatomy, Vec<Phrase>), Fault> {
-    let mut layout = contacts_of(request, model, selected)?;
+    let mut layout = wanted_contacts(request, model, selected)?;
     let mut anatomy = Anatomy::of(model)?;
     let mut remarks = Vec::new();
     for map in &request.body_map {
-        anatomy = mapped(&mut layout, anatomy, map, &mut remarks)?;
+        anatomy = with_mapped_body(&mut layout, anatomy, map, &mut remarks)?;
     }
     if request.mirror.is_some() {
         layout = layout.mirrored()?;
@@ -302,20 +312,20 @@ pub(super) fn layout(
     Ok((layout, anatomy, remarks))
 }
 
-/// Puts the contacts of one body of the reference on another.
-fn mapped(
+/// Moves the contacts of one body of the reference to another body.
+fn with_mapped_body(
     layout: &mut Layout,
     mut anatomy: Anatomy,
     BodyMap { reference, model: body, .. }: &BodyMap,
     remarks: &mut Vec<Phrase>,
 ) -> Result<Anatomy, Fault> {
-    let own = layout.contacts.iter_mut().filter(|contact| contact.body == *reference);
+    let contacts_of_body = layout.contacts.iter_mut().filter(|contact| contact.body == *reference);
     if !anatomy.has_body(body) {
         anatomy = anatomy.with_renamed_body(reference, body);
-        own.for_each(|contact| contact.body.clone_from(body));
+        contacts_of_body.for_each(|contact| contact.body.clone_from(body));
         return Ok(anatomy);
     }
-    for contact in own {
+    for contact in contacts_of_body {
         let place = anatomy.point_seen_from(body, reference, contact.location_m).ok_or_else(|| {
             Fault::refused(format!(
                 "{reference} does not hang on {body} in the reference, or a joint between them is not understood: its spheres can be \
@@ -332,12 +342,12 @@ fn mapped(
     Ok(anatomy)
 }
 
-/// The reference: a preset with places, also where a file is called so, else a file.
-pub(super) fn reference(from: &Path, files: &dyn Files) -> Result<(OpenModel, bool), RequestError> {
-    if let Some(own) = placed_preset(from)? {
-        return Ok((own, false));
+/// Opens the reference: a preset with places of this name, else a file. The flag says whether it is a file.
+pub(super) fn open_reference(from: &Path, files: &dyn Files) -> Result<(OpenModel, bool), RequestError> {
+    if let Some(preset) = placed_preset(from)? {
+        return Ok((preset, false));
     }
-    let Named::Preset(preset) = Named::find(from, Some(Input::From), None, files)? else {
+    let NamedSource::Preset(preset) = NamedSource::find(from, Some(Input::From), None, files)? else {
         return Ok((open(from, files)?, true));
     };
     let known: Vec<&str> = presets_with_places().collect();
@@ -356,7 +366,7 @@ pub(super) fn reference(from: &Path, files: &dyn Files) -> Result<(OpenModel, bo
 ///
 /// # Errors
 /// Contacts of `base` that stay are on bodies that get new ones: both would carry the weight.
-pub(super) fn added(base: &Model, layout: &mut Layout) -> Result<(Rebuilt, Selected), Fault> {
+pub(super) fn with_contacts(base: &Model, layout: &mut Layout) -> Result<(Rebuilt, Selected), Fault> {
     let bodies: HashSet<&str> = layout.contacts.iter().map(|contact| contact.body.as_str()).collect();
     let is_there = |force: &Force| {
         let mut spheres = force.spheres().into_iter().filter_map(|id| base.sphere(id)?.body.as_deref());
@@ -367,7 +377,7 @@ pub(super) fn added(base: &Model, layout: &mut Layout) -> Result<(Rebuilt, Selec
         return Err(Fault::new(FaultKind::ContactsExist { forces: base.short_force_names(&doubled.forces) }));
     }
     let rebuilt = add_contacts(base, layout)?;
-    let own: HashSet<&str> = layout.contacts.iter().map(|contact| contact.force.as_str()).collect();
-    let selected = Selected::matching(rebuilt.model(), |force| own.contains(force.name.as_str()));
+    let new_forces: HashSet<&str> = layout.contacts.iter().map(|contact| contact.force.as_str()).collect();
+    let selected = Selected::matching(rebuilt.model(), |force| new_forces.contains(force.name.as_str()));
     Ok((rebuilt, selected))
 }

@@ -1,4 +1,4 @@
-//! A model before and after a change: what is known of both states before anything is written.
+//! A model before and after a planned change: figures, findings and feet of both states, before anything is written.
 
 use osim_inspect::series::Body;
 use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, ReferenceState, check_model};
@@ -9,39 +9,39 @@ use osim_requests::spell::Speller;
 
 use crate::motion::MotionResult;
 use crate::motion_remarks::MotionRemark;
-use crate::remedies::Trials;
+use crate::remedies::RemedyTrials;
 use crate::scene::{Fall, Scene};
-use crate::{Change, ModelFeet, planner};
+use crate::{ModelFeet, PreparedChange, prepared_change};
 
-/// What is known of both states of a model, spelled.
+/// Inspections and checks of a model before and after a planned change, in the words of a front end.
 #[derive(Debug)]
 pub struct BeforeAfter {
-    /// The model as it was.
+    /// The old model.
     pub before: (Inspection, CheckResult),
-    /// The old contacts under the new weight, if it differs.
+    /// Figures of the old contacts under the new weight, if it differs.
     pub before_under_new_weight: Option<Figures>,
-    /// The model as it is written; `None` if nothing changes.
+    /// The new model; `None` if nothing changes.
     pub after: Option<(Inspection, CheckResult)>,
-    /// Both states, to be drawn.
+    /// Both states, for figures of curves.
     pub bodies: Vec<Body>,
-    /// The feet of both states without their bones, where they are to be drawn; of one where the spheres stay as they are.
+    /// The feet of both states without their bones, if they were asked for; those of the old state only, if the spheres stay.
     pub feet: Vec<ModelFeet>,
-    /// What the contacts are taken from, where they are another body's.
+    /// The model or preset that the contacts come from, if they are another body's.
     pub reference: Option<ReferenceState>,
-    /// What the new contacts do along the recording that the change follows, where it follows one.
+    /// The new contacts along the recording that they were fitted to, if there is one.
     pub recording: Option<Box<(MotionResult, Vec<MotionRemark>)>>,
-    /// The contacts are scaled to this gravity, m/s², and the model's is another.
+    /// The gravity that the contacts are scaled to, m/s², if the model has another one.
     pub target_gravity_m_s2: Option<f64>,
 }
 
 impl BeforeAfter {
-    /// Both states of a model for which `change` has made `plan`. `changed` gives its files as they will be, under their
-    /// names; it is asked only where something changes. The states are spelled by `dialect`, and have feet `with_feet`.
+    /// Both states of a model for which `change` has made `plan`. `changed` returns the new files; it is called only if something
+    /// changes. `dialect` spells the messages, and `with_feet` says whether feet are included.
     ///
     /// # Errors
-    /// The new model cannot be read, which would be a defect: it is not to be written then.
-    pub fn of(
-        change: &Change,
+    /// The new model cannot be read. That is a defect of this program, and the model must not be written.
+    pub fn of_plan(
+        change: &PreparedChange,
         opened: &OpenModel,
         plan: &Plan,
         changed: impl FnOnce() -> ModelFiles,
@@ -49,14 +49,16 @@ impl BeforeAfter {
         with_feet: bool,
     ) -> Result<Self, Failure> {
         let before = &change.options;
-        // The new model has the same elements: what can be changed in one can be changed in the other.
-        let changes = shown_by(plan, before, opened) || planner::changeable(before, &opened.model).numbers;
-        let now = seen(before, opened, changes);
-        let after = change.options_after(plan, now.0.figures.mass_kg);
+        // What can be changed in the old model can be changed in the new one, because both have equal elements.
+        let changes = changes_all_numbers(plan, before, opened)
+            || prepared_change::changeable(before, &opened.model).numbers;
+        let inspected_before = inspected_and_checked(before, opened, changes);
+        let after = change.options_after(plan, inspected_before.0.figures.mass_kg);
         let target = change.target_gravity_m_s2;
-        let target_gravity_m_s2 = target.filter(|&gravity| now.0.figures.gravity_m_s2 != Some(gravity));
-        let mut both = Self {
-            before: now,
+        let target_gravity_m_s2 =
+            target.filter(|&gravity| inspected_before.0.figures.gravity_m_s2 != Some(gravity));
+        let mut states = Self {
+            before: inspected_before,
             before_under_new_weight: None,
             after: None,
             bodies: Vec::new(),
@@ -69,24 +71,26 @@ impl BeforeAfter {
             let mut heavier = before.clone();
             heavier.masses.model_kg = after.masses.model_kg;
             heavier.stance.gravity_m_s2 = after.stance.gravity_m_s2;
-            both.before_under_new_weight = Some(heavier.inspect(opened.name(), &opened.model, None).figures);
+            states.before_under_new_weight =
+                Some(heavier.inspect(opened.name(), &opened.model, None).figures);
         }
         let feet = |name: &str, opened: &OpenModel| {
             with_feet.then(|| ModelFeet::for_page(name, opened, &before.selection)).flatten()
         };
-        both.feet.extend(feet("before", opened));
-        both.bodies.extend(body("before", before, &opened.model, opened));
+        states.feet.extend(feet("before", opened));
+        states.bodies.extend(drawn_body("before", before, &opened.model, opened));
         if !plan.is_empty() {
             let written = changed().open()?;
-            both.after = Some(seen(&after, &written, changes));
-            both.bodies.extend(body("after", &after, &written.model, &written));
-            let changed = |after: &ModelFeet| both.feet.iter().any(|before| !before.has_same_spheres(after));
+            states.after = Some(inspected_and_checked(&after, &written, changes));
+            states.bodies.extend(drawn_body("after", &after, &written.model, &written));
+            let changed =
+                |after: &ModelFeet| states.feet.iter().any(|before| !before.has_same_spheres(after));
             let after = feet("after", &written).filter(changed);
-            both.feet.extend(after);
-            both.recording = change.planner.recording(written).map(Box::new);
+            states.feet.extend(after);
+            states.recording = change.planner.recording(written).map(Box::new);
         }
-        both.spell(dialect);
-        Ok(both)
+        states.spell(dialect);
+        Ok(states)
     }
 
     fn spell(&mut self, dialect: &dyn Speller) {
@@ -100,7 +104,11 @@ impl BeforeAfter {
     }
 }
 
-fn seen(options: &InspectOptions, opened: &OpenModel, changes: bool) -> (Inspection, CheckResult) {
+fn inspected_and_checked(
+    options: &InspectOptions,
+    opened: &OpenModel,
+    changes: bool,
+) -> (Inspection, CheckResult) {
     let inspect = |name: &FileName, model: &Model| options.inspect(name.clone(), model, None);
     let inspection = inspect(opened.name(), &opened.model);
     let check = check_model(
@@ -108,61 +116,58 @@ fn seen(options: &InspectOptions, opened: &OpenModel, changes: bool) -> (Inspect
         &opened.model,
         &inspection,
         &[],
-        planner::with_numbers(options, &opened.model, changes),
+        prepared_change::changeable_with_numbers(options, &opened.model, changes),
     );
-    // Remedies of a model by itself name no other files.
-    let trials = Trials { options, files: &InMemory::default(), inspect: &inspect };
-    (inspection, trials.tried(&opened.model, check))
+    // These remedies name no other files.
+    let trials = RemedyTrials { options, files: &InMemory::default(), inspect: &inspect };
+    (inspection, trials.with_tried_remedies(&opened.model, check))
 }
 
-/// Whether `plan` shows that the numbers of the model can be changed: it changes those that remedies change, in all of the chosen
-/// forces.
-fn shown_by(plan: &Plan, options: &InspectOptions, opened: &OpenModel) -> bool {
+/// Whether `plan` changes stiffness and dissipation of all chosen forces. Then no trial plan is needed to know that remedies can.
+fn changes_all_numbers(plan: &Plan, options: &InspectOptions, opened: &OpenModel) -> bool {
     let Ok(selected) = options.selection.apply(&opened.model) else { return false };
     let forces = selected.forces.iter().filter_map(|&id| opened.model.force(id));
-    // A force without parameters of its own has none that could be changed.
+    // A force without parameters counts as one that cannot be changed.
     let sets: usize = forces.map(|force| force.sets.len().max(1)).sum();
     [Property::Stiffness, Property::Dissipation]
         .into_iter()
         .all(|property| plan.changes.iter().filter(|change| change.property == property).count() >= sets)
 }
 
-// Both states of a model, for drawing.
-
-/// A model for which a change was planned.
+/// A model and the plan of its change, for pictures of both states.
 #[derive(Clone, Copy)]
-pub struct States<'s> {
-    /// What planned it.
-    pub change: &'s Change,
-    /// The model as it is.
+pub struct BeforeAndAfterPlan<'s> {
+    pub change: &'s PreparedChange,
+    /// The old model.
     pub opened: &'s OpenModel,
     pub plan: &'s Plan,
-    /// The model as it will be; `None` where nothing changes.
+    /// The new model; `None` if nothing changes.
     pub changed: Option<&'s Model>,
 }
 
-impl States<'_> {
-    /// What is drawn of both states, without their figures and findings: for pictures that follow a slider.
+impl BeforeAndAfterPlan<'_> {
+    /// Both states for figures of curves, without inspections and checks: fast enough to follow a slider.
     pub fn bodies(self) -> Vec<Body> {
-        let old = body("before", &self.change.options, &self.opened.model, self.opened);
-        let new = self.changed.and_then(|changed| body("after", &self.options_after(), changed, self.opened));
+        let old = drawn_body("before", &self.change.options, &self.opened.model, self.opened);
+        let new =
+            self.changed.and_then(|changed| drawn_body("after", &self.options_after(), changed, self.opened));
         old.into_iter().chain(new).collect()
     }
 
-    /// The new model in space; `None` where nothing changes.
+    /// The scene of the new model; `None` if nothing changes.
     pub fn scene(self) -> Option<Scene> {
         Some(Scene::of(self.changed?, &self.options_after()))
     }
 
-    /// How the body falls on the contacts as they are, and on the new ones: the same body on both, that which the new ones are for.
+    /// How one body, the one that the new contacts are for, falls on the old contacts and on the new ones.
     pub fn falls(self) -> Vec<Fall> {
         let Some(changed) = self.changed else { return Vec::new() };
         let after = self.options_after();
         let mut heavier = self.change.options.clone();
         heavier.masses.model_kg = after.masses.model_kg;
         heavier.stance.gravity_m_s2 = after.stance.gravity_m_s2;
-        let old = body("before", &heavier, &self.opened.model, self.opened);
-        let new = body("after", &after, changed, self.opened);
+        let old = drawn_body("before", &heavier, &self.opened.model, self.opened);
+        let new = drawn_body("after", &after, changed, self.opened);
         Fall::all(&old.into_iter().chain(new).collect::<Vec<Body>>())
     }
 
@@ -172,8 +177,13 @@ impl States<'_> {
     }
 }
 
-/// What is drawn of `model`, a state of what was `opened`.
-pub(crate) fn body(name: &str, options: &InspectOptions, model: &Model, opened: &OpenModel) -> Option<Body> {
+/// A state of the model that was `opened`, for figures of curves.
+pub(crate) fn drawn_body(
+    name: &str,
+    options: &InspectOptions,
+    model: &Model,
+    opened: &OpenModel,
+) -> Option<Body> {
     Body::from_inspected_model(name.to_owned(), model, options, &|fault| opened.failure(fault)).ok()
 }
 
@@ -187,19 +197,19 @@ mod tests {
     use serde_json::json;
 
     use super::*;
-    use crate::planner::Planner;
     use crate::prepare;
+    use crate::prepared_change::Planner;
 
-    struct NoPlans;
+    struct PanickingPlanner;
 
-    impl Planner for NoPlans {
+    impl Planner for PanickingPlanner {
         fn plan(&self, _: &Model) -> Result<Plan, Fault> {
             panic!("planned once more")
         }
     }
 
     #[test]
-    fn a_plan_at_hand_is_enough() {
+    fn both_states_follow_from_one_plan() {
         let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
         let folders = ["table1", "check", "format", "quirks"].map(|folder| fixtures.join(folder));
         let files = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
@@ -219,11 +229,11 @@ mod tests {
                 let mut change = prepare(request, &files).unwrap();
                 let Ok(opened) = change.open(Path::new("model.osim"), &files) else { continue };
                 let Ok(plan) = change.plan(&opened, &files) else { continue };
-                change.planner = Box::new(NoPlans);
+                change.planner = Box::new(PanickingPlanner);
                 let bytes = plan.patched(&opened.model, FileId::MAIN).unwrap();
                 let beside = change.set_files.companion_paths();
                 let changed = || ModelFiles::read(Path::new("model.osim"), bytes, beside, &files).unwrap();
-                BeforeAfter::of(&change, &opened, &plan, changed, &CommandLine, false).unwrap();
+                BeforeAfter::of_plan(&change, &opened, &plan, changed, &CommandLine, false).unwrap();
                 compared += 1;
             }
         }

@@ -1,4 +1,4 @@
-//! What a request for a design gives, before anything is derived.
+//! The numbers that a design request without a model gives, before anything is calculated from them.
 
 use contact_scaling::sizing::{Known, Sizing, SizingError};
 use contact_scaling::{DomainError, SharedLoad, SmoothingValues, modulus, restitution, smoothing};
@@ -10,29 +10,29 @@ use osim_requests::{
     RestitutionCoefficient,
 };
 
-pub(super) struct Given {
+pub(super) struct DesignInputs {
     pub(super) mass_kg: Option<f64>,
     pub(super) spheres: Option<f64>,
     pub(super) gravity_m_s2: f64,
     load_n: Option<f64>,
     pub(super) radius_m: Option<f64>,
     pub(super) composite_modulus: Option<f64>,
-    pub(super) modulus: ModulusFrom,
+    pub(super) modulus: ModulusSource,
     indentation: Option<f64>,
     contact_stiffness: Option<f64>,
-    /// Whether the load is what the spheres carry at rest.
+    /// Whether the load is one body weight, which the spheres carry at rest.
     pub(super) is_body_weight: bool,
 }
 
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum ModulusFrom {
+pub(super) enum ModulusSource {
     Young,
     Stiffness,
     Sizing,
 }
 
-impl ModulusFrom {
-    /// The equation it follows by, if it is another than the register has.
+impl ModulusSource {
+    /// The equations that give the modulus; `None` where the register of quantities names it.
     pub(super) fn equation(self) -> Option<&'static str> {
         match self {
             Self::Young => Some("A.1, A.5"),
@@ -42,14 +42,14 @@ impl ModulusFrom {
     }
 }
 
-/// What an equation refuses.
-pub(super) fn refused(error: impl std::fmt::Display) -> RequestFault {
+/// A number that an equation refuses, as a fault of the request.
+pub(super) fn domain_fault(error: impl std::fmt::Display) -> RequestFault {
     RequestFault::general(error.to_string())
 }
 
-impl Given {
+impl DesignInputs {
     /// # Errors
-    /// A radius that is about a model, or body weights without a mass.
+    /// The radius is relative to a model, or body weights are given without a mass.
     pub(super) fn new(request: &DesignRequest) -> Result<Self, RequestFault> {
         let wanted = &request.wanted;
         let radius_m = match wanted.radius() {
@@ -74,13 +74,13 @@ impl Given {
         let (composite_modulus, modulus) = match (young, wanted.stiffness) {
             // A soft body on rigid ground (A.5): E* is the body's own plane strain modulus.
             (Some((young, poisson)), _) => {
-                (Some(modulus::plane_strain(young, poisson).map_err(refused)?), ModulusFrom::Young)
+                (Some(modulus::plane_strain(young, poisson).map_err(domain_fault)?), ModulusSource::Young)
             }
             (None, Some(surface)) => {
                 let composite = modulus::composite_of_equal(surface.get(), modulus::MixingRule::Sherman);
-                (Some(composite.map_err(refused)?), ModulusFrom::Stiffness)
+                (Some(composite.map_err(domain_fault)?), ModulusSource::Stiffness)
             }
-            (None, None) => (None, ModulusFrom::Sizing),
+            (None, None) => (None, ModulusSource::Sizing),
         };
         let load = request.load.load.map(Positive::get);
         Ok(Self {
@@ -101,8 +101,8 @@ impl Given {
         self.load_n.zip(self.spheres).map(|(load, spheres)| SharedLoad::new(load, spheres)).transpose()
     }
 
-    /// What is known of one sphere at its load.
-    pub(super) fn known(&self, load: Option<&SharedLoad>) -> Known {
+    /// The given quantities of one sphere under its load.
+    pub(super) fn known_quantities(&self, load: Option<&SharedLoad>) -> Known {
         Known {
             load_per_sphere_n: load.map(SharedLoad::per_sphere_n),
             radius_m: self.radius_m,
@@ -112,13 +112,13 @@ impl Given {
         }
     }
 
-    /// Whether something is wanted that only follows from a whole sizing.
+    /// Whether something is wanted that needs all quantities of the sizing.
     pub(super) fn needs_sizing(&self) -> bool {
         self.indentation.is_some() || self.contact_stiffness.is_some()
     }
 
-    /// What to add.
-    pub(super) fn missing(&self) -> RequestFault {
+    /// The fault that lists the inputs of which some have to be added.
+    pub(super) fn missing_inputs(&self) -> RequestFault {
         let load = self.load_n.is_some() && self.spheres.is_some();
         let have: [(bool, &str, Phrase); 5] = [
             (
@@ -156,7 +156,7 @@ impl Given {
         let known = if known.is_empty() { "nothing".to_owned() } else { known.join(", ") };
         let mut message = phrase![
             format!("too little is known: three quantities give the rest, known: {known}"),
-            &self.half_a_load(),
+            &self.missing_part_of_load(),
             "; add of: ",
         ];
         for (index, (.., input)) in have.iter().filter(|(have, ..)| !have).enumerate() {
@@ -168,7 +168,7 @@ impl Given {
         RequestFault::general(message)
     }
 
-    fn half_a_load(&self) -> Phrase {
+    fn missing_part_of_load(&self) -> Phrase {
         match (self.load_n.is_some(), self.spheres.is_some()) {
             (true, false) => phrase!["; the load needs ", Input::Spheres.with_placeholder("N"), " too"],
             (false, true) => phrase![
@@ -184,7 +184,7 @@ impl Given {
         }
     }
 
-    /// What disagrees, by the name and in the unit in which it was given.
+    /// The fault of a quantity that contradicts the others, by the name and in the unit in which it was given.
     fn contradiction(&self, quantity: &str, given: f64, follows: f64) -> RequestFault {
         let surface = |composite| {
             modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).unwrap_or(composite)
@@ -193,7 +193,7 @@ impl Given {
             ("load", _) => ("the load on each sphere, N,".into(), given, follows),
             ("radius", _) => (Input::Radius.into(), given, follows),
             ("indentation", _) => (Input::Indentation.into(), given, follows),
-            ("modulus", ModulusFrom::Stiffness) => {
+            ("modulus", ModulusSource::Stiffness) => {
                 (Input::Stiffness.into(), surface(given), surface(follows))
             }
             ("modulus", _) => (
@@ -214,25 +214,25 @@ impl Given {
     }
 }
 
-// What is left of the Hertz force at rest, if a design gives enough of a smoothed contact.
+// The share of the Hertz force that a smoothed contact has at rest.
 
-/// Turns in which a radius is found that dissipation and sizing both depend on; each brings it at least three times closer.
-const TURNS: u32 = 60;
+/// Iterations for a radius that dissipation and sizing both depend on; each brings it at least three times closer.
+const MOST_ITERATIONS: u32 = 60;
 
 /// A smoothed contact at rest, as (C.9) has it at speed 0.
 #[derive(Clone, Copy)]
 pub(super) struct AtRest {
-    /// The share of the Hertz force.
+    /// The force at rest over the Hertz force.
     pub(super) speed_state: f64,
     dissipation_s_m: f64,
     smoothing_s_m: f64,
-    /// Whether the smoothing is OpenSim's, because none was given.
+    /// Whether the smoothing is OpenSim's default, because none was given.
     is_default: bool,
 }
 
 impl AtRest {
     /// `None` where no smoothing is wanted, or no dissipation is known.
-    fn of(
+    fn from_wanted(
         wanted: &WantedOptions,
         radius_m: Option<f64>,
         gravity_m_s2: f64,
@@ -244,28 +244,29 @@ impl AtRest {
         let fall = || radius_m.map(|radius| restitution::drop_speed(gravity_m_s2, radius)).transpose();
         let speed = match wanted.impact_speed.map(Positive::get) {
             Some(speed) => Some(speed),
-            None => fall().map_err(refused)?,
+            None => fall().map_err(domain_fault)?,
         };
         let target = wanted.restitution.map(RestitutionCoefficient::get);
         let Some((target, speed)) = target.zip(speed) else { return Ok(None) };
-        let dissipation_s_m = restitution::dissipation(target, speed).map_err(refused)?;
+        let dissipation_s_m = restitution::dissipation(target, speed).map_err(domain_fault)?;
         let threshold = wanted.threshold.get();
         let smoothing_s_m = match width {
             Some(width) => {
-                smoothing::hunt_crossley_smoothing_for_speed_width(threshold, width).map_err(refused)?
+                smoothing::hunt_crossley_smoothing_for_speed_width(threshold, width).map_err(domain_fault)?
             }
             None => SmoothingValues::OPENSIM_DEFAULT.hunt_crossley_smoothing,
         };
-        let speed_state = smoothing::speed_state_at_rest(dissipation_s_m, smoothing_s_m).map_err(refused)?;
+        let speed_state =
+            smoothing::speed_state_at_rest(dissipation_s_m, smoothing_s_m).map_err(domain_fault)?;
         Ok(Some(Self { speed_state, dissipation_s_m, smoothing_s_m, is_default: width.is_none() }))
     }
 
-    /// Whether a number follows from it.
-    pub(super) fn matters(self) -> bool {
+    /// Whether the force at rest differs from the Hertz force.
+    pub(super) fn changes_force(self) -> bool {
         self.speed_state != 1.0
     }
 
-    /// What to know about it where it is shown.
+    /// A sentence for the results, if the force at rest visibly differs from the Hertz force.
     pub(super) fn remark(self) -> Option<String> {
         let share = readable(self.speed_state);
         let default = if self.is_default { " (OpenSim's default)" } else { "" };
@@ -280,36 +281,36 @@ impl AtRest {
     }
 }
 
-/// The sizing, where enough is known for one, and the law at rest that it was made with.
+/// The sizing, where enough is known for one, and the smoothed contact at rest that it was made with.
 ///
 /// # Errors
 /// A number outside its domain, or numbers that contradict each other.
 pub(super) fn solve_at_rest(
     known: &Known,
-    given: &Given,
+    inputs: &DesignInputs,
     wanted: &WantedOptions,
 ) -> Result<(Option<Sizing>, Option<AtRest>), RequestFault> {
-    let mut radius = given.radius_m;
-    let mut found = (None, None);
-    for _ in 0..TURNS {
-        let at_rest = AtRest::of(wanted, radius, given.gravity_m_s2)?;
+    let mut radius = inputs.radius_m;
+    let mut solution = (None, None);
+    for _ in 0..MOST_ITERATIONS {
+        let at_rest = AtRest::from_wanted(wanted, radius, inputs.gravity_m_s2)?;
         let sizing = match known.solve_smoothed(at_rest.map_or(1.0, |known| known.speed_state)) {
             Ok(sizing) => Some(sizing),
-            // Some figures need no sizing; whether anything is left to say is seen at the end.
+            // Some figures need no sizing.
             Err(SizingError::Insufficient { .. }) => None,
-            Err(SizingError::Contradictory { quantity, given: said, follows }) => {
-                return Err(given.contradiction(quantity, said, follows));
+            Err(SizingError::Contradictory { quantity, given: given_value, follows }) => {
+                return Err(inputs.contradiction(quantity, given_value, follows));
             }
-            Err(error) => return Err(refused(error)),
+            Err(error) => return Err(domain_fault(error)),
         };
-        found = (sizing, at_rest);
+        solution = (sizing, at_rest);
         let next = sizing.map(|sizing| sizing.radius_m).or(radius);
         if next == radius {
             break;
         }
         radius = next;
     }
-    Ok(found)
+    Ok(solution)
 }
 
 /// OpenSim's default, m/s².

@@ -1,0 +1,151 @@
+//! The verb `add`: contacts for models that have none.
+
+mod bodies;
+mod places;
+pub(in crate::verbs) mod prepare;
+mod reference;
+
+use std::collections::HashSet;
+use std::path::Path;
+
+use osim_model::files::{Failure, Files, InMemory, OpenModel};
+use osim_model::messages::Phrase;
+use osim_model::{Fault, FaultKind, FindingCode, ForceId, Model, Question, Selected, Selection};
+use osim_patch::{Deed, Layout, Plan, Rebuilt, remove};
+use osim_requests::BodyScale;
+use osim_requests::options::AnswerOptions;
+
+use super::set;
+use crate::prepared_change::Planner;
+use crate::remarks::{
+    question_about_scale, remark_on_kept_friction, remark_on_leaning_planes, remark_on_old_document,
+    remark_on_other_planes, remark_on_standing,
+};
+use bodies::AddFault;
+use places::Places;
+use reference::{FromReference, Numbers, with_contacts};
+
+/// Plans contacts for models that have none, or replaces those that they have.
+struct Adding {
+    source: Source,
+    /// Whether new spheres are moved so that the bottoms of each foot are level.
+    level: bool,
+    replace: bool,
+    /// The forces of the model that are replaced.
+    replaced_forces: Selection,
+    /// Factors of bodies that the caller gave.
+    body_scale: Vec<BodyScale>,
+    answers: AnswerOptions,
+    /// Whether speeds of friction are scaled, too.
+    friction: bool,
+    remarks: Vec<Phrase>,
+}
+
+/// Where the places and numbers of contacts come from.
+enum Source {
+    /// A reference has both.
+    Reference(Box<FromReference>),
+    /// The request gives the places; a reference or a design has the numbers.
+    OwnPlaces(Places, Numbers),
+}
+
+impl Planner for Adding {
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        self.plan_for_file(model, Path::new(""), &InMemory::default()).map_err(AddFault::into_fault)
+    }
+
+    fn plan_beside(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
+        let path = opened.name().to_path();
+        self.plan_for_file(&opened.model, &path, files).map_err(|fault| fault.into_failure(opened))
+    }
+}
+
+impl Adding {
+    fn plan_for_file(&self, model: &Model, path: &Path, files: &dyn Files) -> Result<Plan, AddFault> {
+        self.answers.ask(question_about_scale(&self.body_scale)).map_err(Fault::new)?;
+        let (bare, removed) = self.without_contacts(model)?.unzip();
+        let base = bare.as_ref().map_or(model, Rebuilt::model);
+        let (mut plan, rebuilt, remarks) = match &self.source {
+            Source::Reference(from_reference) => {
+                let (plan, rebuilt) = from_reference.plan(base)?;
+                (plan, rebuilt, self.remarks.clone())
+            }
+            Source::OwnPlaces(places, numbers) => {
+                let (mut layout, remarks) = places.layout(base, path, numbers, &self.answers, files)?;
+                let (rebuilt, selected) = with_contacts(base, &mut layout)?;
+                self.ask_about_radii(rebuilt.model(), &layout)?;
+                let plan = numbers.plan(rebuilt.model(), &selected)?;
+                (plan, rebuilt, remarks)
+            }
+        };
+        plan.name_operation("add");
+        if base.forces().is_empty() {
+            plan.begin_story();
+        }
+        plan.warnings.retain(|warning| warning.code() != FindingCode::NothingToChange);
+        plan.remarks.splice(0..0, remarks);
+        let has_reference = !matches!(self.source, Source::OwnPlaces(_, Numbers::Designed(_)));
+        if !self.friction && has_reference {
+            plan.remarks.extend(remark_on_kept_friction(&plan, rebuilt.model()));
+        }
+        plan.remarks.extend(remark_on_old_document(&rebuilt));
+        plan.remarks.extend(remark_on_leaning_planes(base, &rebuilt));
+        plan.remarks.extend(removed.and_then(|forces| remark_on_other_planes(model, &forces, &rebuilt)));
+        let mut plan = plan.on(match &bare {
+            Some(bare) => rebuilt.clone().after(bare),
+            None => rebuilt.clone(),
+        });
+        if self.level {
+            let changed = plan.changed(model)?;
+            plan.level(model, &set::level_places(&changed, &new_forces(&plan, &changed))?)?;
+        }
+        let stands = plan.changed(model).ok().and_then(|changed| remark_on_standing(&plan, &changed));
+        plan.remarks.extend(stands);
+        Ok(plan)
+    }
+
+    /// The model without the contacts that are replaced, and their forces; `None` if it has none.
+    fn without_contacts(&self, model: &Model) -> Result<Option<(Rebuilt, Vec<ForceId>)>, Fault> {
+        let forces_on_floors = Selected::matching(model, |force| model.meets_half_space(force));
+        if forces_on_floors.forces.is_empty() {
+            return Ok(None);
+        }
+        // Other forces, such as a ball that meets the floor, stay: the program asks for the choice of forces as `remove` does.
+        let replaced = match self.replaced_forces.apply(model) {
+            Ok(replaced) => replaced,
+            Err(fault)
+                if self.replaced_forces.select.is_empty()
+                    && matches!(fault.kind, FaultKind::NothingSelected { .. }) =>
+            {
+                return Ok(None);
+            }
+            Err(fault) if self.replace || !self.replaced_forces.select.is_empty() => return Err(fault),
+            Err(_) => forces_on_floors,
+        };
+        if self.replace {
+            return Ok(Some((remove(model, &replaced)?, replaced.forces)));
+        }
+        Err(Fault::new(FaultKind::ContactsExist { forces: model.short_force_names(&replaced.forces) }))
+    }
+
+    /// Asks about radii that look like another unit. (A plan asks only about radii that change, and those of new spheres do not.)
+    fn ask_about_radii(&self, built: &Model, layout: &Layout) -> Result<(), Fault> {
+        if self.answers.has(Question::ImplausibleRadius) {
+            return Ok(());
+        }
+        let new_spheres: HashSet<&str> =
+            layout.contacts.iter().map(|contact| contact.sphere.as_str()).collect();
+        let distances = built.joint_distances();
+        let spheres = built.spheres().iter().filter(|sphere| new_spheres.contains(sphere.name.as_str()));
+        let mut slips =
+            spheres.filter_map(|sphere| distances.implausible_radius(sphere, sphere.radius.number, true));
+        slips.next().map_or(Ok(()), |asks| Err(Fault::new(asks)))
+    }
+}
+
+/// The forces that `plan` adds, in `built`, the model that it makes.
+fn new_forces(plan: &Plan, built: &Model) -> Vec<ForceId> {
+    let added = plan.objects().iter().filter(|object| object.deed == Deed::Added);
+    let paths: HashSet<&str> = added.map(|object| object.path.as_str()).collect();
+    Selected::matching(built, |force| paths.contains(force.path.as_str())).forces
+}
