@@ -12,7 +12,7 @@
     reason = "a test fails by panicking and says aloud what it skips"
 )]
 
-mod door;
+mod file_access;
 mod full;
 mod killed;
 mod left_over;

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use osim_library::Cause;
-use osim_library::page::Words;
+use osim_library::report_page::Words;
 use osim_model::Excerpt;
 use osim_model::files::Failure;
 pub(crate) use osim_view::report::ExitStatus as Exit;

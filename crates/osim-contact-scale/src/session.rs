@@ -5,7 +5,7 @@ use std::path::Path;
 use anyhow::Result;
 use clap::ValueEnum;
 use osim_inspect::describe_unmatched_patterns;
-use osim_library::page::{ReportPage, Words};
+use osim_library::report_page::{ReportPage, Words};
 use osim_library::{Disk, LibraryFault};
 use osim_model::files::{CompanionPaths, Failure};
 use osim_planning::open_with;

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Command, CommandFactory};
 use osim_library::SplitName;
-use osim_library::page::Words;
+use osim_library::report_page::Words;
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 

@@ -1,4 +1,4 @@
-//! Why something could not be done with files.
+//! Faults of work with files on a disk.
 
 use std::fmt::{self, Display};
 use std::path::Path;
@@ -15,32 +15,32 @@ pub struct LibraryFault {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cause {
-    /// The call's: it asks for what is not done.
+    /// The call: it asks for something that is refused.
     Call,
-    /// The system's: a full disk, a folder that may not be written.
+    /// The system, for example a full disk or a folder that may not be written.
     System,
-    /// Nobody's: another run has a file, and will be done with it.
+    /// Another run, which is using a file and will end.
     Busy,
 }
 
 impl LibraryFault {
-    /// In words; what the reader can say is in them as data.
+    /// A fault of the call. Names of options in the message are data, which a front end spells.
     pub fn new(message: impl Into<Phrase>) -> Self {
         Self { message: message.into(), cause: Cause::Call }
     }
 
-    /// What could not be done, and why not.
-    pub(crate) fn because(what: impl Display, why: impl Display) -> Self {
+    /// A fault of the system: what could not be done, and why.
+    pub(crate) fn system(what: impl Display, why: impl Display) -> Self {
         Self { cause: Cause::System, ..Self::new(format!("{what}: {why}")) }
     }
 
-    /// Another run has a file.
+    /// Another run is using a file.
     pub(crate) fn busy(message: Phrase) -> Self {
         Self { message, cause: Cause::Busy }
     }
 
-    /// This output is there, and no run wrote it like that. No file is replaced unless the user asks for it.
-    pub(crate) fn edited(output: &Path) -> Self {
+    /// A resumed run finds an output that was edited after it was written, and does not replace it.
+    pub(crate) fn output_edited(output: &Path) -> Self {
         Self::new(phrase![
             format!(
                 "{} is not what an earlier run wrote, so it stays: move it away, or replace it with ",
@@ -50,8 +50,8 @@ impl LibraryFault {
         ])
     }
 
-    /// A model holds what an earlier run wrote by other options. A factor would be applied on top of the one before.
-    pub(crate) fn changed_before() -> Self {
+    /// A resumed run in place finds a model that an earlier run changed with other options: a factor would be applied twice.
+    pub(crate) fn model_changed_before() -> Self {
         Self::new(phrase![
             "an earlier run changed this model by other options, and this change would come on top of that: bring back \
              what it was before, or change it once more with ",
@@ -69,7 +69,7 @@ impl LibraryFault {
         self.cause
     }
 
-    /// What is wrong, with inputs as data.
+    /// The message, with names of options as data.
     pub fn phrase(&self) -> &Phrase {
         &self.message
     }
@@ -78,13 +78,13 @@ impl LibraryFault {
         self.message.spelled(dialect)
     }
 
-    pub fn of_model(self, model: impl Into<FileName>, code: &'static str) -> Failure {
+    pub fn into_failure(self, model: impl Into<FileName>, code: &'static str) -> Failure {
         Failure::outside(model, code, &self.message)
     }
 }
 
-/// The error of another library.
-pub(crate) fn foreign_fault(error: impl Display) -> LibraryFault {
+/// An error of another library as a fault.
+pub(crate) fn fault_of_error(error: impl Display) -> LibraryFault {
     LibraryFault::new(error.to_string())
 }
 
@@ -103,6 +103,6 @@ pub(crate) trait Context<T> {
 
 impl<T, E: Display> Context<T> for Result<T, E> {
     fn context<D: Display>(self, what: impl FnOnce() -> D) -> Result<T, LibraryFault> {
-        self.map_err(|why| LibraryFault::because(what(), why))
+        self.map_err(|why| LibraryFault::system(what(), why))
     }
 }

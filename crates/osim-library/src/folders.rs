@@ -1,4 +1,4 @@
-//! The folders that a run writes into, looked at once and not once per model.
+//! Lists the folders that a run writes into, once and not for each model; and makes folders.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -8,77 +8,78 @@ use osim_planning::rules::compiled_model_beside;
 
 use crate::fault::{Context, LibraryFault};
 use crate::paths::{folder_of, resolved};
-use crate::write::{replaced, temporary};
+use crate::write::{exchange, temporary};
 
-/// What was in the folders when the run began.
+/// The files in the folders of outputs, as they were when the run began.
 #[derive(Debug, Default)]
-pub struct Folders {
-    compiled: HashMap<PathBuf, Vec<String>>,
-    /// What a process left that was killed while it changed a model itself.
-    replaced: Vec<PathBuf>,
+pub struct OutputFolders {
+    compiled_names: HashMap<PathBuf, Vec<String>>,
+    /// Files that were displaced by a run in place that was killed.
+    displaced: Vec<PathBuf>,
 }
 
-impl Folders {
-    /// Lists the folder of every output. With `tidy`, files that processes left behind when they were killed go.
+impl OutputFolders {
+    /// Lists the folder of every output. With `tidy`, temporary files of killed processes are removed.
     pub fn list<'p>(outputs: impl Iterator<Item = &'p Path>, tidy: bool) -> Self {
         let mut folders = Self::default();
         for output in outputs {
-            folders.list_one(folder_of(output), tidy);
-            // A file is replaced where it really is.
+            folders.list_folder(folder_of(output), tidy);
+            // If the output is a link, the file that it leads to is replaced.
             if tidy && output.is_symlink() {
-                folders.list_one(folder_of(&resolved(output)), tidy);
+                folders.list_folder(folder_of(&resolved(output)), tidy);
             }
         }
         folders
     }
 
-    fn list_one(&mut self, folder: &Path, tidy: bool) {
-        if !self.compiled.contains_key(folder) {
-            let compiled = self.names_of_compiled(folder, tidy);
-            self.compiled.insert(folder.to_owned(), compiled);
+    fn list_folder(&mut self, folder: &Path, tidy: bool) {
+        if !self.compiled_names.contains_key(folder) {
+            let compiled_names = self.list_compiled_models(folder, tidy);
+            self.compiled_names.insert(folder.to_owned(), compiled_names);
         }
     }
 
     /// Names in `folder` that may be compiled models; empty if it does not exist yet or cannot be read.
-    fn names_of_compiled(&mut self, folder: &Path, tidy: bool) -> Vec<String> {
-        let mut compiled = Vec::new();
+    fn list_compiled_models(&mut self, folder: &Path, tidy: bool) -> Vec<String> {
+        let mut compiled_names = Vec::new();
         for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
             let name = entry.file_name();
             if name.as_encoded_bytes().starts_with(b"F_") {
-                compiled.push(name.to_string_lossy().into_owned());
+                compiled_names.push(name.to_string_lossy().into_owned());
             } else if tidy && temporary::is_left_over(folder, &name) {
-                // A user who may not remove it may not write here either, and gets that error.
+                // If the file may not be removed, the folder may not be written, and the user gets that error later.
                 drop(std::fs::remove_file(entry.path()));
-            } else if tidy && replaced::is_left_over(folder, &name) {
-                self.replaced.push(entry.path());
+            } else if tidy && exchange::is_left_over(folder, &name) {
+                self.displaced.push(entry.path());
             }
         }
-        compiled.sort();
-        compiled
+        compiled_names.sort();
+        compiled_names
     }
 
-    /// Looks at what a process left that was killed while it changed a model itself. What may be another program's work becomes a
-    /// further backup: a line for each.
-    pub(crate) fn settle_replaced(&mut self) -> Vec<String> {
-        let kept = |left: PathBuf| Some((replaced::settle(&left)?, left));
+    /// Removes displaced files of killed runs, or keeps those that may be another program's work as further backups. Returns a sentence
+    /// for each that is kept.
+    pub(crate) fn keep_displaced_files(&mut self) -> Vec<String> {
+        let keep = |leftover: PathBuf| Some((exchange::settle(&leftover)?, leftover));
         let shown = |path: &Path| path.strip_prefix(".").unwrap_or(path).display().to_string();
-        let line = |(kept, left): (PathBuf, PathBuf)| {
-            let (left, kept) = (shown(&left), shown(&kept));
+        let line = |(kept, leftover): (PathBuf, PathBuf)| {
+            let (leftover, kept) = (shown(&leftover), shown(&kept));
             format!(
-                "{left} was left by a run that was killed and may be what another program saved: kept as {kept}"
+                "{leftover} was left by a run that was killed and may be what another program saved: kept as {kept}"
             )
         };
-        self.replaced.drain(..).filter_map(kept).map(line).collect()
+        self.displaced.drain(..).filter_map(keep).map(line).collect()
     }
 
-    /// A compiled copy of the model `output`, which PredSim and OpenCap would go on using.
-    pub(crate) fn compiled_beside(&self, output: &Path) -> Option<Finding> {
-        let compiled = self.compiled.get(folder_of(output)).filter(|compiled| !compiled.is_empty())?;
+    /// The finding that PredSim and OpenCap would use a compiled file instead of the model `output`.
+    pub(crate) fn compiled_model_beside_output(&self, output: &Path) -> Option<Finding> {
+        let compiled_names =
+            self.compiled_names.get(folder_of(output)).filter(|compiled_names| !compiled_names.is_empty())?;
         let prefix = format!("F_{}.", output.file_stem()?.to_string_lossy());
-        // The names are sorted: the first that is not before the prefix has it, or none does.
-        let first = compiled.partition_point(|name| *name < prefix);
-        let found = compiled.get(first).filter(|name| name.starts_with(&prefix))?;
-        Some(compiled_model_beside(&folder_of(output).join(found)))
+        // In sorted names, the first one that is not before the prefix begins with it, or no name does.
+        let first = compiled_names.partition_point(|name| *name < prefix);
+        let compiled_name = compiled_names.get(first).filter(|name| name.starts_with(&prefix))?;
+        Some(compiled_model_beside(&folder_of(output).join(compiled_name)))
     }
 }
 

@@ -2,17 +2,17 @@
 //!
 //! # What it will not do
 //!
-//! It knows no terminal: what is to be reported goes through [`run::FrontEnd`] and is data until then.
+//! It knows no terminal: messages are data, which a front end ([`run::RunFrontEnd`]) spells and shows.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod digest;
-mod door;
 mod fault;
+mod file_access;
 mod folders;
-pub mod page;
 mod partial;
 mod paths;
+pub mod report_page;
 pub mod run;
 mod source;
 mod survey;
@@ -21,12 +21,12 @@ mod workers;
 mod write;
 
 pub use digest::sha256;
-pub use door::{head, reason};
 pub use fault::{Cause, LibraryFault};
-pub use folders::{Folders, make_folder_of};
+pub use file_access::{read_head, reason};
+pub use folders::{OutputFolders, make_folder_of};
 pub use paths::{folder_of, resolved};
 pub use source::{Disk, Loaded, OrdinaryFiles, Origin, Source, Sources, SplitName, Stamp};
 pub use survey::{Survey, SurveyText, Surveyed};
 pub use sweep::{OtherModels, SameContacts, SweepEnd, SweepFrontEnd, SweepRun};
-pub use workers::{in_order, threads};
-pub use write::{Mode, Prepared};
+pub use workers::{thread_count, work_in_order};
+pub use write::{PendingFile, WriteMode};

@@ -1,7 +1,6 @@
-//! `FILE.partial`: what a run has done so far, one line each, while `FILE` itself is not whole.
+//! `FILE.partial`: one line for each finished output of a run, as long as `FILE` itself is not complete.
 //!
-//! A line is there before its output takes its name. Whenever the program is killed, every finished output therefore has
-//! its line.
+//! A line is written before its output gets its name, so that every finished output has its line, even if the program is killed.
 
 use std::ffi::OsString;
 use std::fs::File;
@@ -10,33 +9,30 @@ use std::path::{Path, PathBuf};
 
 use osim_model::messages::{Input, Phrase, phrase};
 
-use crate::door;
 use crate::fault::{Context, LibraryFault};
+use crate::file_access;
 
-/// Whole lines only. While it is open, no other run opens it.
+/// A file of whole lines that is open for one run at a time.
 #[derive(Debug)]
-pub(crate) struct Partial {
+pub(crate) struct PartialFile {
     path: PathBuf,
     file: File,
     length: u64,
 }
 
-impl Partial {
-    /// What its name has after that of the whole file.
+impl PartialFile {
+    /// The end of its name, after the name of the complete file.
     pub(crate) const ENDING: &'static str = ".partial";
 
-    pub(crate) fn path_of(whole: &Path) -> PathBuf {
+    pub(crate) fn path_for(whole: &Path) -> PathBuf {
         let mut name = OsString::from(whole.as_os_str());
         name.push(Self::ENDING);
         PathBuf::from(name)
     }
 
-    /// Refuses to begin where a run that was stopped left one.
-    ///
-    /// # Errors
-    /// It is there.
-    pub(crate) fn check_none_left(whole: &Path) -> Result<(), LibraryFault> {
-        let path = Self::path_of(whole);
+    /// Refuses to begin if a run that was stopped left a partial file.
+    pub(crate) fn refuse_leftover(whole: &Path) -> Result<(), LibraryFault> {
+        let path = Self::path_for(whole);
         if !path.exists() {
             return Ok(());
         }
@@ -49,37 +45,34 @@ impl Partial {
         ]))
     }
 
-    /// Refuses to begin where another run has that of `whole`. Several runs may ask at the same time.
-    ///
-    /// # Errors
-    /// It has it, or that cannot be found out.
-    pub(crate) fn check_free(whole: &Path, way_out: &Phrase) -> Result<(), LibraryFault> {
-        let path = Self::path_of(whole);
-        match door::is_taken(&path).context(|| format!("cannot read {}", path.display()))? {
-            true => Err(being_written(whole, way_out)),
+    /// Refuses to begin if another run has the partial file of `whole` open.
+    pub(crate) fn refuse_if_in_use(whole: &Path, way_out: &Phrase) -> Result<(), LibraryFault> {
+        let path = Self::path_for(whole);
+        match file_access::is_open_exclusively(&path).context(|| format!("cannot read {}", path.display()))? {
+            true => Err(fault_of_file_in_use(whole, way_out)),
             false => Ok(()),
         }
     }
 
-    /// Opens that of `whole` for this run alone, with the whole lines that are there if the run continues them. `way_out` is what
-    /// to do if another run has it.
+    /// Opens the partial file of `whole` for this run alone. If the run resumes, whole lines are kept. `way_out` is the advice if another
+    /// run has it open.
     ///
     /// # Errors
     /// It cannot be written, or another run has it.
     pub(crate) fn open(whole: &Path, resume: bool, way_out: &Phrase) -> Result<Self, LibraryFault> {
-        let path = Self::path_of(whole);
+        let path = Self::path_for(whole);
         let cannot = || format!("cannot write {}", path.display());
-        let opened = door::alone(&path).map_err(|error| match error.kind() {
-            // The call names what is no file.
+        let opened = file_access::open_exclusively(&path).map_err(|error| match error.kind() {
+            // The message already says that this is not an ordinary file.
             ErrorKind::Other => LibraryFault::new(format!("{}: {error}", cannot())),
-            _ => LibraryFault::because(cannot(), door::reason(&error)),
+            _ => LibraryFault::system(cannot(), file_access::reason(&error)),
         })?;
         let Some(mut file) = opened else {
-            return Err(being_written(whole, way_out));
+            return Err(fault_of_file_in_use(whole, way_out));
         };
-        // A line cut off when the run was killed must not run into the next one.
-        let kept = if resume { whole_lines(&mut file).context(cannot)? } else { 0 };
-        cut(&mut file, kept).context(cannot)?;
+        // A line that was cut off when the run was killed must not run into the next one.
+        let kept = if resume { length_of_whole_lines(&mut file).context(cannot)? } else { 0 };
+        truncate_to(&mut file, kept).context(cannot)?;
         Ok(Self { file, length: kept, path })
     }
 
@@ -90,19 +83,19 @@ impl Partial {
     /// Adds whole lines.
     ///
     /// # Errors
-    /// The disk is full; then nothing of them is there.
-    pub(crate) fn add(&mut self, lines: &[u8]) -> Result<(), LibraryFault> {
+    /// The disk is full. No part of the lines is in the file then.
+    pub(crate) fn add_lines(&mut self, lines: &[u8]) -> Result<(), LibraryFault> {
         let cannot = || format!("cannot write {}", self.path.display());
         if let Err(error) = self.file.write_all(lines) {
-            // On a full disk a part of the line may be there: the next one would run into it.
-            cut(&mut self.file, self.length).context(cannot)?;
+            // A part of the line may have been written: the next line would run into it.
+            truncate_to(&mut self.file, self.length).context(cannot)?;
             return Err(error).context(cannot);
         }
         self.length += lines.len() as u64;
         Ok(())
     }
 
-    /// Removes it, once the whole file is there.
+    /// Removes the file, after the complete file was written.
     pub(crate) fn remove(self) -> Result<(), LibraryFault> {
         let Self { path, file, .. } = self;
         drop(file);
@@ -110,25 +103,24 @@ impl Partial {
     }
 }
 
-fn being_written(whole: &Path, way_out: &Phrase) -> LibraryFault {
+fn fault_of_file_in_use(whole: &Path, way_out: &Phrase) -> LibraryFault {
     let mut message = phrase![format!("{} is being written by another run: ", whole.display())];
     message.push(way_out);
     LibraryFault::busy(message)
 }
 
-/// The length of what was written to its end.
-fn whole_lines(file: &mut File) -> std::io::Result<u64> {
+fn length_of_whole_lines(file: &mut File) -> std::io::Result<u64> {
     let length = file.metadata()?.len();
     end_of_lines(file, length)
 }
 
-/// Cuts the file to `length` bytes: the next line comes after them.
-fn cut(file: &mut File, length: u64) -> std::io::Result<()> {
+/// Shortens the file to `length` bytes and goes to its end.
+fn truncate_to(file: &mut File, length: u64) -> std::io::Result<()> {
     file.set_len(length)?;
     file.seek(SeekFrom::Start(length)).map(|_| ())
 }
 
-/// Where the last whole line ends.
+/// The length of the whole lines in the first `length` bytes of a file.
 pub(crate) fn end_of_lines(file: &mut File, length: u64) -> std::io::Result<u64> {
     const BLOCK: u64 = 1 << 16;
     let mut end = length;
@@ -149,18 +141,18 @@ pub(crate) fn end_of_lines(file: &mut File, length: u64) -> std::io::Result<u64>
 mod tests {
     use super::*;
 
-    /// Also while another handle of this process reads it, as a run does that goes on.
+    /// A resumed run reads the file by one handle while it writes by another.
     #[test]
-    fn one_run_at_a_time_writes_after_the_whole_lines_and_all_may_read() {
+    fn one_run_appends_after_whole_lines_while_others_may_read() {
         let folder = tempfile::tempdir().unwrap();
         let whole = folder.path().join("summary.csv");
-        let partial = Partial::path_of(&whole);
+        let partial = PartialFile::path_for(&whole);
         std::fs::write(&partial, "one\ntwo\nthr").unwrap();
-        let (mut earlier, _) = door::to_read(&partial).unwrap();
-        let mut open = Partial::open(&whole, true, &"wait".into()).unwrap();
-        let other = Partial::open(&whole, true, &"wait".into()).unwrap_err().to_string();
+        let (mut earlier, _) = file_access::open_to_read(&partial).unwrap();
+        let mut open = PartialFile::open(&whole, true, &"wait".into()).unwrap();
+        let other = PartialFile::open(&whole, true, &"wait".into()).unwrap_err().to_string();
         assert!(other.ends_with("is being written by another run: wait"), "{other}");
-        open.add(b"three\n").unwrap();
+        open.add_lines(b"three\n").unwrap();
         assert_eq!(std::fs::read_to_string(&partial).unwrap(), "one\ntwo\nthree\n");
         let mut line = [0; 4];
         earlier.read_exact(&mut line).unwrap();
@@ -168,10 +160,10 @@ mod tests {
         drop(earlier);
         open.remove().unwrap();
         assert!(!partial.exists());
-        let mut anew = Partial::open(&whole, false, &"wait".into()).unwrap();
-        anew.add(b"new\n").unwrap();
+        let mut anew = PartialFile::open(&whole, false, &"wait".into()).unwrap();
+        anew.add_lines(b"new\n").unwrap();
         drop(anew);
-        drop(Partial::open(&whole, false, &"wait".into()).unwrap());
+        drop(PartialFile::open(&whole, false, &"wait".into()).unwrap());
         assert_eq!(std::fs::read(&partial).unwrap(), b"");
     }
 }

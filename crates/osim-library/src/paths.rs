@@ -1,14 +1,14 @@
-//! Paths as the file system sees them, also where parts of them do not exist yet.
+//! Absolute and relative paths, also of files and folders that do not exist yet.
 
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
 
-/// The absolute path without links, `.` and `..`; what does not exist yet is taken as written.
+/// The absolute path without links, `.` and `..`; parts that do not exist yet stay as they are written.
 pub fn resolved(path: &Path) -> PathBuf {
     if let Ok(real) = path.canonicalize() {
         return real;
     }
-    // Windows has two spellings of a folder, and all that is resolved has to have the same: `\\?\C:\here`, not `C:\here`.
+    // Windows has two spellings of a folder; all resolved paths have the one that `canonicalize` gives: `\\?\C:\here`, not `C:\here`.
     let here = || std::env::current_dir().map(|here| here.canonicalize().unwrap_or(here)).unwrap_or_default();
     let mut real = if path.is_absolute() { PathBuf::new() } else { here() };
     for component in path.components() {
@@ -26,8 +26,8 @@ pub fn resolved(path: &Path) -> PathBuf {
     real
 }
 
-/// The way from one folder to another, both [`resolved`]: `.` where they are one. The other itself where it is on another drive.
-pub(crate) fn way(from: &Path, to: &Path) -> PathBuf {
+/// The relative path from one folder to another, both [`resolved`]; `.` if they are equal, and `to` itself if it is on another drive.
+pub(crate) fn relative_path(from: &Path, to: &Path) -> PathBuf {
     let same = from.components().zip(to.components()).take_while(|(from, to)| from == to).count();
     if same == 0 {
         return to.to_owned();
@@ -42,7 +42,7 @@ pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// [`resolved`] for very many paths: every folder is asked for once.
+/// [`resolved`] for very many paths: it resolves every folder once.
 #[derive(Debug, Default)]
 pub(crate) struct Resolver {
     folders: HashMap<PathBuf, PathBuf>,
@@ -69,16 +69,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_way_from_a_folder_leads_up_and_down() {
+    fn relative_paths_lead_up_and_down() {
         for (from, to, expected) in
             [("/a/b", "/a/b", "."), ("/a", "/a/b/c", "b/c"), ("/a/b/c", "/a/d", "../../d")]
         {
-            assert_eq!(way(Path::new(from), Path::new(to)), Path::new(expected), "{from} {to}");
+            assert_eq!(relative_path(Path::new(from), Path::new(to)), Path::new(expected), "{from} {to}");
         }
     }
 
     #[test]
-    fn a_way_through_a_folder_that_does_not_exist_leads_to_the_same_file() {
+    fn paths_through_folders_that_do_not_exist_are_resolved() {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("a.osim");
         std::fs::write(&file, "").unwrap();

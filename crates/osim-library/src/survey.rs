@@ -15,10 +15,12 @@ use osim_view::report::extent::Extent;
 use osim_view::report::inspection::{self, ModelsTable};
 use osim_view::report::layout::Colour;
 
-use crate::page::{Replace, ReportPage, Words};
+use crate::report_page::{MayReplace, ReportPage, Words};
 use crate::run::PathConflicts;
 use crate::source::MemoryFirst;
-use crate::{Disk, Folders, LibraryFault, Loaded, Source, Sources, in_order, sha256, threads};
+use crate::{
+    Disk, LibraryFault, Loaded, OutputFolders, Source, Sources, sha256, thread_count, work_in_order,
+};
 
 /// Models and how they are looked at.
 pub struct Survey<'s> {
@@ -61,7 +63,7 @@ impl Survey<'_> {
         let Some(path) = &self.report.report else { return Ok(None) };
         let mut conflicts = PathConflicts::default();
         self.sources.models.iter().for_each(|source| conflicts.read(source.path.as_path()));
-        self.inspector.reads().iter().for_each(|path| conflicts.read(path.as_path()));
+        self.inspector.extra_files().iter().for_each(|path| conflicts.read(path.as_path()));
         conflicts.write(path, "the report")?;
         let shown = match (self.sources.models.as_slice(), self.sources.failures.as_slice()) {
             ([source], []) => Some(source.shown()),
@@ -69,8 +71,8 @@ impl Survey<'_> {
             _ => None,
         };
         let about = About::new(self.verb, shown, Columns::Inspections, asked);
-        let replace = if self.report.force { Replace::Files } else { Replace::Never };
-        Folders::list(std::iter::once(path.as_path()), true);
+        let replace = if self.report.force { MayReplace::Files } else { MayReplace::Never };
+        OutputFolders::list(std::iter::once(path.as_path()), true);
         let mut page = ReportPage::begin(path, replace, about, self.words)?;
         self.sources.failures.iter().for_each(|failure| page.add(Entry::failed(failure, self.words)));
         Ok(Some(page))
@@ -93,11 +95,12 @@ impl Survey<'_> {
     ) -> Result<Option<E>, E> {
         let models = &self.sources.models;
         let lists = self.verb == Verb::Check || self.is_table();
-        let folders = lists.then(|| Folders::list(models.iter().map(|source| source.path.as_path()), false));
+        let folders =
+            lists.then(|| OutputFolders::list(models.iter().map(|source| source.path.as_path()), false));
         let (with_page, mut untold) = (page.is_some(), None);
-        in_order(
+        work_in_order(
             models,
-            threads(jobs, models.len()),
+            thread_count(jobs, models.len()),
             |source| (!is_stopped()).then(|| self.look(source, folders.as_ref(), with_page)),
             |source, looked| -> Result<(), E> {
                 let Some((surveyed, entry)) = looked else { return Ok(()) };
@@ -143,7 +146,12 @@ impl Survey<'_> {
         several && !self.shows_each && !self.extent.is_full()
     }
 
-    fn look(&self, source: &Source, folders: Option<&Folders>, with_page: bool) -> (Surveyed, Option<Entry>) {
+    fn look(
+        &self,
+        source: &Source,
+        folders: Option<&OutputFolders>,
+        with_page: bool,
+    ) -> (Surveyed, Option<Entry>) {
         match self.examine(source, folders, with_page) {
             Ok(looked) => looked,
             Err(failure) if self.verb == Verb::Check && source.is_skipped(&failure) => {
@@ -159,7 +167,7 @@ impl Survey<'_> {
     fn examine(
         &self,
         source: &Source,
-        folders: Option<&Folders>,
+        folders: Option<&OutputFolders>,
         with_page: bool,
     ) -> Result<(Surveyed, Option<Entry>), Failure> {
         let opened = Loaded::read_beside(source, self.inspector.set_files(), self.memory)?.files.open()?;
@@ -170,7 +178,9 @@ impl Survey<'_> {
         }
         let found = (with_page || folders.is_some()).then(|| {
             let is_file = !source.is_stdin() && !self.memory.contains_key(&source.path);
-            let compiled = folders.filter(|_| is_file).and_then(|known| known.compiled_beside(&source.path));
+            let compiled = folders
+                .filter(|_| is_file)
+                .and_then(|known| known.compiled_model_beside_output(&source.path));
             let files = MemoryFirst { memory: self.memory, disk: &Disk };
             let mut found = self.inspector.check(&opened.model, &inspection, compiled.as_ref(), &files);
             found.spell(self.words);

@@ -1,4 +1,4 @@
-//! Work on many models at once, reported in the order in which they were named.
+//! Works on many items on several threads, and hands over the results in the order of the items.
 
 use std::collections::VecDeque;
 use std::num::NonZeroUsize;
@@ -11,49 +11,49 @@ use rayon::ThreadPoolBuilder;
 
 use crate::fault::{Context, LibraryFault};
 
-/// How many results may wait for an earlier one. A slow model holds up the reports after it, never the memory.
-const WINDOW: usize = 512;
+/// Most results that wait for an earlier one, so that a slow model does not fill the memory with results of later ones.
+const MOST_WAITING_RESULTS: usize = 512;
 
-/// More threads than this, and than four per processor, only wait for each other.
-const MANY: usize = 64;
+/// Most threads, unless four per processor are more: more of them would only wait for each other.
+const MOST_THREADS: usize = 64;
 
-/// Threads to use: those asked for, else one per processor; never more than there are items, or than are of any use.
-pub fn threads(asked: Option<Jobs>, items: usize) -> usize {
-    // To know how many processors there are, Linux reads three files.
+/// The number of threads to use: the `asked` one, else one per processor; at most one per item.
+pub fn thread_count(asked: Option<Jobs>, items: usize) -> usize {
+    // Counting the processors takes time: Linux reads three files.
     if items <= 1 {
         return 1;
     }
     let all = available_parallelism().map_or(1, NonZeroUsize::get);
-    let most = MANY.max(all.saturating_mul(4)).min(items);
+    let most = MOST_THREADS.max(all.saturating_mul(4)).min(items);
     asked.map_or(all, |jobs| jobs.get().into()).min(most)
 }
 
-/// Does `work` for every item on `threads` threads and hands the results to `each` in the order of the items.
+/// Does `work` for every item on `thread_count` threads and hands the results to `each` in the order of the items.
 ///
-/// A panic of `work` continues on the thread that called: it would be a defect, and nobody must wait for a result that never
-/// comes.
+/// A panic of `work` continues on the calling thread, so that nobody waits for a result that never comes.
 ///
 /// # Errors
 /// The first error of `each`: no further item is begun. Or the threads cannot be started.
-pub fn in_order<T: Sync, R: Send, E: From<LibraryFault>>(
+pub fn work_in_order<T: Sync, R: Send, E: From<LibraryFault>>(
     items: &[T],
-    threads: usize,
+    thread_count: usize,
     work: impl Fn(&T) -> R + Sync,
     mut each: impl FnMut(&T, R) -> Result<(), E>,
 ) -> Result<(), E> {
-    if threads <= 1 {
+    if thread_count <= 1 {
         return items.iter().try_for_each(|item| each(item, work(item)));
     }
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build().context(|| "cannot start threads")?;
+    let pool =
+        ThreadPoolBuilder::new().num_threads(thread_count).build().context(|| "cannot start threads")?;
     let (work, (sender, receiver)) = (&work, mpsc::channel());
     pool.in_place_scope_fifo(|scope| {
         let mut waiting: VecDeque<Option<R>> = VecDeque::new();
         let mut begun = 0;
         let mut waiting_items = items.iter();
         loop {
-            while let Some(item) = items.get(begun).filter(|_| waiting.len() < WINDOW) {
+            while let Some(item) = items.get(begun).filter(|_| waiting.len() < MOST_WAITING_RESULTS) {
                 let (sender, index) = (sender.clone(), begun);
-                // Nobody listens any more only after an error of `each`; the result is of no use then.
+                // Sending fails only after an error of `each`, when the result is not needed any more.
                 let caught = move || catch_unwind(AssertUnwindSafe(|| work(item)));
                 scope.spawn_fifo(move |_| drop(sender.send((index, caught()))));
                 waiting.push_back(None);
@@ -85,10 +85,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn results_come_in_the_order_of_the_items_whoever_is_ready_first() {
+    fn results_come_in_the_order_of_the_items() {
         let items: Vec<usize> = (0..2000).collect();
-        let most = threads("4096".parse().ok(), items.len());
-        assert!(most >= MANY);
+        let most = thread_count("4096".parse().ok(), items.len());
+        assert!(most >= MOST_THREADS);
         for threads in [1, 2, 7, most] {
             let mut reported = Vec::new();
             let slow = |&item: &usize| {
@@ -97,7 +97,7 @@ mod tests {
                 }
                 item * 2
             };
-            in_order(&items, threads, slow, |&item, result| {
+            work_in_order(&items, threads, slow, |&item, result| {
                 reported.push((item, result));
                 Ok::<(), LibraryFault>(())
             })
@@ -107,11 +107,12 @@ mod tests {
     }
 
     #[test]
-    fn a_panic_goes_on_where_the_work_was_asked_for() {
+    fn a_panic_continues_on_the_calling_thread() {
         let items: Vec<usize> = (0..10).collect();
         for threads in [1, 2] {
             let work = |&item: &usize| assert_ne!(item, 7, "the seventh");
-            let ended = catch_unwind(|| in_order(&items, threads, work, |_, ()| Ok::<(), LibraryFault>(())));
+            let ended =
+                catch_unwind(|| work_in_order(&items, threads, work, |_, ()| Ok::<(), LibraryFault>(())));
             let panic = ended.unwrap_err();
             assert!(panic.downcast_ref::<String>().unwrap().contains("the seventh"), "{threads} threads");
         }
@@ -123,7 +124,7 @@ mod tests {
         let done = AtomicUsize::new(0);
         let count = |_: &usize| done.fetch_add(1, Ordering::Relaxed);
         let stop = |&item: &usize, _| if item == 3 { Err(LibraryFault::new("stop")) } else { Ok(()) };
-        assert!(in_order(&items, 2, count, stop).is_err());
-        assert!(done.load(Ordering::Relaxed) <= 4 + WINDOW);
+        assert!(work_in_order(&items, 2, count, stop).is_err());
+        assert!(done.load(Ordering::Relaxed) <= 4 + MOST_WAITING_RESULTS);
     }
 }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use osim_library::run::{
-    ChangedModel, Counts, Detail, FrontEnd, Record, RowReader, Rows, Run, RunRequest, Status,
+    ChangedModel, Counts, ModelDetail, Record, RowReader, Rows, Run, RunFrontEnd, RunRequest, Status,
 };
 use osim_library::{LibraryFault, sha256};
 use osim_model::messages::{Call, Dialect, Example, FieldNames, Input};
@@ -46,15 +46,15 @@ struct Watch {
     failed: AtomicUsize,
 }
 
-impl FrontEnd for Watch {
+impl RunFrontEnd for Watch {
     type Shown = Vec<PathBuf>;
 
     fn dialect(&self) -> &dyn Speller {
         &Words
     }
 
-    fn detail(&self) -> Detail {
-        Detail::Result
+    fn detail(&self) -> ModelDetail {
+        ModelDetail::ResultOnly
     }
 
     fn show(&self, changed: ChangedModel<'_>) -> Vec<PathBuf> {
@@ -65,7 +65,7 @@ impl FrontEnd for Watch {
         false
     }
 
-    fn done(&self, failed: bool) {
+    fn task_done(&self, failed: bool) {
         self.done.fetch_add(1, Ordering::Relaxed);
         self.failed.fetch_add(usize::from(failed), Ordering::Relaxed);
     }
@@ -88,13 +88,13 @@ fn rescale(models: &Path, field: &str, output: &Path, options: &RunOptions) -> R
         .to_string();
     let Request::Rescale(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!() };
     let mut run = Run::new(
-        RunRequest::of_change(prepare(*request, &osim_model::files::InMemory::default()).unwrap(), options)?,
+        RunRequest::for_change(prepare(*request, &osim_model::files::InMemory::default()).unwrap(), options)?,
         options,
     )?;
     run.begin()?;
     let failures = run.failures().len();
     let (watch, mut records, mut written) = (Watch::default(), Vec::new(), Vec::new());
-    let counts = run.work_off(&watch, |_, outcome| {
+    let counts = run.do_tasks(&watch, |_, outcome| {
         records.push(outcome.record);
         written.extend(outcome.shown.unwrap_or_default());
     })?;
@@ -226,13 +226,13 @@ fn a_table_needs_no_file() {
     let table = "model,target_mass,output,#site\na.osim,80,../a80.osim,north\nc.osim,6,../c6.osim,south\n";
     let request = BatchRequest { allow_outside: true, ..BatchRequest::default() };
     let Rows::Run(rows) = rows(&request, table, &models).unwrap() else { panic!() };
-    assert!(rows.reads.is_empty(), "{:?}", rows.reads);
+    assert!(rows.extra_files.is_empty(), "{:?}", rows.extra_files);
     let options = RunOptions::default();
     let mut run = Run::new(rows, &options).unwrap();
     run.begin().unwrap();
     let mut remarks = Vec::new();
     let counts = run
-        .work_off(&Watch::default(), |task, outcome| {
+        .do_tasks(&Watch::default(), |task, outcome| {
             assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
             remarks.push((task.row, outcome.record.remarks));
         })

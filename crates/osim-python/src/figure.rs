@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use contact_plots::{Axis, Curve, Drawing, PlotError};
 use osim_inspect::series::Body;
-use osim_library::{Mode, Prepared, make_folder_of};
+use osim_library::{PendingFile, WriteMode, make_folder_of};
 use osim_model::messages::Input;
 use osim_planning::{plot_bodies, plot_feet, plot_motion, plot_table};
 use osim_requests::spell::Python as PythonWords;
@@ -136,7 +136,7 @@ impl Figure {
 pub(crate) fn write_file(py: Python<'_>, path: PathBuf, bytes: PyBackedBytes, force: bool) -> PyResult<()> {
     guarded(py, || {
         make_folder_of(&path)?;
-        let mode = if force { Mode::Replace } else { Mode::New };
-        Ok(Prepared::new(&path, &bytes, None, mode)?.commit()?)
+        let mode = if force { WriteMode::Replace } else { WriteMode::New };
+        Ok(PendingFile::new(&path, &bytes, None, mode)?.commit()?)
     })
 }

@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-use osim_library::{LibraryFault, in_order};
+use osim_library::{LibraryFault, work_in_order};
 use osim_requests::RequestFault;
 use pyo3::exceptions::{PyException, PyOverflowError};
 use pyo3::prelude::*;
@@ -75,7 +75,7 @@ pub(crate) fn dictionary<'py>(py: Python<'py>, record: &impl Serialize) -> PyRes
 #[allow(clippy::panic, reason = "that is what it is for")]
 pub(crate) fn defect(py: Python<'_>, threads: usize) -> PyResult<()> {
     let work = |_: &usize| panic!("asked for by a test");
-    guarded(py, || Ok(in_order(&[0; 10], threads, work, |_, ()| Ok::<(), LibraryFault>(()))?))
+    guarded(py, || Ok(work_in_order(&[0; 10], threads, work, |_, ()| Ok::<(), LibraryFault>(()))?))
 }
 
 // How far a long call is, and Ctrl-C.

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use osim_inspect::CheckResult;
-use osim_library::page::{Words, entry};
+use osim_library::report_page::{Words, entry_of_change};
 use osim_library::run::{PlannedModel, Written};
 use osim_library::{Loaded, Source};
 use osim_model::FileId;
 use osim_model::messages::Verb;
-use osim_planning::{Change, prepare};
+use osim_planning::{PreparedChange, prepare};
 use osim_requests::Request;
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::Python as PythonWords;
@@ -88,7 +88,7 @@ impl Planned {
 }
 
 /// A model from memory, or from the disk as it is there now.
-fn load(path: &Path, change: &Change, files: &RequestFiles) -> Result<Loaded, Problem> {
+fn load(path: &Path, change: &PreparedChange, files: &RequestFiles) -> Result<Loaded, Problem> {
     Ok(match files.in_memory(path) {
         Some(bytes) => Loaded::in_memory(path, bytes.clone(), &change.set_files, files)?,
         None if path.is_dir() => {
@@ -169,7 +169,7 @@ impl Planned {
     /// that put the findings right.
     fn checked<'py>(&self, py: Python<'py>) -> PyResult<Vec<Checked<'py>>> {
         let both = guarded(py, || {
-            let both = self.model.shown(&PythonWords, false, |changed| changed.before_after)?;
+            let both = self.model.show(&PythonWords, false, |changed| changed.before_after)?;
             let Some(both) = both else { return Ok(Vec::new()) };
             let after = both.after.map(|(_, found)| found);
             Ok(std::iter::once(both.before.1).chain(after).collect::<Vec<_>>())
@@ -186,9 +186,9 @@ impl Planned {
     fn page(&self, py: Python<'_>, verb: &str, call: String) -> PyResult<String> {
         guarded(py, || {
             let detail = DetailLevel::of(1);
-            let entry = self.model.shown(&PythonWords, detail.has_feet(), |mut changed| {
+            let entry = self.model.show(&PythonWords, detail.has_feet(), |mut changed| {
                 let both = changed.before_after.take();
-                both.map(|both| entry(&changed, &both, detail, WORDS))
+                both.map(|both| entry_of_change(&changed, &both, detail, WORDS))
             })?;
             let verb = Verb::ALL.iter().copied().find(|known| known.name() == verb).unwrap_or(Verb::Set);
             let name = self.model.opened().name().to_string();

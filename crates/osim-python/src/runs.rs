@@ -2,9 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_library::page::{ReportPage, bare_entry, entry};
+use osim_library::report_page::{ReportPage, entry_of_change, entry_of_record};
 use osim_library::run::{
-    ChangedModel, Detail, FrontEnd, JsonRecord, Outcome, Record, RowReader, Rows, Run, RunRequest, Task,
+    ChangedModel, JsonRecord, ModelDetail, Outcome, Record, RowReader, Rows, Run, RunFrontEnd, RunRequest,
+    Task,
 };
 use osim_library::{LibraryFault, SweepFrontEnd, SweepRun, folder_of};
 use osim_model::files::{Failure, Files};
@@ -31,27 +32,28 @@ struct Reporter<'r> {
     detail: Option<DetailLevel>,
 }
 
-impl FrontEnd for Reporter<'_> {
+impl RunFrontEnd for Reporter<'_> {
     type Shown = Option<Entry>;
 
     fn dialect(&self) -> &dyn Speller {
         WORDS
     }
 
-    fn detail(&self) -> Detail {
-        self.detail.map_or(Detail::Result, |detail| Detail::BeforeAfter { feet: detail.has_feet() })
+    fn detail(&self) -> ModelDetail {
+        self.detail
+            .map_or(ModelDetail::ResultOnly, |detail| ModelDetail::BeforeAfter { feet: detail.has_feet() })
     }
 
     fn show(&self, mut changed: ChangedModel<'_>) -> Option<Entry> {
         let both = changed.before_after.take()?;
-        Some(entry(&changed, &both, self.detail?, WORDS))
+        Some(entry_of_change(&changed, &both, self.detail?, WORDS))
     }
 
     fn is_interrupted(&self) -> bool {
         self.watch.is_stopped()
     }
 
-    fn done(&self, _failed: bool) {
+    fn task_done(&self, _failed: bool) {
         // Called on the threads that do the work, where Python must not be called: it would hold all of them up.
     }
 }
@@ -72,7 +74,7 @@ pub(crate) fn change_many<'py>(
         let request = Request::from_map(fields)?;
         let options = request.run_options().cloned().unwrap_or_default();
         let change = prepare(request, &RequestFiles::new([].into(), true))?;
-        let request = RunRequest::of_change(change, &options)?;
+        let request = RunRequest::for_change(change, &options)?;
         run(request, &options, call, &Watch::new(callback))
     })?;
     lines(py, records, remarks)
@@ -140,10 +142,10 @@ pub(crate) fn run(
     let mut run = Run::new(request, options)?;
     run.read_previous()?;
     let detail = DetailLevel::of(run.request().tasks.len() + run.request().failures.len());
-    let mut page = ReportPage::of_run(&run, options, call, WORDS)?;
+    let mut page = ReportPage::begin_for_run(&run, options, call, WORDS)?;
     run.begin()?;
     let mut remarks = run.request().remarks.clone();
-    remarks.extend(run.kept().iter().cloned());
+    remarks.extend(run.kept_files().iter().cloned());
     let mut records: Vec<JsonRecord> =
         run.failures().iter().map(|failure| Record::of_failure(failure).into()).collect();
     let reporter = Reporter { watch, detail: options.report.as_ref().map(|_| detail) };
@@ -151,12 +153,12 @@ pub(crate) fn run(
         let failed = outcome.failure.is_some();
         if let Some(page) = &mut page {
             let shown = outcome.shown.flatten();
-            page.add(shown.unwrap_or_else(|| bare_entry(&outcome.record, outcome.earlier)));
+            page.add(shown.unwrap_or_else(|| entry_of_record(&outcome.record, outcome.earlier)));
         }
         records.push(outcome.record.into());
         watch.one_more(failed);
     };
-    let worked = run.work_off(&reporter, report);
+    let worked = run.do_tasks(&reporter, report);
     // What was done before Ctrl-C is in the summary, so that a run can go on. A summary that cannot be written does not hide Ctrl-C.
     let finished = run.finish();
     watch.ended()?;
@@ -179,7 +181,7 @@ impl SweepFrontEnd for Watch {
         self.is_stopped()
     }
 
-    fn done(&self, _failed: bool) {
+    fn variant_done(&self, _failed: bool) {
         // Called on the threads that do the work, where Python must not be called: it would hold all of them up.
     }
 }

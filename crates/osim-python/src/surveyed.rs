@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use osim_library::page::ReportPage;
+use osim_library::report_page::ReportPage;
 use osim_library::{LibraryFault, Source, Sources, Survey, Surveyed};
 use osim_model::messages::terminal_safe;
 use osim_planning::Inspector;
@@ -42,13 +42,13 @@ pub(crate) fn survey<'py>(
             // Factors of bodies have no room in a row.
             Request::Inspect(request) => (
                 &request.models,
-                Inspector::of_inspect(request, &files),
+                Inspector::for_inspect(request, &files),
                 &request.report,
                 request.from.is_some(),
                 request.full,
             ),
             Request::Check(request) => {
-                (&request.models, Inspector::of_check(request, &files), &request.report, false, request.full)
+                (&request.models, Inspector::for_check(request, &files), &request.report, false, request.full)
             }
             other => return Err(Problem::defect(format!("a survey for {}", other.verb().name()))),
         };

@@ -6,7 +6,7 @@
 //! - [`texts`]: no option's name (`--mass`) and no file, process or stream of the system where they do not belong.
 //! - [`words`]: the words that messages, doc comments and docs must not use.
 //!
-//! [`source`] reads the code. Printing, unsafe code, panics and reading past the door are left to clippy (`Cargo.toml`, `clippy.toml`),
+//! [`source`] reads the code. Printing, unsafe code, panics and opening files elsewhere than in `file_access` are left to clippy (`Cargo.toml`, `clippy.toml`),
 //! links of documentation to rustdoc, licences and sources to cargo-deny, sizes to `dev/sizes.py`.
 
 pub mod circles;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 use contact_plots::Paper;
-use osim_library::{Disk, Mode, Prepared, make_folder_of};
+use osim_library::{Disk, PendingFile, WriteMode, make_folder_of};
 use osim_model::files::Failure;
 use osim_model::messages::{Input, Verb};
 use osim_planning::{design_sheet, run_drop_test, run_fit};
@@ -160,11 +160,11 @@ fn write(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<
         );
     }
     let refused = |fault| session.refused(&fault);
-    let mode = if force { Mode::Replace } else { Mode::New };
+    let mode = if force { WriteMode::Replace } else { WriteMode::New };
     let mut prepared = Vec::new();
     for (path, text) in files {
         make_folder_of(path).map_err(refused)?;
-        prepared.push(Prepared::new(path, text.as_bytes(), None, mode).map_err(refused)?);
+        prepared.push(PendingFile::new(path, text.as_bytes(), None, mode).map_err(refused)?);
     }
-    prepared.into_iter().try_for_each(Prepared::commit).map_err(refused)
+    prepared.into_iter().try_for_each(PendingFile::commit).map_err(refused)
 }

@@ -3,15 +3,15 @@
 use std::path::Path;
 
 use anyhow::{Context, Result, bail};
-use osim_library::page::{ReportPage, Words, bare_entry, entry};
+use osim_library::report_page::{ReportPage, Words, entry_of_change, entry_of_record};
 use osim_library::run::{
-    ChangedModel, Counts, Detail, FrontEnd, Outcome, RowReader, Rows, Run, RunRequest, Task, Written,
+    ChangedModel, Counts, ModelDetail, Outcome, RowReader, Rows, Run, RunFrontEnd, RunRequest, Task, Written,
 };
 use osim_library::{Disk, folder_of};
 use osim_model::FileId;
 use osim_model::files::{Failure, Files};
 use osim_model::messages::Input;
-use osim_planning::{Change, may_be_file, prepare};
+use osim_planning::{PreparedChange, may_be_file, prepare};
 use osim_requests::options::{InspectionOptions, RunFormat, RunOptions, SheetFormat};
 use osim_requests::spell::Speller;
 use osim_requests::{BatchRequest, InspectRequest, Request, RequestError, RescaleRequest};
@@ -29,8 +29,8 @@ use crate::terminal::Progress;
 ///
 /// # Errors
 /// Wrong usage.
-pub(crate) fn change(change: Change, options: &RunOptions, session: &mut Session) -> Result<Exit> {
-    let request = RunRequest::of_change(change, options).map_err(|fault| session.refused(&fault))?;
+pub(crate) fn change(change: PreparedChange, options: &RunOptions, session: &mut Session) -> Result<Exit> {
+    let request = RunRequest::for_change(change, options).map_err(|fault| session.refused(&fault))?;
     run(request, options, session)
 }
 
@@ -111,13 +111,13 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
         session.terminal.remark(remark)?;
     }
     run.read_previous().map_err(|fault| session.refused(&fault))?;
-    let mut page =
-        ReportPage::of_run(&run, options, asked(), session.words).map_err(|fault| session.refused(&fault))?;
+    let mut page = ReportPage::begin_for_run(&run, options, asked(), session.words)
+        .map_err(|fault| session.refused(&fault))?;
     run.begin().map_err(|fault| session.refused(&fault))?;
-    for kept in run.kept() {
+    for kept in run.kept_files() {
         session.terminal.remark(kept)?;
     }
-    let counts = work_off(&run, options, format, &mut page, session)?;
+    let counts = do_tasks(&run, options, format, &mut page, session)?;
     if let Err(fault) = run.finish() {
         session.terminal.error_line(&fault.spelled(session.words));
         exit = exit.and(Exit::Failed);
@@ -133,7 +133,7 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
 }
 
 /// Does all tasks and reports each in its turn; also whether something could not be shown.
-fn work_off(
+fn do_tasks(
     run: &Run<'_>,
     options: &RunOptions,
     format: RunFormat,
@@ -156,7 +156,7 @@ fn work_off(
         let Outcome { record, earlier, shown, failure, .. } = outcome;
         let Shown { outputs, entry } = shown.unwrap_or_default();
         if let Some(page) = page {
-            page.add(entry.unwrap_or_else(|| bare_entry(&record, earlier)));
+            page.add(entry.unwrap_or_else(|| entry_of_record(&record, earlier)));
         }
         // Results that cannot be shown are no reason to leave the other models undone.
         let reported = shower.progress.suspended(|| match &failure {
@@ -168,7 +168,7 @@ fn work_off(
             untold = true;
         }
     };
-    let counts = run.work_off(&shower, report);
+    let counts = run.do_tasks(&shower, report);
     shower.progress.end();
     match counts {
         Ok(counts) => Ok((counts, untold)),
@@ -281,7 +281,7 @@ pub(crate) struct Shower<'s> {
     pub progress: Progress,
 }
 
-impl FrontEnd for Shower<'_> {
+impl RunFrontEnd for Shower<'_> {
     type Shown = Shown;
 
     fn dialect(&self) -> &dyn Speller {
@@ -289,16 +289,16 @@ impl FrontEnd for Shower<'_> {
         self.words
     }
 
-    fn detail(&self) -> Detail {
+    fn detail(&self) -> ModelDetail {
         match self.options.report {
-            Some(_) => Detail::BeforeAfter { feet: self.detail.has_feet() },
-            None => Detail::Result,
+            Some(_) => ModelDetail::BeforeAfter { feet: self.detail.has_feet() },
+            None => ModelDetail::ResultOnly,
         }
     }
 
     fn show(&self, mut changed: ChangedModel<'_>) -> Shown {
         let both = changed.before_after.take();
-        let entry = both.map(|both| entry(&changed, &both, self.detail, self.words));
+        let entry = both.map(|both| entry_of_change(&changed, &both, self.detail, self.words));
         let outputs = if changed.earlier { Vec::new() } else { self.outputs(&changed) };
         Shown { outputs, entry }
     }
@@ -307,7 +307,7 @@ impl FrontEnd for Shower<'_> {
         exit::came()
     }
 
-    fn done(&self, failed: bool) {
+    fn task_done(&self, failed: bool) {
         self.progress.done(failed);
     }
 }

@@ -8,8 +8,8 @@ use clap::builder::PossibleValue;
 use clap::{Arg, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
-use osim_library::page::Words;
-use osim_library::{Mode, Prepared};
+use osim_library::report_page::Words;
+use osim_library::{PendingFile, WriteMode};
 
 use crate::args::{CompletionsArgs, ManArgs, plain_command};
 use crate::exit::Exit;
@@ -107,7 +107,7 @@ const NAME: &str = env!("CARGO_PKG_NAME");
 pub(crate) fn manual(args: &ManArgs, session: &mut Session) -> Result<Exit> {
     let pages = pages();
     if let Some(folder) = &args.output_dir {
-        let mode = if args.force { Mode::Replace } else { Mode::New };
+        let mode = if args.force { WriteMode::Replace } else { WriteMode::New };
         return Ok(match write(&pages, folder, mode, session.words) {
             Ok(()) => Exit::Done,
             Err(error) => {
@@ -150,13 +150,13 @@ fn rendered(page: &Man) -> Result<Vec<u8>> {
 }
 
 /// All pages, or none.
-fn write(pages: &[Man], folder: &Path, mode: Mode, words: Words) -> Result<()> {
+fn write(pages: &[Man], folder: &Path, mode: WriteMode, words: Words) -> Result<()> {
     let refused = |fault: osim_library::LibraryFault| anyhow!(fault.spelled(words));
     std::fs::create_dir_all(folder).map_err(|error| anyhow!(error)).context(folder.display().to_string())?;
     let mut prepared = Vec::new();
     for page in pages {
         let path = folder.join(page.get_filename());
-        prepared.push(Prepared::new(&path, &rendered(page)?, None, mode).map_err(refused)?);
+        prepared.push(PendingFile::new(&path, &rendered(page)?, None, mode).map_err(refused)?);
     }
-    prepared.into_iter().try_for_each(Prepared::commit).map_err(refused)
+    prepared.into_iter().try_for_each(PendingFile::commit).map_err(refused)
 }

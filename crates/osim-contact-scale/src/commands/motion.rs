@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 use osim_library::run::PathConflicts;
-use osim_library::{Disk, Mode, Prepared};
+use osim_library::{Disk, PendingFile, WriteMode};
 use osim_model::messages::Input;
 use osim_planning::{MotionResult, run_motion};
 use osim_requests::{MotionFormat, MotionRequest};
@@ -84,9 +84,9 @@ impl<'o> Output<'o> {
     /// Writes both files.
     ///
     /// # Errors
-    /// As [`Prepared::new`].
+    /// As [`PendingFile::new`].
     fn write(&self, result: &MotionResult, request: &MotionRequest, session: &Session) -> Result<String> {
-        let mode = if request.force { Mode::Replace } else { Mode::New };
+        let mode = if request.force { WriteMode::Replace } else { WriteMode::New };
         let name = self.table.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let files = [
             (self.table, ground_reactions_sto(result, &name)),
@@ -96,7 +96,8 @@ impl<'o> Output<'o> {
         let mut prepared = Vec::new();
         for (path, text) in &files {
             prepared.push(
-                Prepared::new(path, text.as_bytes(), None, mode).map_err(|fault| session.refused(&fault))?,
+                PendingFile::new(path, text.as_bytes(), None, mode)
+                    .map_err(|fault| session.refused(&fault))?,
             );
         }
         for one in prepared {

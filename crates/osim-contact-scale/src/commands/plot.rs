@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use contact_plots::Drawing;
 use osim_inspect::series::Body;
 use osim_library::run::PathConflicts;
-use osim_library::{Disk, Mode, Prepared};
+use osim_library::{Disk, PendingFile, WriteMode};
 use osim_model::messages::Input;
 use osim_planning::{plot_bodies, plot_feet, plot_motion, plot_table};
 use osim_requests::PlotRequest;
@@ -153,7 +153,7 @@ impl<'o> Output<'o> {
     /// Writes the figure and its numbers and says what is on it.
     ///
     /// # Errors
-    /// As [`Prepared::new`].
+    /// As [`PendingFile::new`].
     fn write(
         &self,
         drawing: &Drawing,
@@ -166,7 +166,7 @@ impl<'o> Output<'o> {
             Ok(svg) => svg,
             Err(failure) => return session.fail(&failure, false),
         };
-        let mode = if request.force { Mode::Replace } else { Mode::New };
+        let mode = if request.force { WriteMode::Replace } else { WriteMode::New };
         let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
         if let Some(path) = self.path {
             let bytes = match self.picture {
@@ -182,7 +182,8 @@ impl<'o> Output<'o> {
         // All are complete before the first gets its name.
         let mut prepared = Vec::new();
         for (path, bytes) in &files {
-            prepared.push(Prepared::new(path, bytes, None, mode).map_err(|fault| session.refused(&fault))?);
+            prepared
+                .push(PendingFile::new(path, bytes, None, mode).map_err(|fault| session.refused(&fault))?);
         }
         for one in prepared {
             one.commit().map_err(|fault| session.refused(&fault))?;

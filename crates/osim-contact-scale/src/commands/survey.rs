@@ -22,7 +22,7 @@ use crate::session::{Session, asked, end_page};
 /// # Errors
 /// Wrong usage.
 pub(crate) fn inspect(request: &InspectRequest, hint: bool, session: &mut Session) -> Result<Exit> {
-    let inspector = Inspector::of_inspect(request, &Disk);
+    let inspector = Inspector::for_inspect(request, &Disk);
     let format = request.format;
     if let Some(failure) = inspector.generic_failure() {
         // Once, not for every model.
@@ -51,7 +51,7 @@ pub(crate) fn inspect(request: &InspectRequest, hint: bool, session: &mut Sessio
 /// # Errors
 /// Wrong usage.
 pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exit> {
-    let inspector = Inspector::of_check(request, &Disk);
+    let inspector = Inspector::for_check(request, &Disk);
     let survey = Survey {
         verb: Verb::Check,
         sources: &Sources::find(&request.models, None),

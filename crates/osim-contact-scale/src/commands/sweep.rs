@@ -26,7 +26,7 @@ impl SweepFrontEnd for Watch {
         exit::came()
     }
 
-    fn done(&self, failed: bool) {
+    fn variant_done(&self, failed: bool) {
         self.0.done(failed);
     }
 }

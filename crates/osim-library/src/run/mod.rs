@@ -3,22 +3,23 @@
 //! A [`Task`] is one model with its `JobSettings`; tasks are independent of each other, so threads share them. What a task
 //! did is an [`Outcome`], reported in the order in which the models were named.
 
-mod journal;
-mod lines;
 mod model_job;
-mod planned;
+mod planned_model;
 mod record;
 mod request;
+mod resume;
 mod rows;
 mod start;
+mod summary;
+mod summary_lines;
 mod task;
 mod writing;
 
 pub use model_job::{Counts, Outcome};
-pub use planned::PlannedModel;
+pub use planned_model::PlannedModel;
 pub use record::{JsonRecord, Record, Status};
-pub use request::{ChangedModel, Detail, FrontEnd, RunRequest};
+pub use request::{ChangedModel, ModelDetail, RunFrontEnd, RunRequest};
 pub use rows::{RowReader, Rows};
 pub use start::Run;
 pub use task::{Destination, PathConflicts, PathOwner, Task};
-pub use writing::{GeometryResult, Results, Written};
+pub use writing::{GeometryResult, ResultBytes, Written};

@@ -1,4 +1,4 @@
-//! One model: load, plan, write; and its outcome, ready to be reported in its turn.
+//! Loads, plans and writes one model of a run, and returns its outcome.
 
 use std::path::{Path, PathBuf};
 
@@ -9,39 +9,40 @@ use osim_requests::options::RunOptions;
 
 use crate::digest::{sha256, sha256_of_parts};
 use crate::fault::LibraryFault;
-use crate::folders::Folders;
-use crate::run::journal::{Journal, Previous, PreviousRun};
+use crate::folders::OutputFolders;
 use crate::run::record::{Record, Status};
-use crate::run::request::{ChangedModel, Detail, FrontEnd};
+use crate::run::request::{ChangedModel, ModelDetail, RunFrontEnd};
+use crate::run::resume::{PreviousOutcome, PreviousRun};
+use crate::run::summary::SummaryWriter;
 use crate::run::task::{Destination, Task};
-use crate::run::writing::{PreparedFiles, Results, Written};
+use crate::run::writing::{PreparedFiles, ResultBytes, Written};
 use crate::source::{Disk, Loaded, Origin};
 use crate::write::other_names;
 
-/// How a run goes about its work, the same for all models.
-pub(super) struct Context<'r> {
+/// What all models of a run share.
+pub(super) struct RunContext<'r> {
     pub(super) run: &'r RunOptions,
-    pub(super) folders: Folders,
-    pub(super) journal: Option<Journal>,
+    pub(super) folders: OutputFolders,
+    pub(super) summary: Option<SummaryWriter>,
     pub(super) previous: PreviousRun,
 }
 
 /// The outcome for one model; `S` is what a front end shows of it.
 #[derive(Debug)]
 pub struct Outcome<S> {
-    /// Its line in a summary.
+    /// The model's line in a summary.
     pub record: Record,
     /// Whether it was done by an earlier run.
     pub earlier: bool,
-    /// What the front end shows of it; `None` if there is only the record.
+    /// What the front end shows of the model; `None` if there is only the record.
     pub shown: Option<S>,
-    /// What went wrong.
+    /// Why the model could not be done.
     pub failure: Option<Failure>,
 }
 
 impl<S> Outcome<S> {
     pub(super) fn not_begun(task: &Task) -> Self {
-        Self { record: Record::of_task(task), earlier: false, shown: None, failure: None }
+        Self { record: Record::not_begun(task), earlier: false, shown: None, failure: None }
     }
 
     fn without_contacts(mut record: Record) -> Self {
@@ -50,23 +51,21 @@ impl<S> Outcome<S> {
     }
 
     pub(super) fn failed(failure: Failure, mut record: Record) -> Self {
-        record.failed(&failure);
+        record.add_failure(&failure);
         Self { record, earlier: false, shown: None, failure: Some(failure) }
     }
 }
 
-/// How many models ended how.
+/// Numbers of models by their outcome.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// New files.
     pub written: usize,
     /// Nothing had to change.
     pub unchanged: usize,
-    /// Planned only.
+    /// Only planned, in a dry run.
     pub dry: usize,
     /// Models of folders without contacts.
     pub no_contacts: usize,
-    /// Something went wrong.
     pub failed: usize,
     /// The run was stopped before their turn.
     pub not_begun: usize,
@@ -97,69 +96,71 @@ impl Counts {
     }
 }
 
-/// Does one model after the other.
+/// The work on one model.
 pub(super) struct ModelJob<'j, F> {
-    pub(super) context: &'j Context<'j>,
+    pub(super) context: &'j RunContext<'j>,
     pub(super) front_end: &'j F,
     pub(super) task: &'j Task,
 }
 
-impl<F: FrontEnd> ModelJob<'_, F> {
-    /// Does this model. Whatever goes wrong is in the outcome.
+impl<F: RunFrontEnd> ModelJob<'_, F> {
+    /// Does the model. A failure is part of the outcome.
     pub(super) fn run(&self) -> Outcome<F::Shown> {
-        let mut record = Record::of_task(self.task);
-        match self.attempt(&mut record) {
+        let mut record = Record::not_begun(self.task);
+        match self.try_to_run(&mut record) {
             Ok(outcome) => outcome,
             Err(failure) if self.task.source.is_skipped(&failure) => Outcome::without_contacts(record),
             Err(failure) => {
-                let mut outcome = Outcome::failed(self.located(failure), record);
-                self.context.previous.left_behind(&mut outcome.record);
+                let mut outcome = Outcome::failed(self.with_row_and_words(failure), record);
+                self.context.previous.keep_earlier_output(&mut outcome.record);
                 outcome
             }
         }
     }
 
-    fn attempt(&self, record: &mut Record) -> Result<Outcome<F::Shown>, Failure> {
+    fn try_to_run(&self, record: &mut Record) -> Result<Outcome<F::Shown>, Failure> {
         let task = self.task;
         let detail = self.front_end.detail();
         let loaded = Loaded::read(&task.source, &task.settings.change.set_files)?;
         let mut force = task.settings.force;
-        // A digest costs more than a plan: each is made once, for the journal and for the page.
-        let wanted = self.context.journal.is_some() || detail != Detail::Result;
+        // A digest takes longer than a plan: each is made once, for the summary and for the page.
+        let wanted = self.context.summary.is_some() || detail != ModelDetail::ResultOnly;
         let inputs = if wanted { loaded.digests() } else { Vec::new() };
-        if let (Some(input), Some(_)) = (inputs.first(), &self.context.journal) {
+        if let (Some(input), Some(_)) = (inputs.first(), &self.context.summary) {
             record.sha256_settings = Some(self.settings_digest(&inputs));
             if !self.context.previous.is_empty() {
-                let previous = self.context.previous.of(task, input, record);
-                match previous.map_err(|fault| fault.of_model(loaded.files.name().clone(), "output"))? {
-                    Previous::Holds(record) => {
-                        let shown = self.show_again(loaded, &record, detail, &inputs);
+                let previous = self.context.previous.compare(task, input, record);
+                match previous.map_err(|fault| fault.into_failure(loaded.files.name().clone(), "output"))? {
+                    PreviousOutcome::UpToDate(record) => {
+                        let shown = self.show_earlier(loaded, &record, detail, &inputs);
                         return Ok(Outcome { record: *record, earlier: true, shown, failure: None });
                     }
-                    Previous::Outdated => force = true,
-                    Previous::Changed if !force => {
-                        let fault = LibraryFault::changed_before();
-                        return Err(fault.of_model(loaded.files.name().clone(), "output"));
+                    PreviousOutcome::Outdated => force = true,
+                    PreviousOutcome::ModelChanged if !force => {
+                        let fault = LibraryFault::model_changed_before();
+                        return Err(fault.into_failure(loaded.files.name().clone(), "output"));
                     }
-                    Previous::Edited(path) if !force && !self.context.run.dry_run => {
-                        let fault = LibraryFault::edited(&path);
-                        return Err(fault.of_model(loaded.files.name().clone(), "output"));
+                    PreviousOutcome::OutputEdited(path) if !force && !self.context.run.dry_run => {
+                        let fault = LibraryFault::output_edited(&path);
+                        return Err(fault.into_failure(loaded.files.name().clone(), "output"));
                     }
-                    Previous::Edited(_) | Previous::Changed | Previous::Unknown => {}
+                    PreviousOutcome::OutputEdited(_)
+                    | PreviousOutcome::ModelChanged
+                    | PreviousOutcome::Unknown => {}
                 }
             }
         }
         record.sha256_input = inputs.first().cloned();
         let Loaded { files, origin } = loaded;
-        // The files are read once more as they will be, only if that is wanted. The model's own bytes will be others.
-        let kept = (detail != Detail::Result).then(|| files.with_bytes(Vec::new()));
+        // The changed files are read again only if details are wanted.
+        let kept = (detail != ModelDetail::ResultOnly).then(|| files.with_bytes(Vec::new()));
         let opened = files.open()?;
         let plan = self.plan(&opened, record)?;
-        let results = Results::of(task, &plan, &opened.model).map_err(|fault| opened.failure(fault))?;
+        let results = ResultBytes::of(task, &plan, &opened.model).map_err(|fault| opened.failure(fault))?;
         let before_after = self.before_after(kept.as_ref(), &opened, &plan, &results, detail)?;
         let written = self
             .write(&opened, &origin, &plan, &results, force, record)
-            .map_err(|fault| fault.of_model(opened.name(), "output"))?;
+            .map_err(|fault| fault.into_failure(opened.name(), "output"))?;
         let shown = self.front_end.show(ChangedModel {
             task,
             opened: &opened,
@@ -174,22 +175,23 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         Ok(Outcome { record: record.clone(), earlier: false, shown: Some(shown), failure: None })
     }
 
-    /// A model that an earlier run has done, if details are wanted. `None` if it was changed itself: what it was before is gone.
-    fn show_again(
+    /// Plans and shows a model that an earlier run has done, if details are wanted; `None` if it was changed in place, because the old
+    /// model is gone.
+    fn show_earlier(
         &self,
         loaded: Loaded,
         record: &Record,
-        detail: Detail,
+        detail: ModelDetail,
         inputs: &[String],
     ) -> Option<F::Shown> {
         let task = self.task;
-        if task.settings.in_place || detail == Detail::Result {
+        if task.settings.in_place || detail == ModelDetail::ResultOnly {
             return None;
         }
         let kept = loaded.files.with_bytes(Vec::new());
         let opened = loaded.files.open().ok()?;
         let plan = self.plan(&opened, &mut record.clone()).ok()?;
-        let results = Results::of(task, &plan, &opened.model).ok()?;
+        let results = ResultBytes::of(task, &plan, &opened.model).ok()?;
         let before_after = self.before_after(Some(&kept), &opened, &plan, &results, detail).ok()?;
         let outputs = [task.output(), task.geometry_output.as_deref()].into_iter().flatten();
         let wrote = record.status == Status::Written;
@@ -212,21 +214,21 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         files: Option<&ModelFiles>,
         opened: &OpenModel,
         plan: &Plan,
-        results: &Results<'_>,
-        detail: Detail,
+        results: &ResultBytes<'_>,
+        detail: ModelDetail,
     ) -> Result<Option<BeforeAfter>, Failure> {
         match (files, detail) {
-            (Some(files), Detail::BeforeAfter { feet }) => {
+            (Some(files), ModelDetail::BeforeAfter { feet }) => {
                 let (change, dialect) = (&self.task.settings.change, self.front_end.dialect());
-                let changed = || changed(self.task, files, results);
-                BeforeAfter::of(change, opened, plan, changed, dialect, feet).map(Some)
+                let changed = || changed_files(self.task, files, results);
+                BeforeAfter::of_plan(change, opened, plan, changed, dialect, feet).map(Some)
             }
             _ => Ok(None),
         }
     }
 
-    /// Digest of everything the output follows from except the model, with the files that belong to it. `inputs` has the
-    /// digests of all its files, the model first.
+    /// Digest of everything that decides the output except the model itself: settings, and files that belong to the model. `inputs` has
+    /// the digests of all its files, the model first.
     fn settings_digest(&self, inputs: &[String]) -> String {
         let own = self.task.settings.digest();
         match inputs.get(1..) {
@@ -239,8 +241,8 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         }
     }
 
-    /// In a manifest, the row is what the user can fix.
-    fn located(&self, mut failure: Failure) -> Failure {
+    /// The failure with the row of the manifest, in the words of the front end.
+    fn with_row_and_words(&self, mut failure: Failure) -> Failure {
         if let Some(row) = self.task.row {
             failure.message.push(format!(" (row {row})"));
         }
@@ -252,22 +254,23 @@ impl<F: FrontEnd> ModelJob<'_, F> {
     fn plan(&self, opened: &OpenModel, record: &mut Record) -> Result<Plan, Failure> {
         let settings = &self.task.settings;
         let mut plan = settings.change.plan(opened, &Disk)?;
-        let compiled = self.task.output().and_then(|path| self.context.folders.compiled_beside(path));
+        let compiled =
+            self.task.output().and_then(|path| self.context.folders.compiled_model_beside_output(path));
         plan.warnings.extend(compiled);
         let linked = self.task.output().filter(|_| settings.in_place).and_then(other_names);
         plan.warnings.extend(linked);
         plan.spell(self.front_end.dialect());
-        record.planned(&plan);
+        record.add_plan(&plan);
         Ok(plan)
     }
 
-    /// Writes what is to be written; where it went.
+    /// Writes the results, unless it is a dry run or nothing changes.
     fn write(
         &self,
         opened: &OpenModel,
         origin: &Origin,
         plan: &Plan,
-        results: &Results<'_>,
+        results: &ResultBytes<'_>,
         force: bool,
         record: &mut Record,
     ) -> Result<Written, LibraryFault> {
@@ -283,20 +286,20 @@ impl<F: FrontEnd> ModelJob<'_, F> {
         }
         record.status = Status::Written;
         let files = PreparedFiles::new(self.task, opened, origin, results, force)?;
-        if self.context.journal.is_some() || self.context.run.report.is_some() {
+        if self.context.summary.is_some() || self.context.run.report.is_some() {
             record.sha256_output = Some(sha256_of_parts(results.model.parts()));
             let geometry = results.geometry.as_ref();
             record.sha256_geometry_output = geometry.map(|geometry| sha256_of_parts(geometry.patch.parts()));
         }
-        if let Some(journal) = self.context.journal.as_ref().filter(|_| !to_stdout) {
-            journal.about_to_finish(record)?;
+        if let Some(summary) = self.context.summary.as_ref().filter(|_| !to_stdout) {
+            summary.about_to_finish(record)?;
         }
         files.commit(results)
     }
 }
 
-/// The model as it will be, with the geometry set that goes with it.
-pub(super) fn changed(task: &Task, files: &ModelFiles, results: &Results<'_>) -> ModelFiles {
+/// The files of the changed model, with its geometry set if that changes, too.
+pub(super) fn changed_files(task: &Task, files: &ModelFiles, results: &ResultBytes<'_>) -> ModelFiles {
     let mut changed = files.with_bytes(results.model.to_vec());
     if let Some(path) = task.output() {
         changed = changed.with_name(path.display().to_string());

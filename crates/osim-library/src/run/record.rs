@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use osim_model::Property;
 use osim_model::files::{Failure, FileName};
 use osim_patch::{Change, Plan};
-use osim_planning::{cell, from_cell, marked, unmarked};
+use osim_planning::{cell, from_cell, with_text_mark, without_text_mark};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -33,7 +33,7 @@ pub enum Status {
 }
 
 impl Status {
-    /// As people read it.
+    /// The status in words.
     pub const fn describe(self) -> &'static str {
         match self {
             Self::Written => "written",
@@ -206,7 +206,7 @@ impl From<JsonRecord> for Record {
 }
 
 impl Record {
-    pub(crate) fn of_task(task: &Task) -> Self {
+    pub(crate) fn not_begun(task: &Task) -> Self {
         let (model, model_bytes) = FileName::from(task.source.path.as_path()).into_parts();
         let (output, output_bytes) = task.output().map(|path| FileName::from(path).into_parts()).unzip();
         Self {
@@ -221,7 +221,7 @@ impl Record {
         }
     }
 
-    /// What could not even be listed.
+    /// The line of a model that could not be listed.
     pub fn of_failure(failure: &Failure) -> Self {
         let (model, model_bytes) = failure.model.clone().into_parts();
         let mut record = Self {
@@ -230,12 +230,12 @@ impl Record {
             tool_version: env!("CARGO_PKG_VERSION").to_owned(),
             ..Self::default()
         };
-        record.failed(failure);
+        record.add_failure(failure);
         record
     }
 
-    /// What a plan does, in one line.
-    pub(super) fn planned(&mut self, plan: &Plan) {
+    /// Adds the masses, changes and warnings of a plan.
+    pub(super) fn add_plan(&mut self, plan: &Plan) {
         if let Some(masses) = &plan.masses {
             self.contacts_mass_kg = Some(masses.contacts_mass.kg);
             self.contacts_mass_source = Some(masses.contacts_mass.source.as_str().to_owned());
@@ -245,11 +245,11 @@ impl Record {
         self.changes = plan.changes.len() + plan.moves.len();
         let mut unequal_factors = Vec::new();
         for property in Property::ALL {
-            let changed = Changed::of(plan, property);
-            if changed.unequal {
+            let changed = PropertyChange::of_property(plan, property);
+            if changed.is_unequal {
                 unequal_factors.push(property.name());
             }
-            if let Some([from, to, factor]) = self.cells(property) {
+            if let Some([from, to, factor]) = self.columns_of(property) {
                 (*from, *to, *factor) = (changed.from, changed.to, changed.factor);
             }
         }
@@ -260,7 +260,7 @@ impl Record {
     }
 
     /// The columns of a property: old value, new value and factor.
-    fn cells(&mut self, property: Property) -> Option<[&mut Option<f64>; 3]> {
+    fn columns_of(&mut self, property: Property) -> Option<[&mut Option<f64>; 3]> {
         macro_rules! columns {
             ($($from:ident $to:ident $factor:ident: $property:ident),+ $(,)?) => {
                 match property {
@@ -283,56 +283,56 @@ impl Record {
         }
     }
 
-    /// The record with the texts from outside as cells of a table, which nobody takes for formulas.
-    pub(super) fn as_cells(&self) -> Self {
-        // What is not seen is shown in a message already.
-        let error = self.error.as_deref().map(|text| marked(text).into_owned());
-        Self { error, ..self.with_names(|name| cell(name).into_owned()) }
+    /// The record with its names and messages as cells of CSV, see [`cell`].
+    pub(super) fn with_texts_as_cells(&self) -> Self {
+        // A message has no control characters.
+        let error = self.error.as_deref().map(|text| with_text_mark(text).into_owned());
+        Self { error, ..self.with_changed_names(|name| cell(name).into_owned()) }
     }
 
-    /// The record of a table with its texts as they were.
-    pub(super) fn read_from_cells(&self) -> Self {
-        let error = self.error.as_deref().map(|text| unmarked(text).to_owned());
-        Self { error, ..self.with_names(|name| from_cell(name).into_owned()) }
+    /// The record with its names and messages as they were before [`with_texts_as_cells`](Self::with_texts_as_cells).
+    pub(super) fn with_texts_from_cells(&self) -> Self {
+        let error = self.error.as_deref().map(|text| without_text_mark(text).to_owned());
+        Self { error, ..self.with_changed_names(|name| from_cell(name).into_owned()) }
     }
 
-    fn with_names(&self, change: impl Fn(&str) -> String) -> Self {
+    fn with_changed_names(&self, change: impl Fn(&str) -> String) -> Self {
         Self { model: change(&self.model), output: self.output.as_deref().map(&change), ..self.clone() }
     }
 
-    /// The outcome of the same files, by the names and in the row that they have in `now`.
-    pub(super) fn named_as(self, now: &Self) -> Self {
+    /// The outcome of this record with the names and the row of `current`.
+    pub(super) fn with_names_of(self, current: &Self) -> Self {
         Self {
-            row: now.row,
-            model: now.model.clone(),
-            model_bytes: now.model_bytes.clone(),
-            remarks: now.remarks.clone(),
-            output: now.output.clone(),
-            output_bytes: now.output_bytes.clone(),
-            folder: now.folder.clone(),
+            row: current.row,
+            model: current.model.clone(),
+            model_bytes: current.model_bytes.clone(),
+            remarks: current.remarks.clone(),
+            output: current.output.clone(),
+            output_bytes: current.output_bytes.clone(),
+            folder: current.folder.clone(),
             ..self
         }
     }
 
-    /// As if this outcome had been the last: what was written is there.
-    pub(super) fn still_written(self) -> Self {
+    /// The record of an output that was written by an earlier run and still exists.
+    pub(super) fn as_written_before(self) -> Self {
         let status = if self.sha256_output.is_some() { Status::Written } else { self.status };
         Self { status, error_code: None, error: None, line: None, column: None, ..self }
     }
 
-    /// What an earlier run wrote, which is still there, in a line that says how this run ended.
-    pub(super) fn left_behind(self, now: &Self) -> Self {
+    /// The digests of this earlier record with the outcome of the record `current`.
+    pub(super) fn with_outcome_of(self, current: &Self) -> Self {
         Self {
-            status: now.status,
-            error_code: now.error_code.clone(),
-            error: now.error.clone(),
-            line: now.line,
-            column: now.column,
-            ..self.named_as(now)
+            status: current.status,
+            error_code: current.error_code.clone(),
+            error: current.error.clone(),
+            line: current.line,
+            column: current.column,
+            ..self.with_names_of(current)
         }
     }
 
-    pub(super) fn failed(&mut self, failure: &Failure) {
+    pub(super) fn add_failure(&mut self, failure: &Failure) {
         self.status = Status::Failed;
         self.error_code = Some(failure.code.to_owned());
         self.error = Some(failure.message.to_string());
@@ -343,24 +343,24 @@ impl Record {
     }
 }
 
-/// Quotients of new and old values that differ by less than this (relative) differ by rounding only.
-const ROUNDING: f64 = 1e-12;
+/// Factors that differ by less than this (relative) are equal but for rounding.
+const ROUNDING_ERROR: f64 = 1e-12;
 
-/// Old value, new value and factor of a property.
+/// Old value, new value and factor of a property in all contacts.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Changed {
-    /// The old value, if all that change had the same.
+pub(super) struct PropertyChange {
+    /// The old value, if all that change had the same value.
     pub(super) from: Option<f64>,
-    /// The new value, if all that change get the same.
+    /// The new value, if all that change get the same value.
     pub(super) to: Option<f64>,
     /// New over old, if it is the same everywhere.
     pub(super) factor: Option<f64>,
-    /// Whether the factor is not the same everywhere.
-    unequal: bool,
+    /// Whether factors differ.
+    is_unequal: bool,
 }
 
-impl Changed {
-    pub(super) fn of(plan: &Plan, property: Property) -> Self {
+impl PropertyChange {
+    pub(super) fn of_property(plan: &Plan, property: Property) -> Self {
         let changes: Vec<&Change> =
             plan.changes.iter().filter(|change| change.property == property).collect();
         let Some(first) = changes.first() else { return Self::default() };
@@ -373,7 +373,7 @@ impl Changed {
             from: common(|change| change.from),
             to: common(|change| change.to),
             factor,
-            unequal: factor.is_none(),
+            is_unequal: factor.is_none(),
         }
     }
 }
@@ -382,6 +382,6 @@ fn common_factor(changes: &[&Change]) -> Option<f64> {
     let factor = |change: &Change| change.factor.unwrap_or(change.to / change.from);
     let first = factor(changes.first()?);
     // A value that was 0 has no factor.
-    let same = |change: &&Change| (factor(change) - first).abs() <= ROUNDING * first.abs();
+    let same = |change: &&Change| (factor(change) - first).abs() <= ROUNDING_ERROR * first.abs();
     (first.is_finite() && changes.iter().all(same)).then_some(first)
 }

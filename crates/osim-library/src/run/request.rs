@@ -1,4 +1,4 @@
-//! Everything that one run is to do, and who asks for it: what that wants of each model, and in whose words messages are.
+//! The request of a run, and the trait of front ends that start one.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -6,58 +6,57 @@ use std::sync::Arc;
 use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_patch::Plan;
-use osim_planning::{BeforeAfter, Change};
+use osim_planning::{BeforeAfter, PreparedChange};
 use osim_requests::options::{OutputOptions, RunFormat, RunOptions};
 use osim_requests::spell::Speller;
 
 use crate::fault::LibraryFault;
 use crate::run::record::Record;
 use crate::run::task::{JobSettings, PathConflicts, PathOwner, Task};
-use crate::run::writing::{Results, Written};
+use crate::run::writing::{ResultBytes, Written};
 use crate::source::{Source, Sources};
 
-/// What is to be done in one run.
+/// All tasks of one run.
 pub struct RunRequest {
-    /// What is done.
     pub verb: Verb,
     /// The models.
     pub tasks: Vec<Task>,
-    /// What could not even be listed.
+    /// Models that could not be listed.
     pub failures: Vec<Failure>,
-    /// Things to report before anything else.
+    /// Remarks that are reported before the first task.
     pub remarks: Vec<String>,
-    /// Files that were read to know the tasks, such as a manifest.
-    pub reads: Vec<PathBuf>,
+    /// Files that were read to find the tasks, such as a manifest.
+    pub extra_files: Vec<PathBuf>,
     /// Whether an existing summary or report is replaced.
     pub force: bool,
-    /// Whether the bytes of its models were given: then their names need not be those of files.
+    /// Whether the bytes of the models were given: then their names need not be names of files.
     pub(super) from_memory: bool,
 }
 
 impl RunRequest {
-    /// These tasks, and nothing to report before them.
+    /// A request without failures and remarks.
     pub(super) fn new(verb: Verb, tasks: Vec<Task>) -> Self {
         Self {
             verb,
             tasks,
             failures: Vec::new(),
             remarks: Vec::new(),
-            reads: Vec::new(),
+            extra_files: Vec::new(),
             force: false,
             from_memory: false,
         }
     }
 
-    /// The tasks of one change: its files, and the models in its folders.
+    /// A request with a task for each file of `change` and each model in its folders.
     ///
     /// # Errors
-    /// What is asked for several models makes sense for one only.
-    pub fn of_change(mut change: Change, run: &RunOptions) -> Result<Self, LibraryFault> {
+    /// An option makes sense for one model only, and there are several.
+    pub fn for_change(mut change: PreparedChange, run: &RunOptions) -> Result<Self, LibraryFault> {
         let sources = Sources::find(&change.models, change.output.output_dir.as_deref());
         change.is_for_several = sources.models.len() > 1;
         let change = Arc::new(change);
         let output = &change.output;
-        check_usage(&change.models, &sources, output, run)?;
+        check_options(&change.models, &sources, output, run)?;
         if change.set_files.geometry.is_some() && change.is_for_several {
             return Err(LibraryFault::new(phrase![
                 Input::Geometry,
@@ -76,28 +75,28 @@ impl RunRequest {
     }
 
     /// Whether the run is about one model.
-    pub fn is_one(&self) -> bool {
+    pub fn is_for_one_model(&self) -> bool {
         self.tasks.len() + self.failures.len() == 1
     }
 
-    /// Checks that nothing is written over what is read, and no file twice.
-    pub(super) fn check_files(&self, run: &RunOptions) -> Result<(), LibraryFault> {
+    /// Refuses to write a file that is read, or to write a file twice.
+    pub(super) fn check_paths(&self, run: &RunOptions) -> Result<(), LibraryFault> {
         let mut conflicts = PathConflicts::default();
-        self.reads.iter().for_each(|path| conflicts.read(path.as_path()));
-        let mut known: Option<&Arc<JobSettings>> = None;
+        self.extra_files.iter().for_each(|path| conflicts.read(path.as_path()));
+        let mut checked_settings: Option<&Arc<JobSettings>> = None;
         for task in &self.tasks {
-            // The name of a model that came from memory need not be that of a file.
+            // The name of a model from memory need not be the name of a file.
             if !(self.from_memory && task.source.path.symlink_metadata().is_err()) {
                 conflicts.read_again(task.source.path.as_path());
             }
-            // The files of settings are compared once for all of their models.
-            if !known.is_some_and(|settings| Arc::ptr_eq(settings, &task.settings)) {
-                // A reference is read before the first model, so a folder's run may change it; rows may not rely on that.
-                task.settings.change.reads().for_each(|path| {
+            // The files of settings are checked once for all of their models.
+            if !checked_settings.is_some_and(|settings| Arc::ptr_eq(settings, &task.settings)) {
+                // A reference is read before the first model, so a run over a folder may change it; a run over rows may not.
+                task.settings.change.extra_files().for_each(|path| {
                     let path = path.as_path();
                     if task.row.is_some() { conflicts.read_again(path) } else { conflicts.read(path) }
                 });
-                known = Some(&task.settings);
+                checked_settings = Some(&task.settings);
             }
         }
         for task in &self.tasks {
@@ -120,7 +119,7 @@ impl RunRequest {
     }
 }
 
-fn check_usage(
+fn check_options(
     named: &[PathBuf],
     sources: &Sources,
     output: &OutputOptions,
@@ -161,51 +160,48 @@ fn check_usage(
     Ok(())
 }
 
-/// What is wanted of a model beside its result.
+/// What a front end needs to know of each model, besides its plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Detail {
-    Result,
-    /// Figures and findings of both states.
+pub enum ModelDetail {
+    ResultOnly,
+    /// Inspections and checks of both states.
     BeforeAfter {
-        /// Whether with the feet of both.
+        /// Whether feet are included.
         feet: bool,
     },
 }
 
-/// The caller of a run. Its methods are called on the threads that do the work.
-pub trait FrontEnd: Sync {
-    /// What is kept of a model until its turn to be shown.
+/// A front end that starts a run. Threads of the run call its methods.
+pub trait RunFrontEnd: Sync {
+    /// What the front end keeps of a model until it is the model's turn to be shown.
     type Shown: Send;
 
-    /// The words of all messages.
     fn dialect(&self) -> &dyn Speller;
 
-    /// What is wanted of each model.
-    fn detail(&self) -> Detail;
+    fn detail(&self) -> ModelDetail;
 
     fn show(&self, changed: ChangedModel<'_>) -> Self::Shown;
 
     /// Whether no further model should be started.
     fn is_interrupted(&self) -> bool;
 
-    /// One more model is done.
-    fn done(&self, failed: bool);
+    /// Is called after each model.
+    fn task_done(&self, failed: bool);
 }
 
-/// A model that was changed, with everything about it.
+/// A model that was changed, and what is known about the change.
 pub struct ChangedModel<'c> {
-    /// The model and where its result goes.
     pub task: &'c Task,
     pub opened: &'c OpenModel,
-    /// SHA-256 of each of its files, in order; empty where neither a summary nor details are wanted.
+    /// SHA-256 of each of its files, in order; empty if neither a summary nor details are wanted.
     pub inputs: &'c [String],
     pub plan: &'c Plan,
-    pub results: &'c Results<'c>,
+    pub results: &'c ResultBytes<'c>,
     pub written: &'c Written,
     /// Its line in a summary.
     pub record: &'c Record,
-    /// Both states, where they were wanted.
+    /// Both states, if the front end wants them.
     pub before_after: Option<BeforeAfter>,
-    /// Whether it was done by an earlier run: then nothing was written now.
+    /// Whether an earlier run did it; then nothing was written now.
     pub earlier: bool,
 }

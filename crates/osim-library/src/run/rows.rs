@@ -73,9 +73,9 @@ impl<'r> RowReader<'r> {
                 "{name}: no rows below the first one, which names the columns"
             )));
         }
-        let reads = request.manifest.iter().cloned().collect();
+        let extra_files = request.manifest.iter().cloned().collect();
         let force = request.output.force;
-        Ok(Rows::Run(RunRequest { reads, force, ..RunRequest::new(Verb::Batch, tasks) }))
+        Ok(Rows::Run(RunRequest { extra_files, force, ..RunRequest::new(Verb::Batch, tasks) }))
     }
 }
 

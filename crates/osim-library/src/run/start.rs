@@ -1,4 +1,4 @@
-//! A run, step by step: each step may refuse, and a front end reports between them.
+//! The steps of a run, between which a front end may report: compare paths, read the earlier run, begin, do the tasks, finish.
 
 use std::path::Path;
 
@@ -6,90 +6,96 @@ use osim_model::files::Failure;
 use osim_requests::options::RunOptions;
 
 use crate::fault::LibraryFault;
-use crate::folders::Folders;
-use crate::run::journal::{Journal, PreviousRun};
-use crate::run::model_job::{Context, Counts, ModelJob, Outcome};
+use crate::folders::OutputFolders;
+use crate::run::model_job::{Counts, ModelJob, Outcome, RunContext};
 use crate::run::record::{Record, Status};
-use crate::run::request::{FrontEnd, RunRequest};
+use crate::run::request::{RunFrontEnd, RunRequest};
+use crate::run::resume::PreviousRun;
+use crate::run::summary::SummaryWriter;
 use crate::run::task::Task;
-use crate::workers::{in_order, threads};
+use crate::workers::{thread_count, work_in_order};
 
-/// A run that was checked: nothing is written yet.
+/// A run whose paths were compared.
 pub struct Run<'r> {
     request: RunRequest,
-    context: Context<'r>,
-    /// Files of a run that was killed, which became backups.
-    kept: Vec<String>,
+    context: RunContext<'r>,
+    /// Sentences about files of a killed run that were kept as backups.
+    kept_files: Vec<String>,
 }
 
 impl<'r> Run<'r> {
-    /// Compares all files of a run before anything is written, and takes the share of its models that is asked for.
+    /// Compares all paths of a run before anything is written, and keeps only the tasks of its shard, if it has one.
     ///
     /// # Errors
-    /// Something would be written over what is read, or twice.
+    /// A file would be written that is also read, or that is written for another model.
     pub fn new(mut request: RunRequest, run: &'r RunOptions) -> Result<Self, LibraryFault> {
-        request.check_files(run)?;
+        request.check_paths(run)?;
         if let Some(shard) = run.shard {
             request.tasks.retain(|task| match task.row {
-                // A row of a manifest belongs to the share of its number.
+                // A row of a manifest belongs to the shard of its number.
                 Some(row) => shard.has_number(row as u64),
                 None => shard.has_name(task.source.below_folder()),
             });
         }
-        let context =
-            Context { run, folders: Folders::default(), journal: None, previous: PreviousRun::default() };
-        Ok(Self { request, context, kept: Vec::new() })
+        let context = RunContext {
+            run,
+            folders: OutputFolders::default(),
+            summary: None,
+            previous: PreviousRun::default(),
+        };
+        Ok(Self { request, context, kept_files: Vec::new() })
     }
 
     pub fn request(&self) -> &RunRequest {
         &self.request
     }
 
-    /// Reads what an earlier run did, if the run resumes it.
+    /// Reads the summary of an earlier run, if this run resumes it.
     pub fn read_previous(&mut self) -> Result<(), LibraryFault> {
-        // All rows of a table have the same columns. A share without a model does not show them.
-        let own = |task: &Task| task.remarks.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
-        let own = self.request.tasks.first().map(own);
-        self.context.previous = PreviousRun::read(self.context.run, own.as_deref())?;
+        // All rows of a table have the same columns. They are not known if the shard has no row.
+        let column_names =
+            |task: &Task| task.remarks.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+        let column_names = self.request.tasks.first().map(column_names);
+        self.context.previous = PreviousRun::read(self.context.run, column_names.as_deref())?;
         Ok(())
     }
 
     /// Whether the run resumes an earlier one.
-    pub fn goes_on(&self) -> bool {
+    pub fn is_resumed(&self) -> bool {
         !self.context.previous.is_empty()
     }
 
-    /// Begins the summary, if one is asked for, and looks at the folders that are written into.
+    /// Begins the summary, if one is asked for, and lists the folders that are written into.
     ///
     /// # Errors
-    /// The summary cannot be written, or is there already.
+    /// The summary cannot be written, or exists already.
     pub fn begin(&mut self) -> Result<(), LibraryFault> {
-        self.context.journal = Journal::begin(self.context.run, self.request.force)?;
-        self.context.folders = self.folders();
-        self.kept = self.context.folders.settle_replaced();
-        if let Some(journal) = &self.context.journal {
-            self.request.failures.iter().for_each(|failure| journal.add(&Record::of_failure(failure)));
+        self.context.summary = SummaryWriter::begin(self.context.run, self.request.force)?;
+        self.context.folders = self.list_folders();
+        self.kept_files = self.context.folders.keep_displaced_files();
+        if let Some(summary) = &self.context.summary {
+            self.request.failures.iter().for_each(|failure| summary.add(&Record::of_failure(failure)));
         }
         Ok(())
     }
 
-    /// Looks at every folder that the run writes into.
-    fn folders(&self) -> Folders {
+    /// Lists every folder that the run writes into.
+    fn list_folders(&self) -> OutputFolders {
         let (tasks, run) = (&self.request.tasks, self.context.run);
         let models = tasks.iter().filter_map(Task::output);
         let geometry = tasks.iter().filter_map(|task| task.geometry_output.as_deref());
         let beside = [&run.summary, &run.report].into_iter().filter_map(|path| path.as_deref());
-        Folders::list(models.chain(geometry).chain(beside), !run.dry_run)
+        OutputFolders::list(models.chain(geometry).chain(beside), !run.dry_run)
     }
 
-    /// Does all tasks on as many threads as there are processors; `report` gets each in the order of the tasks, on this thread.
+    /// Does all tasks on several threads; `report` gets each outcome in the order of the tasks, on this thread.
     ///
-    /// Every task is reported and has its line in the summary, also those that were not begun. A caller that wants to end a run
-    /// early says so by [`FrontEnd::is_interrupted`]. So a run that was stopped can go on.
+    /// Every task is reported and has its line in the summary, also those that were not begun, so that a run that was stopped can be
+    /// resumed. A caller stops a run by [`RunFrontEnd::is_interrupted`].
     ///
     /// # Errors
     /// Threads cannot be started.
-    pub fn work_off<F: FrontEnd>(
+    pub fn do_tasks<F: RunFrontEnd>(
         &self,
         front_end: &F,
         mut report: impl FnMut(&Task, Outcome<F::Shown>),
@@ -98,46 +104,46 @@ impl<'r> Run<'r> {
         let indices: Vec<usize> = (0..tasks.len()).collect();
         let mut counts = Counts { failed: self.request.failures.len(), ..Counts::default() };
         let work = |&index: &usize| {
-            let outcome = tasks.get(index).map(|task| self.one(front_end, task));
+            let outcome = tasks.get(index).map(|task| self.do_task(front_end, task));
             let failed = outcome.as_ref().is_some_and(|outcome| outcome.record.status == Status::Failed);
-            front_end.done(failed);
+            front_end.task_done(failed);
             outcome
         };
         let each = |&index: &usize, outcome: Option<Outcome<F::Shown>>| {
             if let (Some(task), Some(outcome)) = (tasks.get(index), outcome) {
                 counts.add(&outcome);
-                if let Some(journal) = &self.context.journal {
-                    journal.add(&outcome.record);
+                if let Some(summary) = &self.context.summary {
+                    summary.add(&outcome.record);
                 }
                 report(task, outcome);
             }
             Ok::<(), LibraryFault>(())
         };
-        in_order(&indices, threads(self.context.run.jobs, tasks.len()), work, each)?;
+        work_in_order(&indices, thread_count(self.context.run.jobs, tasks.len()), work, each)?;
         Ok(counts)
     }
 
-    fn one<F: FrontEnd>(&self, front_end: &F, task: &Task) -> Outcome<F::Shown> {
+    fn do_task<F: RunFrontEnd>(&self, front_end: &F, task: &Task) -> Outcome<F::Shown> {
         if front_end.is_interrupted() {
             let mut outcome = Outcome::not_begun(task);
-            self.context.previous.left_behind(&mut outcome.record);
+            self.context.previous.keep_earlier_output(&mut outcome.record);
             return outcome;
         }
         ModelJob { context: &self.context, front_end, task }.run()
     }
 
-    /// Ends the summary, if one is asked for.
+    /// Completes the summary, if one is asked for.
     pub fn finish(self) -> Result<(), LibraryFault> {
-        let Context { journal, previous, .. } = self.context;
-        journal.map_or(Ok(()), |journal| journal.finish(previous, &self.request.tasks))
+        let RunContext { summary, previous, .. } = self.context;
+        summary.map_or(Ok(()), |summary| summary.finish(previous, &self.request.tasks))
     }
 
-    /// What a run that was killed left of models that it changed themselves, if it had to be kept: a line for each.
-    pub fn kept(&self) -> &[String] {
-        &self.kept
+    /// Sentences about files that a killed run in place left and that were kept as backups.
+    pub fn kept_files(&self) -> &[String] {
+        &self.kept_files
     }
 
-    /// What could not even be listed.
+    /// Models that could not be listed.
     pub fn failures(&self) -> &[Failure] {
         &self.request.failures
     }

@@ -9,7 +9,7 @@ use std::sync::{Arc, OnceLock};
 
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, phrase};
-use osim_planning::Change;
+use osim_planning::PreparedChange;
 use osim_requests::options::OutputOptions;
 
 use crate::digest::{self, NameDigest, sha256};
@@ -71,7 +71,7 @@ impl Task {
 
 /// What is done with a model: shared by all models of a call, or by like rows of a manifest.
 pub(super) struct JobSettings {
-    pub(super) change: Arc<Change>,
+    pub(super) change: Arc<PreparedChange>,
     pub(super) in_place: bool,
     pub(super) no_backup: bool,
     pub(super) force: bool,
@@ -80,7 +80,7 @@ pub(super) struct JobSettings {
 
 impl JobSettings {
     /// What `change` plans, written as `output` says.
-    pub(super) fn new(change: Arc<Change>, output: &OutputOptions) -> Self {
+    pub(super) fn new(change: Arc<PreparedChange>, output: &OutputOptions) -> Self {
         let OutputOptions { in_place, no_backup, force, .. } = *output;
         Self { change, in_place, no_backup, force, digest: OnceLock::new() }
     }
@@ -89,7 +89,7 @@ impl JobSettings {
     pub(super) fn digest(&self) -> &str {
         self.digest.get_or_init(|| {
             let mut text = format!("{}\n", self.change.settings());
-            for path in self.change.reads() {
+            for path in self.change.extra_files() {
                 // What cannot be read fails later, with its name; a pipe can be read once only.
                 let digest = OrdinaryFiles.read(path).map(|bytes| sha256(&bytes)).unwrap_or_default();
                 text.push_str(&format!("{digest}\n"));
@@ -250,7 +250,7 @@ impl<'p> PathConflicts<'p> {
             Ok(text) => text.to_lowercase().into(),
             Err(name) => name,
         };
-        digest::of_name(&name)
+        digest::digest_of_name(&name)
     }
 }
 

@@ -11,11 +11,11 @@ use crate::fault::LibraryFault;
 use crate::folders::make_folder_of;
 use crate::run::task::{Destination, Task};
 use crate::source::{Origin, Stamp};
-use crate::write::{InPlace, Mode, Prepared, Successor, backup};
+use crate::write::{InPlace, PendingFile, Successor, WriteMode, backup};
 
 /// The bytes that a plan makes.
 #[derive(Debug)]
-pub struct Results<'m> {
+pub struct ResultBytes<'m> {
     pub model: Patch<'m>,
     /// Of the geometry set that changes with a standalone force set.
     pub geometry: Option<GeometryResult<'m>>,
@@ -30,7 +30,7 @@ pub struct GeometryResult<'m> {
     pub patch: Patch<'m>,
 }
 
-impl<'m> Results<'m> {
+impl<'m> ResultBytes<'m> {
     /// # Errors
     /// Edits that overlap, which would be a defect.
     pub(super) fn of(task: &Task, plan: &'m Plan, model: &'m Model) -> Result<Self, Fault> {
@@ -91,8 +91,8 @@ pub(super) struct PreparedFiles<'w> {
     task: &'w Task,
     opened: &'w OpenModel,
     origin: &'w Origin,
-    backups: Vec<Prepared>,
-    successors: Vec<(FileId, Prepared)>,
+    backups: Vec<PendingFile>,
+    successors: Vec<(FileId, PendingFile)>,
     /// Where each of the successors' models is kept, in the same order.
     backed_up: Vec<Option<PathBuf>>,
     paths: Vec<PathBuf>,
@@ -108,7 +108,7 @@ impl<'w> PreparedFiles<'w> {
         task: &'w Task,
         opened: &'w OpenModel,
         origin: &'w Origin,
-        results: &Results<'_>,
+        results: &ResultBytes<'_>,
         force: bool,
     ) -> Result<Self, LibraryFault> {
         let mut files = Self {
@@ -156,12 +156,12 @@ impl<'w> PreparedFiles<'w> {
         }
         make_folder_of(path)?;
         let mode = match (settings.in_place, force) {
-            (true, _) => Mode::InPlace,
-            (false, true) => Mode::Replace,
-            (false, false) => Mode::New,
+            (true, _) => WriteMode::InPlace,
+            (false, true) => WriteMode::Replace,
+            (false, false) => WriteMode::New,
         };
         let like = self.origin.stamp_of(file).map(Stamp::metadata);
-        self.successors.push((file, Prepared::of_parts(path, patch.parts(), like, mode)?));
+        self.successors.push((file, PendingFile::of_parts(path, patch.parts(), like, mode)?));
         self.backed_up.push(backed_up);
         self.paths.push(path.to_owned());
         Ok(())
@@ -183,11 +183,11 @@ impl<'w> PreparedFiles<'w> {
     ///
     /// # Errors
     /// Somebody else changed the model in the meantime, or a folder cannot be changed.
-    pub(super) fn commit(self, results: &Results<'_>) -> Result<Written, LibraryFault> {
+    pub(super) fn commit(self, results: &ResultBytes<'_>) -> Result<Written, LibraryFault> {
         // Two files that belong together, and a file whose old contents are about to go: all on the disk first.
         let successors = || self.successors.iter().map(|(_, prepared)| prepared);
-        if self.successors.len() > 1 || successors().any(Prepared::replaces) {
-            self.backups.iter().chain(successors()).try_for_each(Prepared::sync)?;
+        if self.successors.len() > 1 || successors().any(PendingFile::replaces) {
+            self.backups.iter().chain(successors()).try_for_each(PendingFile::sync)?;
         }
         if self.task.settings.in_place {
             let geometry = results.geometry.as_ref().map(|geometry| (geometry.file, geometry.path.as_path()));
@@ -200,12 +200,13 @@ impl<'w> PreparedFiles<'w> {
             backup.commit()?;
         }
         if self.task.settings.in_place {
-            let successor = |((file, prepared), backup): ((FileId, Prepared), Option<PathBuf>)| Successor {
-                prepared,
-                before: self.opened.model.file(file).bytes(),
-                after: results.parts(file),
-                backup,
-            };
+            let successor =
+                |((file, prepared), backup): ((FileId, PendingFile), Option<PathBuf>)| Successor {
+                    prepared,
+                    before: self.opened.model.file(file).bytes(),
+                    after: results.parts(file),
+                    backup,
+                };
             take_places(self.successors.into_iter().zip(self.backed_up).map(successor))?;
         } else {
             for (_, prepared) in self.successors {

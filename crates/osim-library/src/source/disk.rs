@@ -12,8 +12,8 @@ use osim_model::files::{Failure, FileError, Files, ModelFiles};
 use osim_requests::options::SetFiles;
 
 use crate::digest::sha256;
-use crate::door::{self, Kinds};
 use crate::fault::{Context, LibraryFault};
+use crate::file_access::{self, FileKinds};
 use crate::paths::folder_of;
 use crate::source::sources::Source;
 use crate::source::workbook::as_table;
@@ -25,7 +25,7 @@ pub struct Disk;
 
 impl Files for Disk {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        read(path, Kinds::Streams).map(|(bytes, _)| bytes)
+        read(path, FileKinds::Streams).map(|(bytes, _)| bytes)
     }
 
     fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
@@ -57,7 +57,7 @@ pub struct OrdinaryFiles;
 
 impl Files for OrdinaryFiles {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        read(path, Kinds::Ordinary).map(|(bytes, _)| bytes)
+        read(path, FileKinds::Ordinary).map(|(bytes, _)| bytes)
     }
 
     fn exists(&self, path: &Path) -> bool {
@@ -69,12 +69,12 @@ impl Files for OrdinaryFiles {
 #[derive(Debug)]
 struct StampedDisk {
     /// For names that the user gave.
-    kinds: Kinds,
+    kinds: FileKinds,
     stamps: RefCell<HashMap<PathBuf, Stamp>>,
 }
 
 impl StampedDisk {
-    pub(super) fn new(kinds: Kinds) -> Self {
+    pub(super) fn new(kinds: FileKinds) -> Self {
         Self { kinds, stamps: RefCell::default() }
     }
 
@@ -82,7 +82,7 @@ impl StampedDisk {
         self.stamps.into_inner()
     }
 
-    fn stamped(&self, path: &Path, kinds: Kinds) -> Result<Vec<u8>, FileError> {
+    fn stamped(&self, path: &Path, kinds: FileKinds) -> Result<Vec<u8>, FileError> {
         let (bytes, stamp) = read(path, kinds)?;
         if let Some(stamp) = stamp {
             self.stamps.borrow_mut().insert(path.to_owned(), stamp);
@@ -97,7 +97,7 @@ impl Files for StampedDisk {
     }
 
     fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.stamped(path, Kinds::Ordinary)
+        self.stamped(path, FileKinds::Ordinary)
     }
 
     fn exists(&self, path: &Path) -> bool {
@@ -144,14 +144,14 @@ impl Stamp {
 ///
 /// # Errors
 /// It is not there, cannot be read, or changes while it is being read.
-fn read(path: &Path, kinds: Kinds) -> Result<(Vec<u8>, Option<Stamp>), FileError> {
-    if path.as_os_str() == "-" && kinds == Kinds::Streams {
-        let read = door::standard_input();
+fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Option<Stamp>), FileError> {
+    if path.as_os_str() == "-" && kinds == FileKinds::Streams {
+        let read = file_access::standard_input();
         return read
             .map(|bytes| (bytes, None))
             .map_err(|why| FileError::new(format!("standard input: {why}")));
     }
-    let (bytes, metadata) = door::read(path, kinds)?;
+    let (bytes, metadata) = file_access::read(path, kinds)?;
     Ok((as_table(bytes)?, Some(Stamp::of(metadata))))
 }
 
@@ -185,7 +185,7 @@ impl Loaded {
         set_files: &SetFiles,
         memory: &BTreeMap<PathBuf, Vec<u8>>,
     ) -> Result<Self, Failure> {
-        let stamped = StampedDisk::new(if source.named { Kinds::Streams } else { Kinds::Ordinary });
+        let stamped = StampedDisk::new(if source.named { FileKinds::Streams } else { FileKinds::Ordinary });
         let disk = MemoryFirst { memory, disk: &stamped };
         let unreadable =
             |error: FileError| Failure::outside(source.path.as_path(), "unreadable", error.to_string());

@@ -11,7 +11,7 @@ use osim_requests::options::OutputOptions;
 use walkdir::{DirEntry, WalkDir};
 
 use crate::digest::{self, NameDigest};
-use crate::door;
+use crate::file_access;
 use crate::paths::{Resolver, resolved};
 
 /// End of the name of the folder that variants are written into by default. Walks over folders leave it out.
@@ -190,7 +190,7 @@ fn unreadable(folder: &Path, error: &walkdir::Error) -> Failure {
             "a link that leads nowhere: remove it, or bring back what it leads to".to_owned()
         }
         // Without the path, which is before it.
-        (None, Some(error)) => format!("cannot be read: {}", door::reason(error)),
+        (None, Some(error)) => format!("cannot be read: {}", file_access::reason(error)),
         (None, None) => "cannot be read".to_owned(),
     };
     Failure::outside(path, "unreadable", reason)
@@ -206,7 +206,7 @@ struct Known {
 impl Known {
     fn is_new(&mut self, path: &Path) -> bool {
         let real = if path.as_os_str() == "-" { path.to_owned() } else { self.resolver.resolved(path) };
-        self.files.insert(digest::of_name(real.as_os_str()))
+        self.files.insert(digest::digest_of_name(real.as_os_str()))
     }
 }
 

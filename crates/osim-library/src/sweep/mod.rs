@@ -14,15 +14,15 @@ use osim_requests::options::SetFiles;
 use osim_requests::{RequestError, RequestFault, SweepRequest, takes};
 
 use crate::digest::sha256;
-use crate::door;
 use crate::fault::{Context, LibraryFault};
-use crate::folders::Folders;
-use crate::partial::Partial;
+use crate::file_access;
+use crate::folders::OutputFolders;
+use crate::partial::PartialFile;
 use crate::paths::{Resolver, resolved};
 use crate::source::{FOLDER_MARK, Loaded, Origin, Source, Stamp};
 use crate::sweep::tables::{MadeFiles, Tables, line};
-use crate::workers::{in_order, threads};
-use crate::write::{Mode, Prepared};
+use crate::workers::{thread_count, work_in_order};
+use crate::write::{PendingFile, WriteMode};
 
 /// The caller of a sweep. Its methods are called on the threads that do the work.
 pub trait SweepFrontEnd: Sync {
@@ -30,7 +30,7 @@ pub trait SweepFrontEnd: Sync {
     fn is_interrupted(&self) -> bool;
 
     /// One more variant is made.
-    fn done(&self, failed: bool);
+    fn variant_done(&self, failed: bool);
 }
 
 /// A sweep that was checked: nothing is written yet.
@@ -160,12 +160,12 @@ impl<'s> SweepRun<'s> {
         self.check_new(&tables)?;
         let files = MadeFiles::begin(&tables, self.request.resume)?;
         // Files left behind by a run that was killed go first.
-        Folders::list(std::iter::once(tables.own()), true);
-        let mut table = Prepared::begin(tables.own(), None, self.mode())?;
+        OutputFolders::list(std::iter::once(tables.own()), true);
+        let mut table = PendingFile::begin(tables.own(), None, self.mode())?;
         table.add(&line(&self.plan.table_header())?)?;
         let work = |&index: &usize| {
             let made = self.make(index, &files, front_end);
-            front_end.done(matches!(made, Made::Failed(_)));
+            front_end.variant_done(matches!(made, Made::Failed(_)));
             made
         };
         let mut seen = Seen::default();
@@ -187,7 +187,7 @@ impl<'s> SweepRun<'s> {
             Ok(())
         };
         let indices: Vec<usize> = self.plan.indices().collect();
-        in_order(&indices, threads(self.request.jobs, self.count()), work, each)?;
+        work_in_order(&indices, thread_count(self.request.jobs, self.count()), work, each)?;
         if end.made + end.earlier > 0 {
             table.commit()?;
             end.manifest = Some(tables.own().to_owned());
@@ -218,10 +218,10 @@ impl<'s> SweepRun<'s> {
                 first.get_or_insert(path);
             }
         }
-        if self.mode() == Mode::Replace {
+        if self.mode() == WriteMode::Replace {
             return Ok(());
         }
-        tables().try_for_each(Partial::check_none_left)?;
+        tables().try_for_each(PartialFile::refuse_leftover)?;
         match first {
             Some(first) => Err(LibraryFault::new(phrase![
                 format!(
@@ -239,8 +239,8 @@ impl<'s> SweepRun<'s> {
     }
 
     /// Of the table.
-    fn mode(&self) -> Mode {
-        if self.request.force || self.request.resume { Mode::Replace } else { Mode::New }
+    fn mode(&self) -> WriteMode {
+        if self.request.force || self.request.resume { WriteMode::Replace } else { WriteMode::New }
     }
 
     fn make(&self, index: usize, files: &MadeFiles, front_end: &impl SweepFrontEnd) -> Made {
@@ -260,7 +260,7 @@ impl<'s> SweepRun<'s> {
         match written.and_then(|earlier| Ok((line(&variant.row(digest))?, earlier))) {
             Ok((row, earlier)) => Made::Row { row, number: index + 1, contacts, earlier, worse },
             Err(fault) => {
-                let mut failure = fault.of_model(path.as_path(), "output");
+                let mut failure = fault.into_failure(path.as_path(), "output");
                 failure.message.push(format!(" ({operation})"));
                 Made::Failed(failure)
             }
@@ -283,15 +283,15 @@ impl<'s> SweepRun<'s> {
         match self.put(path, bytes, mode) {
             Ok(()) => Ok(false),
             // A run of another part made it in the meantime.
-            Err(_) if self.mode() == Mode::Replace && is_there(path, bytes) => Ok(true),
+            Err(_) if self.mode() == WriteMode::Replace && is_there(path, bytes) => Ok(true),
             Err(fault) => Err(fault),
         }
     }
 
     /// Gives `bytes` the name `path`.
-    fn put(&self, path: &Path, bytes: &[u8], mode: Mode) -> Result<(), LibraryFault> {
+    fn put(&self, path: &Path, bytes: &[u8], mode: WriteMode) -> Result<(), LibraryFault> {
         let like = self.origin.stamp_of(FileId::MAIN).map(Stamp::metadata);
-        let prepared = Prepared::new(path, bytes, like, mode)?;
+        let prepared = PendingFile::new(path, bytes, like, mode)?;
         if prepared.replaces() {
             prepared.sync()?;
         }
@@ -305,26 +305,26 @@ impl<'s> SweepRun<'s> {
         path: &Path,
         bytes: &[u8],
         is_ours: impl Fn(&str) -> Result<bool, LibraryFault>,
-    ) -> Result<Option<Mode>, LibraryFault> {
+    ) -> Result<Option<WriteMode>, LibraryFault> {
         if !self.request.resume {
             return Ok(Some(self.mode()));
         }
         if !path.exists() {
-            return Ok(Some(Mode::New));
+            return Ok(Some(WriteMode::New));
         }
-        let there = door::ordinary(path).context(|| path.display())?;
+        let there = file_access::read_ordinary(path).context(|| path.display())?;
         if there == bytes {
             return Ok(None);
         }
         if self.request.force || is_ours(&sha256(&there))? {
-            return Ok(Some(Mode::Replace));
+            return Ok(Some(WriteMode::Replace));
         }
-        Err(LibraryFault::edited(path))
+        Err(LibraryFault::output_edited(path))
     }
 }
 
 fn is_there(path: &Path, bytes: &[u8]) -> bool {
-    door::ordinary(path).is_ok_and(|there| there == bytes)
+    file_access::read_ordinary(path).is_ok_and(|there| there == bytes)
 }
 
 fn folder(request: &SweepRequest, model: &Path) -> PathBuf {

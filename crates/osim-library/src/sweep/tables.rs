@@ -9,10 +9,10 @@ use osim_model::messages::{Input, phrase};
 use osim_planning::{SweepPlan, cell, from_cell};
 
 use crate::digest::{self, NameDigest};
-use crate::door;
-use crate::fault::{Context, LibraryFault, foreign_fault};
+use crate::fault::{Context, LibraryFault, fault_of_error};
+use crate::file_access;
 use crate::folders::make_folder_of;
-use crate::partial::{Partial, end_of_lines};
+use crate::partial::{PartialFile, end_of_lines};
 
 pub(super) struct Tables<'p> {
     folder: &'p Path,
@@ -56,7 +56,7 @@ impl<'p> Tables<'p> {
         self.parts.get_or_init(|| {
             let entries = std::fs::read_dir(self.folder).into_iter().flatten().flatten();
             let table = |name: &str| {
-                let name = name.strip_suffix(Partial::ENDING).unwrap_or(name);
+                let name = name.strip_suffix(PartialFile::ENDING).unwrap_or(name);
                 self.plan.is_part_table_name(name).then(|| self.folder.join(name))
             };
             entries.filter_map(|entry| entry.file_name().to_str().and_then(table)).collect()
@@ -70,16 +70,16 @@ impl<'p> Tables<'p> {
     pub(super) fn check_free(&self) -> Result<(), LibraryFault> {
         let way_out = phrase!["wait until that has ended"];
         if self.is_part() {
-            return Partial::check_free(&self.whole, &way_out);
+            return PartialFile::refuse_if_in_use(&self.whole, &way_out);
         }
-        self.replaced().try_for_each(|part| Partial::check_free(part, &way_out))
+        self.replaced().try_for_each(|part| PartialFile::refuse_if_in_use(part, &way_out))
     }
 
     /// The table of the whole has its name: those of parts that were there when this run began are no longer needed. What another
     /// program saved is not ours to remove.
     fn remove_parts(&self) -> Result<(), LibraryFault> {
         for part in self.replaced().filter(|part| is_of_sweep(part)) {
-            let partial = Partial::path_of(part);
+            let partial = PartialFile::path_for(part);
             for file in [part, &partial] {
                 if file.exists() {
                     std::fs::remove_file(file).context(|| format!("cannot remove {}", file.display()))?;
@@ -101,7 +101,7 @@ pub(super) struct MadeFiles<'t> {
     known: KnownFiles,
     /// By tables of other runs.
     known_elsewhere: OnceLock<Result<KnownFiles, LibraryFault>>,
-    partial: Mutex<Partial>,
+    partial: Mutex<PartialFile>,
 }
 
 impl<'t> MadeFiles<'t> {
@@ -125,7 +125,7 @@ impl<'t> MadeFiles<'t> {
         }
         make_folder_of(tables.own())?;
         let way_out = phrase!["write into another folder with ", Input::OutputDir.with_placeholder("DIR")];
-        let mut partial = Partial::open(tables.own(), resume, &way_out)?;
+        let mut partial = PartialFile::open(tables.own(), resume, &way_out)?;
         // The new table may get its name without the files that this sweep does not make: they stay known.
         if !only_in_table.is_empty() {
             add_lines(&mut partial, &only_in_table)?;
@@ -178,13 +178,13 @@ fn known_by(tables: &Tables<'_>) -> Result<KnownFiles, LibraryFault> {
     Ok(known)
 }
 
-fn add_lines(partial: &mut Partial, lines: &[u8]) -> Result<(), LibraryFault> {
+fn add_lines(partial: &mut PartialFile, lines: &[u8]) -> Result<(), LibraryFault> {
     let mut whole = Vec::new();
     if partial.is_empty() {
         whole = line(&COLUMNS.map(str::to_owned))?;
     }
     whole.extend_from_slice(lines);
-    partial.add(&whole)
+    partial.add_lines(&whole)
 }
 
 fn ended_early() -> LibraryFault {
@@ -209,7 +209,7 @@ impl KnownFiles {
         table: &Path,
         mut only_in_table: impl FnMut(&str, &str) -> Result<(), LibraryFault>,
     ) -> Result<(), LibraryFault> {
-        each_line(&Partial::path_of(table), true, |file, sha256| {
+        each_line(&PartialFile::path_for(table), true, |file, sha256| {
             self.0.insert(key(file, sha256));
             Ok(())
         })?;
@@ -233,7 +233,7 @@ fn is_of_sweep(table: &Path) -> bool {
 /// Equal for the same file with the same bytes.
 fn key(file: &str, sha256: &str) -> NameDigest {
     // No name holds a slash.
-    digest::of_name(format!("{sha256}/{file}").as_ref())
+    digest::digest_of_name(format!("{sha256}/{file}").as_ref())
 }
 
 /// Calls `each` with file and digest of every line; never if there is no such table.
@@ -263,22 +263,22 @@ fn read_lines(
     may_be_cut: bool,
     mut each: impl FnMut(&str, &str) -> Result<(), LibraryFault>,
 ) -> Result<(), LibraryFault> {
-    let (mut file, length) = door::to_read(path).map_err(foreign_fault)?;
-    let end = end_of_lines(&mut file, length).map_err(foreign_fault)?;
+    let (mut file, length) = file_access::open_to_read(path).map_err(fault_of_error)?;
+    let end = end_of_lines(&mut file, length).map_err(fault_of_error)?;
     if end < length && !may_be_cut {
         return Err(LibraryFault::new("its last line is cut off, so this tool did not leave it like that"));
     }
-    file.seek(SeekFrom::Start(0)).map_err(foreign_fault)?;
+    file.seek(SeekFrom::Start(0)).map_err(fault_of_error)?;
     let mut lines = BufReader::new(file).take(end);
     let mut first = Vec::new();
-    if lines.read_until(b'\n', &mut first).map_err(foreign_fault)? == 0 && may_be_cut {
+    if lines.read_until(b'\n', &mut first).map_err(fault_of_error)? == 0 && may_be_cut {
         // Killed before its first line was whole.
         return Ok(());
     }
     let (name, digest) = columns(&first)?;
     let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(lines);
     let mut row = csv::StringRecord::new();
-    while reader.read_record(&mut row).map_err(foreign_fault)? {
+    while reader.read_record(&mut row).map_err(fault_of_error)? {
         let cell = |at: usize| from_cell(row.get(at).unwrap_or_default());
         each(&cell(name), &cell(digest))?;
     }
@@ -291,7 +291,7 @@ fn read_lines(
 /// It is not, byte for byte, the first line of a table of ours: another program saved it, perhaps with columns of the user's, which the
 /// new table would not have.
 fn columns(first: &[u8]) -> Result<(usize, usize), LibraryFault> {
-    let header = csv::Reader::from_reader(first).headers().map_err(foreign_fault)?.clone();
+    let header = csv::Reader::from_reader(first).headers().map_err(fault_of_error)?.clone();
     let columns: Vec<String> = header.iter().map(str::to_owned).collect();
     let is_ours = (columns == COLUMNS || SweepPlan::is_table_header(&columns)) && line(&columns)? == first;
     let [name, digest] = COLUMNS.map(|column| columns.iter().position(|cell| cell == column));
@@ -306,6 +306,6 @@ fn columns(first: &[u8]) -> Result<(usize, usize), LibraryFault> {
 /// The cells as one line of CSV; no cell is a formula.
 pub(super) fn line(cells: &[String]) -> Result<Vec<u8>, LibraryFault> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(cells.iter().map(|text| cell(text).into_owned())).map_err(foreign_fault)?;
-    writer.into_inner().map_err(foreign_fault)
+    writer.write_record(cells.iter().map(|text| cell(text).into_owned())).map_err(fault_of_error)?;
+    writer.into_inner().map_err(fault_of_error)
 }

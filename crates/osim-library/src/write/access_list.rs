@@ -32,7 +32,7 @@ mod tests {
     use rustix::fs::setxattr;
 
     use super::*;
-    use crate::write::{Mode, Prepared};
+    use crate::write::{PendingFile, WriteMode};
 
     /// A list as Linux has it: version 2, then tag, rights and id of each entry. Owner, user 12345, group, mask, others.
     fn list(rights_of_user: u16) -> Vec<u8> {
@@ -61,7 +61,7 @@ mod tests {
     fn the_list_of_a_folder_is_not_given_to_a_file_that_has_none() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("model.osim");
-        let replace = || Prepared::new(&path, b"new", None, Mode::InPlace).unwrap().commit().unwrap();
+        let replace = || PendingFile::new(&path, b"new", None, WriteMode::InPlace).unwrap().commit().unwrap();
         std::fs::write(&path, "old").unwrap();
         if setxattr(folder.path(), "system.posix_acl_default", &list(6), XattrFlags::empty()).is_err() {
             println!(

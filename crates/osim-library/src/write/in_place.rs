@@ -17,13 +17,13 @@ use osim_model::Finding;
 use osim_planning::rules::hard_linked;
 use tempfile::NamedTempFile;
 
-use crate::door;
 use crate::fault::LibraryFault;
+use crate::file_access;
 use crate::paths::resolved;
-use crate::write::prepared::{Mode, Prepared, sync_folder_of};
-use crate::write::replaced::{
+use crate::write::exchange::{
     self, EXCHANGE_IS_KNOWN, Exchange, become_backup, exchange, is, kept, names_of,
 };
+use crate::write::replace::{PendingFile, WriteMode, sync_folder_of};
 
 /// How often a save that comes in between is put back before it is kept as a backup instead.
 const PUT_BACK: usize = 8;
@@ -31,7 +31,7 @@ const PUT_BACK: usize = 8;
 /// A model's successor, with what it takes to know whether the model is still as it was read.
 pub(crate) struct Successor<'b> {
     /// The successor itself.
-    pub(crate) prepared: Prepared,
+    pub(crate) prepared: PendingFile,
     /// What was read.
     pub(crate) before: &'b [u8],
     /// What was written.
@@ -79,10 +79,10 @@ impl<'b> Successor<'b> {
         let Self { prepared, before, after, backup } = self;
         let (mut successor, target, shown) = prepared.into_parts();
         let cannot = |error: std::io::Error| {
-            LibraryFault::because(format!("cannot write {}", shown.display()), door::reason(&error))
+            LibraryFault::system(format!("cannot write {}", shown.display()), file_access::reason(&error))
         };
         if EXCHANGE_IS_KNOWN {
-            successor = replaced::renamed(successor, &target, &after).map_err(cannot)?;
+            successor = exchange::renamed(successor, &target, &after).map_err(cannot)?;
         }
         let exchanged = exchange(successor.path(), &target);
         if let Exchange::Done = exchanged {
@@ -129,7 +129,7 @@ impl InPlace<'_> {
         let Some(mut displaced) = self.displaced else { return self.write_back() };
         let (mut went_in, mut is_back): (Option<Vec<u8>>, bool) = (None, false);
         for _ in 0..PUT_BACK {
-            let going_in = door::ordinary(displaced.path()).ok();
+            let going_in = file_access::read_ordinary(displaced.path()).ok();
             if !matches!(exchange(displaced.path(), &self.target), Exchange::Done) {
                 break;
             }
@@ -163,7 +163,7 @@ impl InPlace<'_> {
         if !is(&target, &after) {
             return Undone::Not(format!("{shown} was changed, and then another program saved it{read}"));
         }
-        let written = Prepared::new(&target, before, None, Mode::InPlace)
+        let written = PendingFile::new(&target, before, None, WriteMode::InPlace)
             .and_then(|prepared| prepared.sync().and_then(|()| prepared.commit()));
         match written {
             Ok(()) => Undone::Whole,
@@ -222,7 +222,7 @@ mod tests {
         std::fs::write(&target, READ).unwrap();
         let (copy, kept) = backup(&target, READ).unwrap();
         copy.unwrap().commit().unwrap();
-        let prepared = Prepared::new(&target, SUCCESSOR, None, Mode::InPlace).unwrap();
+        let prepared = PendingFile::new(&target, SUCCESSOR, None, WriteMode::InPlace).unwrap();
         let successor = Successor {
             prepared,
             before: READ,
@@ -305,7 +305,7 @@ mod tests {
             let left = left(successor.take_place().unwrap());
             std::fs::write(&left, saved).unwrap();
             let expected = kept.map(|name| folder.path().join(name));
-            assert_eq!(replaced::settle(&left), expected);
+            assert_eq!(exchange::settle(&left), expected);
             let all: Vec<&str> = ["model.osim", "model.osim.bak"].into_iter().chain(kept).collect();
             assert_eq!(names(folder.path()), all);
             assert_eq!(read(folder.path(), "model.osim.bak"), READ);
@@ -318,7 +318,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let target = folder.path().join(format!("{}.osim", "\u{fc}".repeat(122)));
         std::fs::write(&target, READ).unwrap();
-        let prepared = Prepared::new(&target, SUCCESSOR, None, Mode::InPlace).unwrap();
+        let prepared = PendingFile::new(&target, SUCCESSOR, None, WriteMode::InPlace).unwrap();
         let successor = Successor { prepared, before: READ, after: vec![SUCCESSOR], backup: None };
         successor.take_place().unwrap().settle();
         assert_eq!(names(folder.path()).len(), 1);

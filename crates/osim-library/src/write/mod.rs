@@ -2,11 +2,11 @@
 
 #[cfg(target_os = "linux")]
 mod access_list;
+pub(crate) mod exchange;
 mod in_place;
-mod prepared;
-pub(crate) mod replaced;
+mod replace;
 pub(crate) mod temporary;
 
 pub(crate) use in_place::{InPlace, Successor, other_names};
-pub(crate) use prepared::backup;
-pub use prepared::{Mode, Prepared};
+pub(crate) use replace::backup;
+pub use replace::{PendingFile, WriteMode};

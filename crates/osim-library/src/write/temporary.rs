@@ -14,7 +14,7 @@ use std::sync::OnceLock;
 
 use tempfile::NamedTempFile;
 
-use crate::door;
+use crate::file_access;
 
 const PREFIX: &str = ".osim-contact-scale-";
 const SUFFIX: &str = ".tmp";
@@ -73,7 +73,7 @@ fn is_alive(_process: u32) -> bool {
 
 /// Whether nobody has the file open. What is not an ordinary file was not made here: it stays.
 fn nobody_has_open(path: &Path) -> bool {
-    door::to_lock(path).is_ok_and(|file| file.try_lock().is_ok())
+    file_access::open_to_lock(path).is_ok_and(|file| file.try_lock().is_ok())
 }
 
 /// The computer's name, of letters that every file system takes.
@@ -102,7 +102,7 @@ fn made(
     folder: &Path,
     like: Option<&Metadata>,
 ) -> std::io::Result<NamedTempFile> {
-    builder.make_in(folder, |path| door::make_new(path, &mut options(like)))
+    builder.make_in(folder, |path| file_access::create_new(path, &mut options(like)))
 }
 
 #[cfg(unix)]

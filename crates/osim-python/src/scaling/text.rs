@@ -133,7 +133,7 @@ fn stands_in(symbol: &str, formula: &str) -> bool {
     formula.match_indices(symbol).any(|(start, _)| {
         let before = formula.get(..start).and_then(|before| before.chars().next_back());
         let after = formula.get(start + symbol.len()..).and_then(|after| after.chars().next());
-        let goes_on = |c: char| c.is_alphanumeric() || "_*₁₂\u{302}".contains(c);
-        !before.is_some_and(|c| c.is_alphabetic() || c == '_') && !after.is_some_and(goes_on)
+        let is_resumed = |c: char| c.is_alphanumeric() || "_*₁₂\u{302}".contains(c);
+        !before.is_some_and(|c| c.is_alphabetic() || c == '_') && !after.is_some_and(is_resumed)
     })
 }

@@ -1,5 +1,8 @@
-//! How Unix opens files, and what it calls things that are not files.
-#![cfg_attr(not(test), expect(clippy::disallowed_methods, reason = "a part of the door"))]
+//! How Unix opens files, and the kinds of files that it has.
+#![cfg_attr(
+    not(test),
+    expect(clippy::disallowed_methods, reason = "a part of `file_access`, which opens all files")
+)]
 
 use std::fs::{File, FileType, Metadata, OpenOptions, TryLockError};
 use std::os::unix::fs::{FileTypeExt, OpenOptionsExt};
@@ -7,32 +10,32 @@ use std::path::Path;
 
 use rustix::fs::OFlags;
 
-/// A pipe without a writer, a terminal line without a carrier: opened, and found out by what they are. Nothing becomes
-/// the program's own terminal.
+/// Options with which a pipe without a writer, or a terminal line without a carrier, is opened at once, and no terminal becomes the
+/// terminal of this process.
 pub(super) fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
     options.custom_flags((OFlags::NONBLOCK | OFlags::NOCTTY).bits().cast_signed())
 }
 
-/// By a lock, where the file system knows locks. What is written goes to the end, so that lines stay whole where it does not.
-pub(super) fn alone(path: &Path) -> std::io::Result<Option<File>> {
+/// Opens a file with a lock, if the file system has locks. Bytes are appended, so that lines stay whole if it has none.
+pub(super) fn open_exclusively(path: &Path) -> std::io::Result<Option<File>> {
     let mut options = File::options();
     let file = without_waiting(options.read(true).append(true).create(true)).open(path)?;
     let is_taken = file.try_lock().is_err_and(|error| matches!(error, TryLockError::WouldBlock));
     Ok((!is_taken).then_some(file))
 }
 
-/// A lock that readers share: on network file systems it needs no more than reading.
-pub(super) fn is_taken(path: &Path) -> std::io::Result<bool> {
+/// Tries a shared lock, for which network file systems need only the right to read.
+pub(super) fn is_open_exclusively(path: &Path) -> std::io::Result<bool> {
     let file = without_waiting(File::options().read(true)).open(path)?;
     Ok(file.try_lock_shared().is_err_and(|error| matches!(error, TryLockError::WouldBlock)))
 }
 
-fn kind_of(path: &Path) -> Option<FileType> {
+fn type_of_path(path: &Path) -> Option<FileType> {
     std::fs::metadata(path).ok().map(|metadata| metadata.file_type())
 }
 
 pub(super) fn is_stream(path: &Path) -> bool {
-    kind_of(path).is_some_and(|kind| kind.is_fifo() || kind.is_char_device())
+    type_of_path(path).is_some_and(|kind| kind.is_fifo() || kind.is_char_device())
 }
 
 pub(super) fn is_pipe(metadata: &Metadata) -> bool {
@@ -43,17 +46,17 @@ pub(super) fn is_device(metadata: &Metadata) -> bool {
     metadata.file_type().is_char_device()
 }
 
-/// Whether a name is that of a device: on Unix a name alone never is.
+/// Whether a name is that of a device in every folder: Unix has no such names.
 pub(super) fn is_device_name(_path: &Path) -> bool {
     false
 }
 
 /// Sockets cannot be opened at all.
-pub(super) fn kind_that_cannot_be_opened(path: &Path) -> Option<&'static str> {
-    kind_of(path).is_some_and(|kind| kind.is_socket()).then_some("a socket")
+pub(super) fn name_of_unopenable_kind(path: &Path) -> Option<&'static str> {
+    type_of_path(path).is_some_and(|kind| kind.is_socket()).then_some("a socket")
 }
 
-pub(super) fn kind(metadata: &Metadata) -> &'static str {
+pub(super) fn kind_name(metadata: &Metadata) -> &'static str {
     let kind = metadata.file_type();
     match () {
         () if kind.is_dir() => "a folder",
@@ -69,7 +72,7 @@ pub(super) fn is_out_of_files(error: &std::io::Error) -> bool {
 }
 
 /// Whether standard input is a device, such as a terminal.
-pub(super) fn types_standard_input() -> bool {
+pub(super) fn standard_input_is_device() -> bool {
     let stat = rustix::fs::fstat(std::io::stdin());
     stat.is_ok_and(|stat| rustix::fs::FileType::from_raw_mode(stat.st_mode).is_char_device())
 }

@@ -7,42 +7,41 @@ use osim_model::FileId;
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_patch::Plan;
-use osim_planning::{BeforeAfter, Change};
+use osim_planning::{BeforeAfter, PreparedChange};
 use osim_requests::options::{OutputOptions, RunOptions};
 use osim_requests::spell::Speller;
 
 use crate::digest::sha256;
-use crate::door;
 use crate::fault::{Context, LibraryFault};
-use crate::folders::Folders;
-use crate::run::model_job::changed;
+use crate::file_access;
+use crate::folders::OutputFolders;
+use crate::run::model_job::changed_files;
 use crate::run::record::{Record, Status};
 use crate::run::request::{ChangedModel, RunRequest};
 use crate::run::task::{Destination, JobSettings, Task};
-use crate::run::writing::{PreparedFiles, Results, Written};
+use crate::run::writing::{PreparedFiles, ResultBytes, Written};
 use crate::source::{Loaded, Origin, Source};
 use crate::write::other_names;
 
 pub struct PlannedModel {
     source: Source,
-    /// Its files, without its own bytes.
+    /// The files that belong to the model, without the bytes of the model itself.
     files: ModelFiles,
     opened: OpenModel,
     origin: Origin,
     plan: Plan,
-    change: Arc<Change>,
+    change: Arc<PreparedChange>,
 }
 
 impl PlannedModel {
-    /// Plans `change` for the model at `path`, which was loaded; `files` has everything beside it. The plan is spelled in the words of
-    /// `dialect`. Nothing is written.
+    /// Plans `change` for the model at `path`, which was `loaded`; `files` has the files beside it. `dialect` spells the plan.
     ///
     /// # Errors
-    /// Those of [`Change::plan`].
+    /// Those of [`PreparedChange::plan`].
     pub fn new(
         path: &Path,
         loaded: Loaded,
-        change: Change,
+        change: PreparedChange,
         files: &dyn Files,
         dialect: &dyn Speller,
     ) -> Result<Self, Failure> {
@@ -58,15 +57,15 @@ impl PlannedModel {
         &self.opened
     }
 
-    /// What changes, spelled.
+    /// The plan, spelled.
     pub fn plan(&self) -> &Plan {
         &self.plan
     }
 
-    /// The bytes of each of its files that change, the model first.
+    /// The new bytes of each file that changes, the model first.
     ///
     /// # Errors
-    /// Edits that overlap, which would be a defect.
+    /// Edits overlap, which is a defect of this program.
     pub fn results(&self) -> Result<Vec<(FileId, Vec<u8>)>, Failure> {
         let model = &self.opened.model;
         let bytes = |file| Ok((file, self.plan.patched(model, file)?));
@@ -74,23 +73,23 @@ impl PlannedModel {
         all.map_err(|fault| self.opened.failure(fault))
     }
 
-    /// Shows it with both of its states, as a run shows a model that it has not written; `with_feet` where those are to be drawn.
+    /// Calls `show` with the model and both of its states, as a dry run does; `with_feet` says whether feet are included.
     ///
     /// # Errors
-    /// The new model cannot be read, which would be a defect.
-    pub fn shown<T>(
+    /// The new model cannot be read, which is a defect of this program.
+    pub fn show<T>(
         &self,
         dialect: &dyn Speller,
         with_feet: bool,
         show: impl FnOnce(ChangedModel<'_>) -> T,
     ) -> Result<T, Failure> {
-        let task = self.task(&OutputOptions::default());
-        let results =
-            Results::of(&task, &self.plan, &self.opened.model).map_err(|fault| self.opened.failure(fault))?;
-        let new = || changed(&task, &self.files, &results);
-        let both = BeforeAfter::of(&self.change, &self.opened, &self.plan, new, dialect, with_feet)?;
-        let mut record = Record { status: Status::DryRun, ..Record::of_task(&task) };
-        record.planned(&self.plan);
+        let task = self.task_for(&OutputOptions::default());
+        let results = ResultBytes::of(&task, &self.plan, &self.opened.model)
+            .map_err(|fault| self.opened.failure(fault))?;
+        let new = || changed_files(&task, &self.files, &results);
+        let states = BeforeAfter::of_plan(&self.change, &self.opened, &self.plan, new, dialect, with_feet)?;
+        let mut record = Record { status: Status::DryRun, ..Record::not_begun(&task) };
+        record.add_plan(&self.plan);
         let inputs: Vec<String> = self.opened.files().map(|(_, bytes)| sha256(bytes)).collect();
         Ok(show(ChangedModel {
             task: &task,
@@ -100,19 +99,19 @@ impl PlannedModel {
             results: &results,
             written: &Written::Nothing("planned: nothing written yet"),
             record: &record,
-            before_after: Some(both),
+            before_after: Some(states),
             earlier: false,
         }))
     }
 
-    /// Writes what was planned, as `output` says; nothing if nothing changes and no output is named. Returns remarks about the
-    /// files there, too.
+    /// Writes the planned change to `output`; nothing is written if nothing changes and no output is named. Also returns remarks about
+    /// files beside the output.
     ///
     /// # Errors
-    /// An output that is standard output or one of the inputs, something there that may not be replaced, a model that changed
-    /// since it was planned and is to be changed itself, or a disk that refuses: nothing is written then.
+    /// The output is standard output or one of the inputs; a file exists that may not be replaced; the change is in place, and the model
+    /// changed since it was planned; or the disk refuses. Nothing is written then.
     pub fn write(&self, output: &OutputOptions) -> Result<(Written, Vec<String>), LibraryFault> {
-        let task = self.task(output);
+        let task = self.task_for(output);
         if task.destination == Destination::Stdout {
             return Err(LibraryFault::new(phrase![
                 "this model cannot go to standard output: name a file with ",
@@ -121,33 +120,33 @@ impl PlannedModel {
         }
         let from_memory = self.is_from_memory();
         let request = RunRequest { from_memory, ..RunRequest::new(self.change.verb, vec![task]) };
-        request.check_files(&RunOptions::default())?;
+        request.check_paths(&RunOptions::default())?;
         let nothing = Written::Nothing("nothing written");
         let Some(task) = request.tasks.first() else { return Ok((nothing, Vec::new())) };
         let outputs = task.output().into_iter().chain(task.geometry_output.as_deref());
-        let mut folders = Folders::list(outputs, true);
-        let mut remarks = folders.settle_replaced();
+        let mut folders = OutputFolders::list(outputs, true);
+        let mut remarks = folders.keep_displaced_files();
         if self.plan.is_empty() && !task.asked {
             return Ok((nothing, remarks));
         }
-        let compiled = task.output().and_then(|path| folders.compiled_beside(path));
+        let compiled = task.output().and_then(|path| folders.compiled_model_beside_output(path));
         let linked = task.output().filter(|_| output.in_place).and_then(other_names);
         remarks.extend(compiled.into_iter().chain(linked).map(|finding| finding.message.to_string()));
         if output.in_place {
             self.check_unchanged()?;
         }
-        let results = Results::of(task, &self.plan, &self.opened.model)
+        let results = ResultBytes::of(task, &self.plan, &self.opened.model)
             .map_err(|fault| LibraryFault::new(self.opened.failure(fault).message))?;
         let files = PreparedFiles::new(task, &self.opened, &self.origin, &results, output.force)?;
         Ok((files.commit(&results)?, remarks))
     }
 
-    /// Whether its bytes were given, and not read from a file.
+    /// Whether the bytes of the model were given, and not read from a file.
     fn is_from_memory(&self) -> bool {
         self.origin.stamp_of(FileId::MAIN).is_none()
     }
 
-    /// A plan may be old when it is written: a model that is changed itself must still be what was planned for.
+    /// Refuses a change in place of a model that changed after it was planned.
     fn check_unchanged(&self) -> Result<(), LibraryFault> {
         if self.is_from_memory() && !self.source.path.exists() {
             return Err(LibraryFault::new(phrase![
@@ -159,8 +158,8 @@ impl PlannedModel {
         let geometry = self.change.set_files.geometry.as_deref();
         let geometry = geometry.and_then(|path| Some((self.origin.file_at(path)?, path)));
         std::iter::once(model).chain(geometry).try_for_each(|(file, path)| {
-            let there = door::ordinary(path).context(|| path.display())?;
-            if there == self.opened.model.file(file).bytes() {
+            let existing = file_access::read_ordinary(path).context(|| path.display())?;
+            if existing == self.opened.model.file(file).bytes() {
                 return Ok(());
             }
             if self.is_from_memory() {
@@ -179,7 +178,7 @@ impl PlannedModel {
         })
     }
 
-    fn task(&self, output: &OutputOptions) -> Task {
+    fn task_for(&self, output: &OutputOptions) -> Task {
         let settings = JobSettings::new(Arc::clone(&self.change), output);
         Task::new(self.source.clone(), output, Arc::new(settings))
     }

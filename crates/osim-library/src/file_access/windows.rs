@@ -1,5 +1,8 @@
-//! How Windows opens files: nothing waits but devices, which have names of their own.
-#![cfg_attr(not(test), expect(clippy::disallowed_methods, reason = "a part of the door"))]
+//! How Windows opens files, and the kinds of files that it has. Only devices would wait, and their names are known.
+#![cfg_attr(
+    not(test),
+    expect(clippy::disallowed_methods, reason = "a part of `file_access`, which opens all files")
+)]
 
 use std::fs::{File, Metadata, OpenOptions};
 use std::path::{Component, Path, Prefix};
@@ -10,9 +13,9 @@ pub(super) fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
 
 const ERROR_SHARING_VIOLATION: i32 = 32;
 
-/// By the way it is opened: nobody else can open it for writing. A lock would also refuse reading to others, and to this process by
-/// another handle. Where a file is opened for appending only, Windows neither shortens nor locks it.
-pub(super) fn alone(path: &Path) -> std::io::Result<Option<File>> {
+/// Opens a file so that nobody else can open it for writing. A lock would also refuse reading to others, and to another handle of
+/// this process. A file that is opened for appending only could neither be shortened nor locked.
+pub(super) fn open_exclusively(path: &Path) -> std::io::Result<Option<File>> {
     use std::os::windows::fs::OpenOptionsExt;
     const FILE_SHARE_READ: u32 = 1;
     const FILE_SHARE_DELETE: u32 = 4;
@@ -24,8 +27,8 @@ pub(super) fn alone(path: &Path) -> std::io::Result<Option<File>> {
     }
 }
 
-/// What is open [`alone`] cannot be opened for writing.
-pub(super) fn is_taken(path: &Path) -> std::io::Result<bool> {
+/// Tries to open the file for writing, which fails if it is open by [`open_exclusively`].
+pub(super) fn is_open_exclusively(path: &Path) -> std::io::Result<bool> {
     match File::options().write(true).open(path) {
         Err(error) if error.raw_os_error() == Some(ERROR_SHARING_VIOLATION) => Ok(true),
         file => file.map(|_| false),
@@ -50,7 +53,7 @@ pub(super) fn is_device_name(path: &Path) -> bool {
     const NUMBERS: [&str; 12] = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "\u{b9}", "\u{b2}", "\u{b3}"];
     const NAMES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];
     if let Some(Component::Prefix(prefix)) = path.components().next()
-        && matches!(prefix.kind(), Prefix::DeviceNS(_))
+        && matches!(prefix.kind_name(), Prefix::DeviceNS(_))
     {
         return true;
     }
@@ -60,11 +63,11 @@ pub(super) fn is_device_name(path: &Path) -> bool {
     NAMES.contains(&stem) || numbered("COM") || numbered("LPT")
 }
 
-pub(super) fn kind_that_cannot_be_opened(path: &Path) -> Option<&'static str> {
+pub(super) fn name_of_unopenable_kind(path: &Path) -> Option<&'static str> {
     path.is_dir().then_some("a folder")
 }
 
-pub(super) fn kind(metadata: &Metadata) -> &'static str {
+pub(super) fn kind_name(metadata: &Metadata) -> &'static str {
     if metadata.is_dir() { "a folder" } else { "a device" }
 }
 
@@ -74,7 +77,7 @@ pub(super) fn is_out_of_files(error: &std::io::Error) -> bool {
 }
 
 /// Whether standard input is a device, such as a terminal.
-pub(super) fn types_standard_input() -> bool {
+pub(super) fn standard_input_is_device() -> bool {
     std::io::IsTerminal::is_terminal(&std::io::stdin())
 }
 

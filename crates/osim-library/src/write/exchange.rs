@@ -14,8 +14,8 @@ use std::path::{Path, PathBuf};
 use tempfile::{NamedTempFile, TempPath};
 
 use crate::digest::sha256_of_parts;
-use crate::door;
-use crate::write::prepared::backup_names;
+use crate::file_access;
+use crate::write::replace::backup_names;
 use crate::write::temporary;
 
 #[derive(Debug)]
@@ -114,7 +114,7 @@ pub(crate) fn is_left_over(folder: &Path, name: &OsStr) -> bool {
 /// further backup of its model: which.
 pub(crate) fn settle(left: &Path) -> Option<PathBuf> {
     let (model, _, of_successor) = parts(left.file_name()?)?;
-    let bytes = door::ordinary(left).ok()?;
+    let bytes = file_access::read_ordinary(left).ok()?;
     let model = left.with_file_name(model);
     if digest(&[&bytes]) == of_successor {
         // A user who may not remove it may not write here either, and gets that error.
@@ -157,7 +157,7 @@ pub(super) fn kept(mut file: TempPath, target: &Path) -> Option<PathBuf> {
 
 /// Whether the file has these bytes, which may be in several places.
 pub(super) fn is(path: &Path, parts: &[&[u8]]) -> bool {
-    let Ok(bytes) = door::ordinary(path) else { return false };
+    let Ok(bytes) = file_access::read_ordinary(path) else { return false };
     let mut rest = bytes.as_slice();
     parts.iter().all(|part| {
         let begins = rest.strip_prefix(*part);

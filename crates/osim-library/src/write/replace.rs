@@ -8,13 +8,13 @@ use osim_model::messages::{Input, phrase};
 use tempfile::NamedTempFile;
 
 use super::temporary;
-use crate::door;
 use crate::fault::{Context, LibraryFault};
+use crate::file_access;
 use crate::paths::{folder_of, resolved};
 
 /// A complete successor that does not have its name yet.
 #[derive(Debug)]
-pub struct Prepared {
+pub struct PendingFile {
     temporary: NamedTempFile,
     /// As the user knows it.
     shown: PathBuf,
@@ -25,7 +25,7 @@ pub struct Prepared {
 
 /// How a file may be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Mode {
+pub enum WriteMode {
     /// Refuse to replace anything.
     New,
     /// Replace what is there, with its owner and group where the system lets us.
@@ -34,8 +34,8 @@ pub enum Mode {
     InPlace,
 }
 
-/// Bytes are added as they come; [`commit`](Prepared::commit) is called when they are all there.
-impl Write for Prepared {
+/// Bytes are added as they come; [`commit`](PendingFile::commit) is called when they are all there.
+impl Write for PendingFile {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         self.temporary.write(bytes)
     }
@@ -45,7 +45,7 @@ impl Write for Prepared {
     }
 }
 
-impl Prepared {
+impl PendingFile {
     /// Writes `bytes` under a temporary name beside `target`. Mode bits are those of the file that is replaced, else
     /// those of `like`.
     ///
@@ -55,7 +55,7 @@ impl Prepared {
         target: &Path,
         bytes: &[u8],
         like: Option<&Metadata>,
-        mode: Mode,
+        mode: WriteMode,
     ) -> Result<Self, LibraryFault> {
         Self::of_parts(target, std::iter::once(bytes), like, mode)
     }
@@ -65,7 +65,7 @@ impl Prepared {
         target: &Path,
         parts: impl Iterator<Item = &'p [u8]>,
         like: Option<&Metadata>,
-        mode: Mode,
+        mode: WriteMode,
     ) -> Result<Self, LibraryFault> {
         let mut prepared = Self::begin(target, like, mode)?;
         let mut slices: Vec<IoSlice<'_>> = parts.filter(|part| !part.is_empty()).map(IoSlice::new).collect();
@@ -74,7 +74,7 @@ impl Prepared {
     }
 
     /// An empty successor of `target`, for [`add`](Self::add).
-    pub fn begin(target: &Path, like: Option<&Metadata>, mode: Mode) -> Result<Self, LibraryFault> {
+    pub fn begin(target: &Path, like: Option<&Metadata>, mode: WriteMode) -> Result<Self, LibraryFault> {
         let (target, shown) = (real(target)?, target.to_owned());
         let existing = std::fs::metadata(&target).ok();
         if existing.as_ref().is_some_and(Metadata::is_dir) {
@@ -85,7 +85,7 @@ impl Prepared {
             let message = format!("{} is not an ordinary file: write to another name", shown.display());
             return Err(LibraryFault::new(message));
         }
-        if existing.is_some() && mode == Mode::New {
+        if existing.is_some() && mode == WriteMode::New {
             return Err(LibraryFault::new(phrase![
                 format!("{} exists already: choose another name with ", shown.display()),
                 Input::Output,
@@ -96,11 +96,11 @@ impl Prepared {
         let cannot = || format!("cannot write into {}", folder_of(&shown).display());
         let like = existing.as_ref().or(like);
         let temporary = temporary::file(folder_of(&target), like)
-            .map_err(|error| door::reason(&error))
+            .map_err(|error| file_access::reason(&error))
             .context(cannot)?;
         if let Some(existing) = &existing
             && !keep_owner(&temporary, existing).context(cannot)?
-            && mode == Mode::InPlace
+            && mode == WriteMode::InPlace
         {
             return Err(foreign(&shown));
         }
@@ -163,7 +163,7 @@ impl Prepared {
                 let message = format!("{shown} appeared while it was being written: nothing was replaced");
                 Err(LibraryFault::new(message))
             }
-            Err(error) => Err(LibraryFault::because(format!("cannot write {shown}"), error.error)),
+            Err(error) => Err(LibraryFault::system(format!("cannot write {shown}"), error.error)),
         }
     }
 }
@@ -254,15 +254,15 @@ fn keep_permissions(_file: &NamedTempFile, _like: Option<&Metadata>, _replaces: 
 
 /// A backup of `path` as it is: `NAME.bak`. An older backup is never replaced, the next is `NAME.bak2`; one that holds
 /// these bytes already, left by a run that was stopped, is as good as a new one.
-pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<Prepared>, PathBuf), LibraryFault> {
+pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<PendingFile>, PathBuf), LibraryFault> {
     let path = resolved(path);
     let metadata = std::fs::metadata(&path).ok();
     for backup in backup_names(&path) {
         let Ok(there) = backup.symlink_metadata() else {
-            return Ok((Some(Prepared::new(&backup, bytes, metadata.as_ref(), Mode::New)?), backup));
+            return Ok((Some(PendingFile::new(&backup, bytes, metadata.as_ref(), WriteMode::New)?), backup));
         };
         let same_length = there.is_file() && there.len() == bytes.len() as u64;
-        if same_length && door::ordinary(&backup).is_ok_and(|kept| kept == bytes) {
+        if same_length && file_access::read_ordinary(&backup).is_ok_and(|kept| kept == bytes) {
             return Ok((None, backup));
         }
     }
@@ -281,7 +281,7 @@ pub(super) fn backup_names(path: &Path) -> impl Iterator<Item = PathBuf> {
 /// After a rename, the folder's entry itself has to reach the disk.
 pub(super) fn sync_folder_of(path: &Path) {
     // Windows cannot open folders; the rename is durable there by itself. A failure loses nothing but speed of certainty.
-    if let Ok(folder) = door::folder(folder_of(path)) {
+    if let Ok(folder) = file_access::open_folder(folder_of(path)) {
         let _ = folder.sync_all();
     }
 }

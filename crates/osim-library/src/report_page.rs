@@ -1,10 +1,8 @@
-//! The page that reports a run over many models: what front ends with a disk share.
-//!
-//! [`entry`] is what a page shows of a model that was changed; [`ReportPage`] is the file.
+//! The page of `--report` as a file ([`ReportPage`]), and the entries of models that a run changed ([`entry_of_change`]).
 //!
 //! # What it will not do
 //!
-//! It knows no terminal and no Python: what is wrong is a [`LibraryFault`], which its caller spells.
+//! It knows no terminal and no Python: faults are a [`LibraryFault`], which its caller spells.
 
 use std::fs::File;
 use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
@@ -20,37 +18,39 @@ use osim_view::html::{
 };
 
 use crate::run::{ChangedModel, Record, Run};
-use crate::{Disk, LibraryFault, Mode, Prepared, folder_of, head, make_folder_of, reason, resolved};
+use crate::{
+    Disk, LibraryFault, PendingFile, WriteMode, folder_of, make_folder_of, read_head, reason, resolved,
+};
 
-/// Bytes in which a page says what wrote it.
-const HEAD: usize = 1024;
+/// A page of this program names its generator in its first bytes, so many at most.
+const HEAD_BYTES: usize = 1024;
 
-/// What a page may take the place of.
+/// Which existing files a page may replace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Replace {
+pub enum MayReplace {
     Never,
-    /// Pages of this program: a resumed run writes its page again.
-    Pages,
+    /// Only pages of this program: a resumed run writes its page again.
+    ReportPages,
     Files,
 }
 
-/// A page that is being written. It takes its name only when it is whole.
+/// A page that is being written. It gets its name when it is complete.
 pub struct ReportPage {
-    prepared: Prepared,
+    prepared: PendingFile,
     page: Page<'static, NamelessFile>,
 }
 
 impl ReportPage {
-    /// Begins the page that `path` will hold.
+    /// Begins the page that becomes the file `path`.
     ///
     /// # Errors
     /// A name that is not a page's, a file that is there already, or a folder that cannot be written.
-    pub fn begin(path: &Path, replace: Replace, about: About, words: Words) -> Result<Self, LibraryFault> {
+    pub fn begin(path: &Path, replace: MayReplace, about: About, words: Words) -> Result<Self, LibraryFault> {
         check_name(path)?;
         let replaces = match replace {
-            Replace::Never => false,
-            Replace::Pages => is_page(path),
-            Replace::Files => true,
+            MayReplace::Never => false,
+            MayReplace::ReportPages => is_report_page(path),
+            MayReplace::Files => true,
         };
         if path.exists() && !replaces {
             return Err(LibraryFault::new(phrase![
@@ -62,22 +62,22 @@ impl ReportPage {
             ]));
         }
         make_folder_of(path)?;
-        let mode = if replaces { Mode::Replace } else { Mode::New };
-        let prepared = Prepared::begin(path, None, mode)?;
+        let mode = if replaces { WriteMode::Replace } else { WriteMode::New };
+        let prepared = PendingFile::begin(path, None, mode)?;
         let kept = Kept {
-            failures: NamelessFile::beside(path)?,
-            rows: NamelessFile::beside(path)?,
-            details: NamelessFile::beside(path)?,
+            failures: NamelessFile::in_folder_of(path)?,
+            rows: NamelessFile::in_folder_of(path)?,
+            details: NamelessFile::in_folder_of(path)?,
         };
         Ok(Self { prepared, page: Page::new(about, kept, words) })
     }
 
-    /// Begins the page about a run, the call `asked`; what could not even be listed is on it already. `None` if no page is asked
+    /// Begins the page about a run, the call `call`; what could not even be listed is on it already. `None` if no page is asked
     /// for.
-    pub fn of_run(
+    pub fn begin_for_run(
         run: &Run<'_>,
         options: &RunOptions,
-        asked: String,
+        call: String,
         words: Words,
     ) -> Result<Option<Self>, LibraryFault> {
         let Some(path) = &options.report else { return Ok(None) };
@@ -86,12 +86,12 @@ impl ReportPage {
             (Some(task), _) => task.source.shown(),
             (None, failure) => failure.map(|failure| failure.model.to_string()).unwrap_or_default(),
         };
-        let about = About::new(request.verb, request.is_one().then(shown), Columns::Changes, asked);
-        let replace = match (request.force, run.goes_on()) {
-            (true, _) => Replace::Files,
+        let about = About::new(request.verb, request.is_for_one_model().then(shown), Columns::Changes, call);
+        let replace = match (request.force, run.is_resumed()) {
+            (true, _) => MayReplace::Files,
             // A resumed run writes its page again, as it does its summary.
-            (false, true) => Replace::Pages,
-            (false, false) => Replace::Never,
+            (false, true) => MayReplace::ReportPages,
+            (false, false) => MayReplace::Never,
         };
         let mut page = Self::begin(path, replace, about, words)?;
         request.failures.iter().for_each(|failure| page.add(Entry::failed(failure, words)));
@@ -102,10 +102,10 @@ impl ReportPage {
         self.page.add(entry);
     }
 
-    /// Writes the page under its name.
+    /// Writes the page and gives it its name.
     ///
     /// # Errors
-    /// The disk refuses: no page is there then, or the old one.
+    /// The page cannot be written. An old page stays then.
     pub fn finish(self) -> Result<(), LibraryFault> {
         let Self { mut prepared, page } = self;
         page.finish(&mut prepared)
@@ -114,9 +114,9 @@ impl ReportPage {
     }
 }
 
-/// Whether this program wrote the page, which says so in its head.
-fn is_page(path: &Path) -> bool {
-    head(path, HEAD).is_ok_and(|head| memchr::memmem::find(&head, GENERATOR.as_bytes()).is_some())
+/// Whether this program wrote the file.
+fn is_report_page(path: &Path) -> bool {
+    read_head(path, HEAD_BYTES).is_ok_and(|head| memchr::memmem::find(&head, GENERATOR.as_bytes()).is_some())
 }
 
 fn check_name(path: &Path) -> Result<(), LibraryFault> {
@@ -130,15 +130,15 @@ fn check_name(path: &Path) -> Result<(), LibraryFault> {
     }
 }
 
-/// Bytes copied at once.
-const CHUNK: usize = 1 << 16;
+/// Bytes that are copied at once.
+const CHUNK_BYTES: usize = 1 << 16;
 
-/// Text that waits in a nameless file until what is before it on the page is known.
+/// Text that is kept in a file without a name until the text before it on the page is complete.
 struct NamelessFile(BufWriter<File>);
 
 impl NamelessFile {
-    /// On the disk that will hold `path`; the system removes the file, whatever happens.
-    pub(crate) fn beside(path: &Path) -> Result<Self, LibraryFault> {
+    /// A file on the disk of `path`. The system removes it when the process ends.
+    pub(crate) fn in_folder_of(path: &Path) -> Result<Self, LibraryFault> {
         let target = resolved(path);
         let folder = folder_of(&target);
         let file = tempfile::tempfile_in(folder).map_err(|error| {
@@ -157,7 +157,7 @@ impl DeferredText for NamelessFile {
         self.0.flush()?;
         let file = self.0.get_mut();
         file.seek(SeekFrom::Start(0))?;
-        let mut chunk = vec![0; CHUNK];
+        let mut chunk = vec![0; CHUNK_BYTES];
         loop {
             let read = file.read(&mut chunk)?;
             match chunk.get(..read) {
@@ -168,13 +168,16 @@ impl DeferredText for NamelessFile {
     }
 }
 
-/// A front end's words that every thread can use.
+/// The front end whose words messages use; all threads can use it.
 pub type Words = &'static (dyn FrontEnd + Sync);
 
-// What a page shows of one model of a run.
-
-/// What a page shows of a model that was changed, of both its states.
-pub fn entry(changed: &ChangedModel<'_>, both: &BeforeAfter, detail: DetailLevel, words: Words) -> Entry {
+/// The entry of a model that was changed, with both of its states.
+pub fn entry_of_change(
+    changed: &ChangedModel<'_>,
+    states: &BeforeAfter,
+    detail: DetailLevel,
+    words: Words,
+) -> Entry {
     let record = changed.record;
     let names = changed.opened.files().map(|(name, _)| name.to_owned());
     let inputs = names.zip(changed.inputs.iter().cloned()).map(|(name, sha256)| NamedDigest { name, sha256 });
@@ -187,25 +190,25 @@ pub fn entry(changed: &ChangedModel<'_>, both: &BeforeAfter, detail: DetailLevel
         false => changed.written.describe(),
     };
     let files = osim_view::html::Files { inputs: inputs.collect(), result, outputs };
-    let mut change = Changed::of_states(changed.plan, both, files);
+    let mut change = Changed::of_states(changed.plan, states, files);
     if let Some(feet) = change.feet.last_mut() {
         feet.add_bones(&changed.opened.model, &changed.task.source.path, None, &Disk);
     }
-    let followed = both.recording.as_ref();
+    let followed = states.recording.as_ref();
     change.recording = followed.map(|seen| osim_view::html::recording(&seen.0, &seen.1, words));
     change.in_file = !changed.written.paths().is_empty();
-    let entry = osim_view::html::changed(&row(record), change, detail, words);
+    let entry = osim_view::html::changed(&row_of_record(record), change, detail, words);
     if changed.earlier { entry.of_earlier_run() } else { entry }
 }
 
-/// A model with only its line in the summary.
-pub fn bare_entry(record: &Record, earlier: bool) -> Entry {
+/// The entry of a model of which only the line in the summary is known.
+pub fn entry_of_record(record: &Record, earlier: bool) -> Entry {
     if !earlier {
         let error = record.error_code.as_ref().zip(record.error.as_ref());
         let error = error.map(|(code, message)| {
             RowError::new(code.as_str(), message.as_str()).at(record.line, record.column)
         });
-        return Entry::of_row(&row(record), error.as_ref());
+        return Entry::of_row(&row_of_record(record), error.as_ref());
     }
     let left = EarlierRun {
         radius_factor: record.radius_factor,
@@ -214,10 +217,10 @@ pub fn bare_entry(record: &Record, earlier: bool) -> Entry {
         unequal_factors: record.unequal_factors.split(' ').map(str::to_owned).collect(),
         warnings: record.warnings.split_ascii_whitespace().count(),
     };
-    Entry::left_by_earlier_run(&row(record), &left)
+    Entry::left_by_earlier_run(&row_of_record(record), &left)
 }
 
-fn row(record: &Record) -> RunRow {
+fn row_of_record(record: &Record) -> RunRow {
     let mut row = RunRow::new(record.model.as_str(), record.status.describe());
     row.row = record.row;
     row.output.clone_from(&record.output);

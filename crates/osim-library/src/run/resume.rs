@@ -1,0 +1,275 @@
+//! What a run that resumes compares: the lines of the earlier summary with the models, settings and outputs of now.
+//!
+//! A line belongs to the file that it names, however the name is spelled: from another folder, absolutely, or through a link.
+
+use std::cell::LazyCell;
+use std::collections::HashSet;
+use std::hash::{BuildHasher, BuildHasherDefault, DefaultHasher};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+use osim_model::messages::{Input, phrase};
+use osim_requests::options::RunOptions;
+
+use crate::digest::sha256;
+use crate::fault::LibraryFault;
+use crate::file_access;
+use crate::partial::PartialFile;
+use crate::paths::{Resolver, folder_of, resolved};
+use crate::run::record::{Record, Status};
+use crate::run::summary_lines::{PreviousLines, SummaryFormat};
+use crate::run::task::Task;
+
+/// The lines of earlier runs. Only the place of each line is kept, so that a million of them take little memory.
+#[derive(Default)]
+pub(super) struct PreviousRun {
+    /// The summary, then the partial one, which is newer.
+    files: Vec<PreviousLines>,
+    /// The places of all lines, sorted by file; the latest line of a file is last. A file has several lines if a run was killed while it
+    /// replaced the output of an earlier run.
+    places: Vec<LinePlace>,
+    /// The folder of the summary.
+    folder: PathBuf,
+    paths: Mutex<Resolver>,
+}
+
+/// The place of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct LinePlace {
+    /// Hash of the file that the line is about. Several files may have the same hash; the line itself has the name.
+    hash: u64,
+    file: usize,
+    offset: u64,
+}
+
+/// What an earlier run did with a model, compared with what this run would do.
+pub(super) enum PreviousOutcome {
+    /// The earlier run has no line about it, or did not finish it.
+    Unknown,
+    /// Model, settings and outputs are as the line says: nothing has to be done.
+    UpToDate(Box<Record>),
+    /// The output is what an earlier run wrote, and this run would write something else.
+    Outdated,
+    /// An earlier run changed the model in place, and this run would change it again.
+    ModelChanged,
+    /// This output exists, and is not what a run wrote.
+    OutputEdited(PathBuf),
+}
+
+impl PreviousRun {
+    /// Reads the summary and the partial one that a run resumes; `user_columns` are the user's own columns in this run, `None` if they
+    /// are not known.
+    ///
+    /// # Errors
+    /// It is not a summary of this tool.
+    pub(super) fn read(options: &RunOptions, user_columns: Option<&[String]>) -> Result<Self, LibraryFault> {
+        let mut done = Self::default();
+        let Some(path) = options.summary.as_ref().filter(|_| options.resume) else { return Ok(done) };
+        let format = SummaryFormat::of_path(path)?;
+        done.folder = resolved(folder_of(path));
+        // Only the partial one may end in the middle of a line: a summary gets its name when it is complete.
+        for (path, may_end_in_a_line) in [(path.clone(), false), (PartialFile::path_for(path), true)] {
+            if path.exists() {
+                done.add_lines_of(&path, format, may_end_in_a_line, user_columns)
+                    .map_err(|fault| fault_of_summary(&path, &fault))?;
+            }
+        }
+        Ok(done)
+    }
+
+    fn add_lines_of(
+        &mut self,
+        path: &Path,
+        format: SummaryFormat,
+        may_end_in_a_line: bool,
+        user_columns: Option<&[String]>,
+    ) -> Result<(), LibraryFault> {
+        let mut lines = PreviousLines::open(path, format, may_end_in_a_line)?;
+        let file = self.files.len();
+        let mut places = Vec::new();
+        lines.for_each(user_columns, |offset, record| {
+            places.push(LinePlace { hash: hash_of_path(&self.file_of(record)), file, offset });
+        })?;
+        self.places.append(&mut places);
+        self.files.push(lines);
+        self.places.sort_unstable();
+        Ok(())
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.places.is_empty()
+    }
+
+    /// The file that a line is about: its output, or the model if nothing is written. (Rows of a manifest may move or get another model,
+    /// but no two rows write one output.)
+    fn file_of(&self, record: &Record) -> PathBuf {
+        self.resolved_name(record, record.output.as_deref().unwrap_or(&record.model))
+    }
+
+    /// The absolute path of a file that is named in a line.
+    fn resolved_name(&self, record: &Record, name: &str) -> PathBuf {
+        let path = match &record.folder {
+            Some(folder) => self.folder.join(folder).join(name),
+            None => PathBuf::from(name),
+        };
+        self.paths.lock().map_or_else(|_| resolved(&path), |mut paths| paths.resolved(&path))
+    }
+
+    /// The earlier records of the file that `now` is about, the latest last.
+    fn records_of(&self, now: &Record) -> Result<Vec<Record>, LibraryFault> {
+        let file = self.file_of(now);
+        let hash = hash_of_path(&file);
+        let start = self.places.partition_point(|place| place.hash < hash);
+        let same = self.places.iter().skip(start).take_while(|place| place.hash == hash);
+        let mut records = Vec::new();
+        for place in same {
+            let Some(lines) = self.files.get(place.file) else { continue };
+            let record = lines.record_at(place.offset)?;
+            if self.file_of(&record) == file {
+                records.push(record);
+            }
+        }
+        Ok(records)
+    }
+
+    /// Copies digests of an earlier output into the `record` of a model that was not done, so that a later run that resumes still
+    /// recognises the output.
+    pub(super) fn keep_earlier_output(&self, record: &mut Record) {
+        if let Some(wrote) = self.latest_with_output(record) {
+            *record = wrote.with_outcome_of(record);
+        }
+    }
+
+    /// Copies all digests of an earlier run into the `record` of a model whose change is only shown.
+    pub(super) fn keep_digests(&self, record: &mut Record) {
+        if let Some(wrote) = self.latest_with_output(record) {
+            record.sha256_input = wrote.sha256_input;
+            record.sha256_output = wrote.sha256_output;
+            record.sha256_geometry_output = wrote.sha256_geometry_output;
+            record.sha256_settings = wrote.sha256_settings;
+        }
+    }
+
+    fn latest_with_output(&self, now: &Record) -> Option<Record> {
+        // A line that cannot be read again counts as none.
+        let records = if self.is_empty() { Vec::new() } else { self.records_of(now).unwrap_or_default() };
+        records.into_iter().rev().find(|record| record.sha256_output.is_some())
+    }
+
+    /// Calls `each` with the records of models that are not in `tasks`, the latest last, except those that failed without an output.
+    pub(super) fn for_each_other_model(
+        &self,
+        tasks: &[Task],
+        mut each: impl FnMut(Record) -> Result<(), LibraryFault>,
+    ) -> Result<(), LibraryFault> {
+        if self.is_empty() {
+            return Ok(());
+        }
+        let hashes_of_tasks: HashSet<u64> =
+            tasks.iter().map(|task| hash_of_path(&self.file_of(&Record::not_begun(task)))).collect();
+        let mut others: Vec<LinePlace> =
+            self.places.iter().filter(|place| !hashes_of_tasks.contains(&place.hash)).copied().collect();
+        others.sort_unstable_by_key(|place| (place.file, place.offset));
+        for place in others {
+            let Some(lines) = self.files.get(place.file) else { continue };
+            let record = lines.record_at(place.offset)?;
+            let is_done = matches!(record.status, Status::Unchanged | Status::NoContacts);
+            if is_done || record.sha256_output.is_some() {
+                each(record)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Compares the earlier records of `task` with this run: the digest `input` of the model, the settings in `now`, and the outputs.
+    pub(super) fn compare(
+        &self,
+        task: &Task,
+        input: &str,
+        now: &Record,
+    ) -> Result<PreviousOutcome, LibraryFault> {
+        let records = self.records_of(now)?;
+        if records.is_empty() {
+            return Ok(PreviousOutcome::Unknown);
+        }
+        // Existing outputs are read only if they decide.
+        let existing = LazyCell::new(|| ExistingOutputs::of_task(task, input));
+        let in_place = task.settings.in_place;
+        let model = self.resolved_name(now, &now.model);
+        let same_model = |record: &Record| self.resolved_name(record, &record.model) == model;
+        let is_up_to_date = |record: &&Record| {
+            let same_settings =
+                record.sha256_settings == now.sha256_settings && record.tool_version == now.tool_version;
+            let same_input = record.sha256_input.as_deref() == Some(input);
+            same_settings
+                && same_model(record)
+                && match record.status {
+                    Status::Unchanged | Status::NoContacts => same_input,
+                    // A model that is changed in place is its own output, so its old digest cannot be compared. A line of a run
+                    // that did not come to the model has the digest of the output that was written before.
+                    _ => (same_input || in_place) && existing.match_record(record),
+                }
+        };
+        let changed_itself =
+            |record: &Record| record.sha256_output.as_deref() == Some(input) && same_model(record);
+        Ok(match records.iter().rev().find(is_up_to_date) {
+            Some(record) => {
+                PreviousOutcome::UpToDate(Box::new(record.clone().with_names_of(now).as_written_before()))
+            }
+            None if in_place && records.iter().any(changed_itself) => PreviousOutcome::ModelChanged,
+            None if in_place => PreviousOutcome::Unknown,
+            None => match existing.first_edited(task, &records) {
+                Some(path) => PreviousOutcome::OutputEdited(path.to_owned()),
+                None => PreviousOutcome::Outdated,
+            },
+        })
+    }
+}
+
+fn fault_of_summary(path: &Path, fault: &LibraryFault) -> LibraryFault {
+    let mut message = phrase![
+        format!("cannot go on with {}: give ", path.display()),
+        Input::Summary,
+        " the file of the earlier run: ",
+    ];
+    message.push(fault.phrase());
+    LibraryFault::new(message)
+}
+
+fn hash_of_path(file: &Path) -> u64 {
+    BuildHasherDefault::<DefaultHasher>::default().hash_one(file)
+}
+
+/// Digests of the existing files with the names of a task's outputs.
+struct ExistingOutputs {
+    model: Option<String>,
+    geometry: Option<String>,
+}
+
+impl ExistingOutputs {
+    fn of_task(task: &Task, input: &str) -> Self {
+        let digest = |path: &Path| file_access::read_ordinary(path).ok().map(|bytes| sha256(&bytes));
+        let model =
+            if task.settings.in_place { Some(input.to_owned()) } else { task.output().and_then(digest) };
+        Self { model, geometry: task.geometry_output.as_deref().and_then(digest) }
+    }
+
+    /// Whether all outputs exist and are those of `record`.
+    fn match_record(&self, record: &Record) -> bool {
+        let geometry =
+            record.sha256_geometry_output.is_none() || self.geometry == record.sha256_geometry_output;
+        self.model.is_some() && self.model == record.sha256_output && geometry
+    }
+
+    /// An existing output that is not what an earlier run wrote; `None` if replacing the outputs loses nobody's work.
+    fn first_edited<'t>(&self, task: &'t Task, records: &[Record]) -> Option<&'t Path> {
+        let was_written = |digest: fn(&Record) -> &Option<String>, existing: &Option<String>| {
+            existing.is_none() || records.iter().any(|record| digest(record) == existing)
+        };
+        if !was_written(|record| &record.sha256_output, &self.model) {
+            return task.output();
+        }
+        let geometry_was_written = was_written(|record| &record.sha256_geometry_output, &self.geometry);
+        task.geometry_output.as_deref().filter(|_| !geometry_was_written)
+    }
+}

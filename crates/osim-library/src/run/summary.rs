@@ -1,0 +1,135 @@
+//! Writes a summary: one line per model, in order; and while the run lasts, `FILE.partial` in the order of the work.
+
+use std::path::Path;
+use std::sync::Mutex;
+
+use osim_model::messages::{Input, phrase};
+use osim_requests::options::RunOptions;
+
+use crate::fault::LibraryFault;
+use crate::folders::make_folder_of;
+use crate::partial::PartialFile;
+use crate::paths::{folder_of, relative_path, resolved};
+use crate::run::record::Record;
+use crate::run::resume::PreviousRun;
+use crate::run::summary_lines::SummaryFormat;
+use crate::run::task::Task;
+use crate::write::{PendingFile, WriteMode};
+
+/// Writes the lines of a summary.
+#[derive(Debug)]
+pub(super) struct SummaryWriter {
+    format: SummaryFormat,
+    /// The folder in which relative names in its lines begin, seen from the folder of the summary.
+    folder: Option<String>,
+    /// Lines in the order of the work.
+    partial: Mutex<PartialFile>,
+    /// Lines in the order of the models.
+    summary: Mutex<OrderedLines>,
+}
+
+#[derive(Debug)]
+struct OrderedLines {
+    file: PendingFile,
+    /// Names of the user's own columns; `None` before the first line.
+    remarks: Option<Vec<String>>,
+    /// Why a line could not be written; no line is added after that.
+    fault: Option<LibraryFault>,
+}
+
+impl OrderedLines {
+    fn add(&mut self, format: SummaryFormat, record: &Record) -> Result<(), LibraryFault> {
+        let line = format.record_line(record, self.remarks.is_none())?;
+        let names = || record.remarks.iter().map(|(name, _)| name.clone()).collect();
+        self.remarks.get_or_insert_with(names);
+        self.file.add(&line)
+    }
+}
+
+impl SummaryWriter {
+    /// # Errors
+    /// The file exists, and the run neither resumes nor replaces it; or another run is writing it.
+    pub(super) fn begin(options: &RunOptions, force: bool) -> Result<Option<Self>, LibraryFault> {
+        let Some(path) = &options.summary else { return Ok(None) };
+        let format = SummaryFormat::of_path(path)?;
+        make_folder_of(path)?;
+        let replace = options.resume || force;
+        if !replace && path.exists() {
+            return Err(LibraryFault::new(phrase![
+                format!("{} exists already: go on with it (", path.display()),
+                Input::Resume,
+                "), replace it (",
+                Input::Force,
+                "), or choose another name",
+            ]));
+        }
+        if !replace {
+            PartialFile::refuse_leftover(path)?;
+        }
+        let mode = if replace { WriteMode::Replace } else { WriteMode::New };
+        let summary =
+            OrderedLines { file: PendingFile::begin(path, None, mode)?, remarks: None, fault: None };
+        let way_out = "give each run a summary of its own".into();
+        let partial = Mutex::new(PartialFile::open(path, options.resume, &way_out)?);
+        let folder = relative_path(&resolved(folder_of(path)), &resolved(Path::new(".")));
+        Ok(Some(Self {
+            format,
+            folder: folder.to_str().map(str::to_owned),
+            partial,
+            summary: Mutex::new(summary),
+        }))
+    }
+
+    /// Writes the line of an output that is complete and about to get its name.
+    pub(super) fn about_to_finish(&self, record: &Record) -> Result<(), LibraryFault> {
+        let mut partial = self.partial.lock().map_err(|_| LibraryFault::new("a thread ended early"))?;
+        let line = self.format.record_line(&self.with_folder(record), partial.is_empty())?;
+        partial.add_lines(&line)
+    }
+
+    /// Adds the line of the next model in order. A fault is returned by [`finish`](Self::finish): models do not wait for it.
+    pub(super) fn add(&self, record: &Record) {
+        let Ok(mut summary) = self.summary.lock() else { return };
+        if summary.fault.is_none() {
+            summary.fault = summary.add(self.format, &self.with_folder(record)).err();
+        }
+    }
+
+    /// The record with the folder in which its names begin.
+    fn with_folder(&self, record: &Record) -> Record {
+        Record { folder: self.folder.clone(), ..record.clone() }
+    }
+
+    /// Adds a line of an earlier run about a model that is not in this run.
+    pub(super) fn add_earlier(&self, record: Record) -> Result<(), LibraryFault> {
+        let mut summary = self.summary.lock().map_err(|_| LibraryFault::new("a thread ended early"))?;
+        // The number of its row is that of another table; and every line of a table has the same columns.
+        let mut kept = Record { row: None, ..record };
+        if let Some(names) = summary.remarks.as_ref().filter(|_| self.format == SummaryFormat::Csv) {
+            let text = |name: &String| {
+                kept.remarks.iter().find(|(other, _)| other == name).map(|(_, text)| text.clone())
+            };
+            kept.remarks = names.iter().map(|name| (name.clone(), text(name).unwrap_or_default())).collect();
+        }
+        summary.add(self.format, &kept)
+    }
+
+    /// Gives the summary its name, and removes the partial one.
+    ///
+    /// # Errors
+    /// The summary could not be written. The partial one stays.
+    pub(super) fn finish(self, previous: PreviousRun, tasks: &[Task]) -> Result<(), LibraryFault> {
+        let kept = previous.for_each_other_model(tasks, |record| self.add_earlier(record));
+        // Windows cannot replace a file that is open.
+        drop(previous);
+        let summary = self.summary.into_inner().map_err(|_| LibraryFault::new("a thread ended early"))?;
+        let written = summary.fault.map_or(kept, Err).and_then(|()| summary.file.commit());
+        written.map_err(|fault| {
+            let mut message =
+                phrase!["the summary is missing: make room for it, then go on with ", Input::Resume, ": "];
+            message.push(fault.phrase());
+            LibraryFault::new(message)
+        })?;
+        self.partial.into_inner().map_err(|_| LibraryFault::new("a thread ended early"))?.remove()
+    }
+}
