@@ -12,7 +12,7 @@ use osim_requests::{CheckRequest, MotionRequest, RequestError};
 
 use crate::motion::{MotionResult, run_motion};
 
-/// Forces that differ from the plates' by a larger ratio cannot be mended by tuning the contacts.
+/// Forces that differ from the plates' by a larger ratio cannot be corrected by tuning the contacts.
 const TUNABLE_RATIO: f64 = 1.5;
 /// If the mean force over whole strides differs from the model's weight by more than this (relative), they do not belong together.
 const WEIGHT_TOLERANCE: f64 = 0.05;

@@ -52,7 +52,7 @@ pub(crate) fn moco_setup(path: &Path, files: &dyn Files) -> Result<Document, Fai
     Ok(document)
 }
 
-/// What a word in a request names. All verbs tell models and presets apart by this rule.
+/// What a word in a request names. All verbs distinguish models and presets by this rule.
 pub(crate) enum NamedSource {
     Preset(Preset),
     /// A preset with places of spheres, which is kept as a model.

@@ -174,7 +174,7 @@ fn codes_of_warnings(found: &CheckResult) -> BTreeSet<FindingCode> {
     warnings_and_errors(found).map(|one| one.code()).collect()
 }
 
-/// A request to try, and the proposed remedies that it stands for.
+/// A request to try, and the proposed remedies that it contains.
 #[derive(Debug, Clone, PartialEq)]
 struct Candidate {
     request: Request,

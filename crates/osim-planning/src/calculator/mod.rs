@@ -163,7 +163,7 @@ osim_inspect::quantities! {
 }
 
 impl DesignQuantity {
-    /// Stands in the place of an equation where a figure follows from the law itself, which has no number.
+    /// The equation of a figure that follows from the law itself, which has no number.
     pub const EXACT_LAW: &'static str = "exact";
 }
 

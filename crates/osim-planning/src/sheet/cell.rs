@@ -1,4 +1,4 @@
-//! Any text as a cell of a CSV table: it is no formula, has no control characters, and is one line.
+//! Any text as a cell of a CSV table: not a formula, without control characters, in one line.
 
 use std::borrow::Cow;
 
