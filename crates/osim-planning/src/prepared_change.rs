@@ -163,7 +163,8 @@ impl PreparedChange {
 
     /// Asks about radii that look like a slip, and adds a remark if a mass is perhaps in pounds.
     fn ask_about_radii(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
-        let perhaps_in_pounds_question = masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
+        let perhaps_in_pounds_question =
+            masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
         let is_meant = self.answers.has(Question::MassInPounds);
         plan.remarks.extend(
             perhaps_in_pounds_question

@@ -321,8 +321,11 @@ impl TransferPlanner {
         generic: Option<&GenericModel>,
     ) -> Result<SphereCounts, Fault> {
         let limbs = self.counts.stance_limbs(model.noted_stance_limbs());
-        let in_model =
-            LoadSharing::of(model, &selected.forces).count(self.counts.spheres(), limbs, CountedSpheres::Model);
+        let in_model = LoadSharing::of(model, &selected.forces).count(
+            self.counts.spheres(),
+            limbs,
+            CountedSpheres::Model,
+        );
         let in_reference = match generic {
             Some(generic) => generic.sphere_count.clone(),
             None => Ok(reference.sphere_count),

@@ -82,22 +82,31 @@ impl From<FeetFault> for AddFault {
             FeetFault::NoBody { body, bodies } => {
                 Self::OutsideModel("no-such-body", phrase![&sentence, nearest_name_hint(&body, &bodies)])
             }
-            FeetFault::NoMesh { .. } => {
-                Self::OutsideModel("no-mesh", phrase![&sentence, ": ", Input::Contacts.with_placeholder("TABLE")])
-            }
-            FeetFault::MeshMissing { .. } => {
-                Self::OutsideModel("mesh-missing", phrase![&sentence, ": ", Input::GeometryDir.with_placeholder("DIR")])
-            }
-            FeetFault::TooManySpheres { .. } => {
-                Self::OutsideModel("too-many-spheres", phrase![&sentence, " with ", Input::Count.with_placeholder("N")])
-            }
+            FeetFault::NoMesh { .. } => Self::OutsideModel(
+                "no-mesh",
+                phrase![&sentence, ": ", Input::Contacts.with_placeholder("TABLE")],
+            ),
+            FeetFault::MeshMissing { .. } => Self::OutsideModel(
+                "mesh-missing",
+                phrase![&sentence, ": ", Input::GeometryDir.with_placeholder("DIR")],
+            ),
+            FeetFault::TooManySpheres { .. } => Self::OutsideModel(
+                "too-many-spheres",
+                phrase![&sentence, " with ", Input::Count.with_placeholder("N")],
+            ),
             FeetFault::Pose(_) => {
                 let way_out = ": give the places in a table, ";
-                Self::OutsideModel("unknown-pose", phrase![&sentence, way_out, Input::Contacts.with_placeholder("TABLE")])
+                Self::OutsideModel(
+                    "unknown-pose",
+                    phrase![&sentence, way_out, Input::Contacts.with_placeholder("TABLE")],
+                )
             }
             other @ (FeetFault::Mesh { .. } | FeetFault::Unreadable { .. } | FeetFault::Factors { .. }) => {
                 let way_out = "; or give the places in a table: ";
-                Self::OutsideModel(other.code(), phrase![&sentence, way_out, Input::Contacts.with_placeholder("TABLE")])
+                Self::OutsideModel(
+                    other.code(),
+                    phrase![&sentence, way_out, Input::Contacts.with_placeholder("TABLE")],
+                )
             }
             other => Self::OutsideModel(other.code(), sentence),
         }

@@ -119,7 +119,8 @@ fn check(request: &AddRequest) -> Result<(), RequestFault> {
         ));
     }
     if let Some(pad) = request.pad.map(Metres::get).filter(|pad| *pad > LARGEST_PAD) {
-        let message = phrase![Input::Pad.with_value(readable(pad)), ": expected metres, at most 1e9; ", PAD_HINT];
+        let message =
+            phrase![Input::Pad.with_value(readable(pad)), ": expected metres, at most 1e9; ", PAD_HINT];
         return Err(RequestFault::refused(Input::Pad, message));
     }
     Ok(())
