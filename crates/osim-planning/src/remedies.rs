@@ -60,7 +60,8 @@ impl RemedyTrials<'_> {
         if let [only] = steps.as_mut_slice() {
             set_default_output(&mut only.request, &path, self.files);
         }
-        let remaining: Vec<FindingIndex<'_>> = steps.iter().map(|step| FindingIndex::new(&step.found.findings)).collect();
+        let remaining: Vec<FindingIndex<'_>> =
+            steps.iter().map(|step| FindingIndex::new(&step.found.findings)).collect();
         for one in &mut found.findings {
             let step_without_it = steps
                 .iter()
@@ -96,7 +97,8 @@ impl RemedyTrials<'_> {
     fn next_step(&self, model: &Model, found: &CheckResult) -> Option<(Request, ModelAfterStep)> {
         let from = model_path(found);
         candidates(found).into_iter().find_map(|Candidate { mut request, parts, .. }| {
-            let its: Vec<&FindingWithRemedy> = found.findings.iter().filter(|one| is_proposed_in(&parts, one)).collect();
+            let its: Vec<&FindingWithRemedy> =
+                found.findings.iter().filter(|one| is_proposed_in(&parts, one)).collect();
             let to = set_numbered_output(&mut request, &from, self.files)?;
             let next = self.model_after(&request, model, &to)?;
             // If the mass that the contacts are made for becomes uncertain, the next step cannot be planned.
@@ -155,8 +157,14 @@ fn may_have_command(finding: &FindingWithRemedy) -> bool {
 }
 
 /// Whether the findings `its`, for which the remedy was proposed, are gone after it, and no other warning is new.
-fn is_effective(its: &[&FindingWithRemedy], request: &Request, before: &CheckResult, after: &CheckResult) -> bool {
-    let (findings_after, findings_before) = (FindingIndex::new(&after.findings), FindingIndex::new(&before.findings));
+fn is_effective(
+    its: &[&FindingWithRemedy],
+    request: &Request,
+    before: &CheckResult,
+    after: &CheckResult,
+) -> bool {
+    let (findings_after, findings_before) =
+        (FindingIndex::new(&after.findings), FindingIndex::new(&before.findings));
     let are_gone = its.iter().all(|one| findings_after.find_same(one).is_none());
     let makes_forces = matches!(request, Request::Convert(_));
     let has_new_warnings = warnings_and_errors(after)

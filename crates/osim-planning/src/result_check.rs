@@ -77,7 +77,11 @@ impl PreparedChange {
         }
         let remaining = remaining_findings(&plan, model);
         plan.warnings.splice(0..0, remaining);
-        plan.remarks.extend(describe_unmatched_patterns(&self.options.selection, &self.options.masses, model));
+        plan.remarks.extend(describe_unmatched_patterns(
+            &self.options.selection,
+            &self.options.masses,
+            model,
+        ));
         Ok(plan)
     }
 
@@ -249,10 +253,10 @@ fn findings_that_became_worse(
         return Vec::new();
     }
     let old_findings = changed.findings_without_remedies(before, opened, &opened.model);
-    let old_kin = FindingIndex::new(&old_findings);
+    let old_index = FindingIndex::new(&old_findings);
     // A finding new another code in the same place is not new: contacts that no longer are those new a published model are not worse.
     let is_worse = |one: &&FindingWithRemedy| {
-        let was = old_kin.find_same_or_other_depth(one);
+        let was = old_index.find_same_or_other_depth(one);
         was.is_none_or(|was| was.code() != one.code() && was.rule.severity < one.rule.severity)
     };
     bad.into_iter().filter(is_worse).cloned().collect()

@@ -124,9 +124,9 @@ pub(crate) fn remark_on_standing(plan: &Plan, built: &Model) -> Option<Phrase> {
 }
 
 fn lowest_sphere_remark(body: &StandingBody) -> Option<Phrase> {
-    let (lowest, height_in_words, way) = (body.lowest()?, body.height_in_words()?, body.describe_way_to_stand());
+    let (lowest, height, way) = (body.lowest()?, body.height_in_words()?, body.describe_way_to_stand());
     let lowest = shown(&lowest.sphere);
-    Some(format!("at the default pose {lowest}, the lowest sphere, is {place}; {way}").into())
+    Some(format!("at the default pose {lowest}, the lowest sphere, is {height}; {way}").into())
 }
 
 /// A plane that leans by at most this, degrees, was probably meant to be level.
