@@ -14,7 +14,7 @@ fn a_change_after_which_the_model_is_wrong_is_refused_until_it_is_meant() {
         "{refused}"
     );
     let out = bench.run(&format!("{call} --yes wrong-afterwards")).done().wrote(&["human.scaled.osim"]).out();
-    assert!(out.contains("warning: in the new model: body weight is carried "), "{out}");
+    assert!(out.contains("error: in the new model: body weight is carried "), "{out}");
     let found = bench.run("check human.scaled.osim --mass 0.02 --yes implausible-mass").out();
     assert!(found.contains("error floats"), "{found}");
 }
@@ -24,9 +24,9 @@ fn numbers_that_were_given_are_said_to_be_wrong_and_written() {
     let bench = Bench::human();
     // (11): x/R follows E*^(-2/3), 0.3533 becomes 1.64.
     let out = bench.run("set human.osim stiffness=x0.1").done().out();
-    let warned =
-        "warning: in the new model: too soft: at body weight on one limb spheres sink 1.64 R into the floor";
-    assert!(out.contains(warned), "{out}");
+    let wrong =
+        "error: in the new model: too soft: at body weight on one limb spheres sink 1.64 R into the floor";
+    assert!(out.contains(wrong), "{out}");
 }
 
 #[test]

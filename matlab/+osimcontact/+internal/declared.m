@@ -218,5 +218,5 @@ function verb = declared(name)
     end
     verb.name = name;
     verb.gives_json = ~isempty(verb.result);
-    verb.left_out = {'diff', 'format', 'quiet', 'deny', 'ascii', 'full'};
+    verb.left_out = {'diff', 'format', 'quiet', 'full', 'deny', 'ascii'};
 end
