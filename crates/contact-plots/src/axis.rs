@@ -6,8 +6,8 @@ use plotters::coord::ranged1d::{DefaultFormatting, KeyPointHint, Ranged};
 use plotters::coord::types::RangedCoordf64;
 
 use crate::error::PlotError;
-use crate::letters::width_pt;
 use crate::style::TEXT_PT;
+use crate::text_width::width_pt;
 
 /// An axis.
 #[derive(Debug, Clone, PartialEq)]

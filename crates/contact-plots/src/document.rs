@@ -7,8 +7,8 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::error::PlotError;
 use crate::figure::Width;
-use crate::letters::lines;
 use crate::style::{TEXT_PT, TITLE_PT, text, units};
+use crate::text_width::lines;
 
 /// How wide a figure is on paper, and how large its letters are.
 ///
@@ -32,14 +32,14 @@ impl Default for Paper {
 const LEAST_PLOT_PT: f64 = 60.0;
 
 impl Paper {
-    /// The width in mm of a figure that is `own` by itself.
-    pub(crate) fn width_mm(self, own: Width) -> f64 {
-        self.width_mm.unwrap_or(own.mm())
+    /// The width in mm of a figure that is `default` by itself.
+    pub(crate) fn width_mm(self, default: Width) -> f64 {
+        self.width_mm.unwrap_or(default.mm())
     }
 
     /// The width to lay a figure out in, in points for letters of [`TEXT_PT`].
-    pub(crate) fn layout_pt(self, own: Width) -> f64 {
-        self.width_mm(own) / 25.4 * 72.0 / self.enlarged()
+    pub(crate) fn layout_pt(self, default: Width) -> f64 {
+        self.width_mm(default) / 25.4 * 72.0 / self.enlarged()
     }
 
     /// How much what was laid out is enlarged.
@@ -51,9 +51,9 @@ impl Paper {
     ///
     /// # Errors
     /// [`PlotError::TooNarrow`].
-    pub(crate) fn check(self, own: Width, beside_pt: f64) -> Result<(), PlotError> {
+    pub(crate) fn check(self, default: Width, beside_pt: f64) -> Result<(), PlotError> {
         let least_mm = (beside_pt + LEAST_PLOT_PT) * self.enlarged() / 72.0 * 25.4;
-        let width_mm = self.width_mm(own);
+        let width_mm = self.width_mm(default);
         if width_mm.is_finite() && self.text_pt > 0.0 && width_mm >= least_mm {
             return Ok(());
         }
@@ -65,12 +65,12 @@ impl Paper {
 
 /// What a document is called and shows, for those who do not see it.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Names<'n> {
+pub(crate) struct TitleAndDescription<'n> {
     pub(crate) title: &'n str,
     pub(crate) description: &'n str,
 }
 
-impl<'n> Names<'n> {
+impl<'n> TitleAndDescription<'n> {
     /// The title; of a figure without one the first sentence of its description, as every picture needs a name.
     fn title(self) -> &'n str {
         if self.title.chars().any(|letter| !letter.is_ascii_whitespace()) {
@@ -82,18 +82,18 @@ impl<'n> Names<'n> {
 }
 
 /// Gives the library's document its width in millimetres, a role, a title and a description.
-fn finished(
+fn with_size_and_title(
     drawn: &str,
     (width, height): (u32, u32),
     width_mm: f64,
-    names: Names<'_>,
+    names: TitleAndDescription<'_>,
 ) -> Result<String, PlotError> {
     let body = drawn
         .find('>')
         .and_then(|end| drawn.get(end + 1..))
         .ok_or_else(|| PlotError::Drawing("the library wrote no document".to_owned()))?;
     // An opacity of 1 is what SVG takes anyway; half the size of a figure is attributes.
-    let body = joined(&body.replace(" opacity=\"1\"", "").replace(" \"/>", "\"/>"));
+    let body = join_polylines(&body.replace(" opacity=\"1\"", "").replace(" \"/>", "\"/>"));
     // As high as its units are wide: nothing is stretched.
     let height_mm = width_mm * f64::from(height) / f64::from(width.max(1));
     Ok(format!(
@@ -113,7 +113,7 @@ fn rounded(mm: f64) -> f64 {
 
 /// Lines of one look that follow each other, as one path: the library draws each dash as an element of its own, which
 /// would be most of the document.
-fn joined(body: &str) -> String {
+fn join_polylines(body: &str) -> String {
     const POINTS: &str = " points=\"";
     let mut out = String::with_capacity(body.len());
     let mut run: (&str, Vec<&str>) = ("", Vec::new());
@@ -215,7 +215,7 @@ pub(crate) struct Sheet<'s> {
     /// The height of the layout, in points for letters of 7 points.
     pub(crate) height_pt: f64,
     pub(crate) title: &'s Title,
-    pub(crate) names: Names<'s>,
+    pub(crate) names: TitleAndDescription<'s>,
 }
 
 /// An SVG document with its title drawn at the top; `draw` draws the rest.
@@ -233,7 +233,7 @@ pub(crate) fn document(
         draw(&root)?;
         root.present().map_err(PlotError::drawing)?;
     }
-    finished(&drawn, size, sheet.paper.width_mm(sheet.width), sheet.names)
+    with_size_and_title(&drawn, size, sheet.paper.width_mm(sheet.width), sheet.names)
 }
 
 #[cfg(test)]
@@ -247,7 +247,7 @@ mod tests {
         let drawn =
             [dash("red", "0,0 1,1"), dash("red", "2,2 3,3"), dash("blue", "4,4 5,5"), "<g/>\n".to_owned()];
         assert_eq!(
-            joined(&drawn.concat()),
+            join_polylines(&drawn.concat()),
             "<path stroke=\"red\" d=\"M0,0 1,1M2,2 3,3\"/>\n<polyline stroke=\"blue\" points=\"4,4 5,5\"/>\n<g/>\n"
         );
     }

@@ -2,10 +2,10 @@
 
 use crate::axis::Axis;
 use crate::document::Paper;
-use crate::draw::{figure, letter};
 use crate::error::PlotError;
 use crate::figure::{Direction, Figure, Panel};
 use crate::heat_map::{HeatMap, heat_map};
+use crate::panels_svg::{figure, letter};
 use crate::scene::{Scene, scene};
 
 /// A figure of any kind, before it is drawn.

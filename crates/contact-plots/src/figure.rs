@@ -158,7 +158,7 @@ impl Width {
 pub struct Figure {
     /// What it shows, above the panels and as the document's `<title>`.
     pub title: String,
-    /// The same in full sentences, as the document's `<desc>`.
+    /// What it shows in full sentences, as the document's `<desc>`.
     pub description: String,
     /// How wide it is.
     pub width: Width,
@@ -223,7 +223,7 @@ impl<'p> Frame<'p> {
     }
 
     /// Whether a point is between the axes.
-    pub(crate) fn holds(&self, point: Point) -> bool {
+    pub(crate) fn contains_point(&self, point: Point) -> bool {
         let (x, y) = self.place(point);
         (self.x.0..=self.x.1).contains(&x) && (self.y.0..=self.y.1).contains(&y)
     }
@@ -239,7 +239,7 @@ impl<'p> Frame<'p> {
     }
 
     /// How far along the horizontal axis a limit is, from 0 to 1.
-    pub(crate) fn share(&self, limit: &Limit) -> Option<f64> {
+    pub(crate) fn share_along_x(&self, limit: &Limit) -> Option<f64> {
         let at = self.limit(limit).filter(|_| limit.direction == Direction::Vertical)?;
         Some((at - self.x.0) / (self.x.1 - self.x.0))
     }
@@ -257,8 +257,8 @@ fn corner((x, y): Point) -> line_clipping::Point {
     line_clipping::Point::new(x, y)
 }
 
-/// The parts of a line of many points that are inside.
-pub(crate) fn line(points: &[Point], x: Span, y: Span) -> Vec<Vec<Point>> {
+/// The parts of a polyline that are between `x.0` and `x.1`, `y.0` and `y.1`.
+pub(crate) fn clip_polyline(points: &[Point], x: Span, y: Span) -> Vec<Vec<Point>> {
     let window = window(x, y);
     let mut parts: Vec<Vec<Point>> = Vec::new();
     for pair in points.windows(2) {
@@ -278,8 +278,8 @@ pub(crate) fn line(points: &[Point], x: Span, y: Span) -> Vec<Vec<Point>> {
     parts
 }
 
-/// The part of an area that is inside; `None` where nothing is.
-pub(crate) fn area(corners: &[Point], x: Span, y: Span) -> Option<Vec<Point>> {
+/// The part of an area that is between `x.0` and `x.1`, `y.0` and `y.1`; `None` if no part is.
+pub(crate) fn clip_area(corners: &[Point], x: Span, y: Span) -> Option<Vec<Point>> {
     let corners: Vec<line_clipping::Point> = corners.iter().copied().map(corner).collect();
     if corners.len() < 3 {
         return None;
@@ -298,22 +298,25 @@ mod tests {
     #[test]
     fn a_line_within_stays_as_it_is() {
         let points = [(0.0, 0.0), (0.3, 1.0), (1.0, 0.5)];
-        assert_eq!(line(&points, UNIT, UNIT), [points.to_vec()]);
+        assert_eq!(clip_polyline(&points, UNIT, UNIT), [points.to_vec()]);
     }
 
     #[test]
     fn a_line_that_leaves_and_comes_back_is_two() {
         let points = [(0.0, 0.5), (0.5, 1.5), (1.0, 0.5)];
-        assert_eq!(line(&points, UNIT, UNIT), [[(0.0, 0.5), (0.25, 1.0)], [(0.75, 1.0), (1.0, 0.5)]]);
-        assert!(line(&[(2.0, 2.0), (3.0, 2.0)], UNIT, UNIT).is_empty());
+        assert_eq!(
+            clip_polyline(&points, UNIT, UNIT),
+            [[(0.0, 0.5), (0.25, 1.0)], [(0.75, 1.0), (1.0, 0.5)]]
+        );
+        assert!(clip_polyline(&[(2.0, 2.0), (3.0, 2.0)], UNIT, UNIT).is_empty());
     }
 
     #[test]
     fn an_area_ends_at_the_edges() {
         let square = [(0.5, 0.5), (2.0, 0.5), (2.0, 2.0), (0.5, 2.0)];
-        let mut inside = area(&square, UNIT, UNIT).unwrap_or_default();
+        let mut inside = clip_area(&square, UNIT, UNIT).unwrap_or_default();
         inside.sort_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
         assert_eq!(inside, [(0.5, 0.5), (0.5, 1.0), (1.0, 0.5), (1.0, 1.0)]);
-        assert!(area(&[(2.0, 2.0), (3.0, 2.0), (3.0, 3.0)], UNIT, UNIT).is_none());
+        assert!(clip_area(&[(2.0, 2.0), (3.0, 2.0), (3.0, 3.0)], UNIT, UNIT).is_none());
     }
 }

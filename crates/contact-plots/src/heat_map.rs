@@ -6,11 +6,11 @@ use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 use plotters::style::{Color, RGBColor};
 
 use crate::axis::{Axis, Scale, Ticks};
-use crate::document::{Area, MARGIN_PT, Names, Paper, Sheet, Title, document, printable};
-use crate::draw::{BELOW_PT, NAME_PT, TICK_PT, minor_ticks};
+use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, TitleAndDescription, document, printable};
 use crate::error::PlotError;
 use crate::figure::{Point, Width};
-use crate::legend::{Legend, Sample, casing, draw_cross, filling};
+use crate::legend::{Legend, Sample, core_stroke, draw_cross, rim_stroke};
+use crate::panels_svg::{BELOW_PT, NAME_PT, TICK_PT, minor_ticks};
 use crate::style::{INK, TEXT_PT, stroke, text, units};
 
 const PLOT_HEIGHT_PT: f64 = 140.0;
@@ -37,7 +37,7 @@ pub struct HeatLimit {
 pub struct HeatMap {
     /// What it shows.
     pub title: String,
-    /// The same in full sentences.
+    /// What it shows in full sentences.
     pub description: String,
     /// The horizontal parameter; its cells say how far it goes.
     pub x_axis: Axis,
@@ -70,7 +70,7 @@ pub fn heat_map(map: &HeatMap, paper: Paper) -> Result<String, PlotError> {
         paper,
         height_pt: layout.legend_top() + layout.legend.height_pt() + MARGIN_PT,
         title: &layout.title,
-        names: Names { title: &map.title, description: &map.description },
+        names: TitleAndDescription { title: &map.title, description: &map.description },
     };
     document(&sheet, |root| {
         layout.draw_cells(root, map)?;
@@ -154,7 +154,7 @@ impl HeatLayout {
             .map_err(PlotError::drawing)?;
         chart.draw_series(self.cells(map)).map_err(PlotError::drawing)?;
         let border = self.limit(map);
-        for style in [casing(), filling()] {
+        for style in [rim_stroke(), core_stroke()] {
             let lines = border.iter().map(|line| PathElement::new(line.clone(), style));
             chart.draw_series(lines).map_err(PlotError::drawing)?;
         }
@@ -244,7 +244,7 @@ impl HeatLayout {
         chart.draw_series(slices).map_err(PlotError::drawing)?;
         let limit = map.limit.as_ref().map(|limit| map.value_axis.place(limit.at));
         if let Some(limit) = limit.filter(|limit| (low..=high).contains(limit)) {
-            for style in [casing(), filling()] {
+            for style in [rim_stroke(), core_stroke()] {
                 let line = PathElement::new(vec![(0.0, limit), (1.0, limit)], style);
                 chart.draw_series([line]).map_err(PlotError::drawing)?;
             }

@@ -9,8 +9,8 @@ use plotters::style::{Color, RGBColor, ShapeStyle};
 use crate::document::printable;
 use crate::error::PlotError;
 use crate::figure::{Direction, Figure, Frame, Limit, Panel};
-use crate::letters::{lines, roomy_pt};
 use crate::style::{LIMIT, Look, SHADE, SHADE_OPACITY, TEXT_PT, float, stroke, text, units};
+use crate::text_width::{lines, width_with_reserve_pt};
 
 const ROW_PT: f64 = 10.0;
 /// Between lines of one name.
@@ -18,7 +18,7 @@ const LINE_PT: f64 = 8.2;
 pub(crate) const SAMPLE_PT: f64 = 18.0;
 const GAP_PT: f64 = 4.0;
 
-/// What is before the name.
+/// The sample of an entry, left of its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Sample {
     Line(Look),
@@ -38,7 +38,6 @@ pub(crate) struct Legend {
     column_pt: f64,
 }
 
-/// What is before the name, and the lines of the name.
 #[derive(Debug, Clone, PartialEq)]
 struct Entry {
     sample: Sample,
@@ -52,14 +51,14 @@ impl Legend {
         for panel in &figure.panels {
             let frame = Frame::of(panel);
             let curves = panel.curves.iter().map(|curve| (Sample::Line(curve.look), &curve.label));
-            let marks = panel.marks.iter().filter(|mark| frame.holds(mark.at));
+            let marks = panel.marks.iter().filter(|mark| frame.contains_point(mark.at));
             let marks = marks.map(|mark| (Sample::Dot(mark.look), &mark.label));
             let areas = panel.areas.iter().map(|area| (Sample::Shade, &area.label));
             let across = panel.limits.iter().filter(|limit| limit.direction == Direction::Horizontal);
             let across = across.filter(|limit| frame.limit(limit).is_some());
             let limits = across.map(|limit| (Sample::Limit, &limit.label));
             for (sample, label) in curves.chain(marks).chain(areas).chain(limits) {
-                if !label.is_empty() && !entries.iter().any(|known| *known == (sample, label.clone())) {
+                if !label.is_empty() && !entries.iter().any(|entry| *entry == (sample, label.clone())) {
                     entries.push((sample, label.clone()));
                 }
             }
@@ -69,7 +68,7 @@ impl Legend {
 
     /// As many columns as hold every name in one line, else one, in which longer names take several lines: no name is cut.
     pub(crate) fn new(entries: Vec<(Sample, String)>, room_pt: f64) -> Self {
-        let name = |(_, label): &(Sample, String)| roomy_pt(label, TEXT_PT);
+        let name = |(_, label): &(Sample, String)| width_with_reserve_pt(label, TEXT_PT);
         let widest = SAMPLE_PT + 3.0 * GAP_PT + entries.iter().map(name).fold(0.0, f64::max);
         let columns = (1..=entries.len().max(1)).rev().find(|&n| room_pt >= widest * float(n)).unwrap_or(1);
         let column_pt = room_pt / float(columns);
@@ -99,14 +98,14 @@ impl Legend {
         area: &DrawingArea<SVGBackend<'_>, Shift>,
         at_pt: (f64, f64),
     ) -> Result<(), PlotError> {
-        self.draw_by(area, at_pt, &|index, left, middle| match self.entries.get(index) {
+        self.draw_with_samples(area, at_pt, &|index, left, middle| match self.entries.get(index) {
             Some(entry) => draw_sample(area, entry.sample, left, middle),
             None => Ok(()),
         })
     }
 
-    /// The same with samples of another kind: `sample` draws that of an entry, with its left end and its middle.
-    pub(crate) fn draw_by(
+    /// Draws it with samples that `sample` draws, given the index of an entry, the left end of the sample and its middle.
+    pub(crate) fn draw_with_samples(
         &self,
         area: &DrawingArea<SVGBackend<'_>, Shift>,
         (left_pt, top_pt): (f64, f64),
@@ -161,8 +160,8 @@ fn draw_sample(
         }
         Sample::Limit => area.draw(&DashedPathElement::new(line, units(2.0), units(1.6), stroke(LIMIT, 0.7))),
         Sample::Border => {
-            area.draw(&PathElement::new(line.clone(), casing())).map_err(PlotError::drawing)?;
-            area.draw(&PathElement::new(line, filling()))
+            area.draw(&PathElement::new(line.clone(), rim_stroke())).map_err(PlotError::drawing)?;
+            area.draw(&PathElement::new(line, core_stroke()))
         }
         Sample::Cross => return draw_cross(area, at(SAMPLE_PT / 2.0, 0.0)),
         Sample::Cell(colour) => {
@@ -172,12 +171,12 @@ fn draw_sample(
     .map_err(PlotError::drawing)
 }
 
-/// Below and above of a white line with a dark rim, visible on every colour of a heat map.
-pub(crate) fn casing() -> ShapeStyle {
+/// The wide dark stroke below [`core_stroke`]: a white line with a dark rim is visible on every colour of a heat map.
+pub(crate) fn rim_stroke() -> ShapeStyle {
     stroke(RGBColor(0, 0, 0), 2.2)
 }
 
-pub(crate) fn filling() -> ShapeStyle {
+pub(crate) fn core_stroke() -> ShapeStyle {
     stroke(RGBColor(255, 255, 255), 1.0)
 }
 
@@ -194,13 +193,13 @@ pub(crate) const LIMIT_ROW_PT: f64 = 8.5;
 const LIMIT_GAP_PT: f64 = 4.0;
 
 /// A name and how far along the axis its middle is, in points.
-pub(crate) type Placed<'p> = (&'p Limit, f64);
+pub(crate) type PlacedLimit<'p> = (&'p Limit, f64);
 
 /// Named vertical limits within the panel, split into rows in which no two names touch.
-pub(crate) fn limit_rows<'p>(panel: &'p Panel, frame: &Frame<'_>, plot_pt: f64) -> Vec<Vec<Placed<'p>>> {
-    let mut rows: Vec<Vec<Placed<'p>>> = Vec::new();
+pub(crate) fn limit_rows<'p>(panel: &'p Panel, frame: &Frame<'_>, plot_pt: f64) -> Vec<Vec<PlacedLimit<'p>>> {
+    let mut rows: Vec<Vec<PlacedLimit<'p>>> = Vec::new();
     let named = panel.limits.iter().filter(|limit| !limit.label.is_empty());
-    for (limit, share) in named.filter_map(|limit| Some((limit, frame.share(limit)?))) {
+    for (limit, share) in named.filter_map(|limit| Some((limit, frame.share_along_x(limit)?))) {
         let placed = (limit, plot_pt * share);
         match rows.iter_mut().find(|row| row.iter().all(|other| are_apart(*other, placed))) {
             Some(row) => row.push(placed),
@@ -210,7 +209,7 @@ pub(crate) fn limit_rows<'p>(panel: &'p Panel, frame: &Frame<'_>, plot_pt: f64) 
     rows
 }
 
-fn are_apart((a, at_a): Placed<'_>, (b, at_b): Placed<'_>) -> bool {
-    let wide = |limit: &Limit| roomy_pt(&limit.label, TEXT_PT);
+fn are_apart((a, at_a): PlacedLimit<'_>, (b, at_b): PlacedLimit<'_>) -> bool {
+    let wide = |limit: &Limit| width_with_reserve_pt(&limit.label, TEXT_PT);
     (at_a - at_b).abs() > 0.5 * (wide(a) + wide(b)) + LIMIT_GAP_PT
 }

@@ -38,30 +38,30 @@
 
 mod axis;
 mod document;
-mod draw;
 mod drawing;
 mod error;
 mod figure;
 mod heat_map;
 mod legend;
-mod letters;
+mod panels_svg;
 #[cfg(any(feature = "pdf", feature = "png"))]
-mod pictures;
+mod png_pdf;
 mod scene;
 mod style;
-mod text;
+mod terminal_text;
+mod text_width;
 
 pub use axis::Axis;
 pub use document::Paper;
-pub use draw::figure;
 pub use drawing::{Datum, Drawing};
 pub use error::PlotError;
 pub use figure::{Area, Curve, Direction, Figure, Limit, Mark, Panel, Point, Width};
 pub use heat_map::{HeatLimit, HeatMap, heat_map};
+pub use panels_svg::figure;
 #[cfg(feature = "pdf")]
-pub use pictures::pdf;
+pub use png_pdf::pdf;
 #[cfg(feature = "png")]
-pub use pictures::png;
+pub use png_pdf::png;
 pub use scene::{Ball, Block, Level, LevelKind, Outline, Scene, SceneNames, Spot, State, View, scene};
 pub use style::{Dash, Look};
-pub use text::text;
+pub use terminal_text::text;

@@ -1,11 +1,11 @@
-//! From compliant contacts to the wanted ones in steps: the paper's advice for finding gaits (section 4.3).
+//! Steps from compliant contacts to the final ones: the paper's advice for finding gaits (section 4.3).
 //!
 //! Stiff contacts make an optimisation fail more often, and compliant ones are not realistic. So a gait is first searched
 //! with compliant contacts, then E* is raised and α lowered, each solution being the next one's initial guess.
 
 use crate::error::{DomainError, positive, within};
 
-/// One step, as factors of the contact that is wanted in the end.
+/// One step, as factors of the final contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Step {

@@ -8,7 +8,7 @@ use crate::error::{DomainError, positive, within};
 use crate::hertz::depth;
 
 /// A relative indentation that can be asked for: 0 < x̂ ≤ 1.
-fn wanted(relative_indentation: f64) -> Result<f64, DomainError> {
+fn checked_indentation(relative_indentation: f64) -> Result<f64, DomainError> {
     let ok = relative_indentation > 0.0 && relative_indentation <= 1.0;
     within(ok, "relative indentation", relative_indentation, "a number above 0, at most 1")
 }
@@ -34,7 +34,7 @@ pub fn composite_modulus(
     load: &SharedLoad,
 ) -> Result<f64, DomainError> {
     let radius = positive("sphere radius", radius_m)?;
-    let x = wanted(relative_indentation)?;
+    let x = checked_indentation(relative_indentation)?;
     Ok(0.75 * load.per_sphere_n() / (radius * radius * (x * x.sqrt())))
 }
 
@@ -61,11 +61,11 @@ pub fn relative_indentation(
 ) -> Result<f64, DomainError> {
     let modulus = positive("composite modulus", composite_modulus_n_m2)?;
     let radius = positive("sphere radius", radius_m)?;
-    Ok(depth_of(load.per_sphere_n(), modulus, radius))
+    Ok(relative_depth(load.per_sphere_n(), modulus, radius))
 }
 
 /// [`relative_indentation`] of numbers that are known to be right: x̂ under `load` on one sphere.
-pub(crate) fn depth_of(load: f64, modulus: f64, radius: f64) -> f64 {
+pub(crate) fn relative_depth(load: f64, modulus: f64, radius: f64) -> f64 {
     depth(0.75 * load, modulus * (radius * radius))
 }
 
@@ -90,7 +90,7 @@ pub fn radius_for_stiffness(
     load: &SharedLoad,
 ) -> Result<f64, DomainError> {
     let k = positive("contact stiffness", stiffness_n_m)?;
-    Ok(1.5 * load.per_sphere_n() / (k * wanted(relative_indentation)?))
+    Ok(1.5 * load.per_sphere_n() / (k * checked_indentation(relative_indentation)?))
 }
 
 /// Composite modulus that gives a stiffness at x̂, E* = k / (2 R √x̂), in N/m².
@@ -114,7 +114,7 @@ pub fn composite_modulus_for_stiffness(
 ) -> Result<f64, DomainError> {
     let k = positive("contact stiffness", stiffness_n_m)?;
     let radius = positive("sphere radius", radius_m)?;
-    Ok(k / (2.0 * radius * wanted(relative_indentation)?.sqrt()))
+    Ok(k / (2.0 * radius * checked_indentation(relative_indentation)?.sqrt()))
 }
 
 #[cfg(test)]

@@ -88,7 +88,7 @@ impl DimensionlessContact {
     /// It is (11) solved for x̂, without cf and bd; a smoothed law rests elsewhere.
     #[must_use]
     pub fn relative_indentation(&self) -> f64 {
-        design::depth_of(1.0, self.modulus, 1.0)
+        design::relative_depth(1.0, self.modulus, 1.0)
     }
 
     /// Whether both contacts have the same parameters, each within `rel_tol` of the larger.

@@ -1,7 +1,7 @@
 //! Where a body rests on its spheres, by the Hertz law and by the law of the file.
 //!
 //! Spheres stand on one plane: with their bottoms level, so that all have the same indentation x, whatever their radii; or each at
-//! its own height ([`Raised`]).
+//! its own height ([`RaisedSpheres`]).
 
 use crate::error::{DomainError, positive, within};
 use crate::hertz::depth;
@@ -47,7 +47,8 @@ pub fn hertz_indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, Domain
 /// ```
 pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError> {
     let hertz = hertz_indentation(spheres, load_n)?;
-    let level: Vec<Raised> = spheres.iter().map(|&spheres| Raised { spheres, height_m: 0.0 }).collect();
+    let level: Vec<RaisedSpheres> =
+        spheres.iter().map(|&spheres| RaisedSpheres { spheres, height_m: 0.0 }).collect();
     first_rest(&level, load_n, hertz)
 }
 
@@ -62,20 +63,20 @@ pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError>
 ///
 /// ```
 /// # use contact_scaling::{Law, Spheres, falisse2022};
-/// # use contact_scaling::equilibrium::{Raised, self};
+/// # use contact_scaling::equilibrium::{RaisedSpheres, self};
 /// // Falisse's six spheres, two of them 2 mm lower than the others.
 /// let law = Law::of(&falisse2022().contact, 0.032)?;
-/// let foot = [Raised::new(Spheres::new(law, 2.0)?, 0.0)?, Raised::new(Spheres::new(law, 4.0)?, 0.002)?];
+/// let foot = [RaisedSpheres::new(Spheres::new(law, 2.0)?, 0.0)?, RaisedSpheres::new(Spheres::new(law, 4.0)?, 0.002)?];
 /// let x = equilibrium::hertz_indentation_of_lowest(&foot, 62.0 * 9.81)?;
 /// // The low ones are deeper than the 0.3533 R of a level foot, the others 2 mm less deep.
 /// let force = |x: f64, count: f64| count * 4.0 / 3.0 * 353553.39 * 0.032_f64.sqrt() * x.powf(1.5);
 /// assert!((force(x, 2.0) + force(x - 0.002, 4.0) - 62.0 * 9.81).abs() < 1e-4);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn hertz_indentation_of_lowest(spheres: &[Raised], load_n: f64) -> Result<f64, DomainError> {
+pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Result<f64, DomainError> {
     let load = positive("load", load_n)?;
     let force = |x: f64| -> f64 {
-        let one = |s: &Raised| {
+        let one = |s: &RaisedSpheres| {
             s.spheres.count() * s.spheres.law().hertz().coefficient() * (x - s.height_m).max(0.0).powf(1.5)
         };
         spheres.iter().map(one).sum()
@@ -86,13 +87,14 @@ pub fn hertz_indentation_of_lowest(spheres: &[Raised], load_n: f64) -> Result<f6
     within(deepest.is_finite(), "load", load_n, "a load that the spheres can carry")?;
     // For a guess, which needs no last bit, a root is quicker than a power. From the deep side Newton's steps stay there: the force
     // rises ever more.
-    let power = |x: f64, of: fn(f64) -> f64| -> f64 {
-        let one = |s: &Raised| {
-            s.spheres.count() * s.spheres.law().hertz().coefficient() * of((x - s.height_m).max(0.0))
+    let summed = |x: f64, force_shape: fn(f64) -> f64| -> f64 {
+        let one = |s: &RaisedSpheres| {
+            s.spheres.count() * s.spheres.law().hertz().coefficient() * force_shape((x - s.height_m).max(0.0))
         };
         spheres.iter().map(one).sum()
     };
-    let guess = refined(deepest, |x| power(x, |x| x * x.sqrt()) - load, |x| power(x, |x| 1.5 * x.sqrt()));
+    let guess =
+        newton_root(deepest, |x| summed(x, |x| x * x.sqrt()) - load, |x| summed(x, |x| 1.5 * x.sqrt()));
     Ok(bisect_near(guess, 0.0, deepest, |x| force(x) >= load))
 }
 
@@ -108,18 +110,18 @@ pub fn hertz_indentation_of_lowest(spheres: &[Raised], load_n: f64) -> Result<f6
 ///
 /// ```
 /// # use contact_scaling::{Law, Spheres, falisse2022};
-/// # use contact_scaling::equilibrium::{Raised, self};
+/// # use contact_scaling::equilibrium::{RaisedSpheres, self};
 /// let law = Law::of(&falisse2022().contact, 0.032)?;
 /// // All at one height is a level foot.
-/// let level = [Raised::new(Spheres::new(law, 6.0)?, 0.0)?];
+/// let level = [RaisedSpheres::new(Spheres::new(law, 6.0)?, 0.0)?];
 /// assert!((equilibrium::indentation_of_lowest(&level, 62.0 * 9.81)? / 0.032 - 0.3396).abs() < 5e-5);
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
-pub fn indentation_of_lowest(spheres: &[Raised], load_n: f64) -> Result<f64, DomainError> {
+pub fn indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Result<f64, DomainError> {
     first_rest(spheres, load_n, hertz_indentation_of_lowest(spheres, load_n)?)
 }
 
-fn highest(spheres: &[Raised]) -> f64 {
+fn highest(spheres: &[RaisedSpheres]) -> f64 {
     spheres.iter().map(|s| s.height_m).fold(0.0, f64::max)
 }
 
@@ -128,14 +130,14 @@ fn highest(spheres: &[Raised]) -> f64 {
 /// Spheres whose bottoms are above the lowest of the limb.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct Raised {
+pub struct RaisedSpheres {
     /// The spheres.
     pub spheres: Spheres,
     /// How much higher their bottoms are than the lowest, m.
     pub height_m: f64,
 }
 
-impl Raised {
+impl RaisedSpheres {
     /// Spheres at a height.
     ///
     /// # Errors
@@ -147,9 +149,9 @@ impl Raised {
 }
 
 /// The first rest that a body lowered onto its spheres meets; `hertz` is that of the Hertz law.
-fn first_rest(spheres: &[Raised], load_n: f64, hertz: f64) -> Result<f64, DomainError> {
+fn first_rest(spheres: &[RaisedSpheres], load_n: f64, hertz: f64) -> Result<f64, DomainError> {
     let Some(step) = smallest_transition(spheres) else { return Ok(hertz) };
-    let mut in_reach: Vec<(f64, &Raised)> = spheres.iter().map(|s| (reach(s), s)).collect();
+    let mut in_reach: Vec<(f64, &RaisedSpheres)> = spheres.iter().map(|s| (unloaded_up_to(s), s)).collect();
     in_reach.sort_by(|a, b| a.0.total_cmp(&b.0));
     // Those above carry nothing, to the last bit.
     let near = |x: f64| in_reach.iter().take_while(move |(from, _)| *from <= x).map(|(_, s)| *s);
@@ -166,22 +168,22 @@ fn first_rest(spheres: &[Raised], load_n: f64, hertz: f64) -> Result<f64, Domain
         above *= 2.0;
     }
     let never_carried = |from: f64, to: f64| {
-        let most = |s: &Raised| {
+        let most = |s: &RaisedSpheres| {
             s.spheres.count() * s.spheres.law().rest_force_limit(from - s.height_m, to - s.height_m)
         };
         near(to).map(most).sum::<f64>() * (1.0 + 1e-9) < load_n
     };
     // How many steps in which nothing can carry the load are taken at once: fewer the nearer the load is.
-    let mut unseen;
+    let mut steps_at_once;
     // Short steps through the onset of each sphere, where its force can rise and fall; elsewhere forces only rise.
-    for onset in onsets(spheres) {
+    for onset in contact_onsets(spheres) {
         below = below.max(onset - 20.0 * step);
-        unseen = 20;
+        steps_at_once = 20;
         // A transition shorter than a number can say at this height is none.
         while below <= onset && below < below + 0.05 * step {
-            if never_carried(below, below + 1.001 * 0.05 * f64::from(unseen) * step) {
-                // The same steps, unseen.
-                for _ in 0..unseen {
+            if never_carried(below, below + 1.001 * 0.05 * f64::from(steps_at_once) * step) {
+                // These steps one by one, so that rounding is as with the check of each.
+                for _ in 0..steps_at_once {
                     if below <= onset {
                         above = below;
                         below += 0.05 * step;
@@ -189,8 +191,8 @@ fn first_rest(spheres: &[Raised], load_n: f64, hertz: f64) -> Result<f64, Domain
                 }
                 continue;
             }
-            if unseen > 1 {
-                unseen = if unseen > 5 { 5 } else { 1 };
+            if steps_at_once > 1 {
+                steps_at_once = if steps_at_once > 5 { 5 } else { 1 };
                 continue;
             }
             if carried(below) {
@@ -215,7 +217,7 @@ fn first_rest(spheres: &[Raised], load_n: f64, hertz: f64) -> Result<f64, Domain
         stride *= 2.0;
     }
     within(below.is_finite() && !carried(above), "load", load_n, "a load that the spheres can carry")?;
-    let guess = refined(
+    let guess = newton_root(
         hertz.max(above).min(below),
         |x| sum(&|law, x| law.rest_force(x), x) - load_n,
         |x| sum(&|law, x| law.rest_stiffness(x), x),
@@ -227,7 +229,7 @@ fn first_rest(spheres: &[Raised], load_n: f64, hertz: f64) -> Result<f64, Domain
 }
 
 /// Where `value` is 0, by Newton's method from `start`. It is a guess: nothing says that the steps end there.
-fn refined(start: f64, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> f64 {
+fn newton_root(start: f64, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> f64 {
     // Each step doubles the digits that are right.
     const STEPS: usize = 8;
     let mut x = start;
@@ -244,7 +246,7 @@ fn refined(start: f64, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -
 
 /// The indentation of the lowest sphere up to which `sphere` carries nothing: a contact state is 0 in all digits 20 transitions
 /// before contact.
-fn reach(sphere: &Raised) -> f64 {
+fn unloaded_up_to(sphere: &RaisedSpheres) -> f64 {
     match sphere.spheres.law() {
         Law::HuntCrossley(_) => sphere.height_m,
         Law::Smooth(law) => sphere.height_m - 20.0 / law.smoothing().hertz_smoothing,
@@ -252,7 +254,7 @@ fn reach(sphere: &Raised) -> f64 {
 }
 
 /// The heights at which spheres begin to touch, each once, the lowest first.
-fn onsets(spheres: &[Raised]) -> Vec<f64> {
+fn contact_onsets(spheres: &[RaisedSpheres]) -> Vec<f64> {
     let mut heights: Vec<f64> = spheres.iter().map(|s| s.height_m).collect();
     heights.sort_by(f64::total_cmp);
     heights.dedup();
@@ -260,20 +262,20 @@ fn onsets(spheres: &[Raised]) -> Vec<f64> {
 }
 
 /// The shortest 1/bd of the smoothed laws: the length over which the force can change.
-fn smallest_transition(spheres: &[Raised]) -> Option<f64> {
+fn smallest_transition(spheres: &[RaisedSpheres]) -> Option<f64> {
     spheres.iter().fold(None, |shortest: Option<f64>, raised| match raised.spheres.law() {
         Law::HuntCrossley(_) => shortest,
         Law::Smooth(law) => {
             let length = 1.0 / law.smoothing().hertz_smoothing;
-            Some(shortest.map_or(length, |known| known.min(length)))
+            Some(shortest.map_or(length, |shortest| shortest.min(length)))
         }
     })
 }
 
-/// What [`bisect`] finds where `guess` is close to it: the same, to the last bit, and sooner.
+/// The result of [`bisect`], equal to the last bit, and sooner if `guess` is close to it.
 ///
-/// Where the laws do not hold a little before `guess` and hold a little after it, they need not be asked farther away: of the points that
-/// [`bisect`] asks about, most are there. A bad guess costs two questions, none at all (NaN) nothing.
+/// If `holds` is false a little before `guess` and true a little after it, it is not evaluated farther away, where most points of
+/// [`bisect`] are. A bad guess costs two evaluations; NaN, which means no guess, costs none.
 fn bisect_near(guess: f64, out: f64, within: f64, holds: impl Fn(f64) -> bool) -> f64 {
     // Far more than rounding moves the point, and far less than a guess is to be wrong.
     const NEAR: f64 = 1e-12;
@@ -362,7 +364,7 @@ mod tests {
     }
 
     #[test]
-    fn of_several_rests_it_is_the_first_from_above() {
+    fn the_first_rest_from_above_is_found() {
         // With next to no cf the smoothed force rises before contact and falls again towards it.
         let sphere = [smooth(1e-12, 300.0, 0.032, 1.0)];
         let force = |x: f64| sphere[0].law().force(x, 0.0);
@@ -398,7 +400,7 @@ mod tests {
         }
     }
 
-    fn plain_spheres(smoothing: Option<SmoothingValues>, radius: f64) -> Spheres {
+    fn spheres_with_smoothing(smoothing: Option<SmoothingValues>, radius: f64) -> Spheres {
         let values = ContactValues { smoothing, ..falisse2022().contact.values() };
         Spheres::new(Law::of(&Contact::new(values).unwrap(), radius).unwrap(), 1.0).unwrap()
     }
@@ -414,17 +416,22 @@ mod tests {
 
     #[test]
     fn a_sphere_out_of_reach_carries_nothing() {
-        let low = plain_spheres(None, 0.03);
+        let low = spheres_with_smoothing(None, 0.03);
         let alone = hertz_indentation(&[low], 500.0).unwrap();
-        let both =
-            [Raised::new(low, 0.0).unwrap(), Raised::new(plain_spheres(None, 0.05), 2.0 * alone).unwrap()];
+        let both = [
+            RaisedSpheres::new(low, 0.0).unwrap(),
+            RaisedSpheres::new(spheres_with_smoothing(None, 0.05), 2.0 * alone).unwrap(),
+        ];
         let x = hertz_indentation_of_lowest(&both, 500.0).unwrap();
         assert!((x / alone - 1.0).abs() < 1e-14, "{x} {alone}");
     }
 
     #[test]
     fn heights_and_loads_have_domains() {
-        assert_eq!(Raised::new(plain_spheres(None, 0.03), -1e-3).unwrap_err().quantity(), "height");
+        assert_eq!(
+            RaisedSpheres::new(spheres_with_smoothing(None, 0.03), -1e-3).unwrap_err().quantity(),
+            "height"
+        );
         assert_eq!(
             hertz_indentation_of_lowest(&[], 1.0).unwrap_err().quantity(),
             "sum of force coefficients"
@@ -434,8 +441,8 @@ mod tests {
     #[test]
     fn a_transition_of_no_length_ends() {
         let foot = [
-            Raised::new(plain_spheres(smoothing(1e-5, 1e18), 0.03), 0.0),
-            Raised::new(plain_spheres(smoothing(1e-5, 1e18), 0.03), 0.5),
+            RaisedSpheres::new(spheres_with_smoothing(smoothing(1e-5, 1e18), 0.03), 0.0),
+            RaisedSpheres::new(spheres_with_smoothing(smoothing(1e-5, 1e18), 0.03), 0.5),
         ];
         let foot = foot.map(Result::unwrap);
         let x = indentation_of_lowest(&foot, 500.0).unwrap();
@@ -448,8 +455,8 @@ mod tests {
         fn the_load_is_carried_at_several_heights(
             load in 1.0..1e4, cf in 1e-9..1e-4, bd in 50.0..5e3, height in 0.0..0.05, r1 in 1e-2..0.1, r2 in 1e-2..0.1,
         ) {
-            let (low, high) = (plain_spheres(smoothing(cf, bd), r1), plain_spheres(smoothing(cf, bd / 2.0), r2));
-            let foot = [Raised::new(high, height).unwrap(), Raised::new(low, 0.0).unwrap()];
+            let (low, high) = (spheres_with_smoothing(smoothing(cf, bd), r1), spheres_with_smoothing(smoothing(cf, bd / 2.0), r2));
+            let foot = [RaisedSpheres::new(high, height).unwrap(), RaisedSpheres::new(low, 0.0).unwrap()];
             let x = indentation_of_lowest(&foot, load).unwrap();
             let force = low.law().rest_force(x) + high.law().rest_force(x - height);
             prop_assert!((force / load - 1.0).abs() < 1e-9, "{x} {force} {load}");

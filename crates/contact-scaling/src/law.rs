@@ -75,7 +75,7 @@ impl Law {
         }
     }
 
-    /// The Hertz law underneath.
+    /// The Hertz law that this law is built on.
     #[must_use]
     pub fn hertz(&self) -> &Hertz {
         match self {
@@ -84,7 +84,7 @@ impl Law {
         }
     }
 
-    /// The same law with another α (s/m).
+    /// This law with another α (s/m).
     ///
     /// # Errors
     /// [`DomainError`] unless α is finite and 0 or above.

@@ -83,7 +83,7 @@ pub fn drop_speed(gravity_m_s2: f64, radius_m: f64) -> Result<f64, DomainError> 
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn exact(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
-    Ok(exact_of(1.5 * loss(dissipation_s_m, impact_speed_m_s)?))
+    Ok(restitution_from_loss(1.5 * loss(dissipation_s_m, impact_speed_m_s)?))
 }
 
 /// Dissipation with which the law itself has the restitution c: [`exact`] solved for α, in s/m.
@@ -105,7 +105,7 @@ pub fn exact(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainE
 pub fn exact_dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
     let ok = restitution > 0.0 && restitution <= 1.0;
     let c = within(ok, "restitution", restitution, RESTITUTION)?;
-    Ok(loss_of(c) / 1.5 / positive("impact speed", impact_speed_m_s)?)
+    Ok(loss_from_restitution(c) / 1.5 / positive("impact speed", impact_speed_m_s)?)
 }
 
 /// α ẋ⁻.
@@ -130,7 +130,7 @@ fn h(z: f64) -> f64 {
 }
 
 /// c of d, by Newton steps on h(−y) = h(d), where y = c d.
-fn exact_of(d: f64) -> f64 {
+fn restitution_from_loss(d: f64) -> f64 {
     if d == 0.0 {
         return 1.0;
     }
@@ -149,13 +149,13 @@ fn exact_of(d: f64) -> f64 {
 }
 
 /// d of c, by Newton steps on c(d), which falls and is convex: every step stays left of the root.
-fn loss_of(c: f64) -> f64 {
+fn loss_from_restitution(c: f64) -> f64 {
     let mut d = 1.5 * (1.0 - c);
     for _ in 0..100 {
-        let now = exact_of(d);
-        let y = now * d;
-        let slope = (d / (1.0 + d) * (1.0 - y) / y - now) / d;
-        let step = (c - now) / slope;
+        let restitution = restitution_from_loss(d);
+        let y = restitution * d;
+        let slope = (d / (1.0 + d) * (1.0 - y) / y - restitution) / d;
+        let step = (c - restitution) / slope;
         if !step.is_finite() || step <= f64::EPSILON * d {
             break;
         }
@@ -203,7 +203,7 @@ mod tests {
     fn extreme_losses_have_their_limit() {
         // c d → 1 as d → ∞.
         for d in [40.0, 1e3, 1e12, 1e300] {
-            assert!((exact_of(d) * d - 1.0).abs() < 1e-12, "{d}");
+            assert!((restitution_from_loss(d) * d - 1.0).abs() < 1e-12, "{d}");
         }
     }
 

@@ -288,7 +288,7 @@ impl Ratios {
 
     /// Factor of α (`dissipation`) by mass instead of radius: μ^(−1/6) γ^(−1/2).
     ///
-    /// The same as [`Ratios::dissipation`] where R ∝ M^(1/3). Source: (14), its other proportionality.
+    /// It is equal to [`Ratios::dissipation`] where R ∝ M^(1/3). Source: (14), its other proportionality.
     #[must_use]
     pub fn dissipation_by_mass(&self) -> f64 {
         1.0 / (libm::cbrt(self.mass()) * self.gravity()).sqrt()

@@ -3,9 +3,9 @@
 use crate::design;
 use crate::error::{DomainError, positive, within};
 
-/// What is known of one sphere at its load, by name and not yet checked; `None` is to be found.
+/// The known quantities of one sphere at its load, not yet checked; those that are `None` are to be found.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Known {
+pub struct KnownQuantities {
     /// Load on each sphere F/n, in N.
     pub load_per_sphere_n: Option<f64>,
     /// Sphere radius R, in m.
@@ -18,7 +18,7 @@ pub struct Known {
     pub stiffness_n_m: Option<f64>,
 }
 
-/// One sphere at its load, all of it.
+/// All quantities of one sphere at its load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Sizing {
@@ -44,28 +44,28 @@ pub enum SizingError {
     /// Fewer than three quantities are known.
     #[error("{} of load, radius, indentation, modulus and stiffness are known, expected three", .known.len())]
     Insufficient {
-        /// Names of those that are.
+        /// Names of the quantities that are known.
         known: Vec<&'static str>,
-        /// Names of those that are not.
+        /// Names of the quantities that are not known.
         missing: Vec<&'static str>,
     },
     /// More than three are given, and they do not belong together.
     #[error("the {quantity} is given as {given}, but {follows} follows from the other quantities")]
     Contradictory {
-        /// Which does not fit.
+        /// The quantity that contradicts the others.
         quantity: &'static str,
-        /// What was given.
+        /// Its given value.
         given: f64,
-        /// What follows from the first three.
+        /// The value that follows from the first three known quantities.
         follows: f64,
     },
 }
 
 /// How far (relative) a quantity that was given may lie from what the others say.
-const CONSISTENT: f64 = 1e-6;
+const CONSISTENCY_TOLERANCE: f64 = 1e-6;
 
-impl Known {
-    fn named(&self) -> [(&'static str, Option<f64>); 5] {
+impl KnownQuantities {
+    fn by_name(&self) -> [(&'static str, Option<f64>); 5] {
         [
             ("load", self.load_per_sphere_n),
             ("radius", self.radius_m),
@@ -75,7 +75,7 @@ impl Known {
         ]
     }
 
-    /// Finds what is missing.
+    /// Finds the quantities that are not known.
     ///
     /// With f = F/n: f = 4/3 R² E* x̂^{3/2} (3) and k = 2 R E* √x̂ (B.2).
     ///
@@ -84,20 +84,20 @@ impl Known {
     /// and contradict each other.
     ///
     /// ```
-    /// use contact_scaling::sizing::Known;
+    /// use contact_scaling::sizing::KnownQuantities;
     /// // A heel pad of 30 mm radius that carries 300 N at 10 % indentation.
-    /// let known = Known {
+    /// let known = KnownQuantities {
     ///     load_per_sphere_n: Some(300.0),
     ///     radius_m: Some(0.03),
     ///     relative_indentation: Some(0.1),
-    ///     ..Known::default()
+    ///     ..KnownQuantities::default()
     /// };
     /// let sizing = known.solve()?;
     /// assert!((sizing.stiffness_n_m / 150e3 - 1.0).abs() < 1e-12); // k = 3 f / (2 R x̂)
     /// # Ok::<(), contact_scaling::sizing::SizingError>(())
     /// ```
     pub fn solve(&self) -> Result<Sizing, SizingError> {
-        for (name, value) in self.named() {
+        for (name, value) in self.by_name() {
             if let Some(value) = value {
                 positive(name, value)?;
             }
@@ -106,37 +106,39 @@ impl Known {
             within(x <= 1.0, "relative indentation", x, "a number above 0, at most 1")?;
         }
         let sizing = self.solve_checked().ok_or_else(|| {
-            let of = |wanted: bool| {
-                self.named()
+            let names = |known: bool| {
+                self.by_name()
                     .into_iter()
-                    .filter(|(_, v)| v.is_some() == wanted)
+                    .filter(|(_, v)| v.is_some() == known)
                     .map(|(name, _)| name)
                     .collect()
             };
-            SizingError::Insufficient { known: of(true), missing: of(false) }
+            SizingError::Insufficient { known: names(true), missing: names(false) }
         })?;
-        for ((quantity, given), (_, follows)) in self.named().into_iter().zip(sizing.named()) {
+        for ((quantity, given), (_, follows)) in self.by_name().into_iter().zip(sizing.by_name()) {
             positive(quantity, follows)?;
-            if let Some(given) = given.filter(|given| (given - follows).abs() > CONSISTENT * follows) {
+            if let Some(given) =
+                given.filter(|given| (given - follows).abs() > CONSISTENCY_TOLERANCE * follows)
+            {
                 return Err(SizingError::Contradictory { quantity, given, follows });
             }
         }
         Ok(sizing)
     }
 
-    /// The same for a smoothed contact at rest, whose force and stiffness are `speed_state` times Hertz's:
+    /// Finds what is missing for a smoothed contact at rest. Its force and stiffness are `speed_state` times those of Hertz:
     /// [`crate::smoothing::speed_state_at_rest`].
     ///
     /// # Errors
-    /// Those of [`Known::solve`], and a `speed_state` that is not above 0.
+    /// Those of [`KnownQuantities::solve`], and a `speed_state` that is not above 0.
     ///
     /// ```
-    /// use contact_scaling::sizing::Known;
-    /// let known = Known {
+    /// use contact_scaling::sizing::KnownQuantities;
+    /// let known = KnownQuantities {
     ///     load_per_sphere_n: Some(300.0),
     ///     radius_m: Some(0.03),
     ///     relative_indentation: Some(0.1),
-    ///     ..Known::default()
+    ///     ..KnownQuantities::default()
     /// };
     /// // Where 0.8 of the Hertz force is left, E* makes up for it; k at that load and depth is the same.
     /// let (hertz, smoothed) = (known.solve()?, known.solve_smoothed(0.8)?);
@@ -147,8 +149,8 @@ impl Known {
     pub fn solve_smoothed(&self, speed_state: f64) -> Result<Sizing, SizingError> {
         let share = positive("speed state", speed_state)?;
         let given = self.composite_modulus_n_m2;
-        let seen = Self { composite_modulus_n_m2: given.map(|modulus| modulus * share), ..*self };
-        match seen.solve() {
+        let hertz_like = Self { composite_modulus_n_m2: given.map(|modulus| modulus * share), ..*self };
+        match hertz_like.solve() {
             Ok(sizing) => {
                 let modulus = given.unwrap_or(sizing.composite_modulus_n_m2 / share);
                 Ok(Sizing { composite_modulus_n_m2: modulus, ..sizing })
@@ -168,7 +170,7 @@ impl Known {
         let power = |x: f64| x * x.sqrt();
         let (radius_m, relative_indentation, composite_modulus_n_m2) = match (f, r, x, e, k) {
             (Some(f), Some(r), Some(x), ..) => (r, x, 0.75 * f / (r * r * power(x))),
-            (Some(f), Some(r), _, Some(e), _) => (r, design::depth_of(f, e, r), e),
+            (Some(f), Some(r), _, Some(e), _) => (r, design::relative_depth(f, e, r), e),
             (Some(f), Some(r), _, _, Some(k)) => {
                 let x = 1.5 * f / (k * r);
                 (r, x, k / (2.0 * r * x.sqrt()))
@@ -205,7 +207,7 @@ impl Known {
 }
 
 impl Sizing {
-    fn named(&self) -> [(&'static str, f64); 5] {
+    fn by_name(&self) -> [(&'static str, f64); 5] {
         [
             ("load", self.load_per_sphere_n),
             ("radius", self.radius_m),
@@ -224,9 +226,9 @@ mod tests {
     const HUMAN: [f64; 5] =
         [101.37, 0.032, 0.353_300_157_597_401_94, 353_553.390_593_273_76, 13_449.523_437_277_24];
 
-    fn known(mask: usize) -> Known {
+    fn known(mask: usize) -> KnownQuantities {
         let pick = |i: usize| (mask & (1 << i) != 0).then(|| HUMAN[i]);
-        Known {
+        KnownQuantities {
             load_per_sphere_n: pick(0),
             radius_m: pick(1),
             relative_indentation: pick(2),
@@ -239,7 +241,7 @@ mod tests {
     fn any_three_give_the_rest() {
         for mask in (0_usize..32).filter(|mask| mask.count_ones() >= 3) {
             let sizing = known(mask).solve().unwrap();
-            for ((name, found), expected) in sizing.named().into_iter().zip(HUMAN) {
+            for ((name, found), expected) in sizing.by_name().into_iter().zip(HUMAN) {
                 assert!((found / expected - 1.0).abs() < 1e-12, "{mask:05b} {name} {found} {expected}");
             }
         }
@@ -253,12 +255,12 @@ mod tests {
     }
 
     #[test]
-    fn contradictions_and_nonsense_are_refused() {
-        let four = Known { stiffness_n_m: Some(1e4), ..known(0b00111) };
+    fn contradictions_and_impossible_numbers_are_refused() {
+        let four = KnownQuantities { stiffness_n_m: Some(1e4), ..known(0b00111) };
         assert!(matches!(four.solve(), Err(SizingError::Contradictory { quantity: "stiffness", .. })));
-        let negative = Known { radius_m: Some(-1.0), ..known(0b00111) };
+        let negative = KnownQuantities { radius_m: Some(-1.0), ..known(0b00111) };
         assert!(matches!(negative.solve(), Err(SizingError::Domain(_))));
-        let deep = Known { relative_indentation: Some(1.5), ..known(0b00111) };
+        let deep = KnownQuantities { relative_indentation: Some(1.5), ..known(0b00111) };
         assert!(matches!(deep.solve(), Err(SizingError::Domain(_))));
     }
 }

@@ -222,7 +222,7 @@ impl Animal {
         Ok(falisse2022().contact.scaled(&self.ratios()?))
     }
 
-    /// The same without smoothing, as a `HuntCrossleyForce` has it: the drop tests of the paper used these.
+    /// The contact of this animal without smoothing, as a `HuntCrossleyForce` has it. The paper's drop tests use it.
     ///
     /// # Errors
     /// None with the numbers of the table.

@@ -33,7 +33,7 @@ pub struct Ball {
     /// Which state it shows.
     pub state: State,
     /// Whether it is outside of what it belongs to: then it is drawn so that nobody overlooks it.
-    pub astray: bool,
+    pub misplaced: bool,
 }
 
 /// A point with its name.
@@ -107,7 +107,7 @@ pub struct SceneNames {
     /// Of circles of the earlier state.
     pub before: String,
     /// Of circles that are astray.
-    pub astray: String,
+    pub misplaced: String,
     /// Of points.
     pub spot: String,
     /// Of outlines.
@@ -123,7 +123,7 @@ pub struct SceneNames {
 pub struct Scene {
     /// What it shows.
     pub title: String,
-    /// The same in full sentences.
+    /// What it shows in full sentences.
     pub description: String,
     /// The things, side by side in pairs.
     pub blocks: Vec<Block>,

@@ -25,23 +25,23 @@ const DIRECTIONS: [(f64, f64); 16] = [
     (-0.383, 0.924),
 ];
 /// From a point to the nearest edge of its name, at least.
-const NEAREST_PT: f64 = 3.0;
+const LEAST_DISTANCE_PT: f64 = 3.0;
 const STEP_PT: f64 = 3.5;
 const STEPS: u32 = 400;
 /// Between the boxes of two names.
 const APART_PT: f64 = 1.0;
-/// A leader that is shorter needs no line.
+/// A name that is nearer to its point than this has no line to it.
 pub(super) const LEADER_PT: f64 = 5.0;
 /// How often all names are placed again, now that the others have their places.
 const ROUNDS: usize = 3;
 
 /// What it costs, in points of distance, to hide or cross something.
-const CIRCLE: f64 = 3.0;
-const LEVEL: f64 = 30.0;
-const OTHER_POINT: f64 = 60.0;
-const NEAR_POINT: f64 = 20.0;
-const CROSSING: f64 = 40.0;
-const OVER_NAME: f64 = 120.0;
+const COST_OF_CIRCLE: f64 = 3.0;
+const COST_OF_LEVEL: f64 = 30.0;
+const COST_OF_POINT: f64 = 60.0;
+const COST_NEAR_POINT: f64 = 20.0;
+const COST_OF_CROSSING: f64 = 40.0;
+const COST_OVER_NAME: f64 = 120.0;
 
 /// A box on the page, in points; y grows downwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,7 +69,7 @@ impl Rect {
             && other.top < self.bottom + apart
     }
 
-    fn holds(&self, (x, y): Point, margin: f64) -> bool {
+    fn contains_point(&self, (x, y): Point, margin: f64) -> bool {
         x > self.left - margin && x < self.right + margin && y > self.top - margin && y < self.bottom + margin
     }
 
@@ -79,7 +79,7 @@ impl Rect {
     }
 
     /// Whether the line between two points passes through the box (Liang and Barsky).
-    fn meets(&self, from: Point, to: Point) -> bool {
+    fn is_crossed_by(&self, from: Point, to: Point) -> bool {
         let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
         let sides = [
             (to.0 - from.0, self.left - from.0, self.right - from.0),
@@ -100,9 +100,9 @@ impl Rect {
     }
 }
 
-/// A name that wants a place.
+/// A name, before it has a place.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Wanted {
+pub(super) struct NameToPlace {
     /// What is named.
     pub at: Point,
     /// Width and height of the name.
@@ -123,48 +123,52 @@ pub(super) struct Obstacles {
 }
 
 /// A box for each name, in their order; from `left` to `right`, as far up and down as it takes.
-pub(super) fn place(wanted: &[Wanted], (left, right): (f64, f64), obstacles: &Obstacles) -> Vec<Rect> {
-    let mut order: Vec<usize> = (0..wanted.len()).collect();
-    let key = |index: usize| wanted.get(index).map_or((0.0, 0.0), |name| name.at);
+pub(super) fn place_names(
+    names: &[NameToPlace],
+    (left, right): (f64, f64),
+    obstacles: &Obstacles,
+) -> Vec<Rect> {
+    let mut order: Vec<usize> = (0..names.len()).collect();
+    let key = |index: usize| names.get(index).map_or((0.0, 0.0), |name| name.at);
     order.sort_by(|&a, &b| key(a).0.total_cmp(&key(b).0).then(key(a).1.total_cmp(&key(b).1)));
-    let mut places: Vec<Option<Rect>> = vec![None; wanted.len()];
+    let mut places: Vec<Option<Rect>> = vec![None; names.len()];
     for round in 0..ROUNDS {
         for &index in &order {
-            let Some(name) = wanted.get(index) else { continue };
-            let others: Vec<(Point, Rect)> = wanted
+            let Some(name) = names.get(index) else { continue };
+            let others: Vec<(Point, Rect)> = names
                 .iter()
                 .zip(&places)
                 .enumerate()
                 .filter(|(other, _)| *other != index)
                 .filter_map(|(_, (other, place))| Some((other.at, (*place)?)))
                 .collect();
-            let best = Search { name, span: (left, right), obstacles, others: &others }.best();
+            let best = Search { name, span: (left, right), obstacles, others: &others }.cheapest_place();
             // What is found later is kept only where it is free: it always is.
             if let Some(place) = places.get_mut(index) {
                 *place = best.or(*place);
             }
         }
-        if round > 0 && wanted.len() < 2 {
+        if round > 0 && names.len() < 2 {
             break;
         }
     }
-    let fallback = |name: &Wanted| Rect::around(name.at, name.size);
-    wanted.iter().zip(places).map(|(name, place)| place.unwrap_or_else(|| fallback(name))).collect()
+    let fallback = |name: &NameToPlace| Rect::around(name.at, name.size);
+    names.iter().zip(places).map(|(name, place)| place.unwrap_or_else(|| fallback(name))).collect()
 }
 
 struct Search<'s> {
-    name: &'s Wanted,
+    name: &'s NameToPlace,
     span: (f64, f64),
     obstacles: &'s Obstacles,
     others: &'s [(Point, Rect)],
 }
 
 impl Search<'_> {
-    fn best(&self) -> Option<Rect> {
+    fn cheapest_place(&self) -> Option<Rect> {
         let (width, height) = self.name.size;
         let mut best: Option<(f64, Rect)> = None;
         for step in 0..STEPS {
-            let distance = NEAREST_PT + STEP_PT * f64::from(step);
+            let distance = LEAST_DISTANCE_PT + STEP_PT * f64::from(step);
             if best.is_some_and(|(cost, _)| distance >= cost) {
                 break;
             }
@@ -173,7 +177,7 @@ impl Search<'_> {
                     self.name.at.0 + x * (distance + width / 2.0),
                     self.name.at.1 + y * (distance + height / 2.0),
                 );
-                let place = self.inside(Rect::around(middle, self.name.size));
+                let place = self.moved_into_view(Rect::around(middle, self.name.size));
                 if self.is_taken(&place) {
                     continue;
                 }
@@ -188,7 +192,7 @@ impl Search<'_> {
     }
 
     /// The box, moved sideways until it is in the view.
-    fn inside(&self, place: Rect) -> Rect {
+    fn moved_into_view(&self, place: Rect) -> Rect {
         let by = (self.span.0 - place.left).max(0.0) - (place.right - self.span.1).max(0.0);
         Rect { left: place.left + by, right: place.right + by, ..place }
     }
@@ -202,26 +206,28 @@ impl Search<'_> {
         let end = place.nearest(self.name.at);
         let others = |point: &&Point| **point != self.name.at;
         let points = self.obstacles.points.iter().filter(others).map(|&point| {
-            if place.holds(point, 2.0) {
-                OTHER_POINT
+            if place.contains_point(point, 2.0) {
+                COST_OF_POINT
             } else if distance_to_line(point, self.name.at, end) < 2.5 {
-                NEAR_POINT
+                COST_NEAR_POINT
             } else {
                 0.0
             }
         });
-        let own = if place.holds(self.name.at, 1.5) { OTHER_POINT } else { 0.0 };
+        let over_own_point = if place.contains_point(self.name.at, 1.5) { COST_OF_POINT } else { 0.0 };
         let circles = self.obstacles.circles.iter().filter(|circle| crosses(place, circle));
-        let levels = self.obstacles.levels.iter().filter(|&&y| place.holds((place.left, y), 0.5));
+        let levels = self.obstacles.levels.iter().filter(|&&y| place.contains_point((place.left, y), 0.5));
         let names = self.others.iter().map(|(at, other)| {
             let their_end = other.nearest(*at);
-            let crossing = if segments_cross((self.name.at, end), (*at, their_end)) { CROSSING } else { 0.0 };
-            let over = other.meets(self.name.at, end) || place.meets(*at, their_end);
-            crossing + if over { OVER_NAME } else { 0.0 }
+            let crossing =
+                if segments_cross((self.name.at, end), (*at, their_end)) { COST_OF_CROSSING } else { 0.0 };
+            let over = other.is_crossed_by(self.name.at, end) || place.is_crossed_by(*at, their_end);
+            crossing + if over { COST_OVER_NAME } else { 0.0 }
         });
-        own + points.sum::<f64>()
-            + CIRCLE * float(circles.count())
-            + LEVEL * float(levels.count())
+        over_own_point
+            + points.sum::<f64>()
+            + COST_OF_CIRCLE * float(circles.count())
+            + COST_OF_LEVEL * float(levels.count())
             + names.sum::<f64>()
     }
 }
@@ -261,8 +267,8 @@ fn float(count: usize) -> f64 {
 mod tests {
     use super::*;
 
-    fn names(points: &[Point]) -> Vec<Wanted> {
-        points.iter().map(|&at| Wanted { at, size: (40.0, 8.0) }).collect()
+    fn names(points: &[Point]) -> Vec<NameToPlace> {
+        points.iter().map(|&at| NameToPlace { at, size: (40.0, 8.0) }).collect()
     }
 
     #[track_caller]
@@ -275,19 +281,19 @@ mod tests {
 
     #[test]
     fn a_single_name_is_right_of_its_point() {
-        let places = place(&names(&[(50.0, 50.0)]), (0.0, 200.0), &Obstacles::default());
+        let places = place_names(&names(&[(50.0, 50.0)]), (0.0, 200.0), &Obstacles::default());
         assert_eq!(places, [Rect { left: 53.0, right: 93.0, top: 46.0, bottom: 54.0 }]);
     }
 
     #[test]
     fn names_at_an_edge_stay_inside() {
-        let places = place(&names(&[(199.0, 50.0), (1.0, 50.0)]), (0.0, 200.0), &Obstacles::default());
+        let places = place_names(&names(&[(199.0, 50.0), (1.0, 50.0)]), (0.0, 200.0), &Obstacles::default());
         assert_apart(&places);
     }
 
     #[test]
     fn a_hundred_names_of_one_point_have_a_place_each() {
-        assert_apart(&place(&names(&[(100.0, 50.0); 100]), (0.0, 200.0), &Obstacles::default()));
+        assert_apart(&place_names(&names(&[(100.0, 50.0); 100]), (0.0, 200.0), &Obstacles::default()));
     }
 
     #[test]
@@ -297,18 +303,20 @@ mod tests {
             levels: vec![52.0],
             ..Obstacles::default()
         };
-        let places = place(&names(&[(50.0, 50.0), (60.0, 50.0)]), (0.0, 200.0), &obstacles);
+        let places = place_names(&names(&[(50.0, 50.0), (60.0, 50.0)]), (0.0, 200.0), &obstacles);
         assert_apart(&places);
         for rect in places {
-            assert!(!rect.holds((rect.left, 52.0), 0.0), "{rect:?}");
-            assert!(obstacles.points.iter().all(|&point| !rect.holds(point, 0.0)), "{rect:?}");
+            assert!(!rect.contains_point((rect.left, 52.0), 0.0), "{rect:?}");
+            assert!(obstacles.points.iter().all(|&point| !rect.contains_point(point, 0.0)), "{rect:?}");
         }
     }
 
     #[test]
     fn a_line_through_a_corner_is_seen() {
         let rect = Rect { left: 0.0, right: 10.0, top: 0.0, bottom: 10.0 };
-        assert!(rect.meets((-5.0, 5.0), (15.0, 6.0)) && !rect.meets((-5.0, -1.0), (15.0, -1.0)));
-        assert!(!rect.meets((-5.0, 5.0), (-1.0, 5.0)) && rect.meets((5.0, -3.0), (5.0, 3.0)));
+        assert!(
+            rect.is_crossed_by((-5.0, 5.0), (15.0, 6.0)) && !rect.is_crossed_by((-5.0, -1.0), (15.0, -1.0))
+        );
+        assert!(!rect.is_crossed_by((-5.0, 5.0), (-1.0, 5.0)) && rect.is_crossed_by((5.0, -3.0), (5.0, 3.0)));
     }
 }

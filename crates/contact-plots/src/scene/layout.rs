@@ -1,14 +1,14 @@
 //! Where everything of a scene goes: one scale for all, views below each other, names around what they name.
 
 use super::elements::{Block, LevelKind, Scene, View};
-use super::labels::{Obstacles, Rect, Wanted, place};
+use super::labels::{NameToPlace, Obstacles, Rect, place_names};
 use crate::axis::Ticks;
 use crate::document::{MARGIN_PT, Paper, Title, printable};
-use crate::draw::{BELOW_PT, NAME_PT, TICK_PT};
 use crate::figure::{Point, Width};
 use crate::legend::Legend;
-use crate::letters::{cut, lines, width_pt};
+use crate::panels_svg::{BELOW_PT, NAME_PT, TICK_PT};
 use crate::style::{TEXT_PT, float};
+use crate::text_width::{cut, lines, width_pt};
 
 pub(super) const LINE_PT: f64 = 8.6;
 const GAP_PT: f64 = 10.0;
@@ -22,17 +22,17 @@ const SIDE_BY_SIDE_PT: f64 = 90.0;
 const PAD_PT: f64 = 4.0;
 const NAME_HEIGHT_PT: f64 = 7.6;
 /// The longest name, as a share of a view.
-const LONGEST: f64 = 0.45;
+const LONGEST_NAME: f64 = 0.45;
 /// The longest text at a line, which has nothing beside it.
-const LONGEST_AT_LINE: f64 = 0.9;
+const LONGEST_LEVEL_NAME: f64 = 0.9;
 /// What is smaller than this part of its block is not seen: 2 points or so.
-const SEEN: f64 = 0.01;
+const VISIBLE_SHARE: f64 = 0.01;
 /// No view is drawn higher than this, without its names.
 const HIGHEST_PT: f64 = 260.0;
 /// Things that are this much larger than others have a scale of their own.
-const ANOTHER_SCALE: f64 = 4.0;
+const MOST_SCALE_RATIO: f64 = 4.0;
 /// More names than this want a page.
-const CROWDED: usize = 12;
+const CROWDED_NAMES: usize = 12;
 /// More names than this are left out, all of them: nobody could read them.
 const MOST_NAMES: usize = 80;
 /// How wide a thing is taken to be that has no width.
@@ -91,7 +91,7 @@ impl PlacedView<'_> {
     }
 
     /// Names are placed where the view begins at (0, 0); this brings them to where it is.
-    fn moved(mut self, left: f64, top: f64) -> Self {
+    fn moved_to(mut self, left: f64, top: f64) -> Self {
         for name in self.names.iter_mut().chain(&mut self.level_names) {
             name.at = (name.at.0 + left, name.at.1 + top);
             let Rect { left: l, top: t, right: r, bottom: b } = name.place;
@@ -101,8 +101,8 @@ impl PlacedView<'_> {
         self
     }
 
-    /// The same with more room above and below.
-    fn grown(mut self, above: f64, below: f64) -> Self {
+    /// This view with more room above and below.
+    fn with_more_room(mut self, above: f64, below: f64) -> Self {
         for name in self.names.iter_mut().chain(&mut self.level_names) {
             name.at.1 += above;
             name.place.top += above;
@@ -149,8 +149,8 @@ pub(super) struct SceneLayout<'s> {
 
 impl<'s> SceneLayout<'s> {
     pub(super) fn of(scene: &'s Scene, paper: Paper, legend: impl FnOnce(f64) -> Legend) -> Self {
-        let named = |block: &Block| block.views.iter().map(named).max().unwrap_or(0);
-        let crowded = scene.blocks.iter().any(|block| named(block) > CROWDED);
+        let count_block_names = |block: &Block| block.views.iter().map(count_names).max().unwrap_or(0);
+        let crowded = scene.blocks.iter().any(|block| count_block_names(block) > CROWDED_NAMES);
         let page = if scene.blocks.len() > 1 || crowded { Width::Page } else { Width::Column };
         let width = paper.layout_pt(page);
         let beside = NAME_PT + 3.0 * TICK_PT + longest_tick(scene);
@@ -170,20 +170,20 @@ impl<'s> SceneLayout<'s> {
                 .iter()
                 .zip(scales)
                 .map(|(block, &(scale, _))| {
-                    block.views.iter().map(|view| placed(view, block, scale, (plot, beside))).collect()
+                    block.views.iter().map(|view| place_view(view, block, scale, (plot, beside))).collect()
                 })
                 .collect();
             let mut bottom = top;
             for (index, ((block, views), &(_, other))) in
-                row.iter().zip(aligned(views)).zip(scales).enumerate()
+                row.iter().zip(align_axes(views)).zip(scales).enumerate()
             {
                 let left = MARGIN_PT + float(index) * (column + GAP_PT);
                 let mut remarks = block.remarks.clone();
-                if named(block) > MOST_NAMES {
+                if count_block_names(block) > MOST_NAMES {
                     remarks.push(format!("Without names, as there are more than {MOST_NAMES}."));
                 }
                 remarks.extend(other.then(|| "Drawn smaller than the others.".to_owned()));
-                let placed = stacked(block, views, (left, beside, top), (&remarks, column));
+                let placed = stack_views(block, views, (left, beside, top), (&remarks, column));
                 bottom = bottom.max(placed.remarks_top + LINE_PT * float(placed.remarks.len()));
                 blocks.push(placed);
             }
@@ -197,7 +197,7 @@ impl<'s> SceneLayout<'s> {
     }
 }
 
-fn named(view: &View) -> usize {
+fn count_names(view: &View) -> usize {
     let balls = view.balls.iter().filter(|ball| !ball.name.is_empty()).count();
     balls + view.spots.iter().filter(|spot| !spot.name.is_empty()).count()
 }
@@ -234,26 +234,26 @@ pub(super) fn has_outlines(block: &Block) -> bool {
     let mut outlines = block.views.iter().flat_map(|view| &view.outlines);
     outlines.any(|outline| {
         let along = |axis: fn(&Point) -> f64| size(span(outline.points.iter().map(axis)));
-        along(|point| point.0).max(along(|point| point.1)) >= SEEN * whole
+        along(|point| point.0).max(along(|point| point.1)) >= VISIBLE_SHARE * whole
     })
 }
 
 /// The scale of each block, and whether it is smaller than that of the others: things of like size share one.
 fn scales(scene: &Scene, plot: f64) -> Vec<(f64, bool)> {
-    let own = |block: &Block| {
+    let scale_alone = |block: &Block| {
         let (low, high) = x_span(block);
         let highest = block.views.iter().map(y_span).map(|(low, high)| high - low).fold(0.0, f64::max);
         ((plot - 2.0 * PAD_PT) / (high - low)).min(HIGHEST_PT / highest)
     };
-    let own: Vec<f64> = scene.blocks.iter().map(own).collect();
-    let largest = own.iter().copied().fold(0.0, f64::max);
-    let alike = |scale: &f64| *scale * ANOTHER_SCALE >= largest;
-    let common = own.iter().copied().filter(|scale| alike(scale)).fold(f64::INFINITY, f64::min);
-    own.iter().map(|scale| if alike(scale) { (common, false) } else { (*scale, true) }).collect()
+    let alone: Vec<f64> = scene.blocks.iter().map(scale_alone).collect();
+    let largest = alone.iter().copied().fold(0.0, f64::max);
+    let alike = |scale: &f64| *scale * MOST_SCALE_RATIO >= largest;
+    let common = alone.iter().copied().filter(|scale| alike(scale)).fold(f64::INFINITY, f64::min);
+    alone.iter().map(|scale| if alike(scale) { (common, false) } else { (*scale, true) }).collect()
 }
 
 /// A view at (0, 0), as high as its content and its names.
-fn placed<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f64, f64)) -> PlacedView<'s> {
+fn place_view<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f64, f64)) -> PlacedView<'s> {
     let (low, high) = x_span(block);
     let x_left = f64::midpoint(low, high) - width / scale / 2.0;
     let mut placed = PlacedView {
@@ -270,21 +270,21 @@ fn placed<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f64, 
         level_names: vec![],
     };
     placed.level_names = level_names(&placed);
-    if named(view) <= MOST_NAMES {
+    if count_names(view) <= MOST_NAMES {
         placed.names = names(&placed);
     }
     let (from, to) = y_span(view);
     let ends = [placed.at((0.0, from)).1, placed.at((0.0, to)).1];
     let boxes = placed.names.iter().chain(&placed.level_names).map(|name| name.place);
     let (top, bottom) = span(ends.into_iter().chain(boxes.flat_map(|place| [place.top, place.bottom])));
-    placed.grown(PAD_PT - top, bottom + PAD_PT)
+    placed.with_more_room(PAD_PT - top, bottom + PAD_PT)
 }
 
 /// What is written at lines: the ground on the left, the lowest place on the right, so that close lines do not run together.
 fn level_names(placed: &PlacedView<'_>) -> Vec<Name> {
     let mut names: Vec<Name> = Vec::new();
     for level in placed.view.levels.iter().filter(|level| !level.name.is_empty()) {
-        let text = cut(&printable(&level.name), TEXT_PT, LONGEST_AT_LINE * placed.width);
+        let text = cut(&printable(&level.name), TEXT_PT, LONGEST_LEVEL_NAME * placed.width);
         let width = width_pt(&text, TEXT_PT);
         let (_, y) = placed.at((0.0, level.at));
         let (left, top) = match level.kind {
@@ -308,13 +308,13 @@ fn names(placed: &PlacedView<'_>) -> Vec<Name> {
     let view = placed.view;
     let balls = view.balls.iter().map(|ball| (&ball.name, ball.centre));
     let spots = view.spots.iter().map(|spot| (&spot.name, spot.at));
-    let wanted: Vec<(String, Wanted)> = balls
+    let wanted: Vec<(String, NameToPlace)> = balls
         .chain(spots)
         .filter(|(name, _)| !name.is_empty())
         .map(|(name, at)| {
-            let text = cut(&printable(name), TEXT_PT, LONGEST * placed.width);
+            let text = cut(&printable(name), TEXT_PT, LONGEST_NAME * placed.width);
             let size = (width_pt(&text, TEXT_PT) + 1.0, NAME_HEIGHT_PT);
-            (text, Wanted { at: placed.at(at), size })
+            (text, NameToPlace { at: placed.at(at), size })
         })
         .collect();
     let points = view.balls.iter().map(|ball| ball.centre).chain(view.spots.iter().map(|spot| spot.at));
@@ -324,14 +324,14 @@ fn names(placed: &PlacedView<'_>) -> Vec<Name> {
         levels: view.levels.iter().map(|level| placed.at((0.0, level.at)).1).collect(),
         boxes: placed.level_names.iter().map(|name| name.place).collect(),
     };
-    let boxes: Vec<Wanted> = wanted.iter().map(|(_, wanted)| wanted.clone()).collect();
-    let places = place(&boxes, (0.0, placed.width), &obstacles);
+    let boxes: Vec<NameToPlace> = wanted.iter().map(|(_, wanted)| wanted.clone()).collect();
+    let places = place_names(&boxes, (0.0, placed.width), &obstacles);
     let named = wanted.into_iter().zip(places);
     named.map(|((text, wanted), place)| Name { text, at: wanted.at, place }).collect()
 }
 
 /// Views of one row side by side: as high as each other, and on one axis where that takes little more room.
-fn aligned(mut row: Vec<Vec<PlacedView<'_>>>) -> Vec<Vec<PlacedView<'_>>> {
+fn align_axes(mut row: Vec<Vec<PlacedView<'_>>>) -> Vec<Vec<PlacedView<'_>>> {
     let most = row.iter().map(Vec::len).max().unwrap_or(0);
     for index in 0..most {
         let views: Vec<&PlacedView<'_>> = row.iter().filter_map(|views| views.get(index)).collect();
@@ -350,13 +350,13 @@ fn aligned(mut row: Vec<Vec<PlacedView<'_>>>) -> Vec<Vec<PlacedView<'_>>> {
             } else {
                 ((highest - view.height) / 2.0, (highest - view.height) / 2.0)
             };
-            views.insert(index, view.grown(room.0, room.1));
+            views.insert(index, view.with_more_room(room.0, room.1));
         }
     }
     row
 }
 
-fn stacked<'s>(
+fn stack_views<'s>(
     block: &Block,
     views: Vec<PlacedView<'s>>,
     (left, beside, top): (f64, f64, f64),
@@ -369,7 +369,7 @@ fn stacked<'s>(
     for (index, view) in views.into_iter().enumerate() {
         at += LINE_PT;
         let height = view.height;
-        placed.push(view.moved(left + beside, at));
+        placed.push(view.moved_to(left + beside, at));
         // Only the last view has numbers below it: all share one horizontal axis.
         at += height + if index == last { BELOW_PT } else { TICK_PT + PAD_PT };
     }

@@ -8,11 +8,11 @@ use plotters::element::{Circle, DashedPathElement, PathElement, Polygon, Rectang
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontTransform, RGBColor};
 
-use crate::document::{Area, MARGIN_PT, Names, Paper, Sheet, document, printable};
-use crate::draw::TICK_PT;
+use crate::document::{Area, MARGIN_PT, Paper, Sheet, TitleAndDescription, document, printable};
 use crate::error::PlotError;
 use crate::figure::Point;
 use crate::legend::{Legend, SAMPLE_PT, Sample};
+use crate::panels_svg::TICK_PT;
 use crate::style::{INK, LIMIT, Look, TEXT_PT, float, stroke, text, units};
 pub use elements::{Ball, Block, Level, LevelKind, Outline, Scene, SceneNames, Spot, State, View};
 use labels::LEADER_PT;
@@ -34,13 +34,15 @@ pub fn scene(scene: &Scene, paper: Paper) -> Result<String, PlotError> {
         paper,
         height_pt: layout.height_pt,
         title: &layout.title,
-        names: Names { title: &scene.title, description: &scene.description },
+        names: TitleAndDescription { title: &scene.title, description: &scene.description },
     };
     document(&sheet, |root| {
         for block in &layout.blocks {
             draw_block(root, block)?;
         }
-        layout.legend.draw_by(root, layout.legend_at, &|index, left, middle| match entries.get(index) {
+        layout.legend.draw_with_samples(root, layout.legend_at, &|index, left, middle| match entries
+            .get(index)
+        {
             Some((shown, _)) => sample(root, *shown, left, middle),
             None => Ok(()),
         })
@@ -54,8 +56,8 @@ fn entries(scene: &Scene) -> Vec<(SceneSample, String)> {
     let level = |kind| views().any(|view| view.levels.iter().any(|level| level.kind == kind));
     let names = &scene.names;
     let found = [
-        (balls().any(|ball| ball.state == State::Now && !ball.astray), SceneSample::Ball, &names.now),
-        (balls().any(|ball| ball.astray), SceneSample::Astray, &names.astray),
+        (balls().any(|ball| ball.state == State::Now && !ball.misplaced), SceneSample::Ball, &names.now),
+        (balls().any(|ball| ball.misplaced), SceneSample::Misplaced, &names.misplaced),
         (balls().any(|ball| ball.state == State::Before), SceneSample::BallBefore, &names.before),
         (views().any(|view| !view.spots.is_empty()), SceneSample::Spot, &names.spot),
         (scene.blocks.iter().any(has_outlines), SceneSample::Bone, &names.outline),
@@ -95,7 +97,7 @@ fn draw_view(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
         draw_leader(root, name)?;
     }
     for ball in view.view.balls.iter().filter(|ball| ball.state == State::Now) {
-        let colour = if ball.astray { ASTRAY } else { rgb(NOW) };
+        let colour = if ball.misplaced { MISPLACED } else { rgb(NOW) };
         draw(root, &Circle::new(place(view.at(ball.centre)), units(0.9), colour.filled()))?;
     }
     for spot in &view.view.spots {
@@ -124,7 +126,7 @@ fn draw_ball(root: &Area<'_>, view: &PlacedView<'_>, ball: &Ball) -> Result<(), 
     if ball.state == State::Before {
         return draw(root, &ring(centre, radius));
     }
-    circle(root, centre, radius, ball.astray)
+    circle(root, centre, radius, ball.misplaced)
 }
 
 fn draw_spot(root: &Area<'_>, at: Point, state: State) -> Result<(), PlotError> {
@@ -202,7 +204,7 @@ const RADIUS_PT: f64 = 3.6;
 enum SceneSample {
     Ball,
     BallBefore,
-    Astray,
+    Misplaced,
     Spot,
     Bone,
     Lowest,
@@ -215,7 +217,7 @@ fn sample(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) -> Resul
     let ends = (left, left + SAMPLE_PT);
     match sample {
         SceneSample::Ball => circle(root, centre, RADIUS_PT, false),
-        SceneSample::Astray => circle(root, centre, RADIUS_PT, true),
+        SceneSample::Misplaced => circle(root, centre, RADIUS_PT, true),
         SceneSample::BallBefore => draw(root, &ring(centre, RADIUS_PT)),
         SceneSample::Spot => spot(root, centre, 2.2),
         SceneSample::Lowest => level(root, ends, middle, LevelKind::Lowest),
@@ -234,9 +236,9 @@ fn sample(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) -> Resul
 const BONE: RGBColor = RGBColor(0x88, 0x88, 0x88);
 const BONE_OPACITY: f64 = 0.22;
 const NOW: Look = Look::HERTZ;
-const ASTRAY: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
+const MISPLACED: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
 /// The line of what is astray: twice as wide as that of others.
-const ASTRAY_PT: f64 = 2.2;
+const MISPLACED_PT: f64 = 2.2;
 /// A ring of dashes has this many corners.
 const CORNERS: u32 = 120;
 const BALL_OPACITY: f64 = 0.13;
@@ -245,8 +247,8 @@ type Dashes = DashedPathElement<std::vec::IntoIter<(i32, i32)>, i32>;
 const SPOT_PT: f64 = 1.7;
 
 /// A circle with a light shade inside.
-fn circle(root: &Area<'_>, centre: Point, radius: f64, astray: bool) -> Result<(), PlotError> {
-    let (colour, width) = if astray { (ASTRAY, ASTRAY_PT) } else { (rgb(NOW), NOW.width_pt) };
+fn circle(root: &Area<'_>, centre: Point, radius: f64, misplaced: bool) -> Result<(), PlotError> {
+    let (colour, width) = if misplaced { (MISPLACED, MISPLACED_PT) } else { (rgb(NOW), NOW.width_pt) };
     let (at, radius) = (place(centre), units(radius));
     draw(root, &Circle::new(at, radius, colour.mix(BALL_OPACITY).filled()))?;
     draw(root, &Circle::new(at, radius, stroke(colour, width)))

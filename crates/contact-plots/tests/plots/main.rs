@@ -6,5 +6,5 @@
 mod document;
 mod figures;
 mod layout;
-mod pictures;
+mod png_pdf;
 mod scene;

@@ -10,7 +10,7 @@ use contact_plots::{
 use resvg::usvg;
 
 fn ball(name: &str, centre: (f64, f64), radius: f64) -> Ball {
-    Ball { name: name.to_owned(), centre, radius, state: State::Now, astray: false }
+    Ball { name: name.to_owned(), centre, radius, state: State::Now, misplaced: false }
 }
 
 fn spot(name: &str, at: (f64, f64)) -> Spot {
@@ -31,7 +31,7 @@ fn names() -> SceneNames {
     SceneNames {
         now: "sphere".to_owned(),
         before: "before".to_owned(),
-        astray: "astray".to_owned(),
+        misplaced: "misplaced".to_owned(),
         spot: "joint".to_owned(),
         outline: "bone".to_owned(),
         ground: "floor".to_owned(),
@@ -161,7 +161,7 @@ fn circles_are_circles_in_their_places() {
             assert!(off <= 1.01 && of_radius <= 0.51, "{circle:?} is not {ball:?}");
         }
     }
-    // The same, with the numbers along the axis of one foot.
+    // The numbers along the axis of one foot go up, too.
     let svg = Svg::read(&drawn(&figure(vec![foot("calcn_r (right)")])).unwrap());
     let (x, circles) = (svg.scale_of_x(), svg.circles("#0072B2"));
     for (circle, ball) in circles[..6].iter().zip(side) {
@@ -242,11 +242,11 @@ fn names_never_touch() {
 #[test]
 fn before_and_what_is_astray_look_different_without_colour() {
     let mut block = foot("calcn_r (right)");
-    block.views[0].balls[0].astray = true;
+    block.views[0].balls[0].misplaced = true;
     let before = Ball { name: String::new(), state: State::Before, ..block.views[0].balls[1].clone() };
     block.views[0].balls.push(before);
     let svg = Svg::read(&drawn(&figure(vec![block])).unwrap());
-    svg.says(&["before", "astray", "sphere"]);
+    svg.says(&["before", "misplaced", "sphere"]);
     // The one that is astray, and its sample in the legend: a line twice as wide, in its own colour.
     assert_eq!(svg.circles("#D55E00").len(), 2);
     // Dashes are lines.

@@ -46,7 +46,7 @@ impl DropTest {
         non_negative("height", values.height_m)?;
         positive("duration", values.duration_s)?;
         within(values.samples >= 2, "number of samples", values.samples as f64, "at least 2")?;
-        let spheres = together(spheres)?;
+        let spheres = group_by_law(spheres)?;
         within(!spheres.is_empty(), "number of spheres", 0.0, "at least 1")?;
         Ok(Self { values, spheres })
     }
@@ -98,12 +98,12 @@ impl DropTest {
     /// indentation carries the body weight.
     pub fn run(&self) -> Result<DropReport, DropError> {
         let body = self.body();
-        let record = motion::follow(&body, &self.values)?;
+        let record = motion::integrate(&body, &self.values)?;
         DropReport::new(&body, &self.values, record)
     }
 
-    /// The same spheres under other conditions, which are known to be right.
-    fn under(&self, values: DropValues) -> Self {
+    /// A drop test of these spheres under other conditions, which were checked before.
+    fn with_checked_values(&self, values: DropValues) -> Self {
         Self { values, spheres: self.spheres.clone() }
     }
 
@@ -112,8 +112,8 @@ impl DropTest {
     }
 }
 
-/// Spheres of one law as one entry.
-fn together(spheres: impl IntoIterator<Item = Spheres>) -> Result<Vec<Spheres>, DomainError> {
+/// One entry for all spheres of the same law.
+fn group_by_law(spheres: impl IntoIterator<Item = Spheres>) -> Result<Vec<Spheres>, DomainError> {
     let mut groups: Vec<Spheres> = Vec::new();
     for one in spheres {
         match groups.iter_mut().find(|group| group.law() == one.law()) {
@@ -138,26 +138,26 @@ pub struct Sample {
     pub force_n: f64,
 }
 
-/// The first contact with the ground, from one crossing of height 0 to the next.
+/// The first contact with the ground: from the first crossing of height 0 to the second.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FirstContact {
     /// When the bottoms reach the ground, in s.
     pub start_s: f64,
-    /// How fast they do, in m/s: the ẋ⁻ of (13).
+    /// Speed of the bottoms at that moment, in m/s: the ẋ⁻ of (13).
     pub impact_speed_m_s: f64,
     /// The end of this contact; `None` if the body never leaves the ground again.
-    pub end: Option<Lift>,
+    pub end: Option<LiftOff>,
     /// Restitution of an impact without gravity at this speed, by the law itself.
     pub restitution_exact: f64,
-    /// The same by (13); `None` if the result is below 0.
+    /// Restitution of that impact by the approximation (13); `None` if the result is below 0.
     pub restitution_approximate: Option<f64>,
 }
 
-/// The end of a contact.
+/// How a contact ends: the body leaves the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub struct Lift {
+pub struct LiftOff {
     /// Time from the start of the contact to its end, in s.
     pub contact_time_s: f64,
     /// Speed with which the bottoms leave the ground, in m/s.
@@ -223,7 +223,7 @@ fn first_contact(body: &Body<'_>, record: &Record) -> Result<Option<FirstContact
     let Some(&(start, impact)) = record.crossings.first() else { return Ok(None) };
     let impact_speed_m_s = impact * body.speed_m_s();
     let alpha = body.dissipation();
-    let end = record.crossings.get(1).map(|&(end, rebound)| Lift {
+    let end = record.crossings.get(1).map(|&(end, rebound)| LiftOff {
         contact_time_s: (end - start) * body.time_s,
         rebound_speed_m_s: -rebound * body.speed_m_s(),
     });
@@ -289,5 +289,5 @@ fn dimensionless_duration(test: &DropTest) -> f64 {
 fn run_until(test: &DropTest, until: f64, samples: usize) -> Result<DropReport, DropError> {
     let duration_s = until * test.body().time_s;
     let values = DropValues { duration_s, samples, ..test.values() };
-    test.under(values).run()
+    test.with_checked_values(values).run()
 }

@@ -73,17 +73,17 @@ impl<'a> Body<'a> {
         self.force_n(state[0] * self.length_m, state[1] * self.speed_m_s()) / self.weight_n
     }
 
-    /// The same of the smoothed laws alone, which act before contact too.
+    /// Normal force over body weight of the spheres with a smoothed law, which act before contact too.
     fn flight_force(&self, state: [f64; 2]) -> f64 {
         let smooth = self.spheres.iter().filter(|s| matches!(s.law(), Law::Smooth(_)));
         let (x, rate) = (state[0] * self.length_m, state[1] * self.speed_m_s());
         smooth.map(|s| s.force(x, rate)).sum::<f64>() / self.weight_n
     }
 
-    /// Mean of a figure over the spheres.
-    pub(super) fn mean(&self, figure: impl Fn(&Spheres) -> f64) -> f64 {
+    /// Mean of a quantity over the spheres.
+    pub(super) fn mean(&self, quantity: impl Fn(&Spheres) -> f64) -> f64 {
         let count: f64 = self.spheres.iter().map(Spheres::count).sum();
-        self.spheres.iter().map(|s| s.count() * figure(s)).sum::<f64>() / count
+        self.spheres.iter().map(|s| s.count() * quantity(s)).sum::<f64>() / count
     }
 
     /// The α of all spheres together: at one x their forces add up to one Hunt–Crossley law with the mean of
@@ -111,12 +111,12 @@ const ABSOLUTE_TOLERANCE: f64 = 3e-14;
 const MOST_STEPS: usize = 1_000_000;
 /// Contact events of one drop.
 const MOST_EVENTS: usize = 100_000;
-/// Points at which the force of a step is looked at for its peak.
-const LOOKS: u32 = 8;
-/// Share of the largest force by which looks may be below it while it is between them.
-const NEAR: f64 = 1e-3;
+/// Points of a step at which the force is computed to find its peak.
+const PEAK_SAMPLES: u32 = 8;
+/// By this share of the largest force all points of a step may be below it, and the step is still searched for a larger one.
+const PEAK_MARGIN: f64 = 1e-3;
 
-/// What was seen on the way, dimensionless.
+/// What is recorded during a drop, dimensionless.
 #[derive(Debug, Default)]
 pub(super) struct Record {
     pub(super) states: Vec<State>,
@@ -125,8 +125,8 @@ pub(super) struct Record {
     pub(super) crossings: Vec<(f64, f64)>,
 }
 
-/// Follows the body from its height at rest.
-pub(super) fn follow(body: &Body<'_>, values: &DropValues) -> Result<Record, DropError> {
+/// Integrates the motion of the body, which starts at rest at its height.
+pub(super) fn integrate(body: &Body<'_>, values: &DropValues) -> Result<Record, DropError> {
     let end = values.duration_s / body.time_s;
     let mut state = [-values.height_m / body.length_m, 0.0];
     let mut time = 0.0;
@@ -146,7 +146,7 @@ pub(super) fn follow(body: &Body<'_>, values: &DropValues) -> Result<Record, Dro
             .atol(ABSOLUTE_TOLERANCE)
             .max_steps(MOST_STEPS);
         let solution = solve_ode(&mut method, &fall, time, end, &state, &mut observer)
-            .map_err(|error| DropError::Integration { time_s: reached(&error, time) * body.time_s })?;
+            .map_err(|error| DropError::Integration { time_s: time_reached(&error, time) * body.time_s })?;
         let crossed = observer.record.crossings.get(before).filter(|_| restart).copied();
         match crossed {
             Some((at, speed)) if end - at > 1e-12 * end => {
@@ -162,7 +162,7 @@ pub(super) fn follow(body: &Body<'_>, values: &DropValues) -> Result<Record, Dro
     Err(DropError::Integration { time_s: time * body.time_s })
 }
 
-fn reached(error: &Error<f64, State>, start: f64) -> f64 {
+fn time_reached(error: &Error<f64, State>, start: f64) -> f64 {
     match error {
         Error::MaxSteps { t, .. } | Error::StepSize { t, .. } | Error::Stiffness { t, .. } => *t,
         _ => start,
@@ -205,28 +205,28 @@ impl Observer<'_> {
         self.record
     }
 
-    /// Looks at the force of a step, and closer where it is nearly as large as before: of a step that begins just before the peak,
-    /// every later look is below the end of the step before.
-    fn peak(&mut self, from: f64, to: f64, at: &mut impl FnMut(f64) -> Option<State>) {
-        let width = (to - from) / f64::from(LOOKS);
+    /// Computes the force at points of a step. Where one is nearly as large as the peak so far, a search between its neighbours follows: of
+    /// a step that begins just before the peak, every later point is below the end of the step before.
+    fn find_peak(&mut self, from: f64, to: f64, at: &mut impl FnMut(f64) -> Option<State>) {
+        let width = (to - from) / f64::from(PEAK_SAMPLES);
         let mut force = |time: f64| at(time).map_or(0.0, |state| self.body.force(state));
         let (mut best, mut top) = (from, force(from));
-        for look in 1..=LOOKS {
-            let time = if look == LOOKS { to } else { from + width * f64::from(look) };
+        for point in 1..=PEAK_SAMPLES {
+            let time = if point == PEAK_SAMPLES { to } else { from + width * f64::from(point) };
             let here = force(time);
             if here > top {
                 (best, top) = (time, here);
             }
         }
-        if top > 0.0 && top >= self.record.peak_force * (1.0 - NEAR) {
-            let closer = golden((best - width).max(from), (best + width).min(to), &mut force);
+        if top > 0.0 && top >= self.record.peak_force * (1.0 - PEAK_MARGIN) {
+            let closer = golden_section_maximum((best - width).max(from), (best + width).min(to), &mut force);
             self.record.peak_force = self.record.peak_force.max(top).max(closer);
         }
     }
 }
 
-/// The largest value of a function with one maximum, by golden section.
-fn golden(mut low: f64, mut high: f64, f: &mut impl FnMut(f64) -> f64) -> f64 {
+/// The largest value of a function that has one maximum.
+fn golden_section_maximum(mut low: f64, mut high: f64, f: &mut impl FnMut(f64) -> f64) -> f64 {
     const SHARE: f64 = 0.618_033_988_749_894_9;
     let (mut a, mut b) = (high - SHARE * (high - low), low + SHARE * (high - low));
     let (mut fa, mut fb) = (f(a), f(b));
@@ -281,7 +281,7 @@ impl Solout<f64, State> for Observer<'_> {
             let sample = if time == now { Some(*state) } else { at(time) };
             self.record.states.push(sample.unwrap_or(*state));
         }
-        self.peak(before, stop, &mut at);
+        self.find_peak(before, stop, &mut at);
         // Only the last state is asked for.
         solution.truncate(0);
         solution.push(now, *state);

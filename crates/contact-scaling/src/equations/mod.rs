@@ -23,15 +23,15 @@ pub use symbols::{Equation, Form, Symbol};
 
 /// Every equation, in the order of the paper, then those beyond it.
 pub fn all() -> impl Iterator<Item = &'static Equation> {
-    [paper::LAWS, paper::SURFACES, paper::STIFFNESS, paper::SMOOTH, ALL].into_iter().flatten()
+    [paper::LAWS, paper::SURFACES, paper::STIFFNESS, paper::SMOOTH, BEYOND_PAPER].into_iter().flatten()
 }
 
 /// The equation with this number or name: `10`, `(10)`, `C.5`, `eq. (C.5)`, `exact`.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Equation> {
-    let wanted = plain(name);
+    let name = normalised_name(name);
     all().find(|equation| {
-        std::iter::once(&equation.label).chain(equation.aliases).any(|known| plain(known) == wanted)
+        std::iter::once(&equation.label).chain(equation.aliases).any(|label| normalised_name(label) == name)
     })
 }
 
@@ -48,19 +48,19 @@ pub fn reference(label: &str) -> String {
 }
 
 /// A name without brackets, blanks, full stops and the word "equation"; a hyphen stays, for codes of warnings have one.
-fn plain(name: &str) -> String {
-    let plain: String = name.to_lowercase().chars().filter(|&c| c.is_alphanumeric() || c == '-').collect();
-    let number = plain.strip_prefix("equation").or_else(|| plain.strip_prefix("eq"));
+fn normalised_name(name: &str) -> String {
+    let letters: String = name.to_lowercase().chars().filter(|&c| c.is_alphanumeric() || c == '-').collect();
+    let number = letters.strip_prefix("equation").or_else(|| letters.strip_prefix("eq"));
     // "equal" begins like "eq. 10" and is none.
     match number.filter(|rest| rest.chars().any(|c| c.is_ascii_digit())) {
         Some(rest) => rest.to_owned(),
-        None => plain,
+        None => letters,
     }
 }
 
-// What the paper has no equation for.
+// Equations that the paper does not have.
 
-const ALL: &[Equation] = &[
+const BEYOND_PAPER: &[Equation] = &[
     Equation {
         label: "exact restitution",
         aliases: &["exact", "exact law"],
@@ -145,14 +145,14 @@ const ALL: &[Equation] = &[
 mod tests {
     use std::collections::BTreeSet;
 
-    use super::{all, find, plain};
+    use super::{all, find, normalised_name};
 
     #[test]
     fn every_name_means_one_equation() {
         let mut seen = BTreeSet::new();
         for equation in all() {
             for name in std::iter::once(&equation.label).chain(equation.aliases) {
-                assert!(seen.insert(plain(name)), "{name} is taken");
+                assert!(seen.insert(normalised_name(name)), "{name} is taken");
                 assert_eq!(find(name), Some(equation));
             }
         }

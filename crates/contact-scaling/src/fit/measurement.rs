@@ -198,7 +198,7 @@ pub(super) fn collect(measurement: &Measurement<'_>, branch: Branch) -> Result<V
         }
     };
     let deepest = deepest_row(indentation_m);
-    let wanted = |row: usize| match (branch, &speeds) {
+    let is_in_branch = |row: usize| match (branch, &speeds) {
         (Branch::Both, _) => true,
         (Branch::Loading, Some(speeds)) => speeds[row] >= 0.0,
         (Branch::Unloading, Some(speeds)) => speeds[row] < 0.0,
@@ -211,7 +211,7 @@ pub(super) fn collect(measurement: &Measurement<'_>, branch: Branch) -> Result<V
         force: force_n[row],
         speed: speeds.as_ref().map_or(0.0, |speeds| speeds[row]),
     };
-    Ok((0..indentation_m.len()).filter(|&row| wanted(row)).map(point).collect())
+    Ok((0..indentation_m.len()).filter(|&row| is_in_branch(row)).map(point).collect())
 }
 
 fn check(column: &'static str, values: &[f64], expected: usize) -> Result<(), FitError> {

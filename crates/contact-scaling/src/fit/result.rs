@@ -46,7 +46,7 @@ pub struct Fit {
 }
 
 /// Below this R² the law explains less than half of what the force does.
-const LITTLE: f64 = 0.5;
+const LOW_R_SQUARED: f64 = 0.5;
 
 /// Residuals of less than this share of the largest force are those of calculated numbers.
 const ROUNDING: f64 = 1e-12;
@@ -94,7 +94,7 @@ pub(super) fn doubts(
     exact: bool,
     estimates: &[(Parameter, Option<&Estimate>)],
 ) -> Vec<Doubt> {
-    let low = (r_squared < LITTLE).then_some(Doubt::LowRSquared { r_squared });
+    let low = (r_squared < LOW_R_SQUARED).then_some(Doubt::LowRSquared { r_squared });
     let holds_zero = |estimate: &Estimate| estimate.low <= 0.0 && estimate.high >= 0.0;
     let undetermined = estimates
         .iter()

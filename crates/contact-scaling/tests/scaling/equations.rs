@@ -9,7 +9,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use contact_scaling::equilibrium::Raised;
+use contact_scaling::equilibrium::RaisedSpheres;
 use contact_scaling::modulus::{MixingRule, SurfaceValues};
 use contact_scaling::{
     Contact, ContactValues, EQUAL_SURFACES, Hertz, HertzValues, HuntCrossley, Law, RatioValues, Ratios,
@@ -97,10 +97,10 @@ fn standing(i: &[f64]) -> [Spheres; 1] {
     [Spheres::new(Law::of(&Contact::new(values).unwrap(), i[1]).unwrap(), i[6]).unwrap()]
 }
 
-/// The same spheres twice: at height 0, and higher by the last input.
-fn uneven(i: &[f64]) -> [Raised; 2] {
+/// Spheres at height 0, and equal ones higher by the last input.
+fn at_two_heights(i: &[f64]) -> [RaisedSpheres; 2] {
     let [spheres] = standing(i);
-    [Raised::new(spheres, 0.0).unwrap(), Raised::new(spheres, i[8]).unwrap()]
+    [RaisedSpheres::new(spheres, 0.0).unwrap(), RaisedSpheres::new(spheres, i[8]).unwrap()]
 }
 
 fn load(i: &[f64]) -> SharedLoad {
@@ -254,10 +254,10 @@ const TABLE: &[Equation] = &[
         equilibrium::indentation(&standing(i), i[7]).unwrap()
     }),
     eq("equilibrium::hertz_indentation_of_lowest", UNEVEN, LENGTH, |i| {
-        equilibrium::hertz_indentation_of_lowest(&uneven(i), i[7]).unwrap()
+        equilibrium::hertz_indentation_of_lowest(&at_two_heights(i), i[7]).unwrap()
     }),
     eq("equilibrium::indentation_of_lowest", UNEVEN, LENGTH, |i| {
-        equilibrium::indentation_of_lowest(&uneven(i), i[7]).unwrap()
+        equilibrium::indentation_of_lowest(&at_two_heights(i), i[7]).unwrap()
     }),
     eq("mixed_radii::mean_square", &[LENGTH, LENGTH, LENGTH], AREA, |i| mixed_radii::mean_square(i).unwrap()),
     eq("Ratios::plane_strain_modulus", RATIOS, ONE, |i| ratios(i).plane_strain_modulus()),

@@ -267,7 +267,7 @@ fn one_indentation_determines_nothing() {
 #[test]
 fn a_force_that_does_not_follow_the_indentation_has_no_fit() {
     let depths: Vec<f64> = (1..=12).map(|row| f64::from(row) * 1e-3).collect();
-    // The same force everywhere: its variance is 0, so R squared is not a number.
+    // The force is equal everywhere: its variance is 0, so R squared is not a number.
     let constant = Data { x: depths.clone(), v: vec![0.0; 12], f: vec![50.0; 12] };
     let error = constant.fit(0.02, false, Onset::At(0.0)).unwrap_err();
     assert!(

@@ -55,7 +55,7 @@ pub enum FeetFault {
         mesh: String,
         factors: [f64; 3],
     },
-    /// Nothing says what is up.
+    /// The model has no gravity, so that no direction is up.
     #[error("the model has no gravity, so it is not known where its soles point: give its <gravity> a value")]
     NoGravity,
     /// A number that makes no sense.

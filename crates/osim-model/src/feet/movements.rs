@@ -27,7 +27,7 @@ pub struct Freedom {
 /// The joint above a body.
 #[derive(Debug, Clone)]
 struct JointAbove {
-    /// The body it hangs on; `None` is ground.
+    /// The parent body of the joint; `None` is ground.
     parent: Option<String>,
     freedom: Freedom,
 }
@@ -47,7 +47,7 @@ struct PathsToGround {
 /// The last body on the path from a body to ground, and whether the path is rigid.
 #[derive(Debug, Clone)]
 struct PathEnd {
-    /// The last body on the path, which hangs on ground or on nothing.
+    /// The last body on the path, which is joined to ground or to nothing.
     top: String,
     /// Whether a joint on the path can move.
     moves: bool,
@@ -73,16 +73,16 @@ impl Movements {
 
     /// Whether `body` can move in ground.
     pub fn can_move(&self, body: &str) -> bool {
-        // A body that hangs on nothing moves as it likes.
+        // A body without a parent moves freely.
         self.0.ends.get(body).is_none_or(|end| end.moves)
     }
 
-    /// The body above `body` that hangs on no other one; `body` itself if nothing is above it.
+    /// The topmost body above `body`; `body` itself if nothing is above it.
     pub fn top<'b>(&'b self, body: &'b str) -> &'b str {
         self.0.ends.get(body).map_or(body, |end| end.top.as_str())
     }
 
-    /// What is free between two bodies; `None` where they hang together only through ground.
+    /// What is free between two bodies; `None` where only ground joins them.
     pub fn between(&self, one: &str, other: &str) -> Option<Freedom> {
         let (one, other) = (self.0.path(one), self.0.path(other));
         let (mut here, mut there) = (one.len(), other.len());
@@ -134,7 +134,7 @@ impl PathsToGround {
     }
 }
 
-/// The ends of the paths of all bodies that hang on others or on ground, each joint visited once.
+/// The ends of the paths of all bodies that are joined to others or to ground; each joint is visited once.
 fn path_ends(above: &HashMap<String, JointAbove>) -> HashMap<String, PathEnd> {
     let mut ends: HashMap<String, PathEnd> = HashMap::new();
     for body in above.keys() {

@@ -67,7 +67,7 @@ impl Model {
         first_digits(hash)
     }
 
-    /// Digest of the radii of all spheres of contact forces, in whatever order. `changed` gives the new value of those that a plan
+    /// Digest of the radii of all spheres of contact forces, which does not depend on their order. `changed` gives the new value of those that a plan
     /// changes.
     pub fn radii_digest(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> String {
         let radius = |sphere: &Sphere| {
@@ -175,7 +175,7 @@ impl Model {
         }
     }
 
-    /// A digest of the values of each property, in whatever order they are in the file.
+    /// A digest of the values of each property, which does not depend on their order in the file.
     fn property_digests(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> BTreeMap<Property, String> {
         let mut values: BTreeMap<Property, Vec<u64>> = BTreeMap::new();
         for force in self.forces() {

@@ -1,4 +1,4 @@
-//! Limbs: contact spheres grouped along the joint tree, split where left and right both hang below.
+//! Limbs: contact spheres grouped along the joint tree, split where a body has both left and right bodies below it.
 
 use std::collections::BTreeMap;
 
@@ -108,7 +108,7 @@ impl Model {
         spheres
     }
 
-    /// The forces whose moving spheres hang on the same body on top of the joint tree as those of `forces`: a ball is joined
+    /// The forces whose moving spheres are below the same topmost body of the joint tree as those of `forces`: a ball is joined
     /// to its player only through ground.
     pub fn forces_of_same_body(&self, forces: &[ForceId]) -> Vec<ForceId> {
         let given: HashSet<ForceId> = forces.iter().copied().collect();
@@ -214,7 +214,7 @@ impl Model {
     }
 }
 
-// The joint tree above the bodies on which a model stands, each body of it looked at once.
+// The joint tree above the bodies on which a model stands, each body visited once.
 
 /// A body that carries spheres under load.
 struct SphereCarrier {
@@ -247,7 +247,7 @@ impl From<Option<Side>> for SidesPresent {
     }
 }
 
-/// One body of the tree: its spheres, and the bodies that hang on it.
+/// One body of the tree: its spheres, and its child bodies.
 #[derive(Default)]
 struct CarrierNode {
     carrier: Option<usize>,
@@ -299,7 +299,7 @@ impl<'f> CarrierTree<'f> {
         tree
     }
 
-    /// Bodies that hang on no other one.
+    /// Bodies without a parent.
     fn tops(&self) -> &[ComponentId] {
         &self.tops
     }
@@ -320,7 +320,7 @@ impl<'f> CarrierTree<'f> {
         self.nodes.get(&body).is_some_and(|node| node.carrier.is_some())
     }
 
-    /// The bodies that hang on `body`, in file order.
+    /// The child bodies of `body`, in file order.
     fn children(&self, body: ComponentId) -> &[ComponentId] {
         self.nodes.get(&body).map(|node| node.children.as_slice()).unwrap_or_default()
     }

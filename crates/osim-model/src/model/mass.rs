@@ -231,7 +231,7 @@ pub fn same_gravity(noted: f64, own: f64) -> bool {
     (noted - own).abs() <= SAME_GRAVITY * own
 }
 
-/// `kg`, if it is a mass. The caller said it as `input`, which a refusal names.
+/// Checks that `kg` is a mass; the refusal names `input`, by which the caller gave it.
 pub fn positive_mass(input: Input, kg: f64) -> Result<f64, Fault> {
     if kg.is_finite() && kg > 0.0 {
         return Ok(kg);
@@ -243,7 +243,7 @@ pub fn positive_mass(input: Input, kg: f64) -> Result<f64, Fault> {
 
 /// A ratio of masses that is as near to 1000 or 1/1000 as this (relative) counts as that factor.
 const NEAR_THOUSAND: f64 = 0.15;
-/// As near to the mass in pounds as this (relative), the program asks: only rounding lies between.
+/// If a mass differs by no more than this (relative) from that of the bodies in pounds, the program asks: only rounding lies between.
 const NEAR_POUNDS: f64 = 0.01;
 /// As near to the mass in pounds as this (relative), the program remarks on it: such a mass may also be that of a heavy person.
 const PERHAPS_POUNDS: f64 = 0.15;

@@ -17,8 +17,8 @@ pub struct Body {
     pub file: FileId,
     /// Whether only WeldJoints are between it and ground: spheres on it count in nothing.
     pub fixed: bool,
-    /// Whether it does not count in the mass of the model: it is fixed, and no body hangs on it, such as a platform. A body joined to it
-    /// by a joint along which it can move away does not hang on it.
+    /// Whether it does not count in the mass of the model: it is fixed, and has no child body, such as a platform. A body joined to it
+    /// by a joint along which it can move away does not count as its child.
     pub excluded_from_mass: bool,
 }
 
@@ -38,14 +38,14 @@ impl Body {
     }
 }
 
-/// The joint tree: which body hangs on which.
+/// The joint tree: the parent of each body.
 #[derive(Debug)]
 pub struct Skeleton {
     pub(crate) bodies: Vec<Body>,
     joined: JointRelations,
 }
 
-/// Which component hangs on which, by the joints.
+/// The parent of each component, by the joints.
 #[derive(Debug, Default)]
 struct JointRelations {
     parents: HashMap<ComponentId, Base>,
@@ -56,7 +56,7 @@ struct JointRelations {
     tops: HashMap<ComponentId, ComponentId>,
     /// Bodies welded to ground, directly or through others.
     welded: HashSet<ComponentId>,
-    /// Bodies welded to ground on which no body hangs.
+    /// Bodies welded to ground that have no child body.
     excluded_from_mass: HashSet<ComponentId>,
 }
 
@@ -94,7 +94,7 @@ impl Skeleton {
         self.joined.parent(body)
     }
 
-    /// The body above `body` that is joined to ground: `body` itself if it hangs on no other one.
+    /// The body above `body` that is joined to ground: `body` itself if no other body is above it.
     pub(crate) fn top(&self, body: ComponentId) -> ComponentId {
         self.joined.tops.get(&body).copied().unwrap_or(body)
     }
@@ -132,7 +132,7 @@ impl JointRelations {
         joined
     }
 
-    /// Finds the top of each body, each link looked at once. Joints that form a loop have no top:
+    /// Finds the top of each body; each link is visited once. Joints that form a loop have no top:
     /// the loop is cut above the body that comes first in the files.
     fn find_tops(&mut self) {
         let mut joined: Vec<ComponentId> = self.parents.keys().copied().collect();
@@ -221,7 +221,7 @@ fn welded_to(from: Vec<Base>, links: &[JointLink]) -> HashSet<ComponentId> {
     welded
 }
 
-/// The bodies welded to ground on which no body hangs, directly or through others. A body with others on it is part of the animal, such
+/// The bodies welded to ground that have no child body, directly or through others. A body with others on it is part of the animal, such
 /// as a pelvis that is welded to ground.
 fn excluded_from_mass(welded: &HashSet<ComponentId>, links: &[JointLink]) -> HashSet<ComponentId> {
     let is_fixed = |end: &Base| matches!(end, Base::Body(body) if welded.contains(body));
@@ -266,7 +266,7 @@ pub struct Loops {
 }
 
 impl Loops {
-    /// Bodies at which only one joint is left are taken away, one after the other: what stays hangs together in loops.
+    /// Bodies at which only one joint is left are taken away, one after the other: those that stay are joined in loops.
     fn of(links: &[JointLink]) -> Self {
         let mut at: HashMap<Base, Vec<usize>> = HashMap::new();
         for (index, link) in links.iter().enumerate() {

@@ -165,7 +165,7 @@ impl Model {
         self.note.as_ref().and_then(|note| note.gravity_m_s2).or(self.gravity())
     }
 
-    /// Which body hangs on which.
+    /// The parent of each body.
     pub fn skeleton(&self) -> &Skeleton {
         &self.skeleton
     }

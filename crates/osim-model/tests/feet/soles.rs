@@ -92,7 +92,7 @@ fn a_human_stands_on_heel_toe_and_both_sides_of_the_forefoot() {
     assert!(outer[1] - inner[1] > 0.07 && outer[0].min(inner[0]) > heel[0] + 0.15);
 }
 
-/// What hangs on a listed body belongs to it, in whatever order they are listed; a body without a side is a foot of its own.
+/// Bodies below a listed body belong to it, whatever the order of the list; a body without a side is a foot of its own.
 #[test]
 fn bodies_are_grouped_into_feet() {
     let soles = laid("human_40000.osim", &["toes_l", "calcn_r", "toes_r", "calcn_l"], 2);
@@ -154,7 +154,7 @@ fn bottoms_are_at_least_a_millimetre_apart() {
     );
 }
 
-/// Two toes of one foot are bodies of their own, which hang on a body of that side that has no mesh; the other foot is far away.
+/// Two toes of one foot are separate bodies, joined to a body of that side that has no mesh; the other foot is far away.
 #[test]
 fn toes_of_one_foot_are_one_foot() {
     let body = |name: &str| {

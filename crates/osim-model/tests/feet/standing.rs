@@ -222,7 +222,7 @@ fn only_what_the_coordinate_moves_is_carried() {
     assert_eq!((standing.top.as_str(), standing.mass_kg), ("cart", Some(10.0)));
 }
 
-/// All that hangs on the trunk, whatever hangs below one of its branches: 1 + 2 + 4 + 8 + 16 kg.
+/// All bodies below the trunk count, also those below one of its branches: 1 + 2 + 4 + 8 + 16 kg.
 #[test]
 fn everything_below_the_joint_is_carried() {
     let mut parts = foot(1.0, &[-0.1], String::new());
@@ -247,7 +247,7 @@ fn a_platform_is_not_what_stands() {
         parts.surfaces = sphere("s0", "foot", -0.1) + &floor("floor", "plate", 0.0);
         let standing = parts.only();
         assert_eq!((lift(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
-        // A foot that hangs on the platform, too.
+        // A foot that is joined to the platform, too.
         parts.joints = joint("ground", "plate", &[Moves { coordinate: "plate_ty", axis: "0 1 0", more }])
             + &joint("plate", "foot", &[UP]);
         let standing = parts.only();

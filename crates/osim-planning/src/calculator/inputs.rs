@@ -1,6 +1,6 @@
 //! The numbers that a design request without a model gives, before anything is calculated from them.
 
-use contact_scaling::sizing::{Known, Sizing, SizingError};
+use contact_scaling::sizing::{KnownQuantities, Sizing, SizingError};
 use contact_scaling::{DomainError, SharedLoad, SmoothingValues, modulus, restitution, smoothing};
 use osim_model::RadiusRule;
 use osim_model::messages::{Input, Phrase, phrase, readable};
@@ -102,8 +102,8 @@ impl DesignInputs {
     }
 
     /// The given quantities of one sphere under its load.
-    pub(super) fn known_quantities(&self, load: Option<&SharedLoad>) -> Known {
-        Known {
+    pub(super) fn known_quantities(&self, load: Option<&SharedLoad>) -> KnownQuantities {
+        KnownQuantities {
             load_per_sphere_n: load.map(SharedLoad::per_sphere_n),
             radius_m: self.radius_m,
             relative_indentation: self.indentation,
@@ -286,7 +286,7 @@ impl AtRest {
 /// # Errors
 /// A number outside its domain, or numbers that contradict each other.
 pub(super) fn solve_at_rest(
-    known: &Known,
+    known: &KnownQuantities,
     inputs: &DesignInputs,
     wanted: &WantedOptions,
 ) -> Result<(Option<Sizing>, Option<AtRest>), RequestFault> {

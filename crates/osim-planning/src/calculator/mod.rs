@@ -4,7 +4,7 @@ mod inputs;
 
 use std::borrow::Cow;
 
-use contact_scaling::sizing::{Known, Sizing};
+use contact_scaling::sizing::{KnownQuantities, Sizing};
 use contact_scaling::{
     Hertz, SharedLoad, SmoothSphere, SmoothingValues, limits, modulus, patch, restitution, smoothing,
     stiffness,
@@ -243,7 +243,7 @@ fn add_moduli(
 fn add_sizing(
     sheet: &mut DesignSheet,
     sizing: &Sizing,
-    given_quantities: &Known,
+    given_quantities: &KnownQuantities,
     inputs: &DesignInputs,
     load: Option<&SharedLoad>,
     at_rest: Option<AtRest>,

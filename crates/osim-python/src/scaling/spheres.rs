@@ -1,7 +1,7 @@
 //! Functions of lists: of spheres that a body rests on, and of plain numbers.
 
 use contact_scaling::equations::symbols::{R_I, R_SQUARE, X};
-use contact_scaling::equilibrium::{self, Raised};
+use contact_scaling::equilibrium::{self, RaisedSpheres};
 use contact_scaling::{
     DomainError, Hertz, HuntCrossley, Law, SmoothSphere, SmoothingValues, Spheres, mixed_radii,
 };
@@ -27,7 +27,7 @@ pub(crate) struct OfSpheres {
     pub returns: Returns,
     alike: fn(&[f64]) -> Result<Spheres, Failure>,
     rest_level: fn(&[Spheres], f64) -> Result<f64, DomainError>,
-    rest_raised: fn(&[Raised], f64) -> Result<f64, DomainError>,
+    rest_raised: fn(&[RaisedSpheres], f64) -> Result<f64, DomainError>,
 }
 
 /// Height of a sphere's bottom: left out where all are level.
@@ -121,9 +121,9 @@ impl OfSpheres {
         rest.map_err(|error| Failure::from(error).with_argument(std::iter::once((LOAD.name, load_n))))
     }
 
-    fn raised(&self, row: &[f64]) -> Result<Raised, Failure> {
+    fn raised(&self, row: &[f64]) -> Result<RaisedSpheres, Failure> {
         let Some((&height, values)) = row.split_last() else { return Err(Failure::arguments(0)) };
-        Ok(Raised::new((self.alike)(values)?, height)?)
+        Ok(RaisedSpheres::new((self.alike)(values)?, height)?)
     }
 
     /// Its text in Python.

@@ -38,7 +38,7 @@ pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
         names: SceneNames {
             now: of_state(now),
             before: before.map(of_state).unwrap_or_default(),
-            astray: misplaced.to_owned(),
+            misplaced: misplaced.to_owned(),
             spot: "joint".to_owned(),
             outline: "bone".to_owned(),
             ground: "floor".to_owned(),
@@ -173,7 +173,7 @@ fn view(foot: &Foot, before: Option<(&Foot, DVec3)>, from: From) -> View {
         centre: seen(sphere.centre_m),
         radius: MM * sphere.radius_m,
         state: State::Now,
-        astray: sphere.misplaced,
+        misplaced: sphere.misplaced,
     }));
     view.spots.extend(foot.joints.iter().map(|joint| Spot {
         name: joint.name.clone(),
@@ -196,7 +196,7 @@ fn add_before(view: &mut View, foot: &Foot, other: &Foot, shift: DVec3, from: Fr
         centre: seen(foot, moved(sphere.centre_m), from),
         radius: MM * sphere.radius_m,
         state: State::Before,
-        astray: false,
+        misplaced: false,
     }));
     let (here, there) =
         (outlines(foot, DVec3::ZERO, from, State::Before), outlines(other, shift, from, State::Before));

@@ -23,7 +23,7 @@ pub enum FactorSource {
     Joint,
     /// The ratio of distances from the body's origin to a joint below it: one factor for all axes, between different models.
     Distance,
-    /// The factors of the body that it hangs on.
+    /// The factors of its parent body.
     Above,
 }
 

@@ -15,7 +15,7 @@ use crate::model::{Anatomy, Fault, FaultKind, Finding, Needed, rules};
 /// Where the model is a scaled copy of the reference, so that there is no [`difference`](Self::difference), each axis comes from
 /// the first source that has it, exactly: what the caller gives, the Scale Tool's file, meshes, joint offsets. Between different
 /// models, offsets are not factors: then a body's factors are the ratio of the mesh factors of the same bone, else one ratio of
-/// distances to a joint below it; a body at the end of a limb takes those of the body that it hangs on. Left and right take the
+/// distances to a joint below it; a body at the end of a limb takes those of its parent body. Left and right take the
 /// same source.
 ///
 /// ```
@@ -44,7 +44,7 @@ pub struct Factors {
     /// Where sources disagree on bodies that carry spheres: by more than 1 % in a scaled copy, 5 % between different models; and
     /// that the models are different.
     pub warnings: Vec<Finding>,
-    /// Other decisions, such as factors that a body takes from the one it hangs on.
+    /// Other decisions, such as factors that a body takes from its parent.
     pub remarks: Vec<Phrase>,
     /// What shows that the model is not a scaled copy of the reference; `None` where it is one.
     pub difference: Option<CopyDifference>,

@@ -212,7 +212,7 @@ fn joint_factors(scaled: &Anatomy, reference: &Anatomy, body: &str) -> [Option<f
 /// Meshes of one body that differ by more than this (relative) need an answer.
 const SAME_FACTOR: f64 = 0.01;
 
-/// Bodies at the end of a limb, for which there is no source, take the factors of the body they hang on. If one side of a pair
+/// Bodies at the end of a limb, for which there is no source, take the factors of their parent body. If one side of a pair
 /// does, the other does.
 pub(super) fn inherit_from_body_above(
     factors: &mut [BodyFactors],

@@ -68,7 +68,7 @@ pub struct Spread {
 }
 
 impl Spread {
-    /// Of these numbers; `None` where there is none.
+    /// The spread of these numbers; `None` if there are none.
     ///
     /// ```
     /// use osim_model::compare::Spread;
@@ -108,7 +108,7 @@ pub enum SizeVerdict {
     Other,
     /// Similarity would not change them either: the bodies are too much alike, or all are 0.
     Undecided,
-    /// There are none in the other model.
+    /// The other model has no such numbers.
     NotCompared,
 }
 

@@ -11,10 +11,10 @@ const NEAR_GROUND: f64 = 0.12;
 const FOOT_NAMES: [&str; 10] =
     ["calcn", "calcan", "foot", "toe", "talus", "hoof", "paw", "hallux", "phalan", "metatars"];
 
-/// A foot: bodies that hang on each other, and the spheres on them.
+/// A foot: bodies that are joined to each other, and the spheres on them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootBodies {
-    /// Its bodies, the one on which the others hang first.
+    /// Its bodies, the topmost first.
     pub bodies: Vec<String>,
     /// Right or left, if known.
     pub side: Option<Side>,
@@ -45,7 +45,7 @@ impl FootBodies {
         groups.into_iter().flat_map(|group| feet_of_group(&tree, model, group, &carriers)).collect()
     }
 
-    /// The body on which the others hang.
+    /// The topmost body, to which the others are joined.
     pub fn top(&self) -> &str {
         self.bodies.first().map_or("", String::as_str)
     }
@@ -92,7 +92,7 @@ fn spheres_by_body<'m>(model: &'m Model, spheres: &[SphereId]) -> Vec<(&'m str, 
     by_body
 }
 
-/// Groups of spheres that are in no limb: one group for each body, or for several bodies of one side that hang on each other.
+/// Groups of spheres that are in no limb: one group for each body, or for several bodies of one side that are joined to each other.
 fn groups_by_body(tree: &BodyTree<'_>, model: &Model, spheres: &[SphereId]) -> Vec<SphereGroup> {
     let mut on: HashMap<&str, Vec<SphereId>> = HashMap::new();
     let mut bodies = Vec::new();
@@ -151,7 +151,7 @@ fn feet_near_ground(tree: &BodyTree<'_>, height_m: &dyn Fn(&str) -> Option<f64>)
     tree.connected(&feet).into_iter().map(foot).collect()
 }
 
-// Bodies as a tree of joints: which of them hang on each other. Each body is walked through once, however long a chain is.
+// Bodies as a tree of joints: which of them are joined to each other. Each body is visited once, however long a chain is.
 
 /// The bodies of a model and the joints between them.
 pub(super) struct BodyTree<'t> {
@@ -188,7 +188,7 @@ impl<'t> BodyTree<'t> {
         (walked, None)
     }
 
-    /// Bodies of one side that hang on each other: each group in the order given, the groups in the order of their first.
+    /// Bodies of one side that are joined to each other: each group in the given order, the groups in the order of their first body.
     fn connected<'b>(&self, bodies: &[&'b str]) -> Vec<Vec<&'b str>>
     where
         't: 'b,
@@ -223,7 +223,7 @@ impl<'t> BodyTree<'t> {
         connected
     }
 
-    /// Some bodies, and those by which they hang on each other, the one on which all hang first; `None` where there is no such.
+    /// `bodies` and those between them in the joint tree, the topmost first; `None` if no body is above all of them.
     pub(super) fn with_connecting_bodies<'b>(&self, bodies: &[&'b str]) -> Option<Vec<&'b str>>
     where
         't: 'b,
@@ -247,7 +247,7 @@ impl<'t> BodyTree<'t> {
         Some(joined)
     }
 
-    /// `bodies`, and those of the same side that hang on them and carry no sphere.
+    /// `bodies`, and the bodies of the same side that are below them and carry no sphere.
     fn with_below<'b>(
         &self,
         mut bodies: Vec<&'b str>,

@@ -64,7 +64,7 @@ pub struct FootBone {
 /// A foot, as a picture of it needs it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Foot {
-    /// The body on which its others hang.
+    /// The topmost of its bodies, to which the others are joined.
     pub name: String,
     /// Right or left, if known.
     pub side: Option<Side>,

@@ -61,8 +61,8 @@ pub struct SoleSphere {
     pub bottom_m: DVec3,
 }
 
-/// The soles of the limbs to which `bones` belong, with spheres: one limb are bodies that hang on each other, and bodies of one
-/// side that hang on a body of that side.
+/// The soles of the limbs to which `bones` belong, with spheres: a limb is the bodies that are joined to each other, and bodies of one
+/// side that are joined to a body of that side.
 ///
 /// Each sole's plane is normal to gravity. The first spheres are under the outline's extremes: of four and more, under the
 /// rearmost, the foremost, the outermost and the innermost corner (heel, toe tip, both sides of the forefoot of a human), along the
@@ -273,7 +273,7 @@ fn group_bodies(model: &Model, bones: &[Bone]) -> Vec<SoleBodies> {
     feet.into_iter().map(sided).collect()
 }
 
-/// The body on which each hangs.
+/// The parent of each body.
 fn parents(model: &Model) -> HashMap<String, String> {
     let joints = model.joints().iter();
     joints.filter_map(|joint| Some((joint.child.clone()?, joint.parent.clone()?))).collect()

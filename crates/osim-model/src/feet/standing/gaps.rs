@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use contact_scaling::equilibrium::{Raised, hertz_indentation_of_lowest, indentation_of_lowest};
+use contact_scaling::equilibrium::{RaisedSpheres, hertz_indentation_of_lowest, indentation_of_lowest};
 use contact_scaling::{DomainError, Law, Spheres};
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
@@ -186,7 +186,7 @@ impl RestOnFloor {
         let mut raised = Vec::new();
         for one in floor_contacts {
             let law = Law::of(&one.contact.contact, one.contact.radius_m)?;
-            raised.push(Raised::new(Spheres::new(law, 1.0)?, one.gap_m - lowest_m)?);
+            raised.push(RaisedSpheres::new(Spheres::new(law, 1.0)?, one.gap_m - lowest_m)?);
         }
         let deepest_m = match by {
             RestLaw::Hertz => hertz_indentation_of_lowest(&raised, load_n),

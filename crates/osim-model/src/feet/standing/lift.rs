@@ -127,7 +127,7 @@ impl<'m> LiftSearch<'m> {
         })
     }
 
-    /// Where in ground what hangs on the joint goes when its coordinate at `index` grows by `metres`.
+    /// The displacement in ground of the bodies below the joint when its coordinate at `index` grows by `metres`.
     fn moved(&self, parent_joint: &ParentJoint<'_>, index: usize, metres: f64) -> Option<Placement> {
         let joint = parent_joint.joint;
         let value = |coordinate: &JointCoordinate| self.known.values.get(&coordinate.name).copied();
@@ -146,7 +146,7 @@ impl<'m> LiftSearch<'m> {
     }
 }
 
-/// Of two reasons the one that says more.
+/// The more informative one of two reasons.
 fn more_telling(one: NotLifted, other: NotLifted) -> NotLifted {
     let rank = |reason: &NotLifted| match reason {
         NotLifted::Welded => 0,
@@ -157,13 +157,13 @@ fn more_telling(one: NotLifted, other: NotLifted) -> NotLifted {
     if rank(&other) > rank(&one) { other } else { one }
 }
 
-// Joints as a tree from ground: what a body hangs on, and what hangs on a joint.
+// Joints as a tree from ground: the joint above a body, and the bodies below a joint.
 
-/// The joint over which a body hangs on ground or on another body.
+/// The joint between a body and its parent, which is ground or another body.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ParentJoint<'j> {
     pub(super) joint: &'j ModelJoint,
-    /// The body that hangs on the joint.
+    /// The child body of the joint.
     pub(super) body: &'j str,
     /// The body above it; `None` is ground.
     pub(super) parent: Option<&'j str>,
@@ -175,7 +175,7 @@ pub(super) struct ParentJoint<'j> {
 pub(super) struct JointTree<'j> {
     above: HashMap<&'j str, ParentJoint<'j>>,
     below: HashMap<&'j str, Vec<&'j str>>,
-    /// Of each body the one on top of its tree: that which hangs on ground.
+    /// The topmost body of the tree of each body: the one that is joined to ground.
     tops: HashMap<&'j str, &'j str>,
 }
 
@@ -204,12 +204,12 @@ impl<'j> JointTree<'j> {
         path
     }
 
-    /// The body on top of the tree in which `body` is: the one that hangs on ground.
+    /// The topmost body of the tree of `body`: the one that is joined to ground.
     pub(super) fn top(&self, body: &str) -> Option<&'j str> {
         self.tops.get(body).copied()
     }
 
-    /// The joints above all of `bodies`, from the lowest to ground. Each body is looked at once.
+    /// The joints above all of `bodies`, from the lowest to ground. Each body is visited once.
     pub(super) fn common_path_to_ground(&self, bodies: &[&str]) -> Vec<ParentJoint<'j>> {
         let Some(first) = bodies.first() else { return Vec::new() };
         let path = self.path_to_ground(first);

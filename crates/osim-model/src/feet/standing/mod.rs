@@ -32,7 +32,7 @@ pub struct Standing {
     pub top: String,
     /// Its spheres that press on floors, in file order.
     pub spheres: Vec<SphereOverFloor>,
-    /// The coordinate that lifts them all from the floor, or why there is none.
+    /// The coordinate that lifts all these spheres from the floor, or why no coordinate does.
     pub lift: Result<Lift, NotLifted>,
     /// Mass of the bodies that this coordinate moves, kg: of the whole tree but what is above its joint. `None` if a mass cannot be
     /// read.

@@ -241,7 +241,7 @@ impl JointDistances {
     }
 }
 
-/// For each body that hangs on another one or carries one, the longest bone of its limb, each joint looked at once. A limb ends where
+/// For each body that has a parent or a child, the longest bone of its limb; each joint is visited once. A limb ends where
 /// the names above it are not of its side.
 fn longest_by_limb(
     joints: &[AnatomyJoint],

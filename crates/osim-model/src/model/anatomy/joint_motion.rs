@@ -375,7 +375,7 @@ mod tests {
 
     #[test]
     fn a_joint_far_down_a_chain_says_nothing_about_a_body() {
-        // Body number n hangs on number n - 1, 0.1 m along x.
+        // Body number n is joined to number n - 1, 0.1 m along x.
         let joint = |n: usize| {
             format!(
                 "<WeldJoint name=\"j{n}\"><socket_parent_frame>/bodyset/b{}</socket_parent_frame>\

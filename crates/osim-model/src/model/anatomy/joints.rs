@@ -17,9 +17,9 @@ use crate::xml::ElementId;
 #[derive(Debug, Clone, PartialEq)]
 pub struct AnatomyJoint {
     pub name: String,
-    /// The body it hangs on.
+    /// Its parent body.
     pub parent: String,
-    /// The body that hangs on it.
+    /// Its child body.
     pub child: String,
     pub in_parent_m: DVec3,
     pub in_child_m: DVec3,
@@ -40,9 +40,9 @@ pub struct ModelJoint {
     pub name: String,
     /// Its class, such as `CustomJoint`.
     pub class: String,
-    /// The body it hangs on; `None` is ground.
+    /// Its parent body; `None` is ground.
     pub parent: Option<String>,
-    /// The body that hangs on it; `None` is ground.
+    /// Its child body; `None` is ground.
     pub child: Option<String>,
     pub file: FileId,
     pub coordinates: Vec<JointCoordinate>,

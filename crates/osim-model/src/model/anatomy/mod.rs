@@ -137,12 +137,12 @@ impl Anatomy {
         Ok(anatomy)
     }
 
-    /// The joint by which `body` hangs on another one.
+    /// The joint whose child is `body`.
     pub fn joint_above(&self, body: &str) -> Option<&AnatomyJoint> {
         self.joints.get(*self.index.joints_by_child.get(body)?)
     }
 
-    /// The joints by which others hang on `body`, in file order.
+    /// The joints whose parent is `body`, in file order.
     pub fn joints_below(&self, body: &str) -> impl Iterator<Item = &AnatomyJoint> {
         let below = self.index.joints_by_parent.get(body).into_iter().flatten();
         below.filter_map(|&at| self.joints.get(at))
@@ -163,7 +163,7 @@ impl Anatomy {
         self.point_seen_from(body, &joint.parent, joint.in_parent_m)
     }
 
-    /// A point of the body `from`, seen from the body `above` at the default pose, m; `None` unless `from` hangs on that body, with
+    /// A point of the body `from`, seen from the body `above` at the default pose, m; `None` unless `from` is below that body in the joint tree, with
     /// at most 64 joints between.
     pub fn point_seen_from(&self, above: &str, from: &str, point_m: impl Into<DVec3>) -> Option<DVec3> {
         let (mut at, mut point) = (from, point_m.into());

@@ -237,7 +237,7 @@ impl Components {
     /// The body (or ground) that carries a frame, through any number of offset frames.
     ///
     /// # Errors
-    /// An offset frame whose parent is missing or that hangs on itself.
+    /// An offset frame whose parent is missing, or whose chain of parents leads back to it.
     pub(crate) fn base(&self, frame: Option<ComponentId>) -> Result<Base, Fault> {
         let mut at = frame;
         for _ in 0..MAX_FRAME_CHAIN {

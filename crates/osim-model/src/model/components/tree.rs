@@ -86,7 +86,7 @@ enum Role {
 }
 
 impl ComponentTree {
-    /// Adds all objects of `document` that count. A file other than the model hangs below `mount`, the object that includes it.
+    /// Adds all objects of `document` that count. The objects of a file other than the model become children of `mount`, the object that includes it.
     pub(super) fn add(
         &mut self,
         file: FileId,
@@ -104,7 +104,7 @@ impl ComponentTree {
             let is_root = id == document.data_root();
             let above = roles.get(parent.index()).copied().unwrap_or(Role::Nothing);
             let tag = tree.name(id);
-            // What is in another file hangs here once that file is added.
+            // The objects of another file become children of this element once that file is added.
             let role = if document.file_of(id).is_some() {
                 Role::Nothing
             } else if is_root {

@@ -175,7 +175,7 @@ impl Components {
         frames
     }
 
-    /// The frame that an offset frame hangs on.
+    /// The parent of an offset frame.
     fn parent_frame(&self, frame: ComponentId) -> Option<ComponentId> {
         let parent = self.connectee(frame, "parent", &["parent_frame"])?;
         self.frame(frame, &parent)?.component

@@ -123,7 +123,7 @@ pub enum FaultKind {
         reference: String,
         known: Vec<String>,
     },
-    /// The choice of forces leaves none.
+    /// No force is in the selection.
     NothingSelected {
         forces: String,
     },

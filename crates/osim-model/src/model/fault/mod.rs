@@ -37,7 +37,7 @@ pub struct Fault {
     pub span: Option<Range<usize>>,
     /// Line and column of `offset`, once [`Fault::located`] has seen the bytes.
     pub position: Option<Position>,
-    /// The line around the place, likewise.
+    /// The line of text around the place, once [`Fault::located`] has seen the bytes.
     pub excerpt: Option<Excerpt>,
     /// Component path or tag of the element concerned.
     pub element: Option<String>,

@@ -6,7 +6,7 @@ use crate::model::fault::reasons::{
     shared_sphere,
 };
 
-/// The way out of a verb that takes no standalone set.
+/// What to do where a verb takes no standalone set.
 const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on whole models";
 
 /// A fact that the caller has to give, because it is not in the files.
@@ -32,7 +32,7 @@ pub enum Needed {
     BodyMass {
         body: String,
     },
-    /// The mass of the model: its bodies have none together.
+    /// The mass of the model, whose bodies have no total mass.
     ModelMass {
         bodies: usize,
         /// Their sum, kg.
@@ -110,13 +110,13 @@ pub enum Needed {
     },
     /// The ScaleSet has to be left out: by the note, spheres followed their bodies already.
     AlreadyFollowed,
-    /// The other half of a force set that stands alone.
+    /// The geometry set that belongs to a force set without a model.
     Geometry,
-    /// The other half of a geometry set that stands alone.
+    /// The force set that belongs to a geometry set without a model.
     ForceSet,
     /// The load that an indentation is about.
     Load,
-    /// A gravity: the file has none.
+    /// The gravity, which the file does not give.
     Gravity {
         purpose: GravityFor,
     },

@@ -2,7 +2,7 @@
 
 use crate::messages::{Input, Part, Phrase, phrase, readable};
 
-/// What a gravity is needed for, where the file has none.
+/// What the gravity is needed for that the file does not give.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GravityFor {
     Weight,
@@ -32,7 +32,7 @@ impl GravityFor {
         Self::Figures,
     ];
 
-    /// The inputs that answer the question, with placeholders for their values; none if only the file can.
+    /// The inputs that answer the question, with placeholders for their values; empty if only the file can answer it.
     const fn answers(self) -> &'static [(Input, &'static str)] {
         match self {
             Self::Weight => &[(Input::Gravity, "G")],
@@ -140,7 +140,7 @@ fn contacts_are(input: Input) -> &'static str {
 /// Why the note in a file no longer describes its contacts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoteDoubt {
-    /// There is none, and the sum of the bodies is not the mass: they were scaled.
+    /// The model has no note, and the sum of its bodies is not the mass: they were scaled.
     Absent,
     /// It cannot be read.
     Unreadable,
@@ -149,9 +149,9 @@ pub enum NoteDoubt {
     ValuesChanged,
     /// The run that left it changed only some values.
     Partial,
-    /// It says itself that the mass is not known.
+    /// The note says that the mass is not known.
     MassUnknown,
-    /// It gives no mass because nobody said one, and the bodies, whose mass was taken, were scaled since.
+    /// The note gives no mass, as the mass of the bodies was taken, and the bodies were scaled since.
     BodiesScaled,
 }
 
@@ -253,7 +253,7 @@ impl FactorQuestion {
     }
 }
 
-/// The way out of a verb that takes the factors of `bodies`.
+/// What to do where a verb takes the factors of `bodies`.
 fn body_scale_hint(how: &'static str, bodies: &[&String]) -> Part {
     let named = bodies.iter().map(|body| Input::BodyScale.with_value(format!("{body}=x,y,z")).into());
     let named = Phrase::joined(named, " and ").unwrap_or_default();

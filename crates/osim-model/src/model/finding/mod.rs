@@ -27,7 +27,7 @@ pub use code::{FindingCode, Severity, VerdictOn};
 #[must_use]
 pub struct Finding {
     pub rule: &'static Rule,
-    /// How bad it is: as the rule says, but for the published state of known contacts.
+    /// The severity of the rule; lower for the published state of known contacts.
     pub severity: Severity,
     pub message: Phrase,
     pub why: Phrase,
@@ -87,7 +87,7 @@ impl Finding {
         Self { severity, ..self }
     }
 
-    /// Spells what it says in the words of a front end.
+    /// Spells its texts in the words of a front end.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         for phrase in [&mut self.message, &mut self.why, &mut self.advice] {
             phrase.spell(dialect);
@@ -107,7 +107,7 @@ pub struct Rule {
     pub what: &'static str,
     pub why: &'static str,
     pub advice: &'static str,
-    /// The command that puts it right, or why there is none.
+    /// The command that repairs the model, or why no command does.
     pub repair: Repair,
     pub example: Example,
 }

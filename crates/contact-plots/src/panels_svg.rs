@@ -1,4 +1,4 @@
-//! Drawing a figure of panels.
+//! Draws a figure of panels as an SVG document.
 
 use plotters::chart::{ChartBuilder, ChartContext, LabelAreaPosition};
 use plotters::coord::cartesian::Cartesian2d;
@@ -8,12 +8,12 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, RGBColor};
 
 use crate::axis::Scale;
-use crate::document::{Area, MARGIN_PT, Names, Paper, Sheet, Title, document, printable};
+use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, TitleAndDescription, document, printable};
 use crate::error::PlotError;
 use crate::figure::{self, Direction, Figure, Frame, Limit, Panel};
 use crate::legend::{LIMIT_ROW_PT, Legend, limit_rows};
-use crate::letters::cut;
 use crate::style::{INK, LIMIT, SHADE, SHADE_OPACITY, TEXT_PT, TITLE_PT, float, stroke, text, units};
+use crate::text_width::cut;
 
 /// The row of a panel's title.
 const PANEL_TITLE_PT: f64 = 13.0;
@@ -50,7 +50,7 @@ pub fn figure(figure: &Figure, paper: Paper) -> Result<String, PlotError> {
         paper,
         height_pt: layout.height_pt(),
         title: &layout.title,
-        names: Names { title: &figure.title, description: &figure.description },
+        names: TitleAndDescription { title: &figure.title, description: &figure.description },
     };
     document(&sheet, |root| {
         for (index, panel) in figure.panels.iter().enumerate() {
@@ -228,7 +228,7 @@ fn draw_areas(chart: &mut Chart<'_, '_>, panel: &Panel, frame: &Frame<'_>) -> Re
         let (Some(first), Some(last)) = (area.points.first(), area.points.last()) else { continue };
         let mut outline = area.points.clone();
         outline.extend([(last.0, 0.0), (first.0, 0.0)]);
-        if let Some(inside) = figure::area(&frame.places(&outline), frame.x, frame.y) {
+        if let Some(inside) = figure::clip_area(&frame.places(&outline), frame.x, frame.y) {
             let shade = Polygon::new(inside, SHADE.mix(SHADE_OPACITY).filled());
             chart.draw_series([shade]).map_err(PlotError::drawing)?;
         }
@@ -239,7 +239,7 @@ fn draw_areas(chart: &mut Chart<'_, '_>, panel: &Panel, frame: &Frame<'_>) -> Re
 fn draw_curves(chart: &mut Chart<'_, '_>, panel: &Panel, frame: &Frame<'_>) -> Result<(), PlotError> {
     for curve in &panel.curves {
         let style = curve.look.stroke();
-        let parts = figure::line(&frame.places(&curve.points), frame.x, frame.y).into_iter();
+        let parts = figure::clip_polyline(&frame.places(&curve.points), frame.x, frame.y).into_iter();
         match curve.look.dash.lengths_pt() {
             None => chart.draw_series(parts.map(|part| PathElement::new(part, style))).map(|_| ()),
             Some((dash, gap)) => {
@@ -249,7 +249,7 @@ fn draw_curves(chart: &mut Chart<'_, '_>, panel: &Panel, frame: &Frame<'_>) -> R
         }
         .map_err(PlotError::drawing)?;
     }
-    for mark in panel.marks.iter().filter(|mark| frame.holds(mark.at)) {
+    for mark in panel.marks.iter().filter(|mark| frame.contains_point(mark.at)) {
         let (r, g, b) = mark.look.colour;
         let dot = Circle::new(frame.place(mark.at), units(2.2), RGBColor(r, g, b).filled());
         chart.draw_series([dot]).map_err(PlotError::drawing)?;

@@ -8,24 +8,24 @@ use textwrap::wrap_algorithms::wrap_first_fit;
 use ttf_parser::Face;
 
 /// The width of a letter that the font does not have, as a share of the size of the text: no letter of a plain font is wider.
-const WIDEST: f64 = 1.0;
+const WIDEST_LETTER: f64 = 1.0;
 /// Where a viewer has no Arial, the font in its place may be a little wider.
-const ROOM_FOR_OTHER_FONTS: f64 = 1.06;
+const OTHER_FONT_FACTOR: f64 = 1.06;
 const ELLIPSIS: char = '…';
 /// A word too long for a line is broken after one of these: they part the names of files.
-const AFTER: [char; 6] = ['_', '-', '/', '\\', '.', ','];
+const BREAK_AFTER: [char; 6] = ['_', '-', '/', '\\', '.', ','];
 
 /// The width of a text in Arial, or a font of the same metrics, in points.
 pub(crate) fn width_pt(text: &str, size_pt: f64) -> f64 {
-    text.chars().map(share).sum::<f64>() * size_pt
+    text.chars().map(letter_width).sum::<f64>() * size_pt
 }
 
-/// The same with room for a font that takes the place of Arial.
-pub(crate) fn roomy_pt(text: &str, size_pt: f64) -> f64 {
-    ROOM_FOR_OTHER_FONTS * width_pt(text, size_pt)
+/// The width of a text, and room for a wider font where a viewer has no Arial.
+pub(crate) fn width_with_reserve_pt(text: &str, size_pt: f64) -> f64 {
+    OTHER_FONT_FACTOR * width_pt(text, size_pt)
 }
 
-fn share(letter: char) -> f64 {
+fn letter_width(letter: char) -> f64 {
     // A combining mark takes no room.
     if ('\u{300}'..='\u{36f}').contains(&letter) {
         return 0.0;
@@ -35,7 +35,7 @@ fn share(letter: char) -> f64 {
         let advance = face.glyph_hor_advance(face.glyph_index(letter)?)?;
         Some(f64::from(advance) / f64::from(face.units_per_em()))
     };
-    advance().unwrap_or(WIDEST)
+    advance().unwrap_or(WIDEST_LETTER)
 }
 
 /// The font, read when the first text is measured.
@@ -69,7 +69,7 @@ pub(crate) fn lines(text: &str, size_pt: f64, most_pt: f64) -> Vec<String> {
     let words = text.split_ascii_whitespace();
     let pieces: Vec<Piece<'_>> = words.flat_map(|word| pieces(word, size_pt, most_pt)).collect();
     let rows = wrap_first_fit(&pieces, &[most_pt]);
-    rows.into_iter().filter(|row| !row.is_empty()).map(joined).collect()
+    rows.into_iter().filter(|row| !row.is_empty()).map(join_pieces).collect()
 }
 
 /// A word, or a part of one.
@@ -95,7 +95,7 @@ impl Fragment for Piece<'_> {
     }
 }
 
-fn joined(row: &[Piece<'_>]) -> String {
+fn join_pieces(row: &[Piece<'_>]) -> String {
     let mut line = String::new();
     for piece in row {
         line.push_str(piece.text);
@@ -109,15 +109,15 @@ fn joined(row: &[Piece<'_>]) -> String {
 
 /// A word as pieces that each fit into a line.
 fn pieces(word: &str, size_pt: f64, most_pt: f64) -> Vec<Piece<'_>> {
-    let parts: Vec<&str> = if roomy_pt(word, size_pt) <= most_pt {
+    let parts: Vec<&str> = if width_with_reserve_pt(word, size_pt) <= most_pt {
         vec![word]
     } else {
-        let parts = word.split_inclusive(AFTER);
+        let parts = word.split_inclusive(BREAK_AFTER);
         parts.flat_map(|part| letter_by_letter(part, size_pt, most_pt)).collect()
     };
     let count = parts.len();
-    let blank = |index: usize| if index + 1 == count { roomy_pt(" ", size_pt) } else { 0.0 };
-    let piece = |(index, text): (usize, &'_ str)| (roomy_pt(text, size_pt), blank(index));
+    let blank = |index: usize| if index + 1 == count { width_with_reserve_pt(" ", size_pt) } else { 0.0 };
+    let piece = |(index, text): (usize, &'_ str)| (width_with_reserve_pt(text, size_pt), blank(index));
     parts
         .into_iter()
         .enumerate()
@@ -132,7 +132,7 @@ fn pieces(word: &str, size_pt: f64, most_pt: f64) -> Vec<Piece<'_>> {
 fn letter_by_letter(part: &str, size_pt: f64, most_pt: f64) -> Vec<&str> {
     let (mut cuts, mut width) = (vec![0], 0.0);
     for (at, letter) in part.char_indices() {
-        let next = roomy_pt(letter.encode_utf8(&mut [0; 4]), size_pt);
+        let next = width_with_reserve_pt(letter.encode_utf8(&mut [0; 4]), size_pt);
         if width + next > most_pt && width > 0.0 {
             cuts.push(at);
             width = 0.0;
@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn lines_break_at_blanks_and_then_where_parts_of_names_end() {
-        let broken = lines("one two three", 10.0, roomy_pt("one two", 10.0) + 0.1);
+        let broken = lines("one two three", 10.0, width_with_reserve_pt("one two", 10.0) + 0.1);
         assert_eq!(broken, ["one two", "three"]);
         let name = "gait2392_scaled_by_the_tool";
         let broken = lines(name, 7.0, 60.0);

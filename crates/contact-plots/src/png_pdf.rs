@@ -11,7 +11,7 @@ use resvg::tiny_skia;
 use resvg::usvg::{self, Tree, fontdb::Database};
 
 use crate::error::PlotError;
-use crate::letters::FONT;
+use crate::text_width::FONT;
 
 /// The name of the font.
 const FONT_NAME: &str = "Arimo";

@@ -33,7 +33,8 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
         let share = |value: f64, (low, high): (f64, f64)| (value - low) / (high - low);
         (share(x_value, x) * float(dots.across() - 1), share(y_value, (y.1, y.0)) * float(dots.down() - 1))
     };
-    let parts = panel.curves.iter().flat_map(|curve| figure::line(&frame.places(&curve.points), x, y));
+    let parts =
+        panel.curves.iter().flat_map(|curve| figure::clip_polyline(&frame.places(&curve.points), x, y));
     let lines: Vec<(Point, Point)> = parts
         .flat_map(|part| part.windows(2).map(|ends| (place(ends[0]), place(ends[1]))).collect::<Vec<_>>())
         .collect();
