@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use contact_scaling::drop_test::{
-    Difference, DropError, DropReport, DropTest, DropValues, FirstContact, Lift, Sample, compare,
+    Difference, DropError, DropReport, DropTest, DropValues, FirstContact, LiftOff, Sample, compare,
 };
 use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
 use osim_inspect::series::standing_spheres;
@@ -377,7 +377,7 @@ fn first_contact(drop: &DropResult) -> Option<FirstContact> {
     drop.report.first_contact
 }
 
-fn lift_off(drop: &DropResult) -> Option<Lift> {
+fn lift_off(drop: &DropResult) -> Option<LiftOff> {
     first_contact(drop)?.end
 }
 
