@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Writes two files of python/osim_contact_scale/ from the schemas of requests.
 
-_verbs.py has a typed function with a docstring for each verb, _options.py the names of options that a table may have as columns.
+_verbs.py has a typed function with a docstring for each verb; _options.py the names of options that a table may have as columns, and of
+those that name files.
 
     python3 dev/generate_python.py           writes them
     python3 dev/generate_python.py --check   fails where they differ, as after a new option in Rust
@@ -42,11 +43,6 @@ PROPERTIES = (
     "stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction", "transition_velocity",
     "constant_contact_force", "hertz_smoothing", "hunt_crossley_smoothing", "radius",
 )
-
-
-# Verbs that a row of a table can do, and their fields that are about the whole run: no row can have its own.
-CHANGING = ("rescale", "transfer", "add", "remove", "convert", "design", "set", "fit", "note")
-OF_THE_RUN = {"diff", "dry_run", "format", "jobs", "quiet", "report", "resume", "shard", "summary"}
 
 # Keywords that the schemas leave open, and that the program asks for in every call.
 NEEDED = {"rescale": {"target_mass"}}
@@ -162,15 +158,19 @@ def module() -> str:
 
 
 def options() -> str:
-    changing = [verb for verb in verbs() if verb.name in CHANGING]
-    names = {field.name for verb in changing for field in verb.fields} - OF_THE_RUN - {"models", "file"} | {"model", "set", "verb"}
-    parts = {"ROW_OPTIONS": names, "RUN_OPTIONS": OF_THE_RUN}
-    meanings = {"ROW_OPTIONS": "Options that a row of a table has as columns.", "RUN_OPTIONS": "Options of a whole run, which no row can have."}
+    changing = [verb for verb in verbs() if verb.changes]
+    all_of = {field.name: field for verb in changing for field in verb.fields}
+    of_run = {name for name, field in all_of.items() if field.is_of_run}
+    parts = {
+        "ROW_OPTIONS": (set(all_of) - of_run - {"models", "file"} | {"model", "set", "verb"}, "Options that a row of a table has as columns."),
+        "RUN_OPTIONS": (of_run, "Options of a whole run, which no row can have."),
+        "PATHS": ({field.name for verb in verbs() for field in verb.fields if "path" in field.kinds}, "Options that name files or folders."),
+    }
     sets = []
-    for name, fields in parts.items():
+    for name, (fields, meaning) in parts.items():
         words = ", ".join(f'"{field}"' for field in sorted(fields))
         wrapped = textwrap.fill(words, 118, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
-        sets.append(f"#: {meanings[name]}\n{name} = frozenset({{\n{wrapped},\n}})\n")
+        sets.append(f"#: {meaning}\n{name} = frozenset({{\n{wrapped},\n}})\n")
     questions = next(field.choices for field in changing[0].fields if field.name == "yes")
     words = {"Property": ("OpenSim's properties that verbs change.", PROPERTIES), "Question": ("Codes of questions, which `yes` answers.", questions)}
     return OPTIONS_HEAD + "\n".join([*(literal(name, *of) for name, of in words.items()), *sets])

@@ -1,7 +1,7 @@
 """The verbs and their fields, as the JSON Schemas in schemas/requests/ have them.
 
 The schemas are made from the Rust types of the requests. What Python and MATLAB say of an option is made from them in turn,
-so that an option is declared once. `x-group` and `x-positional` are words of this project: see crates/osim-requests/src/schema.rs.
+so that an option is declared once. Words that begin with `x-` are this project's: see crates/osim-requests/src/schema.rs.
 """
 
 import json
@@ -26,6 +26,8 @@ class Field:
     default: object
     group: str | None
     """What it is about, where it says nothing about contacts: output, many or shown."""
+    is_of_run: bool
+    """It is about a whole run: no row of a table can have its own."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +40,8 @@ class Verb:
     required: frozenset[str]
     positional: tuple[str, ...]
     """The options that a call has without their names, in its order."""
+    changes: bool
+    """It changes models that it names."""
 
 
 def verbs() -> list[Verb]:
@@ -54,7 +58,8 @@ def _verb(path: Path) -> Verb:
     summary = re.split(r"\n\s*\n|```", schema["description"])[0].strip()
     required = frozenset(name for name in schema.get("required", []) if name != "verb")
     positional = tuple(schema.get("x-positional", []))
-    return Verb(path.name.removesuffix(".schema.json"), summary, fields, required, positional)
+    changes = schema.get("x-changes", False)
+    return Verb(path.name.removesuffix(".schema.json"), summary, fields, required, positional, changes)
 
 
 def _field(name: str, schema: dict, definitions: dict) -> Field:
@@ -69,6 +74,7 @@ def _field(name: str, schema: dict, definitions: dict) -> Field:
         choices=() if free_text else tuple(choices),
         default=schema.get("default"),
         group=schema.get("x-group"),
+        is_of_run=schema.get("x-of-run", False),
     )
 
 

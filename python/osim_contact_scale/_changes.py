@@ -24,9 +24,6 @@ from .types import Progress, Table
 
 log = logging.getLogger("osim_contact_scale")
 
-#: Verbs that change models.
-_CHANGING = ("rescale", "transfer", "add", "remove", "convert", "design", "set", "note")
-
 
 def many(verb: str, models: Any, keywords: Mapping[str, Any], progress: Progress) -> Table:
     """Does the same change to many models: a row of the summary for each.
@@ -38,8 +35,8 @@ def many(verb: str, models: Any, keywords: Mapping[str, Any], progress: Progress
     TypeError
         A model that is not the path of a file.
     """
-    if verb not in _CHANGING:
-        raise RequestError("usage", f"{verb!r}: expected a verb that changes models: {', '.join(_CHANGING)}")
+    if verb not in _native.VERBS_OF_MANY:
+        raise RequestError("usage", f"{verb!r}: expected a verb that changes models: {', '.join(_native.VERBS_OF_MANY)}")
     named = _given(models)
     if _is_table(named):
         message = "many does the same change to models and takes their paths; for a table: ocs.rescale_many(table, ...)"

@@ -12,6 +12,7 @@ from typing import Any, TypeGuard
 
 from . import _live
 from ._errors import ModelError, RequestError
+from ._options import PATHS
 from ._text import printable
 from .types import Source
 
@@ -20,14 +21,6 @@ UNNAMED = "model.osim"
 
 #: Keywords that are models, too.
 MODELS = ("from", "geometry", "model", "compare")
-
-#: Fields that are names of files or folders, in which `~` is the home folder.
-PATHS = {
-    "body_scale_file", "compare", "contacts", "data", "file", "from", "from_moco_setup", "geometry", "geometry_dir", "geometry_output",
-    "loads", "manifest", "moco_setup", "model", "models", "motion", "output", "output_dir", "plates", "presets", "report", "subject",
-    "summary", "table",
-}  # fmt: skip
-
 
 #: No system has longer paths than Windows.
 LONGEST_PATH = 32_767
@@ -58,7 +51,7 @@ def fields_of(verb: str, keywords: Mapping[str, Any], memory: Memory | None = No
         name = keyword.rstrip("_")
         if value is not None and memory is not None and name in MODELS:
             fields[name] = model_of(value, memory)
-        elif isinstance(value, str) and name in PATHS:
+        elif isinstance(value, str) and name in PATHS:  # `~` is the home folder.
             fields[name] = path_of(value)
         elif value is not None:
             # Messages name what the caller wrote: `class_`, where the field is `class`.

@@ -13,7 +13,7 @@ from typing import Any
 from ._cells import steers, to_cell
 from ._errors import RequestError
 from ._options import ROW_OPTIONS
-from ._request import PATHS, at_home
+from ._request import at_home
 
 
 def rows_of(data: Any) -> list[dict[str, Any]]:

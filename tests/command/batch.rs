@@ -177,6 +177,26 @@ fn every_verb_has_its_rows() {
     }
 }
 
+/// `--feet` takes commas; between the items of other lists a table has semicolons, and `feet` may have those, too.
+#[test]
+fn feet_of_a_row_have_commas_as_on_the_command_line() {
+    let bench = Bench::with(&[("feet/human_40000.osim", "human.osim")]);
+    for mesh in ["l_human_foot", "l_human_toes", "r_human_foot", "r_human_toes"] {
+        let file = format!("Geometry/{mesh}.vtp");
+        bench.write(&file, crate::support::fixture(&format!("feet/{file}")));
+    }
+    bench.run("add human.osim --feet calcn_r,toes_r,calcn_l,toes_l --from falisse2022 -o typed.osim").done();
+    bench.write(
+        "table.csv",
+        "model,verb,from,feet,output\n\
+         human.osim,add,falisse2022,\"calcn_r,toes_r,calcn_l,toes_l\",commas.osim\n\
+         human.osim,add,falisse2022,calcn_r;toes_r; calcn_l;toes_l,semicolons.osim\n",
+    );
+    bench.run("batch table.csv").done();
+    assert_eq!(bench.text("commas.osim"), bench.text("typed.osim"));
+    assert_eq!(bench.text("semicolons.osim"), bench.text("typed.osim"));
+}
+
 #[test]
 fn a_model_that_fails_names_its_row_and_the_others_are_done() {
     let bench = Bench::with(&[

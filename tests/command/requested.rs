@@ -103,6 +103,14 @@ fn a_wrong_request_is_refused_with_a_way_out() {
         (r#"{"verb": "set", "models": ["human.osim"], "set": {}}"#, "`set` is missing"),
         (r#"{"verb": "inspect", "models": [""]}"#, "expected the name of a file"),
         (r#"{"verb": "transfer", "models": ["human.osim"], "from": "-"}"#, "`from` is standard input"),
+        (
+            r#"{"verb": "check", "models": ["human.osim"], "motion": "-", "plates": "grf.mot"}"#,
+            "`motion` is standard input, where the request itself was: put the request into a file",
+        ),
+        (
+            r#"{"verb": "fit", "file": "human.osim", "motion": "a.mot", "plates": ["grf.mot", "-"]}"#,
+            "`plates` is standard input",
+        ),
     ] {
         bench.run_with("request -", text.as_bytes()).usage().wrote_nothing().says(&[said]);
     }

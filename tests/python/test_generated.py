@@ -33,16 +33,6 @@ def test_a_new_option_is_noticed(tmp_path):
     assert ran.returncode == 1 and "spring" in ran.stdout
 
 
-def test_all_names_of_files_are_known(monkeypatch):
-    """In them, and nowhere else, `~` is the home folder."""
-    from osim_contact_scale._request import PATHS
-
-    monkeypatch.syspath_prepend(TOP / "dev")
-    import request_schemas
-
-    assert {field.name for verb in request_schemas.verbs() for field in verb.fields if "path" in field.kinds} == PATHS
-
-
 def test_the_stub_of_the_native_half_has_what_it_has():
     stub = (TOP / "python" / "osim_contact_scale" / "_native.pyi").read_text(encoding="utf-8")
     for name, value in vars(ocs._native).items():

@@ -13,12 +13,11 @@ mod terminal;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use clap::FromArgMatches;
 use clap::error::ErrorKind;
 use osim_model::messages::Verb;
 use osim_requests::{PlotKind, RequestFault};
 
-use crate::args::{Cli, bare_command, check_typed, command, plain_command, usage_line};
+use crate::args::{Call, bare_command, command, typed_call, usage_line, verb_names};
 use crate::exit::{Exit, exit_of, text_of};
 use crate::session::{Session, WORDS};
 use crate::suggestions::{axis_meant, figure_meant, meant};
@@ -29,9 +28,9 @@ pub fn main() -> ExitCode {
     exit::outlive_size_limit();
     let mut session = Session { terminal: Terminal::new(), words: WORDS };
     let exit = match parsed(session.terminal.columns()) {
-        Ok((cli, typed)) => {
-            let done = match typed {
-                Ok(()) => commands::call(cli, &mut session),
+        Ok(call) => {
+            let done = match call {
+                Ok(call) => commands::call(call, &mut session),
                 Err(fault) => Err(session.usage(&fault)),
             };
             done.unwrap_or_else(|error| {
@@ -45,21 +44,24 @@ pub fn main() -> ExitCode {
     ExitCode::from(exit.code())
 }
 
-/// The words of the command line, and whether they go together. What clap prints is an error to it.
-fn parsed(columns: Option<usize>) -> Result<(Cli, Result<(), RequestFault>), clap::Error> {
+/// What the words of the command line ask for, if they go together. What clap prints is an error to it.
+fn parsed(columns: Option<usize>) -> Result<Result<Call, RequestFault>, clap::Error> {
+    let first = std::env::args_os().nth(1);
+    let first = first.as_deref().and_then(|word| word.to_str());
     // To put the help together takes longer than to read the words, so it is done where something is to be shown.
-    let bare = (!asks_for_help()).then(|| bare_command().try_get_matches());
-    let mut matches = match bare {
+    let bare = (!asks_for_help()).then(|| bare_command(first).try_get_matches());
+    let matches = match bare {
         Some(Ok(matches)) => matches,
         Some(Err(version)) if version.kind() == ErrorKind::DisplayVersion => return Err(version),
-        _ => command(columns).try_get_matches()?,
+        _ => command(columns, first).try_get_matches()?,
     };
-    let typed = check_typed(&matches);
-    let cli = Cli::from_arg_matches_mut(&mut matches)?;
-    if let Some(words) = cli.in_other_words() {
-        command(columns).try_get_matches_from(words)?;
+    let call = typed_call(&matches)?;
+    if let Ok(Call::Own(own)) = &call
+        && let Some(words) = own.in_other_words()
+    {
+        command(columns, words.get(1).copied()).try_get_matches_from(&words)?;
     }
-    Ok((cli, typed))
+    Ok(call)
 }
 
 /// Whether the words ask for help, or there are none. Where these words are values of options, nothing but time is lost.
@@ -72,8 +74,7 @@ fn asks_for_help() -> bool {
 fn instead() -> Option<String> {
     let words: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     let is_option = |word: &PathBuf| word.as_os_str().as_encoded_bytes().starts_with(b"-");
-    let is_verb =
-        |word: &PathBuf| word.to_str().is_some_and(|word| plain_command().find_subcommand(word).is_some());
+    let is_verb = |word: &PathBuf| verb_names().any(|name| word.as_os_str() == name);
     let after_verb = usize::from(words.first().is_some_and(is_verb));
     // The kind of a figure is no file, although one has the name of a verb.
     let is_plot = words.first().is_some_and(|word| word.as_os_str() == Verb::Plot.name());

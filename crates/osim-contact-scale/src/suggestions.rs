@@ -2,13 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{Command, CommandFactory};
 use osim_library::SplitName;
 use osim_library::report_page::Words;
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 
-use crate::args::Cli;
+use crate::args::verb_names;
 
 /// What to write instead of `words`, the words of a call beside its options; `None` if that is not known. With `may_be_mass`, a
 /// bare number can only be the target mass.
@@ -73,19 +72,11 @@ pub(crate) fn axis_meant(words: &[String], terms: Words) -> Option<String> {
     Some(text.spelled(terms))
 }
 
-/// A verb that is spelled almost like `word`.
+/// A verb that is spelled almost like `word`. What a model alone means comes first where two are as near.
 fn near(word: &Path) -> Option<String> {
-    let word = word.to_str()?;
-    let verbs = verbs();
-    nearest(word, verbs.iter().map(String::as_str)).map(str::to_owned)
-}
-
-fn verbs() -> Vec<String> {
-    let command: Command = Cli::command();
-    let mut names: Vec<String> = command.get_subcommands().map(|verb| verb.get_name().to_owned()).collect();
-    // What a model alone means comes first where two are as near.
-    names.sort_by_key(|name| *name != Verb::Rescale.name());
-    names
+    let rescale = Verb::Rescale.name();
+    let others = verb_names().filter(|name| *name != rescale);
+    nearest(word.to_str()?, std::iter::once(rescale).chain(others)).map(str::to_owned)
 }
 
 /// The one of `names` that was probably meant by `word`: a part of it, or spelled almost like it.

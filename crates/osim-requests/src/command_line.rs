@@ -1,38 +1,163 @@
-//! Requests from the words of a command line, read by clap.
+//! Requests from the words of a command line: the parser of a verb, made from the register, and what it read.
 
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::parser::ValueSource;
-use clap::{ArgMatches, Command};
-use osim_model::messages::Verb;
+use clap::{Arg, ArgAction, ArgMatches, Command, value_parser};
+use osim_model::messages::{Phrase, Verb, shortest};
+use serde_json::{Map, Value};
 
-use crate::dictionary;
 use crate::fault::{Relation, RequestFault};
-use crate::request::relations_of;
+use crate::register::{Entry, List, Takes, option_named};
+use crate::request::{Request, check_value, relations_of, silent_fields, verb_entry};
+use crate::spell::CommandLine;
+use crate::values::{assignment, path};
 
-/// Teaches the parser of a verb which options are required and which exclude each other: the same rules as for dictionaries.
-/// What an option [needs](check) it is not taught: clap forgets that where the other one is excluded by a third.
-pub fn with_relations(command: Command, verb: Verb) -> Command {
-    let all = relations_of(verb);
-    command.mut_args(|argument| {
-        let name = argument.get_id().clone();
-        // Arguments are large, and each step moves one: only its own relations take part.
-        let own = all.iter().copied().flatten().filter(|relation| name == relation.field());
-        own.fold(argument, |argument, relation| match *relation {
-            Relation::Required(_) => argument.required(true),
-            Relation::Expected(_) | Relation::ExpectedUnless(..) | Relation::Needs(..) => argument,
-            Relation::RequiredUnless(_, other) => argument.required_unless_present(other),
-            Relation::Excludes(_, other) => argument.conflicts_with(other),
-        })
+/// Models and assignments, which `set` has in one list of words.
+const ITEMS: &str = "items";
+
+/// After all usual options under a heading of the help.
+const LAST: usize = 1000;
+
+/// Adds the options of `verb`; with their texts where the parser has a help.
+///
+/// The parser knows which options are required and which exclude each other. What an option needs it is not taught: clap forgets that
+/// where the other one is excluded by a third, so that [`read`] checks it.
+pub fn with_options(command: Command, verb: Verb) -> Command {
+    let has_help = !command.is_disable_help_flag_set();
+    let fields = silent_fields(verb);
+    let has_items = fields.contains_key("set");
+    let command = if has_items { command.arg(items()) } else { command };
+    let options = fields.into_iter().filter_map(|(name, silent)| Some((option_named(verb, &name)?, silent)));
+    let options = options.filter(|(option, _)| !has_items || !["models", "set"].contains(&option.name));
+    command.args(options.map(|(option, silent)| {
+        let argument = related(argument(verb, &option), verb);
+        if has_help { with_texts(argument, &option, &silent) } else { argument }
+    }))
+}
+
+fn items() -> Arg {
+    Arg::new(ITEMS)
+        .value_name("MODEL|PROPERTY=VALUE|PROPERTY=xFACTOR")
+        .required(true)
+        .num_args(1..)
+        .value_parser(value_parser!(OsString))
+        .help("Models, and what to set: PROPERTY=VALUE or PROPERTY=xFACTOR")
+}
+
+fn argument(verb: Verb, option: &Entry) -> Arg {
+    let name = option.name;
+    let is_positional = verb_entry(verb).positional.contains(&name);
+    let argument = Arg::new(name).short(option.short).allow_hyphen_values(option.is_signed);
+    let argument = if is_positional { argument } else { argument.long(name.replace('_', "-")) };
+    if option.takes == Takes::Flag {
+        return argument.action(ArgAction::SetTrue);
+    }
+    let argument = match option.value_name {
+        "" => argument.value_name(name.to_uppercase()),
+        value_name => argument.value_name(value_name),
+    };
+    let argument = match option.list {
+        List::One => argument,
+        List::Repeated if is_positional => argument.num_args(1..).action(ArgAction::Append),
+        List::Repeated => argument.action(ArgAction::Append),
+        List::Commas => argument.action(ArgAction::Append).value_delimiter(','),
+    };
+    match option.takes {
+        Takes::Choice(words) => argument.value_parser(PossibleValuesParser::new(words.iter().map(possible))),
+        _ if option.is_path() => argument.value_parser(value_parser!(PathBuf)),
+        _ => argument.value_parser(move |word: &str| {
+            check_value(verb, name, word.into()).map(|()| word.to_owned())
+        }),
+    }
+}
+
+fn possible((word, meaning): &(&'static str, &'static str)) -> PossibleValue {
+    let word = PossibleValue::new(*word);
+    if meaning.is_empty() { word } else { word.help(*meaning) }
+}
+
+/// The argument with what it requires and excludes.
+fn related(argument: Arg, verb: Verb) -> Arg {
+    let name = argument.get_id().clone();
+    let relations = relations_of(verb).iter().copied().flatten().filter(|relation| name == relation.field());
+    relations.fold(argument, |argument, relation| match *relation {
+        Relation::Required(_) => argument.required(true),
+        Relation::Expected(_) | Relation::ExpectedUnless(..) | Relation::Needs(..) => argument,
+        Relation::RequiredUnless(_, other) => argument.required_unless_present(other),
+        Relation::Excludes(_, other) => argument.conflicts_with(other),
     })
 }
 
-/// Checks that the options which were typed for a verb go together, as a dictionary is checked.
+/// The argument with its help, in the words of the command line, and with its default. The usual ones are first.
+fn with_texts(argument: Arg, option: &Entry, silent: &Value) -> Arg {
+    let spelled = |text: &'static str| Phrase::template(text).spelled(&CommandLine);
+    let argument = argument.help(spelled(option.help)).hide(option.is_refused);
+    let argument = match option.heading {
+        "" => argument,
+        heading => argument.help_heading(spelled(heading)),
+    };
+    let argument = match silent {
+        Value::String(text) => argument.default_value(text.clone()),
+        Value::Number(number) => argument.default_value(number.as_f64().map(shortest).unwrap_or_default()),
+        _ => argument,
+    };
+    if option.is_rare { argument.hide_short_help(true).display_order(LAST) } else { argument }
+}
+
+/// The request that was typed for `verb`; `is_file` says what is no assignment, although it looks like one.
 ///
 /// # Errors
-/// The first that has no meaning without another.
-pub fn check(matches: &ArgMatches, verb: Verb) -> Result<(), RequestFault> {
-    let typed = |id: &str| matches.value_source(id) == Some(ValueSource::CommandLine);
-    let typed: Vec<&str> = matches.ids().map(clap::Id::as_str).filter(|id| typed(id)).collect();
-    let needs = |relation: &Relation| matches!(relation, Relation::Needs(..));
-    let relations = relations_of(verb).iter().copied().flatten().copied().filter(needs);
-    dictionary::check_relations(|field| typed.contains(&field), relations)
+/// An option that says nothing without another one; of `set`, no model, an unknown property or a value that is not a number.
+pub fn read(
+    verb: Verb,
+    matches: &ArgMatches,
+    is_file: impl Fn(&Path) -> bool,
+) -> Result<Request, RequestFault> {
+    let is_typed = |name: &str| matches.value_source(name) == Some(ValueSource::CommandLine);
+    let mut fields = Map::new();
+    let mut words: Vec<&OsString> = Vec::new();
+    for name in matches.ids().map(clap::Id::as_str).filter(|name| is_typed(name)) {
+        match option_named(verb, name) {
+            Some(option) => drop(fields.insert(name.to_owned(), typed(&option, matches))),
+            None => words.extend(matches.get_many::<OsString>(name).into_iter().flatten()),
+        }
+    }
+    let request = Request::read_typed(verb, fields)?;
+    match request {
+        Request::Set(mut request) => {
+            for word in words {
+                // A name that is not UTF-8 is no assignment.
+                match word.to_str().and_then(|word| word.split_once('=')) {
+                    Some((name, value)) if !is_file(Path::new(word)) => {
+                        let added = assignment(name, value).and_then(|new| request.set.add(new));
+                        added.map_err(RequestFault::general)?;
+                    }
+                    _ => request.models.push(PathBuf::from(word)),
+                }
+            }
+            if request.models.is_empty() {
+                let message = "no model given, expected one or more .osim files or folders (see set --help)";
+                return Err(RequestFault::general(message));
+            }
+            Ok(Request::Set(request))
+        }
+        request => Ok(request),
+    }
+}
+
+/// What was typed for an option, as requests have it.
+fn typed(option: &Entry, matches: &ArgMatches) -> Value {
+    let name = option.name;
+    if option.takes == Takes::Flag {
+        return true.into();
+    }
+    let mut values: Vec<Value> = if option.is_path() {
+        matches.get_many::<PathBuf>(name).into_iter().flatten().map(|file| path::to_value(file)).collect()
+    } else {
+        matches.get_many::<String>(name).into_iter().flatten().map(|text| text.as_str().into()).collect()
+    };
+    if option.is_list() { values.into() } else { values.pop().unwrap_or_default() }
 }

@@ -11,11 +11,15 @@ use crate::fault::{Relation, RequestFault};
 /// A name that is this like another was probably meant.
 const NEAR: usize = 2;
 
-/// Reads a request from its fields. A field that is null counts as absent.
+/// Reads a request from its fields. A field that is null counts as absent. Of `relations`, only those that are `checked` must hold.
 ///
 /// # Errors
 /// A field that does not exist, a value that cannot be taken, or fields that do not go together.
-pub(crate) fn read<T>(fields: Map<String, Value>, relations: &[&[Relation]]) -> Result<T, RequestFault>
+pub(crate) fn read<T>(
+    fields: Map<String, Value>,
+    relations: &[&[Relation]],
+    checked: fn(&Relation) -> bool,
+) -> Result<T, RequestFault>
 where
     T: Default + Serialize + DeserializeOwned,
 {
@@ -25,7 +29,7 @@ where
         return Err(RequestFault::UnknownField { field: field.clone(), nearest });
     }
     let fields: Map<String, Value> = fields.into_iter().filter(|(_, value)| !value.is_null()).collect();
-    check_fields(&fields, relations)?;
+    check_fields(&fields, relations, checked)?;
     match serde_json::from_value(Value::Object(fields.clone())) {
         Ok(request) => Ok(request),
         Err(error) => Err(bad_value::<T>(&fields, &error)),
@@ -40,7 +44,7 @@ pub(crate) fn check<T: Default + Serialize>(
     request: &T,
     relations: &[&[Relation]],
 ) -> Result<(), RequestFault> {
-    check_fields(&said(request), relations)
+    check_fields(&said(request), relations, |_| true)
 }
 
 /// The fields of a request that differ from their defaults.
@@ -58,26 +62,19 @@ pub(crate) fn map(request: &impl Serialize) -> Map<String, Value> {
     }
 }
 
-fn check_fields(fields: &Map<String, Value>, relations: &[&[Relation]]) -> Result<(), RequestFault> {
+fn check_fields(
+    fields: &Map<String, Value>,
+    relations: &[&[Relation]],
+    checked: fn(&Relation) -> bool,
+) -> Result<(), RequestFault> {
     let says = |name: &str| match fields.get(name) {
         None | Some(Value::Null | Value::Bool(false)) => false,
         Some(Value::Array(items)) => !items.is_empty(),
         Some(Value::Object(items)) => !items.is_empty(),
         Some(_) => true,
     };
-    check_relations(says, relations.iter().copied().flatten().copied())
-}
-
-/// Checks that the fields for which `says` is true go together.
-///
-/// # Errors
-/// The first that do not.
-pub(crate) fn check_relations(
-    says: impl Fn(&str) -> bool,
-    relations: impl Iterator<Item = Relation>,
-) -> Result<(), RequestFault> {
-    for relation in relations {
-        match relation {
+    for relation in relations.iter().copied().flatten().filter(|relation| checked(relation)) {
+        match *relation {
             Relation::Required(field) | Relation::Expected(field) if !says(field) => {
                 return Err(RequestFault::Missing { field });
             }
@@ -98,12 +95,20 @@ pub(crate) fn check_relations(
     Ok(())
 }
 
+/// Checks one field of a request.
+///
+/// # Errors
+/// Its value cannot be taken: what was expected.
+pub(crate) fn check_value<T: DeserializeOwned>(name: &str, value: Value) -> Result<(), String> {
+    let alone = Map::from_iter([(name.to_owned(), value)]);
+    serde_json::from_value::<T>(Value::Object(alone)).map(drop).map_err(|error| error.to_string())
+}
+
 /// The first field whose value cannot be taken: each is tried alone.
 fn bad_value<T: DeserializeOwned>(fields: &Map<String, Value>, error: &serde_json::Error) -> RequestFault {
     for (name, value) in fields {
-        let alone = Map::from_iter([(name.clone(), value.clone())]);
-        if let Err(error) = serde_json::from_value::<T>(Value::Object(alone)) {
-            let (value, reason) = bad_item::<T>(name, value).unwrap_or_else(|| (value, error.to_string()));
+        if let Err(why) = check_value::<T>(name, value.clone()) {
+            let (value, reason) = bad_item::<T>(name, value).unwrap_or((value, why));
             return RequestFault::BadValue { field: name.clone(), value: as_given(value), reason };
         }
     }
@@ -124,10 +129,9 @@ fn as_given(value: &Value) -> String {
 
 /// The first item of a list that cannot be taken, and why.
 fn bad_item<'v, T: DeserializeOwned>(name: &str, value: &'v Value) -> Option<(&'v Value, String)> {
-    let read = |list| serde_json::from_value::<T>(Value::Object(Map::from_iter([(name.to_owned(), list)])));
     // Where no list can be taken, the list is what is wrong.
-    read(Value::Array(Vec::new())).ok()?;
-    let wrong = |item: &Value| Some(read(Value::Array(vec![item.clone()])).err()?.to_string());
+    check_value::<T>(name, Value::Array(Vec::new())).ok()?;
+    let wrong = |item: &Value| check_value::<T>(name, Value::Array(vec![item.clone()])).err();
     value.as_array()?.iter().find_map(|item| Some((item, wrong(item)?)))
 }
 

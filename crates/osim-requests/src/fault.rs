@@ -96,8 +96,8 @@ impl RequestFault {
 
 /// A field as front ends know it.
 fn named(field: &str) -> Phrase {
-    match Input::ALL.iter().find(|input| input.name() == field) {
-        Some(input) => (*input).into(),
+    match Input::named(field) {
+        Some(input) => input.into(),
         None => format!("`{field}`").into(),
     }
 }

@@ -22,8 +22,8 @@
 pub mod command_line;
 mod dictionary;
 mod fault;
-mod fields;
 pub mod options;
+pub mod register;
 mod request;
 #[cfg(feature = "schemas")]
 mod schema;
@@ -31,16 +31,16 @@ pub mod spell;
 pub mod values;
 
 pub use crate::fault::{Relation, RequestError, RequestFault};
-#[cfg(feature = "schemas")]
-pub use crate::request::schema_of;
 pub use crate::request::{
-    AddRequest, AngleChoice, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny,
+    CHANGING, AddRequest, AngleChoice, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny,
     DesignRequest, DropTestRequest, ExplainRequest, FigureOptions, FitRequest, FittedChoice, HeatOptions,
     HeatQuantity, HeightChoice, InspectRequest, MotionFormat, MotionRequest, NoteDetails, NoteRequest,
     PlotKind, PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest, Request,
-    RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, fig1, no_fig1, silent_fields,
-    takes,
+    RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, VerbEntry, VerbGroup, fig1, no_fig1, silent_fields,
+    takes, verb_entry,
 };
+#[cfg(feature = "schemas")]
+pub use crate::schema::schema_of;
 pub use crate::values::{
     Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,
     Dpi, DropHeight, FigureWidth, FontSize, Grid, GridValue, Height, Jobs, Kilograms, Metres, NewRadius,

@@ -1,47 +1,52 @@
-//! Schemas of requests, from their types.
+//! Schemas of requests, from their types and the register.
 //!
-//! Beside the words of JSON Schema they have two of their own, for what is made from them: `x-positional`, the fields that a call
-//! has without their names, and `x-group`, what a field is about that says nothing about contacts. What fields and conditions repeat
-//! is in `$defs`.
+//! Beside the words of JSON Schema they have some of their own, for what is made from them: `x-changes`, where the verb changes models
+//! that it names; `x-positional`, the fields that a call has without their names; `x-group`, what a field is about that says nothing
+//! about contacts; and `x-of-run`, where it is about a whole run, and no row of a table can have its own. What fields and conditions
+//! repeat is in `$defs`.
 
 use osim_model::messages::Verb;
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
-#[cfg(feature = "schemas")]
 use schemars::Schema;
-#[cfg(feature = "schemas")]
-use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
 use crate::fault::Relation;
-use crate::fields::{FieldGroup, positional};
+use crate::register::{Entry, option_named};
+use crate::request::{CHANGING, relations_of, type_schema, verb_entry};
+use crate::values::path;
 
-/// The schema of the requests `T` for `verb`.
-pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Schema {
-    let mut schema = SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<T>();
+/// The schema of the requests for `verb`.
+pub fn schema_of(verb: Verb) -> Schema {
+    let mut schema = type_schema(verb);
     let object = schema.ensure_object();
+    let mut names_files = false;
     let properties = object.entry("properties").or_insert_with(|| Map::new().into());
     if let Value::Object(properties) = properties {
-        let named = std::mem::take(properties);
+        let fields = std::mem::take(properties);
         properties.insert("verb".to_owned(), json!({"const": verb.name()}));
-        // What says nothing may be null.
-        properties.extend(named.into_iter().map(|(name, schema)| {
-            let schema = in_group(&name, or_null(schema));
-            (name, schema)
+        properties.extend(fields.into_iter().map(|(name, schema)| {
+            let option = option_named(verb, &name);
+            names_files |= option.is_some_and(|option| option.is_path());
+            (name, option.map_or(schema.clone(), |option| described(&option, schema)))
         }));
     }
-    if !positional(verb).is_empty() {
-        object.insert("x-positional".to_owned(), positional(verb).into());
+    if !verb_entry(verb).positional.is_empty() {
+        object.insert("x-positional".to_owned(), verb_entry(verb).positional.into());
+    }
+    if CHANGING.contains(&verb) {
+        object.insert("x-changes".to_owned(), true.into());
     }
     object.insert("additionalProperties".to_owned(), false.into());
     let mut required = vec![Value::from("verb")];
     let mut all = Vec::new();
-    let mut definitions = match object.remove("$defs") {
-        Some(Value::Object(of_types)) => of_types,
-        _ => Map::new(),
-    };
+    let mut definitions = Map::new();
+    if names_files {
+        definitions.insert("Path".to_owned(), path::schema());
+    }
+    if let Some(Value::Object(of_types)) = object.remove("$defs") {
+        definitions.extend(of_types);
+    }
     let mut given = |field| is_given(field, &mut definitions);
-    for relation in relations.iter().copied().flatten() {
+    for relation in relations_of(verb).iter().copied().flatten() {
         match *relation {
             Relation::Required(field) | Relation::Expected(field) => {
                 required.push(field.into());
@@ -68,10 +73,23 @@ pub(crate) fn schema<T: JsonSchema>(verb: Verb, relations: &[&[Relation]]) -> Sc
     schema
 }
 
-/// The schema of the field `name` with its group, where it has one.
-fn in_group(name: &str, mut schema: Value) -> Value {
-    if let (Some(group), Some(object)) = (FieldGroup::of(name), schema.as_object_mut()) {
-        object.insert("x-group".to_owned(), group.name().into());
+/// The schema of a field as its type has it, with what the register says of it.
+fn described(option: &Entry, of_type: Value) -> Value {
+    let mut schema = json!({"description": option.help});
+    let file = json!({"$ref": "#/$defs/Path"});
+    // What says nothing may be null.
+    let of_type = match (option.is_path(), option.is_list()) {
+        (false, _) => or_null(of_type),
+        (true, false) => json!({"anyOf": [file, {"type": "null"}], "default": of_type["default"]}),
+        (true, true) => or_null(json!({"type": "array", "items": file, "default": of_type["default"]})),
+    };
+    let groups = [
+        option.group.map(|group| ("x-group", group.name().into())),
+        option.is_of_run.then(|| ("x-of-run", true.into())),
+    ];
+    if let (Value::Object(schema), Value::Object(of_type)) = (&mut schema, of_type) {
+        schema.extend(of_type);
+        schema.extend(groups.into_iter().flatten().map(|(name, value): (_, Value)| (name.to_owned(), value)));
     }
     schema
 }

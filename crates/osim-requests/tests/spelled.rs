@@ -2,18 +2,11 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use std::path::PathBuf;
-
-use clap::{Args, Command};
+use clap::Command;
 use osim_model::messages::Verb;
-use osim_requests::command_line::{check, with_relations};
+use osim_requests::command_line::{read, with_options};
 use osim_requests::spell::{CommandLine, Python, Speller};
-use osim_requests::{
-    AddRequest, BatchRequest, CheckRequest, ConvertRequest, DesignRequest, DropTestRequest, ExplainRequest,
-    FitRequest, InspectRequest, MotionRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest,
-    ReproduceRequest, Request, RescaleRequest, SetRequest, SweepRequest, TransferRequest, assignment,
-    schema_of,
-};
+use osim_requests::{Request, schema_of};
 use serde_json::{Map, Value, json};
 
 fn request(json: &Value) -> Request {
@@ -28,58 +21,13 @@ fn command(request: &Request) -> String {
 fn read_back(line: &str) -> Request {
     let words = shlex::split(line).unwrap_or_else(|| panic!("no shell takes this: {line}"));
     assert_eq!(words[0], "osim-contact-scale");
-    let verb = Verb::ALL.iter().copied().find(|verb| verb.name() == words[1]).unwrap();
-    let words = &words[1..];
-    match verb {
-        Verb::Rescale => parsed::<RescaleRequest>(verb, words).into(),
-        Verb::Transfer => parsed::<TransferRequest>(verb, words).into(),
-        Verb::Add => parsed::<AddRequest>(verb, words).into(),
-        Verb::Convert => parsed::<ConvertRequest>(verb, words).into(),
-        Verb::Remove => parsed::<RemoveRequest>(verb, words).into(),
-        Verb::Design => parsed::<DesignRequest>(verb, words).into(),
-        Verb::Note => parsed::<NoteRequest>(verb, words).into(),
-        Verb::Inspect => parsed::<InspectRequest>(verb, words).into(),
-        Verb::Check => parsed::<CheckRequest>(verb, words).into(),
-        Verb::Batch => parsed::<BatchRequest>(verb, words).into(),
-        Verb::Sweep => parsed::<SweepRequest>(verb, words).into(),
-        Verb::DropTest => parsed::<DropTestRequest>(verb, words).into(),
-        Verb::Motion => parsed::<MotionRequest>(verb, words).into(),
-        Verb::Plot => parsed::<PlotRequest>(verb, words).into(),
-        Verb::Fit => parsed::<FitRequest>(verb, words).into(),
-        Verb::Reproduce => parsed::<ReproduceRequest>(verb, words).into(),
-        Verb::Presets => parsed::<PresetsRequest>(verb, words).into(),
-        Verb::Explain => parsed::<ExplainRequest>(verb, words).into(),
-        _ => parsed::<SetArgs>(verb, words).request().into(),
-    }
+    let verb = Verb::named(&words[1]).unwrap();
+    let matches = parser(verb).try_get_matches_from(&words[1..]).unwrap_or_else(|error| panic!("{words:?}: {error}"));
+    read(verb, &matches, |_| false).unwrap()
 }
 
-fn parsed<T: Args>(verb: Verb, words: &[String]) -> T {
-    let parser = with_relations(T::augment_args(Command::new(verb.name())), verb);
-    let matches = parser.try_get_matches_from(words).unwrap_or_else(|error| panic!("{words:?}: {error}"));
-    check(&matches, verb).unwrap();
-    T::from_arg_matches(&matches).unwrap()
-}
-
-/// As the command has models and assignments: in one list of words.
-#[derive(Debug, Args)]
-struct SetArgs {
-    #[arg(required = true)]
-    items: Vec<String>,
-    #[command(flatten)]
-    request: SetRequest,
-}
-
-impl SetArgs {
-    fn request(self) -> SetRequest {
-        let mut request = self.request;
-        for item in self.items {
-            match item.split_once('=') {
-                Some((name, value)) => request.set.add(assignment(name, value).unwrap()).unwrap(),
-                None => request.models.push(PathBuf::from(item)),
-            }
-        }
-        request
-    }
+fn parser(verb: Verb) -> Command {
+    with_options(Command::new(verb.name()), verb)
 }
 
 /// A value of each field that is not the one by default.
@@ -176,37 +124,11 @@ fn every_field_of_every_verb_comes_back() {
     }
 }
 
-/// The arguments of a verb, as the command has them.
-fn arguments_of(verb: Verb) -> Command {
-    let command = Command::new(verb.name());
-    match verb {
-        Verb::Rescale => RescaleRequest::augment_args(command),
-        Verb::Transfer => TransferRequest::augment_args(command),
-        Verb::Add => AddRequest::augment_args(command),
-        Verb::Remove => RemoveRequest::augment_args(command),
-        Verb::Convert => ConvertRequest::augment_args(command),
-        Verb::Design => DesignRequest::augment_args(command),
-        Verb::Note => NoteRequest::augment_args(command),
-        Verb::Batch => BatchRequest::augment_args(command),
-        Verb::Sweep => SweepRequest::augment_args(command),
-        Verb::Inspect => InspectRequest::augment_args(command),
-        Verb::Check => CheckRequest::augment_args(command),
-        Verb::DropTest => DropTestRequest::augment_args(command),
-        Verb::Motion => MotionRequest::augment_args(command),
-        Verb::Plot => PlotRequest::augment_args(command),
-        Verb::Fit => FitRequest::augment_args(command),
-        Verb::Reproduce => ReproduceRequest::augment_args(command),
-        Verb::Presets => PresetsRequest::augment_args(command),
-        Verb::Explain => ExplainRequest::augment_args(command),
-        _ => SetRequest::augment_args(command),
-    }
-}
-
 /// What calls have without a name is what the command takes so, but for `set`, which has models and assignments in one list.
 #[test]
 fn what_has_no_name_has_none_on_a_command_line() {
     for &verb in Verb::ALL.iter().filter(|verb| **verb != Verb::Set) {
-        let command = arguments_of(verb);
+        let command = parser(verb);
         let taken: Vec<&str> = command.get_positionals().map(|argument| argument.get_id().as_str()).collect();
         let schema = schema_of(verb).to_value();
         let declared = schema["x-positional"].as_array().into_iter().flatten().filter_map(Value::as_str);
@@ -219,7 +141,7 @@ fn lists_are_one_word_with_commas_where_an_option_takes_one() {
     let mut lists = 0;
     for &verb in Verb::ALL {
         let schema = schema_of(verb).to_value();
-        for argument in arguments_of(verb).get_arguments().filter(|argument| !argument.is_positional()) {
+        for argument in parser(verb).get_arguments().filter(|argument| !argument.is_positional()) {
             let request = request(&with_field(verb, &schema, argument.get_id().as_str()));
             let Some(Value::Array(items)) = request.to_map().remove(argument.get_id().as_str()) else {
                 continue;

@@ -1,24 +1,17 @@
-//! The command line: verbs, each with the request that its options make.
+//! The command line: verbs, each with the options of the register.
 
 mod help;
 
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, anyhow, bail};
-use clap::builder::Resettable;
-use clap::{ArgMatches, Args, Command, CommandFactory, Error, FromArgMatches, Parser, Subcommand};
-use osim_model::messages::Verb;
-use osim_requests::command_line::{check, with_relations};
-use osim_requests::{
-    AddRequest, BatchRequest, CheckRequest, ConvertRequest, DesignRequest, DropTestRequest, ExplainRequest,
-    FitRequest, InspectRequest, MotionRequest, NoteRequest, PlotRequest, PresetsRequest, RemoveRequest,
-    ReproduceRequest, RequestFault, RescaleRequest, SetRequest, SweepRequest, TransferRequest, assignment,
-};
+use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
+use osim_model::messages::{Phrase, Verb};
+use osim_requests::command_line::{read, with_options};
+use osim_requests::{Request, RequestFault, VerbEntry, verb_entry};
 use osim_view::report::ExitStatus;
 
-use crate::args::help::{in_groups, in_words_of_the_command, with_usual_first};
-use crate::session::Language;
+use crate::args::help::in_groups;
+use crate::session::{Language, WORDS};
 pub(crate) use help::usage_line;
 
 /// Where the equations are from.
@@ -28,131 +21,110 @@ macro_rules! equations {
     };
 }
 
-/// Makes the contact parameters of OpenSim models right at every body size.
-///
-/// Rescales the contacts of MODEL from the mass they were made for to --target-mass; with a verb, does something else.
-/// MODEL alone is inspected.
-#[derive(Debug, Parser)]
-#[command(
-    version,
-    args_conflicts_with_subcommands = true,
-    arg_required_else_help = true,
-    disable_help_subcommand = true,
-    override_usage = concat!(
-        "osim-contact-scale [OPTIONS] [MODEL]...\n",
-        "       osim-contact-scale <VERB>"
-    ),
-    after_help = concat!("More options with --help. ", equations!())
-)]
-pub(crate) struct Cli {
-    #[command(subcommand)]
-    pub verb: Option<VerbArgs>,
-    #[command(flatten)]
-    pub rescale: RescaleRequest,
+const NAME: &str = env!("CARGO_PKG_NAME");
+
+const USAGE: &str = concat!("osim-contact-scale [OPTIONS] [MODEL]...\n", "       osim-contact-scale <VERB>");
+
+const ABOUT: &str = "Makes the contact parameters of OpenSim models right at every body size";
+
+const DETAILS: &str = "Rescales the contacts of MODEL from the mass they were made for to --target-mass; with a verb, does something else. \
+                       MODEL alone is inspected.";
+
+/// What was typed.
+pub(crate) enum Call {
+    Own(OwnVerb),
+    Request(Request),
+    /// Models and options of a rescale, without its name.
+    WithoutVerb(Request),
 }
 
+/// Verbs of the command alone.
 #[derive(Debug, Subcommand)]
-pub(crate) enum VerbArgs {
-    /// Rescale a model's own contacts to another mass (the verb may be left out)
-    ///
-    /// Spheres move only with --follow-bodies, --body-scale-file or --level. After OpenSim's Scale Tool, check SCALED --from GENERIC first.
-    /// With a note in the model (see note), SCALED --target-mass KG --follow-bodies needs no other file; without one,
-    /// --body-scale-file takes the ScaleSet that was applied.
-    Rescale(Later<RescaleRequest>),
-    /// Give a model the contacts of another model or of a preset, at its own size
-    ///
-    /// After OpenSim's Scale Tool: check SCALED --from GENERIC says where each sphere belongs, and transfer SCALED --from GENERIC
-    /// --follow-bodies -o OUT puts it there and makes the contacts right for the new mass.
-    Transfer(Later<TransferRequest>),
-    /// Give a model contacts: of another model, a table, or under its bones
-    ///
-    /// Spheres are placed by the size of this model's own bones, and their numbers made for its mass. remove takes them out again.
-    Add(Later<AddRequest>),
-    /// Take the foot contacts out of a model
-    ///
-    /// After add, also with a rescale in between, the first file is there again, byte for byte.
-    Remove(Later<RemoveRequest>),
-    /// Make forces of one class from those of the other, one for each sphere
-    ///
-    /// Divides a HuntCrossleyForce with several spheres, too, also into its own class.
-    Convert(Later<ConvertRequest>),
-    /// Find parameters from what is wanted: indentation, stiffness, restitution
-    Design(Later<DesignRequest>),
-    /// Set properties to a value, or multiply them by a factor
-    Set(Later<SetArgs>),
-    /// Write down the mass that a model's contacts were made for
-    ///
-    /// No number changes. OpenSim keeps the note when it scales the model: check SCALED knows then what the contacts were made for
-    /// and whether spheres followed their bodies, and SCALED --target-mass KG --follow-bodies moves them without the generic model.
-    Note(Later<NoteRequest>),
-    /// Change many models, as a table says: one row per model
-    Batch(Later<BatchRequest>),
-    /// Make a grid of variants of a model, or a ladder of them from soft to stiff
-    Sweep(Later<SweepRequest>),
-    /// Show what contacts a model has
-    Inspect(Later<InspectRequest>),
-    /// Compare models with the limits of the paper and the traps of the format
-    ///
-    /// After OpenSim's Scale Tool: check SCALED --from GENERIC says where each sphere belongs, and prints the transfer SCALED
-    /// --from GENERIC --follow-bodies that puts it there. Where the generic model had a note, check SCALED alone is enough.
-    Check(Later<CheckRequest>),
-    /// Let a model fall on its contacts and see what they do
-    DropTest(Later<DropTestRequest>),
-    /// Follow the contacts along a recorded motion, beside what force plates measured
-    ///
-    /// Forces, indentations, slip and impacts of each sphere; the ground reaction of each foot, and how far it is from the plates.
-    Motion(Later<MotionRequest>),
-    /// Draw what contacts do, as SVG, PDF or PNG
-    Plot(Later<PlotRequest>),
-    /// Find contact parameters from a measured indentation and force
-    Fit(Later<FitRequest>),
-    /// Compare Table 1 of the paper with what its equations give, and draw its figures
-    Reproduce(Later<ReproduceRequest>),
-    /// List presets, or show one
-    Presets(Later<PresetsRequest>),
-    /// Explain an equation, a quantity, a finding or an error (alone: list them all)
-    Explain(Later<ExplainRequest>),
+pub(crate) enum OwnVerb {
     /// Do what a request says: a verb with its options, as JSON
-    Request(Later<RequestArgs>),
+    Request(RequestArgs),
     /// Let the shell complete verbs, options and files
-    Completions(Later<CompletionsArgs>),
+    Completions(CompletionsArgs),
     /// Print the manual page, or write all of them
-    Man(Later<ManArgs>),
+    Man(ManArgs),
     /// Print help, or that of one verb
-    Help(Later<HelpArgs>),
+    Help(HelpArgs),
     /// Print the version
     Version,
 }
 
-impl Cli {
+impl OwnVerb {
     /// The words of the call that means the same, where the verb is one that clap answers as an option.
     pub(crate) fn in_other_words(&self) -> Option<Vec<&str>> {
-        const NAME: &str = env!("CARGO_PKG_NAME");
-        match self.verb.as_ref()? {
-            VerbArgs::Help(args) => Some(match args.0.verb.as_deref() {
+        match self {
+            Self::Help(args) => Some(match args.verb.as_deref() {
                 Some(verb) => vec![NAME, verb, "--help"],
                 None => vec![NAME, "-h"],
             }),
-            VerbArgs::Version => Some(vec![NAME, "--version"]),
+            Self::Version => Some(vec![NAME, "--version"]),
             _ => None,
         }
     }
 }
 
-/// The parser, and its help in lines of so many columns; `None` if lines have no end.
-pub(crate) fn command(columns: Option<usize>) -> Command {
-    in_groups(plain_command(), columns)
+/// The names of the command's own verbs, in their order.
+const OWN_VERBS: [&str; 5] = ["request", "completions", "man", "help", "version"];
+
+/// The names of all verbs.
+pub(crate) fn verb_names() -> impl Iterator<Item = &'static str> {
+    Verb::ALL.iter().map(|verb| verb.name()).chain(OWN_VERBS)
 }
 
-/// The parser without the texts of its help, which most calls do not ask for: it knows what options there are, and neither --help nor -h.
-pub(crate) fn bare_command() -> Command {
-    with_relations(Cli::command().disable_help_flag(true), Verb::Rescale)
+// The parser: most calls need one verb, and no texts of help.
+
+/// The parser of the one verb that the first word names, or of a call without a verb. It knows neither --help nor -h.
+pub(crate) fn bare_command(first: Option<&str>) -> Command {
+    let command = root().disable_help_flag(true);
+    match first.and_then(Verb::named) {
+        Some(verb) => {
+            command.subcommand(with_options(Command::new(verb.name()).disable_help_flag(true), verb))
+        }
+        None if first.is_some_and(OwnVerb::has_subcommand) => OwnVerb::augment_subcommands(command),
+        None => with_options(command, Verb::Rescale),
+    }
 }
 
-/// The parser, with what options need and exclude, and help in the words of the command line. No verb is hidden.
-pub(crate) fn plain_command() -> Command {
-    let command = with_usual_first(with_relations(Cli::command(), Verb::Rescale), Verb::Rescale);
-    in_words_of_the_command(command.after_long_help(exit_statuses()))
+/// The parser with its help in lines of so many columns, endless ones for `None`, and with the options of one verb.
+pub(crate) fn command(columns: Option<usize>, verb: Option<&str>) -> Command {
+    in_groups(listing(|listed| Some(listed.name()) == verb), columns)
+}
+
+/// The parser with the options of all verbs. None is hidden.
+pub(crate) fn whole_command() -> Command {
+    listing(|_| true)
+}
+
+/// The parser with all verbs, and the options of those for which `has_options` is true.
+fn listing(has_options: impl Fn(Verb) -> bool) -> Command {
+    let verbs = Verb::ALL.iter().map(|&verb| {
+        let VerbEntry { about, details, .. } = verb_entry(verb);
+        let command = Command::new(verb.name()).about(about);
+        let command = match details {
+            "" => command,
+            details => command.long_about(format!("{about}\n\n{}", Phrase::template(details).spelled(WORDS))),
+        };
+        if has_options(verb) { with_options(command, verb) } else { command }
+    });
+    let command = root().subcommands(verbs);
+    with_options(OwnVerb::augment_subcommands(command), Verb::Rescale)
+        .about(ABOUT)
+        .long_about(format!("{ABOUT}.\n\n{DETAILS}"))
+        .after_help(concat!("More options with --help. ", equations!()))
+        .after_long_help(exit_statuses())
+}
+
+fn root() -> Command {
+    Command::new(NAME)
+        .version(env!("CARGO_PKG_VERSION"))
+        .override_usage(USAGE)
+        .args_conflicts_with_subcommands(true)
+        .arg_required_else_help(true)
+        .disable_help_subcommand(true)
 }
 
 /// What each exit status says, at the end of the long help.
@@ -162,100 +134,23 @@ fn exit_statuses() -> String {
     format!("Exit status:\n{lines}\n{}", equations!())
 }
 
-/// Checks that the options which were typed go together.
+/// The call that was typed.
 ///
 /// # Errors
-/// The first option that has no effect without another one.
-pub(crate) fn check_typed(matches: &ArgMatches) -> Result<(), RequestFault> {
-    let (name, typed) = matches.subcommand().unwrap_or((Verb::Rescale.name(), matches));
-    Verb::named(name).map_or(Ok(()), |verb| check(typed, verb))
-}
-
-// Verbs whose options are put together when the verb is called, so that no start waits for those of all others.
-
-/// The options of a verb.
-#[derive(Debug)]
-pub(crate) struct Later<T>(pub(crate) Box<T>);
-
-impl<T: FromArgMatches> FromArgMatches for Later<T> {
-    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
-        T::from_arg_matches(matches).map(|options| Self(Box::new(options)))
-    }
-
-    fn from_arg_matches_mut(matches: &mut ArgMatches) -> Result<Self, Error> {
-        T::from_arg_matches_mut(matches).map(|options| Self(Box::new(options)))
-    }
-
-    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
-        self.0.update_from_arg_matches(matches)
-    }
-}
-
-impl<T: Args> Args for Later<T> {
-    fn augment_args(verb: Command) -> Command {
-        verb.defer(with_options::<T>)
-    }
-
-    fn augment_args_for_update(verb: Command) -> Command {
-        Self::augment_args(verb)
-    }
-}
-
-/// The options, what they need and exclude, and their help in the words of the command line, if the parser has a help.
-fn with_options<T: Args>(command: Command) -> Command {
-    // The list of verbs says what this one does; the type of its options describes itself.
-    let about = Resettable::from(command.get_about().cloned());
-    let long_about = Resettable::from(command.get_long_about().cloned());
-    let command = T::augment_args(command).about(about).long_about(long_about);
-    let has_help = !command.is_disable_help_flag_set();
-    let command = match Verb::named(command.get_name()) {
-        Some(verb) if has_help => with_usual_first(with_relations(command, verb), verb),
-        Some(verb) => with_relations(command, verb),
-        None => command,
-    };
-    if has_help { in_words_of_the_command(command) } else { command }
+/// The outer error is clap's; the inner one is about options that do not go together.
+pub(crate) fn typed_call(matches: &ArgMatches) -> Result<Result<Call, RequestFault>, clap::Error> {
+    let is_file = Path::exists;
+    Ok(match matches.subcommand() {
+        None => read(Verb::Rescale, matches, is_file).map(Call::WithoutVerb),
+        Some((name, typed)) => match Verb::named(name) {
+            Some(verb) => read(verb, typed, is_file).map(Call::Request),
+            None => Ok(Call::Own(OwnVerb::from_arg_matches(matches)?)),
+        },
+    })
 }
 
 // Arguments of the command alone.
 
-/// Models and assignments in one list of words.
-#[derive(Debug, Args)]
-pub(crate) struct SetArgs {
-    /// Models, and what to set: PROPERTY=VALUE or PROPERTY=xFACTOR
-    #[arg(value_name = "MODEL|PROPERTY=VALUE|PROPERTY=xFACTOR", required = true)]
-    pub items: Vec<OsString>,
-    #[command(flatten)]
-    pub request: SetRequest,
-}
-
-impl SetArgs {
-    /// The request, with the words sorted.
-    ///
-    /// # Errors
-    /// No model, nothing to set, an unknown property or a value that is not a number.
-    pub(crate) fn request(self) -> Result<SetRequest> {
-        let Self { items, mut request } = self;
-        for item in items {
-            // A name that is not UTF-8 is no assignment.
-            match item.to_str().and_then(|item| item.split_once('=')) {
-                Some((name, value)) if !Path::new(&item).exists() => {
-                    let new = assignment(name, value).map_err(|why| anyhow!(why))?;
-                    request.set.add(new).map_err(|why| anyhow!(why))?;
-                }
-                _ => request.models.push(PathBuf::from(item)),
-            }
-        }
-        if request.models.is_empty() {
-            bail!("no model given, expected one or more .osim files or folders (see set --help)");
-        }
-        Ok(request)
-    }
-}
-
-/// Runs one request: the same verbs and options as on the command line, by their names with underscores.
-///
-/// For programs that would have to quote file names for a shell: {"verb": "rescale", "models": ["my model.osim"],
-/// "target_mass": 70}. `schemas/requests` has the schema of each verb's requests.
 #[derive(Debug, Args)]
 pub(crate) struct RequestArgs {
     /// A JSON object; - is standard input
@@ -266,7 +161,6 @@ pub(crate) struct RequestArgs {
     pub words: Language,
 }
 
-/// Prints a script for the shell that completes verbs, options and file names.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 Where to put it (NAME is osim-contact-scale):
@@ -284,7 +178,6 @@ pub(crate) struct CompletionsArgs {
     pub shell: clap_complete::Shell,
 }
 
-/// Prints the help of the program, or of one verb.
 #[derive(Debug, Args)]
 pub(crate) struct HelpArgs {
     /// The verb [default: the help of the program]
@@ -292,7 +185,6 @@ pub(crate) struct HelpArgs {
     pub verb: Option<String>,
 }
 
-/// Prints the manual page of the command or of one verb, or writes all pages into a folder.
 #[derive(Debug, Args)]
 #[command(after_help = "\
 On macOS and Linux (NAME is osim-contact-scale):
@@ -312,21 +204,21 @@ pub(crate) struct ManArgs {
 
 #[cfg(test)]
 mod tests {
+    use osim_requests::VerbGroup;
+
     use super::*;
-    use crate::args::help::GROUPS;
 
     #[test]
     fn the_command_line_is_consistent() {
-        command(None).debug_assert();
+        whole_command().debug_assert();
     }
 
     #[test]
-    fn every_verb_is_in_one_group() {
-        let mut grouped: Vec<&str> = GROUPS.iter().flat_map(|(_, verbs)| verbs.iter().copied()).collect();
-        grouped.sort_unstable();
-        let command = plain_command();
-        let mut verbs: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
-        verbs.sort_unstable();
-        assert_eq!(grouped, verbs);
+    fn every_verb_is_listed() {
+        let command = whole_command();
+        let verbs: Vec<&str> = command.get_subcommands().map(Command::get_name).collect();
+        assert_eq!(verbs, verb_names().collect::<Vec<_>>());
+        let listed = VerbGroup::ALL.into_iter().flat_map(VerbGroup::verbs).count();
+        assert_eq!(listed, Verb::ALL.len());
     }
 }

@@ -11,17 +11,16 @@ use clap_mangen::Man;
 use osim_library::report_page::Words;
 use osim_library::{PendingFile, WriteMode};
 
-use crate::args::{CompletionsArgs, ManArgs, plain_command};
+use crate::args::{CompletionsArgs, ManArgs, whole_command};
 use crate::exit::Exit;
 use crate::session::Session;
-use crate::terminal::Terminal;
 
 /// Prints the script for the shell that `args` names.
 ///
 /// # Errors
 /// Standard output cannot be written.
-pub(crate) fn run(args: &CompletionsArgs, terminal: &mut Terminal) -> Result<()> {
-    let mut command = plain_command();
+pub(crate) fn run(args: &CompletionsArgs, session: &mut Session) -> Result<Exit> {
+    let mut command = whole_command();
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(args.shell, &mut command, name.as_str(), &mut script);
@@ -30,8 +29,8 @@ pub(crate) fn run(args: &CompletionsArgs, terminal: &mut Terminal) -> Result<()>
         Shell::Fish => script = completed(&String::from_utf8(script)?, &command).into_bytes(),
         _ => {}
     }
-    terminal.write_bytes(&script)?;
-    Ok(())
+    session.terminal.write_bytes(&script)?;
+    Ok(Exit::Done)
 }
 
 /// clap_complete 4.6 spells a command with hyphens in two ways, so that bash completes nothing after a verb
@@ -131,7 +130,7 @@ pub(crate) fn manual(args: &ManArgs, session: &mut Session) -> Result<Exit> {
 fn pages() -> Vec<Man> {
     // A page has room for what the short help leaves out; clap_mangen would leave it out too.
     let in_full = |command: Command| command.mut_args(|argument| argument.hide_short_help(false));
-    let mut command = plain_command();
+    let mut command = whole_command();
     // Gives verbs their full names, and their options.
     command.build();
     let command = in_full(command).mut_subcommands(in_full);

@@ -6,7 +6,7 @@ use anyhow::Result;
 use osim_model::files::CompanionPaths;
 use osim_requests::{DropTestRequest, PlotRequest, Request, SweepRequest};
 
-use crate::args::{Cli, VerbArgs};
+use crate::args::{Call, OwnVerb};
 use crate::commands::{calculators, change, completions, lookups, motion, plot, survey, sweep};
 use crate::exit::Exit;
 use crate::session::{self, Session};
@@ -15,37 +15,16 @@ use crate::session::{self, Session};
 ///
 /// # Errors
 /// Wrong usage, found before anything was written.
-pub(crate) fn call(cli: Cli, session: &mut Session) -> Result<Exit> {
-    let request: Request = match cli.verb {
-        None => return change::rescale(cli.rescale, true, session),
-        Some(VerbArgs::Set(args)) => args.0.request()?.into(),
-        Some(VerbArgs::Request(args)) => lookups::read_request(&args.0, session)?,
-        Some(VerbArgs::Completions(args)) => {
-            return completions::run(&args.0, &mut session.terminal).map(|()| Exit::Done);
-        }
+pub(crate) fn call(call: Call, session: &mut Session) -> Result<Exit> {
+    match call {
+        Call::WithoutVerb(Request::Rescale(request)) => change::rescale(*request, true, session),
+        Call::WithoutVerb(request) | Call::Request(request) => ask(request, session),
+        Call::Own(OwnVerb::Request(args)) => ask(lookups::read_request(&args, session)?, session),
+        Call::Own(OwnVerb::Completions(args)) => completions::run(&args, session),
+        Call::Own(OwnVerb::Man(args)) => completions::manual(&args, session),
         // Answered by clap.
-        Some(VerbArgs::Help(_) | VerbArgs::Version) => return Ok(Exit::Done),
-        Some(VerbArgs::Man(args)) => return completions::manual(&args.0, session),
-        Some(VerbArgs::Rescale(request)) => Request::Rescale(request.0),
-        Some(VerbArgs::Transfer(request)) => Request::Transfer(request.0),
-        Some(VerbArgs::Add(request)) => Request::Add(request.0),
-        Some(VerbArgs::Convert(request)) => Request::Convert(request.0),
-        Some(VerbArgs::Remove(request)) => Request::Remove(request.0),
-        Some(VerbArgs::Design(request)) => Request::Design(request.0),
-        Some(VerbArgs::Note(request)) => Request::Note(request.0),
-        Some(VerbArgs::Batch(request)) => Request::Batch(request.0),
-        Some(VerbArgs::Sweep(request)) => Request::Sweep(request.0),
-        Some(VerbArgs::Inspect(request)) => Request::Inspect(request.0),
-        Some(VerbArgs::Check(request)) => Request::Check(request.0),
-        Some(VerbArgs::DropTest(request)) => Request::DropTest(request.0),
-        Some(VerbArgs::Motion(request)) => Request::Motion(request.0),
-        Some(VerbArgs::Plot(request)) => Request::Plot(request.0),
-        Some(VerbArgs::Fit(request)) => Request::Fit(request.0),
-        Some(VerbArgs::Reproduce(request)) => (*request.0).into(),
-        Some(VerbArgs::Presets(request)) => (*request.0).into(),
-        Some(VerbArgs::Explain(request)) => (*request.0).into(),
-    };
-    ask(request, session)
+        Call::Own(OwnVerb::Help(_) | OwnVerb::Version) => Ok(Exit::Done),
+    }
 }
 
 fn ask(request: Request, session: &mut Session) -> Result<Exit> {

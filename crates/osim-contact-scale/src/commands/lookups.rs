@@ -67,7 +67,7 @@ pub(crate) fn read_request(args: &RequestArgs, session: &mut Session) -> Result<
     let request = Request::from_json(&bytes).map_err(|fault| session.usage(&fault));
     // Who called a function knows of no file.
     let request = if args.words == Language::Matlab { request? } else { request.with_context(|| shown)? };
-    if is_stdin && let Some(field) = request.field_that_reads(&args.file) {
+    if is_stdin && let Some(field) = request.option_that_reads(&args.file) {
         bail!("`{field}` is standard input, where the request itself was: put the request into a file");
     }
     Ok(request)

@@ -22,6 +22,14 @@ macro_rules! inputs {
                 match self { $(Self::$variant => $name),+ }
             }
 
+            /// The input whose name this is, exactly.
+            pub fn named(name: &str) -> Option<Self> {
+                match name {
+                    $($name => Some(Self::$variant),)+
+                    _ => None,
+                }
+            }
+
             /// What it is, in a few words, for forms.
             pub const fn label(self) -> &'static str {
                 match self { $(Self::$variant => $label),+ }
@@ -169,35 +177,6 @@ inputs! {
     YRange = "y_range", "limits of the vertical axis";
     Yes = "yes", "questions answered with yes";
     Young = "young", "Young's modulus";
-}
-
-impl Input {
-    /// Whether it is either so or not, without a value.
-    pub const fn is_flag(self) -> bool {
-        matches!(
-            self,
-            Self::Again
-                | Self::AllowOutside
-                | Self::Ascii
-                | Self::DefaultPose
-                | Self::Diff
-                | Self::DryRun
-                | Self::FollowBodies
-                | Self::Force
-                | Self::Friction
-                | Self::Full
-                | Self::InPlace
-                | Self::Level
-                | Self::NoBackup
-                | Self::NoNote
-                | Self::Quiet
-                | Self::Replace
-                | Self::Resume
-                | Self::SkipDisabled
-                | Self::Strict
-                | Self::Unbounded
-        )
-    }
 }
 
 macro_rules! verbs {

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use osim_model::MassesOfOtherRows;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, Verb};
+use osim_requests::CHANGING;
 use osim_requests::values::path;
 use osim_requests::values::typed::trimmed;
 use serde_json::{Map, Value};
@@ -13,7 +14,7 @@ use serde_json::{Map, Value};
 use crate::opening::{find_preset, looks_like_file};
 use crate::sheet::{BROKEN_FORMULA, Row, Sheet, is_broken_formula};
 use crate::table::columns::{Column, Columns, Kind};
-use crate::verbs::{CHANGING, changing_verbs};
+use crate::verbs::changing_verbs;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowFault {
@@ -75,13 +76,10 @@ impl Cells {
                     cells.say(&column.field, path::to_value(&from));
                 }
                 Kind::Value => cells.say(&column.field, number(cell, sheet, column)?),
-                Kind::List => {
-                    let items = cell.split(';').map(trimmed).filter(|item| !item.is_empty());
-                    cells.say(&column.field, items.collect::<Vec<_>>());
-                }
+                Kind::List => cells.say(&column.field, items(cell, &[';']).collect::<Vec<_>>()),
+                Kind::ListWithCommas => cells.say(&column.field, items(cell, &[';', ',']).collect::<Vec<_>>()),
                 Kind::Paths => {
-                    let items = cell.split(';').map(trimmed).filter(|item| !item.is_empty());
-                    let paths = items.map(|item| path::to_value(&below(folder, item)));
+                    let paths = items(cell, &[';']).map(|item| path::to_value(&below(folder, item)));
                     cells.say(&column.field, paths.collect::<Vec<Value>>());
                 }
                 Kind::Flag if is_yes(cell, column)? => cells.say(&column.field, true),
@@ -117,6 +115,10 @@ impl Cells {
     }
 }
 
+fn items<'c>(cell: &'c str, marks: &[char]) -> impl Iterator<Item = &'c str> {
+    cell.split(marks).map(trimmed).filter(|item| !item.is_empty())
+}
+
 fn filled<'r>(row: &'r Row, columns: &'r Columns) -> impl Iterator<Item = (&'r Column, &'r str)> {
     let cells = row.cells.iter().map(String::as_str);
     columns.columns.iter().zip(cells).filter(|(_, cell)| !cell.is_empty())
@@ -129,7 +131,7 @@ fn verb(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
             .find(|(column, _)| column.kind == kind && (field.is_empty() || column.field == field))
     };
     if let Some((column, cell)) = has(Kind::Verb, "") {
-        let known = CHANGING.into_iter().find(|verb| verb.name().eq_ignore_ascii_case(cell));
+        let known = CHANGING.iter().copied().find(|verb| verb.name().eq_ignore_ascii_case(cell));
         return known
             .ok_or_else(|| RowFault::of(&column.header, format!("'{cell}', expected {}", changing_verbs())));
     }

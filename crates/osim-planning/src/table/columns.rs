@@ -3,36 +3,13 @@
 use std::collections::BTreeMap;
 
 use osim_model::messages::{Input, Phrase, Verb, phrase};
-use osim_requests::silent_fields;
-use serde_json::Value;
+use osim_requests::register::{Entry, List, Takes, option_named};
+use osim_requests::{CHANGING, silent_fields};
 
-use crate::verbs::{CHANGING, changing_verbs};
-
-/// Fields of the whole run: a row cannot have its own.
-const OF_THE_RUN: [&str; 9] =
-    ["dry_run", "diff", "format", "quiet", "jobs", "summary", "resume", "shard", "report"];
-
-/// Fields that hold a path below the table's folder.
-const PATHS: [&str; 9] = [
-    "contacts",
-    "geometry_dir",
-    "presets",
-    "body_scale_file",
-    "output",
-    "geometry_output",
-    "output_dir",
-    "geometry",
-    "model",
-];
-
-/// Fields with several paths in one cell.
-const PATH_LISTS: [&str; 3] = ["motion", "plates", "loads"];
+use crate::verbs::changing_verbs;
 
 /// The field of `fit` that names its model.
 const FIT_MODEL: &str = "file";
-
-/// Lists that are written with commas between their items: one cell is one list.
-const WITH_COMMAS: [&str; 2] = ["only", "keep"];
 
 /// How a cell becomes a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -47,6 +24,7 @@ pub(super) enum Kind {
     /// A model or the name of a preset.
     From,
     List,
+    ListWithCommas,
     /// Several paths.
     Paths,
     Flag,
@@ -123,7 +101,7 @@ fn listed(header: &[String]) -> String {
     if cells.is_empty() { "nothing".to_owned() } else { cells.join(", ") }
 }
 
-fn column(cell: &str, known: &BTreeMap<String, Kind>) -> Result<Column, Phrase> {
+fn column(cell: &str, known: &BTreeMap<String, Option<Kind>>) -> Result<Column, Phrase> {
     // `model` is the model; the field of standalone sets, which has the same name, is written with two dashes before it.
     let (name, dashes) = match cell.strip_prefix("--") {
         Some(name) => (name, true),
@@ -135,9 +113,9 @@ fn column(cell: &str, known: &BTreeMap<String, Kind>) -> Result<Column, Phrase> 
         "model" if !dashes => Kind::Model,
         "verb" if !dashes => Kind::Verb,
         "set" if !dashes => Kind::Set,
-        name if OF_THE_RUN.contains(&name) => return Err(of_the_run(cell, name)),
         name => match known.get(name) {
-            Some(kind) => *kind,
+            Some(Some(kind)) => *kind,
+            Some(None) => return Err(of_the_run(cell, name)),
             None => {
                 return Err(format!(
                     "the column '{cell}' is not an option of {} (remarks begin with #){}",
@@ -153,14 +131,14 @@ fn column(cell: &str, known: &BTreeMap<String, Kind>) -> Result<Column, Phrase> 
 
 fn of_the_run(cell: &str, field: &str) -> Phrase {
     let about = format!("the column '{cell}' is about the whole run: write ");
-    match Input::ALL.iter().find(|input| input.name() == field) {
-        Some(input) => phrase![about, *input, " after the manifest's name"],
+    match Input::named(field) {
+        Some(input) => phrase![about, input, " after the manifest's name"],
         None => format!("{about}{field} after the manifest's name").into(),
     }
 }
 
 /// The field that was probably meant.
-fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Kind>) -> String {
+fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Option<Kind>>) -> String {
     let flat = |text: &str| text.replace('_', "");
     let close = known.keys().find(|field| {
         let (a, b) = (flat(field), flat(name));
@@ -174,44 +152,34 @@ fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Kind>) -> String {
     }
 }
 
-/// Fields of all changing verbs, and how their cells are read.
-fn fields() -> BTreeMap<String, Kind> {
-    let all = CHANGING.into_iter().flat_map(silent_fields);
-    let named = all.filter(|(name, _)| !["models", "set", FIT_MODEL].contains(&name.as_str()));
-    named.map(|(name, silent)| (name.clone(), kind(&name, &silent))).collect()
+/// Fields of all changing verbs, and how their cells are read; `None` for those of the whole run: a row cannot have its own.
+fn fields() -> BTreeMap<String, Option<Kind>> {
+    let of_verb = |verb: Verb| {
+        let names = silent_fields(verb).into_iter().map(|(name, _)| name);
+        let named = names.filter(|name| !["models", "set", FIT_MODEL].contains(&name.as_str()));
+        named.filter_map(move |name| Some((name.clone(), kind(&option_named(verb, &name)?))))
+    };
+    CHANGING.iter().copied().flat_map(of_verb).collect()
 }
 
-fn kind(name: &str, silent: &Value) -> Kind {
-    match silent {
-        _ if name == "from" => Kind::From,
-        _ if PATHS.contains(&name) => Kind::Path,
-        _ if PATH_LISTS.contains(&name) => Kind::Paths,
-        _ if WITH_COMMAS.contains(&name) => Kind::Value,
-        Value::Bool(_) => Kind::Flag,
-        Value::Array(_) | Value::Object(_) => Kind::List,
-        _ => Kind::Value,
+fn kind(option: &Entry) -> Option<Kind> {
+    if option.is_of_run {
+        return None;
     }
+    Some(match (option.takes, option.list) {
+        _ if option.name == Input::From.name() => Kind::From,
+        (Takes::Flag, _) => Kind::Flag,
+        (_, List::Commas) => Kind::ListWithCommas,
+        (_, List::One) if option.is_path() => Kind::Path,
+        (_, List::Repeated) if option.is_path() => Kind::Paths,
+        (_, List::One) => Kind::Value,
+        (_, List::Repeated) => Kind::List,
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use osim_requests::schema_of;
-
     use super::*;
-
-    #[test]
-    fn every_path_of_a_changing_verb_is_known_for_one() {
-        for verb in CHANGING {
-            let schema = schema_of(verb);
-            for (name, property) in schema.get("properties").unwrap().as_object().unwrap() {
-                let is_path = property.to_string().contains("#/$defs/Path\"");
-                let by_another_way = ["models", "from", FIT_MODEL].contains(&name.as_str())
-                    || PATH_LISTS.contains(&name.as_str())
-                    || OF_THE_RUN.contains(&name.as_str());
-                assert_eq!(is_path && !by_another_way, PATHS.contains(&name.as_str()), "{name}: {property}");
-            }
-        }
-    }
 
     #[test]
     fn a_column_that_is_misspelled_is_pointed_out() {

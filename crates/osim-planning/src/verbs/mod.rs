@@ -13,27 +13,13 @@ pub(crate) mod set;
 mod transfer;
 
 use osim_model::files::Files;
-use osim_model::messages::Verb;
-use osim_requests::{Request, RequestError, RequestFault};
+use osim_requests::{CHANGING, Request, RequestError, RequestFault};
 
 use crate::prepared_change::PreparedChange;
 
-/// Verbs that change models.
-pub(crate) const CHANGING: [Verb; 9] = [
-    Verb::Rescale,
-    Verb::Transfer,
-    Verb::Add,
-    Verb::Remove,
-    Verb::Convert,
-    Verb::Design,
-    Verb::Set,
-    Verb::Fit,
-    Verb::Note,
-];
-
-/// Their names in words: `rescale, transfer, design, set, fit or note`.
+/// The verbs that change models, in words: `rescale, transfer, design, set, fit or note`.
 pub(crate) fn changing_verbs() -> String {
-    let names = CHANGING.map(Verb::name);
+    let names: Vec<&str> = CHANGING.iter().map(|verb| verb.name()).collect();
     match names.split_last() {
         Some((last, others)) => format!("{} or {last}", others.join(", ")),
         None => String::new(),

@@ -1,7 +1,5 @@
 //! Columns of a measurement, and their units.
 
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::fault::Relation;
@@ -10,11 +8,8 @@ use crate::values::serial::choices;
 choices! {
     /// Unit of a length.
     LengthUnit: M {
-        /// m.
         M = "m";
-        /// mm.
         Mm = "mm";
-        /// µm.
         Um = "um";
     }
 }
@@ -22,11 +17,8 @@ choices! {
 choices! {
     /// Unit of a force.
     ForceUnit: Newton {
-        /// N.
         Newton = "N";
-        /// kN.
         Kilonewton = "kN";
-        /// mN.
         Millinewton = "mN";
     }
 }
@@ -34,9 +26,7 @@ choices! {
 choices! {
     /// Unit of a speed.
     SpeedUnit: MetresPerSecond {
-        /// m/s.
         MetresPerSecond = "m/s";
-        /// mm/s.
         MillimetresPerSecond = "mm/s";
     }
 }
@@ -44,9 +34,7 @@ choices! {
 choices! {
     /// Unit of a time.
     TimeUnit: S {
-        /// s.
         S = "s";
-        /// ms.
         Ms = "ms";
     }
 }
@@ -95,33 +83,16 @@ impl TimeUnit {
 
 /// Columns of the file and their units.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Columns and units"))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct ColumnOptions {
-    /// Column of the indentation
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME", default_value_t = indentation()))]
     pub indentation_column: String,
-    /// Column of the force
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME", default_value_t = force()))]
     pub force_column: String,
-    /// Column of the speed of indentation; without it and without a time, dissipation is not fitted
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     pub speed_column: Option<String>,
-    /// Column of the time, from which the speed is taken
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     pub time_column: Option<String>,
-    /// Unit of the indentation
-    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub indentation_unit: LengthUnit,
-    /// Unit of the force
-    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub force_unit: ForceUnit,
-    /// Unit of the speed
-    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub speed_unit: SpeedUnit,
-    /// Unit of the time
-    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub time_unit: TimeUnit,
 }
 

@@ -3,8 +3,6 @@
 use contact_scaling::SmoothingValues;
 use osim_model::messages::{Input, phrase};
 use osim_model::{Property, RadiusRule};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::fault::{Relation, RequestFault};
@@ -14,66 +12,22 @@ use crate::values::{
 };
 
 /// What is wanted or known of the contact.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "What is wanted or known"))]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct WantedOptions {
-    /// Sphere radius in metres (with models also keep or a factor like x1.5)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "RULE"))]
     pub radius: Option<Radius>,
-    /// Relative indentation x/R under the load, 0 to 1 (11)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "X"))]
     pub indentation: Option<RelativeIndentation>,
-    /// Stiffness of one sphere at that load, N/m (11 with B.2)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N/M"))]
     pub contact_stiffness: Option<Positive>,
-    /// Young's modulus, N/m2 (A.1, A.5)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
     pub young: Option<Positive>,
-    /// Poisson's ratio
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NU", allow_hyphen_values = true))]
     pub poisson: Option<PoissonRatio>,
-    /// OpenSim's stiffness (plane strain modulus of one surface), N/m2
-    #[cfg_attr(feature = "clap", arg(long, value_name = "E1"))]
     pub stiffness: Option<Positive>,
-    /// Coefficient of restitution, 0 to 1 (13)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "CR"))]
     pub restitution: Option<RestitutionCoefficient>,
-    /// Impact speed, m/s [default: sqrt(gR/2), a fall from a quarter of the radius]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "M/S"))]
     pub impact_speed: Option<Positive>,
-    /// Constant indentation over radius, for constant_contact_force (C.2)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "X"))]
     pub constant_indentation: Option<ConstantIndentation>,
-    /// Width of the contact transition over radius, for hertz_smoothing (C.8)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "X"))]
     pub state_width: Option<Positive>,
-    /// Width of the transition in speed, m/s, for hunt_crossley_smoothing (C.10)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "M/S"))]
     pub speed_width: Option<Positive>,
-    /// Threshold t that the widths refer to: from t to 1 - t
-    #[cfg_attr(feature = "clap", arg(long, value_name = "T", default_value_t = Threshold::OF_THE_PAPER))]
     pub threshold: Threshold,
-}
-
-impl Default for WantedOptions {
-    fn default() -> Self {
-        Self {
-            radius: None,
-            indentation: None,
-            contact_stiffness: None,
-            young: None,
-            poisson: None,
-            stiffness: None,
-            restitution: None,
-            impact_speed: None,
-            constant_indentation: None,
-            state_width: None,
-            speed_width: None,
-            threshold: Threshold::OF_THE_PAPER,
-        }
-    }
 }
 
 impl WantedOptions {
@@ -105,70 +59,23 @@ impl WantedOptions {
 // Numbers of contacts that are new, where no reference gives them.
 
 /// What is wanted of contacts that are new.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "Numbers without a reference"))]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct NumberOptions {
-    /// Relative indentation x/R under the load, 0 to 1 (11)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "X"))]
     pub indentation: Option<RelativeIndentation>,
-    /// Young's modulus, N/m2 (A.1, A.5)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "E"))]
     pub young: Option<Positive>,
-    /// Poisson's ratio
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NU", allow_hyphen_values = true))]
     pub poisson: Option<PoissonRatio>,
-    /// Coefficient of restitution, 0 to 1 (13)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "CR"))]
     pub restitution: Option<RestitutionCoefficient>,
-    /// Impact speed, m/s [default: sqrt(gR/2), a fall from a quarter of the radius]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "M/S", hide_short_help = true))]
     pub impact_speed: Option<Positive>,
-    /// Constant indentation over radius, for constant_contact_force (C.2)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "X", hide_short_help = true))]
     pub constant_indentation: Option<ConstantIndentation>,
-    /// Width of the contact transition over radius, for hertz_smoothing (C.8)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "X", hide_short_help = true))]
     pub state_width: Option<Positive>,
-    /// Width of the transition in speed, m/s, for hunt_crossley_smoothing (C.10)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "M/S", hide_short_help = true))]
     pub speed_width: Option<Positive>,
-    /// Threshold t that the widths refer to: from t to 1 - t
-    #[cfg_attr(feature = "clap", arg(long, value_name = "T", default_value_t = Threshold::OF_THE_PAPER, hide_short_help = true))]
     pub threshold: Threshold,
-    /// Static friction of the new forces [default: the reference's, else OpenSim's]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "MU", allow_hyphen_values = true))]
     pub static_friction: Option<NotNegative>,
-    /// Their dynamic friction [default: the reference's, else OpenSim's]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "MU", allow_hyphen_values = true))]
     pub dynamic_friction: Option<NotNegative>,
-    /// Their viscous friction, s/m [default: the reference's, else OpenSim's]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "S_PER_M", hide_short_help = true))]
     pub viscous_friction: Option<NotNegative>,
-    /// Their transition velocity, m/s [default: the reference's, else OpenSim's]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "M/S", hide_short_help = true))]
     pub transition_velocity: Option<Positive>,
-}
-
-impl Default for NumberOptions {
-    fn default() -> Self {
-        Self {
-            indentation: None,
-            young: None,
-            poisson: None,
-            restitution: None,
-            impact_speed: None,
-            constant_indentation: None,
-            state_width: None,
-            speed_width: None,
-            threshold: Threshold::OF_THE_PAPER,
-            static_friction: None,
-            dynamic_friction: None,
-            viscous_friction: None,
-            transition_velocity: None,
-        }
-    }
 }
 
 impl NumberOptions {
@@ -217,34 +124,15 @@ impl NumberOptions {
 
 /// A contact given by its numbers.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(
-    feature = "clap",
-    derive(clap::Args),
-    command(next_help_heading = "Without a model (with `mass` and `spheres`)")
-)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct ContactNumbers {
-    /// Sphere radius, m
-    #[cfg_attr(feature = "clap", arg(long, value_name = "M"))]
     pub radius: Option<Positive>,
-    /// OpenSim's stiffness (plane strain modulus of one surface), N/m2
-    #[cfg_attr(feature = "clap", arg(long, value_name = "E1"))]
     pub stiffness: Option<Positive>,
-    /// OpenSim's dissipation, s/m
-    #[cfg_attr(feature = "clap", arg(long, value_name = "A"))]
     pub dissipation: Option<NotNegative>,
-    /// With the next two: SmoothSphereHalfSpaceForce's law, m2
-    #[cfg_attr(feature = "clap", arg(long, value_name = "CF"))]
     pub constant_contact_force: Option<NotNegative>,
-    /// 1/m
-    #[cfg_attr(feature = "clap", arg(long, value_name = "BD"))]
     pub hertz_smoothing: Option<Positive>,
-    /// s/m
-    #[cfg_attr(feature = "clap", arg(long, value_name = "BV"))]
     pub hunt_crossley_smoothing: Option<Positive>,
-    /// Gravity, m/s2 [default: the model's, else 9.80665]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "G"))]
     pub gravity: Option<Acceleration>,
 }
 
@@ -293,14 +181,9 @@ impl ContactNumbers {
 
 /// The fall that drops and heat maps are about.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "The fall (drop, loop, sweep)"))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct FallOptions {
-    /// Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25
-    #[cfg_attr(feature = "clap", arg(long, value_name = "HEIGHT", default_value_t))]
     pub height: Height,
-    /// How long to follow the body, s [default: 20 sqrt(R/g), of the slowest]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "S"))]
     pub duration: Option<Positive>,
 }

@@ -1,10 +1,8 @@
-//! Any request: by its verb, as JSON, and as the note of a changed model says it.
+//! Any request: as a dictionary, as JSON, and as the note of a changed model says it.
 
 use std::path::Path;
 
-use osim_model::messages::{Input, Verb};
-#[cfg(feature = "schemas")]
-use schemars::Schema;
+use osim_model::messages::Verb;
 use serde_json::error::Category;
 use serde_json::{Map, Value};
 
@@ -13,108 +11,22 @@ use crate::dictionary::{self, map};
 use crate::fault::Relation;
 use crate::fault::RequestFault;
 use crate::options::{AnswerOptions, MassOptions, OutputOptions, RunOptions, SetFiles};
-use crate::request::add::{AddRequest, TransferRequest};
-use crate::request::change::{ConvertRequest, RemoveRequest, RescaleRequest, SetRequest};
-use crate::request::inspect::{CheckRequest, InspectRequest, NoteRequest};
-use crate::request::knowledge::{ExplainRequest, PresetsRequest, ReproduceRequest};
-use crate::request::library::{BatchRequest, SweepRequest};
-use crate::request::motion::{DropTestRequest, MotionRequest};
-use crate::request::parameters::{DesignRequest, FitRequest};
-use crate::request::plot::PlotRequest;
-#[cfg(feature = "schemas")]
-use crate::schema::schema;
-use crate::values::path;
+use crate::request::verbs::{Request, VERB};
 use crate::values::typed::trimmed;
 
-/// The name under which a dictionary says which verb it is for.
-const VERB: &str = "verb";
-
-macro_rules! requests {
-    ($($variant:ident($type:ty) = $relations:expr;)+) => {
-        /// A request, whatever its verb.
-        #[derive(Debug, Clone, PartialEq)]
-        pub enum Request {
-            $(#[doc = concat!("[`Verb::", stringify!($variant), "`].")] $variant(Box<$type>),)+
-        }
-
-        impl Request {
-            /// What it asks for.
-            pub const fn verb(&self) -> Verb {
-                match self { $(Self::$variant(_) => Verb::$variant),+ }
-            }
-
-            /// Reads the fields of a request for `verb`.
-            ///
-            /// # Errors
-            /// A field that the verb does not have, a value that cannot be taken, or fields that do not go together.
-            pub fn read(verb: Verb, fields: Map<String, Value>) -> Result<Self, RequestFault> {
-                match verb {
-                    $(Verb::$variant => {
-                        dictionary::read::<$type>(fields, $relations).map(|request| Self::$variant(Box::new(request)))
-                    })+
-                }
-            }
-
-            /// The fields that say something, as [`Request::read`] takes them; the verb among them.
-            pub fn to_map(&self) -> Map<String, Value> {
-                let fields = match self { $(Self::$variant(request) => dictionary::said(request.as_ref())),+ };
-                std::iter::once((VERB.to_owned(), self.verb().name().into())).chain(fields).collect()
-            }
-
-            /// Checks that its fields go together.
-            ///
-            /// # Errors
-            /// The first that does not.
-            pub fn check(&self) -> Result<(), RequestFault> {
-                match self { $(Self::$variant(request) => dictionary::check(request.as_ref(), $relations)),+ }
-            }
-        }
-
-        /// The schema of the requests for `verb`.
-        #[cfg(feature = "schemas")]
-        pub fn schema_of(verb: Verb) -> Schema {
-            match verb { $(Verb::$variant => schema::<$type>(verb, $relations)),+ }
-        }
-
-        /// The fields of a request for `verb` with their defaults.
-        pub fn silent_fields(verb: Verb) -> Map<String, Value> {
-            match verb { $(Verb::$variant => dictionary::map(&<$type>::default())),+ }
-        }
-
-        /// Whether requests for `verb` have a field for `input`.
-        pub fn takes(verb: Verb, input: Input) -> bool {
-            silent_fields(verb).contains_key(input.name())
-        }
-
-        /// How the fields of requests for `verb` depend on each other.
-        #[cfg(feature = "clap")]
-        pub(crate) const fn relations_of(verb: Verb) -> &'static [&'static [Relation]] {
-            match verb { $(Verb::$variant => $relations),+ }
-        }
-
-        $(impl From<$type> for Request {
-            fn from(request: $type) -> Self {
-                Self::$variant(Box::new(request))
-            }
-        })+
-    };
-}
-
 impl Request {
-    /// Answers to questions, of a verb that changes models.
-    pub fn answers_mut(&mut self) -> Option<&mut AnswerOptions> {
-        Some(match self {
-            Self::Rescale(request) => &mut request.answers,
-            Self::Transfer(request) => &mut request.answers,
-            Self::Add(request) => &mut request.answers,
-            Self::Remove(request) => &mut request.answers,
-            Self::Convert(request) => &mut request.answers,
-            Self::Design(request) => &mut request.answers,
-            Self::Set(request) => &mut request.answers,
-            Self::Note(request) => &mut request.answers,
-            Self::Fit(request) => &mut request.answers,
-            _ => return None,
-        })
+    /// Reads the fields of a request for `verb`.
+    ///
+    /// # Errors
+    /// A field that the verb does not have, a value that cannot be taken, or fields that do not go together.
+    pub fn read(verb: Verb, fields: Map<String, Value>) -> Result<Self, RequestFault> {
+        Self::read_checking(verb, fields, |_| true)
+    }
+
+    /// Reads the fields that were typed, of which the parser of the command line checks whether they are required or exclude each other.
+    #[cfg(feature = "clap")]
+    pub(crate) fn read_typed(verb: Verb, fields: Map<String, Value>) -> Result<Self, RequestFault> {
+        Self::read_checking(verb, fields, |relation| matches!(relation, Relation::Needs(..)))
     }
 
     /// What it says of masses, of a verb that changes models.
@@ -128,60 +40,6 @@ impl Request {
             _ => return None,
         })
     }
-
-    /// Where results go, of a verb that changes models.
-    pub fn output_mut(&mut self) -> Option<&mut OutputOptions> {
-        Some(match self {
-            Self::Rescale(request) => &mut request.output,
-            Self::Transfer(request) => &mut request.output,
-            Self::Add(request) => &mut request.output,
-            Self::Remove(request) => &mut request.output,
-            Self::Convert(request) => &mut request.output,
-            Self::Design(request) => &mut request.output,
-            Self::Set(request) => &mut request.output,
-            Self::Note(request) => &mut request.output,
-            Self::Fit(request) => &mut request.output,
-            _ => return None,
-        })
-    }
-
-    /// How to go about the work, of a verb that changes models.
-    pub fn run_options(&self) -> Option<&RunOptions> {
-        Some(match self {
-            Self::Rescale(request) => &request.run,
-            Self::Transfer(request) => &request.run,
-            Self::Add(request) => &request.run,
-            Self::Remove(request) => &request.run,
-            Self::Convert(request) => &request.run,
-            Self::Design(request) => &request.run,
-            Self::Set(request) => &request.run,
-            Self::Note(request) => &request.run,
-            Self::Fit(request) => &request.run,
-            _ => return None,
-        })
-    }
-}
-
-requests! {
-    Rescale(RescaleRequest) = RescaleRequest::RELATIONS;
-    Transfer(TransferRequest) = TransferRequest::RELATIONS;
-    Add(AddRequest) = AddRequest::RELATIONS;
-    Remove(RemoveRequest) = RemoveRequest::RELATIONS;
-    Convert(ConvertRequest) = ConvertRequest::RELATIONS;
-    Design(DesignRequest) = DesignRequest::RELATIONS;
-    Set(SetRequest) = SetRequest::RELATIONS;
-    Note(NoteRequest) = NoteRequest::RELATIONS;
-    Batch(BatchRequest) = BatchRequest::RELATIONS;
-    Sweep(SweepRequest) = SweepRequest::RELATIONS;
-    Inspect(InspectRequest) = InspectRequest::RELATIONS;
-    Check(CheckRequest) = CheckRequest::RELATIONS;
-    DropTest(DropTestRequest) = DropTestRequest::RELATIONS;
-    Motion(MotionRequest) = MotionRequest::RELATIONS;
-    Plot(PlotRequest) = PlotRequest::RELATIONS;
-    Fit(FitRequest) = FitRequest::RELATIONS;
-    Reproduce(ReproduceRequest) = ReproduceRequest::RELATIONS;
-    Presets(PresetsRequest) = &[];
-    Explain(ExplainRequest) = &[];
 }
 
 // Requests as JSON texts.
@@ -191,20 +49,6 @@ const UTF8_MARK: &[u8] = b"\xEF\xBB\xBF";
 
 /// What is before a text in UTF-16, as PowerShell's `>` writes it.
 const UTF16_MARKS: [&[u8]; 2] = [b"\xFF\xFE", b"\xFE\xFF"];
-
-/// Fields that name files to be read.
-const FILES_READ: [&str; 10] = [
-    "models",
-    "model",
-    "subject",
-    "from",
-    "compare",
-    "geometry",
-    "manifest",
-    "file",
-    "presets",
-    "body_scale_file",
-];
 
 impl Request {
     /// Reads a request from a JSON object that has its verb and its fields.
@@ -231,12 +75,12 @@ impl Request {
     /// # Errors
     /// It has no verb, or as [`Request::read`].
     pub fn from_map(mut fields: Map<String, Value>) -> Result<Self, RequestFault> {
-        let verb = fields.shift_remove("verb").ok_or(RequestFault::Missing { field: "verb" })?;
-        let known = Verb::ALL.iter().copied().find(|known| verb.as_str() == Some(known.name()));
+        let verb = fields.shift_remove(VERB).ok_or(RequestFault::Missing { field: VERB })?;
+        let known = verb.as_str().and_then(Verb::named);
         let Some(known) = known else {
             let names: Vec<&str> = Verb::ALL.iter().map(|verb| verb.name()).collect();
             return Err(RequestFault::BadValue {
-                field: "verb".to_owned(),
+                field: VERB.to_owned(),
                 value: verb.as_str().map_or_else(|| verb.to_string(), str::to_owned),
                 reason: format!("expected one of {}", names.join(", ")),
             });
@@ -247,17 +91,6 @@ impl Request {
     /// The request as a JSON object, without fields that have their defaults.
     pub fn to_json(&self) -> String {
         Value::Object(self.to_map()).to_string()
-    }
-
-    /// The field that names `file` as one to be read, if any does: standard input, for one, cannot be read twice.
-    pub fn field_that_reads(&self, file: &Path) -> Option<&'static str> {
-        let fields = self.to_map();
-        let file = path::to_value(file);
-        FILES_READ.into_iter().find(|field| match fields.get(*field) {
-            Some(Value::Array(items)) => items.contains(&file),
-            Some(value) => *value == file,
-            None => false,
-        })
     }
 }
 

@@ -3,8 +3,6 @@
 use std::path::PathBuf;
 
 use osim_model::messages::Phrase;
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::fault::Relation;
@@ -13,59 +11,44 @@ use crate::values::{path, serial};
 
 /// Lists presets, or shows one.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct PresetsRequest {
-    /// One preset (without it: list them all)
     pub name: Option<String>,
-    /// A file with presets of your own (TOML)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub presets: Option<PathBuf>,
-    /// How to print
-    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub format: Format,
 }
 
 /// Explains equations, quantities, and the codes of findings and errors.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct ExplainRequest {
-    /// Number of an equation (10, C.5), a word from the column "equation", a property or figure (stiffness, x/R), or a code
-    /// as printed after a finding
-    #[cfg_attr(feature = "clap", arg(value_name = "EQUATION|QUANTITY|CODE"))]
     #[serde(deserialize_with = "serial::from_texts")]
     pub topics: Vec<String>,
-    /// How to print
-    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub format: Format,
-    /// Spell symbols in plain letters, for consoles that cannot show them
-    #[cfg_attr(feature = "clap", arg(long))]
     pub ascii: bool,
+}
+
+impl PresetsRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[];
+}
+
+impl ExplainRequest {
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[];
 }
 
 // What the paper prints and draws, computed again.
 
 /// Compares Table 1 of the paper with what its equations give, and draws its figures 4 and C.5.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct ReproduceRequest {
-    /// Write table1.csv, fig4.svg and fig-c5.svg into this folder
-    #[cfg_attr(feature = "clap", arg(short = 'd', long, value_name = "DIR"))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub output_dir: Option<PathBuf>,
-    /// Replace existing files
-    #[cfg_attr(feature = "clap", arg(long))]
     pub force: bool,
-    /// How to print
-    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub format: Format,
 }
 

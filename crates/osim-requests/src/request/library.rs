@@ -4,8 +4,6 @@ use std::path::PathBuf;
 
 use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{Property, Question};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::fault::{Relation, RequestFault};
@@ -17,28 +15,16 @@ use crate::values::{Axis, AxisName, Jobs, Positive, Shard, Steps, grid, path, se
 
 /// One row per model; columns are named like the long options of rescale, transfer, design and set.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct BatchRequest {
-    /// A table (CSV): a column 'model', and one for each option that rows need; - is standard input
-    #[cfg_attr(feature = "clap", arg(value_name = "MANIFEST"))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub manifest: Option<PathBuf>,
-    /// Where results go, for rows that do not say.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub output: OutputOptions,
-    /// Let rows name files to write outside the folder of the results, or of the table
-    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
     pub allow_outside: bool,
-    /// How to go about the work.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub run: RunOptions,
-    /// Answers to questions, for all rows.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub answers: AnswerOptions,
 }
@@ -50,85 +36,38 @@ impl BatchRequest {
 
 /// One file per point of a grid, or per step of a ladder, and a table that says what is in which.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct SweepRequest {
-    /// The model (.osim) whose variants are made
-    #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub model: Option<PathBuf>,
-    /// Values of a property (stiffness=1e5,1e6), factors (stiffness=x0.1,x1,x10), a logarithmic range
-    /// (stiffness=x0.1..x10/9), or values of indentation, restitution or target_mass; may be repeated
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME=V,V,..."))]
     #[serde(deserialize_with = "grid::deserialize", serialize_with = "serial::as_texts")]
     #[cfg_attr(feature = "schemas", schemars(schema_with = "grid::axes_schema"))]
     pub grid: Vec<Axis>,
-    /// N steps from a soft contact to `indentation` and `restitution`, to search for a gait in turn
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N"))]
     pub ladder: Option<Steps>,
-    /// With `ladder`: dimensionless stiffness of the first step
-    #[cfg_attr(feature = "clap", arg(long, value_name = "K", default_value_t = Positive::SOFT_STIFFNESS))]
     pub soft: Positive,
-    /// Only point N of the grid, or step N of the ladder, counted from 1, for job arrays
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N", hide_short_help = true, value_parser = shard::point_of_word))]
     #[serde(deserialize_with = "shard::point_of_json")]
     pub point: Option<usize>,
-    /// Only share I of N of the points, for job arrays
-    #[cfg_attr(feature = "clap", arg(long, value_name = "I/N", hide_short_help = true))]
     pub shard: Option<Shard>,
-    /// Write the models into this folder [default: NAME.sweep beside the model]
-    #[cfg_attr(feature = "clap", arg(short = 'd', long, value_name = "DIR", help_heading = "Output"))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub output_dir: Option<PathBuf>,
-    /// Replace existing files
-    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
     pub force: bool,
-    /// Go on with a sweep that was stopped or changed: make what is not there as it should be, leave what was edited
-    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output", hide_short_help = true))]
     pub resume: bool,
-    /// Leave no note (in the credits) in the models
-    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output", hide_short_help = true))]
     pub no_note: bool,
-    /// Write nothing, only say what would be made
-    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
     pub dry_run: bool,
-    /// How to print
-    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t, help_heading = "Output"))]
     pub format: Format,
-    /// Print errors only
-    #[cfg_attr(feature = "clap", arg(long, help_heading = "Output"))]
     pub quiet: bool,
-    /// Models to make at once [default: one per processor]
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "N", help_heading = "Output", hide_short_help = true)
-    )]
     pub jobs: Option<Jobs>,
-    /// What is wanted at every point.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub wanted: WantedOptions,
-    /// The load.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub load: LoadOptions,
-    /// Which mass is meant.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub masses: MassOptions,
-    /// How many spheres share the load.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub counts: CountOptions,
-    /// Which forces.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub choice: ForceOptions,
-    /// Answers to questions.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub answers: AnswerOptions,
 }

@@ -9,13 +9,10 @@ mod library;
 mod motion;
 mod parameters;
 mod plot;
+mod verbs;
 
 pub use add::{AddRequest, TransferRequest};
-#[cfg(feature = "clap")]
-pub(crate) use any::relations_of;
-#[cfg(feature = "schemas")]
-pub use any::schema_of;
-pub use any::{NoteDetails, Request, silent_fields, takes};
+pub use any::NoteDetails;
 pub use change::{ConvertRequest, RemoveRequest, RescaleRequest, SetRequest};
 pub use inspect::{CheckRequest, Deny, InspectRequest, NoteRequest};
 pub use knowledge::{ExplainRequest, PresetsRequest, ReproduceRequest, fig1, no_fig1};
@@ -23,3 +20,11 @@ pub use library::{BatchRequest, SweepRequest};
 pub use motion::{AngleChoice, DropTestRequest, MotionFormat, MotionRequest, SeriesFormat};
 pub use parameters::{BranchChoice, DesignRequest, FitRequest, FittedChoice, HeightChoice};
 pub use plot::{AxesChoice, FigureOptions, HeatOptions, HeatQuantity, PlotKind, PlotRequest, QuantityChoice};
+#[cfg(feature = "clap")]
+pub(crate) use verbs::check_value;
+#[cfg(any(feature = "clap", feature = "schemas"))]
+pub(crate) use verbs::relations_of;
+#[cfg(feature = "schemas")]
+pub(crate) use verbs::type_schema;
+pub(crate) use verbs::verb_title;
+pub use verbs::{CHANGING, Request, VerbEntry, VerbGroup, silent_fields, takes, verb_entry};

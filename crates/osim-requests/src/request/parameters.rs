@@ -3,8 +3,6 @@
 use std::path::PathBuf;
 
 use contact_scaling::fit::Branch;
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::motion::AngleChoice;
@@ -18,49 +16,27 @@ use crate::values::{ContactOnset, Count, Positive, Speed, path};
 
 /// Finds parameters from what is wanted: indentation, stiffness, restitution.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct DesignRequest {
-    /// Models to write the design into; without one, a calculator
-    #[cfg_attr(feature = "clap", arg(value_name = "MODEL"))]
-    #[serde(with = "path::list")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
+    #[serde(with = "path::List")]
     pub models: Vec<PathBuf>,
-    /// What is wanted or known.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub wanted: WantedOptions,
-    /// The load.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub load: LoadOptions,
-    /// Which mass is meant.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub masses: MassOptions,
-    /// How many spheres share the load.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub counts: CountOptions,
-    /// Which forces.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub choice: ForceOptions,
-    /// Where results go.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub output: OutputOptions,
-    /// How to go about the work.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub run: RunOptions,
-    /// Answers to questions.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub answers: AnswerOptions,
-    /// Files of a standalone set.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub set_files: SetFiles,
 }
@@ -75,11 +51,8 @@ impl DesignRequest {
 choices! {
     /// Which part of a measurement.
     BranchChoice: Both {
-        /// All of it.
         Both = "both";
-        /// While the indentation grows.
         Loading = "loading";
-        /// While it shrinks.
         Unloading = "unloading";
     }
 }
@@ -87,11 +60,8 @@ choices! {
 choices! {
     /// What is fitted to a recording.
     FittedChoice {
-        /// E₁*: all stiffnesses by one factor.
         Stiffness = "stiffness", "All stiffnesses, by one factor";
-        /// α of all forces.
         Dissipation = "dissipation", "The dissipation of all forces";
-        /// How high the floor is.
         Height = "height", "How high the floor is";
     }
 }
@@ -99,9 +69,7 @@ choices! {
 choices! {
     /// What a fitted height moves.
     HeightChoice: Floor {
-        /// The floor, along its normal.
         Floor = "floor", "The floor, along its normal: spheres stay on the sole";
-        /// All spheres, in their bodies.
         Spheres = "spheres", "All spheres, in their bodies: the floor stays";
     }
 }
@@ -118,136 +86,43 @@ impl BranchChoice {
 }
 
 /// Finds contact parameters from a measured indentation and force, or those of a model from recordings of its gait.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct FitRequest {
-    /// Measured indentation and force (.csv; - is standard input); with `motion`, the model (.osim)
-    #[cfg_attr(feature = "clap", arg(value_name = "FILE|MODEL"))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub file: Option<PathBuf>,
-    /// Fit the model to this motion (.mot, .sto), so that its forces are the measured ones; may be repeated, for several trials
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", help_heading = "To a recording"))]
-    #[serde(with = "path::list")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
+    #[serde(with = "path::List")]
     pub motion: Vec<PathBuf>,
-    /// Ground reactions that force plates measured (.mot, .sto); one for each motion
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", help_heading = "To a recording"))]
-    #[serde(with = "path::list")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
+    #[serde(with = "path::List")]
     pub plates: Vec<PathBuf>,
-    /// OpenSim's ExternalLoads (.xml); one for each motion, or one for all
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", help_heading = "To a recording"))]
-    #[serde(with = "path::list")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
+    #[serde(with = "path::List")]
     pub loads: Vec<PathBuf>,
-    /// What to fit; may be repeated [default: stiffness, dissipation and height]
-    #[cfg_attr(
-        feature = "clap",
-        arg(long = "fit", value_name = "WHAT", value_enum, help_heading = "To a recording")
-    )]
     pub fit: Vec<FittedChoice>,
-    /// Let spheres go deeper than their radius
-    #[cfg_attr(feature = "clap", arg(long, help_heading = "To a recording"))]
     pub unbounded: bool,
-    /// What a fitted height moves
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "WHAT", value_enum, default_value_t, help_heading = "To a recording")
-    )]
     pub height_in: HeightChoice,
-    /// Speed of a treadmill's belt against x, m/s: slip is taken against it
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "M/S", allow_hyphen_values = true, help_heading = "To a recording")
-    )]
     pub belt: Option<Speed>,
-    /// The same, from this column of each motion
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, hide_short_help = true, value_name = "NAME", help_heading = "To a recording")
-    )]
     pub belt_column: Option<String>,
-    /// The unit of the motions' angles, where their headers do not say it
-    #[cfg_attr(feature = "clap", arg(long, value_enum, help_heading = "To a recording"))]
     pub angles: Option<AngleChoice>,
-    /// Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for walking)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "HZ", help_heading = "To a recording"))]
     pub low_pass: Option<Positive>,
-    /// Sphere radius, m
-    #[cfg_attr(feature = "clap", arg(long, value_name = "M"))]
     pub radius: Option<Positive>,
-    /// Spheres that share the measured force
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N", default_value_t = Count::ONE))]
     pub spheres: Count,
-    /// Where contact begins, in metres, or fit to find it
-    #[cfg_attr(
-        feature = "clap",
-        arg(long, value_name = "M|fit", default_value_t, allow_hyphen_values = true)
-    )]
     pub onset: ContactOnset,
-    /// Which part of the measurement
-    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub branch: BranchChoice,
-    /// Columns and units.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub columns: ColumnOptions,
-    /// Which mass is meant.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub masses: MassOptions,
-    /// Which forces.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub choice: ForceOptions,
-    /// Where results go.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub output: OutputOptions,
-    /// How to go about the work.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub run: RunOptions,
-    /// Answers to questions.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub answers: AnswerOptions,
-    /// Files of a standalone set.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub set_files: SetFiles,
-}
-
-impl Default for FitRequest {
-    fn default() -> Self {
-        Self {
-            file: None,
-            motion: Vec::new(),
-            plates: Vec::new(),
-            loads: Vec::new(),
-            fit: Vec::new(),
-            unbounded: false,
-            height_in: HeightChoice::Floor,
-            belt: None,
-            belt_column: None,
-            angles: None,
-            low_pass: None,
-            radius: None,
-            spheres: Count::ONE,
-            onset: ContactOnset::default(),
-            branch: BranchChoice::Both,
-            columns: ColumnOptions::default(),
-            masses: MassOptions::default(),
-            choice: ForceOptions::default(),
-            output: OutputOptions::default(),
-            run: RunOptions::default(),
-            answers: AnswerOptions::default(),
-            set_files: SetFiles::default(),
-        }
-    }
 }
 
 impl FitRequest {

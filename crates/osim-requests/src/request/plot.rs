@@ -3,8 +3,6 @@
 use std::path::PathBuf;
 
 use osim_model::messages::{Input, Phrase, phrase};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::motion::AngleChoice;
@@ -16,42 +14,24 @@ use crate::values::{Acceleration, Dpi, FigureWidth, FontSize, Grid, Kilograms, S
 
 /// How a figure looks.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "The figure"))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct FigureOptions {
-    /// Title of the figure; "" for none
-    #[cfg_attr(feature = "clap", arg(long, value_name = "TEXT"))]
     pub title: Option<String>,
-    /// Name of a curve, in the order of the legend; once for each
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     #[serde(deserialize_with = "serial::from_texts")]
     pub label: Vec<String>,
-    /// Width on paper, mm [default: 90, one column of a journal; 190 for several panels side by side]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "MM"))]
     pub width: Option<FigureWidth>,
-    /// Size of the letters on paper, points; everything else grows with them
-    #[cfg_attr(feature = "clap", arg(long, value_name = "PT", default_value_t))]
     pub font_size: FontSize,
-    /// Limits of the horizontal axis, in its unit: FROM..TO
-    #[cfg_attr(feature = "clap", arg(long, value_name = "RANGE", allow_hyphen_values = true))]
     pub x_range: Option<Span>,
-    /// Limits of the vertical axis, in its unit: FROM..TO
-    #[cfg_attr(feature = "clap", arg(long, value_name = "RANGE", allow_hyphen_values = true))]
     pub y_range: Option<Span>,
-    /// Pixels to the inch of a PNG
-    #[cfg_attr(feature = "clap", arg(long, value_name = "N", default_value_t, hide_short_help = true))]
     pub dpi: Dpi,
 }
 
 choices! {
     /// What the colours of a heat map show.
     QuantityChoice: Indentation {
-        /// x̂ at rest.
         Indentation = "indentation", "Relative indentation at rest under body weight, by the Hertz law";
-        /// c_r, exact.
         Restitution = "restitution", "Coefficient of restitution at the impact speed of the fall, exact";
-        /// Peak force over body weight.
         PeakForce = "peak-force", "Peak force over body weight in the fall";
     }
 }
@@ -82,35 +62,17 @@ impl QuantityChoice {
 
 /// The grid of a heat map.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args), command(next_help_heading = "The sweep"))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct HeatOptions {
-    /// What the colours show
-    #[cfg_attr(feature = "clap", arg(long, value_enum, default_value_t))]
     pub quantity: QuantityChoice,
-    /// Values of stiffness: FROM..TO/COUNT in N/m2, or factors like x0.1..x10/25
-    #[cfg_attr(feature = "clap", arg(long, value_name = "GRID", default_value_t = STIFFNESS))]
     pub stiffness: Grid,
-    /// Values of dissipation: FROM..TO/COUNT in s/m, or factors
-    #[cfg_attr(feature = "clap", arg(long, value_name = "GRID", default_value_t = DISSIPATION))]
     pub dissipation: Grid,
-    /// Draw a column of this table (CSV) instead, such as a sweep's with your results in it
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub table: Option<PathBuf>,
-    /// The table's column that is drawn
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     pub value_column: Option<String>,
-    /// The table's column along the horizontal axis [default: the first grid_ column]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     pub x_column: Option<String>,
-    /// The table's column along the vertical axis [default: the second grid_ column]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "NAME"))]
     pub y_column: Option<String>,
-    /// From which value to which colours change: FROM..TO
-    #[cfg_attr(feature = "clap", arg(long, value_name = "RANGE", allow_hyphen_values = true))]
     pub value_range: Option<Span>,
 }
 
@@ -135,25 +97,15 @@ impl Default for HeatOptions {
 choices! {
     /// What is drawn.
     PlotKind {
-        /// Force against indentation.
         Force = "force", "Force against indentation: Hertz, with cf, smoothed";
-        /// Contact state against indentation.
         State = "state", "Contact state against indentation";
-        /// Force while a sphere goes in and out.
         Loop = "loop", "Dissipation: force while a sphere goes in and out";
-        /// A drop test.
         Drop = "drop", "Drop test: force against time and non-dimensional time";
-        /// A heat map.
         Sweep = "sweep", "A quantity over stiffness and dissipation, as a heat map";
-        /// Feet from the side and from above.
         Feet = "feet", "Feet from the side and from above: bones, joints, spheres to scale";
-        /// Contacts along a recorded motion.
         Motion = "motion", "Along a recorded motion: force beside the plates', x/R of each sphere";
-        /// The paper's Fig. 1, which cannot be drawn.
         Fig1 = "fig1", "The paper's Fig. 1: not drawn; the output says what it needs";
-        /// The paper's Fig. 4.
         Fig4 = "fig4", "The paper's Fig. 4";
-        /// The paper's Fig. C.5.
         FigC5 = "fig-c5", "The paper's Fig. C.5";
     }
 }
@@ -161,107 +113,52 @@ choices! {
 choices! {
     /// Units of indentation and force.
     AxesChoice {
-        /// Without dimensions.
         Dimensionless = "dimensionless", "x/R, and force over the weight's share of one sphere";
-        /// In SI units.
         Real = "real", "mm and N";
     }
 }
 
 /// Draws what contacts do.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[cfg_attr(feature = "clap", derive(clap::Args))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
 pub struct PlotRequest {
-    /// What to draw
-    #[cfg_attr(feature = "clap", arg(value_enum))]
     pub kind: Option<PlotKind>,
-    /// Models (.osim) or presets, overlaid in one figure; none for fig4 and fig-c5
-    #[cfg_attr(feature = "clap", arg(value_name = "MODEL|PRESET"))]
-    #[serde(with = "path::list")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<path::PathSchema>"))]
+    #[serde(with = "path::List")]
     pub models: Vec<PathBuf>,
-    /// Write to this file: .svg, .pdf or .png (- is SVG on standard output)
-    #[cfg_attr(feature = "clap", arg(short, long, value_name = "FILE"))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub output: Option<PathBuf>,
-    /// Write the numbers that are drawn to this file, too (CSV)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE"))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub data: Option<PathBuf>,
-    /// Replace existing files
-    #[cfg_attr(feature = "clap", arg(long))]
     pub force: bool,
-    /// Draw each contact also as it is after scaling to this mass, kg
-    #[cfg_attr(feature = "clap", arg(long, value_name = "KG", allow_hyphen_values = true))]
     pub target_mass: Option<Kilograms>,
-    /// Units of indentation and force [default: x/R and N; x/R and shares of the weight for several]
-    #[cfg_attr(feature = "clap", arg(long, value_enum))]
     pub axes: Option<AxesChoice>,
-    /// Of feet: a folder with the bones' meshes, beside the model's own and its Geometry
-    #[cfg_attr(feature = "clap", arg(long, value_name = "DIR"))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub geometry_dir: Option<PathBuf>,
-    /// Of motion: coordinates over time (.mot, .sto)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub motion: Option<PathBuf>,
-    /// Of motion: the ground reactions that force plates measured (.mot, .sto)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub plates: Option<PathBuf>,
-    /// Of motion: OpenSim's ExternalLoads (.xml)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub loads: Option<PathBuf>,
-    /// Of motion: the unit of its angles, where its header does not say it
-    #[cfg_attr(feature = "clap", arg(long, value_enum, hide_short_help = true))]
     pub angles: Option<AngleChoice>,
-    /// A file with presets of your own (TOML)
-    #[cfg_attr(feature = "clap", arg(long, value_name = "FILE", hide_short_help = true))]
-    #[serde(with = "path::optional")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<path::PathSchema>"))]
+    #[serde(with = "path::Optional")]
     pub presets: Option<PathBuf>,
-    /// Gravity, m/s2 [default: the model's]
-    #[cfg_attr(feature = "clap", arg(long, value_name = "G", hide_short_help = true))]
     pub gravity: Option<Acceleration>,
-    /// The fall.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub fall: FallOptions,
-    /// The grid of a heat map.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub heat: HeatOptions,
-    /// How the figure looks.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub looks: FigureOptions,
-    /// How many spheres share the weight.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub counts: CountOptions,
-    /// Which mass is meant.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub masses: MassOptions,
-    /// Which forces.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub choice: ForceOptions,
-    /// Files of a standalone set.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub set_files: SetFiles,
-    /// Answers to questions.
-    #[cfg_attr(feature = "clap", command(flatten))]
     #[serde(flatten)]
     pub answers: AnswerOptions,
 }

@@ -4,14 +4,12 @@ use std::borrow::Cow;
 
 use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 
+use crate::register::{List, option_named};
 use crate::request::Request;
-use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, is_assignment};
+use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, is_assignment, is_positional};
 
 /// Name of the program.
 const PROGRAM: &str = "osim-contact-scale";
-
-/// Options that take all values of a list in one word, separated by commas. Others are repeated.
-const WITH_COMMAS: [&str; 3] = ["feet", "keep", "only"];
 
 /// The command line: `--mass KG`, `design MODEL --indentation 0.16`.
 ///
@@ -68,7 +66,7 @@ impl Speller for CommandLine {
         let fields = Fields::of(request);
         let mut words = vec![PROGRAM.to_owned(), fields.verb.name().to_owned()];
         words.extend(fields.positional.iter().flat_map(positional_words));
-        words.extend(fields.options.iter().flat_map(option_words));
+        words.extend(fields.options.iter().flat_map(|field| option_words(fields.verb, field)));
         words.join(" ")
     }
 }
@@ -79,7 +77,8 @@ fn positional_words((_, value): &Field) -> Vec<String> {
 }
 
 /// An option with what it says, in one or several words.
-fn option_words((name, value): &Field) -> Vec<String> {
+fn option_words(verb: Verb, (name, value): &Field) -> Vec<String> {
+    let is_one_word = option_named(verb, name).is_some_and(|option| option.list == List::Commas);
     let option = option(name);
     let valued = |text: String| match text.starts_with('-') {
         true => format!("{option}={}", shell_quoted(&text)),
@@ -91,7 +90,7 @@ fn option_words((name, value): &Field) -> Vec<String> {
         }
         FieldValue::Map(entries) => entries.iter().map(|entry| valued(assigned(entry))).collect(),
         FieldValue::Flag => vec![option],
-        FieldValue::List(items) if !WITH_COMMAS.contains(&name.as_str()) => {
+        FieldValue::List(items) if !is_one_word => {
             items.iter().map(|item| valued(item.text())).collect()
         }
         value => vec![valued(value.text())],
@@ -119,11 +118,6 @@ impl FrontEnd for CommandLine {
     fn see_also(&self) -> &'static str {
         " (see --help)"
     }
-}
-
-/// What is written without the name of an option.
-fn is_positional(input: Input) -> bool {
-    matches!(input, Input::Kind | Input::Topics)
 }
 
 /// The name of a file as a word that is not an option.

@@ -3,6 +3,7 @@
 use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 use serde_json::Value;
 
+use crate::register::is_flag;
 use crate::request::Request;
 use crate::spell::speller::{FrontEnd, Speller, is_assignment};
 
@@ -23,7 +24,7 @@ impl Dialect for JsonRequest {
         let value = match example {
             Some(Example::Value(value)) => number_or_text(value),
             Some(placeholder) => placeholder.to_string(),
-            None if input.is_flag() => Value::from(true).to_string(),
+            None if is_flag(input) => Value::from(true).to_string(),
             None => return format!("`{}`", input.name()),
         };
         format!("\"{}\": {value}", input.name())
@@ -33,7 +34,7 @@ impl Dialect for JsonRequest {
         let mut fields = vec![format!("\"verb\": \"{}\"", call.verb.name())];
         fields.extend(call.with_model.then(|| model(call.verb).to_owned()));
         let field = |(input, example): &(Input, Option<Example>)| match example {
-            None if !input.is_flag() => format!("\"{}\": ...", input.name()),
+            None if !is_flag(*input) => format!("\"{}\": ...", input.name()),
             example => self.input(*input, example.as_ref()),
         };
         let (set, others): (Vec<_>, Vec<_>) =

@@ -2,9 +2,9 @@
 
 use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 
-use crate::fields::FieldGroup;
+use crate::register::{FieldGroup, is_flag};
 use crate::request::Request;
-use crate::spell::speller::{FieldValue, Fields, FrontEnd, Speller, digits, is_assignment};
+use crate::spell::speller::{FieldValue, Fields, FrontEnd, Speller, digits, is_assignment, is_positional};
 
 /// MATLAB and GNU Octave: `'Mass', KG`, `osimcontact.design('model.osim', 'Indentation', 0.16)`.
 ///
@@ -23,13 +23,12 @@ impl Dialect for Matlab {
         let name = quoted(&option(input.name()));
         match example {
             Some(example) => format!("{name}, {}", value_of(example)),
-            None if input.is_flag() => format!("{name}, true"),
+            None if is_flag(input) => format!("{name}, true"),
             None => name,
         }
     }
 
     fn call(&self, call: &Call) -> String {
-        let is_positional = |input: Input| matches!(input, Input::Kind | Input::Topics);
         let mut arguments = Vec::new();
         let inputs = &call.inputs;
         let first = inputs.iter().filter(|(input, _)| is_positional(*input));

@@ -1,8 +1,8 @@
 //! The words of a page with fields and buttons.
 
-use osim_model::messages::{Call, Dialect, Example, Input, Verb, readable};
+use osim_model::messages::{Call, Dialect, Example, Input, readable};
 
-use crate::request::Request;
+use crate::request::{Request, verb_title};
 use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller};
 
 /// The button that answers a question.
@@ -42,7 +42,7 @@ impl Speller for Page {
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
         let wanted: Vec<String> = fields.options.iter().flat_map(field_words).collect();
-        let what = done(fields.verb);
+        let what = verb_title(fields.verb);
         match wanted.as_slice() {
             [] => format!("{what}."),
             wanted => format!("{what}: {}.", wanted.join(", ")),
@@ -50,24 +50,9 @@ impl Speller for Page {
     }
 }
 
-/// What is done, as the page has it.
-fn done(verb: Verb) -> &'static str {
-    match verb {
-        Verb::Rescale => "Scale the contacts",
-        Verb::Transfer => "Take the contacts of another model",
-        Verb::Add => "Add contacts",
-        Verb::Remove => "Remove the contacts",
-        Verb::Convert => "Convert the forces",
-        Verb::Design => "Design the contacts",
-        Verb::Set => "Set",
-        verb => verb.name(),
-    }
-}
-
 /// A field with what it says; each property that is set.
 fn field_words((name, value): &Field) -> Vec<String> {
-    let label =
-        Input::ALL.iter().find(|input| input.name() == name).map_or(name.as_str(), |input| input.label());
+    let label = Input::named(name).map_or(name.as_str(), |input| input.label());
     match value {
         FieldValue::Map(properties) if name == "set" => properties.iter().map(assigned).collect(),
         FieldValue::Map(entries) => {

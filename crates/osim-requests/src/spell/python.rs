@@ -4,9 +4,9 @@ use std::borrow::Cow;
 
 use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 
-use crate::fields::FieldGroup;
+use crate::register::{FieldGroup, is_flag, option_named};
 use crate::request::Request;
-use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, digits};
+use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, digits, is_positional};
 
 const IMPORT: &str = "import osim_contact_scale as ocs";
 const SHOWN: &str = "print(result)";
@@ -16,34 +16,6 @@ const OF_PLAN: [&str; 2] = ["dry_run", "report"];
 
 /// What a row of a table says, not a call for all rows.
 const OF_ROW: [&str; 2] = ["output", "geometry_output"];
-
-/// Fields with names of files or folders, in which Python's `~` is the home folder.
-const PATHS: [&str; 24] = [
-    "body_scale_file",
-    "compare",
-    "contacts",
-    "data",
-    "file",
-    "from",
-    "from_moco_setup",
-    "geometry",
-    "geometry_dir",
-    "geometry_output",
-    "loads",
-    "manifest",
-    "moco_setup",
-    "model",
-    "models",
-    "motion",
-    "output",
-    "output_dir",
-    "plates",
-    "presets",
-    "report",
-    "subject",
-    "summary",
-    "table",
-];
 
 /// Python: `mass=KG`, `ocs.design("model.osim", indentation=0.16)`.
 ///
@@ -64,7 +36,7 @@ impl Dialect for Python {
     fn input(&self, input: Input, example: Option<&Example>) -> String {
         let value = match example {
             Some(example) => value_of(example),
-            None if input.is_flag() => "True".to_owned(),
+            None if is_flag(input) => "True".to_owned(),
             None => String::new(),
         };
         format!("{}={value}", python_keyword(input.name()))
@@ -202,7 +174,7 @@ fn literal(name: &str, value: &FieldValue) -> String {
     match value {
         FieldValue::Flag => "True".to_owned(),
         FieldValue::Number(number) => digits(number),
-        FieldValue::Text(text) if PATHS.contains(&name) => python_quoted(&file_word(text)),
+        FieldValue::Text(text) if is_path(name) => python_quoted(&file_word(text)),
         FieldValue::Text(text) => python_quoted(text),
         FieldValue::List(items) => format!("[{}]", joined(items.iter().map(|item| literal(name, item)))),
         FieldValue::Map(entries) => {
@@ -210,6 +182,11 @@ fn literal(name: &str, value: &FieldValue) -> String {
             format!("{{{}}}", joined(entries.iter().map(entry)))
         }
     }
+}
+
+/// Whether a field names files or folders, in which Python's `~` is the home folder.
+fn is_path(name: &str) -> bool {
+    option_named(Verb::Rescale, name).is_some_and(|option| option.is_path())
 }
 
 /// The name of a file, not of a home folder.
@@ -225,11 +202,6 @@ fn function(verb: Verb, arguments: &[String]) -> String {
         verb => verb.name().replace('-', "_"),
     };
     format!("ocs.{name}({})", arguments.join(", "))
-}
-
-/// What is written without a keyword.
-fn is_positional(input: Input) -> bool {
-    matches!(input, Input::Kind | Input::Topics)
 }
 
 /// The keyword of an input, given by the name of its field; a word that Python reserves gets a line after it.
@@ -281,7 +253,6 @@ mod tests {
     use serde_json::{Value, json};
 
     use super::*;
-    use crate::schema_of;
 
     fn spelled(template: &'static str) -> String {
         Phrase::template(template).spelled(&Python)
@@ -390,21 +361,6 @@ mod tests {
             (json!({"verb": "reproduce", "output_dir": "b", "force": true}), "ocs.reproduce()"),
         ] {
             is_spelled(&request, &[&format!("result = {call}"), "print(result)"]);
-        }
-    }
-
-    /// Whether a value of this schema is the name of a file.
-    fn is_path(schema: &Value) -> bool {
-        let parts = schema["anyOf"].as_array().into_iter().flatten();
-        schema["$ref"] == "#/$defs/Path" || parts.chain(schema.get("items")).any(is_path)
-    }
-
-    #[test]
-    fn every_field_that_names_a_file_is_a_path() {
-        for schema in Verb::ALL.iter().map(|verb| schema_of(*verb)) {
-            for (name, schema) in schema.get("properties").and_then(Value::as_object).unwrap() {
-                assert_eq!(is_path(schema), PATHS.contains(&name.as_str()), "{name}");
-            }
         }
     }
 }

@@ -4,8 +4,8 @@ use osim_model::Property;
 use osim_model::messages::{Call, Dialect, Input, Verb, shortest};
 use serde_json::{Map, Number, Value};
 
-use crate::fields::{FieldGroup, positional};
-use crate::request::Request;
+use crate::register::{FieldGroup, option_named};
+use crate::request::{Request, verb_entry};
 
 /// The words of a language, for whole requests too.
 ///
@@ -92,7 +92,7 @@ impl Fields {
         let verb = request.verb();
         let fields = request.to_map().into_iter().filter(|(name, _)| name != "verb");
         let fields = fields.filter_map(|(name, value)| Some((name, FieldValue::of(value)?)));
-        let place = |name: &str| positional(verb).iter().position(|known| *known == name);
+        let place = |name: &str| verb_entry(verb).positional.iter().position(|known| *known == name);
         let (mut positional, options): (Vec<Field>, Vec<Field>) =
             fields.partition(|(name, _)| place(name).is_some());
         positional.sort_by_key(|(name, _)| place(name));
@@ -109,13 +109,16 @@ impl Fields {
 
     /// The options that are of none of these groups.
     pub(super) fn without(&self, groups: &[FieldGroup]) -> impl Iterator<Item = &Field> {
-        let left_out = |name: &str| FieldGroup::of(name).is_some_and(|group| groups.contains(&group));
-        self.options.iter().filter(move |(name, _)| !left_out(name))
+        self.options.iter().filter(|(name, _)| self.group_of(name).is_none_or(|group| !groups.contains(&group)))
     }
 
     /// The options of this group.
     pub(super) fn only(&self, group: FieldGroup) -> impl Iterator<Item = &Field> {
-        self.options.iter().filter(move |(name, _)| FieldGroup::of(name) == Some(group))
+        self.options.iter().filter(move |(name, _)| self.group_of(name) == Some(group))
+    }
+
+    fn group_of(&self, name: &str) -> Option<FieldGroup> {
+        option_named(self.verb, name)?.group
     }
 
     /// The option of this name.
@@ -159,6 +162,11 @@ impl FieldValue {
             one => std::slice::from_ref(one),
         }
     }
+}
+
+/// Whether `input` has no name in calls.
+pub(super) fn is_positional(input: Input) -> bool {
+    matches!(input, Input::Kind | Input::Topics)
 }
 
 /// Whether `input` is a property that `call` sets.

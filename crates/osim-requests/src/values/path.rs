@@ -1,12 +1,8 @@
 //! Paths in JSON: text, or the bytes where a path is not text.
 
-#[cfg(feature = "schemas")]
-use std::borrow::Cow;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-#[cfg(feature = "schemas")]
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -22,25 +18,16 @@ enum Written {
 
 /// The schema of a path.
 #[cfg(feature = "schemas")]
-pub struct PathSchema;
-
-#[cfg(feature = "schemas")]
-impl JsonSchema for PathSchema {
-    fn schema_name() -> Cow<'static, str> {
-        "Path".into()
-    }
-
-    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
-        json_schema!({"anyOf": [
-            {"type": "string", "minLength": 1},
-            {
-                "type": "object",
-                "properties": {"bytes": {"type": "array", "items": {"type": "integer", "minimum": 0, "maximum": 255}}},
-                "required": ["bytes"],
-                "additionalProperties": false,
-            },
-        ]})
-    }
+pub(crate) fn schema() -> serde_json::Value {
+    serde_json::json!({"anyOf": [
+        {"type": "string", "minLength": 1},
+        {
+            "type": "object",
+            "properties": {"bytes": {"type": "array", "items": {"type": "integer", "minimum": 0, "maximum": 255}}},
+            "required": ["bytes"],
+            "additionalProperties": false,
+        },
+    ]})
 }
 
 impl Written {
@@ -85,10 +72,11 @@ pub fn to_value(path: &Path) -> serde_json::Value {
     serde_json::to_value(Written::of(path)).unwrap_or_default()
 }
 
-/// One path, or none.
-pub mod optional {
-    use super::{Deserialize, Deserializer, EXPECTED, Error, PathBuf, Serialize, Serializer, Written};
+/// How a field has one path, or none.
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
+pub struct Optional;
 
+impl Optional {
     /// Writes one path, or null.
     ///
     /// # Errors
@@ -107,10 +95,11 @@ pub mod optional {
     }
 }
 
-/// A list of paths, or one alone in its place.
-pub mod list {
-    use super::{Deserialize, Deserializer, EXPECTED, Error, PathBuf, Serializer, Written};
+/// How a field has a list of paths, or one alone in its place.
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
+pub struct List;
 
+impl List {
     /// Writes a list of paths.
     ///
     /// # Errors

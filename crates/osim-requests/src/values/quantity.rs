@@ -184,9 +184,10 @@ impl Default for FontSize {
     }
 }
 
-impl Count {
-    /// One.
-    pub const ONE: Self = Self(1.0);
+impl Default for Count {
+    fn default() -> Self {
+        Self(1.0)
+    }
 }
 
 impl Positive {
@@ -196,9 +197,11 @@ impl Positive {
     pub(crate) const SOFT_STIFFNESS: Self = Self(1.2);
 }
 
-impl Threshold {
+impl Default for Threshold {
     /// The threshold of section C.2.
-    pub(crate) const OF_THE_PAPER: Self = Self(contact_scaling::limits::TRANSITION_THRESHOLD);
+    fn default() -> Self {
+        Self(contact_scaling::limits::TRANSITION_THRESHOLD)
+    }
 }
 
 // Whole numbers with bounds.

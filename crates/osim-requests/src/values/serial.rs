@@ -99,19 +99,25 @@ pub(crate) fn as_texts<T: Display, S: Serializer>(values: &[T], serializer: S) -
     serializer.collect_seq(values.iter().map(ToString::to_string))
 }
 
+/// Words of a choice, each with what it means; empty where the word says it.
+pub type Words = &'static [(&'static str, &'static str)];
+
 /// Declares an enum whose variants are words: for a command line, for JSON and in messages. After its name comes the word
 /// that is taken where none is given, if there is one.
 macro_rules! choices {
-    ($(#[doc = $doc:literal])+ $name:ident $(: $default:ident)? { $($(#[doc = $variant_doc:literal])+ $variant:ident = $word:literal $(, $help:literal)?;)+ }) => {
+    ($(#[doc = $doc:literal])+ $name:ident $(: $default:ident)? { $($variant:ident = $word:literal $(, $help:literal)?;)+ }) => {
         $(#[doc = $doc])+
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         pub enum $name {
-            $($(#[doc = $variant_doc])+ $variant,)+
+            $($variant,)+
         }
 
         impl $name {
             /// Every word.
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
+
+            /// Every word with what it means, where that is said.
+            pub(crate) const WORDS: $crate::values::serial::Words = &[$(($word, concat!($($help)?))),+];
 
             /// The word.
             pub const fn as_str(self) -> &'static str {
@@ -167,18 +173,6 @@ macro_rules! choices {
 
             fn inline_schema() -> bool {
                 true
-            }
-        }
-
-        #[cfg(feature = "clap")]
-        impl clap::ValueEnum for $name {
-            fn value_variants<'a>() -> &'a [Self] {
-                Self::ALL
-            }
-
-            fn to_possible_value(&self) -> Option<clap::builder::PossibleValue> {
-                let word = clap::builder::PossibleValue::new(self.as_str());
-                Some(match self { $(Self::$variant => word$(.help($help))?,)+ })
             }
         }
     };

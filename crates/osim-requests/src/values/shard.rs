@@ -107,13 +107,7 @@ impl FromStr for PointNumber {
     }
 }
 
-/// Reads one from a word of the command line.
-#[cfg(feature = "clap")]
-pub(crate) fn point_of_word(text: &str) -> Result<usize, String> {
-    text.parse().map(|PointNumber(number)| number)
-}
-
-/// Reads one from JSON.
+/// Reads the number of a point.
 pub(crate) fn point_of_json<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<usize>, D::Error> {
     let number: Option<PointNumber> = serial::optional_from_text(deserializer)?;
     Ok(number.map(|PointNumber(number)| number))

@@ -2,6 +2,7 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use osim_model::messages::Verb;
+use osim_requests::verb_entry;
 
 const STYLE: &str = include_str!("style.css");
 
@@ -49,7 +50,7 @@ pub(super) fn asked(verb: Verb, command: &str) -> String {
     html! {
         section id=(id) aria-labelledby="asked-title" {
             h2 id="asked-title" { (title) }
-            p { (purpose(verb)) }
+            p { (verb_entry(verb).purpose) }
             (command_line(command))
         }
     }
@@ -65,37 +66,6 @@ pub(super) fn command_line(command: &str) -> Markup {
                 span { (word) }
             }
         } }
-    }
-}
-
-fn purpose(verb: Verb) -> &'static str {
-    match verb {
-        Verb::Rescale => {
-            "Contacts that are made for one body mass, rescaled to another: each parameter is multiplied by the factor \
-             that its equation gives, so that the contact without dimensions stays the same."
-        }
-        Verb::Transfer => {
-            "The contacts of another model, given to this one at its own mass, radii and number of spheres, so that \
-             the contact without dimensions is the reference's."
-        }
-        Verb::Add => {
-            "Contacts for a model that had none, at its own size, with numbers made for its mass: those of a reference without \
-             dimensions, or those that were asked for."
-        }
-        Verb::Convert => {
-            "Forces of another class, one for each sphere, with the same stiffness, dissipation and friction."
-        }
-        Verb::Remove => "Contacts taken out of the model. Nothing else was changed.",
-        Verb::Design => "Parameters found from what the contacts should do.",
-        Verb::Set => "Properties written, or multiplied, as given.",
-        Verb::Note => {
-            "The mass that the contacts were made for, written into the file. No number was changed."
-        }
-        Verb::Batch => "Many models changed, each as its row of a table says.",
-        Verb::Check => {
-            "Models compared with the limits of the paper and the traps of the format. Nothing was changed."
-        }
-        _ => "What contacts the model has, and what they do under its weight. Nothing was changed.",
     }
 }
 

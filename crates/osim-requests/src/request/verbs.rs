@@ -1,0 +1,295 @@
+//! The register of verbs: the request of each, how the help and pages speak of it, and what has no name in its calls.
+
+use osim_model::messages::{Input, Verb};
+#[cfg(feature = "schemas")]
+use schemars::Schema;
+use serde_json::{Map, Value};
+
+use crate::dictionary;
+use crate::fault::{Relation, RequestFault};
+use crate::options::{AnswerOptions, OutputOptions, RunOptions};
+use crate::request::add::{AddRequest, TransferRequest};
+use crate::request::change::{ConvertRequest, RemoveRequest, RescaleRequest, SetRequest};
+use crate::request::inspect::{CheckRequest, InspectRequest, NoteRequest};
+use crate::request::knowledge::{ExplainRequest, PresetsRequest, ReproduceRequest};
+use crate::request::library::{BatchRequest, SweepRequest};
+use crate::request::motion::{DropTestRequest, MotionRequest};
+use crate::request::parameters::{DesignRequest, FitRequest};
+use crate::request::plot::PlotRequest;
+
+/// The name under which a dictionary says which verb it is for.
+pub(super) const VERB: &str = "verb";
+
+/// A verb as the help and pages speak of it.
+#[derive(Debug, Clone, Copy)]
+pub struct VerbEntry {
+    /// The group in which the help lists it.
+    pub group: VerbGroup,
+    /// What it does, in a line of the help.
+    pub about: &'static str,
+    /// What else the long help says; may be empty.
+    pub details: &'static str,
+    /// What it does, as the heading of a form; empty where its name says it.
+    title: &'static str,
+    /// What was done, at the top of a report.
+    pub purpose: &'static str,
+    /// The fields that a call has without their names, in their order. In schemas they are `x-positional`.
+    pub positional: &'static [&'static str],
+}
+
+impl VerbEntry {
+    const fn new(group: VerbGroup, positional: &'static [&'static str], about: &'static str) -> Self {
+        let purpose = "What contacts the model has, and what they do under its weight. Nothing was changed.";
+        Self { group, about, details: "", title: "", purpose, positional }
+    }
+
+    const fn details(self, details: &'static str) -> Self {
+        Self { details, ..self }
+    }
+
+    const fn title(self, title: &'static str) -> Self {
+        Self { title, ..self }
+    }
+
+    const fn purpose(self, purpose: &'static str) -> Self {
+        Self { purpose, ..self }
+    }
+}
+
+/// What a verb does, as the heading of a form.
+pub(crate) fn verb_title(verb: Verb) -> &'static str {
+    match verb_entry(verb).title {
+        "" => verb.name(),
+        title => title,
+    }
+}
+
+/// What a reader of the help looks for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum VerbGroup {
+    Change,
+    Look,
+    Study,
+    More,
+}
+
+impl VerbGroup {
+    pub const ALL: [Self; 4] = [Self::Change, Self::Look, Self::Study, Self::More];
+
+    /// Its heading in the help.
+    pub const fn heading(self) -> &'static str {
+        match self {
+            Self::Change => "Change models",
+            Self::Look => "Look at models",
+            Self::Study => "Study",
+            Self::More => "More",
+        }
+    }
+
+    /// Its verbs, in the order of the help.
+    pub fn verbs(self) -> impl Iterator<Item = Verb> {
+        REGISTERED.iter().copied().filter(move |verb| verb_entry(*verb).group == self)
+    }
+}
+
+macro_rules! marked {
+    ($mark:ident $value:expr) => {
+        $value
+    };
+}
+
+/// Each row is `Variant(its request) = its entry;`, with `change` before the sign where it changes models that it names.
+macro_rules! verbs {
+    ($($variant:ident($type:ty) $($change:ident)? = $entry:expr;)+) => {
+        /// A request, whatever its verb.
+        #[derive(Debug, Clone, PartialEq)]
+        pub enum Request {
+            $($variant(Box<$type>),)+
+        }
+
+        /// Every verb; those of a group are in the order in which the help lists them.
+        const REGISTERED: &[Verb] = &[$(Verb::$variant),+];
+
+        /// The verbs that change models which they name.
+        pub const CHANGING: &[Verb] = &[$($(marked!($change Verb::$variant),)?)+];
+
+        pub const fn verb_entry(verb: Verb) -> VerbEntry {
+            match verb { $(Verb::$variant => $entry),+ }
+        }
+
+        impl Request {
+            /// What it asks for.
+            pub const fn verb(&self) -> Verb {
+                match self { $(Self::$variant(_) => Verb::$variant),+ }
+            }
+
+            /// Reads the fields of a request for `verb`, in which those `relations` hold that are `checked`.
+            pub(crate) fn read_checking(
+                verb: Verb,
+                fields: Map<String, Value>,
+                checked: fn(&Relation) -> bool,
+            ) -> Result<Self, RequestFault> {
+                match verb {
+                    $(Verb::$variant => dictionary::read::<$type>(fields, <$type>::RELATIONS, checked)
+                        .map(|request| Self::$variant(Box::new(request))),)+
+                }
+            }
+
+            /// The fields that say something, as [`Request::read`] takes them; the verb among them.
+            pub fn to_map(&self) -> Map<String, Value> {
+                let fields = match self { $(Self::$variant(request) => dictionary::said(request.as_ref())),+ };
+                std::iter::once((VERB.to_owned(), self.verb().name().into())).chain(fields).collect()
+            }
+
+            /// Checks that its fields go together.
+            ///
+            /// # Errors
+            /// The first that does not.
+            pub fn check(&self) -> Result<(), RequestFault> {
+                match self {
+                    $(Self::$variant(request) => dictionary::check(request.as_ref(), <$type>::RELATIONS),)+
+                }
+            }
+
+            /// Answers to questions, of a verb that changes models.
+            pub fn answers_mut(&mut self) -> Option<&mut AnswerOptions> {
+                match self {
+                    $($(Self::$variant($change) => Some(&mut $change.answers),)?)+
+                    _ => None,
+                }
+            }
+
+            /// Where results go, of a verb that changes models.
+            pub fn output_mut(&mut self) -> Option<&mut OutputOptions> {
+                match self {
+                    $($(Self::$variant($change) => Some(&mut $change.output),)?)+
+                    _ => None,
+                }
+            }
+
+            /// How to go about the work, of a verb that changes models.
+            pub fn run_options(&self) -> Option<&RunOptions> {
+                match self {
+                    $($(Self::$variant($change) => Some(&$change.run),)?)+
+                    _ => None,
+                }
+            }
+        }
+
+        /// Checks one field of a request for `verb`.
+        ///
+        /// # Errors
+        /// Its value cannot be taken: what was expected.
+        #[cfg(feature = "clap")]
+        pub(crate) fn check_value(verb: Verb, field: &str, value: Value) -> Result<(), String> {
+            match verb { $(Verb::$variant => dictionary::check_value::<$type>(field, value)),+ }
+        }
+
+        /// The schema of the requests for `verb`, as their type has it, and how their fields depend on each other.
+        #[cfg(feature = "schemas")]
+        pub(crate) fn type_schema(verb: Verb) -> Schema {
+            let generator = schemars::generate::SchemaSettings::draft2020_12().into_generator();
+            match verb { $(Verb::$variant => generator.into_root_schema_for::<$type>()),+ }
+        }
+
+        /// The fields of a request for `verb` with their defaults.
+        pub fn silent_fields(verb: Verb) -> Map<String, Value> {
+            match verb { $(Verb::$variant => dictionary::map(&<$type>::default())),+ }
+        }
+
+        /// How the fields of requests for `verb` depend on each other.
+        #[cfg(any(feature = "clap", feature = "schemas"))]
+        pub(crate) const fn relations_of(verb: Verb) -> &'static [&'static [Relation]] {
+            match verb { $(Verb::$variant => <$type>::RELATIONS),+ }
+        }
+
+        $(impl From<$type> for Request {
+            fn from(request: $type) -> Self {
+                Self::$variant(Box::new(request))
+            }
+        })+
+    };
+}
+
+/// Whether requests for `verb` have a field for `input`.
+pub fn takes(verb: Verb, input: Input) -> bool {
+    silent_fields(verb).contains_key(input.name())
+}
+
+verbs! {
+    Rescale(RescaleRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
+        "Rescale a model's own contacts to another mass (the verb may be left out)")
+        .details("Spheres move only with `follow_bodies`, `body_scale_file` or `level`. After OpenSim's Scale Tool, check SCALED \
+                  `from=GENERIC` first. With a note in the model (see note), SCALED `target_mass=KG` `follow_bodies` needs no other \
+                  file; without one, `body_scale_file` takes the ScaleSet that was applied.")
+        .title("Scale the contacts")
+        .purpose("Contacts that are made for one body mass, rescaled to another: each parameter is multiplied by the factor that its \
+                  equation gives, so that the contact without dimensions stays the same.");
+    Transfer(TransferRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
+        "Give a model the contacts of another model or of a preset, at its own size")
+        .details("After OpenSim's Scale Tool: check SCALED `from=GENERIC` says where each sphere belongs, and transfer SCALED \
+                  `from=GENERIC` `follow_bodies` `output=OUT` puts it there and makes the contacts right for the new mass.")
+        .title("Take the contacts of another model")
+        .purpose("The contacts of another model, given to this one at its own mass, radii and number of spheres, so that the contact \
+                  without dimensions is the reference's.");
+    Add(AddRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
+        "Give a model contacts: of another model, a table, or under its bones")
+        .details("Spheres are placed by the size of this model's own bones, and their numbers made for its mass. remove takes them out \
+                  again.")
+        .title("Add contacts")
+        .purpose("Contacts for a model that had none, at its own size, with numbers made for its mass: those of a reference without \
+                  dimensions, or those that were asked for.");
+    Remove(RemoveRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
+        "Take the foot contacts out of a model")
+        .details("After add, also with a rescale in between, the first file is there again, byte for byte.")
+        .title("Remove the contacts")
+        .purpose("Contacts taken out of the model. Nothing else was changed.");
+    Convert(ConvertRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
+        "Make forces of one class from those of the other, one for each sphere")
+        .details("Divides a HuntCrossleyForce with several spheres, too, also into its own class.")
+        .title("Convert the forces")
+        .purpose("Forces of another class, one for each sphere, with the same stiffness, dissipation and friction.");
+    Design(DesignRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
+        "Find parameters from what is wanted: indentation, stiffness, restitution")
+        .title("Design the contacts")
+        .purpose("Parameters found from what the contacts should do.");
+    Set(SetRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
+        "Set properties to a value, or multiply them by a factor")
+        .title("Set")
+        .purpose("Properties written, or multiplied, as given.");
+    Sweep(SweepRequest) = VerbEntry::new(VerbGroup::Study, &["model"],
+        "Make a grid of variants of a model, or a ladder of them from soft to stiff");
+    DropTest(DropTestRequest) = VerbEntry::new(VerbGroup::Study, &["subject"],
+        "Let a model fall on its contacts and see what they do");
+    Motion(MotionRequest) = VerbEntry::new(VerbGroup::Study, &["subject", "motion"],
+        "Follow the contacts along a recorded motion, beside what force plates measured")
+        .details("Forces, indentations, slip and impacts of each sphere; the ground reaction of each foot, and how far it is from the \
+                  plates.");
+    Fit(FitRequest) change = VerbEntry::new(VerbGroup::Study, &["file"],
+        "Find contact parameters from a measured indentation and force");
+    Reproduce(ReproduceRequest) = VerbEntry::new(VerbGroup::Study, &[],
+        "Compare Table 1 of the paper with what its equations give, and draw its figures");
+    Note(NoteRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
+        "Write down the mass that a model's contacts were made for")
+        .details("No number changes. OpenSim keeps the note when it scales the model: check SCALED knows then what the contacts were \
+                  made for and whether spheres followed their bodies, and SCALED `target_mass=KG` `follow_bodies` moves them without \
+                  the generic model.")
+        .purpose("The mass that the contacts were made for, written into the file. No number was changed.");
+    Batch(BatchRequest) = VerbEntry::new(VerbGroup::Change, &["manifest"],
+        "Change many models, as a table says: one row per model")
+        .purpose("Many models changed, each as its row of a table says.");
+    Check(CheckRequest) = VerbEntry::new(VerbGroup::Look, &["models"],
+        "Compare models with the limits of the paper and the traps of the format")
+        .details("After OpenSim's Scale Tool: check SCALED `from=GENERIC` says where each sphere belongs, and prints the transfer \
+                  SCALED `from=GENERIC` `follow_bodies` that puts it there. Where the generic model had a note, check SCALED alone is \
+                  enough.")
+        .purpose("Models compared with the limits of the paper and the traps of the format. Nothing was changed.");
+    Inspect(InspectRequest) = VerbEntry::new(VerbGroup::Look, &["models"],
+        "Show what contacts a model has");
+    Plot(PlotRequest) = VerbEntry::new(VerbGroup::Look, &["kind", "models"],
+        "Draw what contacts do, as SVG, PDF or PNG");
+    Explain(ExplainRequest) = VerbEntry::new(VerbGroup::More, &["topics"],
+        "Explain an equation, a quantity, a finding or an error (alone: list them all)");
+    Presets(PresetsRequest) = VerbEntry::new(VerbGroup::More, &["name"],
+        "List presets, or show one");
+}
