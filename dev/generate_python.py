@@ -172,7 +172,12 @@ def options() -> str:
         wrapped = textwrap.fill(words, 118, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
         sets.append(f"#: {meaning}\n{name} = frozenset({{\n{wrapped},\n}})\n")
     questions = next(field.choices for field in changing[0].fields if field.name == "yes")
-    words = {"Property": ("OpenSim's properties that verbs change.", PROPERTIES), "Question": ("Codes of questions, which `yes` answers.", questions)}
+    of_many = [verb.name for verb in sorted(changing, key=lambda verb: verb.changes) if verb.positional == ("models",)]
+    words = {
+        "Property": ("OpenSim's properties that verbs change.", PROPERTIES),
+        "Question": ("Codes of questions, which `yes` answers.", questions),
+        "ChangingVerb": ("Verbs that change any number of models.", of_many),
+    }
     return OPTIONS_HEAD + "\n".join([*(literal(name, *of) for name, of in words.items()), *sets])
 
 

@@ -40,8 +40,8 @@ class Verb:
     required: frozenset[str]
     positional: tuple[str, ...]
     """The options that a call has without their names, in its order."""
-    changes: bool
-    """It changes models that it names."""
+    changes: int
+    """Its place among the verbs that change models, from 1; 0 for others."""
 
 
 def verbs() -> list[Verb]:
@@ -58,7 +58,7 @@ def _verb(path: Path) -> Verb:
     summary = re.split(r"\n\s*\n|```", schema["description"])[0].strip()
     required = frozenset(name for name in schema.get("required", []) if name != "verb")
     positional = tuple(schema.get("x-positional", []))
-    changes = schema.get("x-changes", False)
+    changes = schema.get("x-changes", 0)
     return Verb(path.name.removesuffix(".schema.json"), summary, fields, required, positional, changes)
 
 

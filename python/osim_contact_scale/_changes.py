@@ -6,12 +6,13 @@ import logging
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 
 from . import _native
 from ._errors import RequestError
 from ._gaps import explained, gaps_of, say_gaps
 from ._kinds import kind_of
+from ._options import ChangingVerb
 from ._own_columns import beside, names_of, own_columns, seen
 from ._progress import following
 from ._request import fields_of, is_path, path_of
@@ -35,8 +36,9 @@ def many(verb: str, models: Any, keywords: Mapping[str, Any], progress: Progress
     TypeError
         A model that is not the path of a file.
     """
-    if verb not in _native.VERBS_OF_MANY:
-        raise RequestError("usage", f"{verb!r}: expected a verb that changes models: {', '.join(_native.VERBS_OF_MANY)}")
+    known = get_args(ChangingVerb)
+    if verb not in known:
+        raise RequestError("usage", f"{verb!r}: expected a verb that changes models: {', '.join(known)}")
     named = _given(models)
     if _is_table(named):
         message = "many does the same change to models and takes their paths; for a table: ocs.rescale_many(table, ...)"

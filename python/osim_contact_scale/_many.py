@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Literal, get_args
+from typing import get_args
 
-from ._options import Property
+from ._options import ChangingVerb, Property
 from .types import Progress, StrPath, Table
-
-ChangingVerb = Literal["rescale", "transfer", "add", "remove", "convert", "design", "set", "note"]
 
 
 def many(

@@ -7,7 +7,6 @@ from typing import Any, final
 from ._errors import ContactScaleError
 
 VERSION: str
-VERBS_OF_MANY: list[str]
 
 _Fields = dict[str, Any]
 _Memory = Mapping[str, bytes] | Mapping[Path, bytes]

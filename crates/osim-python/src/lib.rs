@@ -25,7 +25,6 @@ use pyo3::prelude::*;
 /// The Rust half of `osim_contact_scale`.
 #[pymodule(gil_used = false)]
 mod _native {
-    use osim_requests::{CHANGING, verb_entry};
     use pyo3::prelude::*;
 
     #[pymodule_export]
@@ -49,8 +48,6 @@ mod _native {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
-        module.add("VERSION", env!("CARGO_PKG_VERSION"))?;
-        let of_many = CHANGING.iter().filter(|verb| verb_entry(**verb).positional == ["models"]);
-        module.add("VERBS_OF_MANY", of_many.map(|verb| verb.name()).collect::<Vec<_>>())
+        module.add("VERSION", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -68,9 +68,8 @@ fn argument(verb: Verb, option: &Entry) -> Arg {
     match option.takes {
         Takes::Choice(words) => argument.value_parser(PossibleValuesParser::new(words.iter().map(possible))),
         _ if option.is_path() => argument.value_parser(value_parser!(PathBuf)),
-        _ => argument.value_parser(move |word: &str| {
-            check_value(verb, name, word.into()).map(|()| word.to_owned())
-        }),
+        _ => argument
+            .value_parser(move |word: &str| check_value(verb, name, word.into()).map(|()| word.to_owned())),
     }
 }
 

@@ -32,12 +32,12 @@ pub mod values;
 
 pub use crate::fault::{Relation, RequestError, RequestFault};
 pub use crate::request::{
-    CHANGING, AddRequest, AngleChoice, AxesChoice, BatchRequest, BranchChoice, CheckRequest, ConvertRequest, Deny,
-    DesignRequest, DropTestRequest, ExplainRequest, FigureOptions, FitRequest, FittedChoice, HeatOptions,
-    HeatQuantity, HeightChoice, InspectRequest, MotionFormat, MotionRequest, NoteDetails, NoteRequest,
-    PlotKind, PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest, Request,
-    RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, VerbEntry, VerbGroup, fig1, no_fig1, silent_fields,
-    takes, verb_entry,
+    AddRequest, AngleChoice, AxesChoice, BatchRequest, BranchChoice, CHANGING, CheckRequest, ConvertRequest,
+    Deny, DesignRequest, DropTestRequest, ExplainRequest, FigureOptions, FitRequest, FittedChoice,
+    HeatOptions, HeatQuantity, HeightChoice, InspectRequest, MotionFormat, MotionRequest, NoteDetails,
+    NoteRequest, PlotKind, PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest,
+    Request, RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, VerbEntry, VerbGroup,
+    fig1, no_fig1, silent_fields, takes, verb_entry,
 };
 #[cfg(feature = "schemas")]
 pub use crate::schema::schema_of;

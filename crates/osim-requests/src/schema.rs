@@ -1,7 +1,7 @@
 //! Schemas of requests, from their types and the register.
 //!
-//! Beside the words of JSON Schema they have some of their own, for what is made from them: `x-changes`, where the verb changes models
-//! that it names; `x-positional`, the fields that a call has without their names; `x-group`, what a field is about that says nothing
+//! Beside the words of JSON Schema they have some of their own, for what is made from them: `x-changes`, the place of the verb among
+//! those that change models which they name; `x-positional`, the fields that a call has without their names; `x-group`, what a field is about that says nothing
 //! about contacts; and `x-of-run`, where it is about a whole run, and no row of a table can have its own. What fields and conditions
 //! repeat is in `$defs`.
 
@@ -32,8 +32,8 @@ pub fn schema_of(verb: Verb) -> Schema {
     if !verb_entry(verb).positional.is_empty() {
         object.insert("x-positional".to_owned(), verb_entry(verb).positional.into());
     }
-    if CHANGING.contains(&verb) {
-        object.insert("x-changes".to_owned(), true.into());
+    if let Some(place) = CHANGING.iter().position(|changing| *changing == verb) {
+        object.insert("x-changes".to_owned(), (place + 1).into());
     }
     object.insert("additionalProperties".to_owned(), false.into());
     let mut required = vec![Value::from("verb")];

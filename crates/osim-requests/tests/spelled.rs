@@ -22,7 +22,8 @@ fn read_back(line: &str) -> Request {
     let words = shlex::split(line).unwrap_or_else(|| panic!("no shell takes this: {line}"));
     assert_eq!(words[0], "osim-contact-scale");
     let verb = Verb::named(&words[1]).unwrap();
-    let matches = parser(verb).try_get_matches_from(&words[1..]).unwrap_or_else(|error| panic!("{words:?}: {error}"));
+    let matches =
+        parser(verb).try_get_matches_from(&words[1..]).unwrap_or_else(|error| panic!("{words:?}: {error}"));
     read(verb, &matches, |_| false).unwrap()
 }
 

@@ -77,7 +77,9 @@ impl Cells {
                 }
                 Kind::Value => cells.say(&column.field, number(cell, sheet, column)?),
                 Kind::List => cells.say(&column.field, items(cell, &[';']).collect::<Vec<_>>()),
-                Kind::ListWithCommas => cells.say(&column.field, items(cell, &[';', ',']).collect::<Vec<_>>()),
+                Kind::ListWithCommas => {
+                    cells.say(&column.field, items(cell, &[';', ',']).collect::<Vec<_>>())
+                }
                 Kind::Paths => {
                     let paths = items(cell, &[';']).map(|item| path::to_value(&below(folder, item)));
                     cells.say(&column.field, paths.collect::<Vec<Value>>());

@@ -1,10 +1,10 @@
 //! The entries: an option per paragraph, with its help, and the help of verbs for which it is about something else.
 
-use osim_model::messages::Verb::{
-    self, Add, Batch, Check, Convert, Design, DropTest, Explain, Fit, Inspect, Motion, Note, Plot, Presets, Remove, Reproduce,
-    Rescale, Set, Sweep, Transfer,
-};
 use osim_model::messages::Input;
+use osim_model::messages::Verb::{
+    self, Add, Batch, Check, Convert, Design, DropTest, Explain, Fit, Inspect, Motion, Note, Plot, Presets,
+    Remove, Reproduce, Rescale, Set, Sweep, Transfer,
+};
 
 use super::{Entry, Field, FieldGroup};
 use crate::options::*;

@@ -90,9 +90,7 @@ fn option_words(verb: Verb, (name, value): &Field) -> Vec<String> {
         }
         FieldValue::Map(entries) => entries.iter().map(|entry| valued(assigned(entry))).collect(),
         FieldValue::Flag => vec![option],
-        FieldValue::List(items) if !is_one_word => {
-            items.iter().map(|item| valued(item.text())).collect()
-        }
+        FieldValue::List(items) if !is_one_word => items.iter().map(|item| valued(item.text())).collect(),
         value => vec![valued(value.text())],
     }
 }

@@ -109,7 +109,9 @@ impl Fields {
 
     /// The options that are of none of these groups.
     pub(super) fn without(&self, groups: &[FieldGroup]) -> impl Iterator<Item = &Field> {
-        self.options.iter().filter(|(name, _)| self.group_of(name).is_none_or(|group| !groups.contains(&group)))
+        self.options
+            .iter()
+            .filter(|(name, _)| self.group_of(name).is_none_or(|group| !groups.contains(&group)))
     }
 
     /// The options of this group.

@@ -245,11 +245,20 @@ fn a_file_that_is_read_is_found_in_every_option() {
     for (fields, option) in [
         (json!({"verb": "inspect", "models": ["a.osim", "-"]}), Some("models")),
         (json!({"verb": "check", "models": "a.osim", "motion": "-", "plates": "p.mot"}), Some("motion")),
-        (json!({"verb": "fit", "file": "a.osim", "motion": "m.mot", "plates": ["p.mot", "-"]}), Some("plates")),
+        (
+            json!({"verb": "fit", "file": "a.osim", "motion": "m.mot", "plates": ["p.mot", "-"]}),
+            Some("plates"),
+        ),
         (json!({"verb": "fit", "file": "a.osim", "motion": "m", "plates": "p", "loads": "-"}), Some("loads")),
         (json!({"verb": "add", "models": "a.osim", "contacts": "-"}), Some("contacts")),
-        (json!({"verb": "plot", "kind": "sweep", "output": "-", "table": "-", "value_column": "a"}), Some("table")),
-        (json!({"verb": "check", "models": "a.osim", "from": "g.osim", "moco_setup": "-"}), Some("moco_setup")),
+        (
+            json!({"verb": "plot", "kind": "sweep", "output": "-", "table": "-", "value_column": "a"}),
+            Some("table"),
+        ),
+        (
+            json!({"verb": "check", "models": "a.osim", "from": "g.osim", "moco_setup": "-"}),
+            Some("moco_setup"),
+        ),
         (
             json!({"verb": "check", "models": "a.osim", "from": "g.osim", "moco_setup": "m", "from_moco_setup": "-"}),
             Some("from_moco_setup"),
