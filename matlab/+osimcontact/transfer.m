@@ -40,8 +40,8 @@ function results = transfer(varargin)
 %     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.
 %     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
 %         of texts.
-%     radius: Radii: isometric (R ~ M^1/3), keep, a radius in metres, or a factor like x1.5 [default:
-%         isometric with target_mass, keep otherwise]. Takes a number or a text.
+%     radius: Radii: keep, isometric (as large against the body as the reference's), a radius in metres,
+%         or a factor like x1.5 [default: keep]. Takes a number or a text.
 %     level: Keep the soles: where a radius changes, move the centre so that the lowest point of the
 %         sphere stays. Takes true or false.
 %     level_axis: The axis of the spheres' frames that points up with the foot flat [default: nearest to

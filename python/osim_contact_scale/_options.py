@@ -16,6 +16,11 @@ Question = Literal[
     "implausible-scale", "tilted-foot", "unequal-feet", "wrong-afterwards", "many-models",
 ]
 
+#: Verbs that change any number of models.
+ChangingVerb = Literal[
+    "rescale", "transfer", "add", "remove", "convert", "design", "set", "note",
+]
+
 #: Options that a row of a table has as columns.
 ROW_OPTIONS = frozenset({
     "angles", "belt", "belt_column", "body_map", "body_scale", "body_scale_file", "body_weights", "branch", "class",
@@ -36,4 +41,11 @@ ROW_OPTIONS = frozenset({
 #: Options of a whole run, which no row can have.
 RUN_OPTIONS = frozenset({
     "diff", "dry_run", "format", "jobs", "quiet", "report", "resume", "shard", "summary",
+})
+
+#: Options that name files or folders.
+PATHS = frozenset({
+    "body_scale_file", "compare", "contacts", "data", "file", "from", "from_moco_setup", "geometry", "geometry_dir",
+    "geometry_output", "loads", "manifest", "moco_setup", "model", "models", "motion", "output", "output_dir",
+    "plates", "presets", "report", "subject", "summary", "table",
 })

@@ -1725,8 +1725,8 @@ def transfer(
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     radius : float or str, optional
-        Radii: isometric (R ~ M^1/3), keep, a radius in metres, or a factor like x1.5 [default: isometric with
-        `target_mass`, keep otherwise]
+        Radii: keep, isometric (as large against the body as the reference's), a radius in metres, or a factor
+        like x1.5 [default: keep]
     level : bool, optional
         Keep the soles: where a radius changes, move the centre so that the lowest point of the sphere stays.
     level_axis : {"x", "y", "z", "-x", "-y", "-z"}, optional

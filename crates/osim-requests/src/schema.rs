@@ -75,7 +75,7 @@ pub fn schema_of(verb: Verb) -> Schema {
 
 /// The schema of a field as its type has it, with what the register says of it.
 fn described(option: &Entry, of_type: Value) -> Value {
-    let mut schema = json!({"description": option.help});
+    let mut schema = json!({"description": null});
     let file = json!({"$ref": "#/$defs/Path"});
     // What says nothing may be null.
     let of_type = match (option.is_path(), option.is_list()) {
@@ -89,6 +89,8 @@ fn described(option: &Entry, of_type: Value) -> Value {
     ];
     if let (Value::Object(schema), Value::Object(of_type)) = (&mut schema, of_type) {
         schema.extend(of_type);
+        // Some types describe themselves, too.
+        schema.insert("description".to_owned(), option.help.into());
         schema.extend(groups.into_iter().flatten().map(|(name, value): (_, Value)| (name.to_owned(), value)));
     }
     schema
