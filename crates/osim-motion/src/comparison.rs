@@ -1,4 +1,4 @@
-//! Forces of a model beside those that plates measured, and beside those that OpenSim has.
+//! Compares forces of a model with those that plates measured, and finds forces that OpenSim leaves out.
 
 use std::collections::HashMap;
 
@@ -18,47 +18,47 @@ pub struct Comparison {
     pub horizontal_rms_n: f64,
     /// The largest force of the model along the normal, N.
     pub peak_n: f64,
-    /// The largest measured one, N.
+    /// The largest measured force along the normal, N.
     pub measured_peak_n: f64,
-    /// Root mean square of the distance between both centres of pressure, m; `None` where there is none.
+    /// Root mean square of the distance between both centres of pressure, m; `None` if no frame has both.
     pub cop_rms_m: Option<f64>,
     /// In how many frames both have a centre of pressure.
     pub cop_frames: usize,
 }
 
-/// Where forces are compared.
+/// The plane in which forces are compared.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ComparedOn {
+pub struct ComparisonPlane {
     pub normal: DVec3,
     pub point_m: DVec3,
-    /// A centre of pressure counts above this force, N.
+    /// Centres of pressure are compared while the force is above this, N.
     pub least_n: f64,
     pub has_points: bool,
 }
 
 impl Comparison {
-    /// Compares `model` with `measured` in the frames that `counts`; `None` where there are none.
+    /// Compares `model` with `measured` in the frames that `counts` accepts; `None` if there are none.
     pub fn of(
         model: &[Wrench],
         measured: &[Option<Wrench>],
-        on: &ComparedOn,
+        on: &ComparisonPlane,
         counts: impl Fn(usize) -> bool,
     ) -> Option<Self> {
         let (mut frames, mut along, mut across) = (0_usize, 0.0, 0.0);
         let (mut peak_n, mut measured_peak_n) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
         let (mut cop_frames, mut apart) = (0_usize, 0.0);
-        for (frame, (own, plate)) in model.iter().zip(measured).enumerate() {
+        for (frame, (modelled, plate)) in model.iter().zip(measured).enumerate() {
             let Some(plate) = plate.as_ref().filter(|_| counts(frame)) else { continue };
             frames += 1;
-            let (own_n, plate_n) = (own.force_n.dot(on.normal), plate.force_n.dot(on.normal));
-            let normal = own_n - plate_n;
+            let (modelled_n, plate_n) = (modelled.force_n.dot(on.normal), plate.force_n.dot(on.normal));
+            let normal = modelled_n - plate_n;
             along += normal * normal;
-            across += ((own.force_n - plate.force_n).length_squared() - normal * normal).max(0.0);
-            peak_n = own_n.max(peak_n);
+            across += ((modelled.force_n - plate.force_n).length_squared() - normal * normal).max(0.0);
+            peak_n = modelled_n.max(peak_n);
             measured_peak_n = plate_n.max(measured_peak_n);
             let centre = |wrench: &Wrench| wrench.centre_of_pressure(on.normal, on.point_m, on.least_n);
-            if let Some((own, plate)) = centre(own).zip(centre(plate)).filter(|_| on.has_points) {
-                apart += own.point_m.distance_squared(plate.point_m);
+            if let Some((modelled, plate)) = centre(modelled).zip(centre(plate)).filter(|_| on.has_points) {
+                apart += modelled.point_m.distance_squared(plate.point_m);
                 cop_frames += 1;
             }
         }
@@ -75,22 +75,20 @@ impl Comparison {
     }
 }
 
-// What OpenSim leaves out of a force with several pairs.
-
-/// Pairs that OpenSim may leave out: once one pair of a `HuntCrossleyForce` would pull, Simbody leaves out those of the same force that
-/// come after it, in an order of its own.
+/// Forces of sphere pairs that OpenSim may leave out: if one pair of a `HuntCrossleyForce` would pull, Simbody leaves out the pairs of the same
+/// force that it computes after it, in an order that is not known.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct LeftOut {
-    /// In how many frames a pair would pull while others of its force push.
+pub struct LeftOutForces {
+    /// The number of frames in which a pair would pull while others of its force push.
     pub frames: usize,
-    /// The most that these others push in such a frame, N.
+    /// The largest force of these others in such a frame, N.
     pub most_n: f64,
 }
 
-impl LeftOut {
-    /// What may be left out along `states`; `None` where nothing is.
+impl LeftOutForces {
+    /// `None` if nothing can be left out along `states`.
     pub fn of(states: &ContactStates) -> Option<Self> {
-        let mut found = Self { frames: 0, most_n: 0.0 };
+        let mut left_out = Self { frames: 0, most_n: 0.0 };
         for frame in 0..states.frames() {
             // For each force: whether a pair would pull, and what the others push, N.
             let mut forces: HashMap<ForceId, (bool, f64)> = HashMap::new();
@@ -103,15 +101,15 @@ impl LeftOut {
             let lost = forces.values().filter(|(pulls, pushed_n)| *pulls && *pushed_n > 0.0);
             let most_n = lost.map(|(_, pushed_n)| *pushed_n).fold(0.0, f64::max);
             if most_n > 0.0 {
-                found.frames += 1;
-                found.most_n = found.most_n.max(most_n);
+                left_out.frames += 1;
+                left_out.most_n = left_out.most_n.max(most_n);
             }
         }
-        (found.frames > 0).then_some(found)
+        (left_out.frames > 0).then_some(left_out)
     }
 }
 
-/// The value that a part of all is below, with straight lines between; `None` of none.
+/// The quantile `part` of the values, interpolated linearly; `None` without values.
 pub(crate) fn percentile(values: &[f64], part: f64) -> Option<f64> {
     let mut sorted: Vec<f64> = values.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -132,10 +130,10 @@ mod tests {
 
     #[test]
     fn differences_are_root_mean_squares() {
-        let at = |x: f64, up: f64| Wrench::default().plus(DVec3::new(0.0, up, 3.0), x * DVec3::X);
+        let at = |x: f64, up: f64| Wrench::default().with_force(DVec3::new(0.0, up, 3.0), x * DVec3::X);
         let model = [at(0.1, 100.0), at(0.1, 200.0), at(0.0, 0.0), at(0.0, 5.0)];
         let measured = [Some(at(0.13, 104.0)), Some(at(0.1, 197.0)), None, Some(at(0.0, 5.0))];
-        let on = ComparedOn { normal: DVec3::Y, point_m: DVec3::ZERO, least_n: 10.0, has_points: true };
+        let on = ComparisonPlane { normal: DVec3::Y, point_m: DVec3::ZERO, least_n: 10.0, has_points: true };
         let all = Comparison::of(&model, &measured, &on, |_| true).unwrap();
         // 4, -3 and 0 N: 25/3. Points 0.03 m and 0 m apart in two frames.
         assert_eq!((all.frames, all.cop_frames), (3, 2));
@@ -170,7 +168,7 @@ mod tests {
         Model::parse(text).unwrap()
     }
 
-    fn turning(rad_s: f64) -> Option<LeftOut> {
+    fn left_out_at(rad_s: f64) -> Option<LeftOutForces> {
         let names = ["turn", "x", "y"]
             .map(|name| format!("/jointset/j/{name}/value\t/jointset/j/{name}/speed"))
             .join("\t");
@@ -178,18 +176,18 @@ mod tests {
         let model = see_saw();
         let table = Table::read(text.as_bytes()).unwrap();
         let recording = Recording::of(&model, &table, &RecordingOptions::default()).unwrap();
-        LeftOut::of(&ContactStates::of(&model, &recording, &model.force_ids(), [0.0; 3]).unwrap())
+        LeftOutForces::of(&ContactStates::of(&model, &recording, &model.force_ids(), [0.0; 3]).unwrap())
     }
 
     #[test]
-    fn a_pair_that_would_pull_is_seen() {
+    fn a_pair_that_would_pull_is_found() {
         // Both are 1 cm deep. At 1 rad/s the one ahead leaves at 1 m/s, faster than 2/(3α) = 1/3 m/s, and the one behind goes in:
         // 4/3 E √R x^(3/2) (1 + 3/2 · 2 · 1) with E = 1e6/2^(3/2): 81.65 N times 4.
-        let found = turning(1.0).unwrap();
+        let found = left_out_at(1.0).unwrap();
         assert_eq!(found.frames, 1);
         assert!((found.most_n - 326.6).abs() < 0.01, "{found:?}");
         // At 0.3 rad/s both push.
-        assert_eq!(turning(0.3), None);
+        assert_eq!(left_out_at(0.3), None);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Which coordinates a model has, and what a table says of each.
+//! The coordinates of a model, and their columns in a table.
 
 use std::collections::HashMap;
 
@@ -7,14 +7,14 @@ use osim_model::{CoordinateFunction, Model, ModelJoint};
 
 use crate::table::{Column, Table};
 
-/// What a coordinate's number means.
+/// Whether a coordinate is an angle or a length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CoordinateKind {
     /// An angle: files may have it in degrees.
     Rotational,
     /// A length, m.
     Translational,
-    /// Something that moves and turns, such as a curve's parameter: it is read as it is.
+    /// A parameter that both moves and turns; its numbers are read as they are.
     Coupled,
 }
 
@@ -23,20 +23,20 @@ pub struct ModelCoordinate {
     pub name: String,
     pub joint: String,
     pub kind: CoordinateKind,
-    /// Its value where nothing else says it.
+    /// The value of its default pose.
     pub(crate) default: Option<f64>,
-    /// The function of time that sets it where it is prescribed; `None` inside for one that is not known.
+    /// The function of time that prescribes it, if it is prescribed; the inner `None` is a function that is not understood.
     pub(crate) prescribed: Option<Option<CoordinateFunction>>,
 }
 
-pub(crate) fn coordinates_of(model: &Model, joints: &[ModelJoint]) -> Vec<ModelCoordinate> {
+pub(crate) fn model_coordinates(model: &Model, joints: &[ModelJoint]) -> Vec<ModelCoordinate> {
     let mut all = Vec::new();
     for joint in joints {
         for (index, coordinate) in joint.coordinates.iter().enumerate() {
             all.push(ModelCoordinate {
                 name: coordinate.name.clone(),
                 joint: joint.name.clone(),
-                kind: kind_of(model, joint, index),
+                kind: coordinate_kind(model, joint, index),
                 default: coordinate.default,
                 prescribed: prescribed_function(model.file(joint.file), coordinate.element),
             });
@@ -45,9 +45,9 @@ pub(crate) fn coordinates_of(model: &Model, joints: &[ModelJoint]) -> Vec<ModelC
     all
 }
 
-/// As OpenSim has it: a coordinate of a CustomJoint is an angle (or a length) where a LinearFunction of slope 1 or -1 turns (or shifts)
+/// The kind as OpenSim determines it: a coordinate of a CustomJoint is an angle (or a length) where a LinearFunction of slope 1 or -1 turns (or shifts)
 /// by it; the last such axis counts.
-fn kind_of(model: &Model, joint: &ModelJoint, index: usize) -> CoordinateKind {
+fn coordinate_kind(model: &Model, joint: &ModelJoint, index: usize) -> CoordinateKind {
     use CoordinateKind::{Coupled, Rotational, Translational};
     match (joint.class.as_str(), index) {
         ("SliderJoint", _) | ("PlanarJoint", 1..) | ("FreeJoint", 3..) => Translational,
@@ -62,21 +62,21 @@ fn kind_of(model: &Model, joint: &ModelJoint, index: usize) -> CoordinateKind {
 
 /// Columns of a table for one coordinate.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Columns<'t> {
+pub(crate) struct CoordinateColumns<'t> {
     pub(crate) value: Option<&'t Column>,
     pub(crate) speed: Option<&'t Column>,
 }
 
-/// What the name of a column says.
+/// The parts of a column's name.
 #[derive(Debug, PartialEq)]
-struct Label<'l> {
+struct ColumnLabel<'l> {
     joint: Option<&'l str>,
     coordinate: &'l str,
     is_speed: bool,
 }
 
-impl<'l> Label<'l> {
-    /// `/jointset/J/C/value`, `J/C/speed`, plain `C`.
+impl<'l> ColumnLabel<'l> {
+    /// Reads names such as `/jointset/J/C/value`, `J/C/speed` or `C`.
     fn read(name: &'l str) -> Self {
         let (path, is_speed) = match name.rsplit_once('/') {
             Some((path, "value")) => (path, false),
@@ -89,28 +89,28 @@ impl<'l> Label<'l> {
     }
 }
 
-/// The columns of each of `coordinates`, and the names of those that belong to none.
-pub(crate) fn columns_of<'t>(
+/// The columns of each of `coordinates`, and the names of columns that belong to none.
+pub(crate) fn columns_by_coordinate<'t>(
     coordinates: &[ModelCoordinate],
     table: &'t Table,
-) -> (Vec<Columns<'t>>, Vec<String>) {
+) -> (Vec<CoordinateColumns<'t>>, Vec<String>) {
     let mut by_name: HashMap<&str, Vec<usize>> = HashMap::new();
     for (index, coordinate) in coordinates.iter().enumerate() {
         by_name.entry(&coordinate.name).or_default().push(index);
     }
-    let mut found = vec![Columns::default(); coordinates.len()];
+    let mut columns = vec![CoordinateColumns::default(); coordinates.len()];
     let mut unused = Vec::new();
     for column in &table.columns {
-        let label = Label::read(&column.name);
+        let label = ColumnLabel::read(&column.name);
         let (at, is_speed) = match by_name.get(label.coordinate) {
-            Some(named) => (of_joint(coordinates, named, label.joint), label.is_speed),
+            Some(named) => (coordinate_in_joint(coordinates, named, label.joint), label.is_speed),
             // States of OpenSim 3 have speeds as `C_u`.
             None => {
                 let plain = label.coordinate.strip_suffix("_u").and_then(|name| by_name.get(name));
-                (plain.and_then(|named| of_joint(coordinates, named, label.joint)), true)
+                (plain.and_then(|named| coordinate_in_joint(coordinates, named, label.joint)), true)
             }
         };
-        let Some(place) = at.and_then(|index| found.get_mut(index)) else {
+        let Some(place) = at.and_then(|index| columns.get_mut(index)) else {
             unused.push(column.name.clone());
             continue;
         };
@@ -121,12 +121,16 @@ pub(crate) fn columns_of<'t>(
             *place = Some(column);
         }
     }
-    (found, unused)
+    (columns, unused)
 }
 
-/// The first of the coordinates of one name that has this joint. OpenSim names joints that have no name, so that a coordinate whose name
-/// is its own is found with any.
-fn of_joint(coordinates: &[ModelCoordinate], named: &[usize], joint: Option<&str>) -> Option<usize> {
+/// The first of several coordinates of one name that is in this joint. A coordinate whose name is unique is found with any joint, because
+/// OpenSim gives names to joints that have none.
+fn coordinate_in_joint(
+    coordinates: &[ModelCoordinate],
+    named: &[usize],
+    joint: Option<&str>,
+) -> Option<usize> {
     let fits = |index: &&usize| {
         joint.is_none_or(|joint| coordinates.get(**index).is_some_and(|coordinate| coordinate.joint == joint))
     };
@@ -143,7 +147,7 @@ mod tests {
     #[test]
     fn names_of_columns_are_read() {
         let label = |name| {
-            let Label { joint, coordinate, is_speed } = Label::read(name);
+            let ColumnLabel { joint, coordinate, is_speed } = ColumnLabel::read(name);
             (joint, coordinate, is_speed)
         };
         assert_eq!(label("/jointset/hip_r/hip_flexion_r/value"), (Some("hip_r"), "hip_flexion_r", false));

@@ -1,4 +1,4 @@
-//! Which contacts belong to one foot, and when a foot stands.
+//! The contacts of each foot, and the stances of a foot.
 
 use std::collections::{BTreeSet, HashMap};
 use std::ops::RangeInclusive;
@@ -7,40 +7,45 @@ use osim_model::{ForceId, Model, Side, SphereId};
 
 use crate::states::ContactStates;
 
+/// A foot and its contacts.
+/// A foot and its contacts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Foot {
     /// `right foot`, `left foot`, or the name of the limb's first body.
     pub name: String,
     pub side: Option<Side>,
-    /// Its pairs among all.
+    /// Indices of its contact pairs.
     pub pairs: Vec<usize>,
     pub bodies: Vec<String>,
 }
 
 impl Foot {
-    /// The feet of `model` by the limbs of its applied `forces`; where limbs are not known, by the side of the spheres' bodies.
+    /// The feet of `model`, one for each limb of its applied `forces`; if limbs are not known, one for each side of the spheres' bodies.
     pub fn all(model: &Model, states: &ContactStates, forces: &[ForceId]) -> Vec<Self> {
         let limbs = model.limbs(forces);
         let groups: Vec<(String, Option<Side>, Vec<usize>)> = match limbs.if_known() {
             Some(limbs) => {
                 let by_sphere = reactions_by_sphere(states);
-                let of = |spheres: &[SphereId]| {
-                    let own = spheres.iter().filter_map(|sphere| by_sphere.get(sphere)).flatten();
-                    own.copied().collect::<BTreeSet<usize>>().into_iter().collect()
+                let pairs_of = |spheres: &[SphereId]| {
+                    let pairs = spheres.iter().filter_map(|sphere| by_sphere.get(sphere)).flatten();
+                    pairs.copied().collect::<BTreeSet<usize>>().into_iter().collect()
                 };
-                limbs.iter().map(|limb| (limb.name.clone(), Some(limb.side), of(&limb.spheres))).collect()
+                limbs
+                    .iter()
+                    .map(|limb| (limb.name.clone(), Some(limb.side), pairs_of(&limb.spheres)))
+                    .collect()
             }
-            None => by_side(states),
+            None => group_by_side(states),
         };
         let count = |side: Side| groups.iter().filter(|(_, other, _)| *other == Some(side)).count();
         let [right, left] = [Side::Right, Side::Left].map(count);
-        let several = |side: Side| (if side == Side::Right { right } else { left }) > 1;
+        let has_several = |side: Side| (if side == Side::Right { right } else { left }) > 1;
         groups
             .iter()
             .filter(|(_, _, pairs)| !pairs.is_empty())
             .map(|(name, side, pairs)| Self {
                 name: match side {
-                    Some(side) if !several(*side) => format!("{} foot", side.as_str()),
+                    Some(side) if !has_several(*side) => format!("{} foot", side.as_str()),
                     _ => name.clone(),
                 },
                 side: *side,
@@ -51,30 +56,34 @@ impl Foot {
     }
 }
 
-fn pairs(states: &ContactStates, is_own: impl Fn(usize) -> bool) -> Vec<usize> {
-    (0..states.pairs.len()).filter(|&index| is_own(index)).collect()
+fn filter_pairs(states: &ContactStates, is_wanted: impl Fn(usize) -> bool) -> Vec<usize> {
+    (0..states.pairs.len()).filter(|&index| is_wanted(index)).collect()
 }
 
-/// The pairs of each sphere through which the ground pushes.
+/// For each sphere the pairs through which the ground pushes.
 fn reactions_by_sphere(states: &ContactStates) -> HashMap<SphereId, Vec<usize>> {
-    let mut found: HashMap<SphereId, Vec<usize>> = HashMap::new();
-    for index in pairs(states, |index| is_reaction(states, index)) {
+    let mut by_sphere: HashMap<SphereId, Vec<usize>> = HashMap::new();
+    for index in filter_pairs(states, |index| is_reaction(states, index)) {
         if let Some(pair) = states.pairs.get(index) {
-            found.entry(pair.sphere).or_default().push(index);
+            by_sphere.entry(pair.sphere).or_default().push(index);
         }
     }
-    found
+    by_sphere
 }
 
-/// Whether the ground pushes through it.
+/// Whether the ground pushes through this pair.
 fn is_reaction(states: &ContactStates, index: usize) -> bool {
     states.pairs.get(index).is_some_and(|pair| pair.applies && pair.is_ground)
 }
 
-fn by_side(states: &ContactStates) -> Vec<(String, Option<Side>, Vec<usize>)> {
+fn group_by_side(states: &ContactStates) -> Vec<(String, Option<Side>, Vec<usize>)> {
     let side = |index: usize| states.pairs.get(index).and_then(|pair| Side::of_name(&pair.body));
     let group = |name: &str, wanted: Option<Side>| {
-        (name.to_owned(), wanted, pairs(states, |index| is_reaction(states, index) && side(index) == wanted))
+        (
+            name.to_owned(),
+            wanted,
+            filter_pairs(states, |index| is_reaction(states, index) && side(index) == wanted),
+        )
     };
     vec![group("right", Some(Side::Right)), group("left", Some(Side::Left)), group("all contacts", None)]
 }
@@ -89,30 +98,32 @@ fn bodies(states: &ContactStates, pairs: &[usize]) -> Vec<String> {
     bodies
 }
 
-/// A foot touches down where its force along the normal passes this part of body weight,
+/// A stance begins when the force along the normal rises above this part of body weight.
 pub const ON_BW: f64 = 0.05;
-/// and lifts off where it falls below this one.
+/// A stance ends when the force along the normal falls below this part of body weight.
 pub(crate) const OFF_BW: f64 = 0.03;
 
+/// The frames in which a foot stands.
+/// The frames in which a foot stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stance {
     pub first: usize,
     pub last: usize,
-    /// When it touches down, s; `None` where the recording begins in it, or the force before is not known.
+    /// When the foot touches down, s; `None` if the recording begins in the stance, or the force before is not known.
     pub on_s: Option<f64>,
-    /// When it lifts off, s; `None` where the recording ends in it, or the force after is not known.
+    /// When the foot lifts off, s; `None` if the recording ends in the stance, or the force after is not known.
     pub off_s: Option<f64>,
 }
 
 impl Stance {
-    /// The stances of a foot by its force along the normal, N, with times between frames. Where the force is NaN, nobody knows it: there
-    /// is no stance.
+    /// The stances of a foot by its force along the normal, N. Their times are interpolated between frames. NaN means an unknown force, and
+    /// there is no stance.
     pub fn all(time_s: &[f64], force_n: &[f64], weight_n: f64) -> Vec<Self> {
         let (on, off) = (ON_BW * weight_n, OFF_BW * weight_n);
         let mut stances: Vec<Self> = Vec::new();
         let mut open: Option<Self> = None;
         for (frame, &force) in force_n.iter().enumerate() {
-            let crossed = |level: f64| between(time_s, force_n, frame, level);
+            let crossed = |level: f64| crossing_time(time_s, force_n, frame, level);
             match &mut open {
                 None if force > on => {
                     open = Some(Self { first: frame, last: frame, on_s: crossed(on), off_s: None });
@@ -129,7 +140,7 @@ impl Stance {
         stances
     }
 
-    /// How long it lasts, s, where both ends are seen.
+    /// How long it lasts, s; `None` if an end is not known.
     pub fn duration_s(&self) -> Option<f64> {
         Some(self.off_s? - self.on_s?)
     }
@@ -139,8 +150,8 @@ impl Stance {
     }
 }
 
-/// When a value passes `level` between a frame and the one before; `None` where one of both is not known.
-fn between(time_s: &[f64], values: &[f64], frame: usize, level: f64) -> Option<f64> {
+/// When a value passes `level` between a frame and the one before; `None` if one of both is not known.
+fn crossing_time(time_s: &[f64], values: &[f64], frame: usize, level: f64) -> Option<f64> {
     let before = frame.checked_sub(1)?;
     let (t0, t1) = (*time_s.get(before)?, *time_s.get(frame)?);
     let (v0, v1) = (*values.get(before)?, *values.get(frame)?);
@@ -148,7 +159,7 @@ fn between(time_s: &[f64], values: &[f64], frame: usize, level: f64) -> Option<f
     part.is_finite().then(|| t0 + part.clamp(0.0, 1.0) * (t1 - t0))
 }
 
-/// The times of whole strides: from one touch-down of a foot to its next.
+/// Start and end of each whole stride, s: from one touch-down of a foot to the next.
 pub fn strides(stances: &[Stance]) -> Vec<(f64, f64)> {
     let on: Vec<f64> = stances.iter().filter_map(|stance| stance.on_s).collect();
     on.windows(2).filter_map(|pair| Some((*pair.first()?, *pair.get(1)?))).collect()

@@ -8,30 +8,30 @@
 //! It opens no file and changes nothing. It enforces no constraints but couplers.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-mod assigned;
 mod comparison;
 mod coordinates;
 mod feet;
 pub mod fit;
+mod joint_paths;
 mod pair;
+mod plate_assignment;
 mod plates;
 mod recording;
-mod skeleton;
 mod sole;
 mod states;
 mod summary;
 mod table;
 mod wrench;
 
-pub use crate::assigned::{AssignedBy, Measured, PlateUse};
-pub use crate::comparison::{ComparedOn, Comparison, LeftOut};
+pub use crate::comparison::{Comparison, ComparisonPlane, LeftOutForces};
 pub use crate::coordinates::{CoordinateKind, ModelCoordinate};
 pub use crate::feet::{Foot, ON_BW, Stance, strides};
-pub use crate::pair::{ContactPair, Touched};
-pub use crate::plates::{ExternalLoads, Load, Plate};
+pub use crate::joint_paths::Poses;
+pub use crate::pair::{ContactPair, TouchedSurface};
+pub use crate::plate_assignment::{AssignedBy, MeasuredForces, PlateAssignment};
+pub use crate::plates::{ExternalLoad, ExternalLoads, Plate};
 pub use crate::recording::{Recording, RecordingFacts, RecordingOptions};
-pub use crate::skeleton::Poses;
-pub use crate::sole::OnSole;
+pub use crate::sole::PressureOnSole;
 pub use crate::states::{Belt, ContactState, ContactStates, StatesError};
 pub use crate::summary::{FootSummary, SphereSummary, StanceSummary, Summary, TouchDown};
 pub use crate::table::{AngleUnit, Column, Gap, MotionFault, Table};

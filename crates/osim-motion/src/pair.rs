@@ -1,4 +1,4 @@
-//! A sphere and what one force lets it touch: a plane, or another sphere.
+//! Contact pairs: a sphere, and the plane or sphere that one force lets it touch.
 
 use contact_scaling::{Friction, FrictionValues, Law};
 use osim_model::{
@@ -7,22 +7,22 @@ use osim_model::{
 };
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Touched {
-    /// A plane, by its place among all planes of the forces.
+pub enum TouchedSurface {
+    /// A plane, by its index among all planes of the forces.
     Plane(usize),
     /// Another sphere of the same force.
     Sphere(SphereId),
 }
 
-/// A sphere and what one force lets it touch.
+/// A sphere, and the plane or sphere that one force lets it touch.
 #[derive(Debug, Clone)]
 pub struct ContactPair {
     pub force: ForceId,
     pub sphere: SphereId,
     /// The sphere's parameter set.
     pub set: SetId,
-    pub touched: Touched,
-    /// Whether that is the ground: a plane, or a sphere that cannot move.
+    pub touched: TouchedSurface,
+    /// Whether the touched surface is the ground: a plane, or a sphere that cannot move.
     pub is_ground: bool,
     /// Whether the force is switched on.
     pub applies: bool,
@@ -32,7 +32,7 @@ pub struct ContactPair {
     pub friction: Friction,
     /// `constant_contact_force`, which the smooth class adds to the squared slip speed; `None` for the other class.
     pub smoothing: Option<f64>,
-    /// Where the force acts, as a part of the indentation below the other surface: 1/2 for equal surfaces.
+    /// How deep below the other surface the force acts, as a part of the indentation: 1/2 for equal surfaces.
     pub depth_share: f64,
     /// The body of the sphere.
     pub body: String,
@@ -40,8 +40,8 @@ pub struct ContactPair {
     pub(crate) centre_m: DVec3,
 }
 
-/// All pairs of moving spheres and what `forces` let them touch, and the planes, each once. Two spheres that both move are two pairs.
-pub(crate) fn pairs_of(
+/// All contact pairs of moving spheres in `forces`, and the planes, each once. Two spheres that both move are two pairs.
+pub(crate) fn contact_pairs(
     model: &Model,
     forces: &[ForceId],
 ) -> Result<(Vec<ContactPair>, Vec<HalfSpace>), Fault> {
@@ -50,7 +50,7 @@ pub(crate) fn pairs_of(
         let surfaces = Surfaces::of(force)?;
         for (set, spheres) in osim_model::sphere_sets(model, force) {
             for other in &force.sets {
-                let parts = Parts { model, force, surfaces: &surfaces, set, other_set: other.id };
+                let builder = PairBuilder { model, force, surfaces: &surfaces, set, other_set: other.id };
                 for plane in model.planes_of_set(other) {
                     let number = planes.iter().position(|known| *known == plane).unwrap_or_else(|| {
                         planes.push(plane.clone());
@@ -59,14 +59,14 @@ pub(crate) fn pairs_of(
                     // Surfaces of one body never touch.
                     let moving = spheres.iter().filter_map(|&id| model.sphere(id));
                     for sphere in moving.filter(|sphere| sphere.body.is_some() && sphere.body != plane.body) {
-                        pairs.push(parts.pair(sphere, Touched::Plane(number))?);
+                        pairs.push(builder.build(sphere, TouchedSurface::Plane(number))?);
                     }
                 }
                 for touched in other.spheres.iter().filter_map(|&id| model.sphere(id)) {
                     let moving = spheres.iter().filter_map(|&id| model.sphere(id));
                     for sphere in moving.filter(|sphere| sphere.body.is_some() && sphere.body != touched.body)
                     {
-                        pairs.push(parts.pair(sphere, Touched::Sphere(touched.id))?);
+                        pairs.push(builder.build(sphere, TouchedSurface::Sphere(touched.id))?);
                     }
                 }
             }
@@ -75,7 +75,7 @@ pub(crate) fn pairs_of(
     Ok((pairs, planes))
 }
 
-struct Parts<'m> {
+struct PairBuilder<'m> {
     model: &'m Model,
     force: &'m Force,
     surfaces: &'m Surfaces,
@@ -83,15 +83,15 @@ struct Parts<'m> {
     other_set: SetId,
 }
 
-impl Parts<'_> {
-    fn pair(&self, sphere: &Sphere, touched: Touched) -> Result<ContactPair, Fault> {
+impl PairBuilder<'_> {
+    fn build(&self, sphere: &Sphere, touched: TouchedSurface) -> Result<ContactPair, Fault> {
         let Self { model, force, set, .. } = *self;
-        let of_force = |error: contact_scaling::DomainError| Fault::new(error).at_element(force.path.clone());
+        let at_force = |error: contact_scaling::DomainError| Fault::new(error).at_element(force.path.clone());
         let contact = contact_of_pair(force, self.surfaces, set, self.other_set)?;
         let radius_m = sphere.radius_m()?;
         let other = match touched {
-            Touched::Sphere(id) => model.sphere(id),
-            Touched::Plane(_) => None,
+            TouchedSurface::Sphere(id) => model.sphere(id),
+            TouchedSurface::Plane(_) => None,
         };
         // Of two spheres, the curvatures add up.
         let curved_m = match other {
@@ -107,8 +107,8 @@ impl Parts<'_> {
             is_ground: other.is_none_or(|other| other.fixed),
             applies: force.applies,
             radius_m,
-            law: Law::of(&contact, curved_m).map_err(of_force)?,
-            friction: Friction::new(self.friction()?).map_err(of_force)?,
+            law: Law::of(&contact, curved_m).map_err(at_force)?,
+            friction: Friction::new(self.friction()?).map_err(at_force)?,
             smoothing: contact.smoothing().map(|smoothing| smoothing.constant_contact_force),
             depth_share: self.depth_share()?,
             body: sphere.body.clone().unwrap_or_default(),
@@ -116,18 +116,18 @@ impl Parts<'_> {
         })
     }
 
-    /// What friction of both surfaces makes together.
+    /// The common friction of both surfaces.
     fn friction(&self) -> Result<FrictionValues, Fault> {
-        let of = |set, property| Ok::<f64, Fault>(self.force.checked(set, property)?.unwrap_or(0.0));
+        let value = |set, property| Ok::<f64, Fault>(self.force.checked(set, property)?.unwrap_or(0.0));
         let mixed = |property| {
-            let (own, other) = (of(self.set, property)?, of(self.other_set, property)?);
+            let (own, other) = (value(self.set, property)?, value(self.other_set, property)?);
             Ok::<f64, Fault>(Friction::mixed(own, other))
         };
         Ok(FrictionValues {
             static_friction: mixed(Property::StaticFriction)?,
             dynamic_friction: mixed(Property::DynamicFriction)?,
             viscous_friction: mixed(Property::ViscousFriction)?,
-            transition_velocity: of(self.set, Property::TransitionVelocity)?,
+            transition_velocity: value(self.set, Property::TransitionVelocity)?,
         })
     }
 

@@ -1,20 +1,21 @@
-//! Ground reactions as force plates measured them, by the columns of a table and by OpenSim's `ExternalLoads`.
+//! Reads ground reactions of force plates, with their centres of pressure, from the columns of a table or by OpenSim's `ExternalLoads`.
 
 use osim_model::{DVec3, Document, ElementId, opensim_text};
 
 use crate::table::{Column, MotionFault, Table};
 use crate::wrench::Wrench;
 
+/// A force plate with everything that it measured.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plate {
-    /// What its columns begin with, as in the file.
+    /// The common beginning of its columns, as in the file.
     pub name: String,
-    /// The body that its force acts on, where somebody says it.
+    /// The body that its force acts on, if an `ExternalLoads` file gives one.
     pub body: Option<String>,
-    /// Whether it has a centre of pressure; a file whose points are all 0 has none, and its moments mean nothing.
+    /// Whether the file has its centre of pressure. If all points are 0 it has none, and the moments mean nothing.
     pub has_points: bool,
     time_s: Vec<f64>,
-    /// What it measured at each of them.
+    /// The force and moment at each time.
     wrenches: Vec<Wrench>,
 }
 
@@ -23,8 +24,8 @@ impl Plate {
     ///
     /// # Errors
     /// No columns of a force, or a number that is missing.
-    pub fn all(table: &Table) -> Result<Vec<Self>, MotionFault> {
-        let triples = Triples::of(table);
+    pub fn from_columns(table: &Table) -> Result<Vec<Self>, MotionFault> {
+        let triples = PlateColumns::of(table);
         if triples.forces.is_empty() {
             return Err(MotionFault::new(
                 "it has no columns of a force that are known, such as ground_force_vx, ground_force_vy and ground_force_vz: an \
@@ -35,7 +36,7 @@ impl Plate {
             .forces
             .iter()
             .map(|force| {
-                let (point, torque) = (triples.point_of(force), triples.torque_of(force));
+                let (point, torque) = (triples.point_columns(force), triples.moment_columns(force));
                 Self::new(table, &force.stem, None, [Some(force.columns), point, torque])
             })
             .collect()
@@ -45,11 +46,11 @@ impl Plate {
     ///
     /// # Errors
     /// Columns that are not there, a frame that is not ground, or a number that is missing.
-    pub fn of_loads(table: &Table, loads: &ExternalLoads) -> Result<Vec<Self>, MotionFault> {
+    pub fn from_loads(table: &Table, loads: &ExternalLoads) -> Result<Vec<Self>, MotionFault> {
         let mut plates = Vec::new();
-        for load in loads.all.iter().filter(|load| load.applies) {
+        for load in loads.loads.iter().filter(|load| load.applies) {
             let columns = |prefix: &Option<String>| match prefix {
-                Some(prefix) => with_prefix(table, prefix).map(Some),
+                Some(prefix) => columns_with_prefix(table, prefix).map(Some),
                 None => Ok(None),
             };
             if let Some(frame) =
@@ -77,7 +78,7 @@ impl Plate {
         [force, point, torque]: [Option<[&Column; 3]>; 3],
     ) -> Result<Self, MotionFault> {
         for column in [force, point, torque].into_iter().flatten().flatten() {
-            table.finite(column)?;
+            table.check_finite(column)?;
         }
         let at = |columns: Option<[&Column; 3]>, row: usize| {
             columns.map_or(DVec3::ZERO, |columns| {
@@ -90,26 +91,26 @@ impl Plate {
         let wrenches = (0..table.rows())
             .map(|row| {
                 let free = Wrench { moment_n_m: at(torque, row), ..Wrench::default() };
-                free.plus(at(force, row), at(point, row))
+                free.with_force(at(force, row), at(point, row))
             })
             .collect();
         Ok(Self { name: name.to_owned(), body, has_points, time_s: table.time_s.clone(), wrenches })
     }
 
-    /// What it measured at a time; straight lines between its own times. `None` before the first and after the last.
+    /// The force at a time, interpolated linearly; `None` before the first and after the last measurement.
     pub fn at(&self, time_s: f64) -> Option<Wrench> {
-        /// Times of two files that are as close are one, s: the kinematics may begin a rounding before the plates.
-        const SAME: f64 = 1e-6;
+        /// Times of two files that differ by no more than this are the same, s: by rounding, motion data can begin before the plates.
+        const SAME_TIME_S: f64 = 1e-6;
         let after = self.time_s.partition_point(|&time| time < time_s);
-        match (after.checked_sub(1).and_then(|before| self.point(before)), self.point(after)) {
-            (Some((t0, w0)), Some((t1, w1))) => Some(w0.towards(&w1, (time_s - t0) / (t1 - t0))),
-            (None, Some((first, wrench))) if first - time_s <= SAME => Some(wrench),
-            (Some((last, wrench)), None) if time_s - last <= SAME => Some(wrench),
+        match (after.checked_sub(1).and_then(|before| self.sample(before)), self.sample(after)) {
+            (Some((t0, w0)), Some((t1, w1))) => Some(w0.interpolate(&w1, (time_s - t0) / (t1 - t0))),
+            (None, Some((first, wrench))) if first - time_s <= SAME_TIME_S => Some(wrench),
+            (Some((last, wrench)), None) if time_s - last <= SAME_TIME_S => Some(wrench),
             _ => None,
         }
     }
 
-    fn point(&self, row: usize) -> Option<(f64, Wrench)> {
+    fn sample(&self, row: usize) -> Option<(f64, Wrench)> {
         Some((*self.time_s.get(row)?, *self.wrenches.get(row)?))
     }
 }
@@ -119,8 +120,8 @@ fn is_ground(frame: &str) -> bool {
 }
 
 impl Wrench {
-    /// The part of the way to another one.
-    fn towards(&self, other: &Self, part: f64) -> Self {
+    /// Interpolates linearly to another wrench.
+    fn interpolate(&self, other: &Self, part: f64) -> Self {
         let mixed = |a: DVec3, b: DVec3| a + part * (b - a);
         Self {
             force_n: mixed(self.force_n, other.force_n),
@@ -134,25 +135,26 @@ impl Wrench {
 /// An `ExternalLoads` file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExternalLoads {
-    pub all: Vec<Load>,
-    /// What it says in `datafile`, as it stands.
+    pub loads: Vec<ExternalLoad>,
+    /// The text of `datafile`.
     pub data_file: Option<String>,
 }
 
+/// An `ExternalForce` of such a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Load {
+pub struct ExternalLoad {
     pub name: String,
     pub applies: bool,
     /// The body that it acts on.
     pub body: Option<String>,
-    /// The frame of the force; ground where nothing is said.
+    /// The frame of the force; empty for ground.
     pub force_frame: String,
     pub point_frame: String,
-    /// What the columns of the force begin with.
+    /// The beginning of the force's columns.
     pub force: Option<String>,
-    /// What the columns of its point begin with.
+    /// The beginning of the columns of the point where it acts.
     pub point: Option<String>,
-    /// What the columns of the moment begin with.
+    /// The beginning of the moment's columns.
     pub torque: Option<String>,
 }
 
@@ -175,20 +177,20 @@ impl ExternalLoads {
         let objects = tree.child(root, "objects");
         let forces = objects.into_iter().flat_map(|objects| tree.children(objects));
         let forces = forces.filter(|&id| matches!(tree.name(id), "ExternalForce" | "PrescribedForce"));
-        let all = forces.map(|force| Load::read(&document, force)).collect();
-        Ok(Self { all, data_file: text(&document, root, "datafile") })
+        let loads = forces.map(|force| ExternalLoad::read(&document, force)).collect();
+        Ok(Self { loads, data_file: child_text(&document, root, "datafile") })
     }
 
-    /// The last part of `datafile`, whatever disk it was on.
+    /// The file name in `datafile`, without its folders.
     pub fn data_file_name(&self) -> Option<&str> {
         self.data_file.as_deref().and_then(|path| path.rsplit(['/', '\\']).next())
     }
 }
 
-impl Load {
+impl ExternalLoad {
     fn read(document: &Document, force: ElementId) -> Self {
         let tree = document.tree();
-        let get = |tag| text(document, force, tag);
+        let get = |tag| child_text(document, force, tag);
         // Before version 4, `isDisabled` said the opposite.
         let is_false = |text: &String| matches!(text.as_str(), "false" | "0");
         let applies = get("appliesForce").is_none_or(|text| !is_false(&text))
@@ -206,102 +208,106 @@ impl Load {
     }
 }
 
-/// The text of a child, if it says anything.
-fn text(document: &Document, owner: ElementId, tag: &str) -> Option<String> {
+/// The text of a child element, unless it is empty or `Unassigned`.
+fn child_text(document: &Document, owner: ElementId, tag: &str) -> Option<String> {
     let tree = document.tree();
     let text = tree.text_of(tree.child(owner, tag)?);
     let text = opensim_text::trimmed(&text);
     (!text.is_empty() && text != "Unassigned").then(|| text.to_owned())
 }
 
-// Which columns are the three parts of a force, of its point, of a moment.
+// Which columns are the components of a force, of its centre of pressure, and of its moment.
 
-/// Columns that end in x, y and z and have the rest in common.
-struct Triple<'t> {
-    /// What they have in common, as in the file.
+/// Three columns whose names only differ in x, y and z at the end.
+struct ColumnTriple<'t> {
+    /// The common part of the names.
     stem: String,
     columns: [&'t Column; 3],
-    what: What,
-    /// What distinguishes its plate from others: what is left of the stem without the words.
+    quantity: PlateQuantity,
+    /// What distinguishes the plate from others: the stem without words such as `force`.
     plate: String,
 }
 
+/// What three columns of a plate contain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum What {
+enum PlateQuantity {
     Force,
-    Point,
-    Torque,
+    CentreOfPressure,
+    Moment,
 }
 
-/// All triples of a table of ground reactions.
-struct Triples<'t> {
-    forces: Vec<Triple<'t>>,
-    others: Vec<Triple<'t>>,
+/// The columns of all plates in a table of ground reactions.
+struct PlateColumns<'t> {
+    forces: Vec<ColumnTriple<'t>>,
+    others: Vec<ColumnTriple<'t>>,
 }
 
-impl<'t> Triples<'t> {
+impl<'t> PlateColumns<'t> {
     fn of(table: &'t Table) -> Self {
         let mut triples = Self { forces: Vec::new(), others: Vec::new() };
         for column in &table.columns {
             let Some(stem) = column.name.strip_suffix(['x', 'X']) else { continue };
-            let Some((what, plate)) = meaning(stem) else { continue };
+            let Some((quantity, plate)) = quantity_and_plate(stem) else { continue };
             let [Some(y), Some(z)] = [["y", "Y"], ["z", "Z"]]
                 .map(|names| names.iter().find_map(|axis| table.column(&format!("{stem}{axis}"))))
             else {
                 continue;
             };
-            let triple = Triple { stem: stem.to_owned(), columns: [column, y, z], what, plate };
-            match what {
-                What::Force => triples.forces.push(triple),
+            let triple = ColumnTriple { stem: stem.to_owned(), columns: [column, y, z], quantity, plate };
+            match quantity {
+                PlateQuantity::Force => triples.forces.push(triple),
                 _ => triples.others.push(triple),
             }
         }
         triples
     }
 
-    fn point_of(&self, force: &Triple<'_>) -> Option<[&'t Column; 3]> {
-        self.of_plate(What::Point, force)
+    fn point_columns(&self, force: &ColumnTriple<'_>) -> Option<[&'t Column; 3]> {
+        self.columns_of_plate(PlateQuantity::CentreOfPressure, force)
     }
 
-    fn torque_of(&self, force: &Triple<'_>) -> Option<[&'t Column; 3]> {
-        self.of_plate(What::Torque, force)
+    fn moment_columns(&self, force: &ColumnTriple<'_>) -> Option<[&'t Column; 3]> {
+        self.columns_of_plate(PlateQuantity::Moment, force)
     }
 
-    fn of_plate(&self, what: What, force: &Triple<'_>) -> Option<[&'t Column; 3]> {
-        self.others.iter().find(|one| one.what == what && one.plate == force.plate).map(|one| one.columns)
+    fn columns_of_plate(&self, quantity: PlateQuantity, force: &ColumnTriple<'_>) -> Option<[&'t Column; 3]> {
+        self.others
+            .iter()
+            .find(|one| one.quantity == quantity && one.plate == force.plate)
+            .map(|one| one.columns)
     }
 }
 
-/// What columns of this stem are, and of which plate: `ground_force_v`, `1_ground_force_p`, `ground_torque_r_`, `l_ground_moment_m`,
+/// The quantity and the plate of columns with this stem, such as `ground_force_v`, `1_ground_force_p`, `ground_torque_r_`, `l_ground_moment_m`,
 /// `F1`, `M1`, `COP1`.
-fn meaning(stem: &str) -> Option<(What, String)> {
+fn quantity_and_plate(stem: &str) -> Option<(PlateQuantity, String)> {
     let lower = stem.to_ascii_lowercase();
     let numbered = lower.trim_start_matches(|c: char| c.is_ascii_alphabetic());
     if !numbered.is_empty() && numbered.chars().all(|c| c.is_ascii_digit()) {
-        let what = match lower.strip_suffix(numbered)? {
-            "f" | "force" => What::Force,
-            "p" | "cop" => What::Point,
-            "m" | "t" | "moment" => What::Torque,
+        let quantity = match lower.strip_suffix(numbered)? {
+            "f" | "force" => PlateQuantity::Force,
+            "p" | "cop" => PlateQuantity::CentreOfPressure,
+            "m" | "t" | "moment" => PlateQuantity::Moment,
             _ => return None,
         };
-        return Some((what, numbered.to_owned()));
+        return Some((quantity, numbered.to_owned()));
     }
     let is_moment = lower.contains("torque") || lower.contains("moment");
-    let what = match lower.rsplit(['_', '.']).next()? {
-        "m" if is_moment || lower.contains("force") => What::Torque,
-        _ if is_moment => What::Torque,
-        "v" if lower.contains("force") => What::Force,
-        "p" if lower.contains("force") || lower.contains("cop") => What::Point,
+    let quantity = match lower.rsplit(['_', '.']).next()? {
+        "m" if is_moment || lower.contains("force") => PlateQuantity::Moment,
+        _ if is_moment => PlateQuantity::Moment,
+        "v" if lower.contains("force") => PlateQuantity::Force,
+        "p" if lower.contains("force") || lower.contains("cop") => PlateQuantity::CentreOfPressure,
         _ => return None,
     };
     let words = ["ground", "force", "torque", "moment", "v", "p", "m", "cop"];
     let rest: Vec<&str> =
         lower.split(['_', '.']).filter(|part| !part.is_empty() && !words.contains(part)).collect();
-    Some((what, rest.join("_")))
+    Some((quantity, rest.join("_")))
 }
 
 /// The three columns that begin with `prefix`, as `ExternalLoads` files name them.
-fn with_prefix<'t>(table: &'t Table, prefix: &str) -> Result<[&'t Column; 3], MotionFault> {
+fn columns_with_prefix<'t>(table: &'t Table, prefix: &str) -> Result<[&'t Column; 3], MotionFault> {
     let exact = ["x", "y", "z"].map(|axis| table.column(&format!("{prefix}{axis}")));
     if let [Some(x), Some(y), Some(z)] = exact {
         return Ok([x, y, z]);
@@ -329,7 +335,7 @@ mod tests {
         let text = "endheader\ntime 1_ground_force_vx 1_ground_force_vy 1_ground_force_vz 1_ground_force_px 1_ground_force_py \
             1_ground_force_pz 1_ground_torque_x 1_ground_torque_y 1_ground_torque_z F2x F2y F2z other\n\
             0 0 100 0 0.5 0 0.1 0 7 0 1 2 3 9\n1 0 200 0 0.5 0 0.1 0 7 0 1 2 3 9\n";
-        let plates = Plate::all(&table(text)).unwrap();
+        let plates = Plate::from_columns(&table(text)).unwrap();
         assert_eq!(
             plates.iter().map(|plate| (plate.name.as_str(), plate.has_points)).collect::<Vec<_>>(),
             [("1_ground_force_v", true), ("F2", false)]
@@ -352,29 +358,30 @@ mod tests {
            </ExternalForce></objects></ExternalLoads></OpenSimDocument>";
         let loads = ExternalLoads::read(xml.as_bytes()).unwrap();
         let text = "endheader\ntime a_x a_y a_z b_x b_y b_z\n0 0 10 0 0 0 0\n";
-        let plates = Plate::of_loads(&table(text), &loads).unwrap();
+        let plates = Plate::from_loads(&table(text), &loads).unwrap();
         assert_eq!((plates[0].body.as_deref(), plates[0].has_points), (Some("calcn_r"), false));
-        let lost = Plate::of_loads(&table("endheader\ntime a_x a_y\n0 0 1\n"), &loads).unwrap_err();
+        let lost = Plate::from_loads(&table("endheader\ntime a_x a_y\n0 0 1\n"), &loads).unwrap_err();
         assert!(lost.message.contains("'a_'"), "{lost}");
-        assert!(Plate::all(&table(text)).is_err());
+        assert!(Plate::from_columns(&table(text)).is_err());
     }
 
     #[test]
     fn names_of_laboratories_are_understood() {
-        let plate = |stem: &str| meaning(stem).map(|(what, plate)| (what, plate.leak() as &str));
-        assert_eq!(plate("ground_force_v"), Some((What::Force, "")));
-        assert_eq!(plate("ground_force_p"), Some((What::Point, "")));
-        assert_eq!(plate("ground_torque_"), Some((What::Torque, "")));
-        assert_eq!(plate("l_ground_torque_"), Some((What::Torque, "l")));
-        assert_eq!(plate("1_ground_force_v"), Some((What::Force, "1")));
-        assert_eq!(plate("R_ground_force_v"), Some((What::Force, "r")));
-        assert_eq!(plate("ground_force_r_v"), Some((What::Force, "r")));
-        assert_eq!(plate("ground_torque_r_"), Some((What::Torque, "r")));
-        assert_eq!(plate("ground_force_1_v"), Some((What::Force, "1")));
-        assert_eq!(plate("ground_moment_1_m"), Some((What::Torque, "1")));
-        assert_eq!(plate("1_ground_torque_m"), Some((What::Torque, "1")));
-        assert_eq!(plate("F1"), Some((What::Force, "1")));
-        assert_eq!(plate("M12"), Some((What::Torque, "12")));
+        let plate =
+            |stem: &str| quantity_and_plate(stem).map(|(quantity, plate)| (quantity, plate.leak() as &str));
+        assert_eq!(plate("ground_force_v"), Some((PlateQuantity::Force, "")));
+        assert_eq!(plate("ground_force_p"), Some((PlateQuantity::CentreOfPressure, "")));
+        assert_eq!(plate("ground_torque_"), Some((PlateQuantity::Moment, "")));
+        assert_eq!(plate("l_ground_torque_"), Some((PlateQuantity::Moment, "l")));
+        assert_eq!(plate("1_ground_force_v"), Some((PlateQuantity::Force, "1")));
+        assert_eq!(plate("R_ground_force_v"), Some((PlateQuantity::Force, "r")));
+        assert_eq!(plate("ground_force_r_v"), Some((PlateQuantity::Force, "r")));
+        assert_eq!(plate("ground_torque_r_"), Some((PlateQuantity::Moment, "r")));
+        assert_eq!(plate("ground_force_1_v"), Some((PlateQuantity::Force, "1")));
+        assert_eq!(plate("ground_moment_1_m"), Some((PlateQuantity::Moment, "1")));
+        assert_eq!(plate("1_ground_torque_m"), Some((PlateQuantity::Moment, "1")));
+        assert_eq!(plate("F1"), Some((PlateQuantity::Force, "1")));
+        assert_eq!(plate("M12"), Some((PlateQuantity::Moment, "12")));
         assert_eq!(plate("knee_"), None);
         assert_eq!(plate("emg1"), None);
     }

@@ -1,27 +1,29 @@
-//! A table as values and speeds of all coordinates of a model, filtered where that is wanted.
+//! Turns a table into values and speeds of all coordinates of a model, filtered if the caller wants it.
 
 use butterworth::{Cutoff, Filter};
 use gcv_spline::GcvSpline;
 use osim_model::feet::{Coupler, Couplers};
 use osim_model::{Model, ModelJoint};
 
-use crate::coordinates::{Columns, CoordinateKind, ModelCoordinate, columns_of, coordinates_of};
+use crate::coordinates::{
+    CoordinateColumns, CoordinateKind, ModelCoordinate, columns_by_coordinate, model_coordinates,
+};
 use crate::table::{AngleUnit, MotionFault, Table};
 
-/// A quintic spline needs so many rows.
+/// A quintic spline needs at least so many rows.
 const LEAST_ROWS: usize = 6;
-/// How often couplers that depend on each other are followed, at most.
-const PASSES: usize = 8;
-/// An angle beyond this is not one in radians, rad.
+/// Couplers that depend on each other are applied at most so many times.
+const MOST_PASSES: usize = 8;
+/// An angle beyond this is probably not in radians, rad.
 const FULL_TURN: f64 = std::f64::consts::TAU;
 
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct RecordingOptions {
-    /// The unit of its angles; `None` where the file says it.
+    /// The unit of angles; `None`: as the file says.
     pub angles: Option<AngleUnit>,
-    /// What OpenSim takes for the unit of a file like this one that does not say it: degrees in a `.mot`, radians in a `.sto`.
+    /// The unit that OpenSim assumes if such a file does not say it: degrees for a `.mot`, radians for a `.sto`.
     pub undeclared: Option<AngleUnit>,
-    /// Values pass a zero-lag Butterworth low-pass filter of 4th order with this cutoff, Hz. Then speeds follow from them.
+    /// Cutoff of a zero-lag Butterworth low-pass filter of 4th order for the values, Hz. Speeds are then derivatives of the values.
     pub low_pass_hz: Option<f64>,
 }
 
@@ -29,46 +31,47 @@ pub struct RecordingOptions {
 #[derive(Debug, Clone)]
 pub struct Recording {
     pub time_s: Vec<f64>,
-    /// All coordinates, joint by joint.
+    /// The coordinates of all joints, in the order of the joints.
     pub coordinates: Vec<ModelCoordinate>,
     pub facts: RecordingFacts,
     /// Frame by frame, rad or m.
     values: Vec<f64>,
     /// Frame by frame, rad/s or m/s.
     speeds: Vec<f64>,
-    /// For each joint: whether its speeds are OpenSim's.
-    pub(crate) of_opensim: Vec<bool>,
+    /// For each joint whether its speeds are OpenSim's generalised speeds; if not, they are derivatives of its values.
+    pub(crate) has_opensim_speeds: Vec<bool>,
 }
 
+/// How a recording was read, for reports.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordingFacts {
     pub angles: AngleUnit,
-    /// Whether the file says so itself, or the caller.
+    /// Whether the file or the caller gives that unit.
     pub declared: bool,
     /// Columns that belong to no coordinate, as in the file.
     pub unused: Vec<String>,
-    /// Coordinates without a column, which keep their default (or follow the function that prescribes them).
+    /// Coordinates without a column: they keep their default value, or follow the function that prescribes them.
     pub kept: Vec<String>,
     /// Coordinates that a coupler computes from others.
     pub coupled: Vec<String>,
-    /// Whether speeds came from columns, for all coordinates that have one.
+    /// Whether the table gives the speeds of all coordinates that it gives values of.
     pub speeds_given: bool,
-    /// Constraints that are not enforced here.
+    /// Constraints that are not enforced.
     pub unenforced: Vec<String>,
 }
 
 impl Recording {
-    /// What `table` says of the coordinates of `model`.
+    /// Reads the coordinates of `model` from `table`.
     ///
     /// # Errors
     /// No column that belongs to a coordinate; angles whose unit is in doubt; a number that is missing; too few rows for speeds, or
     /// rows that a filter cannot take.
     pub fn of(model: &Model, table: &Table, options: &RecordingOptions) -> Result<Self, MotionFault> {
         let joints = model.joints();
-        let coordinates = coordinates_of(model, joints);
-        let (columns, unused) = columns_of(&coordinates, table);
+        let coordinates = model_coordinates(model, joints);
+        let (columns, unused) = columns_by_coordinate(&coordinates, table);
         if columns.iter().all(|column| column.value.is_none()) {
-            return Err(nothing_fits(&coordinates, table));
+            return Err(no_column_fits(&coordinates, table));
         }
         let angles = angle_unit(&coordinates, &columns, table, options)?;
         let mut recording = Self {
@@ -85,11 +88,11 @@ impl Recording {
             },
             values: vec![0.0; table.rows() * coordinates.len()],
             speeds: vec![0.0; table.rows() * coordinates.len()],
-            of_opensim: Vec::new(),
+            has_opensim_speeds: Vec::new(),
             coordinates,
         };
-        recording.take(table, &columns, joints, options)?;
-        recording.couple(&Couplers::of(model))?;
+        recording.read_columns(table, &columns, joints, options)?;
+        recording.apply_couplers(&Couplers::of(model))?;
         Ok(recording)
     }
 
@@ -102,39 +105,41 @@ impl Recording {
         row(&self.values, frame, self.coordinates.len())
     }
 
-    /// Their speeds, rad/s or m/s: of the joints in `of_opensim` OpenSim's, of others their derivatives.
+    /// The speeds of all coordinates in a frame, rad/s or m/s: OpenSim's generalised speeds for joints in `has_opensim_speeds`, derivatives of the
+    /// values for others.
     pub fn speeds(&self, frame: usize) -> &[f64] {
         row(&self.speeds, frame, self.coordinates.len())
     }
 
-    fn take(
+    fn read_columns(
         &mut self,
         table: &Table,
-        columns: &[Columns<'_>],
+        columns: &[CoordinateColumns<'_>],
         joints: &[ModelJoint],
         options: &RecordingOptions,
     ) -> Result<(), MotionFault> {
         let mut start = 0;
         for joint in joints {
             let end = start + joint.coordinates.len();
-            let own = columns.get(start..end).unwrap_or_default();
-            // Coordinates without a column keep still.
-            let has_speed = |columns: &Columns<'_>| columns.value.is_none() || columns.speed.is_some();
-            let given = options.low_pass_hz.is_none() && own.iter().all(has_speed);
-            self.of_opensim.push(given && !own.is_empty());
-            for (index, columns) in (start..end).zip(own) {
-                self.take_one(table, index, columns, given, options)?;
+            let of_joint = columns.get(start..end).unwrap_or_default();
+            // Coordinates without a column have speed 0.
+            let has_speed =
+                |columns: &CoordinateColumns<'_>| columns.value.is_none() || columns.speed.is_some();
+            let given = options.low_pass_hz.is_none() && of_joint.iter().all(has_speed);
+            self.has_opensim_speeds.push(given && !of_joint.is_empty());
+            for (index, columns) in (start..end).zip(of_joint) {
+                self.read_coordinate(table, index, columns, given, options)?;
             }
             start = end;
         }
         Ok(())
     }
 
-    fn take_one(
+    fn read_coordinate(
         &mut self,
         table: &Table,
         index: usize,
-        columns: &Columns<'_>,
+        columns: &CoordinateColumns<'_>,
         given: bool,
         options: &RecordingOptions,
     ) -> Result<(), MotionFault> {
@@ -159,14 +164,14 @@ impl Recording {
             self.set(index, &values, &speeds);
             return Ok(());
         };
-        table.finite(column)?;
+        table.check_finite(column)?;
         let mut values = in_si(&column.values);
         if let Some(cutoff_hz) = options.low_pass_hz {
             values = low_pass(table, &values, cutoff_hz)?;
         }
         let speeds = match columns.speed.filter(|_| given) {
             Some(column) => {
-                table.finite(column)?;
+                table.check_finite(column)?;
                 in_si(&column.values)
             }
             None => splined_speeds(&table.time_s, &values, &label)?,
@@ -183,11 +188,11 @@ impl Recording {
         places.zip(speeds).for_each(|(place, speed)| *place = *speed);
     }
 
-    /// Sets coordinates that depend on others, whatever the file says of them.
-    fn couple(&mut self, couplers: &Couplers) -> Result<(), MotionFault> {
+    /// Computes the coordinates that depend on others by couplers, and overwrites what the file gives for them.
+    fn apply_couplers(&mut self, couplers: &Couplers) -> Result<(), MotionFault> {
         self.facts.unenforced = couplers.unknown.iter().map(ToString::to_string).collect();
         let place = |name: &str| self.coordinates.iter().position(|coordinate| coordinate.name == name);
-        let mut known: Vec<(&Coupler, usize, usize)> = Vec::new();
+        let mut applied: Vec<(&Coupler, usize, usize)> = Vec::new();
         for coupler in &couplers.couplers {
             let Some((from, to)) = place(&coupler.independent).zip(place(&coupler.dependent)) else {
                 continue;
@@ -198,18 +203,18 @@ impl Recording {
                     coupler.dependent, coupler.independent
                 )));
             }
-            known.push((coupler, from, to));
+            applied.push((coupler, from, to));
         }
-        self.facts.coupled = known.iter().map(|(coupler, ..)| coupler.dependent.clone()).collect();
+        self.facts.coupled = applied.iter().map(|(coupler, ..)| coupler.dependent.clone()).collect();
         self.facts.kept.retain(|name| !self.facts.coupled.contains(name));
-        if known.is_empty() {
+        if applied.is_empty() {
             return Ok(());
         }
         let count = self.coordinates.len();
         for (values, speeds) in self.values.chunks_exact_mut(count).zip(self.speeds.chunks_exact_mut(count)) {
-            for _ in 0..PASSES {
+            for _ in 0..MOST_PASSES {
                 let mut changed = false;
-                for (coupler, from, to) in &known {
+                for (coupler, from, to) in &applied {
                     let at = values.get(*from).copied().zip(speeds.get(*from).copied());
                     let Some((value, speed)) = at else { continue };
                     let Some((follows, slope)) = coupler.value_and_slope(value) else { continue };
@@ -232,7 +237,7 @@ fn row(all: &[f64], frame: usize, count: usize) -> &[f64] {
     all.get(frame * count..(frame + 1) * count).unwrap_or_default()
 }
 
-fn nothing_fits(coordinates: &[ModelCoordinate], table: &Table) -> MotionFault {
+fn no_column_fits(coordinates: &[ModelCoordinate], table: &Table) -> MotionFault {
     let listed = |names: Vec<&str>| {
         let shown = names.iter().take(5).map(|name| format!("'{name}'")).collect::<Vec<_>>().join(", ");
         if names.len() > 5 { format!("{shown}, ...") } else { shown }
@@ -246,11 +251,10 @@ fn nothing_fits(coordinates: &[ModelCoordinate], table: &Table) -> MotionFault {
     ))
 }
 
-/// The unit of the angles: what the caller says, else what the file says, else what OpenSim takes it for, if the numbers do not
-/// contradict.
+/// The unit of angles: what the caller gives, else what the file says, else what OpenSim assumes, unless the numbers contradict that.
 fn angle_unit(
     coordinates: &[ModelCoordinate],
-    columns: &[Columns<'_>],
+    columns: &[CoordinateColumns<'_>],
     table: &Table,
     options: &RecordingOptions,
 ) -> Result<AngleUnit, MotionFault> {
@@ -272,13 +276,13 @@ fn angle_unit(
     }
     match (largest, assumed) {
         (Some((value, name)), AngleUnit::Radians) if value > FULL_TURN => {
-            Err(MotionFault::of_angles(format!(
+            Err(MotionFault::about_angle_unit(format!(
                 "its header does not say whether angles are in degrees or radians. OpenSim takes them for radians, but column '{name}' \
              goes to {value}, more than a full turn"
             )))
         }
         (Some((value, name)), AngleUnit::Degrees) if value > 0.0 && value <= FULL_TURN => {
-            Err(MotionFault::of_angles(format!(
+            Err(MotionFault::about_angle_unit(format!(
                 "its header does not say whether angles are in degrees or radians. OpenSim takes them for degrees, but the largest angle, \
              {value} in column '{name}', would be a small movement"
             )))
@@ -304,10 +308,10 @@ fn splined_speeds(time_s: &[f64], values: &[f64], label: &str) -> Result<Vec<f64
 
 // The low-pass filter of movement analysis.
 
-/// Forward and back again, so that nothing is delayed: an order of 2 becomes one of 4.
+/// The order of the filter in one direction. It is applied forward and backward, so that nothing is delayed and the order doubles to 4.
 const ORDER: usize = 2;
-/// At both ends, so many rows are mirrored; there must be one more.
-const MIRRORED: usize = 3 * ORDER;
+/// The filter mirrors so many rows at both ends; there must be one more row.
+const MIRRORED_ROWS: usize = 3 * ORDER;
 
 /// `values` of the rows of `table` through a zero-lag Butterworth low-pass filter of 4th order.
 ///
@@ -323,11 +327,11 @@ fn low_pass(table: &Table, values: &[f64], cutoff_hz: f64) -> Result<Vec<f64>, M
             "it has {} rows a second: a cutoff is above 0 and below half of that, {} Hz, and not {} Hz",
             three_decimals(rate_hz),
             three_decimals(rate_hz / 2.0),
-            short(cutoff_hz)
+            short_number(cutoff_hz)
         )));
     }
     let too_few = || MotionFault::new(format!("its {} rows are too few for a filter", values.len()));
-    if values.len() <= MIRRORED {
+    if values.len() <= MIRRORED_ROWS {
         return Err(too_few());
     }
     let filter = Filter::new(ORDER, rate_hz, Cutoff::LowPass(cutoff_hz));
@@ -336,19 +340,19 @@ fn low_pass(table: &Table, values: &[f64], cutoff_hz: f64) -> Result<Vec<f64>, M
     if !filtered.iter().all(|value| value.is_finite()) {
         return Err(MotionFault::new(format!(
             "a cutoff of {} Hz is too low for its {} rows",
-            short(cutoff_hz),
+            short_number(cutoff_hz),
             values.len()
         )));
     }
     Ok(filtered)
 }
 
-/// Without hundreds of digits.
-fn short(value: f64) -> String {
+/// A number for messages: very large and very small ones in exponential form.
+fn short_number(value: f64) -> String {
     if (1e-6..1e9).contains(&value) { value.to_string() } else { format!("{value:e}") }
 }
 
-/// For sentences: the times of a file are rounded, too.
+/// A number for messages, rounded as the times of a file are.
 fn three_decimals(value: f64) -> f64 {
     (value * 1e3).round() / 1e3
 }
@@ -359,7 +363,7 @@ mod tests {
 
     fn table(rows: usize) -> Table {
         let times = (0..rows).map(|row| row as f64 / 100.0).collect();
-        Table::of_times(times).unwrap()
+        Table::from_times(times).unwrap()
     }
 
     /// A cosine of 2 Hz passes a cutoff of 6 Hz, and one of 30 Hz does not.
@@ -386,7 +390,7 @@ mod tests {
         assert!(low_pass(&table(6), &[0.0; 6], 6.0).is_err());
         assert!(low_pass(&table(7), &[0.0; 7], 6.0).is_ok());
         assert!(low_pass(&table(20), &[0.0; 20], 50.0).is_err());
-        let uneven = Table::of_times(vec![0.0, 0.1, 0.3]).unwrap();
+        let uneven = Table::from_times(vec![0.0, 0.1, 0.3]).unwrap();
         assert!(low_pass(&uneven, &[0.0; 3], 1.0).is_err());
     }
 }

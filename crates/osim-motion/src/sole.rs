@@ -1,24 +1,24 @@
-//! The sole of a foot: which way is down and forward, and where forces act on it.
+//! Directions of a foot (down and forward), and centres of pressure on its sole.
 
 use osim_model::feet::{DefaultPose, PoseFault, ViewAxes};
 use osim_model::{DVec3, Model, Side};
 
 use crate::feet::ON_BW;
-use crate::pair::Touched;
+use crate::pair::TouchedSurface;
 use crate::states::ContactStates;
 use crate::summary::FootSummary;
 use crate::wrench::Wrench;
 
-/// Limbs closer than this do not say what is right and left, m.
-const APART_M: f64 = 1e-3;
+/// If the middles of the left and the right spheres are closer than this, it is not known what is right, m.
+const LEAST_APART_M: f64 = 1e-3;
 
-/// Down for the sphere of each pair of `states`, as bodies stand at the default pose: a direction of length 1 in its body, into the floor.
-pub(crate) fn down_at_default_pose(model: &Model, states: &ContactStates) -> Result<Vec<DVec3>, PoseFault> {
+/// For each pair of `states` the direction into the floor at the default pose, of length 1 and in the frame of the sphere's body.
+pub(crate) fn down_in_bodies(model: &Model, states: &ContactStates) -> Result<Vec<DVec3>, PoseFault> {
     let pose = DefaultPose::of(model);
     let each = states.pairs.iter().map(|pair| {
         let normal = match pair.touched {
-            Touched::Plane(plane) => states.planes.get(plane).and_then(|plane| plane.normal),
-            Touched::Sphere(_) => None,
+            TouchedSurface::Plane(plane) => states.planes.get(plane).and_then(|plane| plane.normal),
+            TouchedSurface::Sphere(_) => None,
         };
         let up = normal.unwrap_or(model.up());
         Ok(pose.placement(&pair.body)?.rotation.inverse().to_body(-up))
@@ -26,8 +26,8 @@ pub(crate) fn down_at_default_pose(model: &Model, states: &ContactStates) -> Res
     each.collect()
 }
 
-/// From the middle of the left spheres to that of the right ones at the default pose, m; not finite where a side has none.
-pub(crate) fn across(states: &ContactStates, pose: &DefaultPose) -> Result<DVec3, PoseFault> {
+/// The vector from the middle of the left spheres to the middle of the right ones at the default pose, m; not finite if a side has none.
+pub(crate) fn left_to_right(states: &ContactStates, pose: &DefaultPose) -> Result<DVec3, PoseFault> {
     let (mut sums, mut counts) = ([DVec3::ZERO; 2], [0.0; 2]);
     for pair in &states.pairs {
         let Some(side) = Side::of_name(&pair.body) else { continue };
@@ -42,40 +42,37 @@ pub(crate) fn across(states: &ContactStates, pose: &DefaultPose) -> Result<DVec3
     Ok(right / counts[0] - left / counts[1])
 }
 
-/// Forward along the floor at the default pose, of what is [`across`]: with the right spheres on the right of the left ones; x where nothing
-/// says what is right.
-pub(crate) fn forward(across: DVec3, up: DVec3) -> DVec3 {
-    let flat = across - across.dot(up) * up;
+/// The forward direction along the floor at the default pose, by the vector [`left_to_right`]; x if it is not known what is right.
+pub(crate) fn forward(left_to_right: DVec3, up: DVec3) -> DVec3 {
+    let flat = left_to_right - left_to_right.dot(up) * up;
     let length = flat.length();
     // Also false where a side has no spheres.
-    let is_known = length > APART_M;
+    let is_known = length > LEAST_APART_M;
     if is_known { up.cross(flat / length) } else { ViewAxes::with_up(up).forward }
 }
 
-/// The part of a direction along a floor, with length 1; the direction itself where it is upright.
-pub(crate) fn level(direction: DVec3, up: DVec3) -> DVec3 {
+/// A direction projected on the floor, with length 1; the direction itself if it is upright.
+pub(crate) fn project_on_floor(direction: DVec3, up: DVec3) -> DVec3 {
     let flat = direction - direction.dot(up) * up;
     let length = flat.length();
     if length > 1e-6 { flat / length } else { direction }
 }
 
-// Where forces act on the sole of a foot, which moves and turns over the floor.
-
 /// Centres of pressure in the axes of a foot: forward and to the right, m, from the middle of its spheres, as the foot stands at the
 /// default pose.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OnSole {
-    /// Where each of its spheres is at the default pose.
+pub struct PressureOnSole {
+    /// The place of each sphere at the default pose.
     pub spheres_m: Vec<[f64; 2]>,
-    /// Where the model's force acts in each frame; `None` where it is too small.
+    /// The centre of pressure of the model in each frame; `None` if the force is too small.
     pub model_m: Vec<Option<[f64; 2]>>,
-    /// Where that of the plates does; `None` where they do not say it.
+    /// The centre of pressure of the plates in each frame; `None` if it is not known.
     pub measured_m: Vec<Option<[f64; 2]>>,
 }
 
-impl OnSole {
-    /// What each foot and its plates show; `None` where it is not known where a body is at the default pose. The foot's direction along the
-    /// floor is that in which its spheres lie as they do at the default pose, as nearly as can be.
+impl PressureOnSole {
+    /// One entry for each foot, with the plates' forces if they are known; `None` if the default pose of a body is not known. In each frame the
+    /// foot is turned so that its spheres fit their places at the default pose best.
     pub fn all<'f>(
         model: &Model,
         states: &ContactStates,
@@ -83,7 +80,7 @@ impl OnSole {
         weight_n: f64,
     ) -> Vec<Option<Self>> {
         let pose = DefaultPose::of(model);
-        let across = across(states, &pose).ok();
+        let across = left_to_right(states, &pose).ok();
         feet.map(|(foot, measured)| Self::of(states, (&pose, across?), foot, measured, weight_n).ok())
             .collect()
     }
@@ -98,7 +95,7 @@ impl OnSole {
         let pairs: Vec<_> = foot.foot.pairs.iter().filter_map(|&pair| states.pairs.get(pair)).collect();
         let first = foot.foot.pairs.first().copied().unwrap_or_default();
         let normal = states.frame(0).get(first).map_or(DVec3::Y, |state| state.normal);
-        let forward = level(forward(across, normal), normal);
+        let forward = project_on_floor(forward(across, normal), normal);
         let axes = [forward, forward.cross(normal)];
         let flat = |point_m: DVec3| axes.map(|axis| axis.dot(point_m));
         let mut spheres_m = Vec::new();
@@ -106,16 +103,16 @@ impl OnSole {
             spheres_m.push(flat(pose.placement(&pair.body)?.point(pair.centre_m)));
         }
         let middle_m = mean(&spheres_m);
-        spheres_m.iter_mut().for_each(|place| *place = less(*place, middle_m));
-        let seen = |frame: usize, wrench: &Wrench| {
-            let own = foot.foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
-            let places: Vec<[f64; 2]> = own.map(|state| flat(state.centre_m)).collect();
+        spheres_m.iter_mut().for_each(|place| *place = difference(*place, middle_m));
+        let in_foot = |frame: usize, wrench: &Wrench| {
+            let contacts = foot.foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
+            let places: Vec<[f64; 2]> = contacts.map(|state| flat(state.centre_m)).collect();
             let on_plane_m = states.frame(frame).get(first)?.on_surface_m(pairs.first()?.radius_m);
             let centre = wrench.centre_of_pressure(normal, on_plane_m, ON_BW * weight_n)?;
-            Some(turned_back(&spheres_m, &places, flat(centre.point_m)))
+            Some(in_foot_axes(&spheres_m, &places, flat(centre.point_m)))
         };
         let each = |wrenches: &mut dyn Iterator<Item = Option<Wrench>>| {
-            wrenches.enumerate().map(|(frame, one)| seen(frame, &one?)).collect::<Vec<_>>()
+            wrenches.enumerate().map(|(frame, one)| in_foot(frame, &one?)).collect::<Vec<_>>()
         };
         let plates = measured.unwrap_or_default();
         Ok(Self {
@@ -125,34 +122,33 @@ impl OnSole {
         })
     }
 
-    /// By how much the model's centre of pressure is ahead and to the right of the plates', m: the mean over the frames in which both
-    /// are known.
+    /// How far the model's centre of pressure is ahead and to the right of the plates', m: the mean over the frames in which both are known.
     pub fn mean_difference_m(&self) -> Option<[f64; 2]> {
         let both = self.model_m.iter().zip(&self.measured_m);
         let differences: Vec<[f64; 2]> =
-            both.filter_map(|(own, plate)| Some(less((*own)?, (*plate)?))).collect();
+            both.filter_map(|(own, plate)| Some(difference((*own)?, (*plate)?))).collect();
         (!differences.is_empty()).then(|| mean(&differences))
     }
 }
 
-/// A point of the floor in the axes of a foot whose spheres are at `now` and were at `before`, around 0: the turn between both is the one
-/// with the least squares.
-fn turned_back(before: &[[f64; 2]], now: &[[f64; 2]], point: [f64; 2]) -> [f64; 2] {
+/// A point of the floor in the axes of a foot whose spheres are at `now`, and at `before` (around 0) in the foot's axes. The turn between both is
+/// found by least squares.
+fn in_foot_axes(before: &[[f64; 2]], now: &[[f64; 2]], point: [f64; 2]) -> [f64; 2] {
     let middle = mean(now);
     let (mut along, mut across) = (0.0, 0.0);
     for (old, new) in before.iter().zip(now) {
-        let new = less(*new, middle);
+        let new = difference(*new, middle);
         along += old[0] * new[0] + old[1] * new[1];
         across += old[0] * new[1] - old[1] * new[0];
     }
     let length = libm::sqrt(along * along + across * across);
     // One sphere alone has no direction.
     let (cosine, sine) = if length > 0.0 { (along / length, across / length) } else { (1.0, 0.0) };
-    let [ahead, right] = less(point, middle);
+    let [ahead, right] = difference(point, middle);
     [cosine * ahead + sine * right, cosine * right - sine * ahead]
 }
 
-fn less(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
+fn difference(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
     [one[0] - other[0], one[1] - other[1]]
 }
 
@@ -174,10 +170,10 @@ mod tests {
             [3.0 + turn.cos() * x - turn.sin() * y, -1.0 + turn.sin() * x + turn.cos() * y]
         };
         let now = sole.map(there);
-        let seen = turned_back(&sole, &now, there([0.05, 0.01]));
+        let seen = in_foot_axes(&sole, &now, there([0.05, 0.01]));
         assert!((seen[0] - 0.05).abs() < 1e-12 && (seen[1] - 0.01).abs() < 1e-12, "{seen:?}");
         // One sphere: the floor's own axes.
-        let seen = turned_back(&[[0.0; 2]], &[[2.0, 1.0]], [2.1, 1.2]);
+        let seen = in_foot_axes(&[[0.0; 2]], &[[2.0, 1.0]], [2.1, 1.2]);
         assert!((seen[0] - 0.1).abs() < 1e-12 && (seen[1] - 0.2).abs() < 1e-12, "{seen:?}");
     }
 }

@@ -1,51 +1,50 @@
-//! Where the spheres of a model are along a recording, and the forces there.
+//! Computes the states of all contacts along a recording: places, velocities and forces of spheres.
 
 use std::collections::HashSet;
 
 use osim_model::feet::PoseFault;
 use osim_model::{DVec3, Fault, ForceId, HalfSpace, Model, MovingPlacement, Placement, SphereId};
 
-use crate::pair::{ContactPair, Touched, pairs_of};
+use crate::joint_paths::JointPaths;
+use crate::pair::{ContactPair, TouchedSurface, contact_pairs};
 use crate::recording::Recording;
-use crate::skeleton::Skeleton;
 use crate::table::{MotionFault, Table};
 
-/// The velocity of the belt in ground, m/s.
+/// The velocity of a treadmill's belt in ground, m/s; 0 for a floor.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Belt {
-    /// The same in all frames; 0 for a floor.
     Constant(DVec3),
-    /// Frame by frame.
-    Each(Vec<DVec3>),
+    /// One velocity for each frame.
+    PerFrame(Vec<DVec3>),
 }
 
 impl Belt {
-    /// A belt that runs at this speed against x, under somebody who walks towards x, m/s.
+    /// A belt that moves at this speed (m/s) against x, under a subject who walks towards x.
     pub const fn against_x(speed_m_s: f64) -> Self {
         Self::Constant(DVec3::new(-speed_m_s, 0.0, 0.0))
     }
 
-    /// A belt with the speed in a column of the recording, m/s.
+    /// A belt that moves against x with the speed in a column of the recording, m/s.
     ///
     /// # Errors
     /// No such column, or a row without a number.
-    pub fn of_column(table: &Table, name: &str) -> Result<Self, MotionFault> {
+    pub fn from_column(table: &Table, name: &str) -> Result<Self, MotionFault> {
         let none = || MotionFault::new(format!("it has no column '{name}' for the speed of the belt"));
         let column = table.column(name).ok_or_else(none)?;
-        table.finite(column)?;
-        Ok(Self::Each(column.values.iter().map(|speed| DVec3::new(-speed, 0.0, 0.0)).collect()))
+        table.check_finite(column)?;
+        Ok(Self::PerFrame(column.values.iter().map(|speed| DVec3::new(-speed, 0.0, 0.0)).collect()))
     }
 
     pub(crate) fn at(&self, frame: usize) -> DVec3 {
         match self {
             Self::Constant(velocity) => *velocity,
-            Self::Each(all) => all.get(frame).copied().unwrap_or_default(),
+            Self::PerFrame(all) => all.get(frame).copied().unwrap_or_default(),
         }
     }
 }
 
 impl Default for Belt {
-    /// A floor.
+    /// A floor, which does not move.
     fn default() -> Self {
         Self::Constant(DVec3::ZERO)
     }
@@ -59,10 +58,8 @@ impl From<[f64; 3]> for Belt {
 
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StatesError {
-    /// Something in the model.
     #[error(transparent)]
     Model(Box<Fault>),
-    /// It is not known where a body is.
     #[error(transparent)]
     Pose(#[from] PoseFault),
     #[error(transparent)]
@@ -75,25 +72,25 @@ impl From<Fault> for StatesError {
     }
 }
 
-/// One sphere on a plane (or another sphere) in one frame; everything is seen from ground.
+/// The state of a contact pair in one frame, with all vectors in ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactState {
     pub centre_m: DVec3,
-    /// How it moves, m/s.
+    /// Velocity of the centre, m/s.
     pub velocity_m_s: DVec3,
     /// The plane's normal, out of it.
     pub normal: DVec3,
-    /// x: how deep the sphere is in the plane (or in the other sphere), m; below 0 it is above.
+    /// x: how deep the sphere is in the plane (or in the other sphere), m; below 0 without contact.
     pub indentation_m: f64,
-    /// How fast it goes in, m/s.
+    /// The rate of the indentation, m/s.
     pub rate_m_s: f64,
-    /// How the sphere slips on the plane (on the belt) where the force acts, m/s.
+    /// Slip velocity of the sphere against the plane (or the belt) at the point where the force acts, m/s.
     pub slip_m_s: DVec3,
-    /// Where the force acts, m.
+    /// The point where the force acts, m.
     pub point_m: DVec3,
     /// The force on the sphere, N: along the normal and against the slip.
     pub force_n: DVec3,
-    /// Its part along the normal, N.
+    /// The component of the force along the normal, N.
     pub normal_force_n: f64,
 }
 
@@ -102,25 +99,25 @@ impl ContactState {
         self.slip_m_s.length()
     }
 
-    /// The point of the surface that is below the centre of a sphere of this radius, m.
+    /// The point of the surface below the centre of a sphere of this radius, m.
     pub fn on_surface_m(&self, radius_m: f64) -> DVec3 {
         self.centre_m - (radius_m - self.indentation_m) * self.normal
     }
 }
 
+/// The states of all contact pairs in all frames of a recording.
 #[derive(Debug, Clone)]
 pub struct ContactStates {
     pub time_s: Vec<f64>,
-    /// Which sphere on what.
     pub pairs: Vec<ContactPair>,
     pub planes: Vec<HalfSpace>,
-    /// Joints that close a loop, which nothing keeps closed here.
+    /// Joints that close a loop. Nothing enforces that these loops stay closed.
     pub loops: Vec<String>,
     states: Vec<ContactState>,
 }
 
 impl ContactStates {
-    /// All pairs of `forces` in all frames of `recording`. The floor moves as `belt` under the spheres.
+    /// Computes all pairs of `forces` in all frames of `recording`. The floor moves like `belt`.
     ///
     /// # Errors
     /// A value of the model that cannot be read, a body whose place is not known, or a coordinate without a value on the way to it.
@@ -130,10 +127,10 @@ impl ContactStates {
         forces: &[ForceId],
         belt: impl Into<Belt>,
     ) -> Result<Self, StatesError> {
-        Self::of_pairs(model, recording, pairs_of(model, forces)?, &belt.into())
+        Self::from_pairs(model, recording, contact_pairs(model, forces)?, &belt.into())
     }
 
-    /// The contacts with the centre of each sphere moved in its body, m.
+    /// The states with each sphere moved by `by_m` in its body.
     pub(crate) fn displaced(
         &self,
         model: &Model,
@@ -144,10 +141,10 @@ impl ContactStates {
         for pair in &mut pairs {
             pair.centre_m += by_m;
         }
-        Self::of_pairs(model, recording, (pairs, self.planes.clone()), &Belt::default())
+        Self::from_pairs(model, recording, (pairs, self.planes.clone()), &Belt::default())
     }
 
-    fn of_pairs(
+    fn from_pairs(
         model: &Model,
         recording: &Recording,
         (pairs, planes): (Vec<ContactPair>, Vec<HalfSpace>),
@@ -155,38 +152,38 @@ impl ContactStates {
     ) -> Result<Self, StatesError> {
         let bodies: HashSet<&str> = pairs.iter().map(|pair| pair.body.as_str()).collect();
         let carriers = planes.iter().filter_map(|plane| plane.body.as_deref());
-        let scenery = pairs.iter().filter_map(|pair| match pair.touched {
-            Touched::Sphere(id) => model.sphere(id)?.body.as_deref(),
-            Touched::Plane(_) => None,
+        let touched = pairs.iter().filter_map(|pair| match pair.touched {
+            TouchedSurface::Sphere(id) => model.sphere(id)?.body.as_deref(),
+            TouchedSurface::Plane(_) => None,
         });
-        let bodies: HashSet<&str> = bodies.into_iter().chain(carriers).chain(scenery).collect();
-        let skeleton = Skeleton::of(model, &bodies)?;
-        valued(&skeleton, recording)?;
+        let bodies: HashSet<&str> = bodies.into_iter().chain(carriers).chain(touched).collect();
+        let paths = JointPaths::of(model, &bodies)?;
+        check_values(&paths, recording)?;
         let planar: Vec<Surface> =
-            planes.iter().map(|plane| Surface::of_plane(plane, &skeleton)).collect::<Result<_, _>>()?;
+            planes.iter().map(|plane| Surface::from_plane(plane, &paths)).collect::<Result<_, _>>()?;
         let surfaces: Vec<Surface> = pairs
             .iter()
             .map(|pair| match pair.touched {
-                Touched::Plane(number) => {
+                TouchedSurface::Plane(number) => {
                     planar.get(number).copied().ok_or_else(|| Fault::refused("a plane is lost"))
                 }
-                Touched::Sphere(id) => Surface::of_sphere(model, id, &skeleton),
+                TouchedSurface::Sphere(id) => Surface::from_sphere(model, id, &paths),
             })
             .collect::<Result<_, _>>()?;
-        let on: Vec<Option<usize>> = pairs.iter().map(|pair| skeleton.body(&pair.body)).collect();
+        let sphere_bodies: Vec<Option<usize>> = pairs.iter().map(|pair| paths.body(&pair.body)).collect();
         let mut states = Vec::with_capacity(recording.frames() * pairs.len());
         let mut places = Vec::new();
         for frame in 0..recording.frames() {
-            skeleton.place(
+            paths.place_bodies(
                 recording.values(frame),
                 recording.speeds(frame),
-                &recording.of_opensim,
+                &recording.has_opensim_speeds,
                 &mut places,
             );
-            for ((pair, body), surface) in pairs.iter().zip(&on).zip(&surfaces) {
+            for ((pair, body), surface) in pairs.iter().zip(&sphere_bodies).zip(&surfaces) {
                 let Some(moving) = body.and_then(|body| places.get(body)) else { continue };
                 let belt_m_s = if pair.is_ground { belt.at(frame) } else { DVec3::ZERO };
-                states.push(state(
+                states.push(contact_state(
                     pair,
                     moving,
                     &surface.at(&places, moving.at.point(pair.centre_m)),
@@ -194,7 +191,7 @@ impl ContactStates {
                 ));
             }
         }
-        let loops = skeleton.loops.clone();
+        let loops = paths.loops.clone();
         Ok(Self { time_s: recording.time_s.clone(), pairs, planes, loops, states })
     }
 
@@ -212,10 +209,10 @@ impl ContactStates {
     }
 }
 
-/// Checks that every coordinate on the way has a value.
-fn valued(skeleton: &Skeleton<'_>, recording: &Recording) -> Result<(), StatesError> {
+/// Checks that every coordinate on the paths has a value.
+fn check_values(paths: &JointPaths<'_>, recording: &Recording) -> Result<(), StatesError> {
     let first = recording.values(0);
-    for (joint, range) in skeleton.coordinates() {
+    for (joint, range) in paths.coordinates() {
         for (coordinate, value) in joint.coordinates.iter().zip(first.get(range).unwrap_or_default()) {
             if !value.is_finite() {
                 let (coordinate, joint) = (coordinate.name.clone(), joint.name.clone());
@@ -237,14 +234,14 @@ struct Surface {
 
 #[derive(Clone, Copy)]
 enum Shape {
-    /// With this normal.
+    /// A plane with this normal.
     Plane(DVec3),
-    /// With this radius, m.
+    /// A sphere with this radius, m.
     Sphere(f64),
 }
 
-/// A surface in one frame, as a sphere meets it.
-struct Met {
+/// A surface in one frame, seen from a sphere near it.
+struct SurfaceInFrame {
     carrier: MovingPlacement,
     normal: DVec3,
     /// How far the centre of the sphere is above it along the normal, m.
@@ -252,50 +249,55 @@ struct Met {
 }
 
 impl Surface {
-    fn of_plane(plane: &HalfSpace, skeleton: &Skeleton<'_>) -> Result<Self, StatesError> {
+    fn from_plane(plane: &HalfSpace, paths: &JointPaths<'_>) -> Result<Self, StatesError> {
         let unread = || Fault::refused(format!("the place of half-space {} cannot be read", plane.path));
         let (normal, point_m) = plane.normal.zip(plane.point_m).ok_or_else(unread)?;
         if plane.body.is_none() && !plane.on_ground {
             return Err(unread().into());
         }
-        let body = plane.body.as_deref().and_then(|body| skeleton.body(body));
+        let body = plane.body.as_deref().and_then(|body| paths.body(body));
         Ok(Self { body, point_m, shape: Shape::Plane(normal) })
     }
 
-    fn of_sphere(model: &Model, id: SphereId, skeleton: &Skeleton<'_>) -> Result<Self, Fault> {
+    fn from_sphere(model: &Model, id: SphereId, paths: &JointPaths<'_>) -> Result<Self, Fault> {
         let unread = || Fault::refused("the place of a sphere that another one touches cannot be read");
         let (sphere, point_m) = model.sphere(id).zip(model.centre_m(id)).ok_or_else(unread)?;
-        let body = sphere.body.as_deref().and_then(|body| skeleton.body(body));
+        let body = sphere.body.as_deref().and_then(|body| paths.body(body));
         Ok(Self { body, point_m, shape: Shape::Sphere(sphere.radius_m()?) })
     }
 
-    fn at(&self, places: &[MovingPlacement], centre_m: DVec3) -> Met {
+    fn at(&self, places: &[MovingPlacement], centre_m: DVec3) -> SurfaceInFrame {
         let ground = MovingPlacement::still(Placement::IDENTITY);
         let carrier = self.body.and_then(|body| places.get(body)).copied().unwrap_or(ground);
         let away = centre_m - carrier.at.point(self.point_m);
         match self.shape {
             Shape::Plane(normal) => {
                 let normal = carrier.at.rotation.to_body(normal);
-                Met { normal, height_m: away.dot(normal), carrier }
+                SurfaceInFrame { normal, height_m: away.dot(normal), carrier }
             }
             Shape::Sphere(radius_m) => {
                 let distance_m = away.length();
                 // Two centres at one place have no direction; any will do.
                 let normal = if distance_m > 0.0 { away / distance_m } else { DVec3::Y };
-                Met { normal, height_m: distance_m - radius_m, carrier }
+                SurfaceInFrame { normal, height_m: distance_m - radius_m, carrier }
             }
         }
     }
 }
 
-fn state(pair: &ContactPair, moving: &MovingPlacement, met: &Met, belt_m_s: DVec3) -> ContactState {
-    let normal = met.normal;
+fn contact_state(
+    pair: &ContactPair,
+    moving: &MovingPlacement,
+    surface: &SurfaceInFrame,
+    belt_m_s: DVec3,
+) -> ContactState {
+    let normal = surface.normal;
     let centre_m = moving.at.point(pair.centre_m);
-    let indentation_m = pair.radius_m - met.height_m;
+    let indentation_m = pair.radius_m - surface.height_m;
     // Between the bottom of the sphere, which is as deep as the indentation, and the plane.
     let along = pair.radius_m - indentation_m * (1.0 - pair.depth_share);
     let point_m = centre_m - along * normal;
-    let relative = moving.velocity_at(point_m) - met.carrier.velocity_at(point_m);
+    let relative = moving.velocity_at(point_m) - surface.carrier.velocity_at(point_m);
     let rate_m_s = -relative.dot(normal);
     let against_belt = relative - belt_m_s;
     let slip_m_s = against_belt - against_belt.dot(normal) * normal;
@@ -308,14 +310,14 @@ fn state(pair: &ContactPair, moving: &MovingPlacement, met: &Met, belt_m_s: DVec
         rate_m_s,
         slip_m_s,
         point_m,
-        force_n: normal_force_n * normal - pair.braking(normal_force_n, slip_m_s),
+        force_n: normal_force_n * normal - pair.friction_force(normal_force_n, slip_m_s),
         normal_force_n,
     }
 }
 
 impl ContactPair {
-    /// Friction force against the slip, N, as a vector along it.
-    fn braking(&self, normal_force_n: f64, slip_m_s: DVec3) -> DVec3 {
+    /// The size of the friction force, N, as a vector along the slip; the force acts against it.
+    fn friction_force(&self, normal_force_n: f64, slip_m_s: DVec3) -> DVec3 {
         // The smooth class never divides by 0: it adds its constant to the square.
         let speed = libm::sqrt(slip_m_s.length_squared() + self.smoothing.unwrap_or(0.0));
         if speed == 0.0 || normal_force_n == 0.0 {

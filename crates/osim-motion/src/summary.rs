@@ -1,48 +1,49 @@
-//! What the contacts of each foot do along a recording.
+//! Summarises the contacts of each foot along a recording.
 
 use std::ops::Range;
 
 use contact_scaling::{limits, restitution};
 use osim_model::DVec3;
 
-use crate::assigned::Measured;
-use crate::comparison::{ComparedOn, Comparison, percentile};
+use crate::comparison::{Comparison, ComparisonPlane, percentile};
 use crate::feet::{Foot, ON_BW, Stance, strides};
+use crate::plate_assignment::MeasuredForces;
 use crate::states::{ContactState, ContactStates};
 use crate::wrench::{CentreOfPressure, Wrench};
 
+/// One sphere along a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SphereSummary {
-    /// Its pair among all.
+    /// Index of its contact pair.
     pub pair: usize,
     /// Its largest force along the normal, N.
     pub peak_n: f64,
-    /// Its largest x/R; below 0 it never touches.
+    /// Its largest x/R; below 0 if it never touches.
     pub largest_relative_indentation: f64,
-    /// When that is, s.
+    /// The time of the largest x/R, s.
     pub largest_at_s: f64,
-    /// For how long x/R is beyond what the Hertz law holds for, s.
+    /// How long x/R is beyond the limit of the Hertz law, s.
     pub beyond_hertz_s: f64,
-    /// For how long its centre is below the plane (x/R above 1), s.
+    /// How long its centre is below the plane (x/R above 1), s.
     pub beyond_radius_s: f64,
     /// The median of its slip speed while it is in the plane, m/s.
     pub slip_m_s: Option<f64>,
-    /// Each time that it comes down.
+    /// Each time that it touches the plane.
     pub touch_downs: Vec<TouchDown>,
 }
 
-/// A sphere that meets its plane.
+/// The moment in which a sphere touches its plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TouchDown {
-    /// When its bottom passes the plane, s.
+    /// The time at which its bottom passes the plane, s.
     pub time_s: f64,
-    /// How fast it does, m/s.
+    /// The rate of the indentation then, m/s.
     pub impact_speed_m_s: f64,
     /// The coefficient of restitution at this speed, by (12) without gravity.
     pub restitution: Option<f64>,
 }
 
-/// What one foot does.
+/// One foot along a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootSummary {
     pub foot: Foot,
@@ -50,19 +51,19 @@ pub struct FootSummary {
     pub wrenches: Vec<Wrench>,
     /// The largest force along the normal, N.
     pub peak_n: f64,
-    /// When that is, s.
+    /// The time of the largest force, s.
     pub peak_at_s: f64,
-    /// Where it stands: by the plates that measured it, else by the model.
+    /// Its stances, by the plates that measured it, else by the model.
     pub stances: Vec<StanceSummary>,
     /// Whether the stances are those of the plates.
-    pub stands_by_plates: bool,
-    /// The median depth of its deepest sphere in stance, m; below 0 it is above the plane. `None` where it never stands.
+    pub has_stances_of_plates: bool,
+    /// The median depth of its deepest sphere in stance, m; below 0 above the plane. `None` if it never stands.
     pub stance_depth_m: Option<f64>,
-    /// How the depth of its deepest sphere scatters in stance: from the 5th to the 95th percentile, m.
+    /// The range of the depth of its deepest sphere in stance, from the 5th to the 95th percentile, m.
     pub stance_scatter_m: Option<f64>,
     /// The depth of its deepest sphere in the whole recording, m.
     pub deepest_m: f64,
-    /// How it slips in stance: the median velocity of its deepest sphere along the plane, m/s.
+    /// The median slip velocity of its deepest sphere in stance, m/s.
     pub stance_slip_m_s: Option<DVec3>,
     pub spheres: Vec<SphereSummary>,
     pub comparison: Option<Comparison>,
@@ -70,7 +71,6 @@ pub struct FootSummary {
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct StanceSummary {
-    /// When.
     pub stance: Stance,
     /// The model's largest force along the normal in it, N.
     pub peak_n: f64,
@@ -80,29 +80,34 @@ pub struct StanceSummary {
     pub loading_rate_n_s: f64,
 }
 
-/// What all contacts of a model do along a recording.
+/// All contacts of a model along a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Summary {
-    /// Body weight, N: what forces are divided by.
+    /// Body weight, N, by which forces are divided.
     pub weight_n: f64,
     pub feet: Vec<FootSummary>,
     /// All feet together, frame by frame.
     pub total: Vec<Wrench>,
     /// The largest force of all feet along the normal, N.
     pub peak_n: f64,
-    /// All plates beside all feet.
+    /// The force of all feet compared with that of all plates.
     pub comparison: Option<Comparison>,
     pub smallest_radius_m: Option<f64>,
-    /// The mean force along the normal over whole strides, N, of the model.
+    /// The model's mean force along the normal over whole strides, N.
     pub stride_mean_n: Option<f64>,
-    /// What the plates measured, which is what the subject weighs.
+    /// The plates' mean force along the normal over whole strides, N, which is the weight of the subject.
     pub measured_stride_mean_n: Option<f64>,
-    /// The part of whole strides in which more than one foot stands; `None` of one foot, or without a whole stride.
+    /// The part of whole strides in which more than one foot stands; `None` for one foot, or without a whole stride.
     pub double_support: Option<f64>,
 }
 
 impl Summary {
-    pub fn of(states: &ContactStates, feet: &[Foot], measured: Option<&Measured>, weight_n: f64) -> Self {
+    pub fn of(
+        states: &ContactStates,
+        feet: &[Foot],
+        measured: Option<&MeasuredForces>,
+        weight_n: f64,
+    ) -> Self {
         let feet: Vec<FootSummary> = feet
             .iter()
             .enumerate()
@@ -115,24 +120,24 @@ impl Summary {
             .collect();
         let mut total = vec![Wrench::default(); states.frames()];
         for foot in &feet {
-            total.iter_mut().zip(&foot.wrenches).for_each(|(sum, wrench)| *sum = sum.and(wrench));
+            total.iter_mut().zip(&foot.wrenches).for_each(|(sum, wrench)| *sum = sum.plus(wrench));
         }
-        let on = feet.first().and_then(|foot| compared_on(states, &foot.foot, weight_n, false));
+        let on = feet.first().and_then(|foot| comparison_plane(states, &foot.foot, weight_n, false));
         let normal = on.map_or(DVec3::ZERO, |on| on.normal);
         let along = |wrench: &Wrench| wrench.force_n.dot(normal);
         let comparison = on.zip(measured).and_then(|(on, measured)| {
             let has_points = measured.has_points.iter().all(|&has_points| has_points);
-            Comparison::of(&total, &measured.total, &ComparedOn { has_points, ..on }, |_| true)
+            Comparison::of(&total, &measured.total, &ComparisonPlane { has_points, ..on }, |_| true)
         });
         let spans: Vec<(f64, f64)> = feet.iter().flat_map(FootSummary::strides).collect();
-        let own: Vec<Option<f64>> = total.iter().map(|wrench| Some(along(wrench))).collect();
+        let modelled: Vec<Option<f64>> = total.iter().map(|wrench| Some(along(wrench))).collect();
         let plates =
             measured.map(|measured| measured.total.iter().map(|one| one.as_ref().map(along)).collect());
         Self {
             weight_n,
             peak_n: total.iter().map(along).fold(f64::NEG_INFINITY, f64::max),
             smallest_radius_m: states.pairs.iter().map(|pair| pair.radius_m).reduce(f64::min),
-            stride_mean_n: mean_over(&states.time_s, &own, &spans),
+            stride_mean_n: mean_over(&states.time_s, &modelled, &spans),
             measured_stride_mean_n: plates
                 .and_then(|plates: Vec<Option<f64>>| mean_over(&states.time_s, &plates, &spans)),
             double_support: double_support(&states.time_s, &feet, &spans),
@@ -153,10 +158,10 @@ fn double_support(time_s: &[f64], feet: &[FootSummary], spans: &[(f64, f64)]) ->
     for stance in feet.iter().flat_map(|foot| &foot.stances).map(|one| one.stance) {
         standing.get_mut(stance.frames()).unwrap_or_default().iter_mut().for_each(|feet| *feet += 1);
     }
-    let whole = |frame: usize| in_stride.get(frame) == Some(&true);
-    let double = |frame: usize| whole(frame) && standing.get(frame).is_some_and(|&feet| feet > 1);
-    let whole_s = duration_s(time_s, whole);
-    (feet.len() > 1 && whole_s > 0.0).then(|| duration_s(time_s, double) / whole_s)
+    let is_in_stride = |frame: usize| in_stride.get(frame) == Some(&true);
+    let is_double = |frame: usize| is_in_stride(frame) && standing.get(frame).is_some_and(|&feet| feet > 1);
+    let strides_s = duration_s(time_s, is_in_stride);
+    (feet.len() > 1 && strides_s > 0.0).then(|| duration_s(time_s, is_double) / strides_s)
 }
 
 impl FootSummary {
@@ -167,12 +172,14 @@ impl FootSummary {
         weight_n: f64,
     ) -> Self {
         let wrenches: Vec<Wrench> = (0..states.frames())
-            .map(|frame| Wrench::of(foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair))))
+            .map(|frame| {
+                Wrench::from_states(foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair)))
+            })
             .collect();
-        let on = compared_on(states, foot, weight_n, plates.is_some_and(|(_, has_points)| has_points));
+        let on = comparison_plane(states, foot, weight_n, plates.is_some_and(|(_, has_points)| has_points));
         let normal = on.map_or(DVec3::ZERO, |on| on.normal);
         let forces: Vec<f64> = wrenches.iter().map(|wrench| wrench.force_n.dot(normal)).collect();
-        let (peak_at, peak_n) = largest(&forces);
+        let (peak_at, peak_n) = largest_with_index(&forces);
         let measured = plates.filter(|(measured, _)| measured.iter().any(Option::is_some));
         let standing = measured.map(|(measured, _)| {
             let force = |one: &Option<Wrench>| one.as_ref().map_or(f64::NAN, |one| one.force_n.dot(normal));
@@ -181,8 +188,8 @@ impl FootSummary {
         let stances = Stance::all(&states.time_s, standing.as_deref().unwrap_or(&forces), weight_n);
         let deepest: Vec<Option<&ContactState>> = (0..states.frames())
             .map(|frame| {
-                let own = foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
-                own.max_by(|a, b| a.indentation_m.total_cmp(&b.indentation_m))
+                let contacts = foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
+                contacts.max_by(|a, b| a.indentation_m.total_cmp(&b.indentation_m))
             })
             .collect();
         let standing_states: Vec<&ContactState> =
@@ -193,7 +200,7 @@ impl FootSummary {
             peak_n,
             peak_at_s: states.time_s.get(peak_at).copied().unwrap_or_default(),
             stances: stances.iter().map(|stance| StanceSummary::of(states, stance, &forces)).collect(),
-            stands_by_plates: measured.is_some(),
+            has_stances_of_plates: measured.is_some(),
             stance_depth_m: percentile(0.5),
             stance_scatter_m: percentile(0.95).zip(percentile(0.05)).map(|(high, low)| high - low),
             deepest_m: deepest
@@ -218,7 +225,7 @@ impl FootSummary {
         frame: usize,
         weight_n: f64,
     ) -> Option<CentreOfPressure> {
-        let on = compared_on(states, &self.foot, weight_n, false)?;
+        let on = comparison_plane(states, &self.foot, weight_n, false)?;
         self.wrenches.get(frame)?.centre_of_pressure(on.normal, on.point_m, on.least_n)
     }
 
@@ -229,12 +236,17 @@ impl FootSummary {
     }
 }
 
-/// The plane of a foot: that of its first pair at the start.
-fn compared_on(states: &ContactStates, foot: &Foot, weight_n: f64, has_points: bool) -> Option<ComparedOn> {
+/// The plane in which the forces of a foot are compared: that of its first pair in the first frame.
+fn comparison_plane(
+    states: &ContactStates,
+    foot: &Foot,
+    weight_n: f64,
+    has_points: bool,
+) -> Option<ComparisonPlane> {
     let &pair = foot.pairs.first()?;
     let (state, radius_m) = (states.frame(0).get(pair)?, states.pairs.get(pair)?.radius_m);
     let point_m = state.on_surface_m(radius_m);
-    Some(ComparedOn { normal: state.normal, point_m, least_n: ON_BW * weight_n, has_points })
+    Some(ComparisonPlane { normal: state.normal, point_m, least_n: ON_BW * weight_n, has_points })
 }
 
 impl StanceSummary {
@@ -259,7 +271,7 @@ impl SphereSummary {
             states.pairs.get(pair).map_or((1.0, 0.0), |pair| (pair.radius_m, pair.law.dissipation()));
         let all: Vec<&ContactState> = states.pair(pair).collect();
         let relative: Vec<f64> = all.iter().map(|state| state.indentation_m / radius_m).collect();
-        let (deepest, largest_relative_indentation) = largest(&relative);
+        let (deepest, largest_relative_indentation) = largest_with_index(&relative);
         let beyond =
             |limit: f64| duration_s(&states.time_s, |frame| relative.get(frame).is_some_and(|&x| x > limit));
         let slips: Vec<f64> = all
@@ -295,7 +307,7 @@ fn touch_downs(time_s: &[f64], states: &[&ContactState], dissipation: f64) -> Ve
     found
 }
 
-/// For how long frames hold, each for half of the time to its neighbours.
+/// How long a condition holds, s; each frame counts for half of the time to its neighbours.
 fn duration_s(time_s: &[f64], holds: impl Fn(usize) -> bool) -> f64 {
     let steps =
         time_s.windows(2).enumerate().filter_map(|(frame, pair)| Some((frame, pair.get(1)? - pair.first()?)));
@@ -303,13 +315,13 @@ fn duration_s(time_s: &[f64], holds: impl Fn(usize) -> bool) -> f64 {
     steps.map(|(frame, step)| half(frame, step) + half(frame + 1, step)).sum()
 }
 
-/// The frames from a time up to another one, without that at its end: times rise.
+/// The frames from one time up to another, without the end.
 fn frames_between(time_s: &[f64], (from_s, to_s): (f64, f64)) -> Range<usize> {
     let before = |limit: f64| time_s.partition_point(|&time| time < limit);
     before(from_s)..before(to_s)
 }
 
-fn largest(values: &[f64]) -> (usize, f64) {
+fn largest_with_index(values: &[f64]) -> (usize, f64) {
     let mut best = (0, f64::NEG_INFINITY);
     for (index, &value) in values.iter().enumerate() {
         if value > best.1 {
@@ -327,13 +339,13 @@ fn median_vector(states: &[&ContactState]) -> Option<DVec3> {
     Some(DVec3::new(median(0)?, median(1)?, median(2)?))
 }
 
-/// The mean over the frames that are in one of `spans`, where all of these are known.
+/// The mean over all frames in `spans`; a span with unknown values does not count.
 fn mean_over(time_s: &[f64], values: &[Option<f64>], spans: &[(f64, f64)]) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0.0);
     for &span in spans {
-        let inside = values.get(frames_between(time_s, span)).unwrap_or_default();
-        let own: Option<Vec<f64>> = inside.iter().copied().collect();
-        for value in own.into_iter().flatten() {
+        let in_span = values.get(frames_between(time_s, span)).unwrap_or_default();
+        let known: Option<Vec<f64>> = in_span.iter().copied().collect();
+        for value in known.into_iter().flatten() {
             sum += value;
             count += 1.0;
         }

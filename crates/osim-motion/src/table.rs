@@ -1,4 +1,4 @@
-//! OpenSim's tables over time: `.mot` and `.sto` files.
+//! Reads OpenSim's tables over time, `.mot` and `.sto` files.
 
 /// A table over time, as OpenSim's `.mot` and `.sto` files have it.
 ///
@@ -16,8 +16,9 @@ pub struct Table {
     pub time_s: Vec<f64>,
     /// All other columns, in the order of the file.
     pub columns: Vec<Column>,
+    /// The unit of angles, if the header says it.
     pub declared: Option<AngleUnit>,
-    /// Whether the header has a `version`: then OpenSim takes angles of an undeclared unit for radians.
+    /// Whether the header has a `version`. Then OpenSim assumes radians if the header does not say the unit.
     pub has_version: bool,
     /// The line of each row in the file, from 1.
     pub lines: Vec<usize>,
@@ -26,16 +27,16 @@ pub struct Table {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     pub name: String,
-    /// One number for each row; NaN where the file says so.
+    /// One number for each row; NaN if the file has that.
     pub values: Vec<f64>,
 }
 
 impl Table {
-    /// A table without columns that was not in a file; times must rise.
+    /// A table without columns; times must rise.
     #[cfg(test)]
-    pub(crate) fn of_times(time_s: Vec<f64>) -> Result<Self, MotionFault> {
+    pub(crate) fn from_times(time_s: Vec<f64>) -> Result<Self, MotionFault> {
         let lines: Vec<usize> = (1..=time_s.len()).collect();
-        rising(&time_s, &lines)?;
+        check_rising(&time_s, &lines)?;
         Ok(Self { time_s, columns: Vec::new(), declared: Some(AngleUnit::Radians), has_version: true, lines })
     }
 
@@ -51,10 +52,10 @@ impl Table {
     /// Checks that a column has a finite number in each row.
     ///
     /// # Errors
-    /// The first row in which it has none.
-    pub fn finite(&self, column: &Column) -> Result<(), MotionFault> {
-        let odd = column.values.iter().position(|value| !value.is_finite());
-        match odd.and_then(|row| Some((row, *self.lines.get(row)?))) {
+    /// The first row without a finite number.
+    pub fn check_finite(&self, column: &Column) -> Result<(), MotionFault> {
+        let first_odd = column.values.iter().position(|value| !value.is_finite());
+        match first_odd.and_then(|row| Some((row, *self.lines.get(row)?))) {
             None => Ok(()),
             Some((row, line)) => {
                 let value = column.values.get(row).copied().unwrap_or(f64::NAN);
@@ -66,7 +67,7 @@ impl Table {
         }
     }
 
-    /// The time between rows, s, where all are equally far apart within one percent.
+    /// The time between rows, s, if all steps are equal within one percent.
     pub(crate) fn even_step_s(&self) -> Option<f64> {
         let (first, last) = (self.time_s.first()?, self.time_s.last()?);
         let mean = (last - first) / self.rows().checked_sub(1).filter(|&steps| steps > 0)? as f64;
@@ -74,8 +75,6 @@ impl Table {
         self.time_s.windows(2).all(is_even).then_some(mean)
     }
 }
-
-// What stands above the rows.
 
 /// The unit of the angles of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -85,7 +84,7 @@ pub enum AngleUnit {
 }
 
 impl AngleUnit {
-    /// What a number of this unit is multiplied by to be in rad.
+    /// The factor that converts an angle of this unit to rad.
     pub const fn radians(self) -> f64 {
         match self {
             Self::Degrees => std::f64::consts::PI / 180.0,
@@ -117,14 +116,14 @@ impl Header {
                 header.end = index;
                 return Ok(header);
             }
-            header.take(line);
+            header.read_line(line);
         }
         Err(MotionFault::new(
             "it has no line `endheader`: a motion is a .mot or .sto file of OpenSim, with a header that ends so",
         ))
     }
 
-    fn take(&mut self, line: &str) {
+    fn read_line(&mut self, line: &str) {
         let lower = line.to_ascii_lowercase();
         // `inDegrees=yes`, `inDegrees yes`, and a sentence that OpenSim writes for people.
         let (key, value) = lower.split_once(['=', ' ', '\t']).unwrap_or((lower.as_str(), ""));
@@ -134,20 +133,20 @@ impl Header {
                 self.declared = Some(if yes { AngleUnit::Degrees } else { AngleUnit::Radians });
             }
             "version" => self.has_version = true,
-            _ if lower.contains("angles are in degrees") => self.said(AngleUnit::Degrees),
-            _ if lower.contains("angles are in radians") => self.said(AngleUnit::Radians),
+            _ if lower.contains("angles are in degrees") => self.read_sentence(AngleUnit::Degrees),
+            _ if lower.contains("angles are in radians") => self.read_sentence(AngleUnit::Radians),
             _ => {}
         }
     }
 
-    /// A sentence counts where no property says it.
-    fn said(&mut self, unit: AngleUnit) {
+    /// The unit in a sentence only counts if no property gives the unit.
+    fn read_sentence(&mut self, unit: AngleUnit) {
         self.declared.get_or_insert(unit);
     }
 }
 
 /// Checks that times are finite and rise.
-fn rising(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault> {
+fn check_rising(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault> {
     if let Some((time, line)) = time_s.iter().zip(lines).find(|(time, _)| !time.is_finite()) {
         return Err(MotionFault::at(*line, format!("its time is {time}, expected a finite number")));
     }
@@ -166,11 +165,11 @@ fn rising(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault> {
 
 // Names and numbers below the header.
 
-/// Texts of a file are shown up to here.
-const SHOWN: usize = 40;
+/// Messages show at most so many letters of a text of the file.
+const MOST_SHOWN: usize = 40;
 
 impl Table {
-    /// Reads one.
+    /// Reads the bytes of a file.
     ///
     /// # Errors
     /// No header, no times, a row with more or fewer cells than there are names, a cell that is not a number, or times that do not
@@ -178,11 +177,11 @@ impl Table {
     pub fn read(bytes: &[u8]) -> Result<Self, MotionFault> {
         let text = String::from_utf8_lossy(bytes);
         let header = Header::read(&text)?;
-        read(&text, &header)
+        read_rows(&text, &header)
     }
 }
 
-fn read(text: &str, header: &Header) -> Result<Table, MotionFault> {
+fn read_rows(text: &str, header: &Header) -> Result<Table, MotionFault> {
     let mut lines =
         text.lines().enumerate().skip(header.end + 1).filter(|(_, line)| !line.trim_ascii().is_empty());
     let Some((above, names)) = lines.next() else {
@@ -190,11 +189,11 @@ fn read(text: &str, header: &Header) -> Result<Table, MotionFault> {
             "nothing follows its line `endheader`: the names of its columns are missing",
         ));
     };
-    let mut names = names_of(names).into_iter();
+    let mut names = split_names(names).into_iter();
     match names.next() {
         Some(first) if first.eq_ignore_ascii_case("time") => {}
         first => {
-            let first = shown(&first.unwrap_or_default());
+            let first = shortened(&first.unwrap_or_default());
             return Err(MotionFault::at(
                 above + 1,
                 format!("its first column is '{first}', expected 'time'"),
@@ -207,11 +206,11 @@ fn read(text: &str, header: &Header) -> Result<Table, MotionFault> {
         let number = index + 1;
         let mut cells = line.split_ascii_whitespace();
         let time = cells.next().unwrap_or_default();
-        time_s.push(value(time, "time", number)?);
+        time_s.push(parse_number(time, "time", number)?);
         let mut count = 1;
         for column in &mut columns {
             let Some(cell) = cells.next() else { break };
-            column.values.push(value(cell, &column.name, number)?);
+            column.values.push(parse_number(cell, &column.name, number)?);
             count += 1;
         }
         count += cells.count();
@@ -230,13 +229,13 @@ fn read(text: &str, header: &Header) -> Result<Table, MotionFault> {
     if time_s.is_empty() {
         return Err(MotionFault::new("it has no rows of numbers"));
     }
-    rising(&time_s, &numbers)?;
+    check_rising(&time_s, &numbers)?;
     let &Header { declared, has_version, .. } = header;
     Ok(Table { time_s, columns, declared, has_version, lines: numbers })
 }
 
-/// Names between tabs may have spaces; without tabs, spaces divide them.
-fn names_of(line: &str) -> Vec<String> {
+/// Splits the names of columns at tabs, so that names may have spaces; without tabs, at spaces.
+fn split_names(line: &str) -> Vec<String> {
     let by_tabs = line.contains('\t');
     let names: Vec<&str> = match by_tabs {
         true => line.split('\t').map(str::trim_ascii).filter(|name| !name.is_empty()).collect(),
@@ -245,26 +244,24 @@ fn names_of(line: &str) -> Vec<String> {
     names.into_iter().map(str::to_owned).collect()
 }
 
-fn value(cell: &str, column: &str, line: usize) -> Result<f64, MotionFault> {
+fn parse_number(cell: &str, column: &str, line: usize) -> Result<f64, MotionFault> {
     cell.parse().map_err(|_| {
-        let (cell, column) = (shown(cell), shown(column));
+        let (cell, column) = (shortened(cell), shortened(column));
         MotionFault::at(line, format!("column '{column}': '{cell}' is not a number"))
     })
 }
 
-fn shown(text: &str) -> String {
-    match text.char_indices().nth(SHOWN) {
+fn shortened(text: &str) -> String {
+    match text.char_indices().nth(MOST_SHOWN) {
         Some((end, _)) => format!("{}...", text.get(..end).unwrap_or_default()),
         None => text.to_owned(),
     }
 }
 
-// Rows that are missing.
+/// Rows are missing if a step in time is so many times as long as the usual one. Less can be a rounded time.
+const GAP_STEPS: f64 = 1.5;
 
-/// A step this many times as long as the usual one lacks a row: less is a rounded time.
-const LACKS_A_ROW: f64 = 1.5;
-
-/// A time without rows, longer than the usual step from row to row.
+/// A time in which rows are missing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gap {
     /// The time of the row before it, s.
@@ -280,7 +277,7 @@ impl Gap {
 }
 
 impl Table {
-    /// Where rows are missing: steps in time that are longer than 1.5 times the median of all.
+    /// The times in which rows are missing: steps in time that are longer than 1.5 times the median of all.
     ///
     /// ```
     /// use osim_motion::Table;
@@ -301,37 +298,35 @@ impl Table {
             return Vec::new();
         }
         let (_, usual_s, _) = lengths.select_nth_unstable_by(middle, f64::total_cmp);
-        let longest_usual_s = LACKS_A_ROW * *usual_s;
+        let longest_usual_s = GAP_STEPS * *usual_s;
         steps.filter(|step| step.length_s() > longest_usual_s).collect()
     }
 }
 
-// What can be wrong with a recording.
-
-/// What is wrong, where in the file, and what to do.
+/// An error in a motion file: what is wrong, where, and what to do.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct MotionFault {
-    /// The line in the file, from 1; `None` where the whole of it is meant.
+    /// The line in the file, from 1; `None` if the error is about the whole file.
     pub line: Option<usize>,
     /// In words; texts from the file are quoted in it.
     pub message: String,
-    /// Whether the caller can say what the file does not: the unit of its angles.
+    /// Whether the caller has to give the unit of angles, because the file does not.
     pub needs_angles: bool,
 }
 
 impl MotionFault {
-    /// Something about the whole file.
+    /// An error about the whole file.
     pub fn new(message: impl Into<String>) -> Self {
         Self { line: None, message: message.into(), needs_angles: false }
     }
 
     /// The unit of the angles is in doubt.
-    pub(crate) fn of_angles(message: impl Into<String>) -> Self {
+    pub(crate) fn about_angle_unit(message: impl Into<String>) -> Self {
         Self { needs_angles: true, ..Self::new(message) }
     }
 
-    /// Something about one of its lines.
+    /// An error about one line.
     pub fn at(line: usize, message: impl Into<String>) -> Self {
         Self { line: Some(line), ..Self::new(message) }
     }
@@ -361,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_has_its_line() {
+    fn errors_have_their_line() {
         let head = "endheader\ntime x\n";
         assert_eq!(refused("time x\n0 1\n").0, None);
         assert_eq!(refused("endheader\nt x\n0 1\n").0, Some(2));
@@ -384,24 +379,24 @@ mod tests {
         assert_eq!(refused(head).0, None);
         assert_eq!(refused("").0, None);
         let table = Table::read(format!("{head}0 nan\n").as_bytes()).unwrap();
-        assert_eq!(table.finite(&table.columns[0]).unwrap_err().line, Some(3));
+        assert_eq!(table.check_finite(&table.columns[0]).unwrap_err().line, Some(3));
     }
 
     #[test]
-    fn even_steps_are_seen() {
-        let table = |times: &[f64]| Table::of_times(times.to_vec()).unwrap();
+    fn even_steps_are_recognised() {
+        let table = |times: &[f64]| Table::from_times(times.to_vec()).unwrap();
         assert_eq!(table(&[0.0, 0.1, 0.3]).even_step_s(), None);
         assert!((table(&[1.0, 1.1, 1.2]).even_step_s().unwrap() - 0.1).abs() < 1e-12);
         assert_eq!(table(&[1.0]).even_step_s(), None);
     }
 
     fn gaps(times: &[f64]) -> Vec<(f64, f64)> {
-        let table = Table::of_times(times.to_vec()).unwrap();
+        let table = Table::from_times(times.to_vec()).unwrap();
         table.gaps().iter().map(|gap| (gap.from_s, gap.to_s)).collect()
     }
 
     #[test]
-    fn a_gap_lacks_a_row() {
+    fn gaps_are_steps_that_lack_a_row() {
         assert_eq!(gaps(&[]), []);
         assert_eq!(gaps(&[1.0]), []);
         assert_eq!(gaps(&[1.0, 2.0]), []);

@@ -6,8 +6,8 @@ use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase, readable, shown};
 use osim_model::{DVec3, Fault, MassRequest, Model};
 use osim_motion::{
-    AngleUnit, Belt, ContactStates, ExternalLoads, Foot, Gap, Measured, MotionFault, OnSole, Plate,
-    Recording, RecordingOptions, StatesError, Summary, Table,
+    AngleUnit, Belt, ContactStates, ExternalLoads, Foot, Gap, MeasuredForces, MotionFault, Plate,
+    PressureOnSole, Recording, RecordingOptions, StatesError, Summary, Table,
 };
 use osim_requests::{AngleChoice, MotionRequest, Positive, RequestError, RequestFault, Speed};
 
@@ -23,10 +23,10 @@ pub struct MotionResult {
     /// The state of each sphere on each plane in each frame.
     pub states: ContactStates,
     pub plates: Option<PlatesRead>,
-    pub measured: Option<Measured>,
+    pub measured: Option<MeasuredForces>,
     pub summary: Summary,
     /// The centre of pressure on the sole of each foot; `None` where the default pose is not known.
-    pub on_soles: Vec<Option<OnSole>>,
+    pub on_soles: Vec<Option<PressureOnSole>>,
     /// What the model weighs, kg.
     pub mass_kg: f64,
     pub gravity_m_s2: f64,
@@ -105,14 +105,14 @@ impl FollowedMotion {
     ) -> MotionResult {
         let Self { recording, states, feet, mass_and_gravity: (mass_kg, gravity_m_s2), belt } = self;
         let weight_n = mass_kg * gravity_m_s2;
-        let measured = plates.as_ref().map(|read| Measured::of(&read.plates, &feet, &states, weight_n));
+        let measured = plates.as_ref().map(|read| MeasuredForces::of(&read.plates, &feet, &states, weight_n));
         let summary = Summary::of(&states, &feet, measured.as_ref(), weight_n);
         let with_plates = summary.feet.iter().enumerate().map(|(index, foot)| {
             let plates = measured.as_ref().filter(|measured| measured.has_points.get(index) == Some(&true));
             (foot, plates.and_then(|measured| measured.feet.get(index)).map(Vec::as_slice))
         });
         MotionResult {
-            on_soles: OnSole::all(&opened.model, &states, with_plates, weight_n),
+            on_soles: PressureOnSole::all(&opened.model, &states, with_plates, weight_n),
             opened,
             motion,
             recording,
@@ -163,11 +163,11 @@ impl PlatesRead {
         let table = read_table(file, files)?;
         let gaps = table.gaps();
         let Some(path) = loads else {
-            let plates = Plate::all(&table).map_err(|fault| failure(file, &fault))?;
+            let plates = Plate::from_columns(&table).map_err(|fault| failure(file, &fault))?;
             return Ok(Self { file: file.to_owned(), loads: None, other_data_file: None, plates, gaps });
         };
         let loads = ExternalLoads::read(&read(path, files)?).map_err(|fault| failure(path, &fault))?;
-        let plates = Plate::of_loads(&table, &loads).map_err(|fault| failure(file, &fault))?;
+        let plates = Plate::from_loads(&table, &loads).map_err(|fault| failure(file, &fault))?;
         let own_name = file.file_name().map(|name| name.to_string_lossy().into_owned());
         let other =
             loads.data_file_name().map(str::to_owned).filter(|named| Some(named) != own_name.as_ref());
@@ -235,7 +235,7 @@ pub(crate) fn belt_of_motion(
 ) -> Result<Option<Belt>, Failure> {
     match (speed, column) {
         (Some(speed), _) => Ok(Some(Belt::against_x(speed.get()))),
-        (None, Some(name)) => Belt::of_column(table, name).map(Some).map_err(|fault| failure(path, &fault)),
+        (None, Some(name)) => Belt::from_column(table, name).map(Some).map_err(|fault| failure(path, &fault)),
         (None, None) => Ok(None),
     }
 }
@@ -302,7 +302,7 @@ fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(), Fault> {
 }
 
 /// A force or a moment of the plates that is too large to calculate with, in words, if there is one.
-fn unmeasurable(measured: &Measured) -> Option<String> {
+fn unmeasurable(measured: &MeasuredForces) -> Option<String> {
     let mut all = measured.total.iter().chain(measured.feet.iter().flatten()).flatten();
     all.find_map(|wrench| {
         let beyond = |vector: DVec3| vector.to_array().into_iter().find(|value| !is_measurable(*value));

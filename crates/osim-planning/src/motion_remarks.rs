@@ -6,7 +6,7 @@ use osim_inspect::{Sign, Verdict, describe_unmatched_patterns};
 use osim_model::DVec3;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, Verb, four_significant, listed, phrase, readable};
-use osim_motion::{AngleUnit, FootSummary, LeftOut, ON_BW, OnSole, PlateUse, Summary};
+use osim_motion::{AngleUnit, FootSummary, LeftOutForces, ON_BW, PlateAssignment, PressureOnSole, Summary};
 use osim_requests::options::InspectionOptions;
 use osim_requests::{CheckRequest, MotionRequest, RequestError};
 
@@ -48,7 +48,7 @@ impl MotionResult {
             remarks.add("foot", self.foot_sentence(foot));
         }
         for (foot, on_sole) in self.summary.feet.iter().zip(&self.on_soles) {
-            let apart_m = on_sole.as_ref().and_then(OnSole::mean_difference_m);
+            let apart_m = on_sole.as_ref().and_then(PressureOnSole::mean_difference_m);
             if let Some(message) =
                 apart_m.and_then(|[ahead_m, _]| displaced_centre_of_pressure(&foot.foot.name, ahead_m))
             {
@@ -188,7 +188,7 @@ impl MotionResult {
                 ),
             );
         }
-        if let Some(left_out) = LeftOut::of(&self.states) {
+        if let Some(left_out) = LeftOutForces::of(&self.states) {
             let text = format!(
                 "in {} frames a sphere of a HuntCrossleyForce leaves the floor so fast that it would pull. OpenSim may then leave out \
                  other spheres of the same force, which push with up to {} N; here they count. One force for each sphere avoids it: ",
@@ -232,7 +232,7 @@ impl MotionResult {
                 ),
             );
         }
-        let lost = |one: &&PlateUse| one.by.is_none();
+        let lost = |one: &&PlateAssignment| one.by.is_none();
         for plate in measured.uses.iter().filter(lost) {
             remarks.add("plate-of-no-foot", format!(
                 "nothing says which foot the force '{}' is under, so it counts in the total alone: ExternalLoads say it",

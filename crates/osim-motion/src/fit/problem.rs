@@ -1,17 +1,17 @@
-//! The least squares problem of a fit, and what a fit gives.
+//! The least squares problem of a fit, and the results of a fit.
 
 use contact_scaling::Law;
 use rmpfit::{MPConfig, MPFitter, MPPar, MPResult};
 
-use super::trial::{Deeper, FitTrial, FootForces};
+use super::trial::{DepthShift, FitTrial, FootForces};
 
 /// One fitted number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedParameter {
     pub value: f64,
-    /// Its standard error, with what neighbouring frames have in common taken into account; NaN where nothing is left over.
+    /// Its standard error, corrected for the correlation of neighbouring frames; NaN without remaining degrees of freedom.
     pub standard_error: f64,
-    /// The lowest and the highest value with which the rest can be fitted nearly as well (rms within 5 %, or 0.005 body weights).
+    /// The lowest and the highest value with which the other parameters fit nearly as well (rms within 5 %, or 0.005 body weights).
     pub nearly_as_good: (f64, f64),
     pub at_bound: bool,
 }
@@ -25,56 +25,57 @@ pub struct FitErrors {
     pub largest_relative_indentation: f64,
 }
 
-/// A fit of a part, tried on the rest.
+/// A fit of one part of the data, tested on the other part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeldOut {
-    /// What was fitted, in words.
+    /// The fitted part, in words.
     pub fitted: String,
     pub tested: String,
-    /// Its errors, body weights.
+    /// The error on the tested part, body weights.
     pub vertical_rms_bw: f64,
 }
 
 /// Contact parameters that make the forces of a model those of the plates.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct MotionFit {
-    /// What all stiffnesses are multiplied by; `None` where they stay.
+    /// The factor of all stiffnesses; `None` if it was not fitted.
     pub stiffness_factor: Option<FittedParameter>,
-    /// The dissipation, s/m; `None` where it stays.
+    /// The dissipation, s/m; `None` if it was not fitted.
     pub dissipation: Option<FittedParameter>,
-    /// How far the floor moves up in each trial, m; empty where it stays.
+    /// How far the floor moves up in each trial, m; empty if it was not fitted.
     pub floor_up_m: Vec<FittedParameter>,
-    /// How far all spheres go down in their bodies, where the height is in them and not in the floor, m.
+    /// How far all spheres move down in their bodies, m; `None` if that was not fitted.
     pub spheres_down_m: Option<FittedParameter>,
-    /// Correlation of stiffness and height of the first trial, where both were fitted.
+    /// Correlation of stiffness and height of the first trial, if both were fitted.
     pub stiffness_height_correlation: Option<f64>,
     pub before: FitErrors,
     pub after: FitErrors,
-    /// The error of each trial, with a floor of its own where the height is fitted, body weights.
+    /// The error of each trial, body weights.
     pub trials_rms_bw: Vec<f64>,
-    /// One part fitted, the other tested: foot by foot, or half by half.
+    /// Fits of one part tested on the other: foot by foot, or half by half.
     pub held_out: Vec<HeldOut>,
-    /// Frames that were left out, because a foot seems to stand beside the plates.
+    /// The number of frames that were left out because a foot seems to stand beside the plates.
     pub beside: usize,
-    /// Frames of all feet that were fitted.
+    /// The number of fitted frames of all feet.
     pub frames: usize,
 }
 
 impl MotionFit {
-    /// The worst of the errors on what was not fitted, body weights.
+    /// The worst error on a part that was not fitted, body weights.
     pub fn held_out_rms_bw(&self) -> Option<f64> {
         self.held_out.iter().map(|one| one.vertical_rms_bw).reduce(f64::max)
     }
 }
 
-/// What a sphere costs that is deeper than allowed by its radius, body weights.
+/// The penalty for a sphere that is deeper than allowed by one radius, body weights.
 const TOO_DEEP_BW: f64 = 200.0;
 
+/// The values that a fit searches.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Unknowns {
     /// The logarithm of the factor of all stiffnesses.
     pub(super) stiffness_log: f64,
-    /// α of all spheres, s/m; `None` where each keeps its own.
+    /// α of all spheres, s/m; `None` if each keeps its own.
     pub(super) dissipation: Option<f64>,
     /// How far the floor moves up in each trial, m.
     pub(super) floor_up_m: Vec<f64>,
@@ -83,10 +84,10 @@ pub(super) struct Unknowns {
 }
 
 impl Unknowns {
-    /// What makes the contacts of a trial deeper.
-    pub(super) fn deeper(&self, trial: usize) -> Deeper {
+    /// How much deeper the contacts of a trial are.
+    pub(super) fn depth_shift(&self, trial: usize) -> DepthShift {
         let floor_up_m = self.floor_up_m.get(trial).copied().unwrap_or_default();
-        Deeper { floor_up_m, spheres_down_m: self.spheres_down_m }
+        DepthShift { floor_up_m, spheres_down_m: self.spheres_down_m }
     }
 
     /// The heights that are fitted, one for each trial. That of the first trial may be in the spheres; its floor stays then.
@@ -108,8 +109,8 @@ impl Unknowns {
         }
     }
 
-    /// Those of one trial alone.
-    pub(super) fn of_trial(&self, trial: usize) -> Self {
+    /// The unknowns of one trial alone.
+    pub(super) fn for_trial(&self, trial: usize) -> Self {
         let floor_up_m = self.floor_up_m.get(trial).copied().into_iter().collect();
         Self { floor_up_m, ..self.clone() }
     }
@@ -124,33 +125,33 @@ pub enum FittedHeight {
     Spheres,
 }
 
-/// Which of them are fitted.
+/// Which parameters are fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FitWanted {
     pub stiffness: bool,
     pub dissipation: bool,
-    /// The height, and what it moves; `None` where neither floor nor spheres move.
+    /// What a fitted height moves; `None` if no height is fitted.
     pub height: Option<FittedHeight>,
 }
 
-/// Force of one foot in each frame along the normal, over body weight, with these unknowns.
+/// Passes the force of one foot along the normal in each frame, over body weight, to `take`.
 pub(super) fn forces_bw(
     foot: &FootForces,
     laws: &[Law],
     factor: f64,
-    deeper: Deeper,
+    shift: DepthShift,
     weight_n: f64,
     mut take: impl FnMut(usize, f64),
 ) {
     let scale = factor / weight_n;
     for frame in 0..foot.frames() {
-        let contacts = foot.deeper(frame, deeper).zip(laws);
+        let contacts = foot.shifted_contacts(frame, shift).zip(laws);
         let sum: f64 = contacts.map(|((x, rate), law)| law.force(x, rate)).sum();
         take(frame, scale * sum);
     }
 }
 
-/// The laws of a foot, with another dissipation where there is one.
+/// The contact laws of a foot, with `dissipation` if it is given.
 pub(super) fn with_dissipation(foot: &FootForces, dissipation: Option<f64>) -> Vec<Law> {
     let other = |law: &Law| law.with_dissipation(dissipation?).ok();
     foot.laws.iter().map(|(law, _)| other(law).unwrap_or(*law)).collect()
@@ -160,15 +161,15 @@ pub(super) fn with_dissipation(foot: &FootForces, dissipation: Option<f64>) -> V
 pub(super) fn errors(trials: &[FitTrial], unknowns: &Unknowns) -> FitErrors {
     let (mut square, mut count, mut deepest) = (0.0, 0_usize, f64::NEG_INFINITY);
     for (number, trial) in trials.iter().enumerate() {
-        let deeper = unknowns.deeper(number);
+        let shift = unknowns.depth_shift(number);
         for foot in &trial.feet {
             let laws = with_dissipation(foot, unknowns.dissipation);
             let factor = unknowns.stiffness_log.exp();
-            forces_bw(foot, &laws, factor, deeper, trial.weight_n, |frame, force_bw| {
+            forces_bw(foot, &laws, factor, shift, trial.weight_n, |frame, force_bw| {
                 let measured_n = foot.measured_n.get(frame).copied().unwrap_or_default();
                 square += (force_bw - measured_n / trial.weight_n).powi(2);
                 count += 1;
-                deepest = foot.loaded_depths(frame, deeper, trial.weight_n).fold(deepest, f64::max);
+                deepest = foot.loaded_depths(frame, shift, trial.weight_n).fold(deepest, f64::max);
             });
         }
     }
@@ -178,12 +179,12 @@ pub(super) fn errors(trials: &[FitTrial], unknowns: &Unknowns) -> FitErrors {
     }
 }
 
-pub(super) struct Problem<'t> {
+pub(super) struct FitProblem<'t> {
     pub(super) trials: &'t [FitTrial],
     pub(super) wanted: FitWanted,
-    /// What is not fitted stays at this.
+    /// The values of parameters that are not fitted.
     pub(super) start: Unknowns,
-    /// Frames of all feet.
+    /// The number of frames of all feet.
     frames: usize,
     /// See [`Limits::sphere_depth`].
     sphere_depth: Option<f64>,
@@ -191,7 +192,7 @@ pub(super) struct Problem<'t> {
     settings: Vec<MPPar>,
 }
 
-impl<'t> Problem<'t> {
+impl<'t> FitProblem<'t> {
     pub(super) fn new(trials: &'t [FitTrial], wanted: FitWanted, start: &Unknowns, limits: &Limits) -> Self {
         let feet = trials.iter().flat_map(|trial| &trial.feet);
         let mut problem = Self {
@@ -231,7 +232,7 @@ impl<'t> Problem<'t> {
         vector
     }
 
-    pub(super) fn of_vector(&self, vector: &[f64]) -> Unknowns {
+    pub(super) fn unknowns_from(&self, vector: &[f64]) -> Unknowns {
         let mut values = vector.iter().copied();
         let mut next =
             |is_fitted: bool, kept: f64| if is_fitted { values.next().unwrap_or(kept) } else { kept };
@@ -246,16 +247,16 @@ impl<'t> Problem<'t> {
         }
     }
 
-    /// Differences between model and plates over body weight, foot by foot and frame by frame; then, in the same order, what spheres cost
-    /// that are too deep, if they have such a bound.
+    /// Computes the differences between model and plates over body weight, foot by foot and frame by frame; then, in the same order, the
+    /// penalties for spheres that are too deep, if their depth has a bound.
     pub(super) fn deviates(&self, unknowns: &Unknowns, deviates: &mut [f64]) {
         let mut places = deviates.iter_mut();
         let mut put = |value: f64| places.by_ref().take(1).for_each(|place| *place = value);
         for (number, trial) in self.trials.iter().enumerate() {
             for foot in &trial.feet {
                 let laws = with_dissipation(foot, unknowns.dissipation);
-                let (factor, deeper) = (unknowns.stiffness_log.exp(), unknowns.deeper(number));
-                forces_bw(foot, &laws, factor, deeper, trial.weight_n, |frame, force_bw| {
+                let (factor, shift) = (unknowns.stiffness_log.exp(), unknowns.depth_shift(number));
+                forces_bw(foot, &laws, factor, shift, trial.weight_n, |frame, force_bw| {
                     let measured = foot.measured_n.get(frame).copied().unwrap_or_default() / trial.weight_n;
                     put(force_bw - measured);
                 });
@@ -266,14 +267,14 @@ impl<'t> Problem<'t> {
             for (foot, frame) in
                 trial.feet.iter().flat_map(|foot| (0..foot.frames()).map(move |frame| (foot, frame)))
             {
-                let depths = foot.loaded_depths(frame, unknowns.deeper(number), trial.weight_n);
+                let depths = foot.loaded_depths(frame, unknowns.depth_shift(number), trial.weight_n);
                 let square: f64 = depths.map(|depth| (depth - most).max(0.0).powi(2)).sum();
                 put(TOO_DEEP_BW * square.sqrt());
             }
         }
     }
 
-    /// The root mean square of all of them, over the frames.
+    /// The root mean square of all deviates, over the frames.
     pub(super) fn rms_bw(&self, unknowns: &Unknowns) -> f64 {
         let mut deviates = vec![0.0; self.number_of_points()];
         self.deviates(unknowns, &mut deviates);
@@ -281,7 +282,7 @@ impl<'t> Problem<'t> {
         (square / self.frames.max(1) as f64).sqrt()
     }
 
-    /// The height of one trial stays.
+    /// Does not fit the height of one trial.
     pub(super) fn keep_height(&mut self, trial: usize) {
         let before = self.settings.len().saturating_sub(self.trials.len());
         if let Some(setting) = self.settings.get_mut(before + trial).filter(|_| self.wanted.height.is_some())
@@ -290,7 +291,7 @@ impl<'t> Problem<'t> {
         }
     }
 
-    /// Whether anything is left to be fitted.
+    /// Whether any parameter is left to fit.
     pub(super) fn is_free(&self) -> bool {
         self.settings.iter().any(|one| !one.fixed)
     }
@@ -299,26 +300,26 @@ impl<'t> Problem<'t> {
         self.frames
     }
 
-    /// Between which values each unknown of a vector is.
+    /// The lowest and highest value of each unknown of a vector.
     pub(super) fn limits(&self) -> Vec<(f64, f64)> {
         self.settings.iter().map(|one| (one.limit_low, one.limit_up)).collect()
     }
 }
 
-/// Between which values the unknowns are.
+/// The lowest and highest values of the unknowns.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Limits {
     pub(super) stiffness_log: (f64, f64),
     pub(super) dissipation: (f64, f64),
-    /// Of each trial, m: see [`Unknowns::heights_m`].
+    /// For each trial, m: see [`Unknowns::heights_m`].
     pub(super) heights_m: Vec<(f64, f64)>,
-    /// Spheres that go down in their bodies keep to this x/R at a price. `None` where limits of the heights say it, or nothing does.
+    /// The x/R above which spheres that move down in their bodies get a penalty; `None` if the limits of heights bound the depth, or nothing does.
     pub(super) sphere_depth: Option<f64>,
 }
 
-impl MPFitter for Problem<'_> {
+impl MPFitter for FitProblem<'_> {
     fn eval(&mut self, vector: &[f64], deviates: &mut [f64]) -> MPResult<()> {
-        self.deviates(&self.of_vector(vector), deviates);
+        self.deviates(&self.unknowns_from(vector), deviates);
         Ok(())
     }
 

@@ -1,28 +1,28 @@
-//! The search: some heights with the best stiffness of each, then Levenberg–Marquardt on all unknowns.
+//! Searches the best fit: tries some heights with the best stiffness of each, then Levenberg–Marquardt on all unknowns.
 
 use rmpfit::{MPFitter, MPStatus, MPSuccess};
 
-use super::problem::{FitWanted, FittedHeight, Limits, Problem, Unknowns, forces_bw, with_dissipation};
+use super::problem::{FitProblem, FitWanted, FittedHeight, Limits, Unknowns, forces_bw, with_dissipation};
 use super::trial::FitTrial;
 use crate::feet::ON_BW;
 
-/// Heights that are tried before the search.
+/// The number of heights that are tried first.
 const HEIGHTS: usize = 48;
-/// Dissipations that are tried with each, s/m.
+/// Dissipations that are tried with each height, s/m.
 const DISSIPATIONS: [f64; 3] = [0.2, 1.0, 3.0];
-/// Stiffnesses beyond these factors of the model's own are not looked for.
-const STIFFNESS_FACTOR: f64 = 1e4;
-/// Dissipations above this are not looked for, s/m.
+/// Stiffness factors are searched from its inverse to this.
+const LARGEST_STIFFNESS_FACTOR: f64 = 1e4;
+/// Dissipations are searched up to this, s/m.
 const MOST_DISSIPATION: f64 = 10.0;
-/// Without a bound on x/R, the floor goes up by this over where the first sphere touches, m.
+/// Without a bound on x/R, the floor is searched up to this above the height at which the first sphere touches, m.
 const UNBOUNDED_M: f64 = 0.25;
-/// Spheres go at most this far up or down in their bodies, and the floors of other trials from the first, m.
+/// Spheres are searched up to this far up or down in their bodies, and floors of other trials up to this far from the first, m.
 const MOST_IN_SPHERES_M: f64 = 0.25;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitBounds {
     pub wanted: FitWanted,
-    /// x/R goes up to this in frames with a force; `None` for no bound.
+    /// The largest x/R in frames with a force; `None` for no bound.
     pub most_relative_indentation: Option<f64>,
 }
 
@@ -30,31 +30,28 @@ pub struct FitBounds {
 pub enum FitError {
     #[error("the plates measured no force under a foot while it was recorded: there is nothing to fit to")]
     NoForce,
-    /// Nothing is wanted.
     #[error("nothing is fitted: name at least one of stiffness, dissipation and height")]
-    Nothing,
-    /// No height gives a force.
+    NothingToFit,
     #[error("no height of the floor within the bounds gives the feet a force like the plates'")]
     NoContact,
-    /// The search did not end.
     #[error("the search did not converge")]
     NotConverged,
 }
 
-/// The model as it is.
-pub(super) fn own(trials: &[FitTrial]) -> Unknowns {
+/// The unknowns of the model as it is.
+pub(super) fn unchanged(trials: &[FitTrial]) -> Unknowns {
     let floor_up_m = vec![0.0; trials.len()];
     Unknowns { stiffness_log: 0.0, dissipation: None, floor_up_m, spheres_down_m: 0.0 }
 }
 
-pub(super) struct Best {
+pub(super) struct BestFit {
     pub(super) unknowns: Unknowns,
     pub(super) standard_error: Vec<f64>,
     pub(super) at_bound: Vec<bool>,
     covariance: Vec<f64>,
 }
 
-impl Best {
+impl BestFit {
     pub(super) fn correlation(&self, one: usize, other: usize) -> f64 {
         let count = self.standard_error.len();
         let at = |i: usize, j: usize| self.covariance.get(i * count + j).copied().unwrap_or(f64::NAN);
@@ -62,14 +59,22 @@ impl Best {
     }
 }
 
-/// The best unknowns for all trials together.
-pub(super) fn search(trials: &[FitTrial], bounds: &FitBounds, own: &Unknowns) -> Result<Best, FitError> {
-    let limits = limits(trials, bounds)?;
-    let start = scan(trials, bounds, own, &floor_limits(trials, bounds)?)?;
-    let start = if bounds.wanted.height == Some(FittedHeight::Spheres) { in_spheres(start) } else { start };
-    let mut problem = Problem::new(trials, bounds.wanted, &start, &limits);
+/// Finds the best unknowns for all trials together.
+pub(super) fn search(
+    trials: &[FitTrial],
+    bounds: &FitBounds,
+    unchanged: &Unknowns,
+) -> Result<BestFit, FitError> {
+    let limits = search_limits(trials, bounds)?;
+    let start = scan(trials, bounds, unchanged, &floor_limits(trials, bounds)?)?;
+    let start = if bounds.wanted.height == Some(FittedHeight::Spheres) {
+        move_height_to_spheres(start)
+    } else {
+        start
+    };
+    let mut problem = FitProblem::new(trials, bounds.wanted, &start, &limits);
     let mut vector = problem.to_vector(&start);
-    // What the solver refuses: a start beyond a limit.
+    // The solver refuses a start beyond a limit.
     for (value, (low, high)) in vector.iter_mut().zip(problem.limits()) {
         *value = value.max(low).min(high);
     }
@@ -77,32 +82,36 @@ pub(super) fn search(trials: &[FitTrial], bounds: &FitBounds, own: &Unknowns) ->
     if matches!(status.success, MPSuccess::NotDone) {
         return Err(FitError::NotConverged);
     }
-    let unknowns = problem.of_vector(&vector);
-    Ok(sure(&problem, unknowns, &vector, &status))
+    let unknowns = problem.unknowns_from(&vector);
+    Ok(with_standard_errors(&problem, unknowns, &vector, &status))
 }
 
-/// The heights of floors as one in the spheres: floors that go up are spheres that go down, and the first floor stays.
-fn in_spheres(mut floors: Unknowns) -> Unknowns {
+/// Moves the spheres down instead of the first floor up, and the other floors by the difference.
+fn move_height_to_spheres(mut floors: Unknowns) -> Unknowns {
     floors.spheres_down_m = floors.floor_up_m.first().copied().unwrap_or_default();
     floors.floor_up_m.iter_mut().for_each(|up_m| *up_m -= floors.spheres_down_m);
     floors
 }
 
-/// How many of the deviates count: neighbouring frames have their errors in common.
-fn independent(deviates: &[f64]) -> f64 {
+/// The effective number of independent deviates, because errors of neighbouring frames are correlated.
+fn independent_count(deviates: &[f64]) -> f64 {
     let square: f64 = deviates.iter().map(|one| one * one).sum();
     let shifted: f64 = deviates.windows(2).filter_map(|pair| Some(pair.first()? * pair.get(1)?)).sum();
     let alike = if square > 0.0 { (shifted / square).clamp(0.0, 0.999) } else { 0.0 };
     deviates.len() as f64 * (1.0 - alike) / (1.0 + alike)
 }
 
-/// Standard errors.
-fn sure(problem: &Problem<'_>, unknowns: Unknowns, vector: &[f64], status: &MPStatus) -> Best {
+fn with_standard_errors(
+    problem: &FitProblem<'_>,
+    unknowns: Unknowns,
+    vector: &[f64],
+    status: &MPStatus,
+) -> BestFit {
     let mut deviates = vec![0.0; problem.frames()];
     problem.deviates(&unknowns, &mut deviates);
     let square: f64 = deviates.iter().map(|one| one * one).sum();
-    let free = (independent(&deviates) - vector.len() as f64).max(1.0);
-    // What mpfit gives is of deviates with a variance of 1.
+    let free = (independent_count(&deviates) - vector.len() as f64).max(1.0);
+    // The covariance of mpfit assumes deviates with a variance of 1.
     let scale = square / free;
     let size = vector.len();
     let variance = |place: usize| status.covar.get(place * size + place).copied().unwrap_or(f64::NAN);
@@ -111,7 +120,7 @@ fn sure(problem: &Problem<'_>, unknowns: Unknowns, vector: &[f64], status: &MPSt
         let near = 1e-6 * (high - low);
         value - low <= near || high - value <= near
     });
-    Best {
+    BestFit {
         standard_error: (0..size).map(|place| (scale * variance(place)).sqrt()).collect(),
         at_bound: at_bound.collect(),
         covariance: status.covar.clone(),
@@ -119,8 +128,8 @@ fn sure(problem: &Problem<'_>, unknowns: Unknowns, vector: &[f64], status: &MPSt
     }
 }
 
-/// Bounds of the search. Where a height is in the spheres, how deep one gets depends on how its body is turned.
-pub(super) fn limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitError> {
+/// Bounds of the search. If spheres move, a penalty bounds their depth, because it depends on how their bodies are turned.
+pub(super) fn search_limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitError> {
     let limits = floor_limits(trials, bounds)?;
     if bounds.wanted.height != Some(FittedHeight::Spheres) {
         return Ok(limits);
@@ -129,9 +138,9 @@ pub(super) fn limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, 
     Ok(Limits { heights_m, sphere_depth: bounds.most_relative_indentation, ..limits })
 }
 
-/// Limits of floors: heights at which something touches and nothing is deeper than allowed.
+/// Bounds of the search if floors move: heights at which a sphere touches, and none is deeper than allowed.
 fn floor_limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitError> {
-    let largest = STIFFNESS_FACTOR.ln();
+    let largest = LARGEST_STIFFNESS_FACTOR.ln();
     let mut heights_m = Vec::new();
     for trial in trials {
         let (mut least_m, mut most_m) = (f64::INFINITY, f64::INFINITY);
@@ -143,7 +152,7 @@ fn floor_limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitEr
                 }
                 has_force = true;
                 for (&(x, _), &(_, radius_m)) in foot.frame(frame).iter().zip(&foot.laws) {
-                    // Up by -x, this sphere just touches.
+                    // This sphere just touches if the floor goes up by -x.
                     least_m = least_m.min(-x);
                     if let Some(most) = bounds.most_relative_indentation {
                         most_m = most_m.min(most * radius_m - x);
@@ -165,26 +174,25 @@ fn floor_limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitEr
     })
 }
 
-/// The best of some heights and dissipations, each with its own stiffness where that is fitted.
+/// Finds the best of some heights and dissipations, each with its best stiffness if that is fitted.
 fn scan(
     trials: &[FitTrial],
     bounds: &FitBounds,
-    own: &Unknowns,
+    unchanged: &Unknowns,
     limits: &Limits,
 ) -> Result<Unknowns, FitError> {
     let dissipations =
-        if bounds.wanted.dissipation { DISSIPATIONS.map(Some).to_vec() } else { vec![own.dissipation] };
+        if bounds.wanted.dissipation { DISSIPATIONS.map(Some).to_vec() } else { vec![unchanged.dissipation] };
     let mut best: Option<(f64, Unknowns)> = None;
     for dissipation in dissipations {
         for step in 0..if bounds.wanted.height.is_some() { HEIGHTS } else { 1 } {
             let part = (step as f64 + 0.5) / HEIGHTS as f64;
             let floor_up_m = match bounds.wanted.height.is_some() {
                 true => limits.heights_m.iter().map(|(low, high)| low + part * (high - low)).collect(),
-                false => own.floor_up_m.clone(),
+                false => unchanged.floor_up_m.clone(),
             };
-            let mut tried = Unknowns { dissipation, floor_up_m, ..own.clone() };
-            let Some(square) = with_best_stiffness(trials, &mut tried, bounds.wanted.stiffness, limits)
-            else {
+            let mut tried = Unknowns { dissipation, floor_up_m, ..unchanged.clone() };
+            let Some(square) = set_best_stiffness(trials, &mut tried, bounds.wanted.stiffness, limits) else {
                 continue;
             };
             if best.as_ref().is_none_or(|(least, _)| square < *least) {
@@ -195,33 +203,33 @@ fn scan(
     best.map(|(_, unknowns)| unknowns).ok_or(FitError::NoContact)
 }
 
-/// Gives `tried` its best stiffness, if that is wanted; the sum of squares, or `None` where nothing touches.
-fn with_best_stiffness(
+/// Sets the best stiffness in `tried`, if that is wanted, and returns the sum of squares; `None` if nothing touches.
+fn set_best_stiffness(
     trials: &[FitTrial],
     tried: &mut Unknowns,
     wanted: bool,
     limits: &Limits,
 ) -> Option<f64> {
-    let (mut own, mut both, mut plates) = (0.0, 0.0, 0.0);
+    let (mut model_squared, mut product, mut plates_squared) = (0.0, 0.0, 0.0);
     for (number, trial) in trials.iter().enumerate() {
-        let deeper = tried.deeper(number);
+        let shift = tried.depth_shift(number);
         for foot in &trial.feet {
             let laws = with_dissipation(foot, tried.dissipation);
-            forces_bw(foot, &laws, 1.0, deeper, trial.weight_n, |frame, force_bw| {
+            forces_bw(foot, &laws, 1.0, shift, trial.weight_n, |frame, force_bw| {
                 let measured = foot.measured_n.get(frame).copied().unwrap_or_default() / trial.weight_n;
-                own += force_bw * force_bw;
-                both += force_bw * measured;
-                plates += measured * measured;
+                model_squared += force_bw * force_bw;
+                product += force_bw * measured;
+                plates_squared += measured * measured;
             });
         }
     }
-    if !(own > 0.0 && both > 0.0) {
+    if !(model_squared > 0.0 && product > 0.0) {
         return None;
     }
     if wanted {
         let (low, high) = limits.stiffness_log;
-        tried.stiffness_log = (both / own).ln().clamp(low, high);
+        tried.stiffness_log = (product / model_squared).ln().clamp(low, high);
     }
     let factor = tried.stiffness_log.exp();
-    Some(factor * factor * own - 2.0 * factor * both + plates)
+    Some(factor * factor * model_squared - 2.0 * factor * product + plates_squared)
 }

@@ -1,31 +1,31 @@
-//! A fit from start to end, with values that fit nearly as well, and a part held out.
+//! Runs a whole fit: the best values, the ranges of values that fit nearly as well, and tests on data that were not fitted.
 
 use rmpfit::MPFitter;
 
 use super::problem::{
-    FitWanted, FittedHeight, FittedParameter, HeldOut, Limits, MotionFit, Problem, Unknowns, errors,
+    FitProblem, FitWanted, FittedHeight, FittedParameter, HeldOut, Limits, MotionFit, Unknowns, errors,
 };
-use super::search::{FitBounds, FitError, limits, own, search};
+use super::search::{FitBounds, FitError, search, search_limits, unchanged};
 use super::trial::{FitTrial, FootForces};
 
 /// Fits the unknowns to all `trials` together.
 pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, FitError> {
     let FitWanted { stiffness, dissipation, height } = bounds.wanted;
     if !(stiffness || dissipation || height.is_some()) {
-        return Err(FitError::Nothing);
+        return Err(FitError::NothingToFit);
     }
     if trials.iter().all(|trial| trial.feet.iter().all(|foot| !foot.has_force(trial.weight_n))) {
         return Err(FitError::NoForce);
     }
-    let own = own(trials);
-    let best = search(trials, bounds, &own)?;
+    let unchanged = unchanged(trials);
+    let best = search(trials, bounds, &unchanged)?;
     let fitted = |place: usize, value: f64, map: fn(f64) -> f64, range: (f64, f64)| FittedParameter {
         value: map(value),
         standard_error: best.standard_error.get(place).copied().unwrap_or(f64::NAN),
         nearly_as_good: range,
         at_bound: best.at_bound.get(place).copied().unwrap_or(false),
     };
-    let ranges = Ranges::new(trials, bounds.wanted, limits(trials, bounds)?, &best.unknowns);
+    let ranges = NearlyAsGood::new(trials, bounds.wanted, search_limits(trials, bounds)?, &best.unknowns);
     let mut place = 0;
     let mut next = || {
         place += 1;
@@ -42,11 +42,11 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
         .dissipation
         .filter(|_| dissipation)
         .map(|value| fitted(next(), value, same, ranges.dissipation(value)));
-    let of_height = |height: FittedHeight| {
+    let fitted_heights = |height: FittedHeight| {
         let heights_m = best.unknowns.heights_m(height).into_iter().enumerate();
         heights_m.map(|(trial, value)| fitted(next(), value, same, ranges.height(height, trial))).collect()
     };
-    let mut floor_up_m: Vec<FittedParameter> = height.map(of_height).unwrap_or_default();
+    let mut floor_up_m: Vec<FittedParameter> = height.map(fitted_heights).unwrap_or_default();
     let in_spheres = height == Some(FittedHeight::Spheres) && !floor_up_m.is_empty();
     let spheres_down_m = in_spheres.then(|| floor_up_m.remove(0));
     Ok(MotionFit {
@@ -56,39 +56,39 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
         dissipation,
         floor_up_m,
         spheres_down_m,
-        held_out: held_out(trials, |fitted, tested| {
-            let best = search(fitted, bounds, &own).ok()?;
+        held_out: test_on_held_out(trials, |fitted, tested| {
+            let best = search(fitted, bounds, &unchanged).ok()?;
             Some(errors(tested, &best.unknowns).vertical_rms_bw)
         }),
         trials_rms_bw: trials
             .iter()
             .enumerate()
             .map(|(number, trial)| {
-                errors(std::slice::from_ref(trial), &best.unknowns.of_trial(number)).vertical_rms_bw
+                errors(std::slice::from_ref(trial), &best.unknowns.for_trial(number)).vertical_rms_bw
             })
             .collect(),
-        before: errors(trials, &own),
+        before: errors(trials, &unchanged),
         after: errors(trials, &best.unknowns),
         beside: trials.iter().map(|trial| trial.beside).sum(),
         frames: trials.iter().flat_map(|trial| &trial.feet).map(FootForces::frames).sum(),
     })
 }
 
-/// One foot fitted and the others tested; of one foot, each half fitted and the other tested. `tried` fits the one and gives the error at
-/// the other, body weights.
-pub(super) fn held_out(
+/// Fits one foot and tests on the others; with one foot, fits each half and tests on the other. `fit_and_test` fits its first argument and returns
+/// the error on its second, body weights.
+pub(super) fn test_on_held_out(
     trials: &[FitTrial],
-    tried: impl Fn(&[FitTrial], &[FitTrial]) -> Option<f64>,
+    fit_and_test: impl Fn(&[FitTrial], &[FitTrial]) -> Option<f64>,
 ) -> Vec<HeldOut> {
-    let mut found = Vec::new();
+    let mut results = Vec::new();
     let mut add = |fitted: &str, tested: &str, parts: (Vec<FitTrial>, Vec<FitTrial>)| {
         let has_force = |trial: &FitTrial| trial.feet.iter().any(|foot| foot.has_force(trial.weight_n));
-        // A foot in the air is nothing to fit to, and fits everything.
+        // A foot in the air cannot be fitted, and every fit passes a test on it.
         if !(parts.0.iter().any(has_force) && parts.1.iter().any(has_force)) {
             return;
         }
-        let Some(vertical_rms_bw) = tried(&parts.0, &parts.1) else { return };
-        found.push(HeldOut { fitted: fitted.to_owned(), tested: tested.to_owned(), vertical_rms_bw });
+        let Some(vertical_rms_bw) = fit_and_test(&parts.0, &parts.1) else { return };
+        results.push(HeldOut { fitted: fitted.to_owned(), tested: tested.to_owned(), vertical_rms_bw });
     };
     let count = trials.iter().map(|trial| trial.feet.len()).min().unwrap_or(0);
     if count > 1 {
@@ -97,51 +97,51 @@ pub(super) fn held_out(
                 |trial: &FitTrial| trial.feet.get(foot).map(|foot| foot.name.clone()).unwrap_or_default();
             let fitted = trials.first().map(name).unwrap_or_default();
             let only = |keep: &dyn Fn(usize) -> bool| -> Vec<FitTrial> {
-                let of = |trial: &FitTrial| {
+                let with_feet = |trial: &FitTrial| {
                     let feet = trial.feet.iter().enumerate().filter(|(index, _)| keep(*index));
                     FitTrial { feet: feet.map(|(_, foot)| foot.clone()).collect(), ..trial.clone() }
                 };
-                trials.iter().map(of).collect()
+                trials.iter().map(with_feet).collect()
             };
             let parts = (only(&|index| index == foot), only(&|index| index != foot));
             let others = parts.1.first().into_iter().flat_map(|trial| &trial.feet);
             let tested: Vec<&str> = others.map(|foot| foot.name.as_str()).collect();
             add(&fitted, &tested.join(" and the "), parts.clone());
         }
-        return found;
+        return results;
     }
     let half = |second: bool| -> Vec<FitTrial> {
-        let of = |trial: &FitTrial| {
+        let half_of = |trial: &FitTrial| {
             let feet = trial.feet.iter().map(|foot| {
                 let middle = foot.frames() / 2;
-                if second { foot.part(middle, foot.frames()) } else { foot.part(0, middle) }
+                if second { foot.frame_range(middle, foot.frames()) } else { foot.frame_range(0, middle) }
             });
             FitTrial { feet: feet.collect(), ..trial.clone() }
         };
-        trials.iter().map(of).collect()
+        trials.iter().map(half_of).collect()
     };
     add("first half", "second half", (half(false), half(true)));
     add("second half", "first half", (half(true), half(false)));
-    found
+    results
 }
 
-// Values with which the rest can be fitted nearly as well.
+// Ranges of values with which the other parameters fit nearly as well.
 
-/// Steps that double until an edge is passed, and halves of the last one to find it.
+/// To find the end of a range, the step doubles at most so many times, and then halves so many times.
 const DOUBLES: usize = 4;
 const HALVES: usize = 6;
 /// The first step of a height, m.
 const HEIGHT_STEP_M: f64 = 0.002;
-/// A fit is nearly as good where its error is at most so many times larger,
+/// A fit is nearly as good if its error is at most so many times larger, or larger by `NEARLY_BW`.
 const NEARLY: f64 = 1.05;
-/// or larger by this, body weights.
+/// See `NEARLY`; body weights.
 const NEARLY_BW: f64 = 0.005;
 
-/// So many frames of a foot are enough to say how far values can go.
-const FRAMES: usize = 400;
+/// Ranges are computed with at most about so many frames of a foot.
+const MOST_FRAMES: usize = 400;
 
-/// Looks for values with which the rest can be fitted nearly as well as with the best ones.
-pub(super) struct Ranges<'b> {
+/// Finds the ranges of values with which the other parameters fit nearly as well as with the best ones.
+pub(super) struct NearlyAsGood<'b> {
     trials: Vec<FitTrial>,
     wanted: FitWanted,
     limits: Limits,
@@ -149,25 +149,24 @@ pub(super) struct Ranges<'b> {
     rms_bw: f64,
 }
 
-impl<'b> Ranges<'b> {
-    /// Of the `best` unknowns of `trials`, between `limits`.
+impl<'b> NearlyAsGood<'b> {
     pub(super) fn new(trials: &[FitTrial], wanted: FitWanted, limits: Limits, best: &'b Unknowns) -> Self {
-        let trials: Vec<FitTrial> = trials.iter().map(|trial| trial.thinned(FRAMES)).collect();
-        let rms_bw = Problem::new(&trials, wanted, best, &limits).rms_bw(best);
+        let trials: Vec<FitTrial> = trials.iter().map(|trial| trial.thinned(MOST_FRAMES)).collect();
+        let rms_bw = FitProblem::new(&trials, wanted, best, &limits).rms_bw(best);
         Self { trials, wanted, limits, best, rms_bw }
     }
 
-    /// Factors of the stiffness.
+    /// The range of the stiffness factor.
     pub(super) fn stiffness(&self) -> (f64, f64) {
         let wanted = FitWanted { stiffness: false, ..self.wanted };
         let tried =
             |log: f64| self.refitted(wanted, None, &Unknowns { stiffness_log: log, ..self.best.clone() });
-        let low = edge(self.best.stiffness_log, -1.0, self.rms_bw, &tried);
-        let high = edge(self.best.stiffness_log, 1.0, self.rms_bw, &tried);
+        let low = range_end(self.best.stiffness_log, -1.0, self.rms_bw, &tried);
+        let high = range_end(self.best.stiffness_log, 1.0, self.rms_bw, &tried);
         (low.exp(), high.exp())
     }
 
-    /// Dissipations around `value`, s/m.
+    /// The range of the dissipation around `value`, s/m.
     pub(super) fn dissipation(&self, value: f64) -> (f64, f64) {
         let wanted = FitWanted { dissipation: false, ..self.wanted };
         let (least, most) = self.limits.dissipation;
@@ -175,8 +174,8 @@ impl<'b> Ranges<'b> {
             let start = Unknowns { dissipation: Some(dissipation.clamp(least, most)), ..self.best.clone() };
             self.refitted(wanted, None, &start)
         };
-        let low = edge(value, -0.5, self.rms_bw, &tried).max(least);
-        (low, edge(value, 0.5, self.rms_bw, &tried).min(most))
+        let low = range_end(value, -0.5, self.rms_bw, &tried).max(least);
+        (low, range_end(value, 0.5, self.rms_bw, &tried).min(most))
     }
 
     pub(super) fn height(&self, height: FittedHeight, trial: usize) -> (f64, f64) {
@@ -189,13 +188,13 @@ impl<'b> Ranges<'b> {
             let start = self.best.clone().with_heights(height, heights_m);
             self.refitted(self.wanted, Some(trial), &start)
         };
-        let low_m = edge(value, -HEIGHT_STEP_M, self.rms_bw, &tried).max(least_m);
-        (low_m, edge(value, HEIGHT_STEP_M, self.rms_bw, &tried).min(most_m))
+        let low_m = range_end(value, -HEIGHT_STEP_M, self.rms_bw, &tried).max(least_m);
+        (low_m, range_end(value, HEIGHT_STEP_M, self.rms_bw, &tried).min(most_m))
     }
 
-    /// The error with what is `wanted` fitted from `start`, the rest kept, and the height of one trial.
+    /// The error after fitting the `wanted` parameters from `start`, with the others and the height of one trial fixed.
     fn refitted(&self, wanted: FitWanted, kept_height: Option<usize>, start: &Unknowns) -> Option<f64> {
-        let mut problem = Problem::new(&self.trials, wanted, start, &self.limits);
+        let mut problem = FitProblem::new(&self.trials, wanted, start, &self.limits);
         if let Some(trial) = kept_height {
             problem.keep_height(trial);
         }
@@ -207,12 +206,12 @@ impl<'b> Ranges<'b> {
             *value = value.clamp(low, high);
         }
         problem.mpfit(&mut vector).ok()?;
-        Some(problem.rms_bw(&problem.of_vector(&vector)))
+        Some(problem.rms_bw(&problem.unknowns_from(&vector)))
     }
 }
 
-/// How far a value can go until the rest no longer fits: steps that double, then halves.
-fn edge(value: f64, step: f64, rms_bw: f64, tried: &impl Fn(f64) -> Option<f64>) -> f64 {
+/// The last value, in the direction of `step`, with which the other parameters fit nearly as well.
+fn range_end(value: f64, step: f64, rms_bw: f64, tried: &impl Fn(f64) -> Option<f64>) -> f64 {
     let is_near = |at: f64| tried(at).is_some_and(|rms| rms <= (rms_bw * NEARLY).max(rms_bw + NEARLY_BW));
     let (mut inside, mut step) = (value, step);
     for _ in 0..DOUBLES {

@@ -11,7 +11,7 @@ use osim_model::{
 };
 use osim_motion::fit::{FitBounds, FitError, FitTrial, FitWanted, FittedHeight, MotionFit, fit_motion};
 use osim_motion::{
-    Belt, ContactStates, Foot, Measured, Recording, RecordingOptions, StatesError, Summary, Table,
+    Belt, ContactStates, Foot, MeasuredForces, Recording, RecordingOptions, StatesError, Summary, Table,
 };
 use osim_patch::{Plan, RecordingErrors, Set, set};
 use osim_requests::options::InspectionOptions;
@@ -116,7 +116,7 @@ struct TrialStates {
     planes: Vec<HalfSpace>,
     /// The direction down of each sphere in the frame of its body, if the fitted height moves spheres.
     down: BTreeMap<SphereId, DVec3>,
-    measured: Measured,
+    measured: MeasuredForces,
 }
 
 impl FitPlanner {
@@ -145,12 +145,12 @@ impl FitPlanner {
         first: Option<&TrialStates>,
     ) -> Result<TrialStates, Fault> {
         let (recording, states, feet) = self.follow_trial(trial, model, selected)?;
-        let measured = Measured::of(&trial.plates.plates, &feet, &states, weight_n);
+        let measured = MeasuredForces::of(&trial.plates.plates, &feet, &states, weight_n);
         let summary = Summary::of(&states, &feet, Some(&measured), weight_n);
         let fitted = match self.bounds.wanted.height {
             Some(FittedHeight::Spheres) => {
                 let down = first.map(|first| first.trial.down.as_slice());
-                FitTrial::of_lowered(model, &recording, &states, (&feet, &measured), weight_n, down)
+                FitTrial::with_lowered_spheres(model, &recording, &states, (&feet, &measured), weight_n, down)
                     .map_err(|error| fault_of_states(&trial.name, error))?
             }
             _ => FitTrial::of(&states, &feet, &measured, weight_n),

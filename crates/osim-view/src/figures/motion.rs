@@ -5,7 +5,7 @@ use contact_scaling::limits;
 use osim_model::DVec3;
 use osim_model::feet::ViewAxes;
 use osim_model::files::FileName;
-use osim_motion::{FootSummary, OnSole, Wrench};
+use osim_motion::{FootSummary, PressureOnSole, Wrench};
 use osim_planning::MotionResult;
 
 /// Forces and depths over time and over strides, and two panels of the sole, for each foot: in three columns where all are there.
@@ -134,11 +134,16 @@ const ARROWS: usize = 25;
 const LEAN_MM: f64 = 100.0;
 
 /// The path of the centre of pressure seen from above, and forces as they stand on the sole.
-fn sole_panels(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &OnSole) -> [Panel; 2] {
+fn sole_panels(
+    result: &MotionResult,
+    index: usize,
+    foot: &FootSummary,
+    on_sole: &PressureOnSole,
+) -> [Panel; 2] {
     [path(result, foot, on_sole), arrows(result, index, foot, on_sole)]
 }
 
-fn path(result: &MotionResult, foot: &FootSummary, on_sole: &OnSole) -> Panel {
+fn path(result: &MotionResult, foot: &FootSummary, on_sole: &PressureOnSole) -> Panel {
     let mut panel = Panel::new(
         "centre of pressure on the sole",
         Axis::new("along the foot (mm)"),
@@ -164,7 +169,7 @@ fn path(result: &MotionResult, foot: &FootSummary, on_sole: &OnSole) -> Panel {
 }
 
 /// The first stance that is seen whole, else the first one: the force in some of its frames, from where it acts.
-fn arrows(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &OnSole) -> Panel {
+fn arrows(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &PressureOnSole) -> Panel {
     let mut panel = Panel::new(
         "forces of one stance",
         Axis::new("along the foot (mm)"),

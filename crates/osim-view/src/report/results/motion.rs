@@ -2,7 +2,7 @@
 
 use osim_model::messages::{Dialect, readable, shortest, shown};
 use osim_model::{DVec3, Side};
-use osim_motion::{Comparison, ContactPair, ContactState, ON_BW, SphereSummary, Touched, Wrench};
+use osim_motion::{Comparison, ContactPair, ContactState, ON_BW, SphereSummary, TouchedSurface, Wrench};
 use osim_planning::{MotionRemark, MotionResult};
 
 use crate::report::layout::{table, wrapped};
@@ -165,8 +165,12 @@ pub fn motion_columns(result: &MotionResult) -> Vec<MotionColumn> {
     let force =
         |pair: &ContactPair| model.force(pair.force).map(|force| force.name.clone()).unwrap_or_default();
     let touched = |pair: &ContactPair| match pair.touched {
-        Touched::Plane(plane) => states.planes.get(plane).map(|plane| plane.name.clone()).unwrap_or_default(),
-        Touched::Sphere(other) => model.sphere(other).map(|other| other.name.clone()).unwrap_or_default(),
+        TouchedSurface::Plane(plane) => {
+            states.planes.get(plane).map(|plane| plane.name.clone()).unwrap_or_default()
+        }
+        TouchedSurface::Sphere(other) => {
+            model.sphere(other).map(|other| other.name.clone()).unwrap_or_default()
+        }
     };
     let side = |pair: &ContactPair| {
         let side = Side::of_name(&pair.body).or_else(|| Side::of_name(&sphere(pair)));
@@ -287,7 +291,7 @@ pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
         for (load, last) in loads.iter().zip(&mut points) {
             let states = result.states.frame(frame);
             let own = || load.pairs.iter().filter_map(|&pair| states.get(pair));
-            let wrench = Wrench::of(own());
+            let wrench = Wrench::from_states(own());
             let point = point_of(result, own().next(), &wrench).or(*last).unwrap_or_default();
             *last = Some(point);
             let moment = wrench.moment_n_m - point.cross(wrench.force_n);

@@ -3,7 +3,7 @@
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::DVec3;
 use osim_model::messages::Dialect;
-use osim_motion::{Comparison, FootSummary, OnSole, SphereSummary, StanceSummary, TouchDown};
+use osim_motion::{Comparison, FootSummary, PressureOnSole, SphereSummary, StanceSummary, TouchDown};
 use osim_planning::{MotionRemark, MotionResult};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -78,7 +78,7 @@ pub struct MotionFootRecord {
     /// When that is, s.
     pub peak_at_s: f64,
     /// Whether its stances are those of the plates; else they are those of the model.
-    pub stands_by_plates: bool,
+    pub has_stances_of_plates: bool,
     /// The median depth of its deepest sphere in stance, m; below 0 it is above the floor.
     pub stance_depth_m: Option<f64>,
     /// From the 5th to the 95th percentile of the same, m.
@@ -215,15 +215,15 @@ impl MotionRecord {
     }
 }
 
-fn of_foot(result: &MotionResult, foot: &FootSummary, on_sole: Option<&OnSole>) -> MotionFootRecord {
-    let apart_m = on_sole.and_then(OnSole::mean_difference_m);
+fn of_foot(result: &MotionResult, foot: &FootSummary, on_sole: Option<&PressureOnSole>) -> MotionFootRecord {
+    let apart_m = on_sole.and_then(PressureOnSole::mean_difference_m);
     MotionFootRecord {
         name: foot.foot.name.clone(),
         side: foot.foot.side.map(|side| side.as_str().to_owned()),
         bodies: foot.foot.bodies.clone(),
         peak_n: foot.peak_n,
         peak_at_s: foot.peak_at_s,
-        stands_by_plates: foot.stands_by_plates,
+        has_stances_of_plates: foot.has_stances_of_plates,
         stance_depth_m: foot.stance_depth_m,
         stance_scatter_m: foot.stance_scatter_m,
         deepest_m: foot.deepest_m,

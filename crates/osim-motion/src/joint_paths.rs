@@ -1,4 +1,4 @@
-//! Where bodies are, and how they move, at any values and speeds of coordinates.
+//! Computes where bodies are, and how they move, for values and speeds of coordinates.
 
 use std::collections::{HashMap, HashSet};
 
@@ -7,33 +7,33 @@ use osim_model::{Model, ModelJoint, MovingPlacement, Placement, Speeds};
 
 use crate::recording::Recording;
 
-/// One joint on the way from ground, with its coordinates among all.
-struct Step<'m> {
+/// A joint on the path from ground to a body.
+struct PathStep<'m> {
     joint: &'m ModelJoint,
     forward: bool,
-    /// The body that it is reached from; `None` is ground.
+    /// The number of the body before the joint; `None` for ground.
     from: Option<usize>,
-    /// The first of its coordinates.
+    /// Index of its first coordinate among all.
     first: usize,
-    /// Its place among the joints of the model.
+    /// Index of the joint in the model.
     number: usize,
 }
 
-/// The joints that lead from ground to some bodies.
-pub(crate) struct Skeleton<'m> {
+/// The joints on the paths from ground to some bodies.
+pub(crate) struct JointPaths<'m> {
     model: &'m Model,
-    /// The step number n places body number n.
-    steps: Vec<Step<'m>>,
+    /// Step n places body n.
+    steps: Vec<PathStep<'m>>,
     bodies: HashMap<&'m str, usize>,
-    /// Joints among them that close a loop, which nothing keeps closed here.
+    /// Joints that close a loop. Nothing enforces that these loops stay closed.
     pub(crate) loops: Vec<String>,
 }
 
-impl<'m> Skeleton<'m> {
-    /// That of `model`, as far as it carries `bodies`.
+impl<'m> JointPaths<'m> {
+    /// The paths to `bodies`.
     ///
     /// # Errors
-    /// A body on no way from ground, or a joint on the way to one that is not understood.
+    /// A body that no path leads to, or a joint on a path that is not understood.
     pub(crate) fn of(model: &'m Model, bodies: &HashSet<&str>) -> Result<Self, PoseFault> {
         let joints = model.joints();
         let (mut first, mut places) = (0, HashMap::new());
@@ -42,53 +42,53 @@ impl<'m> Skeleton<'m> {
             first += joint.coordinates.len();
         }
         let walk = joints_from_ground(joints);
-        let wanted = above(&walk, bodies);
-        let mut skeleton = Self { model, steps: Vec::new(), bodies: HashMap::new(), loops: Vec::new() };
+        let wanted = with_ancestors(&walk, bodies);
+        let mut paths = Self { model, steps: Vec::new(), bodies: HashMap::new(), loops: Vec::new() };
         for JointStep { joint, from, to, forward, closes, .. } in walk {
             let touches = [from, to].into_iter().flatten().any(|body| wanted.contains(body));
             if closes && touches {
-                skeleton.loops.push(joint.name.clone());
+                paths.loops.push(joint.name.clone());
             }
             let Some(body) = to.filter(|body| !closes && wanted.contains(body)) else { continue };
             let Some(&(number, first)) = places.get(&std::ptr::from_ref(joint)) else { continue };
             if joint.placement(model, &vec![0.0; joint.coordinates.len()]).is_none() {
                 return Err(PoseFault::Joint { joint: joint.name.clone(), class: joint.class.clone() });
             }
-            let from = from.and_then(|body| skeleton.bodies.get(body).copied());
-            skeleton.bodies.insert(body, skeleton.steps.len());
-            skeleton.steps.push(Step { joint, forward, from, first, number });
+            let from = from.and_then(|body| paths.bodies.get(body).copied());
+            paths.bodies.insert(body, paths.steps.len());
+            paths.steps.push(PathStep { joint, forward, from, first, number });
         }
-        let lost = bodies.iter().find(|&&body| !skeleton.bodies.contains_key(body));
+        let lost = bodies.iter().find(|&&body| !paths.bodies.contains_key(body));
         match lost {
             Some(&body) => Err(PoseFault::NotJoined { body: body.to_owned() }),
-            None => Ok(skeleton),
+            None => Ok(paths),
         }
     }
 
-    /// The number of a body among those of [`place`](Self::place).
+    /// The index of a body among the places that [`place_bodies`](Self::place_bodies) gives.
     pub(crate) fn body(&self, name: &str) -> Option<usize> {
         self.bodies.get(name).copied()
     }
 
-    /// The names of the joints that place them, each with its coordinates among all.
+    /// The joints on the paths, each with the range of its coordinates among all.
     pub(crate) fn coordinates(&self) -> impl Iterator<Item = (&'m ModelJoint, std::ops::Range<usize>)> + '_ {
         self.steps.iter().map(|step| (step.joint, step.first..step.first + step.joint.coordinates.len()))
     }
 
-    /// Puts into `places` where all bodies are in ground where the coordinates have these values and speeds. `of_opensim` says of each
-    /// joint whether its speeds are OpenSim's.
-    pub(crate) fn place(
+    /// Puts the places and velocities of all bodies in ground into `places`, for these values and speeds of the coordinates.
+    /// `has_opensim_speeds` is as in [`Recording`].
+    pub(crate) fn place_bodies(
         &self,
         values: &[f64],
         speeds: &[f64],
-        of_opensim: &[bool],
+        has_opensim_speeds: &[bool],
         places: &mut Vec<MovingPlacement>,
     ) {
         places.clear();
         for step in &self.steps {
             let range = step.first..step.first + step.joint.coordinates.len();
             let speeds = speeds.get(range.clone()).unwrap_or_default();
-            let speeds = match of_opensim.get(step.number) {
+            let speeds = match has_opensim_speeds.get(step.number) {
                 Some(true) => Speeds::Generalized(speeds),
                 _ => Speeds::Rates(speeds),
             };
@@ -102,45 +102,45 @@ impl<'m> Skeleton<'m> {
     }
 }
 
-/// `bodies` and all that they hang on.
-fn above<'m>(walk: &[JointStep<'m>], bodies: &HashSet<&str>) -> HashSet<&'m str> {
+/// `bodies` and all bodies between them and ground.
+fn with_ancestors<'m>(walk: &[JointStep<'m>], bodies: &HashSet<&str>) -> HashSet<&'m str> {
     let mut wanted: HashSet<&str> = HashSet::new();
-    // A body is reached before those below it: from the end, each is known before the one that it hangs on.
-    for crossing in walk.iter().rev().filter(|crossing| !crossing.closes) {
-        let Some(body) = crossing.to else { continue };
+    // The walk reaches a body before those below it. So, from its end, each body comes before its parent.
+    for step in walk.iter().rev().filter(|step| !step.closes) {
+        let Some(body) = step.to else { continue };
         if bodies.contains(body) || wanted.contains(body) {
             wanted.insert(body);
-            wanted.extend(crossing.from);
+            wanted.extend(step.from);
         }
     }
     wanted
 }
 
-/// Where bodies are in each frame of a recording, in ground.
+/// Places of bodies in ground, in some frames of a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Poses {
-    /// The bodies whose place is known.
+    /// Names of the bodies whose place is known.
     pub bodies: Vec<String>,
-    /// The place of each body in the first frame, then in the next.
+    /// The places of all bodies in the first frame, then in the next.
     placements: Vec<Placement>,
 }
 
 impl Poses {
-    /// All bodies of `model`, but for those on a joint that is not understood, in each of `frames`.
+    /// Places of all bodies of `model` in each of `frames`, except bodies after a joint that is not understood.
     pub fn of(model: &Model, recording: &Recording, frames: &[usize]) -> Self {
         let names = model.bodies().iter().map(|body| body.name.as_str());
         let known: Vec<&str> =
-            names.filter(|&name| Skeleton::of(model, &HashSet::from([name])).is_ok()).collect();
+            names.filter(|&name| JointPaths::of(model, &HashSet::from([name])).is_ok()).collect();
         let mut poses =
             Self { bodies: known.iter().map(|&name| name.to_owned()).collect(), placements: Vec::new() };
-        let Ok(skeleton) = Skeleton::of(model, &known.iter().copied().collect()) else { return poses };
-        let numbers: Vec<usize> = known.iter().filter_map(|name| skeleton.body(name)).collect();
+        let Ok(paths) = JointPaths::of(model, &known.iter().copied().collect()) else { return poses };
+        let numbers: Vec<usize> = known.iter().filter_map(|name| paths.body(name)).collect();
         let mut places = Vec::new();
         for &frame in frames {
-            skeleton.place(
+            paths.place_bodies(
                 recording.values(frame),
                 recording.speeds(frame),
-                &recording.of_opensim,
+                &recording.has_opensim_speeds,
                 &mut places,
             );
             let placed = |&number| {
@@ -151,7 +151,7 @@ impl Poses {
         poses
     }
 
-    /// The places of all bodies in a frame, by its number among those that were asked for.
+    /// The places of all bodies in one of the `frames`, by its index there.
     pub fn frame(&self, number: usize) -> &[Placement] {
         let start = number * self.bodies.len();
         self.placements.get(start..start + self.bodies.len()).unwrap_or_default()

@@ -1,0 +1,272 @@
+//! Assigns force plates to feet, and sums what they measured under each foot.
+
+use osim_model::Side;
+
+use crate::comparison::percentile;
+use crate::feet::{Foot, OFF_BW, ON_BW};
+use crate::plates::Plate;
+use crate::states::{ContactState, ContactStates};
+use crate::wrench::Wrench;
+
+/// How it is known which foot a plate measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum AssignedBy {
+    /// By the body that the plate's load is applied to.
+    Loads,
+    /// By the side in the name of the plate's columns.
+    Name,
+    /// In each frame by the foot nearest to the centre of pressure, of those that may be on the plate.
+    Nearest,
+    OnlyFoot,
+}
+
+/// The foot that a plate measured.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PlateAssignment {
+    /// What the plate's columns begin with.
+    pub plate: String,
+    /// Index of the foot; `None` if the foot changes from frame to frame, or the plate has none.
+    pub foot: Option<usize>,
+    /// `None` if the foot is not known: the plate then only counts in the total.
+    pub by: Option<AssignedBy>,
+}
+
+/// What the plates measured under each foot, in the frames of a recording.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MeasuredForces {
+    /// One entry for each plate.
+    pub uses: Vec<PlateAssignment>,
+    /// The force for each foot and frame; `None` if a plate that the foot may be on has no data or no known foot, or the foot stands beside the
+    /// plates.
+    pub feet: Vec<Vec<Option<Wrench>>>,
+    /// For each foot the number of frames in which it seems to stand beside the plates.
+    pub beside: Vec<usize>,
+    /// For each frame the force of all plates; `None` if one has no data, or a foot stands beside the plates.
+    pub total: Vec<Option<Wrench>>,
+    /// For each foot whether all its plates have centres of pressure; if not, its centre of pressure is not known.
+    pub has_points: Vec<bool>,
+}
+
+impl MeasuredForces {
+    /// Assigns `plates` to `feet`. The nearest foot is only looked for while the force is above 5 % of `weight_n`.
+    pub fn of(plates: &[Plate], feet: &[Foot], states: &ContactStates, weight_n: f64) -> Self {
+        let uses: Vec<PlateAssignment> = plates.iter().map(|plate| assign_plate(plate, feet)).collect();
+        let frames = states.frames();
+        let mut measured = Self {
+            feet: vec![vec![Some(Wrench::default()); frames]; feet.len()],
+            total: vec![Some(Wrench::default()); frames],
+            beside: vec![0; feet.len()],
+            has_points: vec![true; feet.len()],
+            uses,
+        };
+        for (plate, usage) in plates.iter().zip(measured.uses.clone()) {
+            measured.add_plate(plate, &usage, feet, states, weight_n);
+        }
+        measured.clear_frames_beside_plates(feet, states, weight_n);
+        measured
+    }
+
+    /// Clears the frames in which a foot stands beside the plates, because the force under it is not known there.
+    fn clear_frames_beside_plates(&mut self, feet: &[Foot], states: &ContactStates, weight_n: f64) {
+        for ((foot, series), count) in feet.iter().zip(&mut self.feet).zip(&mut self.beside) {
+            let beside = frames_beside_plates(states, foot, series, weight_n);
+            for ((force, total), _) in
+                series.iter_mut().zip(&mut self.total).zip(beside).filter(|(_, is_beside)| *is_beside)
+            {
+                (*force, *total) = (None, None);
+                *count += 1;
+            }
+        }
+    }
+
+    fn add_plate(
+        &mut self,
+        plate: &Plate,
+        usage: &PlateAssignment,
+        feet: &[Foot],
+        states: &ContactStates,
+        weight_n: f64,
+    ) {
+        let may_be_on = candidates(plate, feet);
+        for (frame, &time_s) in states.time_s.iter().enumerate() {
+            let wrench = plate.at(time_s);
+            add_to_frame(&mut self.total, frame, wrench);
+            match (usage.by, wrench) {
+                (Some(AssignedBy::Nearest), Some(wrench)) => {
+                    let least_n = ON_BW * weight_n;
+                    if let Some(foot) = nearest_foot(&wrench, feet, &may_be_on, states, frame, least_n) {
+                        self.add_to_foot(foot, frame, Some(wrench));
+                    }
+                }
+                // The force under each candidate is unknown if the plate has no data, or its foot is unknown.
+                (Some(AssignedBy::Nearest), None) | (None, _) => {
+                    may_be_on.iter().for_each(|&foot| self.add_to_foot(foot, frame, None));
+                }
+                (Some(_), _) => may_be_on.iter().for_each(|&foot| self.add_to_foot(foot, frame, wrench)),
+            }
+        }
+        for foot in may_be_on {
+            if let Some(has_points) = self.has_points.get_mut(foot) {
+                *has_points &= plate.has_points;
+            }
+        }
+    }
+
+    fn add_to_foot(&mut self, foot: usize, frame: usize, wrench: Option<Wrench>) {
+        if let Some(series) = self.feet.get_mut(foot) {
+            add_to_frame(series, frame, wrench);
+        }
+    }
+}
+
+fn add_to_frame(series: &mut [Option<Wrench>], frame: usize, wrench: Option<Wrench>) {
+    if let Some(sum) = series.get_mut(frame) {
+        *sum = sum.zip(wrench).map(|(sum, wrench)| sum.plus(&wrench));
+    }
+}
+
+/// The feet that may be on a plate: the one whose body the load is applied to, those of the side that the load or the columns name, or all.
+fn candidates(plate: &Plate, feet: &[Foot]) -> Vec<usize> {
+    let indices = |matches: &dyn Fn(&Foot) -> bool| -> Vec<usize> {
+        feet.iter().enumerate().filter(|(_, foot)| matches(foot)).map(|(index, _)| index).collect()
+    };
+    let on_side = |side: Side| indices(&|foot| foot.side == Some(side));
+    if let Some(body) = &plate.body {
+        let with_body = indices(&|foot| foot.bodies.contains(body));
+        // A load on another body of the limb, such as the tibia, has the limb's side.
+        return if with_body.is_empty() {
+            Side::of_name(body).map(on_side).unwrap_or_default()
+        } else {
+            with_body
+        };
+    }
+    Side::of_name(&plate.name).map_or_else(|| indices(&|_| true), on_side)
+}
+
+fn assign_plate(plate: &Plate, feet: &[Foot]) -> PlateAssignment {
+    let (foot, by) = match candidates(plate, feet).as_slice() {
+        &[only] if plate.body.is_some() => (Some(only), Some(AssignedBy::Loads)),
+        &[only] if Side::of_name(&plate.name).is_some() => (Some(only), Some(AssignedBy::Name)),
+        &[only] => (Some(only), Some(AssignedBy::OnlyFoot)),
+        [_, _, ..] if plate.has_points => (None, Some(AssignedBy::Nearest)),
+        _ => (None, None),
+    };
+    PlateAssignment { plate: plate.name.clone(), foot, by }
+}
+
+/// The foot with the sphere nearest to the centre of pressure, of those with these `indices`; `None` if the force is not above `least_n`. Heights
+/// count in the distance, because a foot that swings past a standing one is higher.
+fn nearest_foot(
+    wrench: &Wrench,
+    feet: &[Foot],
+    indices: &[usize],
+    states: &ContactStates,
+    frame: usize,
+    least_n: f64,
+) -> Option<usize> {
+    let all = states.frame(frame);
+    let mut best: Option<(f64, usize)> = None;
+    for (index, foot) in indices.iter().filter_map(|&index| Some((index, feet.get(index)?))) {
+        for &pair in &foot.pairs {
+            let (state, radius_m) = (all.get(pair)?, states.pairs.get(pair)?.radius_m);
+            let centre = wrench.centre_of_pressure(state.normal, state.on_surface_m(radius_m), least_n)?;
+            let distance = centre.point_m.distance_squared(state.centre_m);
+            if best.is_none_or(|(least, _)| distance < least) {
+                best = Some((distance, index));
+            }
+        }
+    }
+    best.map(|(_, index)| index)
+}
+
+/// A foot whose deepest sphere moves up or down faster than this does not stand, m/s.
+const STILL_M_S: f64 = 0.2;
+/// Frames with a plate force above this part of body weight give the usual depth of a standing foot.
+const LOADED_BW: f64 = 0.5;
+/// The least depth of a foot on a plate is this quantile of its depths in the frames with a force.
+const LEAST_DEPTH_QUANTILE: f64 = 0.05;
+
+/// For each frame whether `foot` stands beside the plates: it comes as low as it usually is on a plate, and is as still, but no plate measures a
+/// force. Frames before and after count, too, while the foot is as low as on plates.
+fn frames_beside_plates(
+    states: &ContactStates,
+    foot: &Foot,
+    plates: &[Option<Wrench>],
+    weight_n: f64,
+) -> Vec<bool> {
+    let frames: Vec<Option<(f64, &ContactState)>> = plates
+        .iter()
+        .enumerate()
+        .map(|(frame, plate)| {
+            let deepest = deepest_contact(states, foot, frame)?;
+            Some((plate.as_ref()?.force_n.dot(deepest.normal), deepest))
+        })
+        .collect();
+    let depth_m = |least_bw: f64, quantile: f64| {
+        let loaded = frames.iter().flatten().filter(|(force_n, _)| *force_n > least_bw * weight_n);
+        percentile(&loaded.map(|(_, state)| state.indentation_m).collect::<Vec<f64>>(), quantile)
+    };
+    let usual_m = depth_m(LOADED_BW, 0.5).unwrap_or(f64::INFINITY);
+    let least_m = depth_m(ON_BW, LEAST_DEPTH_QUANTILE).unwrap_or(f64::INFINITY);
+    let is_low = |one: &Option<(f64, &ContactState)>| {
+        one.as_ref()
+            .is_some_and(|(force_n, state)| *force_n < OFF_BW * weight_n && state.indentation_m >= least_m)
+    };
+    let stands = |one: &Option<(f64, &ContactState)>| {
+        one.as_ref()
+            .is_some_and(|(_, state)| state.indentation_m >= usual_m && state.rate_m_s.abs() < STILL_M_S)
+    };
+    let mut is_beside_in = Vec::with_capacity(frames.len());
+    for run in frames.chunk_by(|before, after| is_low(before) == is_low(after)) {
+        let is_beside = run.first().is_some_and(is_low) && run.iter().any(stands);
+        is_beside_in.extend(std::iter::repeat_n(is_beside, run.len()));
+    }
+    is_beside_in
+}
+
+fn deepest_contact<'s>(states: &'s ContactStates, foot: &Foot, frame: usize) -> Option<&'s ContactState> {
+    let contacts = foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
+    contacts.max_by(|a, b| a.indentation_m.total_cmp(&b.indentation_m))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::Table;
+
+    fn foot(name: &str, side: Side, body: &str) -> Foot {
+        Foot { name: name.to_owned(), side: Some(side), pairs: Vec::new(), bodies: vec![body.to_owned()] }
+    }
+
+    /// The assignment of a plate whose columns begin with `stem`, with a load on `body`.
+    fn assigned(stem: &str, body: Option<&str>, feet: &[Foot]) -> (Option<usize>, Option<AssignedBy>) {
+        let names: Vec<String> = ["v", "p"]
+            .iter()
+            .flat_map(|kind| ["x", "y", "z"].map(|axis| format!("{stem}{kind}{axis}")))
+            .collect();
+        let text = format!("endheader\ntime {}\n0 0 9 0 1 0 1\n", names.join(" "));
+        let mut plates = Plate::from_columns(&Table::read(text.as_bytes()).unwrap()).unwrap();
+        plates[0].body = body.map(str::to_owned);
+        let assignment = assign_plate(&plates[0], feet);
+        (assignment.foot, assignment.by)
+    }
+
+    #[test]
+    fn a_side_with_one_foot_assigns_the_plate() {
+        let two = [foot("right foot", Side::Right, "calcn_r"), foot("left foot", Side::Left, "calcn_l")];
+        assert_eq!(assigned("ground_force_l_", None, &two), (Some(1), Some(AssignedBy::Name)));
+        assert_eq!(assigned("ground_force_1_", None, &two), (None, Some(AssignedBy::Nearest)));
+        assert_eq!(assigned("ground_force_1_", Some("tibia_l"), &two), (Some(1), Some(AssignedBy::Loads)));
+        assert_eq!(assigned("ground_force_l_", None, &two[..1]), (None, None));
+        assert_eq!(assigned("ground_force_1_", None, &two[..1]), (Some(0), Some(AssignedBy::OnlyFoot)));
+    }
+
+    #[test]
+    fn a_side_with_two_feet_does_not_assign_the_plate() {
+        let horse = [foot("hind", Side::Right, "pes_r"), foot("fore", Side::Right, "manus_r")];
+        assert_eq!(assigned("ground_force_r_", None, &horse), (None, Some(AssignedBy::Nearest)));
+        assert_eq!(assigned("ground_force_1_", Some("manus_r"), &horse), (Some(1), Some(AssignedBy::Loads)));
+        assert_eq!(assigned("ground_force_1_", Some("radius_r"), &horse), (None, Some(AssignedBy::Nearest)));
+        assert_eq!(assigned("ground_force_1_", Some("torso"), &horse), (None, None));
+    }
+}
