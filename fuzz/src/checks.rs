@@ -65,7 +65,7 @@ pub fn edits(bytes: &[u8]) {
     with_plan(bytes, |model, _, mut plan| {
         for note in [true, false] {
             if !note {
-                plan.without_note();
+                plan.drop_note();
             }
             let edits = plan.edits(model, FileId::MAIN).expect("every number can be written");
             assert_eq!(edits.is_empty(), plan.is_empty());

@@ -1,4 +1,4 @@
-//! What else follows the size of a body, for JSON, tables and reports.
+//! Everything besides contacts that follows the size of a body, for JSON, tables and reports.
 
 use osim_model::compare::{LengthFrom, Similarity, SimilarityRow, SizeVerdict, Spread, similarity_formula};
 use osim_model::{NotRead, SizedKind};
@@ -29,7 +29,7 @@ pub struct SizeList {
     pub kinds: Vec<SizeRow>,
     /// Objects of the model whose numbers have no counterpart of that name in the original.
     pub only_in_model: Vec<String>,
-    /// The same the other way round.
+    /// Objects of the original whose numbers have no counterpart of that name in the model.
     pub only_in_original: Vec<String>,
     /// What is not read.
     pub not_read: Vec<UnreadObjects>,
@@ -41,7 +41,7 @@ pub struct SizeList {
 pub struct SizeRow {
     /// A short stable name.
     pub kind: &'static str,
-    /// The same for people.
+    /// The kind in words for people.
     pub description: &'static str,
     /// The unit of the numbers.
     pub unit: &'static str,
@@ -57,18 +57,18 @@ pub struct SizeRow {
     pub factor: Option<SizeSpread>,
     /// The factor that geometric similarity gives; null where a mass is not known.
     pub similarity_factor: Option<f64>,
-    /// The same at equal gravity, as a formula of the ratios of mass M and length L.
+    /// That factor at equal gravity, as a formula of the ratios of mass M and length L.
     pub similarity_formula: String,
     /// `follows` similarity, `left` at the old size, `partly-left`, `other`, `undecided` where it would change next to
     /// nothing, `not-compared`; null without an original.
     pub verdict: Option<&'static str>,
-    /// The same for people.
+    /// The verdict in words for people.
     #[serde(skip)]
     #[cfg_attr(feature = "schemas", schemars(skip))]
     pub verdict_words: &'static str,
 }
 
-/// Many numbers in three.
+/// The spread of many numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct SizeSpread {

@@ -1,4 +1,4 @@
-//! Collecting changes: each number is checked, changed once, and only if it really changes.
+//! Collects the changes of a plan. Each number is checked, and changed at most once.
 
 use contact_scaling::modulus::SurfaceValues;
 use foldhash::{HashSet, HashSetExt};
@@ -8,20 +8,20 @@ use osim_model::{
     Surfaces, ValueKey, sphere_sets,
 };
 
-use crate::change::{Change, ChangedBy, Move};
+use crate::change::{ChangedBy, NumberChange, PlaceChange};
 
-/// Rounding of a few multiplications (relative).
+/// Relative rounding error of a few multiplications.
 const SAME_VALUE: f64 = 1e-14;
 
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct New {
+pub(crate) struct NewValue {
     pub(crate) to: f64,
     pub(crate) factor: Option<f64>,
     pub(crate) by: ChangedBy,
 }
 
-impl New {
-    /// `from` times `factor`: multiplied once, and not at all where the factor is exactly 1.
+impl NewValue {
+    /// `from` times `factor`; exactly `from` if the factor is 1.
     pub(crate) fn times(from: f64, factor: f64, by: ChangedBy) -> Self {
         Self { to: if factor == 1.0 { from } else { from * factor }, factor: Some(factor), by }
     }
@@ -29,10 +29,10 @@ impl New {
 
 pub(crate) struct PlanBuilder<'m> {
     pub(crate) model: &'m Model,
-    pub(crate) changes: Vec<Change>,
+    pub(crate) changes: Vec<NumberChange>,
     pub(crate) warnings: Vec<Finding>,
     planned: HashSet<ValueKey>,
-    pub(crate) moves: Vec<Move>,
+    pub(crate) moves: Vec<PlaceChange>,
     pub(crate) remarks: Vec<Phrase>,
 }
 
@@ -49,12 +49,12 @@ impl<'m> PlanBuilder<'m> {
     }
 
     /// Plans a change of a force's property in parameter set `set`.
-    pub(crate) fn parameter(
+    pub(crate) fn change_parameter(
         &mut self,
         force: ForceId,
         set: SetId,
         property: Property,
-        new: New,
+        new: NewValue,
     ) -> Result<(), Fault> {
         let Some(force) = self.model.force(force) else { return Ok(()) };
         let of_set = force.set(set).filter(|set| set.value(property).is_some());
@@ -65,7 +65,7 @@ impl<'m> PlanBuilder<'m> {
         let (Some(slot), Some(from)) = (force.slot(set, property), force.checked(set, property)?) else {
             return Ok(());
         };
-        self.push(Change {
+        self.push(NumberChange {
             force: Some(force.name.clone()),
             path: force.path.clone(),
             set: of_set.and_then(|set| set.number),
@@ -81,11 +81,11 @@ impl<'m> PlanBuilder<'m> {
         })
     }
 
-    pub(crate) fn radius(&mut self, sphere: SphereId, new: New) -> Result<(), Fault> {
+    pub(crate) fn change_radius(&mut self, sphere: SphereId, new: NewValue) -> Result<(), Fault> {
         let from = self.model.radius_m(sphere)?;
         let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };
         let slot = sphere.radius_slot();
-        self.push(Change {
+        self.push(NumberChange {
             force: None,
             path: sphere.path.clone(),
             set: None,
@@ -102,7 +102,7 @@ impl<'m> PlanBuilder<'m> {
     }
 
     /// Plans a new location of a sphere's centre.
-    pub(crate) fn location(&mut self, sphere: SphereId, to: [f64; 3], by: ChangedBy) -> Result<(), Fault> {
+    pub(crate) fn move_sphere(&mut self, sphere: SphereId, to: [f64; 3], by: ChangedBy) -> Result<(), Fault> {
         let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };
         let from = sphere.location_m;
         let close = |(a, b): (f64, f64)| (a - b).abs() <= SAME_VALUE * a.abs().max(b.abs());
@@ -111,7 +111,7 @@ impl<'m> PlanBuilder<'m> {
         }
         self.refuse_included(sphere.file, &sphere.path)?;
         let slot = sphere.location_slot();
-        let planned = Move {
+        let planned = PlaceChange {
             sphere: sphere.name.clone(),
             path: sphere.path.clone(),
             from,
@@ -127,7 +127,7 @@ impl<'m> PlanBuilder<'m> {
     }
 
     /// Plans the move of a half-space to a place in its frame, m.
-    pub(crate) fn plane_location(
+    pub(crate) fn move_half_space(
         &mut self,
         plane: &HalfSpace,
         to: [f64; 3],
@@ -139,7 +139,7 @@ impl<'m> PlanBuilder<'m> {
         }
         self.refuse_included(plane.file, &plane.path)?;
         let slot = plane.location_slot();
-        let planned = Move {
+        let planned = PlaceChange {
             sphere: plane.name.clone(),
             path: plane.path.clone(),
             from,
@@ -164,7 +164,7 @@ impl<'m> PlanBuilder<'m> {
         Err(Fault::new(kind).at_element(path))
     }
 
-    fn push(&mut self, change: Change) -> Result<(), Fault> {
+    fn push(&mut self, change: NumberChange) -> Result<(), Fault> {
         change.check()?;
         // A value that is computed again may differ in its last bits and mean the same; a given one is taken exactly.
         let computed = change.factor.is_none() && change.by != ChangedBy::Given;
@@ -186,14 +186,14 @@ impl<'m> PlanBuilder<'m> {
     }
 }
 
-/// Composites this close (relative) are one.
+/// Composite values with a relative difference up to this are equal.
 const SAME_COMPOSITE: f64 = 1e-6;
 
-/// Plans the wanted value `to` of `property` (E₁* of two equal surfaces, α, or a parameter of the smoothed law).
+/// Plans the value `to` of `property` (E₁* of two equal surfaces, α, or a parameter of the smoothed law).
 ///
-/// Where the surfaces of a force have values of their own, all are multiplied by wanted over now; where α is 0 now,
-/// every one gets the wanted α.
-pub(crate) fn write_composite(
+/// If the surfaces of a force have different values, all are multiplied by the wanted composite over the present one; if the present α is 0,
+/// all get the wanted α.
+pub(crate) fn change_composite(
     plan: &mut PlanBuilder<'_>,
     id: ForceId,
     property: Property,
@@ -205,21 +205,22 @@ pub(crate) fn write_composite(
     let mixes = matches!(property, Property::Stiffness | Property::Dissipation);
     if sets.len() < 2 || !mixes {
         for set in sets {
-            plan.parameter(id, set, property, New { to, factor: None, by })?;
+            plan.change_parameter(id, set, property, NewValue { to, factor: None, by })?;
         }
         return Ok(());
     }
     let surfaces = Surfaces::of(force)?;
-    let now = composite_now(plan, force, &surfaces, property)?;
+    let now = present_composite(plan, force, &surfaces, property)?;
     for set in sets {
         let Some(from) = force.checked(set, property)? else { continue };
-        let new = if now == 0.0 { New { to, factor: None, by } } else { New::times(from, to / now, by) };
-        plan.parameter(id, set, property, new)?;
+        let new =
+            if now == 0.0 { NewValue { to, factor: None, by } } else { NewValue::times(from, to / now, by) };
+        plan.change_parameter(id, set, property, new)?;
     }
     Ok(())
 }
 
-fn composite_now(
+fn present_composite(
     plan: &PlanBuilder<'_>,
     force: &Force,
     surfaces: &Surfaces,

@@ -1,13 +1,13 @@
-//! One number or one place that is to change, and its text, for every verb: what is not finite does not become text.
+//! Changes of single numbers and places, and their texts. A number that is not finite never becomes text.
 
 use osim_model::messages::{readable, shortest};
 use osim_model::{Fault, FaultKind, FileId, Property, Slot, ValueKey};
 
-/// One number that is to change, in the unit of its [`Property`].
+/// A number that changes, in the unit of its [`Property`].
 ///
 /// ```
 /// # use osim_model::{MassRequest, Model, Property, Selection};
-/// # use osim_patch::{Change, ChangedBy, Plan, Rescale, rescale};
+/// # use osim_patch::{NumberChange, ChangedBy, Plan, Rescale, rescale};
 /// # let bytes: &[u8] = include_bytes!("../../osim-model/tests/data/one_foot.osim");
 /// # let model = Model::parse(bytes)?;
 /// # let selected = Selection::default().apply(&model)?;
@@ -28,7 +28,7 @@ use osim_model::{Fault, FaultKind, FileId, Property, Slot, ValueKey};
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Change {
+pub struct NumberChange {
     /// Name of the force; `None` for a sphere's radius.
     pub force: Option<String>,
     /// Component path of the force or sphere.
@@ -38,11 +38,11 @@ pub struct Change {
     /// Name of the sphere whose radius changes.
     pub sphere: Option<String>,
     pub property: Property,
-    /// Effective value now, as OpenSim reads it.
+    /// Present effective value, as OpenSim reads it.
     pub from: f64,
-    /// Value to be written.
+    /// New value.
     pub to: f64,
-    /// The factor by which the value was multiplied, where it was.
+    /// The factor by which the value was multiplied; `None` if it was set.
     pub factor: Option<f64>,
     pub by: ChangedBy,
     /// Line of the number, from 1, or of the object that gets it.
@@ -52,7 +52,7 @@ pub struct Change {
     pub(crate) slot: Slot,
 }
 
-/// One sphere centre (or half-space) that is to move.
+/// A sphere centre or half-space that moves.
 ///
 /// ```
 /// # use osim_model::{LevelAxis, MassRequest, Model, Selection};
@@ -71,14 +71,14 @@ pub struct Change {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct Move {
+pub struct PlaceChange {
     /// Name of the sphere or half-space.
     pub sphere: String,
     /// Its component path.
     pub path: String,
-    /// Location in its frame now, m.
+    /// Present location in its frame, m.
     pub from: [f64; 3],
-    /// Location to be written, m.
+    /// New location, m.
     pub to: [f64; 3],
     pub by: ChangedBy,
     /// Line of the location, from 1, or of the sphere that gets one.
@@ -88,25 +88,25 @@ pub struct Move {
     pub(crate) slot: Slot,
 }
 
-/// What the new value of a number or a place follows from.
+/// What determines the new value of a number or a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ChangedBy {
     /// Equations of the paper, by their numbers: `10`, `C.2`, `11, B.2`.
     Equation(&'static str),
-    /// What the caller gave.
+    /// The caller's value.
     Given,
     /// The size of a body that was scaled.
     Follow,
     /// A fit to a recording.
     Fit,
-    /// The bottom of a sphere stays, or comes to the height of its foot's lowest one.
+    /// The bottom of the sphere stays, or moves to the height of its foot's lowest one.
     Level,
     Friction,
     PredSim,
 }
 
 impl ChangedBy {
-    /// As in reports and JSON, in the column `equation`.
+    /// The text in the column `equation` of reports and JSON.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Equation(numbers) => numbers,
@@ -129,13 +129,13 @@ impl ChangedBy {
     }
 }
 
-impl Change {
-    /// Which number it is, and what it becomes.
-    pub(crate) fn number(&self) -> (ValueKey, f64) {
+impl NumberChange {
+    /// The key of the number, and its new value.
+    pub(crate) fn key_and_value(&self) -> (ValueKey, f64) {
         (ValueKey::from((&self.slot, self.property)), self.to)
     }
 
-    /// Whether the new number may be written.
+    /// Checks that the new number may be written.
     ///
     /// # Errors
     /// It is not finite, or outside the domain in which the contact laws hold: with its place and what it comes from.
@@ -148,7 +148,7 @@ impl Change {
         number_text(self.to, self.property, || self.origin()).map_err(|fault| self.at(fault))
     }
 
-    /// `fault`, pointing at the number.
+    /// `fault` with the place of the number.
     pub(crate) fn at(&self, fault: Fault) -> Fault {
         Fault::at(fault.kind, self.slot.offset).at_element(self.path.clone()).in_file(self.slot.file)
     }
@@ -166,7 +166,7 @@ impl Change {
     }
 }
 
-impl Move {
+impl PlaceChange {
     /// The new place as it is written.
     ///
     /// # Errors
@@ -183,8 +183,6 @@ impl Move {
         self.slot.file
     }
 }
-
-// Numbers as they are written into files. Here they become text, for every verb, and what is not finite does not.
 
 /// The text of the new `value` of `property`; `origin` says what it comes from, for the message.
 ///

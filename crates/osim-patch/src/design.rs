@@ -1,8 +1,8 @@
-//! Parameters from what is wanted, written into a model: (11), (A.5), (13), (C.2), (C.8), (C.10).
+//! Designs contact parameters from wanted behaviour and writes them into a model: (11), (A.5), (13), (C.2), (C.8), (C.10).
 
 use contact_scaling::{
     Contact, ContactValues, DomainError, Law, RatioValues, Ratios, SharedLoad, SmoothingValues, Spheres,
-    design as wanted_of, equilibrium, modulus, restitution, smoothing,
+    design as dimensioned, equilibrium, modulus, restitution, smoothing,
 };
 use osim_model::messages::{Phrase, counted, phrase, readable};
 use osim_model::{
@@ -10,15 +10,15 @@ use osim_model::{
     RadiusRule, Scope, Selected, SetId, same_gravity, same_mass,
 };
 
-use crate::builder::{New, PlanBuilder, write_composite};
+use crate::builder::{NewValue, PlanBuilder, change_composite};
 use crate::change::ChangedBy;
 use crate::note::KeptMass;
-use crate::plan::{Contents, Masses, NoteFacts, Plan};
+use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
 use crate::radii::{Radii, SphereRule};
 use crate::rules::{self, PLACES_STAY, bottoms_remark, rest_remark};
-use crate::scaling::factor;
+use crate::scaling::property_factor;
 
-/// How E₁* is found: see [`Design`] for an example.
+/// How E₁* is determined: see [`Design`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DesignModulus {
     /// By (11): this relative indentation x̂ under the load. A smoothed force gets the modulus whose Hertz force, times what
@@ -32,7 +32,7 @@ pub enum DesignModulus {
     },
 }
 
-/// What is wanted; `None` is left as it is (or follows a changed radius).
+/// The wanted behaviour of contacts. What is `None` stays, or follows a changed radius.
 ///
 /// ```
 /// use contact_scaling::SharedLoad;
@@ -62,11 +62,11 @@ pub enum DesignModulus {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Design {
-    /// How E₁* (N/m²) is found.
+    /// How E₁* (N/m²) is determined.
     pub modulus: Option<DesignModulus>,
     /// Total load (N) and the spheres that share it; needed for [`DesignModulus::Indentation`].
     pub load: Option<SharedLoad>,
-    /// Coefficient of restitution (13), and the impact speed in m/s that it is about (√(gR/2) where not given).
+    /// Coefficient of restitution (13), and the impact speed in m/s at which it holds (`None`: √(gR/2)).
     pub restitution: Option<(f64, Option<f64>)>,
     /// x̂_c of (C.2).
     pub constant_indentation: Option<f64>,
@@ -74,17 +74,15 @@ pub struct Design {
     pub state_width: Option<(f64, f64)>,
     /// Threshold t, without a unit, and width Δv in m/s of (C.10).
     pub speed_width: Option<(f64, f64)>,
-    /// What happens to the radii, unless a stiffness is wanted.
+    /// What happens to the radii, unless a contact stiffness is wanted.
     pub radius: RadiusRule,
-    /// Stiffness of one sphere at the indentation and load wanted, N/m: it gives the radius (11, B.2), and `radius` does not
-    /// count then.
+    /// Wanted stiffness of one sphere at the wanted indentation and load, N/m. It determines the radius (11, B.2), and `radius` does not count.
     pub contact_stiffness_n_m: Option<f64>,
-    /// Mass that the result is made for, where the load is body weight.
+    /// Mass that the result is made for, if the load is body weight.
     pub target_mass: Option<Mass>,
-    /// The mass that the contacts were made for before, or are taken as made for, if that is not in doubt. What is not
-    /// designed stays made for it.
+    /// The mass that the contacts were made for before, if it is not in doubt. What is not designed stays made for it.
     pub contacts_mass: Option<Mass>,
-    /// Gravity, m/s², where it is not the model's.
+    /// Gravity, m/s², if it is not the model's.
     pub gravity_m_s2: Option<f64>,
 }
 
@@ -123,17 +121,18 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let mut rests = Vec::new();
     let shared = !model.spheres_in_several_forces().is_empty();
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-        let own = RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 };
-        let own = Ratios::new(own).map_err(Fault::new)?;
-        let sphere = DesignedForce { force, radius_m: radii.mean_new(force), own };
-        // What two forces carry together is not what one of them would.
-        rests.extend(wanted.rest(&plan, &sphere)?.filter(|_| !shared));
+        let by_radius =
+            RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 };
+        let own_ratios = Ratios::new(by_radius).map_err(Fault::new)?;
+        let sphere = DesignedForce { force, radius_m: radii.mean_new(force), own_ratios };
+        // If two forces share a sphere, the rest of one force alone means nothing.
+        rests.extend(wanted.rest_indentation(&plan, &sphere)?.filter(|_| !shared));
         for property in Property::ALL.into_iter().filter(|&property| properties.contains(property)) {
             match wanted.value(&plan, &sphere, property)? {
                 Some((to, equation)) => {
-                    write_composite(&mut plan, force.id, property, to, ChangedBy::Equation(equation))?;
+                    change_composite(&mut plan, force.id, property, to, ChangedBy::Equation(equation))?;
                 }
-                None => carry(&mut plan, force, property, &sphere.own)?,
+                None => scale_with_radius(&mut plan, force, property, &sphere.own_ratios)?,
             }
         }
     }
@@ -145,11 +144,11 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
         warnings.push(rules::nothing_to_design());
     }
     let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);
-    let masses = wanted.target_mass.clone().map(Masses::same);
-    let made = wanted.made_for(model, wanted.is_complete(smooth) && selected.complete);
+    let masses = wanted.target_mass.clone().map(Masses::unchanged);
+    let made = wanted.mass_for_note(model, wanted.is_complete(smooth) && selected.complete);
     Ok(Plan::new(
         model,
-        Contents { changes, moves, masses, taken: wanted.taken(), warnings, remarks },
+        PlanContents { changes, moves, masses, taken: wanted.describe(), warnings, remarks },
         &NoteFacts {
             followed: None,
             target_mass_kg: made.kg,
@@ -166,8 +165,8 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
 struct DesignedForce<'f> {
     force: &'f Force,
     radius_m: f64,
-    /// Ratios of its radii, new to old.
-    own: Ratios,
+    /// Scaling ratios from the old to the new radii of the force.
+    own_ratios: Ratios,
 }
 
 impl DesignedForce<'_> {
@@ -180,19 +179,24 @@ fn is_smooth(force: &Force) -> bool {
     force.kind == ForceKind::SmoothSphereHalfSpace
 }
 
-/// A changed radius carries along what is not designed.
-fn carry(plan: &mut PlanBuilder<'_>, force: &Force, property: Property, own: &Ratios) -> Result<(), Fault> {
-    let Some((factor, by)) = factor(property, own, DissipationBy::Radius) else { return Ok(()) };
+/// Scales a property that is not designed with the changed radius.
+fn scale_with_radius(
+    plan: &mut PlanBuilder<'_>,
+    force: &Force,
+    property: Property,
+    own: &Ratios,
+) -> Result<(), Fault> {
+    let Some((factor, by)) = property_factor(property, own, DissipationBy::Radius) else { return Ok(()) };
     for set in &force.sets {
         if let Some(from) = force.checked(set.id, property)? {
-            plan.parameter(force.id, set.id, property, New::times(from, factor, by))?;
+            plan.change_parameter(force.id, set.id, property, NewValue::times(from, factor, by))?;
         }
     }
     Ok(())
 }
 
 impl Design {
-    /// What the note says afterwards of the mass. `complete`: every property of every force was designed.
+    /// The mass and scope for the note after the design. `complete`: every property of every force was designed.
     ///
     /// | what is wanted | the mass before | the note |
     /// |---|---|---|
@@ -200,29 +204,29 @@ impl Design {
     /// | an indentation under the weight of M | M, said or taken | M, all |
     /// | | another, or in doubt | M, partial; all where the design is complete |
     /// | an indentation under a load in N | | no mass, partial |
-    fn made_for(&self, model: &Model, complete: bool) -> KeptMass {
+    fn mass_for_note(&self, model: &Model, complete: bool) -> KeptMass {
         let Some(target) = &self.target_mass else {
             let kept = || KeptMass::of(model, None);
             return self.load.map_or_else(kept, |_| KeptMass { kg: None, scope: Scope::Partial });
         };
         let noted = model.note.as_ref();
         let agrees = self.contacts_mass.as_ref().is_some_and(|before| same_mass(before.kg, target.kg))
-            && self.is_under_gravity_of(noted, model);
+            && self.is_under_gravity_of_note(noted, model);
         let kg = noted.and_then(|note| note.contacts_mass_kg).filter(|_| agrees).unwrap_or(target.kg);
         KeptMass { kg: Some(kg), scope: if agrees || complete { Scope::All } else { Scope::Partial } }
     }
 
-    /// Whether the load is under the gravity that the note gives, where it gives one.
-    fn is_under_gravity_of(&self, note: Option<&Note>, model: &Model) -> bool {
+    /// Whether the load is under the gravity that the note gives; true if it gives none.
+    fn is_under_gravity_of_note(&self, note: Option<&Note>, model: &Model) -> bool {
         let (noted, own) = (note.and_then(|note| note.gravity_m_s2), self.gravity_m_s2.or(model.gravity()));
         noted.zip(own).is_none_or(|(noted, own)| same_gravity(noted, own))
     }
 
-    /// (11) with (B.2) where a stiffness is wanted.
+    /// The rule for radii: by (11) with (B.2) if a contact stiffness is wanted.
     fn radius_rule(&self) -> Result<SphereRule, Fault> {
         match (self.contact_stiffness_n_m, self.modulus, &self.load) {
             (Some(k), Some(DesignModulus::Indentation(x)), Some(load)) => {
-                let radius = wanted_of::radius_for_stiffness(k, x, load).map_err(Fault::new)?;
+                let radius = dimensioned::radius_for_stiffness(k, x, load).map_err(Fault::new)?;
                 Ok(SphereRule::Designed(radius))
             }
             _ => Ok(SphereRule::Rule(self.radius)),
@@ -236,7 +240,7 @@ impl Design {
         self.modulus.is_some() && self.restitution.is_some() && (smoothing || !smooth)
     }
 
-    /// What `property` is wanted to be, and by which equation; `None` where nothing is wanted of it.
+    /// The designed value of `property` and its equation; `None` if it is not designed.
     fn value(
         &self,
         plan: &PlanBuilder<'_>,
@@ -279,8 +283,8 @@ impl Design {
         })
     }
 
-    /// What `property` of a smoothed force will be in the file: as wanted, or carried along by the radius.
-    fn after(
+    /// The value of `property` after the design: designed, or scaled with the radius.
+    fn value_after(
         &self,
         plan: &PlanBuilder<'_>,
         sphere: &DesignedForce<'_>,
@@ -290,8 +294,8 @@ impl Design {
             return Ok(Some(to));
         }
         let from = sphere.force.checked(SetId::FIRST, property)?;
-        let carried = from.zip(factor(property, &sphere.own, DissipationBy::Radius));
-        Ok(carried.map(|(from, (factor, by))| New::times(from, factor, by).to))
+        let carried = from.zip(property_factor(property, &sphere.own_ratios, DissipationBy::Radius));
+        Ok(carried.map(|(from, (factor, by))| NewValue::times(from, factor, by).to))
     }
 
     /// The share of the Hertz force that the law of the file has at rest, the second factor of (C.9); 1 without smoothing.
@@ -299,17 +303,22 @@ impl Design {
         if !sphere.is_smooth() {
             return Ok(1.0);
         }
-        let dissipation = self.after(plan, sphere, Property::Dissipation)?;
-        match dissipation.zip(self.after(plan, sphere, Property::HuntCrossleySmoothing)?) {
+        let dissipation = self.value_after(plan, sphere, Property::Dissipation)?;
+        match dissipation.zip(self.value_after(plan, sphere, Property::HuntCrossleySmoothing)?) {
             Some((alpha, bv)) => smoothing::speed_state_at_rest(alpha, bv).map_err(Fault::new),
             None => Ok(1.0),
         }
     }
 
-    /// Where a smoothed force will rest under the load, x/R; `None` where no load is known or nothing carries it.
-    fn rest(&self, plan: &PlanBuilder<'_>, sphere: &DesignedForce<'_>) -> Result<Option<f64>, Fault> {
+    /// x/R at which a smoothed force will rest under the load; `None` if no load is known or nothing carries it.
+    fn rest_indentation(
+        &self,
+        plan: &PlanBuilder<'_>,
+        sphere: &DesignedForce<'_>,
+    ) -> Result<Option<f64>, Fault> {
         let Some(load) = self.load.filter(|_| sphere.is_smooth()) else { return Ok(None) };
-        let after = |property| self.after(plan, sphere, property).map(|value| value.unwrap_or(f64::NAN));
+        let after =
+            |property| self.value_after(plan, sphere, property).map(|value| value.unwrap_or(f64::NAN));
         let values = ContactValues {
             plane_strain_modulus: after(Property::Stiffness)?,
             dissipation: after(Property::Dissipation)?,
@@ -338,7 +347,7 @@ impl Design {
                 let Some(load) = &self.load else {
                     return Err(Fault::new(Needed::Load));
                 };
-                let composite = wanted_of::composite_modulus(radius_m, x, load).map_err(Fault::new)?;
+                let composite = dimensioned::composite_modulus(radius_m, x, load).map_err(Fault::new)?;
                 let composite = composite / speed_state;
                 let equal = modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman);
                 Ok((equal.map_err(Fault::new)?, if speed_state == 1.0 { "11" } else { "11, C.9" }))
@@ -349,7 +358,7 @@ impl Design {
         }
     }
 
-    fn taken(&self) -> Phrase {
+    fn describe(&self) -> Phrase {
         let mut parts: Vec<Phrase> = Vec::new();
         if let Some(load) = &self.load {
             parts.push(
@@ -360,7 +369,7 @@ impl Design {
             let weighs = format!("model weighs {} kg (", readable(mass.kg));
             parts.push(phrase![weighs, &mass.source.describe(), ")"]);
         }
-        parts.extend(self.values().into_iter().map(Phrase::from));
+        parts.extend(self.wanted_in_words().into_iter().map(Phrase::from));
         let Some((first, others)) = parts.split_first() else { return "another radius".into() };
         let mut all = first.clone();
         for other in others {
@@ -370,7 +379,7 @@ impl Design {
         all
     }
 
-    fn values(&self) -> Vec<String> {
+    fn wanted_in_words(&self) -> Vec<String> {
         let modulus = self.modulus.map(|modulus| match modulus {
             DesignModulus::Indentation(x) => format!("relative indentation {}", readable(x)),
             DesignModulus::Young { young_n_m2, poisson } => {

@@ -1,10 +1,10 @@
-//! Editing by splicing: exact byte spans are replaced, every other byte is copied.
+//! Replaces exact spans of bytes and keeps every other byte.
 
 use std::ops::Range;
 
 use osim_model::{Fault, FaultKind, FileId, Model};
 
-/// Replace these bytes by this text; an empty span inserts. [`splice`] applies edits, [`Patch`] without a copy.
+/// Replaces a span of bytes by a text; an empty span inserts. [`splice`] applies edits, [`Patch`] without a copy.
 ///
 /// ```
 /// use osim_patch::{Edit, splice};
@@ -17,7 +17,7 @@ use osim_model::{Fault, FaultKind, FileId, Model};
 pub struct Edit {
     /// Bytes of the original, from 0.
     pub span: Range<usize>,
-    /// What takes their place.
+    /// The new text.
     pub text: String,
 }
 

@@ -1,4 +1,4 @@
-//! Elements that are to be written, and where they go: with the indentation of their siblings and the line ends of the file.
+//! New elements, and where they are inserted, with the indentation of their siblings and the line ends of the file.
 
 use std::ops::Range;
 
@@ -70,17 +70,15 @@ pub(crate) fn escaped(name: &str) -> String {
     name.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }
 
-// Where an absent element goes, with the indentation of its siblings and the line ends of the file.
-
 /// Inserts `nodes` into `parent`, whose children OpenSim writes in `order`.
 pub(crate) fn insert(tree: &Tree, parent: ElementId, order: &[&str], nodes: &[Node]) -> Vec<Edit> {
     let rank = |tag: &str| order.iter().position(|known| *known == tag);
     let mut nodes: Vec<&Node> = nodes.iter().collect();
     nodes.sort_by_key(|node| rank(node.tag()));
-    if let Some(layout) = Layout::of_empty(tree, parent) {
+    if let Some(layout) = EmptyElement::read(tree, parent) {
         return vec![layout.fill(&nodes)];
     }
-    let unit = unit(tree, parent);
+    let unit = indentation_unit(tree, parent);
     let children: Vec<ElementId> = tree.children(parent).collect();
     let place = |tag: &str| -> (usize, String) {
         let wanted = rank(tag);
@@ -97,7 +95,7 @@ pub(crate) fn insert(tree: &Tree, parent: ElementId, order: &[&str], nodes: &[No
         }
         // Nothing that comes before: put it first.
         let first = tree.open_span(parent).end;
-        let next = behind_text(tree, parent, first);
+        let next = end_of_leading_text(tree, parent, first);
         (first, white_space_before(tree, next))
     };
     nodes
@@ -124,17 +122,17 @@ pub(crate) fn append(tree: &Tree, parent: ElementId, nodes: &[Node]) -> Option<E
             (behind, white_space_before(tree, first))
         }
         None => {
-            let inner = Layout::of_empty(tree, parent).map(|layout| layout.inner).unwrap_or_default();
+            let inner = EmptyElement::read(tree, parent).map(|layout| layout.inner).unwrap_or_default();
             (tree.open_span(parent).end, inner)
         }
     };
-    let unit = unit(tree, parent);
+    let unit = indentation_unit(tree, parent);
     Some(Edit { span: at..at, text: nodes.iter().map(|node| node.text(&space, unit)).collect() })
 }
 
 /// Fills `parent`, which has no content, with `nodes`.
 pub(crate) fn fill(tree: &Tree, parent: ElementId, nodes: &[Node]) -> Option<Edit> {
-    Layout::of_empty(tree, parent).map(|layout| layout.fill(&nodes.iter().collect::<Vec<_>>()))
+    EmptyElement::read(tree, parent).map(|layout| layout.fill(&nodes.iter().collect::<Vec<_>>()))
 }
 
 fn is_white(text: &str) -> bool {
@@ -142,7 +140,7 @@ fn is_white(text: &str) -> bool {
 }
 
 /// By how much the children of `parent` are indented against it; a tab where that cannot be seen.
-pub(crate) fn unit(tree: &Tree, parent: ElementId) -> &str {
+pub(crate) fn indentation_unit(tree: &Tree, parent: ElementId) -> &str {
     let of = |element| indentation_of(tree, tree.span(element).start);
     let child = tree.children(parent).next();
     let by_child = child.and_then(|child| of(child).strip_prefix(of(parent)));
@@ -163,12 +161,12 @@ fn indentation_of(tree: &Tree, at: usize) -> &str {
 /// Inserts `comment` as the first child of `parent`.
 pub(crate) fn insert_first(tree: &Tree, parent: ElementId, comment: &str) -> Edit {
     let at = tree.open_span(parent).end;
-    let next = behind_text(tree, parent, at);
+    let next = end_of_leading_text(tree, parent, at);
     Edit { span: at..at, text: format!("{}{comment}", white_space_before(tree, next)) }
 }
 
 /// Where the text ends with which the contents of `parent` begin; `start` where they begin with something else.
-fn behind_text(tree: &Tree, parent: ElementId, start: usize) -> usize {
+fn end_of_leading_text(tree: &Tree, parent: ElementId, start: usize) -> usize {
     match tree.content(parent).next() {
         Some(piece) if piece.kind == PieceKind::Text => piece.span.end,
         _ => start,
@@ -203,8 +201,8 @@ fn comments(tree: &Tree, parent: ElementId) -> impl DoubleEndedIterator<Item = R
     tree.content(parent).filter(|piece| piece.kind == PieceKind::Comment).map(|piece| piece.span)
 }
 
-/// An element without content, and the white space that its children get.
-struct Layout<'t> {
+/// An element without content, and the white space for its children.
+struct EmptyElement<'t> {
     name: &'t str,
     /// From the end of the start tag (or its `/>`) to the end of the element.
     span: Range<usize>,
@@ -215,14 +213,14 @@ struct Layout<'t> {
     unit: String,
 }
 
-impl<'t> Layout<'t> {
-    fn of_empty(tree: &'t Tree, parent: ElementId) -> Option<Self> {
+impl<'t> EmptyElement<'t> {
+    fn read(tree: &'t Tree, parent: ElementId) -> Option<Self> {
         let nothing = tree.content(parent).all(|piece| is_white(piece.text));
         if !nothing {
             return None;
         }
         let outer = white_space_before(tree, tree.span(parent).start);
-        let unit = unit(tree, parent).to_owned();
+        let unit = indentation_unit(tree, parent).to_owned();
         let inner = if outer.is_empty() { String::new() } else { format!("{outer}{unit}") };
         let (start, closes_tag) = match tree.is_empty_tag(parent) {
             true => (end_of_empty_tag(tree, parent).start, ">"),
@@ -247,11 +245,9 @@ impl<'t> Layout<'t> {
     }
 }
 
-// Elements without content: how they were written, so that they are so again once what was put into them is out.
-
-/// How an element without content was written.
+/// How an element without content was written, so that it can be restored when inserted children are removed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Form {
+pub(crate) enum EmptyForm {
     /// `<objects/>`; any white space in it but a single blank stays in its start tag.
     Closed,
     /// `<objects />`
@@ -260,7 +256,7 @@ pub(crate) enum Form {
     Open,
 }
 
-impl Form {
+impl EmptyForm {
     /// That of `element`, which has no content.
     pub(crate) fn of(tree: &Tree, element: ElementId) -> Self {
         match tree.is_empty_tag(element) {
@@ -382,10 +378,10 @@ mod tests {
             ("<a b='1'></a>", "<a b='1'>x</a>"),
         ] {
             let tree = Tree::scan(tag).unwrap();
-            let form = Form::of(&tree, ElementId::ROOT);
+            let form = EmptyForm::of(&tree, ElementId::ROOT);
             let mut seen = tag.to_owned();
             match form {
-                Form::Open => seen.insert(tree.open_span(ElementId::ROOT).end, 'x'),
+                EmptyForm::Open => seen.insert(tree.open_span(ElementId::ROOT).end, 'x'),
                 _ => seen.replace_range(end_of_empty_tag(&tree, ElementId::ROOT), ">x</a>"),
             }
             assert_eq!(seen, opened);

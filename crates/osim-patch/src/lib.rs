@@ -52,17 +52,20 @@ mod scaling;
 mod set;
 mod transfer;
 
-pub use crate::change::{Change, ChangedBy, Move};
+pub use crate::change::{ChangedBy, NumberChange, PlaceChange};
 pub use crate::design::{Design, DesignModulus, design};
 pub use crate::edit::{Edit, Patch, splice};
-pub use crate::note::{kept_note, note, note_of_rest, note_stance_limbs};
+pub use crate::note::{kept_note, note, note_of_remaining, note_stance_limbs};
 pub use crate::note_edits::StepDetails;
 pub use crate::objects::{
-    Convert, Converted, Deed, Layout, Leftover, NewContact, NewSphere, ObjectChange, Rebuilt, add_contacts,
-    added_forces, convert, leftovers, preset_model, presets_with_places, remove,
+    ContactLayout, Convert, Converted, DanglingReference, NewContact, NewSphere, ObjectAction, ObjectChange,
+    RebuiltModel, add_contacts, added_forces, convert, dangling_references, preset_model,
+    presets_with_places, remove,
 };
 pub use crate::plan::{Masses, Plan, RecordingErrors};
-pub use crate::rescale::{FOLLOWING, FOLLOWING_NOTE, Rescale, TRANSFER_FOLLOWING, rescale};
+pub use crate::rescale::{
+    RESCALE_FOLLOWING_NOTE, RESCALE_FOLLOWING_SCALE_FILE, Rescale, TRANSFER_FOLLOWING_BODIES, rescale,
+};
 pub use crate::rules::{PLACES_STAY, RULES};
 pub use crate::set::{Set, set};
 pub use crate::transfer::{

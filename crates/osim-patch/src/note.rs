@@ -1,10 +1,10 @@
-//! Writing down what the user knows: the mass that contacts were made for. No number changes.
+//! Plans of the verb `note`, which writes the mass that contacts were made for into the file, and notes after changes of objects.
 
 use osim_model::messages::{Input, phrase};
 use osim_model::{Fault, Finding, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
 
-use crate::objects::{EarlierNote, Rebuilt};
-use crate::plan::{Contents, Masses, NoteFacts, Plan};
+use crate::objects::{EarlierNote, RebuiltModel};
+use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
 use crate::{note_edits, rules};
 
 /// Plans a note that the contacts of `model` were made for `contacts_mass_kg` at `gravity_m_s2`, as they are, and how many `stance_limbs`
@@ -41,9 +41,9 @@ pub fn note(
         operation: "note",
         followed: None,
     };
-    let masses = Some(Masses::same(contacts_mass));
-    let plan = Plan::new(model, Contents { masses, taken, ..Contents::default() }, &facts);
-    Ok(noting(plan, model, stance_limbs, rules::nothing_to_note(kg)))
+    let masses = Some(Masses::unchanged(contacts_mass));
+    let plan = Plan::new(model, PlanContents { masses, taken, ..PlanContents::default() }, &facts);
+    Ok(with_new_note(plan, model, stance_limbs, rules::nothing_to_note(kg)))
 }
 
 /// Plans a note of how many `stance_limbs` share the weight. What the contacts of `model` were made for stays as the note in the file
@@ -62,27 +62,27 @@ pub fn note_stance_limbs(model: &Model, stance_limbs: f64) -> Plan {
         "{}: the note in the file says so; no number changes",
         note_edits::limbs_in_words(stance_limbs)
     );
-    let plan = Plan::new(model, Contents { taken: taken.into(), ..Contents::default() }, &facts);
-    noting(plan, model, Some(stance_limbs), rules::no_limbs_to_note(stance_limbs))
+    let plan = Plan::new(model, PlanContents { taken: taken.into(), ..PlanContents::default() }, &facts);
+    with_new_note(plan, model, Some(stance_limbs), rules::no_limbs_to_note(stance_limbs))
 }
 
-/// `plan` with its note, unless the note in the file says the same: then with `same`.
-fn noting(mut plan: Plan, model: &Model, stance_limbs: Option<f64>, same: Finding) -> Plan {
-    plan.note_anyway();
+/// `plan` with its note; if the note in the file has the same content, without it and with the finding `same`.
+fn with_new_note(mut plan: Plan, model: &Model, stance_limbs: Option<f64>, same: Finding) -> Plan {
+    plan.require_note();
     plan.note_stance_limbs(stance_limbs);
-    if plan.note().zip(model.note.as_ref()).is_some_and(|(new, old)| says_the_same(new, old)) {
+    if plan.note().zip(model.note.as_ref()).is_some_and(|(new, old)| has_same_content(new, old)) {
         plan.warnings.push(same);
-        plan.keep_note();
+        plan.keep_old_note();
     }
     plan
 }
 
-/// The note of `model` after an `operation` that makes it `rebuilt` and leaves what contacts were made for; `None` if it has
-/// none. If contacts were changed since the note was written, the new note says so, too.
-pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<Note> {
+/// The note of `model` after an `operation` on its objects (`rebuilt`) that does not change what contacts were made for; `None` if the model has
+/// no note. If contacts were changed since the note was written, the new note says so, too.
+pub fn kept_note(model: &Model, rebuilt: &RebuiltModel, operation: &str) -> Option<Note> {
     let new = rebuilt.model();
     let Some(old) = &model.note else {
-        return model.doubt_about_note().map(|_| doubtful(model, new, operation));
+        return model.doubt_about_note().map(|_| note_in_doubt(model, new, operation));
     };
     let mut note = old.with_updated_record(model, new);
     note.version = env!("CARGO_PKG_VERSION").to_owned();
@@ -90,14 +90,14 @@ pub fn kept_note(model: &Model, rebuilt: &Rebuilt, operation: &str) -> Option<No
     Some(note)
 }
 
-/// A note in the place of one of `model` that cannot be read: nobody knows what the contacts of `new` were made for.
-fn doubtful(model: &Model, new: &Model, operation: &str) -> Note {
+/// A note that replaces one that cannot be read, so that it is not known what the contacts of `new` were made for.
+fn note_in_doubt(model: &Model, new: &Model, operation: &str) -> Note {
     Note {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         contacts_mass_kg: None,
         gravity_m_s2: None,
         scope: Scope::Partial,
-        steps: vec![Step::new(note_edits::OTHERS), Step::new(operation)],
+        steps: vec![Step::new(note_edits::CHANGED_BY_OTHERS), Step::new(operation)],
         stance_limbs: None,
         weighed_kg: None,
         sizes: Vec::new(),
@@ -105,29 +105,29 @@ fn doubtful(model: &Model, new: &Model, operation: &str) -> Note {
         radii: new.radii_digest(|_| None),
         parts: new.noted_parts(|_| None),
         places: None,
-        added_to_file: note_edits::made(model, None),
+        added_to_file: note_edits::made_letters(model, None),
         added_forces: Vec::new(),
     }
 }
 
 /// The note of what [`remove`](crate::objects::remove()) left of the contacts of `model`: of a part, and of what else was made for them. `None`
 /// where none is left, or the model has no note.
-pub fn note_of_rest(model: &Model, rebuilt: &Rebuilt) -> Option<Note> {
+pub fn note_of_remaining(model: &Model, rebuilt: &RebuiltModel) -> Option<Note> {
     let is_out = rebuilt.earlier_note == EarlierNote::TakenOut;
-    let is_about_nothing = model.note.is_none() && !has_rest(model, rebuilt.model());
+    let is_about_nothing = model.note.is_none() && !leaves_noted_contacts(model, rebuilt.model());
     let note = kept_note(model, rebuilt, "remove").filter(|_| !is_out && !is_about_nothing)?;
     // Where nobody said a mass, that of the bodies is as good for a part.
     let scope = if note.contacts_mass_kg.is_none() { note.scope } else { Scope::Partial };
     Some(Note { scope, added_to_file: rebuilt.made.clone(), ..note })
 }
 
-/// Whether a note of the contacts of `model` is about something in `rebuilt`, too.
-pub(crate) fn has_rest(model: &Model, rebuilt: &Model) -> bool {
+/// Whether `rebuilt` still has contacts that a note of `model` is about.
+pub(crate) fn leaves_noted_contacts(model: &Model, rebuilt: &Model) -> bool {
     let on_ground = |model: &Model| model.forces().iter().any(|force| model.meets_half_space(force));
     on_ground(rebuilt) || (!on_ground(model) && !rebuilt.forces().is_empty())
 }
 
-/// What a note says of the mass after a change that leaves the contacts made for what they were made for.
+/// The mass and scope for the note after a change that does not change what contacts are made for.
 pub(crate) struct KeptMass {
     pub(crate) kg: Option<f64>,
     pub(crate) scope: Scope,
@@ -155,8 +155,8 @@ impl KeptMass {
     }
 }
 
-/// Whether two notes say the same of the contacts, apart from the program and operation that wrote them.
-fn says_the_same(new: &Note, old: &Note) -> bool {
+/// Whether two notes have the same content apart from the program and the steps.
+fn has_same_content(new: &Note, old: &Note) -> bool {
     let facts = |note: &Note| {
         (
             note.contacts_mass_kg,

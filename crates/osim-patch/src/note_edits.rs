@@ -1,4 +1,4 @@
-//! The edits that leave a note in a file, or take it out, and the steps that it records.
+//! The edits that write a note into a file or remove it, and the steps that a note records.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -11,23 +11,24 @@ use osim_model::{
 };
 
 use crate::edit::{Edit, splice};
-use crate::insert::{Form, Node, end_of_empty_tag, insert, insert_first, with_white_space_before};
+use crate::insert::{EmptyForm, Node, end_of_empty_tag, insert, insert_first, with_white_space_before};
 
 /// What OpenSim writes before and after `<credits>` in a model.
-const ORDER: [&str; 6] = ["defaults", "Ground", "gravity", "credits", "publications", "length_units"];
+const ORDER_IN_MODEL: [&str; 6] =
+    ["defaults", "Ground", "gravity", "credits", "publications", "length_units"];
 const CREDITS: &str = "credits";
-/// Letters in a note's list of what was made: the element `<credits>` was added, or opened from one of these forms. Without the
-/// note the file is again what it was.
+/// Letters in a note's list of elements that the program made: `<credits>` was added, or opened from one of these forms. With them, removing the
+/// note restores the file.
 const MADE_CREDITS: char = 'c';
-const OPENED: [(char, Form); 2] = [('s', Form::Closed), ('b', Form::ClosedWithBlank)];
+const OPENED_CREDITS: [(char, EmptyForm); 2] = [('s', EmptyForm::Closed), ('b', EmptyForm::ClosedWithBlank)];
 
-/// Whether `document` keeps its note in credits that it does not have yet.
+/// Whether a note needs an element `<credits>` that `document` does not have.
 pub(crate) fn adds_credits(document: &Document) -> bool {
     document.is_model() && matches!(Credits::of(document), Ok(None))
 }
 
 /// `made` of an earlier note and what a note in the model adds; `followed` as of [`sizes`].
-pub(crate) fn made(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> String {
+pub(crate) fn made_letters(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> String {
     let document = model.document();
     let earlier = model.note.as_ref();
     let mut letters: BTreeSet<char> =
@@ -40,37 +41,37 @@ pub(crate) fn made(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Stri
     if followed.map_or(was_placed, follow) {
         letters.insert(Note::PLACED);
     }
-    letters.extend(if adds_credits(document) { Some(MADE_CREDITS) } else { opened(document) });
+    letters.extend(if adds_credits(document) { Some(MADE_CREDITS) } else { opened_credits_letter(document) });
     if letters.is_empty() { Note::nothing_added() } else { letters.into_iter().collect() }
 }
 
 /// Letters of a note with `others`, each once.
-pub(crate) fn with_letters(made: &str, others: &str) -> String {
+pub(crate) fn merged_letters(made: &str, others: &str) -> String {
     let letters: BTreeSet<char> =
         made.chars().chain(others.chars()).filter(char::is_ascii_alphabetic).collect();
     if letters.is_empty() { Note::nothing_added() } else { letters.into_iter().collect() }
 }
 
 /// Letters of a note of objects that are new in a model with a note about others, which has the letters `earlier`.
-pub(crate) fn without_letters(made: &str, earlier: &str) -> String {
+pub(crate) fn letters_without_earlier(made: &str, earlier: &str) -> String {
     let own = |letter: &char| *letter == Note::PLACED || !earlier.contains(*letter);
-    with_letters(&made.chars().filter(own).collect::<String>(), "")
+    merged_letters(&made.chars().filter(own).collect::<String>(), "")
 }
 
 fn is_unmoved(note: &Note, model: &Model) -> bool {
     model.has_places_of(note) == Some(true)
 }
 
-fn opened(document: &Document) -> Option<char> {
+fn opened_credits_letter(document: &Document) -> Option<char> {
     let credits = Credits::of(document).ok()??;
-    let form = Form::of(document.tree(), credits.element);
-    OPENED.into_iter().find(|(_, known)| *known == form).map(|(letter, _)| letter)
+    let form = EmptyForm::of(document.tree(), credits.element);
+    OPENED_CREDITS.into_iter().find(|(_, known)| *known == form).map(|(letter, _)| letter)
 }
 
 /// Sizes of the bodies for which the spheres are placed: today's where all spheres of a body `followed` it, else those that the
 /// earlier note gives while the places stay, else today's. The note of a model that OpenSim scaled later still says which size
 /// its spheres belong to, until they follow their bodies. A body has no one size if only some of its spheres followed.
-pub(crate) fn sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Vec<BodySize> {
+pub(crate) fn noted_sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Vec<BodySize> {
     let noted = model.note.as_ref().filter(|note| !note.sizes.is_empty() && is_unmoved(note, model));
     let noted: HashMap<&str, &BodySize> =
         noted.into_iter().flat_map(|note| &note.sizes).rev().map(|old| (old.body.as_str(), old)).collect();
@@ -97,18 +98,17 @@ pub(crate) fn sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Vec
     sizes
 }
 
-/// Leaves `note` in `document`, in the place of all earlier ones.
-pub(crate) fn leave_note(document: &Document, note: &Note) -> Vec<Edit> {
-    leave_with(document, note, |credits| credits.edits(Some(note)))
+/// Writes `note` into `document` and removes all earlier ones.
+pub(crate) fn write_note(document: &Document, note: &Note) -> Vec<Edit> {
+    write_note_with(document, note, |credits| credits.edits(Some(note)))
 }
 
-/// Leaves `note` in `document`, after an earlier one that is about contacts that are gone: without the new ones, the text is what it
-/// was.
-pub(crate) fn leave_note_behind(document: &Document, note: &Note) -> Vec<Edit> {
-    leave_with(document, note, |credits| credits.edits_for_another(note))
+/// Writes `note` into `document` after an earlier one about contacts that were removed. Removing the new note restores the text.
+pub(crate) fn write_second_note(document: &Document, note: &Note) -> Vec<Edit> {
+    write_note_with(document, note, |credits| credits.edits_for_another(note))
 }
 
-fn leave_with(
+fn write_note_with(
     document: &Document,
     note: &Note,
     of: impl Fn(&Credits<'_>) -> Vec<(Range<usize>, String)>,
@@ -120,30 +120,31 @@ fn leave_with(
             Some(span) => Edit { span, text },
             None => insert_first(tree, root, &text),
         };
-        return std::iter::once(own).chain(comments.map(|span| without(tree, span))).collect();
+        return std::iter::once(own).chain(comments.map(|span| removal(tree, span))).collect();
     }
     match Credits::of(document) {
-        Ok(Some(credits)) => filled(tree, &credits, of(&credits)),
-        Ok(None) => insert(tree, root, &ORDER, &[Node::leaf(CREDITS, note.text())]),
+        Ok(Some(credits)) => edits_in_credits(tree, &credits, of(&credits)),
+        Ok(None) => insert(tree, root, &ORDER_IN_MODEL, &[Node::leaf(CREDITS, note.text())]),
         // Reading such a model was refused.
         Err(_) => Vec::new(),
     }
 }
 
-/// Takes the note out of `document`, and the element `<credits>` where it was added for it.
+/// Removes the note from `document`, and the element `<credits>` if it was added for the note.
 pub(crate) fn remove_note(document: &Document) -> Vec<Edit> {
     let tree = document.tree();
     let made = Note::find(document).map(|note| note.added_to_file).unwrap_or_default();
-    let mut edits: Vec<Edit> = Note::comment_spans(document).map(|span| without(tree, span)).collect();
+    let mut edits: Vec<Edit> = Note::comment_spans(document).map(|span| removal(tree, span)).collect();
     if let Ok(Some(credits)) = Credits::of(document) {
         let is_bare = credits.is_note_only() && contains_only_text(tree, credits.element);
-        let form = OPENED.into_iter().find(|(letter, _)| made.contains(*letter)).map(|(_, form)| form);
+        let form =
+            OPENED_CREDITS.into_iter().find(|(letter, _)| made.contains(*letter)).map(|(_, form)| form);
         if is_bare && made.contains(MADE_CREDITS) {
-            edits.push(without(tree, tree.span(credits.element)));
+            edits.push(removal(tree, tree.span(credits.element)));
         } else if let (true, Some(form)) = (is_bare, form) {
             edits.push(form.restored(tree, credits.element));
         } else {
-            edits.extend(filled(tree, &credits, credits.edits(None)));
+            edits.extend(edits_in_credits(tree, &credits, credits.edits(None)));
         }
     }
     edits
@@ -183,7 +184,7 @@ fn with_edits(document: &Document, span: Range<usize>, edits: &[Edit]) -> Option
     splice(document.bytes().get(span.clone())?, &shifted.collect::<Vec<_>>()).ok()
 }
 
-fn filled(tree: &Tree, credits: &Credits<'_>, edits: Vec<(Range<usize>, String)>) -> Vec<Edit> {
+fn edits_in_credits(tree: &Tree, credits: &Credits<'_>, edits: Vec<(Range<usize>, String)>) -> Vec<Edit> {
     if !tree.is_empty_tag(credits.element) {
         let edits = edits.into_iter().map(|(span, text)| Edit { span, text });
         return edits.filter(|edit| tree.slice(edit.span.clone()) != edit.text).collect();
@@ -195,7 +196,7 @@ fn filled(tree: &Tree, credits: &Credits<'_>, edits: Vec<(Range<usize>, String)>
     vec![Edit { span: end_of_empty_tag(tree, credits.element), text: format!(">{text}</{CREDITS}>") }]
 }
 
-fn without(tree: &Tree, span: Range<usize>) -> Edit {
+fn removal(tree: &Tree, span: Range<usize>) -> Edit {
     Edit { span: with_white_space_before(tree, span), text: String::new() }
 }
 
@@ -203,19 +204,17 @@ fn contains_only_text(tree: &Tree, element: ElementId) -> bool {
     tree.content(element).all(|piece| piece.kind == PieceKind::Text)
 }
 
-// What a note says of the changes that made the contacts what they are.
-
-/// More steps than this help nobody: of a longer story the first and the latest are kept.
+/// A note keeps at most so many steps: the first and the latest ones.
 const MOST_STEPS: usize = 8;
-/// Who changed values without leaving a note.
-pub(crate) const OTHERS: &str = "others";
+/// The operation of a step in which somebody changed values without a note.
+pub(crate) const CHANGED_BY_OTHERS: &str = "others";
 
-/// What only the caller knows of a change, for its step in the note.
+/// Details of a change for its step in the note, which only the caller knows.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct StepDetails {
-    /// Options that mattered, as `name=value`.
+    /// Options that changed the result, as `name=value`.
     pub options: String,
-    /// What the contacts were taken from.
+    /// The model or preset that the contacts were taken from.
     pub reference: Option<Source>,
     /// Limbs that share the body weight, where the caller said so.
     pub stance_limbs: Option<f64>,
@@ -233,8 +232,10 @@ pub(crate) fn earlier_steps(model: &Model) -> Vec<Step> {
     let Some(note) = &model.note else { return Vec::new() };
     match model.doubt_about_note() {
         // What does not change the values leaves them in doubt, and that they were changed is said once.
-        Some(NoteDoubt::ValuesChanged) if note.steps.iter().all(|step| step.operation != OTHERS) => {
-            steps_after(note.steps.clone(), Step::new(OTHERS))
+        Some(NoteDoubt::ValuesChanged)
+            if note.steps.iter().all(|step| step.operation != CHANGED_BY_OTHERS) =>
+        {
+            steps_after(note.steps.clone(), Step::new(CHANGED_BY_OTHERS))
         }
         _ => note.steps.clone(),
     }

@@ -1,4 +1,4 @@
-//! The plan: every number that is to change, from what, to what, by which equation.
+//! The plan: every number that changes, with its old and new value and its equation.
 //!
 //! Tables, diffs, JSON, dry runs and writing are all views of a [`Plan`]; there is no other way to change a model.
 
@@ -11,11 +11,11 @@ use osim_model::{
     SphereId, Step, ValueKey, same_mass,
 };
 
-use crate::change::{Change, ChangedBy, Move};
+use crate::change::{ChangedBy, NumberChange, PlaceChange};
 use crate::edit::{Edit, Patch, edited_with};
 use crate::insert::{Node, insert};
 use crate::note_edits::{self, StepDetails};
-use crate::objects::{EarlierNote, ObjectChange, Rebuilt};
+use crate::objects::{EarlierNote, ObjectChange, RebuiltModel};
 
 /// Everything that is to be done to one model: made by [`rescale`](crate::rescale), [`transfer`](crate::transfer()),
 /// [`design`](crate::design()) or [`set`](crate::set()), shown and written by the caller.
@@ -46,37 +46,36 @@ use crate::objects::{EarlierNote, ObjectChange, Rebuilt};
 #[must_use]
 pub struct Plan {
     /// The numbers that change, each once: radii first, then force by force.
-    pub changes: Vec<Change>,
-    pub moves: Vec<Move>,
-    /// The mass that the contacts were made for, before and afterwards; `None` where nobody knows and nothing follows from it.
+    pub changes: Vec<NumberChange>,
+    pub moves: Vec<PlaceChange>,
+    /// The mass that the contacts were made for, before and afterwards; `None` if it is not known and not needed.
     pub masses: Option<Masses>,
-    /// What was taken and from where, in words: the first line of every report.
+    /// The first line of every report: which masses or values the change starts from, and where they come from.
     pub taken: Phrase,
     /// Things the user should know.
     pub warnings: Vec<Finding>,
-    /// What the change leaves as it is, one remark for all.
+    /// Remarks about the whole change, such as what stays as it is.
     pub remarks: Vec<Phrase>,
-    /// How far the forces are from those that plates measured, of a fit to recordings.
+    /// Errors of a fit to recordings.
     pub errors: Option<RecordingErrors>,
-    /// How far the floor of each recording is above that of the model as it was, m; empty where no height was fitted.
+    /// How far the floor of each recording is above that of the unchanged model, m; empty if no height was fitted.
     pub floor_up_m: Vec<f64>,
     note: Option<Note>,
-    note_anyway: bool,
-    /// The model with other objects, where whole objects change: numbers change in that one.
-    pub(crate) rebuilt: Option<Rebuilt>,
+    requires_note: bool,
+    /// The model with objects added or removed, if objects change. Numbers then change in this model.
+    pub(crate) rebuilt: Option<RebuiltModel>,
 }
 
-/// How far the forces of a fit are from those that plates measured: the worst foot of the first trial; vertically also all feet of each
-/// other trial.
+/// Errors of the forces of a fit against force plates: of the worst foot of the first trial, and vertically also of all feet of each other trial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecordingErrors {
     /// Root mean square along the normal of the floor, body weights.
     pub vertical_rms_bw: f64,
-    /// Root mean square along the normal, of what was not fitted; `None` where there was nothing to hold out.
+    /// Root mean square along the normal, on data that were not fitted; `None` if no data could be held out.
     pub held_out_vertical_rms_bw: Option<f64>,
     /// Root mean square across the normal, body weights.
     pub horizontal_rms_bw: f64,
-    /// Root mean square of the distance between the centres of pressure, m; `None` where there is none.
+    /// Root mean square of the distance between the centres of pressure, m; `None` if there are none.
     pub cop_rms_m: Option<f64>,
     /// The largest x/R.
     pub largest_relative_indentation: f64,
@@ -85,78 +84,78 @@ pub struct RecordingErrors {
 /// The mass that contacts were made for, before and after a change.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Masses {
-    /// What they were made for before (in a transfer: the mass that the reference's contacts were made for).
+    /// The mass that they were made for before (in a transfer: that the reference's contacts were made for).
     pub contacts_mass: Mass,
-    /// What they are made for afterwards, kg.
+    /// The mass that they are made for afterwards, kg.
     pub target_mass_kg: f64,
 }
 
 impl Masses {
-    /// Those of a change after which the contacts are made for the same mass as before.
-    pub(crate) fn same(contacts_mass: Mass) -> Self {
+    /// The masses of a change after which contacts are made for the same mass as before.
+    pub(crate) fn unchanged(contacts_mass: Mass) -> Self {
         Self { target_mass_kg: contacts_mass.kg, contacts_mass }
     }
 }
 
-/// Elements that an object lacks and gets.
-struct Absent {
+/// Elements that are inserted into one object.
+struct MissingElements {
     class: Class,
     elements: Vec<Node>,
 }
 
-/// The verb whose contacts are another model's.
+/// The operation, as the note has it, of a transfer.
 pub(crate) const TRANSFER: &str = "transfer";
 
-/// What the note of a plan says beside the values.
+/// What the note of a plan gets besides digests of the values.
 pub(crate) struct NoteFacts<'o> {
     pub(crate) target_mass_kg: Option<f64>,
     pub(crate) gravity_m_s2: Option<f64>,
     pub(crate) scope: Scope,
     pub(crate) operation: &'o str,
-    /// Spheres that are placed with their bodies, moved or not; `None` where spheres do not follow.
+    /// Spheres that follow their bodies, also if they do not move; `None` if spheres do not follow.
     pub(crate) followed: Option<&'o BTreeSet<SphereId>>,
 }
 
-/// What a plan does and says.
+/// The parts of a plan that each verb makes.
 #[derive(Default)]
-pub(crate) struct Contents {
-    pub(crate) changes: Vec<Change>,
-    pub(crate) moves: Vec<Move>,
+pub(crate) struct PlanContents {
+    pub(crate) changes: Vec<NumberChange>,
+    pub(crate) moves: Vec<PlaceChange>,
     pub(crate) masses: Option<Masses>,
     pub(crate) taken: Phrase,
     pub(crate) warnings: Vec<Finding>,
     pub(crate) remarks: Vec<Phrase>,
 }
 
-/// A mass as people write it: a sum of bodies may be 20.000000000000018 kg, and only 15 digits mean something.
-fn without_last_bits(kg: f64) -> f64 {
+/// A mass without rounding errors: a sum of bodies may be 20.000000000000018 kg.
+fn rounded_to_15_digits(kg: f64) -> f64 {
     format!("{kg:.14e}").parse().ok().filter(|rounded: &f64| rounded.is_finite()).unwrap_or(kg)
 }
 
 impl Plan {
-    /// Leaves a note also where no number changes, so that the output differs from its original.
-    pub fn note_anyway(&mut self) {
-        self.note_anyway = true;
+    /// Writes a note even if no number changes, so that the output differs from its original.
+    pub fn require_note(&mut self) {
+        self.requires_note = true;
     }
 
-    /// Leaves the note in the file as it is where no number changes.
-    pub(crate) fn keep_note(&mut self) {
-        self.note_anyway = false;
+    /// Keeps the note in the file if no number changes.
+    pub(crate) fn keep_old_note(&mut self) {
+        self.requires_note = false;
     }
 
-    /// Leaves no note in the file; an earlier note goes where a number changes, because it would no longer be right.
-    pub fn without_note(&mut self) {
+    /// Writes no note. If a number changes, an earlier note is removed, because it would be wrong.
+    pub fn drop_note(&mut self) {
         self.note = None;
     }
 
-    /// Records in the note what was done, if it is more than the verb: `rescale radius=x2`.
+    /// Records a more exact operation than the verb in the note: `rescale radius=x2`.
     pub fn name_operation(&mut self, operation: &str) {
         if let Some(step) = self.last_step() {
             step.operation = Note::operation_text(operation);
         }
     }
 
-    /// Makes the last two steps of the note one, where they are parts of the same operation.
+    /// Makes the last two steps of the note one, if they are parts of the same operation.
     pub fn join_steps(&mut self) {
         if let Some(note) = &mut self.note
             && let [.., before, last] = note.steps.as_slice()
@@ -166,14 +165,14 @@ impl Plan {
         }
     }
 
-    /// Records in the note that its contacts are new: what was done before is about others.
-    pub fn begin_story(&mut self) {
+    /// Removes all steps but the last from the note, because the contacts are new and earlier steps are about others.
+    pub fn forget_earlier_steps(&mut self) {
         if let Some(note) = &mut self.note {
             note.steps.drain(..note.steps.len().saturating_sub(1));
         }
     }
 
-    /// Records in the note what only the caller knows of the change.
+    /// Records in the note what only the caller knows about the change.
     pub fn add_details(&mut self, details: StepDetails) {
         let StepDetails { options, reference, stance_limbs, date } = details;
         self.note_stance_limbs(stance_limbs);
@@ -184,7 +183,7 @@ impl Plan {
         }
     }
 
-    /// Records in the note how many limbs share the weight, where that was said.
+    /// Records in the note how many limbs share the weight, if that is given.
     pub(crate) fn note_stance_limbs(&mut self, stance_limbs: Option<f64>) {
         if let Some(note) = &mut self.note {
             note.stance_limbs = stance_limbs.or(note.stance_limbs);
@@ -195,8 +194,7 @@ impl Plan {
         self.note.as_mut()?.steps.last_mut()
     }
 
-    /// Records in the note that all values of the contacts were made for its mass: of contacts that are new, also those that the
-    /// plan leaves as they were made.
+    /// Records in the note that all values of the contacts are made for its mass. New contacts also have values that the plan does not change.
     pub fn note_all_values(&mut self) {
         if let Some(note) = &mut self.note {
             note.scope = Scope::All;
@@ -211,12 +209,12 @@ impl Plan {
     /// Whether the output equals the input byte for byte.
     pub fn is_empty(&self) -> bool {
         let numbers = self.changes.is_empty() && self.moves.is_empty();
-        numbers && self.objects().is_empty() && !(self.note_anyway && self.note.is_some())
+        numbers && self.objects().is_empty() && !(self.requires_note && self.note.is_some())
     }
 
-    pub(crate) fn new(model: &Model, contents: Contents, facts: &NoteFacts<'_>) -> Self {
-        let Contents { changes, moves, masses, taken, warnings, remarks } = contents;
-        let changed: BTreeMap<ValueKey, f64> = changes.iter().map(Change::number).collect();
+    pub(crate) fn new(model: &Model, contents: PlanContents, facts: &NoteFacts<'_>) -> Self {
+        let PlanContents { changes, moves, masses, taken, warnings, remarks } = contents;
+        let changed: BTreeMap<ValueKey, f64> = changes.iter().map(NumberChange::key_and_value).collect();
         let moved: HashMap<&str, [f64; 3]> =
             moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
         let is_other = |masses: &&Masses| !same_mass(masses.contacts_mass.kg, masses.target_mass_kg);
@@ -224,7 +222,7 @@ impl Plan {
         let step = Step { from_mass_kg, ..Step::new(facts.operation) };
         let note = Some(Note {
             version: env!("CARGO_PKG_VERSION").to_owned(),
-            contacts_mass_kg: facts.target_mass_kg.map(without_last_bits),
+            contacts_mass_kg: facts.target_mass_kg.map(rounded_to_15_digits),
             gravity_m_s2: facts.gravity_m_s2,
             scope: facts.scope,
             steps: note_edits::continued_steps(
@@ -233,13 +231,13 @@ impl Plan {
                 facts.operation == TRANSFER && facts.scope == Scope::All,
             ),
             stance_limbs: model.note.as_ref().and_then(|note| note.stance_limbs),
-            weighed_kg: MassRequest::default().bodies_kg(model).map(without_last_bits),
-            sizes: note_edits::sizes(model, facts.followed),
+            weighed_kg: MassRequest::default().bodies_kg(model).map(rounded_to_15_digits),
+            sizes: note_edits::noted_sizes(model, facts.followed),
             digest: model.contact_digest(|key| changed.get(&key).copied()),
             radii: model.radii_digest(|key| changed.get(&key).copied()),
             parts: model.noted_parts(|key| changed.get(&key).copied()),
             places: Some(model.places_digest(|sphere| moved.get(sphere.path.as_str()).copied())),
-            added_to_file: note_edits::made(model, facts.followed),
+            added_to_file: note_edits::made_letters(model, facts.followed),
             added_forces: model.note.as_ref().map(|note| note.added_forces.clone()).unwrap_or_default(),
         });
         Self {
@@ -252,29 +250,29 @@ impl Plan {
             errors: None,
             floor_up_m: Vec::new(),
             note,
-            note_anyway: false,
+            requires_note: false,
             rebuilt: None,
         }
     }
 
-    /// Attaches the plan to the model from which `rebuilt` was made: the plan was made for the model with its objects.
-    pub fn on(mut self, rebuilt: Rebuilt) -> Self {
+    /// Attaches a plan that was made for the model of `rebuilt` to the model from which that was made.
+    pub fn attach_to(mut self, rebuilt: RebuiltModel) -> Self {
         if let Some(note) = &mut self.note {
             let model = rebuilt.model();
-            if rebuilt.earlier_note == EarlierNote::OfOthers {
+            if rebuilt.earlier_note == EarlierNote::KeptBeside {
                 let earlier = model.note.as_ref().map_or("", |note| note.added_to_file.as_str());
-                note.added_to_file = note_edits::without_letters(&note.added_to_file, earlier);
+                note.added_to_file = note_edits::letters_without_earlier(&note.added_to_file, earlier);
                 note.added_forces.clear();
             }
             note.added_forces.extend(rebuilt.added.iter().cloned());
-            note.added_to_file = note_edits::with_letters(&note.added_to_file, &rebuilt.made);
+            note.added_to_file = note_edits::merged_letters(&note.added_to_file, &rebuilt.made);
         }
         self.rebuilt = Some(rebuilt);
         self
     }
 
-    /// A plan that changes objects and no numbers; `taken` says it in words.
-    pub fn of_objects(rebuilt: Rebuilt, taken: Phrase) -> Self {
+    /// A plan that changes objects and no numbers; `taken` is the first line of reports.
+    pub fn from_objects(rebuilt: RebuiltModel, taken: Phrase) -> Self {
         Self {
             changes: Vec::new(),
             moves: Vec::new(),
@@ -285,7 +283,7 @@ impl Plan {
             errors: None,
             floor_up_m: Vec::new(),
             note: None,
-            note_anyway: false,
+            requires_note: false,
             rebuilt: Some(rebuilt),
         }
     }
@@ -300,8 +298,8 @@ impl Plan {
         self.rebuilt.as_ref().map_or(&[], |rebuilt| &rebuilt.objects)
     }
 
-    /// Whether it takes back what was added, so that the model is what it was.
-    pub fn takes_back(&self) -> bool {
+    /// Whether the plan removes everything that was added to the model, so that the original is restored.
+    pub fn restores_original(&self) -> bool {
         self.rebuilt.as_ref().is_some_and(|rebuilt| rebuilt.earlier_note == EarlierNote::TakenOut)
     }
 
@@ -312,16 +310,16 @@ impl Plan {
         }
     }
 
-    /// The model in which numbers change: `model`, or that with other objects.
-    pub fn ground<'m>(&'m self, model: &'m Model) -> &'m Model {
-        self.rebuilt.as_ref().map_or(model, Rebuilt::model)
+    /// The model in which numbers change: `model`, or the one with objects added or removed.
+    pub fn base_model<'m>(&'m self, model: &'m Model) -> &'m Model {
+        self.rebuilt.as_ref().map_or(model, RebuiltModel::model)
     }
 
     /// The first new radius that looks like a slip: a sphere larger than the bones around it. Radii that stay are not asked about.
     pub fn implausible_radius(&self, model: &Model) -> Option<Fault> {
         let mut radii = self.changes.iter().filter(|change| change.property == Property::Radius).peekable();
         radii.peek()?;
-        let model = self.ground(model);
+        let model = self.base_model(model);
         let distances = model.joint_distances();
         let spheres: HashMap<&str, &Sphere> =
             model.spheres().iter().map(|sphere| (sphere.path.as_str(), sphere)).collect();
@@ -333,7 +331,7 @@ impl Plan {
         })
     }
 
-    /// Spells all its messages in the words of a front end.
+    /// Puts all its messages into the words of a front end.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         self.taken.spell(dialect);
         self.remarks.iter_mut().for_each(|remark| remark.spell(dialect));
@@ -342,20 +340,19 @@ impl Plan {
 
     /// Whether the note needs an element `<credits>` that the model does not have.
     pub fn adds_credits(&self, model: &Model) -> bool {
-        self.note().is_some() && note_edits::adds_credits(self.ground(model).document())
+        self.note().is_some() && note_edits::adds_credits(self.base_model(model).document())
     }
 
-    /// The credits of the new model as OpenSim reads them, with the note in them; `None` where it has none, or where the file is a set
-    /// by itself. Who changes a model in memory puts them there, too: without the note, the next change would begin with the mass of
-    /// before.
+    /// The credits of the new model as OpenSim reads them, with the note; `None` if it has none, or if the file is a set by itself. Callers that
+    /// change a model in memory must set them, too: without the note, the next change would start from the old mass.
     pub fn credits(&self, model: &Model) -> Option<String> {
-        let document = self.ground(model).document();
+        let document = self.base_model(model).document();
         note_edits::credits_after(document, &self.edits(model, FileId::MAIN).ok()?)
     }
 
     /// The files that result: the model's own, and the geometry set of a standalone force set where that changes, too.
     pub fn files<'m>(&'m self, model: &'m Model) -> impl Iterator<Item = FileId> {
-        let model = self.ground(model);
+        let model = self.base_model(model);
         let slots = self.changes.iter().map(|change| &change.slot);
         let with_slots: HashSet<FileId> =
             slots.chain(self.moves.iter().map(|place| &place.slot)).map(|slot| slot.file).collect();
@@ -374,10 +371,10 @@ impl Plan {
     /// # Errors
     /// A number that is not finite, or outside its domain, with its place.
     pub fn edits(&self, model: &Model, file: FileId) -> Result<Vec<Edit>, Fault> {
-        let document = self.ground(model).file(file);
+        let document = self.base_model(model).file(file);
         let tree = document.tree();
         let mut edits = Vec::new();
-        let mut absent: BTreeMap<ElementId, Absent> = BTreeMap::new();
+        let mut absent: BTreeMap<ElementId, MissingElements> = BTreeMap::new();
         let numbers = self.changes.iter().map(|change| (&change.slot, change.text()));
         let places = self.moves.iter().map(|place| (&place.slot, place.text()));
         for (slot, text) in numbers.chain(places).filter(|(slot, _)| slot.file == file) {
@@ -385,8 +382,9 @@ impl Plan {
             match &slot.span {
                 Some(span) => edits.push(Edit { span: span.clone(), text }),
                 None => {
-                    let object =
-                        absent.entry(slot.object).or_insert(Absent { class: slot.class, elements: vec![] });
+                    let object = absent
+                        .entry(slot.object)
+                        .or_insert(MissingElements { class: slot.class, elements: vec![] });
                     object.elements.push(Node::leaf(slot.tag, text));
                 }
             }
@@ -398,11 +396,11 @@ impl Plan {
         let noted = file == FileId::MAIN
             || !edits.is_empty()
             || tree.name(document.data_root()) == "ContactGeometrySet";
-        let earlier = self.rebuilt.as_ref().map_or(EarlierNote::OfContacts, |rebuilt| rebuilt.earlier_note);
+        let earlier = self.rebuilt.as_ref().map_or(EarlierNote::Replaced, |rebuilt| rebuilt.earlier_note);
         if let (Some(note), true) = (&self.note, noted && !self.is_empty()) {
             let leave = match earlier {
-                EarlierNote::OfOthers => note_edits::leave_note_behind,
-                _ => note_edits::leave_note,
+                EarlierNote::KeptBeside => note_edits::write_second_note,
+                _ => note_edits::write_note,
             };
             edits.extend(leave(document, note));
         } else if noted && !self.is_empty() && earlier != EarlierNote::TakenOut {
@@ -412,20 +410,20 @@ impl Plan {
         Ok(edits)
     }
 
-    pub fn changed(&self, model: &Model) -> Result<Model, Fault> {
+    pub fn changed_model(&self, model: &Model) -> Result<Model, Fault> {
         let others = self.files(model).filter(|&file| file != FileId::MAIN);
         let others =
             others.map(|file| Ok((file, self.patched(model, file)?))).collect::<Result<Vec<_>, Fault>>()?;
-        edited_with(self.ground(model), self.edits(model, FileId::MAIN)?, &others)
+        edited_with(self.base_model(model), self.edits(model, FileId::MAIN)?, &others)
     }
 
-    /// The new model without its bytes, as long as it is only looked at: numbers and note are new, places in the file are those of before
-    /// ([`Model::renumbered`]). `None` where more changes than numbers of contacts.
+    /// The new model for inspection only: numbers and note are new, but places in the file are the old ones ([`Model::renumbered`]). `None` if more
+    /// than numbers of contacts changes.
     pub fn with_contact_numbers(&self, model: &Model) -> Option<Model> {
         if self.rebuilt.is_some() || !self.moves.is_empty() {
             return None;
         }
-        let numbers: BTreeMap<ValueKey, f64> = self.changes.iter().map(Change::number).collect();
+        let numbers: BTreeMap<ValueKey, f64> = self.changes.iter().map(NumberChange::key_and_value).collect();
         model.with_contact_numbers(|key| numbers.get(&key).copied(), self.note())
     }
 
@@ -439,6 +437,6 @@ impl Plan {
 
     /// The new file without a copy: slices of the original and new text by turns.
     pub fn patch<'m>(&'m self, model: &'m Model, file: FileId) -> Result<Patch<'m>, Fault> {
-        Patch::new(self.ground(model).file(file).bytes(), self.edits(model, file)?)
+        Patch::new(self.base_model(model).file(file).bytes(), self.edits(model, file)?)
     }
 }

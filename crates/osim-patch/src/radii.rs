@@ -1,4 +1,4 @@
-//! New radii of the moving spheres, and what follows from them for a force.
+//! Plans new radii of moving spheres, and gives each force the ratio of its radii.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,7 +9,7 @@ use osim_model::{
     SphereId, moving_spheres, root_mean_square,
 };
 
-use crate::builder::{New, PlanBuilder};
+use crate::builder::{NewValue, PlanBuilder};
 use crate::change::ChangedBy;
 
 /// Old and new radius of each moving sphere of the chosen forces.
@@ -29,17 +29,17 @@ impl Radii {
     ) -> Result<Self, Fault> {
         let model = plan.model;
         let mut radii = BTreeMap::new();
-        let users = Users::outside(model, forces);
+        let users = UnchangedUsers::find(model, forces);
         for sphere in moving_spheres(model, forces) {
             let old = plan.model.radius_m(sphere)?;
             let stays = !properties.contains(Property::Radius);
             let rule = if stays { SphereRule::Rule(RadiusRule::Keep) } else { rule_of(sphere) };
             let pair = rule.pair(old, isometric);
             if pair.new != pair.old {
-                users.refuse(model, forces, sphere, rule.source())?;
+                users.refuse_change(model, forces, sphere, rule.source())?;
             }
             let factor = rule.is_relative().then_some(pair.ratio);
-            plan.radius(sphere, New { to: pair.new, factor, by: rule.by() })?;
+            plan.change_radius(sphere, NewValue { to: pair.new, factor, by: rule.by() })?;
             radii.insert(sphere, pair);
         }
         Ok(Self(radii))
@@ -47,7 +47,7 @@ impl Radii {
 
     /// ρ of one force: the common ratio of its spheres, or by the mean of R² before and after where they differ.
     pub(crate) fn ratio(&self, force: &Force) -> f64 {
-        let pairs = self.of(force);
+        let pairs = self.pairs(force);
         match pairs.split_first() {
             None => 1.0,
             Some((first, rest)) if rest.iter().all(|pair| pair.ratio == first.ratio) => first.ratio,
@@ -55,40 +55,40 @@ impl Radii {
         }
     }
 
-    /// The moving spheres.
+    /// All moving spheres of the chosen forces.
     pub(crate) fn spheres(&self) -> BTreeSet<SphereId> {
         self.0.keys().copied().collect()
     }
 
     /// Root of the mean R² before.
     fn mean_old(&self, force: &Force) -> f64 {
-        root_mean_square(self.of(force).iter().map(|pair| pair.old))
+        root_mean_square(self.pairs(force).iter().map(|pair| pair.old))
     }
 
     /// Root of the mean R² afterwards.
     pub(crate) fn mean_new(&self, force: &Force) -> f64 {
-        root_mean_square(self.of(force).iter().map(|pair| pair.new))
+        root_mean_square(self.pairs(force).iter().map(|pair| pair.new))
     }
 
-    fn of(&self, force: &Force) -> Vec<RadiusPair> {
+    fn pairs(&self, force: &Force) -> Vec<RadiusPair> {
         force.spheres().iter().filter_map(|sphere| self.0.get(sphere)).copied().collect()
     }
 
-    /// How far sphere bottoms move down, least and most, m.
-    pub(crate) fn bottoms(&self) -> Option<(f64, f64)> {
+    /// The least and the largest distance that bottoms of spheres move down, m.
+    pub(crate) fn bottom_shifts(&self) -> Option<(f64, f64)> {
         let moves = self.0.values().map(|pair| pair.new - pair.old);
         let least = moves.clone().fold(f64::INFINITY, f64::min);
         let most = moves.fold(f64::NEG_INFINITY, f64::max);
         (least.is_finite() && (least != 0.0 || most != 0.0)).then_some((least, most))
     }
 
-    /// Moves centres so that bottoms stay where they are.
-    pub(crate) fn level(&self, plan: &mut PlanBuilder<'_>, axis: LevelAxis) -> Result<(), Fault> {
+    /// Moves sphere centres so that their bottoms stay where they are.
+    pub(crate) fn keep_bottoms(&self, plan: &mut PlanBuilder<'_>, axis: LevelAxis) -> Result<(), Fault> {
         for (&sphere, pair) in &self.0 {
             let Some(found) = plan.model.sphere(sphere) else { continue };
             let location = found.location_m;
             let axis = axis.in_frame(&plan.model.rotation_of(found)?);
-            plan.location(
+            plan.move_sphere(
                 sphere,
                 axis.levelled_centre(location, pair.old, pair.new, |vector| vector),
                 ChangedBy::Level,
@@ -97,15 +97,15 @@ impl Radii {
         Ok(())
     }
 
-    /// Moves centres with their bodies; with `level` bottoms stay on the scaled soles.
-    pub(crate) fn follow(
+    /// Moves sphere centres with their scaled bodies; with `level` the bottoms stay on the scaled soles.
+    pub(crate) fn follow_bodies(
         &self,
         plan: &mut PlanBuilder<'_>,
         forces: &[ForceId],
         bodies: &ScaleFile,
         level: Option<LevelAxis>,
     ) -> Result<(), Fault> {
-        let users = Users::outside(plan.model, forces);
+        let users = UnchangedUsers::find(plan.model, forces);
         for (&sphere, pair) in &self.0 {
             let Some(found) = plan.model.sphere(sphere) else { continue };
             let Some(body) = found.body.as_deref() else { continue };
@@ -118,9 +118,9 @@ impl Radii {
                 None => scaled(location),
             };
             if place != location {
-                users.refuse(plan.model, forces, sphere, RadiusChangeReason::Bodies)?;
+                users.refuse_change(plan.model, forces, sphere, RadiusChangeReason::Bodies)?;
             }
-            plan.location(sphere, place, ChangedBy::Follow)?;
+            plan.move_sphere(sphere, place, ChangedBy::Follow)?;
         }
         Ok(())
     }
@@ -140,13 +140,13 @@ impl Radii {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum SphereRule {
-    /// As for all spheres.
+    /// The rule for all spheres.
     Rule(RadiusRule),
-    /// As large against the body as the reference's: this, m.
+    /// This radius, m, as large against the body as in the reference.
     Like(f64),
-    /// As the wanted stiffness and indentation need: this, m.
+    /// This radius, m, which the wanted stiffness and indentation need.
     Designed(f64),
-    /// As its body grew: this, m.
+    /// This radius, m, scaled with the sphere's body.
     Followed(f64),
 }
 
@@ -195,15 +195,15 @@ impl SphereRule {
     }
 }
 
-/// Forces that use a sphere and are not changed with it.
-pub(crate) struct Users<'m> {
+/// For each sphere, the forces that use it but are not changed with it.
+pub(crate) struct UnchangedUsers<'m> {
     forces: HashMap<SphereId, Vec<&'m str>>,
-    /// By sphere name: contact classes that are not Hertz's.
+    /// Forces of classes that do not follow Hertz, by sphere name.
     others: HashMap<String, Vec<String>>,
 }
 
-impl<'m> Users<'m> {
-    pub(crate) fn outside(model: &'m Model, chosen: &[ForceId]) -> Self {
+impl<'m> UnchangedUsers<'m> {
+    pub(crate) fn find(model: &'m Model, chosen: &[ForceId]) -> Self {
         let chosen: HashSet<ForceId> = chosen.iter().copied().collect();
         let mut forces: HashMap<SphereId, Vec<&str>> = HashMap::new();
         for force in model.forces() {
@@ -216,8 +216,8 @@ impl<'m> Users<'m> {
         Self { forces, others: model.forces_of_other_classes() }
     }
 
-    /// A radius may change only if every applied force that uses the sphere changes with it.
-    pub(crate) fn refuse(
+    /// Refuses to change a sphere that a force uses which is not changed with it.
+    pub(crate) fn refuse_change(
         &self,
         model: &Model,
         chosen: &[ForceId],

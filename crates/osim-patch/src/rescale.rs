@@ -1,4 +1,4 @@
-//! Rescaling a model's own contacts to another mass: every parameter times its ratio.
+//! Rescales the contacts of a model to another mass: every parameter times its ratio.
 
 use contact_scaling::{RatioValues, Ratios};
 use osim_model::compare::ScaleFile;
@@ -8,20 +8,20 @@ use osim_model::{
     RadiusRule, Scope, Selected, SetId, positive_mass, same_mass,
 };
 
-use crate::builder::{New, PlanBuilder};
-use crate::plan::{Contents, Masses, NoteFacts, Plan};
+use crate::builder::{NewValue, PlanBuilder};
+use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
 use crate::radii::{Radii, SphereRule};
 use crate::rules::{self, GRAVITY_STAYS, bottoms_remark_and_level, warn_forces};
-use crate::scaling::{GravityChange, factor};
+use crate::scaling::{GravityChange, property_factor};
 
 /// The operation, as the note has it, of a rescaling that moved spheres with their bodies by a ScaleSet.
-pub const FOLLOWING: &str = "rescale body-scale-file";
-/// By the sizes in the note.
-pub const FOLLOWING_NOTE: &str = "rescale follow-bodies";
+pub const RESCALE_FOLLOWING_SCALE_FILE: &str = "rescale body-scale-file";
+/// The operation, as the note has it, of a rescaling that moved spheres with their bodies by the sizes in the note.
+pub const RESCALE_FOLLOWING_NOTE: &str = "rescale follow-bodies";
 /// The operation, as the note has it, of a transfer whose spheres follow their bodies.
-pub const TRANSFER_FOLLOWING: &str = "transfer follow-bodies";
+pub const TRANSFER_FOLLOWING_BODIES: &str = "transfer follow-bodies";
 
-/// What is wanted of a rescaling: the model's own contacts at another mass.
+/// The options of a rescaling of a model's contacts to another mass.
 ///
 /// ```
 /// use osim_model::{MassRequest, Model, Property, Selection};
@@ -135,7 +135,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     let target_mass_kg = positive_mass(Input::TargetMass, wanted.target_mass_kg)?;
     let contacts_mass_kg = wanted.contacts_mass.kg;
     let mut plan = PlanBuilder::new(model);
-    let gravity = gravity_now(model, wanted)?;
+    let gravity = contacts_gravity(model, wanted)?;
     let change = GravityChange::new(gravity, wanted.target_gravity_m_s2, GravityFor::Contacts)?;
     let gravity = change.ratio;
     let other_radius = matches!(wanted.radius, RadiusRule::Metres(_) | RadiusRule::Factor(_));
@@ -155,8 +155,8 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         &wanted.properties,
     )?;
     match (&wanted.bodies, wanted.level) {
-        (Some(bodies), level) => radii.follow(&mut plan, &selected.forces, bodies, level)?,
-        (None, Some(axis)) => radii.level(&mut plan, axis)?,
+        (Some(bodies), level) => radii.follow_bodies(&mut plan, &selected.forces, bodies, level)?,
+        (None, Some(axis)) => radii.keep_bottoms(&mut plan, axis)?,
         (None, None) => {}
     }
     warn_forces(&mut plan, &selected.forces, &wanted.properties);
@@ -181,16 +181,16 @@ fn scale_set(
     wanted: &Rescale,
 ) -> Result<(), Fault> {
     for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
-        let Some((factor, by)) = factor(property, ratios, wanted.dissipation_by) else { continue };
+        let Some((factor, by)) = property_factor(property, ratios, wanted.dissipation_by) else { continue };
         if let Some(from) = plan.model.parameter(force, set, property)? {
-            plan.parameter(force, set, property, New::times(from, factor, by))?;
+            plan.change_parameter(force, set, property, NewValue::times(from, factor, by))?;
         }
     }
     Ok(())
 }
 
-/// Gravity that the contacts were made for; a doubtful note is not believed where a factor depends on it.
-fn gravity_now(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Fault> {
+/// Gravity that the contacts were made for; a note_in_doubt note is not believed where a factor depends on it.
+fn contacts_gravity(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Fault> {
     let noted = model.note.as_ref().and_then(|note| note.gravity_m_s2);
     let differs = noted.is_some() && noted != model.gravity();
     match (wanted.contacts_gravity_m_s2, model.doubt_about_note()) {
@@ -231,19 +231,19 @@ fn finish(
     if !nothing {
         let ratio = readable(target_mass_kg / contacts_mass.kg);
         taken.push(format!("; scaled to {} kg (mass x{ratio})", readable(target_mass_kg)));
-        taken.push(gravity.described());
+        taken.push(gravity.in_words());
     }
     let all = selected.complete && wanted.properties.is_complete();
     let masses = Some(Masses { contacts_mass, target_mass_kg });
     Plan::new(
         model,
-        Contents { changes, moves, masses, taken, warnings, remarks },
+        PlanContents { changes, moves, masses, taken, warnings, remarks },
         &NoteFacts {
             followed: radii.filter(|_| wanted.bodies.is_some()).map(Radii::spheres).as_ref(),
             target_mass_kg: Some(wanted.target_mass_kg),
             gravity_m_s2: wanted.target_gravity_m_s2.or(model.contacts_gravity()),
             scope: if all { Scope::All } else { Scope::Partial },
-            operation: if wanted.bodies.is_some() { FOLLOWING } else { "rescale" },
+            operation: if wanted.bodies.is_some() { RESCALE_FOLLOWING_SCALE_FILE } else { "rescale" },
         },
     )
 }

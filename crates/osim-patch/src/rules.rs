@@ -223,7 +223,7 @@ pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], proper
 
 /// How far the soles move because radii change and centres do not.
 pub(crate) fn bottoms_remark(radii: &Radii) -> Option<Phrase> {
-    let (least, most) = radii.bottoms()?;
+    let (least, most) = radii.bottom_shifts()?;
     let mm = |metres: f64| {
         let millimetres = metres.abs() * 1e3;
         if millimetres < 1e6 { format!("{millimetres:.2}") } else { readable(millimetres) }

@@ -1,4 +1,4 @@
-//! The factor of each property, from the ratios of mass, radius, sphere count and gravity; PredSim's rule, for users who compare.
+//! The factor by which each property is scaled, from the ratios of mass, radius, sphere count and gravity; and PredSim's factors, to compare.
 
 use contact_scaling::Ratios;
 use osim_model::messages::{Input, readable};
@@ -6,7 +6,12 @@ use osim_model::{DissipationBy, Fault, FaultKind, GravityFor, Needed, Property};
 
 use crate::change::ChangedBy;
 
-pub(crate) fn factor(property: Property, ratios: &Ratios, by: DissipationBy) -> Option<(f64, ChangedBy)> {
+/// The factor of a property by the paper, and its equation.
+pub(crate) fn property_factor(
+    property: Property,
+    ratios: &Ratios,
+    by: DissipationBy,
+) -> Option<(f64, ChangedBy)> {
     Some(match property {
         Property::Stiffness => (ratios.plane_strain_modulus(), ChangedBy::Equation("10")),
         Property::Dissipation => match by {
@@ -22,22 +27,20 @@ pub(crate) fn factor(property: Property, ratios: &Ratios, by: DissipationBy) -> 
     })
 }
 
-// Contacts that are scaled to another gravity: the ratio, and its words.
-
-/// Gravity that contacts were made for and that they are scaled to.
+/// The change from the gravity that contacts were made for to the gravity that they are scaled to.
 pub(crate) struct GravityChange {
     /// γ = g_b/g_a; 1 without a target.
     pub(crate) ratio: f64,
-    said: Option<String>,
+    words: Option<String>,
 }
 
 impl GravityChange {
-    /// From `now` to `target`; `now_for` says whose gravity is missing if `now` is `None`.
+    /// From gravity `now` to `target`; `now_for` is for the error if `now` is not known.
     ///
     /// # Errors
     /// A target that is not above 0, or a gravity that nobody knows.
     pub(crate) fn new(now: Option<f64>, target: Option<f64>, now_for: GravityFor) -> Result<Self, Fault> {
-        let Some(target) = target else { return Ok(Self { ratio: 1.0, said: None }) };
+        let Some(target) = target else { return Ok(Self { ratio: 1.0, words: None }) };
         if !(target.is_finite() && target > 0.0) {
             return Err(Fault::new(FaultKind::BadInput {
                 input: Input::TargetGravity,
@@ -47,26 +50,30 @@ impl GravityChange {
         }
         match now {
             Some(now) if now.is_finite() && now > 0.0 => {
-                let said = format!(
+                let words = format!(
                     "; gravity {} -> {} m/s2 (x{})",
                     readable(now),
                     readable(target),
                     readable(target / now)
                 );
-                Ok(Self { ratio: target / now, said: Some(said) })
+                Ok(Self { ratio: target / now, words: Some(words) })
             }
             _ => Err(Fault::new(Needed::Gravity { purpose: now_for })),
         }
     }
 
-    /// Which gravities were taken, for the end of a sentence; empty without a target.
-    pub(crate) fn described(self) -> String {
-        self.said.unwrap_or_default()
+    /// The two gravities, for the end of a sentence; empty without a target.
+    pub(crate) fn in_words(self) -> String {
+        self.words.unwrap_or_default()
     }
 }
 
-/// PredSim's rule, for users who compare; what it does not scale is the reference's.
-pub(crate) fn predsim(property: Property, ratios: &Ratios, height_ratio: f64) -> Option<(f64, ChangedBy)> {
+/// The factor of a property by PredSim's rule; 1 for a property that it takes from the reference without scaling.
+pub(crate) fn predsim_factor(
+    property: Property,
+    ratios: &Ratios,
+    height_ratio: f64,
+) -> Option<(f64, ChangedBy)> {
     Some(match property {
         Property::Stiffness => (ratios.mass() / (height_ratio * height_ratio), ChangedBy::PredSim),
         Property::Dissipation => (1.0 / height_ratio, ChangedBy::PredSim),

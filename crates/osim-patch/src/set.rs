@@ -1,4 +1,4 @@
-//! Plain changes: a property becomes a value, or is multiplied by a factor. Nothing else follows.
+//! Sets properties to values, or multiplies them by factors. Nothing else changes.
 
 use foldhash::HashMap;
 use osim_model::messages::{Verb, phrase};
@@ -7,18 +7,18 @@ use osim_model::{
     moving_spheres,
 };
 
-use crate::builder::{New, PlanBuilder};
-use crate::change::{ChangedBy, Move};
+use crate::builder::{NewValue, PlanBuilder};
+use crate::change::{ChangedBy, PlaceChange};
 use crate::note::KeptMass;
-use crate::plan::{Contents, Masses, NoteFacts, Plan};
-use crate::radii::Users;
+use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
+use crate::radii::UnchangedUsers;
 use crate::rules::{self, LEVEL_FEET};
 
-/// What follows an operation that made feet level as well.
+/// The end of an operation that also made feet level.
 const AND_LEVEL: &str = " level";
 
-impl New {
-    /// What `assignment` makes of a value.
+impl NewValue {
+    /// The result of applying `assignment` to a value.
     fn assigned(assignment: Assignment, from: f64, by: ChangedBy) -> Self {
         match assignment {
             Assignment::Value(to) => Self { to, factor: None, by },
@@ -27,7 +27,7 @@ impl New {
     }
 }
 
-/// Plain values and factors that are wanted.
+/// The values and factors to set.
 ///
 /// ```
 /// use osim_model::{Assignment, Model, Property, Selection};
@@ -50,9 +50,9 @@ impl New {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Set {
     pub assignments: Vec<(Property, Assignment)>,
-    /// Where the centres of spheres are to be for level feet, in their own frames, m; `None` where they stay.
+    /// New centres of spheres for level feet, in their own frames, m; `None` if they stay.
     pub level: Option<Vec<(SphereId, [f64; 3])>>,
-    /// Where the centres of spheres are to be that were fitted, in their own frames, m.
+    /// Fitted centres of spheres, in their own frames, m.
     pub centres: Vec<(SphereId, [f64; 3])>,
     /// Half-spaces with their new places in their frames, m.
     pub planes: Vec<(HalfSpace, [f64; 3])>,
@@ -63,7 +63,7 @@ pub struct Set {
     /// The mass that the contacts were made for, where known; it stays unless `made_for_kg` is another.
     pub contacts_mass: Option<Mass>,
     /// Whether to apply factors once more to a file whose note says they were applied already.
-    pub again: bool,
+    pub repeat: bool,
 }
 
 impl Set {
@@ -88,7 +88,7 @@ impl Set {
     }
 }
 
-/// Whether the note says that the same values were assigned already. Every change since the last whole rescaling counts: none may
+/// Whether the note records that the same values were assigned already. Every change since the last whole rescaling counts: none may
 /// be applied twice without a question. Feet that are level stay so.
 fn is_done(model: &Model, wanted: &Set) -> bool {
     let steps = model.note.iter().flat_map(|note| note.steps.iter().rev());
@@ -105,10 +105,10 @@ fn is_done(model: &Model, wanted: &Set) -> bool {
 pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fault> {
     let operation = wanted.operation();
     let relative = wanted.assignments.iter().any(|(_, value)| matches!(value, Assignment::Factor(_)));
-    if relative && !wanted.again && is_done(model, wanted) {
+    if relative && !wanted.repeat && is_done(model, wanted) {
         return Err(Fault::new(Needed::Repetition { operation }));
     }
-    let users = Users::outside(model, &selected.forces);
+    let users = UnchangedUsers::find(model, &selected.forces);
     let mut plan = PlanBuilder::new(model);
     let by = if wanted.fitted.is_some() { ChangedBy::Fit } else { ChangedBy::Given };
     for &(property, value) in &wanted.assignments {
@@ -116,17 +116,22 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         if property == Property::Radius {
             for sphere in moving_spheres(model, &selected.forces) {
                 let from = plan.model.radius_m(sphere)?;
-                if New::assigned(value, from, by).to != from {
-                    users.refuse(model, &selected.forces, sphere, RadiusChangeReason::Assignment)?;
+                if NewValue::assigned(value, from, by).to != from {
+                    users.refuse_change(model, &selected.forces, sphere, RadiusChangeReason::Assignment)?;
                 }
-                plan.radius(sphere, New::assigned(value, from, by))?;
+                plan.change_radius(sphere, NewValue::assigned(value, from, by))?;
                 found = true;
             }
         } else {
             for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
                 for set in &force.sets {
                     if let Some(from) = force.checked(set.id, property)? {
-                        plan.parameter(force.id, set.id, property, New::assigned(value, from, by))?;
+                        plan.change_parameter(
+                            force.id,
+                            set.id,
+                            property,
+                            NewValue::assigned(value, from, by),
+                        )?;
                         found = true;
                     }
                 }
@@ -137,16 +142,16 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         }
     }
     for &(sphere, location_m) in wanted.level.iter().flatten() {
-        users.refuse(model, &selected.forces, sphere, RadiusChangeReason::Level)?;
-        plan.location(sphere, location_m, ChangedBy::Level)?;
+        users.refuse_change(model, &selected.forces, sphere, RadiusChangeReason::Level)?;
+        plan.move_sphere(sphere, location_m, ChangedBy::Level)?;
     }
     let is_level = !plan.moves.is_empty();
     for &(sphere, location_m) in &wanted.centres {
-        users.refuse(model, &selected.forces, sphere, RadiusChangeReason::Fit)?;
-        plan.location(sphere, location_m, ChangedBy::Fit)?;
+        users.refuse_change(model, &selected.forces, sphere, RadiusChangeReason::Fit)?;
+        plan.move_sphere(sphere, location_m, ChangedBy::Fit)?;
     }
     for (plane, location_m) in &wanted.planes {
-        plan.plane_location(plane, *location_m, ChangedBy::Fit)?;
+        plan.move_half_space(plane, *location_m, ChangedBy::Fit)?;
     }
     let PlanBuilder { changes, moves, mut warnings, .. } = plan;
     if changes.is_empty() && moves.is_empty() {
@@ -159,14 +164,14 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     taken.push(format!("{operation}; nothing else follows"));
     let remarks = if is_level { vec![LEVEL_FEET.into()] } else { vec![] };
-    let mut masses = wanted.contacts_mass.clone().map(Masses::same);
+    let mut masses = wanted.contacts_mass.clone().map(Masses::unchanged);
     if let Some((masses, kg)) = masses.as_mut().zip(wanted.made_for_kg) {
         masses.target_mass_kg = kg;
     }
     let kept = KeptMass::of(model, wanted.contacts_mass.as_ref());
     Ok(Plan::new(
         model,
-        Contents { changes, moves, masses, taken, warnings, remarks },
+        PlanContents { changes, moves, masses, taken, warnings, remarks },
         &NoteFacts {
             followed: None,
             target_mass_kg: wanted.made_for_kg.or(kept.kg),
@@ -187,15 +192,15 @@ impl Plan {
         if places.is_empty() {
             return Ok(());
         }
-        let ground = self.ground(model);
+        let ground = self.base_model(model);
         let path = |sphere: SphereId| ground.sphere(sphere).map(|sphere| sphere.path.clone());
         let paths: Vec<String> = places.iter().filter_map(|&(sphere, _)| path(sphere)).collect();
         let mut builder = PlanBuilder::new(ground);
         for &(sphere, location_m) in places {
-            builder.location(sphere, location_m, ChangedBy::Level)?;
+            builder.move_sphere(sphere, location_m, ChangedBy::Level)?;
         }
-        let new: Vec<Move> = builder.moves;
-        let mut moves: Vec<Move> =
+        let new: Vec<PlaceChange> = builder.moves;
+        let mut moves: Vec<PlaceChange> =
             self.moves.iter().filter(|old| !paths.contains(&old.path)).cloned().chain(new).collect();
         moves.sort_by_key(|one| (one.slot.file, one.slot.offset));
         let moved: HashMap<&str, [f64; 3]> = moves.iter().map(|one| (one.path.as_str(), one.to)).collect();

@@ -245,7 +245,7 @@ pub(crate) fn changeable_with_numbers(options: &InspectOptions, model: &Model, n
 /// Whether a trial plan that changes radii is accepted: it is not if another force uses a sphere and would not change with it.
 fn radii_may_change(options: &InspectOptions, model: &Model) -> bool {
     let mut trial = Set::new(vec![(Property::Radius, Assignment::Factor(2.0))]);
-    trial.again = true;
+    trial.repeat = true;
     let plan = options.selection.apply(model).and_then(|selected| set(model, &selected, &trial));
     !plan.is_err_and(|fault| matches!(fault.kind, FaultKind::Needed(Needed::SharedSphere { .. })))
 }
@@ -255,7 +255,7 @@ fn numbers_may_change(options: &InspectOptions, model: &Model) -> bool {
     let assignments =
         vec![(Property::Dissipation, Assignment::Value(0.0)), (Property::Stiffness, Assignment::Value(1.0))];
     let mut trial = Set::new(assignments);
-    trial.again = true;
+    trial.repeat = true;
     let plan = options.selection.apply(model).and_then(|selected| set(model, &selected, &trial));
     plan.and_then(|plan| plan.patched(model, FileId::MAIN)).is_ok()
 }

@@ -111,7 +111,7 @@ impl RemedyTrials<'_> {
     fn model_after(&self, request: &Request, model: &Model, to: &Path) -> Option<ModelAfterStep> {
         let change = prepare(request.clone(), self.files).ok()?;
         let plan = change.plan_alone(model).ok().filter(|plan| !plan.is_empty())?;
-        let model = plan.changed(model).ok()?;
+        let model = plan.changed_model(model).ok()?;
         let inspected = (self.inspect)(&FileName::from(to), &model);
         let found = check_with_trials(self.options, &model, &inspected, &[]);
         Some(ModelAfterStep { model, found })

@@ -59,7 +59,7 @@ impl PreparedChange {
         let model = &opened.model;
         let mut plan = self.plan_beside(opened, files)?;
         if self.output.no_note {
-            plan.without_note();
+            plan.drop_note();
             if model.note.is_some() && !plan.is_empty() {
                 let text = "the note is removed: the next run cannot know what the contacts are made for";
                 plan.remarks.push(text.into());
@@ -147,7 +147,7 @@ impl PreparedChange {
 /// Findings about `model` that the change leaves: a finding about an object that the plan removes or replaces is left out.
 fn remaining_findings(plan: &Plan, model: &Model) -> Vec<Finding> {
     let key = |finding: &Finding| (finding.code(), finding.place.clone());
-    let remaining: HashSet<_> = model_findings(plan.ground(model)).iter().map(key).collect();
+    let remaining: HashSet<_> = model_findings(plan.base_model(model)).iter().map(key).collect();
     model_findings(model).iter().filter(|finding| remaining.contains(&key(finding))).cloned().collect()
 }
 
@@ -175,7 +175,7 @@ impl ResultingModel {
     /// # Errors
     /// Those of [`Plan::changed`].
     fn read(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
-        plan.changed(&opened.model).map(Self::Read).map_err(|fault| opened.failure(fault))
+        plan.changed_model(&opened.model).map(Self::Read).map_err(|fault| opened.failure(fault))
     }
 
     fn into_model(self) -> Model {
@@ -223,7 +223,7 @@ fn worse_findings(
     let weighs_kg = weighs.map(|mass| mass.kg);
     // A change that is taken back gives a model that was there before: nobody has to be asked about it.
     let is_confirmed =
-        change.writes_given_numbers() || plan.takes_back() || change.answers.has(Question::WrongAfterwards);
+        change.writes_given_numbers() || plan.restores_original() || change.answers.has(Question::WrongAfterwards);
     let (before, after) = (change.options_before(plan), change.options_after(plan, weighs_kg));
     let worse = findings_that_became_worse(&before, &after, opened, plan, changed);
     let mut findings: Vec<Finding> = match worse.iter().find(|one| one.severity == Severity::Error) {

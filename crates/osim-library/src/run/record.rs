@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use osim_model::Property;
 use osim_model::files::{Failure, FileName};
-use osim_patch::{Change, Plan};
+use osim_patch::{NumberChange, Plan};
 use osim_planning::{cell, from_cell, with_text_mark, without_text_mark};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -361,10 +361,10 @@ pub(super) struct PropertyChange {
 
 impl PropertyChange {
     pub(super) fn of_property(plan: &Plan, property: Property) -> Self {
-        let changes: Vec<&Change> =
+        let changes: Vec<&NumberChange> =
             plan.changes.iter().filter(|change| change.property == property).collect();
         let Some(first) = changes.first() else { return Self::default() };
-        let common = |value: fn(&Change) -> f64| {
+        let common = |value: fn(&NumberChange) -> f64| {
             let first = value(first);
             changes.iter().all(|change| value(change) == first).then_some(first)
         };
@@ -378,10 +378,10 @@ impl PropertyChange {
     }
 }
 
-fn common_factor(changes: &[&Change]) -> Option<f64> {
-    let factor = |change: &Change| change.factor.unwrap_or(change.to / change.from);
+fn common_factor(changes: &[&NumberChange]) -> Option<f64> {
+    let factor = |change: &NumberChange| change.factor.unwrap_or(change.to / change.from);
     let first = factor(changes.first()?);
     // A value that was 0 has no factor.
-    let same = |change: &&Change| (factor(change) - first).abs() <= ROUNDING_ERROR * first.abs();
+    let same = |change: &&NumberChange| (factor(change) - first).abs() <= ROUNDING_ERROR * first.abs();
     (first.is_finite() && changes.iter().all(same)).then_some(first)
 }

@@ -1,17 +1,19 @@
-//! Contacts for a model that has none.
+//! Adds contacts to a model.
 
 use foldhash::HashMap;
 use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note, Property, SphereId};
 
 use crate::edit::edited;
 use crate::insert::Node;
-use crate::objects::layout::{Layout, NewContact};
-use crate::objects::rebuilt::{Deed, EarlierNote, Names, ObjectChange, Rebuilt, refuse_misread};
-use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_parts};
-use crate::objects::spelling::{self, Carrier, InList, Surfaces, Values};
+use crate::objects::layout::{ContactLayout, NewContact};
+use crate::objects::nodes::{self, Carrier, NamesInList, Surfaces, Values};
+use crate::objects::rebuilt::{
+    EarlierNote, ObjectAction, ObjectChange, RebuiltModel, TakenNames, refuse_non_utf8_name,
+};
+use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_partial_model};
 use crate::plan::Plan;
 
-/// A letter in a note's list of what was made: the floor.
+/// The letter for the floor in a note's list of elements that the program made.
 pub(super) const MADE_FLOOR: char = 'h';
 const FLOOR: &str = "floor";
 
@@ -20,7 +22,7 @@ const FLOOR: &str = "floor";
 ///
 /// ```
 /// use osim_model::{ForceKind, Model};
-/// use osim_patch::{Layout, NewContact, add_contacts};
+/// use osim_patch::{ContactLayout, NewContact, add_contacts};
 ///
 /// let text = r#"<OpenSimDocument Version="40000"><Model name="leg"><BodySet><objects>
 ///   <Body name="foot_r"><mass>1</mass></Body></objects></BodySet></Model></OpenSimDocument>"#;
@@ -28,7 +30,7 @@ const FLOOR: &str = "floor";
 /// let mut heel = NewContact::new(ForceKind::SmoothSphereHalfSpace, "heel_force", "heel");
 /// heel.body = "foot_r".into();
 /// heel.radius_m = 0.03;
-/// let mut layout = Layout::default();
+/// let mut layout = ContactLayout::default();
 /// layout.contacts.push(heel);
 ///
 /// let rebuilt = add_contacts(&model, &mut layout)?;
@@ -41,41 +43,46 @@ const FLOOR: &str = "floor";
 /// - A set that stands alone, or one in another file.
 /// - A body that the model does not have ([`FaultKind::UnknownBody`]), or that is welded to ground.
 /// - A `constant_contact_force` of 0, a name that OpenSim refuses, a radius that is not above 0, or several half-spaces that could be the floor.
-pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault> {
-    refuse_parts(model)?;
+pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<RebuiltModel, Fault> {
+    refuse_partial_model(model)?;
     layout.check()?;
-    let (mut names, list) = (Names::of(model), InList::of(model));
+    let (mut names, list) = (TakenNames::of(model), NamesInList::of(model));
     let version = model.document().version();
-    let own = floor(model)?;
+    let own = find_floor(model)?;
     let made_floor = match &own {
         Some(_) => None,
-        None => Some(names.take(if layout.floor.is_empty() { FLOOR } else { &layout.floor })?),
+        None => Some(names.reserve(if layout.floor.is_empty() { FLOOR } else { &layout.floor })?),
     };
     let plane = plane_path(own.as_ref(), made_floor.as_deref());
-    refuse_misread(model, &plane)?;
+    refuse_non_utf8_name(model, &plane)?;
     let bodies: HashMap<&str, &Body> =
         model.bodies().iter().rev().map(|body| (body.name.as_str(), body)).collect();
     let (mut geometry, mut forces, mut objects) = (Vec::new(), Vec::new(), Vec::new());
     if let Some(name) = &made_floor {
-        geometry.push(spelling::floor(version, name, model.up().into())?);
-        objects.push(added("ContactHalfSpace", name, &plane, None));
+        geometry.push(nodes::floor(version, name, model.up().into())?);
+        objects.push(added_object("ContactHalfSpace", name, &plane, None));
     }
     let mut force_objects = Vec::new();
     for contact in &mut layout.contacts {
         let Some(body) = bodies.get(contact.body.as_str()) else {
             return Err(Fault::new(FaultKind::UnknownBody { body: contact.body.clone() }));
         };
-        refuse_scenery(body)?;
-        refuse_misread(model, &body.path)?;
-        contact.sphere = names.take(&contact.sphere)?;
-        contact.force = names.take(&contact.force)?;
+        refuse_fixed_body(body)?;
+        refuse_non_utf8_name(model, &body.path)?;
+        contact.sphere = names.reserve(&contact.sphere)?;
+        contact.force = names.reserve(&contact.force)?;
         let sphere = format!("/contactgeometryset/{}", contact.sphere);
         let carrier = Carrier { name: &body.name, path: &body.path };
-        geometry.push(spelling::sphere_node(version, &carrier, contact)?);
-        objects.push(added("ContactSphere", &contact.sphere, &sphere, Some(&contact.body)));
-        forces.push(force(model.document(), &list, contact, &Surfaces { sphere: &sphere, plane: &plane })?);
+        geometry.push(nodes::sphere_node(version, &carrier, contact)?);
+        objects.push(added_object("ContactSphere", &contact.sphere, &sphere, Some(&contact.body)));
+        forces.push(force_node(
+            model.document(),
+            &list,
+            contact,
+            &Surfaces { sphere: &sphere, plane: &plane },
+        )?);
         let path = format!("/forceset/{}", contact.force);
-        force_objects.push(added(contact.kind.as_str(), &contact.force, &path, Some(&contact.body)));
+        force_objects.push(added_object(contact.kind.as_str(), &contact.force, &path, Some(&contact.body)));
     }
     objects.extend(force_objects);
     let document = model.document();
@@ -87,16 +94,16 @@ pub fn add_contacts(model: &Model, layout: &mut Layout) -> Result<Rebuilt, Fault
     if !beside_others {
         made.push(Note::ALL_ADDED);
     }
-    let mut rebuilt = Rebuilt::new(edited(model, edits)?, objects, made);
-    rebuilt.earlier_note = EarlierNote::OfOthers;
+    let mut rebuilt = RebuiltModel::new(edited(model, edits)?, objects, made);
+    rebuilt.earlier_note = EarlierNote::KeptBeside;
     if beside_others {
         rebuilt.added = layout.contacts.iter().map(|contact| Note::operation_text(&contact.force)).collect();
     }
     Ok(rebuilt)
 }
 
-/// Refuses contacts on what does not move: they would carry nobody.
-fn refuse_scenery(body: &Body) -> Result<(), Fault> {
+/// Refuses contacts on a body that cannot move, because they would carry nothing.
+fn refuse_fixed_body(body: &Body) -> Result<(), Fault> {
     if !body.fixed {
         return Ok(());
     }
@@ -108,22 +115,22 @@ fn refuse_scenery(body: &Body) -> Result<(), Fault> {
     Err(Fault::refused(text).at_element(body.path.clone()))
 }
 
-fn force(
+fn force_node(
     document: &Document,
-    list: &InList,
+    list: &NamesInList,
     contact: &NewContact,
     paths: &Surfaces<'_>,
 ) -> Result<Node, Fault> {
     // In the list of a HuntCrossleyForce, members of the geometry set are called by their names.
     let surfaces = match contact.kind {
         osim_model::ForceKind::HuntCrossley => {
-            Surfaces { sphere: list.call(paths.sphere), plane: list.call(paths.plane) }
+            Surfaces { sphere: list.name_of(paths.sphere), plane: list.name_of(paths.plane) }
         }
         _ => Surfaces { sphere: paths.sphere, plane: paths.plane },
     };
     let origin = |_: Property| format!("the numbers that {} is to have", contact.force);
     let values = Values { numbers: &contact.values, origin: &origin };
-    spelling::force(document, contact.kind, &contact.force, &surfaces, &values, true)
+    nodes::force(document, contact.kind, &contact.force, &surfaces, &values, true)
 }
 
 fn plane_path(own: Option<&HalfSpace>, made: Option<&str>) -> String {
@@ -131,9 +138,9 @@ fn plane_path(own: Option<&HalfSpace>, made: Option<&str>) -> String {
         .unwrap_or_else(|| format!("/contactgeometryset/{}", made.unwrap_or(FLOOR)))
 }
 
-fn added(class: &'static str, name: &str, path: &str, body: Option<&str>) -> ObjectChange {
+fn added_object(class: &'static str, name: &str, path: &str, body: Option<&str>) -> ObjectChange {
     ObjectChange {
-        deed: Deed::Added,
+        action: ObjectAction::Added,
         class,
         name: name.to_owned(),
         path: path.to_owned(),
@@ -165,7 +172,7 @@ impl Plan {
             self.moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
         let radii = self.changes.iter().filter(|change| change.property == Property::Radius);
         let radii: HashMap<&str, f64> = radii.map(|change| (change.path.as_str(), change.to)).collect();
-        let added = rebuilt.objects.iter().filter(|object| object.deed == Deed::Added);
+        let added = rebuilt.objects.iter().filter(|object| object.action == ObjectAction::Added);
         let spheres = added.filter_map(|object| {
             let id = *ids.get(object.path.as_str())?;
             let path = object.path.as_str();
@@ -183,7 +190,7 @@ impl Plan {
 }
 
 /// The floor of `model`: the one half-space on ground that faces straight up; `None` where there is none.
-pub(super) fn floor(model: &Model) -> Result<Option<HalfSpace>, Fault> {
+pub(super) fn find_floor(model: &Model) -> Result<Option<HalfSpace>, Fault> {
     let mut floors = model.floors().into_iter();
     let Some(first) = floors.next() else { return Ok(None) };
     let others: Vec<String> = floors.map(|plane| plane.name).collect();

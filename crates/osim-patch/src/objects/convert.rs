@@ -1,4 +1,4 @@
-//! Forces of one class as forces of the other, one for each sphere.
+//! Converts forces to the other class, one force for each sphere.
 
 use contact_scaling::{RatioValues, Ratios, SmoothingValues, falisse2022};
 use foldhash::HashSet;
@@ -9,11 +9,11 @@ use osim_model::{
 };
 
 use crate::edit::{Edit, edited};
-use crate::insert::{unit, white_space_before};
-use crate::objects::layout::{Layout, NewContact, Pair, pairs};
-use crate::objects::rebuilt::{Deed, Names, ObjectChange, Rebuilt, refuse_misread};
-use crate::objects::sets::{GEOMETRY_SET, refuse_parts};
-use crate::objects::spelling::{self, InList, Inside, Surfaces, Values};
+use crate::insert::{indentation_unit, white_space_before};
+use crate::objects::layout::{ContactLayout, NewContact, SpherePlanePair, sphere_plane_pairs};
+use crate::objects::nodes::{self, NamesInList, Surfaces, SurfacesInsideForces, Values};
+use crate::objects::rebuilt::{ObjectAction, ObjectChange, RebuiltModel, TakenNames, refuse_non_utf8_name};
+use crate::objects::sets::{GEOMETRY_SET, refuse_partial_model};
 use crate::rules;
 
 /// What only smoothed forces have.
@@ -49,7 +49,7 @@ impl Convert {
 /// A model whose forces are of another class, with remarks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Converted {
-    pub rebuilt: Rebuilt,
+    pub rebuilt: RebuiltModel,
     /// What the user should know.
     pub warnings: Vec<Finding>,
     /// Old and new names of forces that were divided.
@@ -67,38 +67,38 @@ pub struct Converted {
 /// - Values that are not plain numbers.
 /// - Surfaces with parameters of their own, if these are to be refused.
 pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<Converted, Fault> {
-    refuse_parts(model)?;
+    refuse_partial_model(model)?;
     let document = model.document();
     let tree = document.tree();
-    let (mut names, list) = (Names::of(model), InList::of(model));
+    let (mut names, list) = (TakenNames::of(model), NamesInList::of(model));
     let mut made = Converted {
-        rebuilt: Rebuilt::new(edited(model, Vec::new())?, Vec::new(), String::new()),
+        rebuilt: RebuiltModel::new(edited(model, Vec::new())?, Vec::new(), String::new()),
         warnings: Vec::new(),
         renamed: Vec::new(),
         without_sphere: Vec::new(),
     };
-    let (mut edits, mut objects, mut inside) = (Vec::new(), Vec::new(), Inside::default());
+    let (mut edits, mut objects, mut inside) = (Vec::new(), Vec::new(), SurfacesInsideForces::default());
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         refuse_included(model, force)?;
         if moving_spheres(model, &[force.id]).is_empty() && has_half_space(force) {
             made.without_sphere.push(force.path.clone());
             continue;
         }
-        let pairs = pairs_of(model, force)?;
+        let pairs = checked_pairs(model, force)?;
         let is_one = pairs.len() == 1 && moving_spheres(model, &[force.id]).len() == 1;
-        if force.kind == wanted.to && is_one && !keeps_inside(model, force) {
+        if force.kind == wanted.to && is_one && !keeps_sphere_inside(model, force) {
             continue;
         }
         if let Some(pair) = pairs.iter().find(|pair| pair.is_composite) {
-            made.warnings.push(composite(model, force, pair, wanted)?);
+            made.warnings.push(composite_finding(model, force, pair, wanted)?);
         }
-        let (edit, new) = divided(model, force, &pairs, wanted, (&mut names, &list, &mut inside))?;
+        let (edit, new) = divide_force(model, force, &pairs, wanted, (&mut names, &list, &mut inside))?;
         edits.push(edit);
         let own: Vec<String> = new.iter().map(|object| object.name.clone()).collect();
         if own != [force.name.clone()] {
             made.renamed.push((force.name.clone(), own));
         }
-        objects.push(object(Deed::Removed, force.kind, &force.name, &force.path, None));
+        objects.push(object_change(ObjectAction::Removed, force.kind, &force.name, &force.path, None));
         objects.extend(new);
     }
     edits.extend(renamed_members(tree, document.data_root(), &made.renamed));
@@ -107,7 +107,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
         edits.extend(GEOMETRY_SET.add(tree, root, &inside.geometry, &mut String::new()));
         objects.splice(0..0, inside.objects);
     }
-    made.rebuilt = Rebuilt::new(edited(model, edits)?, objects, String::new());
+    made.rebuilt = RebuiltModel::new(edited(model, edits)?, objects, String::new());
     Ok(made)
 }
 
@@ -125,7 +125,7 @@ fn has_half_space(force: &Force) -> bool {
     force.sets.iter().any(|set| set.half_spaces > 0)
 }
 
-fn pairs_of(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
+fn checked_pairs(model: &Model, force: &Force) -> Result<Vec<SpherePlanePair>, Fault> {
     let leave_out = |text: String, otherwise: &'static str| {
         let kind = FaultKind::ForceCannotChange { text, force: force.name.clone(), otherwise };
         Fault::new(kind).at_element(force.path.clone())
@@ -137,7 +137,7 @@ fn pairs_of(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
         );
         return Err(leave_out(text, "give it a half-space in OpenSim"));
     }
-    let pairs = pairs(model, force)?;
+    let pairs = sphere_plane_pairs(model, force)?;
     let own: HashSet<_> = pairs.iter().map(|pair| pair.sphere).collect();
     let mut moving = moving_spheres(model, &[force.id]).into_iter();
     if let Some(sphere) = moving.find(|sphere| !own.contains(sphere)).and_then(|id| model.sphere(id)) {
@@ -151,11 +151,16 @@ fn pairs_of(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
 }
 
 /// Whether `force` has its sphere inside itself, as in Moco 0.1 to 0.3.
-pub(crate) fn keeps_inside(model: &Model, force: &Force) -> bool {
+pub(crate) fn keeps_sphere_inside(model: &Model, force: &Force) -> bool {
     force.spheres().into_iter().filter_map(|id| model.sphere(id)).any(Sphere::is_inside_force)
 }
 
-fn composite(model: &Model, force: &Force, pair: &Pair, wanted: &Convert) -> Result<Finding, Fault> {
+fn composite_finding(
+    model: &Model,
+    force: &Force,
+    pair: &SpherePlanePair,
+    wanted: &Convert,
+) -> Result<Finding, Fault> {
     let sphere = model.sphere(pair.sphere).map_or("", |sphere| sphere.name.as_str());
     let text = rules::composite_surfaces_message(force, sphere, &pair.plane.name);
     if wanted.strict {
@@ -166,44 +171,44 @@ fn composite(model: &Model, force: &Force, pair: &Pair, wanted: &Convert) -> Res
 }
 
 /// The edit that puts one force for each pair into the place of `force`, and the new objects.
-fn divided(
+fn divide_force(
     model: &Model,
     force: &Force,
-    pairs: &[Pair],
+    pairs: &[SpherePlanePair],
     wanted: &Convert,
-    (names, list, inside): (&mut Names, &InList, &mut Inside),
+    (names, list, inside): (&mut TakenNames, &NamesInList, &mut SurfacesInsideForces),
 ) -> Result<(Edit, Vec<ObjectChange>), Fault> {
     let tree = model.document().tree();
     let span = tree.span(force.element());
     let space = white_space_before(tree, span.start);
-    let unit = unit(tree, force.element());
+    let unit = indentation_unit(tree, force.element());
     let (mut text, mut objects) = (String::new(), Vec::new());
     for (index, pair) in pairs.iter().enumerate() {
         let Some(sphere) = model.sphere(pair.sphere) else { continue };
         let name = match pairs.len() {
             1 => force.name.clone(),
-            _ => names.take(&format!("{}_{}", force.name, sphere.name))?,
+            _ => names.reserve(&format!("{}_{}", force.name, sphere.name))?,
         };
         let (sphere_path, plane_path) = match sphere.is_inside_force() {
             true => inside.take(model, force, (sphere, &pair.plane), names)?,
             false => (sphere.path.clone(), pair.plane.path.clone()),
         };
         for used in [&name, &sphere_path, &plane_path] {
-            refuse_misread(model, used).map_err(|fault| fault.at_element(force.path.clone()))?;
+            refuse_non_utf8_name(model, used).map_err(|fault| fault.at_element(force.path.clone()))?;
         }
         let mut values = pair.values.clone();
         if wanted.to == ForceKind::SmoothSphereHalfSpace {
-            smooth(&mut values, sphere.radius_m()?, wanted)?;
+            add_smoothing(&mut values, sphere.radius_m()?, wanted)?;
         }
         let surfaces = match wanted.to {
             ForceKind::HuntCrossley => {
-                Surfaces { sphere: list.call(&sphere_path), plane: list.call(&plane_path) }
+                Surfaces { sphere: list.name_of(&sphere_path), plane: list.name_of(&plane_path) }
             }
             _ => Surfaces { sphere: &sphere_path, plane: &plane_path },
         };
         let origin = |property: Property| origin(property, sphere, pair);
         let written = Values { numbers: &values, origin: &origin };
-        let node = spelling::force(model.document(), wanted.to, &name, &surfaces, &written, force.applies)
+        let node = nodes::force(model.document(), wanted.to, &name, &surfaces, &written, force.applies)
             .map_err(|fault| Fault::at(fault.kind, span.start).at_element(force.path.clone()))?;
         let written = node.text(&space, unit);
         // The first begins where the old one did.
@@ -213,14 +218,14 @@ fn divided(
             &written
         });
         let path = format!("{}/{name}", force.path.rsplit_once('/').map_or("", |(set, _)| set));
-        let made = object(Deed::Added, wanted.to, &name, &path, sphere.body.clone());
-        objects.push(ObjectChange { parameters: of_class(wanted.to, values), ..made });
+        let made = object_change(ObjectAction::Added, wanted.to, &name, &path, sphere.body.clone());
+        objects.push(ObjectChange { parameters: values_of_class(wanted.to, values), ..made });
     }
     Ok((Edit { span, text }, objects))
 }
 
 /// What the `property` of a new force comes from.
-fn origin(property: Property, sphere: &Sphere, pair: &Pair) -> String {
+fn origin(property: Property, sphere: &Sphere, pair: &SpherePlanePair) -> String {
     let (radius, path) = (readable(sphere.radius.number), &sphere.path);
     let by_radius = |equation: &str| format!("the radius {radius} m of {path} by equation ({equation})");
     match property {
@@ -233,7 +238,7 @@ fn origin(property: Property, sphere: &Sphere, pair: &Pair) -> String {
 }
 
 /// Those of `values` that forces of `kind` have.
-fn of_class(kind: ForceKind, mut values: Vec<(Property, f64)>) -> Vec<(Property, f64)> {
+fn values_of_class(kind: ForceKind, mut values: Vec<(Property, f64)>) -> Vec<(Property, f64)> {
     if kind == ForceKind::HuntCrossley {
         values.retain(|(property, _)| !SMOOTHING.contains(property));
     }
@@ -241,7 +246,7 @@ fn of_class(kind: ForceKind, mut values: Vec<(Property, f64)>) -> Vec<(Property,
 }
 
 /// Gives a force its smoothing, where it has none.
-pub(super) fn smooth(
+pub(super) fn add_smoothing(
     values: &mut Vec<(Property, f64)>,
     radius_m: f64,
     wanted: &Convert,
@@ -305,9 +310,15 @@ fn renamed_members(tree: &Tree, model: ElementId, renamed: &[(String, Vec<String
     groups.filter_map(edit).collect()
 }
 
-fn object(deed: Deed, kind: ForceKind, name: &str, path: &str, body: Option<String>) -> ObjectChange {
+fn object_change(
+    action: ObjectAction,
+    kind: ForceKind,
+    name: &str,
+    path: &str,
+    body: Option<String>,
+) -> ObjectChange {
     ObjectChange {
-        deed,
+        action,
         class: kind.as_str(),
         name: name.to_owned(),
         path: path.to_owned(),
@@ -316,7 +327,7 @@ fn object(deed: Deed, kind: ForceKind, name: &str, path: &str, body: Option<Stri
     }
 }
 
-impl Layout {
+impl ContactLayout {
     /// The contacts with forces of the class `kind`, as [`convert`](crate::objects::convert()) makes them: what a class does not have goes,
     /// and what the other had not comes from Falisse et al. (2022), without dimensions, at the radius of each sphere.
     ///
@@ -334,7 +345,7 @@ impl NewContact {
     fn set_class(&mut self, kind: ForceKind) -> Result<(), Fault> {
         self.kind = kind;
         if kind == ForceKind::SmoothSphereHalfSpace {
-            return smooth(&mut self.values, self.radius_m, &Convert::new(kind));
+            return add_smoothing(&mut self.values, self.radius_m, &Convert::new(kind));
         }
         self.values.retain(|(property, _)| !SMOOTHING.contains(property));
         Ok(())

@@ -1,4 +1,4 @@
-//! Contacts as they are to be made: which sphere, on which body, where, with which values; of a preset, of a model, mirrored.
+//! Layouts of new contacts: spheres on bodies with their places and parameters, from a preset, from a model, or mirrored.
 
 use contact_scaling::modulus::SurfaceValues;
 use foldhash::HashSet;
@@ -39,14 +39,14 @@ impl NewContact {
 
 /// Contacts that a model is to get.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Layout {
+pub struct ContactLayout {
     /// The contacts, in the order in which they are written.
     pub contacts: Vec<NewContact>,
     /// Name of the floor where one has to be made; `floor` where it is empty.
     pub floor: String,
 }
 
-impl Layout {
+impl ContactLayout {
     /// The contacts of the forces `selected` of `model`: one for each sphere that meets a half-space, with places in the frames of
     /// bodies.
     ///
@@ -55,9 +55,9 @@ impl Layout {
     pub fn of(model: &Model, selected: &Selected) -> Result<Self, Fault> {
         let mut layout = Self::default();
         for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-            let pairs = pairs(model, force)?;
+            let pairs = sphere_plane_pairs(model, force)?;
             let several = pairs.len() > 1;
-            for Pair { sphere, plane, values, .. } in pairs {
+            for SpherePlanePair { sphere, plane, values, .. } in pairs {
                 let Some(own) = model.sphere(sphere) else { continue };
                 let Some(body) = own.body.clone() else { continue };
                 let place = model.centre_m(sphere).ok_or_else(|| {
@@ -111,7 +111,7 @@ impl Layout {
 
 // Contacts of one side, on the other side too.
 
-impl Layout {
+impl ContactLayout {
     /// The contacts and their mirror images in z: names and bodies with `_l` for `_r`, or the other way round. What has no side in its
     /// body's name stays alone.
     ///
@@ -130,7 +130,7 @@ impl Layout {
             ));
         }
         let of_side = self.contacts.iter().filter(|contact| Side::of_name(&contact.body) == Some(side));
-        let images = of_side.map(|contact| image(contact, side)).collect::<Result<Vec<_>, _>>()?;
+        let images = of_side.map(|contact| mirrored_contact(contact, side)).collect::<Result<Vec<_>, _>>()?;
         self.contacts.extend(images);
         Ok(self)
     }
@@ -138,9 +138,9 @@ impl Layout {
     /// `anatomy` with the bodies of this layout that it lacks: each the mirror image of that of the other side.
     pub fn mirrored_anatomy(&self, mut anatomy: Anatomy) -> Anatomy {
         for contact in &self.contacts {
-            let other = other_side(&contact.body).filter(|other| anatomy.has_body(other));
+            let other = name_of_other_side(&contact.body).filter(|other| anatomy.has_body(other));
             if let Some(other) = other.filter(|_| !anatomy.has_body(&contact.body)) {
-                add_image(&mut anatomy, &other, &contact.body);
+                add_mirrored_body(&mut anatomy, &other, &contact.body);
                 // Its names are looked up in an index, which is made with the spheres.
                 let spheres = anatomy.spheres.clone();
                 anatomy = anatomy.with_spheres(spheres);
@@ -151,24 +151,24 @@ impl Layout {
 }
 
 /// Adds `image`, the mirror image of the body `of` with its meshes and the joints around it.
-fn add_image(anatomy: &mut Anatomy, of: &str, image: &str) {
+fn add_mirrored_body(anatomy: &mut Anatomy, of: &str, image: &str) {
     anatomy.bodies.push(image.to_owned());
     if let Some(meshes) = anatomy.meshes.get(of).cloned() {
         anatomy.meshes.insert(image.to_owned(), meshes);
     }
-    let swapped = |name: &str| other_side(name).unwrap_or_else(|| name.to_owned());
+    let swapped = |name: &str| name_of_other_side(name).unwrap_or_else(|| name.to_owned());
     if let Some(offsets) = anatomy.offsets.get(of) {
-        let offsets = offsets.iter().map(|(name, &place)| (swapped(name), in_mirror(place))).collect();
+        let offsets = offsets.iter().map(|(name, &place)| (swapped(name), mirrored_place(place))).collect();
         anatomy.offsets.insert(image.to_owned(), offsets);
     }
     let around = |joint: &&AnatomyJoint| joint.child == of || joint.parent == of;
     let images = anatomy.joints.iter().filter(around).filter_map(|joint| {
         let mut joint = joint.clone();
-        joint.name = other_side(&joint.name)?;
+        joint.name = name_of_other_side(&joint.name)?;
         joint.parent = swapped(&joint.parent);
         joint.child = swapped(&joint.child);
-        joint.in_parent_m = in_mirror(joint.in_parent_m.into()).into();
-        joint.in_child_m = in_mirror(joint.in_child_m.into()).into();
+        joint.in_parent_m = mirrored_place(joint.in_parent_m.into()).into();
+        joint.in_child_m = mirrored_place(joint.in_child_m.into()).into();
         Some(joint)
     });
     let known: HashSet<String> = anatomy.joints.iter().map(|joint| joint.name.clone()).collect();
@@ -176,30 +176,30 @@ fn add_image(anatomy: &mut Anatomy, of: &str, image: &str) {
     anatomy.joints.extend(images);
 }
 
-fn in_mirror([x, y, z]: [f64; 3]) -> [f64; 3] {
+fn mirrored_place([x, y, z]: [f64; 3]) -> [f64; 3] {
     [x, y, if z == 0.0 { z } else { -z }]
 }
 
-fn image(contact: &NewContact, side: Side) -> Result<NewContact, Fault> {
-    let body = other_side(&contact.body).ok_or_else(|| {
+fn mirrored_contact(contact: &NewContact, side: Side) -> Result<NewContact, Fault> {
+    let body = name_of_other_side(&contact.body).ok_or_else(|| {
         Fault::refused(format!(
             "{} says its side otherwise than with _r or _l: what is mirrored is found by these letters",
             contact.body
         ))
     })?;
     let mark = if side == Side::Right { "_l" } else { "_r" };
-    let name = |own: &str| other_side(own).unwrap_or_else(|| format!("{own}{mark}"));
+    let name = |own: &str| name_of_other_side(own).unwrap_or_else(|| format!("{own}{mark}"));
     Ok(NewContact {
         force: name(&contact.force),
         sphere: name(&contact.sphere),
         body,
-        location_m: in_mirror(contact.location_m),
+        location_m: mirrored_place(contact.location_m),
         ..contact.clone()
     })
 }
 
 /// The name with `_l` for `_r`, or the other way round, where these end a word; `None` where it has neither.
-fn other_side(name: &str) -> Option<String> {
+fn name_of_other_side(name: &str) -> Option<String> {
     let mut letters: Vec<char> = name.chars().collect();
     let mut found = false;
     for at in 1..letters.len() {
@@ -220,7 +220,7 @@ fn other_side(name: &str) -> Option<String> {
 // A force as pairs of one sphere and one half-space, with the values that such a pair alone would need.
 
 /// A sphere and a half-space of one force.
-pub(crate) struct Pair {
+pub(crate) struct SpherePlanePair {
     pub(crate) sphere: SphereId,
     pub(crate) plane: HalfSpace,
     /// Parameters of both surfaces, as one force for the two alone would have them; the transition velocity among them.
@@ -233,7 +233,7 @@ pub(crate) struct Pair {
 ///
 /// # Errors
 /// A value that is not a plain number or outside its domain, with its place.
-pub(crate) fn pairs(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
+pub(crate) fn sphere_plane_pairs(model: &Model, force: &Force) -> Result<Vec<SpherePlanePair>, Fault> {
     let surfaces = Surfaces::of(force)?;
     let planes: Vec<(&ParameterSet, HalfSpace)> = force
         .sets
@@ -256,7 +256,7 @@ pub(crate) fn pairs(model: &Model, force: &Force) -> Result<Vec<Pair>, Fault> {
                 } else {
                     here
                 };
-                pairs.push(Pair { sphere, plane: plane.clone(), values, is_composite });
+                pairs.push(SpherePlanePair { sphere, plane: plane.clone(), values, is_composite });
             }
         }
     }
@@ -297,7 +297,7 @@ fn composite_values(
 // Presets whose places are published, too: each is a small model of our own that says so.
 
 /// Name and model.
-const MODELS: [(&str, &str); 2] = [
+const PRESET_MODELS: [(&str, &str); 2] = [
     ("falisse2022", include_str!("presets/falisse2022.osim")),
     ("moco-2d-gait", include_str!("presets/moco-2d-gait.osim")),
 ];
@@ -313,12 +313,12 @@ const MODELS: [(&str, &str); 2] = [
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 pub fn preset_model(name: &str) -> Option<&'static str> {
-    MODELS.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
+    PRESET_MODELS.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }
 
 /// Names of the presets that have places.
 pub fn presets_with_places() -> impl Iterator<Item = &'static str> {
-    MODELS.iter().map(|(name, _)| *name)
+    PRESET_MODELS.iter().map(|(name, _)| *name)
 }
 
 #[cfg(test)]
@@ -334,8 +334,8 @@ mod tests {
         contact
     }
 
-    fn layout(contacts: Vec<NewContact>) -> Layout {
-        Layout { contacts, ..Layout::default() }
+    fn layout(contacts: Vec<NewContact>) -> ContactLayout {
+        ContactLayout { contacts, ..ContactLayout::default() }
     }
 
     #[test]
@@ -365,14 +365,14 @@ mod tests {
 
     #[test]
     fn sides_are_words_of_a_name() {
-        assert_eq!(other_side("s1_r_a").as_deref(), Some("s1_l_a"));
-        assert_eq!(other_side("calcn_l").as_deref(), Some("calcn_r"));
+        assert_eq!(name_of_other_side("s1_r_a").as_deref(), Some("s1_l_a"));
+        assert_eq!(name_of_other_side("calcn_l").as_deref(), Some("calcn_r"));
         assert_eq!(
-            other_side("/jointset/mtp_r/calcn_r_offset").as_deref(),
+            name_of_other_side("/jointset/mtp_r/calcn_r_offset").as_deref(),
             Some("/jointset/mtp_l/calcn_l_offset")
         );
-        assert_eq!(other_side("mtp_r parent").as_deref(), Some("mtp_l parent"));
-        assert_eq!(other_side("rotor_left"), None);
-        assert_eq!(other_side("l"), None);
+        assert_eq!(name_of_other_side("mtp_r parent").as_deref(), Some("mtp_l parent"));
+        assert_eq!(name_of_other_side("rotor_left"), None);
+        assert_eq!(name_of_other_side("l"), None);
     }
 }

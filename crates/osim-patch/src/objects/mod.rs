@@ -1,17 +1,17 @@
-//! Whole objects: contacts that a model gets or loses.
+//! Adds, removes and converts whole contact objects.
 
 mod add;
 mod convert;
 mod layout;
+mod nodes;
 mod rebuilt;
 mod remove;
 mod sets;
-mod spelling;
 
 pub use add::{NewSphere, add_contacts};
-pub(crate) use convert::keeps_inside;
+pub(crate) use convert::keeps_sphere_inside;
 pub use convert::{Convert, Converted, convert};
-pub use layout::{Layout, NewContact, preset_model, presets_with_places};
+pub use layout::{ContactLayout, NewContact, preset_model, presets_with_places};
 pub(crate) use rebuilt::EarlierNote;
-pub use rebuilt::{Deed, ObjectChange, Rebuilt};
-pub use remove::{Leftover, added_forces, leftovers, remove};
+pub use rebuilt::{ObjectAction, ObjectChange, RebuiltModel};
+pub use remove::{DanglingReference, added_forces, dangling_references, remove};

@@ -1,4 +1,4 @@
-//! A model whose objects are others, what a plan builds on before numbers change; and the names of new objects.
+//! Models with objects added or removed, on which a plan builds before numbers change; and names of new objects.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -8,14 +8,14 @@ use osim_model::{
     Document, ElementId, Fault, FileId, ForceKind, Model, Property, opensim_text, refuse_name_in_paths,
 };
 
-/// What happens to a whole object.
+/// Whether an object is added or removed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Deed {
+pub enum ObjectAction {
     Added,
     Removed,
 }
 
-impl Deed {
+impl ObjectAction {
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Added => "added",
@@ -24,10 +24,10 @@ impl Deed {
     }
 }
 
-/// One object that a plan adds or takes out.
+/// An object that a plan adds or removes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectChange {
-    pub deed: Deed,
+    pub action: ObjectAction,
     /// OpenSim's class, such as `ContactSphere`.
     pub class: &'static str,
     pub name: String,
@@ -35,56 +35,55 @@ pub struct ObjectChange {
     pub path: String,
     /// The body that carries it, or carries its sphere; `None` for ground.
     pub body: Option<String>,
-    /// Parameters that a converted force is written with, in their own units; nothing for all others: what new contacts have
-    /// are changes.
+    /// Parameters of a converted force, in their own units; empty for all other objects.
     pub parameters: Vec<(Property, f64)>,
 }
 
-/// A model with other objects than the one it was made from.
+/// A model after objects were added or removed.
 #[derive(Debug, Clone)]
-pub struct Rebuilt {
+pub struct RebuiltModel {
     model: Arc<Model>,
     /// What was added or taken out, in the order in which reports list it.
     pub objects: Vec<ObjectChange>,
-    /// Letters for a note's list of what was made: in addition, or what is left of it after a removal.
+    /// Letters for the note's list of elements that the program made: new ones, or those that remain after a removal.
     pub(crate) made: String,
-    /// Names of the forces that are new, for the note, where the model has others.
+    /// Names of new forces, for the note of a model that also has others.
     pub(crate) added: Vec<String>,
     pub(crate) earlier_note: EarlierNote,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum EarlierNote {
-    /// Its contacts: a new note takes its place.
-    OfContacts,
-    /// Other contacts, which went before these were added: it stays beside a new one.
-    OfOthers,
-    /// The contacts are of others, and the note of those that went now is out already.
+    /// The earlier note is about these contacts: a new note replaces it.
+    Replaced,
+    /// The earlier note is about contacts that were removed before these were added: it stays beside a new one.
+    KeptBeside,
+    /// The earlier note was about contacts that are removed now, and is removed already.
     TakenOut,
 }
 
-impl Rebuilt {
+impl RebuiltModel {
     pub(crate) fn new(model: Model, objects: Vec<ObjectChange>, made: String) -> Self {
         let (model, added) = (Arc::new(model), Vec::new());
-        Self { model, objects, made, added, earlier_note: EarlierNote::OfContacts }
+        Self { model, objects, made, added, earlier_note: EarlierNote::Replaced }
     }
 
-    pub fn after(mut self, first: &Self) -> Self {
+    pub fn following(mut self, first: &Self) -> Self {
         self.objects.splice(0..0, first.objects.iter().cloned());
-        // A part is left of what the earlier note is about: the new one takes its place.
+        // The earlier note still is about some contacts, so the new one replaces it.
         if first.earlier_note != EarlierNote::TakenOut {
-            self.earlier_note = EarlierNote::OfContacts;
+            self.earlier_note = EarlierNote::Replaced;
         }
         self
     }
 
-    /// The model as it is then, before numbers change.
+    /// The model with the new objects, before numbers change.
     pub fn model(&self) -> &Model {
         &self.model
     }
 }
 
-impl PartialEq for Rebuilt {
+impl PartialEq for RebuiltModel {
     /// Whether bytes and objects are the same.
     fn eq(&self, other: &Self) -> bool {
         let bytes = |of: &'_ Self| of.model.file(FileId::MAIN).bytes().to_vec();
@@ -92,14 +91,14 @@ impl PartialEq for Rebuilt {
     }
 }
 
-// Names of new objects, those that OpenSim takes, each once; and places of a file that name contact geometry.
+// Names for new objects, and elements of a file that refer to contact geometry by name.
 
-/// Names that are taken in a model, or will be.
-pub(super) struct Names(HashSet<String>);
+/// Names that are used in a model, or reserved for new objects.
+pub(super) struct TakenNames(HashSet<String>);
 
-impl Names {
-    /// Those of the contact geometry and the forces of `model`: OpenSim renames the second of one name without a warning. Also
-    /// names of geometry that it lacks and something uses: that would meet what is new.
+impl TakenNames {
+    /// Names of contact geometry and forces of `model`, because OpenSim silently renames the second object of a name. Also names of missing
+    /// geometry that something refers to, because it would find a new object of that name.
     pub(super) fn of(model: &Model) -> Self {
         let geometry = model.spheres().iter().map(|sphere| sphere.name.clone());
         let planes = model.half_spaces().into_iter().map(|plane| plane.name);
@@ -112,8 +111,8 @@ impl Names {
         Self(taken)
     }
 
-    /// `name`, or followed by a number where it is taken.
-    pub(super) fn take(&mut self, name: &str) -> Result<String, Fault> {
+    /// Reserves `name`, with a number after it if it is taken.
+    pub(super) fn reserve(&mut self, name: &str) -> Result<String, Fault> {
         refuse_name_in_paths(name)?;
         let free = |name: &String| !self.0.contains(name);
         let numbered = (2_u64..).map(|number| format!("{name}_{number}"));
@@ -123,9 +122,9 @@ impl Names {
     }
 }
 
-/// Refuses to call something of `model` by `name`, its name or path, where its bytes are not UTF-8: it was read with a question mark
-/// for each of them, and OpenSim would not find it.
-pub(super) fn refuse_misread(model: &Model, name: &str) -> Result<(), Fault> {
+/// Refuses to refer to an object by `name` (its name or path) if that is not UTF-8 in the file: it was read with question marks, and OpenSim would
+/// not find the object.
+pub(super) fn refuse_non_utf8_name(model: &Model, name: &str) -> Result<(), Fault> {
     if !name.contains('?') || std::str::from_utf8(model.file(FileId::MAIN).bytes()).is_ok() {
         return Ok(());
     }
@@ -143,8 +142,7 @@ fn members(model: &Model, set: &str) -> Vec<String> {
     children.filter_map(|id| Some(tree.attribute(id, "name")?.into_owned())).collect()
 }
 
-/// The elements of `document` that name contact geometry. What `<defaults>` name for forces is not among them: it counts only for
-/// forces that have nothing of their own there.
+/// The elements of `document` that refer to contact geometry by name, without those in the `<defaults>` of forces.
 pub(super) fn geometry_references(document: &Document) -> impl Iterator<Item = ElementId> + '_ {
     let tree = document.tree();
     let of_forces = |&id: &ElementId| {
@@ -152,25 +150,25 @@ pub(super) fn geometry_references(document: &Document) -> impl Iterator<Item = E
         kinds.iter().any(|kind| kind.as_str() == tree.name(id))
     };
     let defaults = document.defaults().into_iter().flat_map(|defaults| tree.children(defaults));
-    let left_out = Covered::of(defaults.filter(of_forces).map(|element| tree.span(element)).collect());
+    let left_out = OuterSpans::of(defaults.filter(of_forces).map(|element| tree.span(element)).collect());
     tree.elements().filter(move |&id| is_reference(tree.name(id)) && !left_out.covers(&tree.span(id)))
 }
 
-/// The names that the text of such an element gives, without their paths.
+/// The names in the text of such an element, without their paths.
 pub(super) fn geometry_names(text: &str) -> impl Iterator<Item = &str> {
     opensim_text::list_words(text).map(|word| word.rsplit('/').next().unwrap_or(word))
 }
 
-/// Whether elements of this name name contact geometry.
+/// Whether elements with this tag refer to contact geometry by name.
 fn is_reference(tag: &str) -> bool {
     ["geometry", "socket_sphere", "socket_half_space", "socket_contact_geometry"].contains(&tag)
 }
 
-/// Spans in order, none inside another one.
-pub(super) struct Covered(Vec<Range<usize>>);
+/// Spans in order, without those inside another one.
+pub(super) struct OuterSpans(Vec<Range<usize>>);
 
-impl Covered {
-    /// Those of `spans` that are in no other one of them. Spans do not overlap otherwise: they are elements.
+impl OuterSpans {
+    /// Keeps the `spans` that are in no other one. They do not overlap otherwise, because they are elements.
     pub(super) fn of(mut spans: Vec<Range<usize>>) -> Self {
         // The longer first where two begin together.
         spans.sort_by_key(|span| (span.start, std::cmp::Reverse(span.end)));
@@ -198,14 +196,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_inside_of_what_goes_goes_with_it() {
-        let covered = Covered::of(vec![20..30, 0..10, 20..25, 26..30, 2..3]);
+    fn spans_inside_others_are_covered() {
+        let covered = OuterSpans::of(vec![20..30, 0..10, 20..25, 26..30, 2..3]);
         assert_eq!(covered.spans(), [0..10, 20..30]);
         for (span, goes) in
             [(0..10, true), (2..9, true), (9..11, false), (10..20, false), (25..26, true), (31..32, false)]
         {
             assert_eq!(covered.covers(&span), goes, "{span:?}");
         }
-        assert!(!Covered::of(Vec::new()).covers(&(0..1)));
+        assert!(!OuterSpans::of(Vec::new()).covers(&(0..1)));
     }
 }

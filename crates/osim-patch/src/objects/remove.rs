@@ -1,4 +1,4 @@
-//! Contacts out of a model: forces, their spheres where nothing else uses them, what was made for them, and what still names them.
+//! Removes contacts from a model: forces, spheres that only they use, and sets that were made for them; and finds what still refers to them by name.
 
 use std::collections::BTreeSet;
 
@@ -12,9 +12,9 @@ use crate::edit::{Edit, edited};
 use crate::insert::with_white_space_before;
 use crate::objects::add::MADE_FLOOR;
 use crate::objects::rebuilt::{
-    Covered, Deed, EarlierNote, ObjectChange, Rebuilt, geometry_names, geometry_references,
+    EarlierNote, ObjectAction, ObjectChange, OuterSpans, RebuiltModel, geometry_names, geometry_references,
 };
-use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_parts};
+use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_partial_model};
 
 /// `model` without the forces `selected` and the moving spheres that only they use; the floor goes where [`add_contacts`] made it and
 /// nothing uses it, and so do the sets that it made. After [`add_contacts`], also with other numbers since, the first file is
@@ -25,8 +25,8 @@ use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_parts};
 /// # Errors
 /// - A set that stands alone, or one in another file.
 /// - A sphere or force that something else uses, such as another force class, by name.
-pub fn remove(model: &Model, selected: &Selected) -> Result<Rebuilt, Fault> {
-    refuse_parts(model)?;
+pub fn remove(model: &Model, selected: &Selected) -> Result<RebuiltModel, Fault> {
+    refuse_partial_model(model)?;
     let going: HashSet<ForceId> = selected.forces.iter().copied().collect();
     let staying = || model.forces().iter().filter(|force| !going.contains(&force.id));
     let used: HashSet<SphereId> = staying().flat_map(Force::spheres).collect();
@@ -38,7 +38,7 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<Rebuilt, Fault> {
         elements.push(force.element());
         let moving = moving_spheres(model, &[force.id]).into_iter().filter_map(|id| model.sphere(id));
         let body = moving.clone().find_map(|sphere| sphere.body.clone());
-        objects.push(removed(force.kind.as_str(), &force.name, &force.path, body));
+        objects.push(removed_object(force.kind.as_str(), &force.name, &force.path, body));
         spheres.extend(moving.filter(|sphere| !sphere.is_inside_force()).map(|sphere| sphere.id));
     }
     spheres.retain(|sphere| !used.contains(sphere));
@@ -47,7 +47,7 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<Rebuilt, Fault> {
         refuse_other_file(model, sphere.file, &sphere.path)?;
         elements.push(sphere.element());
         going_names.insert(sphere.name.clone());
-        objects.push(removed("ContactSphere", &sphere.name, &sphere.path, sphere.body.clone()));
+        objects.push(removed_object("ContactSphere", &sphere.name, &sphere.path, sphere.body.clone()));
     }
     let mut made = model.note.as_ref().map(|note| note.added_to_file.clone()).unwrap_or_default();
     if made.contains(MADE_FLOOR) {
@@ -61,28 +61,28 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<Rebuilt, Fault> {
         if let Some(floor) = floor.filter(|floor| floor.file == FileId::MAIN) {
             elements.push(floor.element);
             going_names.insert(floor.name.clone());
-            objects.push(removed("ContactHalfSpace", &floor.name, &floor.path, None));
+            objects.push(removed_object("ContactHalfSpace", &floor.name, &floor.path, None));
             made.retain(|letter| letter != MADE_FLOOR);
         }
     }
     refuse_users(model, &elements, &going_names)?;
-    let mut rebuilt = edited(model, without(model, &elements, &mut made))?;
-    let is_last = !crate::note::has_rest(model, &rebuilt) || takes_all_added(model, &going);
+    let mut rebuilt = edited(model, removal_edits(model, &elements, &mut made))?;
+    let is_last = !crate::note::leaves_noted_contacts(model, &rebuilt) || takes_all_added(model, &going);
     if is_last {
         // Without contacts, a note about contacts would be wrong.
         rebuilt = edited(&rebuilt, crate::note_edits::remove_note(rebuilt.document()))?;
     }
-    let made = crate::note_edits::with_letters(&made, "");
-    let mut rebuilt = Rebuilt::new(rebuilt, objects, made);
+    let made = crate::note_edits::merged_letters(&made, "");
+    let mut rebuilt = RebuiltModel::new(rebuilt, objects, made);
     if is_last {
         rebuilt.earlier_note = EarlierNote::TakenOut;
     }
     Ok(rebuilt)
 }
 
-fn removed(class: &'static str, name: &str, path: &str, body: Option<String>) -> ObjectChange {
+fn removed_object(class: &'static str, name: &str, path: &str, body: Option<String>) -> ObjectChange {
     ObjectChange {
-        deed: Deed::Removed,
+        action: ObjectAction::Removed,
         class,
         name: name.to_owned(),
         path: path.to_owned(),
@@ -119,19 +119,19 @@ fn takes_all_added(model: &Model, going: &HashSet<ForceId>) -> bool {
 }
 
 /// Edits that take out `elements`; of a set that loses all members, what was `made` goes, too, and with it the letters for it.
-fn without(model: &Model, elements: &[ElementId], made: &mut String) -> Vec<Edit> {
+fn removal_edits(model: &Model, elements: &[ElementId], made: &mut String) -> Vec<Edit> {
     let document = model.document();
     let (tree, root) = (document.tree(), document.data_root());
     let going: HashSet<ElementId> = elements.iter().copied().collect();
     let mut edits: Vec<Edit> = Vec::new();
     for set in [FORCE_SET, GEOMETRY_SET] {
         if is_emptied(tree, set.element(tree, root), &going) {
-            edits.extend(set.restored(tree, root, made));
-            *made = set.forgotten(made);
+            edits.extend(set.restoring_edit(tree, root, made));
+            *made = set.without_letters(made);
         }
     }
-    let restored = Covered::of(edits.iter().map(|edit| edit.span.clone()).collect());
-    let gone = Covered::of(elements.iter().map(|&element| tree.span(element)).collect());
+    let restored = OuterSpans::of(edits.iter().map(|edit| edit.span.clone()).collect());
+    let gone = OuterSpans::of(elements.iter().map(|&element| tree.span(element)).collect());
     for span in gone.spans() {
         let span = with_white_space_before(tree, span.clone());
         if !restored.covers(&span) {
@@ -147,26 +147,26 @@ fn is_emptied(tree: &Tree, set: Option<ElementId>, going: &HashSet<ElementId>) -
     members.peek().is_some() && members.all(|member| going.contains(&member))
 }
 
-/// Things in the file that name what goes would make OpenSim refuse it.
+/// Refuses to remove geometry that other elements of the file refer to, because OpenSim would refuse the file.
 fn refuse_users(model: &Model, elements: &[ElementId], going: &HashSet<String>) -> Result<(), Fault> {
     let document = model.document();
     let tree = document.tree();
-    let gone = Covered::of(elements.iter().map(|&element| tree.span(element)).collect());
+    let gone = OuterSpans::of(elements.iter().map(|&element| tree.span(element)).collect());
     for element in geometry_references(document) {
         let span = tree.span(element);
         let text = tree.text_of(element);
         let Some(name) = geometry_names(&text).find(|name| going.contains(*name)) else { continue };
         if !gone.covers(&span) {
-            return Err(Fault::at_span(in_use(document, element, name), span));
+            return Err(Fault::at_span(in_use_fault(document, element, name), span));
         }
     }
     Ok(())
 }
 
 /// What is said where `element` uses the geometry `name`.
-fn in_use(document: &Document, element: ElementId, name: &str) -> FaultKind {
+fn in_use_fault(document: &Document, element: ElementId, name: &str) -> FaultKind {
     let tree = document.tree();
-    let is_above = |defaults| Covered::of(vec![tree.span(defaults)]).covers(&tree.span(element));
+    let is_above = |defaults| OuterSpans::of(vec![tree.span(defaults)]).covers(&tree.span(element));
     let (place, way_out) = match document.defaults().is_some_and(is_above) {
         true => (
             " in <defaults>",
@@ -180,39 +180,38 @@ fn in_use(document: &Document, element: ElementId, name: &str) -> FaultKind {
     ))
 }
 
-// Places of a file that name objects which were removed: OpenSim still reads the file, and finds less.
-
-/// An object of a model that names others which the model does not have any more.
+/// An object that refers by name to objects which were removed. OpenSim still reads such a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Leftover {
+pub struct DanglingReference {
     /// Its class and its name, such as `ObjectGroup feet`.
     pub object: String,
-    /// What it names, in its order.
+    /// The names that it refers to, in its order.
     pub names: Vec<String>,
 }
 
-/// Objects of `rebuilt` that name what went with it: groups by names, reporters and others by paths.
-pub fn leftovers(rebuilt: &Rebuilt) -> Vec<Leftover> {
-    let paths = |deed: Deed| {
-        let own = rebuilt.objects.iter().filter(move |object| object.deed == deed);
+/// Finds objects of `rebuilt` that refer to removed objects: groups by names, reporters and others by paths.
+pub fn dangling_references(rebuilt: &RebuiltModel) -> Vec<DanglingReference> {
+    let paths = |action: ObjectAction| {
+        let own = rebuilt.objects.iter().filter(move |object| object.action == action);
         own.map(|object| object.path.as_str()).collect::<HashSet<&str>>()
     };
-    let new = paths(Deed::Added);
-    let gone: HashSet<&str> = paths(Deed::Removed).into_iter().filter(|path| !new.contains(path)).collect();
-    let mut found: Vec<Leftover> = Vec::new();
+    let new = paths(ObjectAction::Added);
+    let gone: HashSet<&str> =
+        paths(ObjectAction::Removed).into_iter().filter(|path| !new.contains(path)).collect();
+    let mut found: Vec<DanglingReference> = Vec::new();
     if gone.is_empty() {
         return found;
     }
     let tree = rebuilt.model().document().tree();
     let (mut by_owner, mut said) = (HashMap::new(), HashSet::new());
     for leaf in tree.elements().filter(|&id| tree.children(id).next().is_none()) {
-        let names = named_in(tree, leaf, &gone);
+        let names = names_of_removed(tree, leaf, &gone);
         if names.is_empty() {
             continue;
         }
-        let owner = owner(tree, leaf);
+        let owner = named_owner(tree, leaf);
         let at = *by_owner.entry(owner).or_insert_with(|| {
-            found.push(Leftover { object: called(tree, owner), names: Vec::new() });
+            found.push(DanglingReference { object: class_and_name(tree, owner), names: Vec::new() });
             found.len() - 1
         });
         if let Some(leftover) = found.get_mut(at) {
@@ -223,7 +222,7 @@ pub fn leftovers(rebuilt: &Rebuilt) -> Vec<Leftover> {
 }
 
 /// What of `gone` the text of `leaf` names.
-fn named_in(tree: &Tree, leaf: ElementId, gone: &HashSet<&str>) -> Vec<String> {
+fn names_of_removed(tree: &Tree, leaf: ElementId, gone: &HashSet<&str>) -> Vec<String> {
     let set = if tree.name(leaf) == "members" { set_of_group(tree, leaf) } else { None };
     let text = tree.text_of(leaf);
     // Most texts are numbers.
@@ -232,7 +231,7 @@ fn named_in(tree: &Tree, leaf: ElementId, gone: &HashSet<&str>) -> Vec<String> {
     }
     let path = |word: &str| match &set {
         Some(set) => Some(format!("/{set}/{word}")).filter(|path| gone.contains(path.as_str())),
-        None => object_of(word, gone),
+        None => removed_object_in(word, gone),
     };
     opensim_text::list_words(&text)
         .filter_map(path)
@@ -248,7 +247,7 @@ fn set_of_group(tree: &Tree, members: ElementId) -> Option<String> {
 }
 
 /// The path of `gone` that a path leads to or into: `/forceset/heel|force` is an output of `/forceset/heel`.
-fn object_of(word: &str, gone: &HashSet<&str>) -> Option<String> {
+fn removed_object_in(word: &str, gone: &HashSet<&str>) -> Option<String> {
     let path = word.split('|').next().unwrap_or(word).trim_start_matches(['.', '/']);
     let path = format!("/{path}");
     let ends = path.match_indices('/').map(|(at, _)| at).skip(1).chain([path.len()]);
@@ -257,12 +256,12 @@ fn object_of(word: &str, gone: &HashSet<&str>) -> Option<String> {
 }
 
 /// The object that `leaf` belongs to.
-fn owner(tree: &Tree, leaf: ElementId) -> Option<ElementId> {
+fn named_owner(tree: &Tree, leaf: ElementId) -> Option<ElementId> {
     std::iter::successors(tree.parent(leaf), |&id| tree.parent(id))
         .find(|&id| tree.attribute(id, "name").is_some())
 }
 
-fn called(tree: &Tree, owner: Option<ElementId>) -> String {
+fn class_and_name(tree: &Tree, owner: Option<ElementId>) -> String {
     let name = |id: ElementId| Some(format!("{} {}", tree.name(id), tree.attribute(id, "name")?));
     owner.and_then(name).unwrap_or_default()
 }

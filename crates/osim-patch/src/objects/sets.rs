@@ -1,12 +1,12 @@
-//! The sets that hold contact objects: where a new member goes, and what a note has to know so that it can be taken out again.
+//! The sets of contact objects: inserts new members, and records in the note what is needed to remove them again.
 
 use osim_model::{ElementId, Fault, FaultKind, Model, Tree};
 
 use crate::edit::Edit;
-use crate::insert::{Form, Node, append, fill, insert, with_white_space_before};
+use crate::insert::{EmptyForm, Node, append, fill, insert, with_white_space_before};
 
 /// What OpenSim writes around its sets in a model.
-const ORDER: [&str; 15] = [
+const ORDER_IN_MODEL: [&str; 15] = [
     "Ground",
     "gravity",
     "credits",
@@ -25,48 +25,48 @@ const ORDER: [&str; 15] = [
 ];
 const OBJECTS: &str = "objects";
 
-/// Letters of a note for what was made of one set, so that removing its members leaves what was there before.
+/// Letters of a note for the elements of one set that the program made, so that removing its members restores the file.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Letters {
+pub(super) struct NoteLetters {
     /// The whole set.
     pub(super) set: char,
     /// The set's element `<objects>`.
     pub(super) objects: char,
     /// An element without content was opened: of the set, and of its `<objects>`.
-    opened: [[(char, Form); 3]; 2],
+    opened: [[(char, EmptyForm); 3]; 2],
 }
 
 /// A set with its letters.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Set {
+pub(super) struct ObjectSet {
     pub(super) tag: &'static str,
-    pub(super) letters: Letters,
+    pub(super) letters: NoteLetters,
 }
 
-pub(super) const FORCE_SET: Set = Set {
+pub(super) const FORCE_SET: ObjectSet = ObjectSet {
     tag: FORCES,
-    letters: Letters {
+    letters: NoteLetters {
         set: 'f',
         objects: 'o',
         opened: [
-            [('t', Form::Closed), ('u', Form::ClosedWithBlank), ('v', Form::Open)],
-            [('a', Form::Closed), ('d', Form::ClosedWithBlank), ('e', Form::Open)],
+            [('t', EmptyForm::Closed), ('u', EmptyForm::ClosedWithBlank), ('v', EmptyForm::Open)],
+            [('a', EmptyForm::Closed), ('d', EmptyForm::ClosedWithBlank), ('e', EmptyForm::Open)],
         ],
     },
 };
-pub(super) const GEOMETRY_SET: Set = Set {
+pub(super) const GEOMETRY_SET: ObjectSet = ObjectSet {
     tag: GEOMETRY,
-    letters: Letters {
+    letters: NoteLetters {
         set: 'g',
         objects: 'O',
         opened: [
-            [('T', Form::Closed), ('U', Form::ClosedWithBlank), ('V', Form::Open)],
-            [('A', Form::Closed), ('D', Form::ClosedWithBlank), ('E', Form::Open)],
+            [('T', EmptyForm::Closed), ('U', EmptyForm::ClosedWithBlank), ('V', EmptyForm::Open)],
+            [('A', EmptyForm::Closed), ('D', EmptyForm::ClosedWithBlank), ('E', EmptyForm::Open)],
         ],
     },
 };
 
-impl Set {
+impl ObjectSet {
     /// The first set of a model: OpenSim ignores what is in a second one.
     pub(super) fn element(&self, tree: &Tree, model: ElementId) -> Option<ElementId> {
         tree.child(model, self.tag)
@@ -84,7 +84,7 @@ impl Set {
             made.push(self.letters.set);
             let objects = Node::parent(OBJECTS, members.to_vec());
             let whole = Node::object(self.tag, &self.tag.to_ascii_lowercase(), vec![objects]);
-            return insert(tree, model, &ORDER, &[whole]);
+            return insert(tree, model, &ORDER_IN_MODEL, &[whole]);
         };
         let [of_set, of_objects] = &self.letters.opened;
         let Some(objects) = tree.child(set, OBJECTS) else {
@@ -92,18 +92,18 @@ impl Set {
             let list = Node::parent(OBJECTS, members.to_vec());
             return match append_first(tree, set, &list) {
                 Some(edit) => vec![edit],
-                None => opened(tree, set, &[list], of_set, made),
+                None => fill_empty(tree, set, &[list], of_set, made),
             };
         };
         match append(tree, objects, members) {
             Some(edit) => vec![edit],
-            None => opened(tree, objects, members, of_objects, made),
+            None => fill_empty(tree, objects, members, of_objects, made),
         }
     }
 
     /// `made` without what is about this set.
-    pub(super) fn forgotten(&self, made: &str) -> String {
-        let Letters { set, objects, opened } = self.letters;
+    pub(super) fn without_letters(&self, made: &str) -> String {
+        let NoteLetters { set, objects, opened } = self.letters;
         let own = |letter: char| {
             letter == set || letter == objects || opened.iter().flatten().any(|(known, _)| *known == letter)
         };
@@ -111,9 +111,9 @@ impl Set {
     }
 
     /// The edit that takes back what `add` made of the set, if none of its members stays; `None` if it made nothing.
-    pub(super) fn restored(&self, tree: &Tree, model: ElementId, made: &str) -> Option<Edit> {
+    pub(super) fn restoring_edit(&self, tree: &Tree, model: ElementId, made: &str) -> Option<Edit> {
         let set = self.element(tree, model)?;
-        let form = |letters: &[(char, Form); 3]| {
+        let form = |letters: &[(char, EmptyForm); 3]| {
             letters.iter().find(|(letter, _)| made.contains(*letter)).map(|(_, form)| *form)
         };
         let whole = |element| {
@@ -144,14 +144,14 @@ fn append_first(tree: &Tree, set: ElementId, list: &Node) -> Option<Edit> {
     }
 }
 
-fn opened(
+fn fill_empty(
     tree: &Tree,
     element: ElementId,
     nodes: &[Node],
-    letters: &[(char, Form); 3],
+    letters: &[(char, EmptyForm); 3],
     made: &mut String,
 ) -> Vec<Edit> {
-    let form = Form::of(tree, element);
+    let form = EmptyForm::of(tree, element);
     made.extend(letters.iter().find(|(_, known)| *known == form).map(|(letter, _)| *letter));
     fill(tree, element, nodes).into_iter().collect()
 }
@@ -161,7 +161,7 @@ pub(super) const FORCES: &str = "ForceSet";
 const GEOMETRY: &str = "ContactGeometrySet";
 
 /// Objects are changed in models that are one file: a set in another file belongs to other models, too.
-pub(super) fn refuse_parts(model: &Model) -> Result<(), Fault> {
+pub(super) fn refuse_partial_model(model: &Model) -> Result<(), Fault> {
     let document = model.document();
     let (tree, root) = (document.tree(), document.data_root());
     if tree.name(root) != "Model" {

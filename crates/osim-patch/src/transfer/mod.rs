@@ -1,6 +1,6 @@
-//! Contacts of a reference, given the dimensions of another body.
+//! Transfers the contacts of a reference to a model of another size.
 
-mod choice;
+mod contact_choice;
 mod plan;
 mod reference;
 

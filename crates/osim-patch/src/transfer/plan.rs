@@ -1,4 +1,4 @@
-//! Contacts of a reference, given the dimensions of another body: (10), (14), (C.2), (C.5), (C.10).
+//! Plans a transfer: scales the contacts of a reference to the size of a model: (10), (14), (C.2), (C.5), (C.10).
 
 use contact_scaling::{Contact, DimensionlessContact, RatioValues, Ratios, Scale, ScaleValues, restitution};
 use osim_model::compare::Follow;
@@ -8,14 +8,14 @@ use osim_model::{
     Selected, SphereId,
 };
 
-use crate::builder::{New, PlanBuilder, write_composite};
+use crate::builder::{NewValue, PlanBuilder, change_composite};
 use crate::change::ChangedBy;
-use crate::objects::keeps_inside;
-use crate::plan::{Contents, Masses, NoteFacts, Plan, TRANSFER};
+use crate::objects::keeps_sphere_inside;
+use crate::plan::{Masses, NoteFacts, Plan, PlanContents, TRANSFER};
 use crate::radii::{Radii, SphereRule};
 use crate::rules::{self, GRAVITY_STAYS, PLACES_STAY, bottoms_remark_and_level, warn_forces};
-use crate::scaling::{GravityChange, factor, predsim};
-use crate::transfer::choice::{self, Choice, ReferenceRadii};
+use crate::scaling::{GravityChange, predsim_factor, property_factor};
+use crate::transfer::contact_choice::{self, ContactChoice, ReferenceRadii};
 use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};
 
 /// Plans a transfer onto the forces `selected` of `model`, by (10), (14), (C.2), (C.5) and (C.10): see [`Transfer`] for an
@@ -34,7 +34,7 @@ use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};
 pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result<Plan, Fault> {
     refuse_old_dialect(model, selected)?;
     let mut plan = PlanBuilder::new(model);
-    let chosen = Choice::make(model, selected, wanted)?;
+    let chosen = ContactChoice::new(model, selected, wanted)?;
     let reference = &wanted.reference;
     let mass = wanted.target_mass.kg / reference.mass.kg;
     let isometric = Ratios::isometric(mass).map_err(Fault::new)?.radius();
@@ -59,10 +59,10 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     }
     let radii = Radii::plan(&mut plan, &selected.forces, rule_of, isometric, &wanted.properties)?;
     for (sphere, place) in wanted.follow.iter().flat_map(Follow::spheres) {
-        plan.location(sphere, place.location_m, ChangedBy::Follow)?;
+        plan.move_sphere(sphere, place.location_m, ChangedBy::Follow)?;
     }
     if let Some(axis) = wanted.level.filter(|_| wanted.follow.is_none()) {
-        radii.level(&mut plan, axis)?;
+        radii.keep_bottoms(&mut plan, axis)?;
     }
     if wanted.follow.is_some() {
         check_spread(&mut plan, selected, wanted, &chosen, &radii)?;
@@ -70,15 +70,15 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     warn_forces(&mut plan, &selected.forces, &wanted.properties);
     let mut without_smoothing = false;
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-        if choice::has_several_sets(&plan, force, wanted) {
-            choice::plan_several_sets(&mut plan, force, wanted, &chosen, &radii, gravity)?;
+        if contact_choice::has_several_sets(&plan, force, wanted) {
+            contact_choice::plan_several_sets(&mut plan, force, wanted, &chosen, &radii, gravity)?;
             continue;
         }
-        let from = chosen.of_force(model, force)?;
+        let from = chosen.contact_for_force(model, force)?;
         let radius = radii.mean_new(force) / from.radius_m;
         let values =
             RatioValues { mass, sphere_count: wanted.sphere_count / reference.sphere_count, radius, gravity };
-        let target = Target {
+        let target = TargetForce {
             force,
             from,
             ratios: Ratios::new(values).map_err(Fault::new)?,
@@ -95,7 +95,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
         target.plan(&mut plan, wanted)?;
     }
     if wanted.follow.is_some() || wanted.rule != ScalingRule::Paper {
-        plan.remarks.extend(similarity(model, selected, wanted, &chosen, &radii, gravity));
+        plan.remarks.extend(compare_with_reference(model, selected, wanted, &chosen, &radii, gravity));
     }
     let whole = !without_smoothing;
     if without_smoothing {
@@ -107,7 +107,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
 /// Refuses to write what OpenSim cannot read.
 fn refuse_old_dialect(model: &Model, selected: &Selected) -> Result<(), Fault> {
     let mut forces = selected.forces.iter().filter_map(|&id| model.force(id));
-    match forces.find(|force| keeps_inside(model, force)) {
+    match forces.find(|force| keeps_sphere_inside(model, force)) {
         Some(force) => {
             let kind = FaultKind::SphereInsideForce { force: force.path.clone() };
             Err(Fault::new(kind).at_element(force.path.clone()).in_file(force.file))
@@ -116,7 +116,7 @@ fn refuse_old_dialect(model: &Model, selected: &Selected) -> Result<(), Fault> {
     }
 }
 
-struct Target<'t> {
+struct TargetForce<'t> {
     force: &'t Force,
     from: &'t ReferenceContact,
     ratios: Ratios,
@@ -124,26 +124,26 @@ struct Target<'t> {
     own: Ratios,
 }
 
-impl Target<'_> {
+impl TargetForce<'_> {
     fn plan(&self, plan: &mut PlanBuilder<'_>, wanted: &Transfer) -> Result<(), Fault> {
         for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
             let scaled = match wanted.rule {
-                ScalingRule::Paper => factor(property, &self.ratios, wanted.dissipation_by),
-                ScalingRule::PredSim { height_ratio } => predsim(property, &self.ratios, height_ratio),
+                ScalingRule::Paper => property_factor(property, &self.ratios, wanted.dissipation_by),
+                ScalingRule::PredSim { height_ratio } => predsim_factor(property, &self.ratios, height_ratio),
             };
             let Some((factor, by)) = scaled else { continue };
-            match self.of_reference(property) {
+            match self.reference_value(property) {
                 Some(value) => {
                     let to = if factor == 1.0 { value } else { value * factor };
-                    write_composite(plan, self.force.id, property, to, by)?;
+                    change_composite(plan, self.force.id, property, to, by)?;
                 }
-                None => self.carry(plan, property, wanted.dissipation_by)?,
+                None => self.scale_with_radius(plan, property, wanted.dissipation_by)?,
             }
         }
         Ok(())
     }
 
-    fn of_reference(&self, property: Property) -> Option<f64> {
+    fn reference_value(&self, property: Property) -> Option<f64> {
         let smoothing = self.from.contact.smoothing();
         match property {
             Property::Stiffness => Some(self.from.contact.plane_strain_modulus()),
@@ -157,12 +157,17 @@ impl Target<'_> {
         }
     }
 
-    /// A changed radius carries along what the reference does not give.
-    fn carry(&self, plan: &mut PlanBuilder<'_>, property: Property, by: DissipationBy) -> Result<(), Fault> {
-        let Some((factor, by)) = factor(property, &self.own, by) else { return Ok(()) };
+    /// Scales a property that the reference does not give with the changed radius.
+    fn scale_with_radius(
+        &self,
+        plan: &mut PlanBuilder<'_>,
+        property: Property,
+        by: DissipationBy,
+    ) -> Result<(), Fault> {
+        let Some((factor, by)) = property_factor(property, &self.own, by) else { return Ok(()) };
         for set in &self.force.sets {
             if let Some(from) = self.force.checked(set.id, property)? {
-                plan.parameter(self.force.id, set.id, property, New::times(from, factor, by))?;
+                plan.change_parameter(self.force.id, set.id, property, NewValue::times(from, factor, by))?;
             }
         }
         Ok(())
@@ -206,14 +211,14 @@ fn finish(
         format!("; {})", count(wanted.sphere_count)),
     ];
     if wanted.rule == ScalingRule::Paper {
-        taken.push(gravity.described());
+        taken.push(gravity.in_words());
     }
     let masses =
         Some(Masses { contacts_mass: reference.mass.clone(), target_mass_kg: wanted.target_mass.kg });
     let all = complete && wanted.properties.is_complete();
     Plan::new(
         model,
-        Contents { changes, moves, masses, taken, warnings, remarks },
+        PlanContents { changes, moves, masses, taken, warnings, remarks },
         &NoteFacts {
             followed: wanted.follow.as_ref().map(|_| radii.spheres()).as_ref(),
             target_mass_kg: Some(wanted.target_mass.kg),
@@ -232,7 +237,7 @@ fn check_spread(
     plan: &mut PlanBuilder<'_>,
     selected: &Selected,
     wanted: &Transfer,
-    chosen: &Choice<'_>,
+    chosen: &ContactChoice<'_>,
     radii: &Radii,
 ) -> Result<(), Fault> {
     let model = plan.model;
@@ -241,7 +246,7 @@ fn check_spread(
         let old = |sphere: SphereId| match wanted.follow.as_ref().and_then(|follow| follow.old_radius(sphere))
         {
             Some(radius) => radius,
-            None => chosen.of_sphere(model, sphere).radius_m,
+            None => chosen.contact_for_sphere(model, sphere).radius_m,
         };
         let Some(text) = rules::factor_spread_message(force, radii.spread(force, old)) else { continue };
         if wanted.strict {
@@ -252,12 +257,12 @@ fn check_spread(
     Ok(())
 }
 
-/// x̂ at body weight and c_r of the reference and of the result, so that rules can be compared.
-fn similarity(
+/// A remark with x̂ under body weight and c_r of the reference and of the result, to compare scaling rules.
+fn compare_with_reference(
     model: &Model,
     selected: &Selected,
     wanted: &Transfer,
-    chosen: &Choice<'_>,
+    chosen: &ContactChoice<'_>,
     radii: &Radii,
     gravity_ratio: f64,
 ) -> Option<Phrase> {
@@ -266,7 +271,7 @@ fn similarity(
         return None;
     }
     let force = selected.forces.iter().find_map(|&id| model.force(id))?;
-    let from = chosen.of_force(model, force).ok()?;
+    let from = chosen.contact_for_force(model, force).ok()?;
     let gravity = wanted.reference.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0)?;
     let here_gravity = wanted.target_gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0)?;
     let there = Scale::new(ScaleValues {

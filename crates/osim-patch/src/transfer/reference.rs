@@ -1,4 +1,4 @@
-//! What is wanted of a transfer, and where its contacts come from: a preset, or the contacts of a model.
+//! The options of a transfer, and the reference that its contacts come from: a preset or a model.
 
 use contact_scaling::{Contact, ContactValues, Preset, SmoothingValues};
 use osim_model::compare::Follow;
@@ -7,7 +7,7 @@ use osim_model::{
     RadiusRule, Selected, Surfaces, contact_of_set, root_mean_square, sphere_sets,
 };
 
-use crate::objects::{Layout, NewContact};
+use crate::objects::{ContactLayout, NewContact};
 
 /// One contact of a reference, and the spheres that have it.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,7 +89,7 @@ impl From<&Preset> for Reference {
     }
 }
 
-/// What is wanted of a transfer: the contacts of a reference, given the size of this model.
+/// The options of a transfer, which scales the contacts of a reference to the size of this model.
 ///
 /// ```
 /// use osim_model::{MassRequest, Model, Property, Selection};
@@ -216,12 +216,12 @@ pub fn reference_of_model(
 ///
 /// ```
 /// use osim_model::{ForceKind, Mass, MassSource, Property};
-/// use osim_patch::{Layout, NewContact, reference_of_layout};
+/// use osim_patch::{ContactLayout, NewContact, reference_of_layout};
 ///
 /// let mut heel = NewContact::new(ForceKind::HuntCrossley, "force_heel", "heel");
 /// heel.radius_m = 0.03;
 /// heel.values = vec![(Property::Stiffness, 1e6), (Property::Dissipation, 2.0)];
-/// let mut layout = Layout::default();
+/// let mut layout = ContactLayout::default();
 /// layout.contacts.push(heel);
 ///
 /// let mass = Mass { kg: 62.0, source: MassSource::ReferenceMass };
@@ -232,7 +232,7 @@ pub fn reference_of_model(
 /// ```
 pub fn reference_of_layout(
     name: &str,
-    layout: &Layout,
+    layout: &ContactLayout,
     mass: Mass,
     sphere_count: f64,
     gravity_m_s2: Option<f64>,

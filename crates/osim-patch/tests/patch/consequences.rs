@@ -34,7 +34,7 @@ fn codes(plan: &Plan) -> Vec<FindingCode> {
     plan.warnings.iter().map(osim_model::Finding::code).collect()
 }
 
-fn change(plan: &Plan, property: Property) -> &osim_patch::Change {
+fn change(plan: &Plan, property: Property) -> &osim_patch::NumberChange {
     plan.changes.iter().find(|change| change.property == property).unwrap()
 }
 

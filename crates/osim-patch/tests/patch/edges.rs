@@ -40,7 +40,7 @@ fn a_plan_in_which_somebody_put_such_a_number_is_not_written() {
         let mut plan = rescale(&model, &selected, &Rescale::new(80.0, mass.clone())).unwrap();
         plan.changes[0].to = value;
         assert!(matches!(plan.patched(&model, FileId::MAIN).unwrap_err().kind, FaultKind::NewValue { .. }));
-        assert!(plan.changed(&model).is_err() && plan.edits(&model, FileId::MAIN).is_err());
+        assert!(plan.changed_model(&model).is_err() && plan.edits(&model, FileId::MAIN).is_err());
     }
 }
 
@@ -126,7 +126,7 @@ fn plans(model: &Model, a: f64, b: f64) -> Vec<Plan> {
     made.push(design(model, &selected, &wanted));
     for to in [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley] {
         let converted = convert(model, &selected, &Convert::new(to));
-        made.push(converted.map(|done| Plan::of_objects(done.rebuilt, "converted".into())));
+        made.push(converted.map(|done| Plan::from_objects(done.rebuilt, "converted".into())));
     }
     made.into_iter().flatten().collect()
 }

@@ -209,7 +209,7 @@ fn a_note_tells_every_step_and_that_somebody_changed_values_in_between() {
 }
 
 #[test]
-fn of_a_long_story_the_first_and_the_latest_steps_are_kept() {
+fn the_first_and_the_latest_of_many_steps_are_kept() {
     let first = noted("table1/human_62kg_smooth_sphere.osim");
     let text = (1..=12).fold(first, |text, step| rescaled_again(&text, 62.0 + f64::from(step)));
     let kept = operations(&text);

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::{FileId, ForceKind, Model, Property, Scope, Selected, Selection};
-use osim_patch::{Layout, NewContact, Plan, add_contacts, note_of_rest, remove};
+use osim_patch::{ContactLayout, NewContact, Plan, add_contacts, note_of_remaining, remove};
 
 /// Documents without contacts, with their sets in every form that is found.
 const SETS: [&str; 12] = [
@@ -29,8 +29,8 @@ fn document(version: u32, sets: &str) -> String {
     )
 }
 
-fn layout(kind: ForceKind) -> Layout {
-    let mut layout = Layout::default();
+fn layout(kind: ForceKind) -> ContactLayout {
+    let mut layout = ContactLayout::default();
     for (name, x) in [("heel", 0.0), ("toe", 0.2)] {
         let mut contact = NewContact::new(kind, format!("force_{name}"), name);
         contact.body = "foot_r".into();
@@ -53,7 +53,7 @@ fn what_is_added_is_read_as_it_was_wanted() {
                 let built = rebuilt.model();
                 assert_eq!(built.forces().len(), 2, "{version} {sets}");
                 let selected = Selection::default().apply(built).unwrap();
-                let read = Layout::of(built, &selected).unwrap();
+                let read = ContactLayout::of(built, &selected).unwrap();
                 let wanted = layout(kind);
                 assert_eq!(read.floor, "floor");
                 for (read, wanted) in read.contacts.iter().zip(&wanted.contacts) {
@@ -116,7 +116,7 @@ fn what_was_added_goes_without_a_trace() {
         let text = document(40000, sets);
         let model = Model::parse(text.clone()).unwrap();
         let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
-        let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
+        let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
         let added = plan.patched(&model, FileId::MAIN).unwrap();
         let with = Model::parse(added.clone()).unwrap();
         let selected = Selection::default().apply(&with).unwrap();
@@ -135,7 +135,7 @@ fn a_part_can_go_first_and_then_the_rest() {
         let text = document(40000, sets);
         let model = Model::parse(text.clone()).unwrap();
         let rebuilt = add_contacts(&model, &mut layout(kind)).unwrap();
-        let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
+        let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
         let with = Model::parse(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
         let made = with.note.clone().unwrap().added_to_file;
 
@@ -157,15 +157,15 @@ fn a_part_can_go_first_and_then_the_rest() {
 fn after_removal(model: &Model, names: &[&str]) -> Vec<u8> {
     let wanted = |force: &osim_model::Force| names.is_empty() || names.contains(&force.name.as_str());
     let rebuilt = remove(model, &Selected::matching(model, wanted)).unwrap();
-    let note = note_of_rest(model, &rebuilt);
-    Plan::of_objects(rebuilt, "".into()).with_note(note).patched(model, FileId::MAIN).unwrap()
+    let note = note_of_remaining(model, &rebuilt);
+    Plan::from_objects(rebuilt, "".into()).with_note(note).patched(model, FileId::MAIN).unwrap()
 }
 
 #[test]
 fn a_note_that_does_not_fit_any_more_goes_on_not_fitting() {
     let model = Model::parse(document(40000, "")).unwrap();
     let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
-    let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
+    let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
     let with = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
     let edited = Model::parse(with.replacen("<stiffness>1000000<", "<stiffness>1100000<", 1)).unwrap();
     let half = Model::parse(after_removal(&edited, &["force_toe"])).unwrap();
@@ -178,7 +178,7 @@ fn a_note_that_does_not_fit_any_more_goes_on_not_fitting() {
 fn a_floor_of_ones_own_is_not_taken_for_the_one_that_was_made() {
     let model = Model::parse(document(40000, "")).unwrap();
     let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
-    let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
+    let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
     let with = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
     let floor = with.split_once("<ContactHalfSpace").unwrap().1.split_once("</ContactHalfSpace>").unwrap().0;
     let own = format!(
@@ -213,7 +213,7 @@ fn an_old_note_is_there_again() {
                 .replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{credits}"));
             let model = Model::parse(text.clone()).unwrap();
             let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
-            let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
+            let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
             let with = Model::parse(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
             assert_eq!(
                 with.note.as_ref().and_then(|note| note.contacts_mass_kg),
@@ -246,7 +246,7 @@ fn defaults_that_name_a_sphere_are_in_nobodys_way() {
         document(40000, "").replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{defaults}"));
     let model = Model::parse(text.clone()).unwrap();
     let rebuilt = add_contacts(&model, &mut layout(ForceKind::HuntCrossley)).unwrap();
-    let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().on(rebuilt);
+    let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
     let with = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
     assert_eq!(String::from_utf8_lossy(&after_removal(&Model::parse(with.clone()).unwrap(), &[])), text);
 
@@ -287,7 +287,7 @@ fn new_objects_have_names_that_nothing_uses() {
     let added = add_contacts(&model, &mut layout(ForceKind::HuntCrossley)).unwrap();
     let names: Vec<&str> = added.model().spheres().iter().map(|sphere| sphere.name.as_str()).collect();
     assert_eq!(names, ["heel_2", "toe"]);
-    let plan = osim_patch::note(added.model(), 62.0, Some(9.81), None).unwrap().on(added);
+    let plan = osim_patch::note(added.model(), 62.0, Some(9.81), None).unwrap().attach_to(added);
     let with = Model::parse(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
     assert_eq!(String::from_utf8_lossy(&after_removal(&with, &[])), text);
 }

@@ -28,7 +28,7 @@ fn rescaled(text: &str, change: impl FnOnce(&mut Rescale), note: bool) -> (Plan,
     change(&mut wanted);
     let mut plan = plan(&model, &wanted);
     if !note {
-        plan.without_note();
+        plan.drop_note();
     }
     let bytes = plan.patched(&model, FileId::MAIN).unwrap();
     (plan, String::from_utf8(bytes).unwrap())

@@ -140,7 +140,7 @@ fn only_spans_change(before: &[u8], after: &[u8], edits: &[Edit]) {
 }
 
 /// The value of a change in a model that was read again.
-fn value<'m>(model: &'m Model, change: &osim_patch::Change) -> Option<&'m Value> {
+fn value<'m>(model: &'m Model, change: &osim_patch::NumberChange) -> Option<&'m Value> {
     if change.property == Property::Radius {
         return model.spheres().iter().find(|sphere| sphere.path == change.path).map(|sphere| &sphere.radius);
     }

@@ -10,7 +10,7 @@ use osim_model::{
     Anatomy, DVec3, Fault, Force, ForceId, JointDistances, Mass, Model, Needed, NeedsAnswer, Question,
     Selected, Side, probable_units, same_mass, without_side,
 };
-use osim_patch::{Deed, Plan, Rebuilt};
+use osim_patch::{ObjectAction, Plan, RebuiltModel};
 use osim_requests::BodyScale;
 use osim_requests::options::CountOptions;
 
@@ -133,8 +133,8 @@ fn lowest_sphere_remark(body: &StandingBody) -> Option<Phrase> {
 const LEVEL_TOLERANCE_DEG: f64 = 10.0;
 
 /// A remark that names planes of `base` which are not quite level, if a level floor was added beside them.
-pub(crate) fn remark_on_leaning_planes(base: &Model, rebuilt: &Rebuilt) -> Option<Phrase> {
-    let added = |object: &osim_patch::ObjectChange| object.deed == Deed::Added;
+pub(crate) fn remark_on_leaning_planes(base: &Model, rebuilt: &RebuiltModel) -> Option<Phrase> {
+    let added = |object: &osim_patch::ObjectChange| object.action == ObjectAction::Added;
     let made = rebuilt.objects.iter().find(|object| added(object) && object.class == "ContactHalfSpace")?;
     let up = base.up();
     let planes: Vec<String> = base
@@ -161,7 +161,7 @@ pub(crate) fn remark_on_leaning_planes(base: &Model, rebuilt: &Rebuilt) -> Optio
 pub(crate) fn remark_on_other_planes(
     model: &Model,
     removed: &[ForceId],
-    rebuilt: &Rebuilt,
+    rebuilt: &RebuiltModel,
 ) -> Option<Phrase> {
     let met = |model: &Model, forces: &mut dyn Iterator<Item = &Force>| -> BTreeSet<String> {
         let sets = forces.flat_map(|force| &force.sets);
@@ -172,7 +172,7 @@ pub(crate) fn remark_on_other_planes(
     let new: BTreeSet<&str> = rebuilt
         .objects
         .iter()
-        .filter(|object| object.deed == Deed::Added)
+        .filter(|object| object.action == ObjectAction::Added)
         .map(|object| object.path.as_str())
         .collect();
     let mut new_forces = built.forces().iter().filter(|force| new.contains(force.path.as_str()));

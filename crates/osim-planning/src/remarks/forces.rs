@@ -7,7 +7,7 @@ use osim_model::messages::{Input, Phrase, Verb, listed, phrase, readable, three_
 use osim_model::{
     Class, Fault, FaultKind, Finding, FindingCode, Force, ForceKind, Model, Property, Selected, SphereId,
 };
-use osim_patch::{Deed, Leftover, ObjectChange, Plan, Rebuilt, leftovers};
+use osim_patch::{DanglingReference, ObjectAction, ObjectChange, Plan, RebuiltModel, dangling_references};
 use osim_requests::{ConstantIndentation, Request};
 
 use crate::prepared_change;
@@ -20,7 +20,7 @@ const PROPERTIES: [Property; 3] =
 /// Remarks on the smoothing values of new forces and their effects; `given` says that the caller gave all of these values.
 pub(crate) fn remarks_on_smoothing(objects: &[ObjectChange], given: bool) -> Vec<Phrase> {
     let mut groups: Vec<([f64; 3], usize)> = Vec::new();
-    for values in objects.iter().filter(|object| object.deed == Deed::Added).filter_map(smoothing_values) {
+    for values in objects.iter().filter(|object| object.action == ObjectAction::Added).filter_map(smoothing_values) {
         match groups.iter_mut().find(|(known, _)| *known == values) {
             Some((_, count)) => *count += 1,
             None => groups.push((values, 1)),
@@ -146,9 +146,9 @@ const FIRST_VERSION_OF_OPENSIM_4: u32 = 40_000;
 
 /// A remark on smooth forces that `rebuilt` adds to a document of an OpenSim before 4: they came with OpenSim 4.1 (its list of
 /// changes), which reads such documents too.
-pub(crate) fn remark_on_old_document(rebuilt: &Rebuilt) -> Option<Phrase> {
+pub(crate) fn remark_on_old_document(rebuilt: &RebuiltModel) -> Option<Phrase> {
     let smooth = ForceKind::SmoothSphereHalfSpace.as_str();
-    let is_new = |object: &ObjectChange| object.deed == Deed::Added && object.class == smooth;
+    let is_new = |object: &ObjectChange| object.action == ObjectAction::Added && object.class == smooth;
     let is_old = rebuilt.model().document().version() < FIRST_VERSION_OF_OPENSIM_4;
     (is_old && rebuilt.objects.iter().any(is_new)).then(|| {
         let text = format!(
@@ -164,9 +164,9 @@ pub(crate) fn remark_on_old_document(rebuilt: &Rebuilt) -> Option<Phrase> {
 const NAMES_LISTED: usize = 3;
 
 /// Remarks on objects of `rebuilt` that name objects which it does not have any more.
-pub(crate) fn remarks_on_missing_names(rebuilt: &Rebuilt) -> Vec<Phrase> {
-    let objects_with_missing_names = leftovers(rebuilt);
-    let remark = |leftover: &Leftover| {
+pub(crate) fn remarks_on_missing_names(rebuilt: &RebuiltModel) -> Vec<Phrase> {
+    let objects_with_missing_names = dangling_references(rebuilt);
+    let remark = |leftover: &DanglingReference| {
         let names = listed(&leftover.names, NAMES_LISTED);
         Phrase::from(format!(
             "{} still names {names}, gone from this model: change that in OpenSim",

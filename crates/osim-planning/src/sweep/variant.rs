@@ -53,9 +53,9 @@ impl Variant {
                 plan.join_steps();
             }
             if request.no_note {
-                plan.without_note();
+                plan.drop_note();
             } else {
-                plan.note_anyway();
+                plan.require_note();
             }
             if plan.files(&open.model).any(|file| file != FileId::MAIN) {
                 let message = "its contacts are in a file that it includes: make variants of that file";

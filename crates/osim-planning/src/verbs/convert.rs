@@ -2,7 +2,7 @@
 
 use osim_model::messages::{Input, Phrase, Verb, counted, listed, phrase};
 use osim_model::{Fault, ForceKind, Model, Selection};
-use osim_patch::{Convert, Converted, Deed, ObjectChange, Plan, convert, kept_note};
+use osim_patch::{Convert, Converted, ObjectAction, ObjectChange, Plan, convert, kept_note};
 use osim_requests::options::InspectionOptions;
 use osim_requests::{ConvertRequest, Positive, RequestFault};
 
@@ -76,11 +76,12 @@ impl Planner for ConvertPlanner {
             convert(model, &selected, &self.wanted)?;
         // Spheres and planes that forces had inside themselves are new objects, too.
         let is_force = |object: &&ObjectChange| !object.class.starts_with("Contact");
-        let forces_with =
-            |deed: Deed| rebuilt.objects.iter().filter(move |object| object.deed == deed).filter(is_force);
-        let (old, new) = (forces_with(Deed::Removed).count(), forces_with(Deed::Added).count());
+        let forces_with = |action: ObjectAction| {
+            rebuilt.objects.iter().filter(move |object| object.action == action).filter(is_force)
+        };
+        let (old, new) = (forces_with(ObjectAction::Removed).count(), forces_with(ObjectAction::Added).count());
         let class = self.wanted.to.as_str();
-        let changes_class = forces_with(Deed::Removed).any(|object| object.class != class);
+        let changes_class = forces_with(ObjectAction::Removed).any(|object| object.class != class);
         let summary = match old {
             0 if !without_sphere.is_empty() => "no force changes".to_owned(),
             0 if selected.forces.len() < model.forces().len() => {
@@ -97,7 +98,7 @@ impl Planner for ConvertPlanner {
             if is_smoothed { warnings_of_smoothing(rebuilt.model()) } else { Vec::new() };
         let old_document = remark_on_old_document(&rebuilt);
         let note = kept_note(model, &rebuilt, "convert");
-        let mut plan = Plan::of_objects(rebuilt, summary.into()).with_note(note);
+        let mut plan = Plan::from_objects(rebuilt, summary.into()).with_note(note);
         plan.warnings.extend(warnings);
         plan.remarks.extend(remarks_on_renamed_forces(&renamed));
         plan.remarks.extend(taken_out.then(|| GEOMETRY_TAKEN_OUT.into()));
@@ -133,7 +134,7 @@ const NAMES_LISTED: usize = 3;
 fn remark_on_names_of_old_class(plan: &Plan, class: &str) -> Option<Phrase> {
     let (hunt, smooth) = (ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str());
     let other = if class == hunt { smooth } else { hunt };
-    let new = plan.objects().iter().filter(|object| object.deed == Deed::Added);
+    let new = plan.objects().iter().filter(|object| object.action == ObjectAction::Added);
     let names: Vec<String> =
         new.filter(|object| object.name.contains(other)).map(|object| object.name.clone()).collect();
     let text = format!("names stay, also where they say the other class: {}", listed(&names, NAMES_LISTED));

@@ -205,7 +205,7 @@ impl FitPlanner {
         wanted.fitted = Some(summary.join(" "));
         // Contacts are made for the body whose gait they were fitted to.
         wanted.made_for_kg = Some(mass_kg);
-        wanted.again = true;
+        wanted.repeat = true;
         let noted = || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
         wanted.contacts_mass =
             self.options.masses.contacts_mass(model).ok().map(|(mass, _)| mass).or_else(noted);
@@ -265,7 +265,7 @@ impl Planner for FitPlanner {
         let first = states_of_trials.first().ok_or_else(|| Fault::refused(FitError::NoForce.to_string()))?;
         let wanted = self.changes_of_fit(model, &selected, &fit, &states_of_trials, mass_kg)?;
         let mut plan = set(model, &selected, &wanted)?;
-        let changed = plan.changed(model)?;
+        let changed = plan.changed_model(model)?;
         // The measured forces of the first trial are those of the original, because they do not depend on the contacts.
         let after = match self.trials.first() {
             Some(trial) => {

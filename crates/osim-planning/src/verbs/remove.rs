@@ -2,7 +2,7 @@
 
 use osim_model::messages::{Input, Phrase, Verb, counted, phrase, readable};
 use osim_model::{Fault, Model, Note, Selection};
-use osim_patch::{Deed, Plan, added_forces, note_of_rest, remove};
+use osim_patch::{ObjectAction, Plan, added_forces, note_of_remaining, remove};
 use osim_requests::options::InspectionOptions;
 use osim_requests::{RemoveRequest, RequestFault};
 
@@ -38,7 +38,7 @@ impl Planner for RemovePlanner {
         };
         let rebuilt = remove(model, &selected)?;
         let count = |class: &str| {
-            let removed = rebuilt.objects.iter().filter(|object| object.deed == Deed::Removed);
+            let removed = rebuilt.objects.iter().filter(|object| object.action == ObjectAction::Removed);
             removed.filter(|object| object.class == class).count()
         };
         let spheres = count("ContactSphere");
@@ -47,9 +47,9 @@ impl Planner for RemovePlanner {
         let floor = if planes > 0 { ", and the floor that was made for them" } else { "" };
         let (forces, spheres) = (counted(forces, "force"), counted(spheres, "sphere"));
         let summary = format!("removes {forces} and {spheres}{floor}; no other number changes");
-        let note = note_of_rest(model, &rebuilt);
+        let note = note_of_remaining(model, &rebuilt);
         let missing_names = remarks_on_missing_names(&rebuilt);
-        let mut plan = Plan::of_objects(rebuilt, summary.into());
+        let mut plan = Plan::from_objects(rebuilt, summary.into());
         plan.remarks.extend(missing_names);
         if let Some(note) = &note {
             plan.remarks.push(remark_on_kept_note(note));

@@ -7,7 +7,7 @@ use osim_model::messages::{Input, Verb, phrase, readable};
 use osim_model::{
     Fault, MassRequest, Model, Needed, Note, NoteDoubt, RadiusRule, ScaledSinceNote, Selection,
 };
-use osim_patch::{FOLLOWING, FOLLOWING_NOTE, Plan, Rescale, rescale};
+use osim_patch::{Plan, RESCALE_FOLLOWING_NOTE, RESCALE_FOLLOWING_SCALE_FILE, Rescale, rescale};
 use osim_requests::options::{InspectionOptions, ScalingOptions};
 use osim_requests::{Acceleration, Radius, RequestError, RequestFault, RescaleRequest};
 
@@ -142,8 +142,8 @@ impl BodyFactors {
     pub(super) const fn operation(&self) -> &'static str {
         match self {
             Self::Nothing => "rescale",
-            Self::Note => FOLLOWING_NOTE,
-            Self::File(_) => FOLLOWING,
+            Self::Note => RESCALE_FOLLOWING_NOTE,
+            Self::File(_) => RESCALE_FOLLOWING_SCALE_FILE,
         }
     }
 

@@ -55,7 +55,7 @@ impl Planner for SetPlanner {
         };
         let mut wanted = Set::new(self.assignments.as_slice().to_vec());
         wanted.contacts_mass = contacts_mass;
-        wanted.again = self.may_repeat;
+        wanted.repeat = self.may_repeat;
         if self.level {
             wanted.level = Some(self.level_places(model, &selected, &wanted)?);
         }
@@ -77,7 +77,7 @@ impl SetPlanner {
         let model = match self.assignments.is_empty() {
             true => model,
             false => {
-                changed = set(model, selected, wanted)?.changed(model)?;
+                changed = set(model, selected, wanted)?.changed_model(model)?;
                 &changed
             }
         };

@@ -11,7 +11,7 @@ use osim_model::{
     Anatomy, CountedSpheres, Fault, GravityFor, MassRequest, Model, Needed, Property, RadiusAxis, RadiusRule,
     Selected, Selection, implausible_mass, moving_spheres,
 };
-use osim_patch::{Plan, Reference, ScalingRule, TRANSFER_FOLLOWING, Transfer, transfer};
+use osim_patch::{Plan, Reference, ScalingRule, TRANSFER_FOLLOWING_BODIES, Transfer, transfer};
 use osim_requests::options::{CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions};
 use osim_requests::{Acceleration, Kilograms, Positive, Radius, RequestError, RequestFault, TransferRequest};
 
@@ -252,7 +252,7 @@ impl TransferPlanner {
         };
         let counts = self.sphere_counts(model, selected, reference, generic)?;
         let radius = self.scaling.radius.map(Radius::rule);
-        let verb = if follow.is_some() { TRANSFER_FOLLOWING } else { "transfer" };
+        let verb = if follow.is_some() { TRANSFER_FOLLOWING_BODIES } else { "transfer" };
         let operation = operation_with_radius(verb, radius);
         if matches!(radius, Some(RadiusRule::Factor(_))) {
             refuse_repetition(model, &operation, self.may_repeat)?;

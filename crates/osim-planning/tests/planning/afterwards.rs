@@ -41,7 +41,7 @@ fn the_changed_model_is_what_its_bytes_are_read_as() {
             let Ok(opened) = change.open(&path, &files) else { continue };
             // The plan itself, which nobody refuses for what comes of it.
             let Ok(plan) = change.plan_alone(&opened.model) else { continue };
-            let changed = plan.changed(&opened.model).unwrap();
+            let changed = plan.changed_model(&opened.model).unwrap();
             let bytes = plan.patched(&opened.model, FileId::MAIN).unwrap();
             let mut read = ModelFiles::read(&path, bytes, CompanionPaths::default(), &files).unwrap();
             for file in plan.files(&opened.model).filter(|file| *file != FileId::MAIN) {

@@ -146,7 +146,8 @@ fn changed(call: &Value, text: &str, presets: &InMemory) -> Result<(Value, Strin
         .iter()
         .map(|change| json!([change.path, change.property.name(), change.from, change.to]))
         .collect();
-    let objects: Vec<_> = plan.objects().iter().map(|object| (object.deed.as_str(), &object.path)).collect();
+    let objects: Vec<_> =
+        plan.objects().iter().map(|object| (object.action.as_str(), &object.path)).collect();
     let bytes = plan.patched(&opened.model, FileId::MAIN).unwrap();
     Ok((json!([changes, objects]), String::from_utf8(bytes).unwrap()))
 }

@@ -39,7 +39,7 @@ fn made(request: &Value, files: &dyn Files) -> BTreeSet<FindingCode> {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();
     let plan = change.plan_beside(&opened, files).unwrap();
-    model_findings(&plan.changed(&opened.model).unwrap()).iter().map(Finding::code).collect()
+    model_findings(&plan.changed_model(&opened.model).unwrap()).iter().map(Finding::code).collect()
 }
 
 fn laid() -> Value {

@@ -104,7 +104,7 @@ fn spheres_follow_their_bodies() {
         let opened = open_with(Path::new("scaled.osim"), CompanionPaths::default(), &files).unwrap();
         let plan = change.plan_alone(&opened.model);
         let plan = plan.unwrap_or_else(|fault| panic!("seed {seed}: {fault}\n{scaled}"));
-        let changed = plan.changed(&opened.model).unwrap();
+        let changed = plan.changed_model(&opened.model).unwrap();
         for (sphere, read) in spheres.iter().zip(changed.spheres()) {
             let own = factors[sphere.body + 1];
             let near =

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 use osim_inspect::series::Body;
 use osim_inspect::{Figures, Inspection, ReferenceState};
 use osim_model::messages::{Dialect, readable};
-use osim_patch::{Change, Move, Plan};
+use osim_patch::{NumberChange, PlaceChange, Plan};
 use osim_planning::{BeforeAfter, ModelFeet};
 
 use crate::html::entry::{Entry, RunRow};
@@ -209,7 +209,7 @@ fn objects(plan: &Plan) -> Markup {
             html! {
                 tr {
                     th scope="row" { code { (group.class) } }
-                    td.words { (group.deed.as_str()) }
+                    td.words { (group.action.as_str()) }
                     td { (group.names.len()) }
                     td.words { (listed(&group.names)) }
                 }
@@ -234,7 +234,8 @@ fn changes(topics: &mut Topics, plan: &Plan) -> Markup {
     let groups = groups(&plan.changes);
     // Twelve spheres with the same numbers need no names; two groups of one property do.
     let several = several_groups(&groups);
-    let is_named = |group: &[&Change]| group.first().is_some_and(|change| several.contains(&change.property));
+    let is_named =
+        |group: &[&NumberChange]| group.first().is_some_and(|change| several.contains(&change.property));
     let rows: Vec<Markup> = groups.iter().map(|group| change(topics, group, is_named(group))).collect();
     let mut caption =
         "Numbers that change, in OpenSim's units, and the equation each follows from.".to_owned();
@@ -246,7 +247,7 @@ fn changes(topics: &mut Topics, plan: &Plan) -> Markup {
     table("Numbers that change", &caption, &headers, &rows)
 }
 
-fn change(topics: &mut Topics, group: &[&Change], with_names: bool) -> Markup {
+fn change(topics: &mut Topics, group: &[&NumberChange], with_names: bool) -> Markup {
     let Some(first) = group.first() else { return html! {} };
     let unit = first.property.unit().replace("m2", "m²");
     html! {
@@ -284,7 +285,7 @@ fn new_spheres(plan: &Plan) -> Markup {
     table("New spheres", caption, &["sphere", " on", "radius", "x", "y", "z"], &rows)
 }
 
-fn moves(topics: &mut Topics, moves: &[&Move]) -> Markup {
+fn moves(topics: &mut Topics, moves: &[&PlaceChange]) -> Markup {
     if moves.is_empty() {
         return html! {};
     }

@@ -4,7 +4,7 @@ use osim_inspect::Inspection;
 use osim_model::Property;
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, four_significant, readable};
-use osim_patch::{Change, Plan};
+use osim_patch::{NumberChange, Plan};
 
 use crate::html::explained::marked_outside;
 use crate::html::fragment::Fragment;
@@ -169,7 +169,8 @@ fn place(line: Option<usize>, column: Option<usize>) -> String {
 
 /// Old and new values with the factor between them.
 fn change(plan: &Plan, property: Property) -> Cell {
-    let changes: Vec<&Change> = plan.changes.iter().filter(|change| change.property == property).collect();
+    let changes: Vec<&NumberChange> =
+        plan.changes.iter().filter(|change| change.property == property).collect();
     let mut ratios = changes.iter().map(|change| change.to / change.from);
     let Some(first) = ratios.next() else { return Cell::default() };
     let same = |ratio: f64| four_significant(ratio) == four_significant(first);

@@ -8,7 +8,7 @@ use osim_inspect::{ContactsMass, FindingRecord, SCHEMA_VERSION};
 use osim_model::Model;
 use osim_model::files::{Failure, FileName};
 use osim_model::messages::{Dialect, Phrase, is_visible};
-use osim_patch::{Change, Deed, Move, NewSphere, ObjectChange, Plan, RecordingErrors};
+use osim_patch::{NewSphere, NumberChange, ObjectAction, ObjectChange, PlaceChange, Plan, RecordingErrors};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -284,12 +284,12 @@ impl ObjectRecord {
         let new = plan.new_spheres();
         let new: HashMap<&str, &NewSphere<'_>> = new.iter().map(|sphere| (sphere.path, sphere)).collect();
         let record = |object: &ObjectChange| {
-            let is_added = object.deed == Deed::Added;
+            let is_added = object.action == ObjectAction::Added;
             let sphere = new.get(object.path.as_str()).filter(|_| is_added);
             let parameters = object.parameters.iter();
             let parameters = parameters.map(|(property, value)| (property.name(), *value)).collect();
             Self {
-                change: object.deed.as_str(),
+                change: object.action.as_str(),
                 class: object.class,
                 name: object.name.clone(),
                 path: object.path.clone(),
@@ -303,8 +303,8 @@ impl ObjectRecord {
     }
 }
 
-impl From<&Change> for ChangeRecord {
-    fn from(change: &Change) -> Self {
+impl From<&NumberChange> for ChangeRecord {
+    fn from(change: &NumberChange) -> Self {
         Self {
             force: change.force.clone(),
             path: change.path.clone(),
@@ -321,8 +321,8 @@ impl From<&Change> for ChangeRecord {
     }
 }
 
-impl From<&Move> for ChangeRecord {
-    fn from(moved: &Move) -> Self {
+impl From<&PlaceChange> for ChangeRecord {
+    fn from(moved: &PlaceChange) -> Self {
         Self {
             force: None,
             path: moved.path.clone(),

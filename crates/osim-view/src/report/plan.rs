@@ -6,7 +6,7 @@ use std::fmt;
 use imara_diff::{Algorithm, Diff, InternedInput, Interner, Token, UnifiedDiffConfig, UnifiedDiffPrinter};
 use osim_model::Property;
 use osim_model::messages::{listed, one_line, readable};
-use osim_patch::{Change, ChangedBy, Deed, Move, ObjectChange, Plan};
+use osim_patch::{ChangedBy, NumberChange, ObjectAction, ObjectChange, PlaceChange, Plan};
 
 use crate::report::layout::table;
 use crate::report::messages::warnings;
@@ -65,7 +65,7 @@ fn objects(objects: &[ObjectChange]) -> String {
     let mut table = table(&["objects", "", "class", "names"]);
     for group in object_groups(objects) {
         let count = group.names.len().to_string();
-        table.add_row([group.deed.as_str(), &count, group.class, &listed(&group.names, NAMED)]);
+        table.add_row([group.action.as_str(), &count, group.class, &listed(&group.names, NAMED)]);
     }
     table.right_aligned(&[1]);
     format!("{}\n", table.trim_fmt())
@@ -73,11 +73,11 @@ fn objects(objects: &[ObjectChange]) -> String {
 
 /// Whether the numbers that change are those of new objects: what they change from is the contact that they are made from.
 pub fn is_new(plan: &Plan) -> bool {
-    plan.objects().iter().any(|object| object.deed == Deed::Added)
+    plan.objects().iter().any(|object| object.action == ObjectAction::Added)
 }
 
 fn changes(plan: &Plan) -> String {
-    let changes: &[Change] = &plan.changes;
+    let changes: &[NumberChange] = &plan.changes;
     if changes.is_empty() {
         return String::new();
     }
@@ -154,7 +154,7 @@ fn moves(plan: &Plan) -> String {
 }
 
 /// Centres that move of spheres that were there before.
-pub(crate) fn moves_of_others(plan: &Plan) -> Vec<&Move> {
+pub(crate) fn moves_of_others(plan: &Plan) -> Vec<&PlaceChange> {
     let new = plan.new_spheres();
     let new: HashSet<&str> = new.iter().map(|sphere| sphere.path).collect();
     plan.moves.iter().filter(|place| !new.contains(place.path.as_str())).collect()
@@ -168,8 +168,8 @@ pub fn centre(metres: f64) -> String {
 // Equal changes together, so that twelve spheres are one line.
 
 /// Equal changes together, in the order of the first of each.
-pub fn groups(changes: &[Change]) -> Vec<Vec<&Change>> {
-    let mut groups: Vec<Vec<&Change>> = Vec::new();
+pub fn groups(changes: &[NumberChange]) -> Vec<Vec<&NumberChange>> {
+    let mut groups: Vec<Vec<&NumberChange>> = Vec::new();
     let mut places = HashMap::new();
     for change in changes {
         // What a group has in common.
@@ -184,7 +184,7 @@ pub fn groups(changes: &[Change]) -> Vec<Vec<&Change>> {
 }
 
 /// The force or sphere of a group, or how many there are.
-pub fn whose(group: &[&Change]) -> String {
+pub fn whose(group: &[&NumberChange]) -> String {
     let one = group.first().and_then(|change| change.sphere.clone().or_else(|| change.force.clone()));
     match (group.len(), group.first().is_some_and(|change| change.sphere.is_some())) {
         (1, _) => one.unwrap_or_default(),
@@ -194,14 +194,14 @@ pub fn whose(group: &[&Change]) -> String {
 }
 
 /// The properties with several groups, which need names.
-pub(crate) fn several_groups(groups: &[Vec<&Change>]) -> HashSet<Property> {
+pub(crate) fn several_groups(groups: &[Vec<&NumberChange>]) -> HashSet<Property> {
     let mut seen = HashSet::new();
     let properties = groups.iter().filter_map(|group| group.first()).map(|change| change.property);
     properties.filter(|&property| !seen.insert(property)).collect()
 }
 
 /// The spheres or forces of a group.
-pub fn names<'c>(group: &[&'c Change]) -> Vec<&'c str> {
+pub fn names<'c>(group: &[&'c NumberChange]) -> Vec<&'c str> {
     group.iter().filter_map(|change| change.sphere.as_deref().or(change.force.as_deref())).collect()
 }
 
@@ -210,7 +210,7 @@ pub fn names<'c>(group: &[&'c Change]) -> Vec<&'c str> {
 /// Objects of one class to which the same happens.
 pub struct ObjectGroup<'p> {
     /// What is done.
-    pub deed: Deed,
+    pub action: ObjectAction,
     /// The class of the objects.
     pub class: &'static str,
     /// Their names, in the plan's order.
@@ -221,11 +221,11 @@ pub struct ObjectGroup<'p> {
 pub(crate) fn object_groups(objects: &[ObjectChange]) -> Vec<ObjectGroup<'_>> {
     let mut groups: Vec<ObjectGroup<'_>> = Vec::new();
     for object in objects {
-        match groups.iter_mut().find(|group| group.deed == object.deed && group.class == object.class) {
+        match groups.iter_mut().find(|group| group.action == object.action && group.class == object.class) {
             Some(group) => group.names.push(&object.name),
             None => {
                 groups.push(ObjectGroup {
-                    deed: object.deed,
+                    action: object.action,
                     class: object.class,
                     names: vec![&object.name],
                 });

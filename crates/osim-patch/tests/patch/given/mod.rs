@@ -4,7 +4,7 @@ use osim_model::{
     Companion, DissipationBy, Document, Fault, FileId, MassRequest, Model, Pattern, Property, PropertySet,
     RadiusRule, Selection,
 };
-use osim_patch::{Change, Plan, Reference, Rescale, Transfer, rescale, transfer};
+use osim_patch::{NumberChange, Plan, Reference, Rescale, Transfer, rescale, transfer};
 
 /// Bytes of a file of `fixtures/`.
 #[track_caller]
@@ -223,7 +223,7 @@ impl Given {
             let model = self.read()?;
             let mut plan = plan(&model, &self)?;
             if !self.note {
-                plan.without_note();
+                plan.drop_note();
             }
             let beside = model.companions().map(|(file, _)| file);
             let files = std::iter::once(FileId::MAIN).chain(beside);
@@ -331,7 +331,7 @@ impl Outcome {
     }
 
     /// All changes of `property`, by component path, as `(path, from, to)`.
-    pub(crate) fn changes_of(&self, property: Property) -> Vec<&Change> {
+    pub(crate) fn changes_of(&self, property: Property) -> Vec<&NumberChange> {
         self.plan().changes.iter().filter(|change| change.property == property).collect()
     }
 

@@ -11,7 +11,7 @@ use std::path::Path;
 use osim_model::files::{Failure, Files, InMemory, OpenModel};
 use osim_model::messages::Phrase;
 use osim_model::{Fault, FaultKind, FindingCode, ForceId, Model, Question, Selected, Selection};
-use osim_patch::{Deed, Layout, Plan, Rebuilt, remove};
+use osim_patch::{ObjectAction, ContactLayout, Plan, RebuiltModel, remove};
 use osim_requests::BodyScale;
 use osim_requests::options::AnswerOptions;
 
@@ -64,7 +64,7 @@ impl Adding {
     fn plan_for_file(&self, model: &Model, path: &Path, files: &dyn Files) -> Result<Plan, AddFault> {
         self.answers.ask(question_about_scale(&self.body_scale)).map_err(Fault::new)?;
         let (bare, removed) = self.without_contacts(model)?.unzip();
-        let base = bare.as_ref().map_or(model, Rebuilt::model);
+        let base = bare.as_ref().map_or(model, RebuiltModel::model);
         let (mut plan, rebuilt, remarks) = match &self.source {
             Source::Reference(from_reference) => {
                 let (plan, rebuilt) = from_reference.plan(base)?;
@@ -80,7 +80,7 @@ impl Adding {
         };
         plan.name_operation("add");
         if base.forces().is_empty() {
-            plan.begin_story();
+            plan.forget_earlier_steps();
         }
         plan.warnings.retain(|warning| warning.code() != FindingCode::NothingToChange);
         plan.remarks.splice(0..0, remarks);
@@ -91,21 +91,21 @@ impl Adding {
         plan.remarks.extend(remark_on_old_document(&rebuilt));
         plan.remarks.extend(remark_on_leaning_planes(base, &rebuilt));
         plan.remarks.extend(removed.and_then(|forces| remark_on_other_planes(model, &forces, &rebuilt)));
-        let mut plan = plan.on(match &bare {
-            Some(bare) => rebuilt.clone().after(bare),
+        let mut plan = plan.attach_to(match &bare {
+            Some(bare) => rebuilt.clone().following(bare),
             None => rebuilt.clone(),
         });
         if self.level {
-            let changed = plan.changed(model)?;
+            let changed = plan.changed_model(model)?;
             plan.level(model, &set::level_places(&changed, &new_forces(&plan, &changed))?)?;
         }
-        let stands = plan.changed(model).ok().and_then(|changed| remark_on_standing(&plan, &changed));
+        let stands = plan.changed_model(model).ok().and_then(|changed| remark_on_standing(&plan, &changed));
         plan.remarks.extend(stands);
         Ok(plan)
     }
 
     /// The model without the contacts that are replaced, and their forces; `None` if it has none.
-    fn without_contacts(&self, model: &Model) -> Result<Option<(Rebuilt, Vec<ForceId>)>, Fault> {
+    fn without_contacts(&self, model: &Model) -> Result<Option<(RebuiltModel, Vec<ForceId>)>, Fault> {
         let forces_on_floors = Selected::matching(model, |force| model.meets_half_space(force));
         if forces_on_floors.forces.is_empty() {
             return Ok(None);
@@ -129,7 +129,7 @@ impl Adding {
     }
 
     /// Asks about radii that look like another unit. (A plan asks only about radii that change, and those of new spheres do not.)
-    fn ask_about_radii(&self, built: &Model, layout: &Layout) -> Result<(), Fault> {
+    fn ask_about_radii(&self, built: &Model, layout: &ContactLayout) -> Result<(), Fault> {
         if self.answers.has(Question::ImplausibleRadius) {
             return Ok(());
         }
@@ -145,7 +145,7 @@ impl Adding {
 
 /// The forces that `plan` adds, in `built`, the model that it makes.
 fn new_forces(plan: &Plan, built: &Model) -> Vec<ForceId> {
-    let added = plan.objects().iter().filter(|object| object.deed == Deed::Added);
+    let added = plan.objects().iter().filter(|object| object.action == ObjectAction::Added);
     let paths: HashSet<&str> = added.map(|object| object.path.as_str()).collect();
     Selected::matching(built, |force| paths.contains(force.path.as_str())).forces
 }

@@ -10,7 +10,7 @@ use osim_model::feet::{
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, four_significant, phrase, shown};
 use osim_model::{Fault, Model, NeedsAnswer, Question, Side};
-use osim_patch::{Layout, NewContact};
+use osim_patch::{ContactLayout, NewContact};
 use osim_requests::options::AnswerOptions;
 
 use super::bodies::{AddFault, name_without_path, nearest_name_hint};
@@ -63,8 +63,8 @@ impl Places {
         numbers: &Numbers,
         answers: &AnswerOptions,
         files: &dyn Files,
-    ) -> Result<(Layout, Vec<Phrase>), AddFault> {
-        let mut layout = Layout::default();
+    ) -> Result<(ContactLayout, Vec<Phrase>), AddFault> {
+        let mut layout = ContactLayout::default();
         let mut remarks = Vec::new();
         match self {
             Self::Table(table) => {
@@ -94,7 +94,7 @@ impl Places {
 }
 
 /// The remark that radii were scaled from the reference, if no radius was given.
-fn remark_on_scaled_radii(layout: &Layout) -> Option<Phrase> {
+fn remark_on_scaled_radii(layout: &ContactLayout) -> Option<Phrase> {
     let radii = || layout.contacts.iter().map(|contact| contact.radius_m);
     let (least, most) = (radii().reduce(f64::min)?, radii().reduce(f64::max)?);
     let radii = match four_significant(least) == four_significant(most) {
@@ -149,7 +149,7 @@ impl TablePlaces {
     }
 
     /// The question about the place that is farthest from its bones, if that is too far.
-    fn question_about_place(&self, model: &Model, layout: &Layout) -> Option<NeedsAnswer> {
+    fn question_about_place(&self, model: &Model, layout: &ContactLayout) -> Option<NeedsAnswer> {
         let bones = JointPositions::of(model);
         let distance = |contact: &NewContact| bones.distance(&contact.body, contact.location_m);
         let contacts = self.table.rows.iter().zip(&layout.contacts);

@@ -10,7 +10,7 @@ use osim_model::{
     Anatomy, Fault, FaultKind, FindingCode, Force, ForceKind, Model, Property, RadiusRule, Selected,
 };
 use osim_patch::{
-    Layout, NewContact, PLACES_STAY, Plan, Rebuilt, Reference, add_contacts, presets_with_places,
+    ContactLayout, NewContact, PLACES_STAY, Plan, RebuiltModel, Reference, add_contacts, presets_with_places,
     reference_of_model,
 };
 use osim_requests::{AddRequest, BodyMap, NewRadius, Radius, RequestError, RequestFault, TransferRequest};
@@ -32,7 +32,7 @@ pub(super) enum Numbers {
 /// The contacts of a reference, for their numbers.
 pub(super) struct ReferenceNumbers {
     /// The contacts, converted to the wanted class of force.
-    pub(super) layout: Layout,
+    pub(super) layout: ContactLayout,
     /// The same contacts as a reference for scaling, which does not depend on names of forces.
     pub(super) reference: Reference,
     pub(super) transfer_planner: TransferPlanner,
@@ -161,7 +161,7 @@ impl ReferenceNumbers {
 /// Places, radii and numbers of a reference.
 pub(super) struct FromReference {
     /// The new contacts, with the places and values of the reference.
-    pub(super) layout: Layout,
+    pub(super) layout: ContactLayout,
     /// The reference's skeleton, with the names that bodies have in the models.
     pub(super) anatomy: Anatomy,
     /// Scales the contacts to each model.
@@ -173,7 +173,7 @@ pub(super) struct FromReference {
 
 impl FromReference {
     /// The plan that scales the contacts to `base`, and `base` with the contacts as they are in the reference.
-    pub(super) fn plan(&self, base: &Model) -> Result<(Plan, Rebuilt), AddFault> {
+    pub(super) fn plan(&self, base: &Model) -> Result<(Plan, RebuiltModel), AddFault> {
         let mut layout = self.layout.clone();
         self.refuse_missing_bodies(base)?;
         let (rebuilt, selected) = with_contacts(base, &mut layout)?;
@@ -247,8 +247,8 @@ pub(super) fn wanted_contacts(
     request: &AddRequest,
     model: &Model,
     selected: &Selected,
-) -> Result<Layout, Fault> {
-    let mut layout = Layout::of(model, selected)?;
+) -> Result<ContactLayout, Fault> {
+    let mut layout = ContactLayout::of(model, selected)?;
     if let Some(class) = request.class {
         layout = layout.into_class(class.kind())?;
     }
@@ -297,7 +297,7 @@ pub(super) fn layout(
     request: &AddRequest,
     model: &Model,
     selected: &Selected,
-) -> Result<(Layout, Anatomy, Vec<Phrase>), Fault> {
+) -> Result<(ContactLayout, Anatomy, Vec<Phrase>), Fault> {
     let mut layout = wanted_contacts(request, model, selected)?;
     let mut anatomy = Anatomy::of(model)?;
     let mut remarks = Vec::new();
@@ -314,7 +314,7 @@ pub(super) fn layout(
 
 /// Moves the contacts of one body of the reference to another body.
 fn with_mapped_body(
-    layout: &mut Layout,
+    layout: &mut ContactLayout,
     mut anatomy: Anatomy,
     BodyMap { reference, model: body, .. }: &BodyMap,
     remarks: &mut Vec<Phrase>,
@@ -366,7 +366,7 @@ pub(super) fn open_reference(from: &Path, files: &dyn Files) -> Result<(OpenMode
 ///
 /// # Errors
 /// Contacts of `base` that stay are on bodies that get new ones: both would carry the weight.
-pub(super) fn with_contacts(base: &Model, layout: &mut Layout) -> Result<(Rebuilt, Selected), Fault> {
+pub(super) fn with_contacts(base: &Model, layout: &mut ContactLayout) -> Result<(RebuiltModel, Selected), Fault> {
     let bodies: HashSet<&str> = layout.contacts.iter().map(|contact| contact.body.as_str()).collect();
     let is_there = |force: &Force| {
         let mut spheres = force.spheres().into_iter().filter_map(|id| base.sphere(id)?.body.as_deref());

@@ -1,4 +1,4 @@
-//! Which contact of a reference each sphere of a model gets, also where the spheres of one force have materials of their own.
+//! Chooses the contact of the reference that each sphere of a model gets, also if the spheres of one force have different materials.
 
 use contact_scaling::{DimensionlessContact, RatioValues, Ratios, Scale, ScaleValues};
 use foldhash::{HashMap, HashMapExt};
@@ -7,9 +7,9 @@ use osim_model::{
     sphere_sets,
 };
 
-use crate::builder::{New, PlanBuilder};
+use crate::builder::{NewValue, PlanBuilder};
 use crate::radii::Radii;
-use crate::scaling::{factor, predsim};
+use crate::scaling::{predsim_factor, property_factor};
 use crate::transfer::reference::{Reference, ReferenceContact, ScalingRule, Transfer};
 
 /// Two dimensionless contacts this close (relative) are one.
@@ -18,14 +18,14 @@ const SAME_CONTACT: f64 = 1e-6;
 const ANY_GRAVITY: f64 = 9.80665;
 
 /// Which contact of the reference each sphere gets.
-pub(crate) enum Choice<'t> {
+pub(crate) enum ContactChoice<'t> {
     One(&'t ReferenceContact),
-    /// The contact of one sphere, which says the radius too, m.
+    /// All spheres get the contact of one named sphere, whose radius (m) also counts.
     Named {
         contact: &'t ReferenceContact,
         radius_m: f64,
     },
-    /// By sphere name; every moving sphere of the chosen forces is in it.
+    /// Each sphere gets the contact of the reference's sphere of the same name; every moving sphere of the chosen forces has one.
     Paired {
         first: &'t ReferenceContact,
         by_name: HashMap<&'t str, &'t ReferenceContact>,
@@ -35,7 +35,7 @@ pub(crate) enum Choice<'t> {
 pub(crate) struct ReferenceRadii<'t> {
     /// By sphere name; of several spheres of one name the first counts.
     by_name: HashMap<&'t str, f64>,
-    /// The one that all spheres have; `None` where they differ.
+    /// The radius that all spheres have; `None` if they differ.
     one: Option<Option<f64>>,
 }
 
@@ -59,8 +59,8 @@ impl<'t> ReferenceRadii<'t> {
     }
 }
 
-impl<'t> Choice<'t> {
-    pub(crate) fn make(model: &Model, selected: &Selected, wanted: &'t Transfer) -> Result<Self, Fault> {
+impl<'t> ContactChoice<'t> {
+    pub(crate) fn new(model: &Model, selected: &Selected, wanted: &'t Transfer) -> Result<Self, Fault> {
         let contacts = &wanted.reference.contacts;
         let Some(first) = contacts.first() else {
             return Err(wanted.reference.without_contacts());
@@ -90,7 +90,7 @@ impl<'t> Choice<'t> {
         }
         let by_name = by_name(contacts);
         let unmatched =
-            spheres_without(model, selected, |sphere| by_name.contains_key(name_of(model, sphere)));
+            names_of_unmatched(model, selected, |sphere| by_name.contains_key(name_of(model, sphere)));
         if unmatched.is_empty() {
             return Ok(Self::Paired { first, by_name });
         }
@@ -98,7 +98,7 @@ impl<'t> Choice<'t> {
         Err(Fault::new(Needed::ReferenceContact { reference, unmatched }))
     }
 
-    pub(crate) fn of_sphere(&self, model: &Model, sphere: SphereId) -> &'t ReferenceContact {
+    pub(crate) fn contact_for_sphere(&self, model: &Model, sphere: SphereId) -> &'t ReferenceContact {
         match self {
             Self::One(contact) | Self::Named { contact, .. } => contact,
             // `make` has checked that every name is there.
@@ -118,7 +118,7 @@ impl<'t> Choice<'t> {
             return Some(*radius_m);
         }
         let named = reference.by_name.get(name_of(model, sphere)).copied();
-        let first = self.of_sphere(model, sphere).radius_m;
+        let first = self.contact_for_sphere(model, sphere).radius_m;
         named.or(reference.are_all(first).then_some(first))
     }
 
@@ -131,17 +131,21 @@ impl<'t> Choice<'t> {
     ) -> Result<(), Fault> {
         let radii = ReferenceRadii::of(reference);
         let unmatched =
-            spheres_without(model, selected, |sphere| self.radius_for(model, sphere, &radii).is_some());
+            names_of_unmatched(model, selected, |sphere| self.radius_for(model, sphere, &radii).is_some());
         if unmatched.is_empty() {
             return Ok(());
         }
         Err(Fault::new(Needed::ReferenceRadius { reference: reference.name.clone(), unmatched }))
     }
 
-    pub(crate) fn of_force(&self, model: &Model, force: &Force) -> Result<&'t ReferenceContact, Fault> {
+    pub(crate) fn contact_for_force(
+        &self,
+        model: &Model,
+        force: &Force,
+    ) -> Result<&'t ReferenceContact, Fault> {
         let moving: Vec<SphereId> =
             sphere_sets(model, force).into_iter().flat_map(|(_, spheres)| spheres).collect();
-        let mut contacts = moving.iter().map(|&sphere| self.of_sphere(model, sphere));
+        let mut contacts = moving.iter().map(|&sphere| self.contact_for_sphere(model, sphere));
         let Some(first) = contacts.next() else {
             return Err(Fault::refused(format!("{} has no moving sphere", force.path)));
         };
@@ -160,10 +164,10 @@ fn name_of(model: &Model, sphere: SphereId) -> &str {
     model.sphere(sphere).map_or("", |sphere| sphere.name.as_str())
 }
 
-/// Names of the moving spheres of the chosen forces that are not `found`.
-fn spheres_without(model: &Model, selected: &Selected, found: impl Fn(SphereId) -> bool) -> Vec<String> {
+/// Names of the moving spheres of the chosen forces that are not `matched`.
+fn names_of_unmatched(model: &Model, selected: &Selected, matched: impl Fn(SphereId) -> bool) -> Vec<String> {
     let moving = moving_spheres(model, &selected.forces).into_iter();
-    moving.filter(|&sphere| !found(sphere)).map(|sphere| name_of(model, sphere).to_owned()).collect()
+    moving.filter(|&sphere| !matched(sphere)).map(|sphere| name_of(model, sphere).to_owned()).collect()
 }
 
 /// The first contact of each sphere name.
@@ -187,8 +191,6 @@ fn dimensionless(contact: &ReferenceContact) -> Result<DimensionlessContact, Fau
     Ok(DimensionlessContact::of(&contact.contact, &Scale::new(values).map_err(Fault::new)?))
 }
 
-// A force whose spheres have materials of their own and follow their bodies: one factor multiplies them all.
-
 /// Factors this close (relative) are one.
 const SAME_FACTOR: f64 = 1e-6;
 
@@ -206,7 +208,7 @@ pub(crate) fn plan_several_sets(
     plan: &mut PlanBuilder<'_>,
     force: &Force,
     wanted: &Transfer,
-    chosen: &Choice<'_>,
+    chosen: &ContactChoice<'_>,
     radii: &Radii,
     gravity: f64,
 ) -> Result<(), Fault> {
@@ -219,14 +221,14 @@ pub(crate) fn plan_several_sets(
     .map_err(Fault::new)?;
     for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
         let scaled = match wanted.rule {
-            ScalingRule::Paper => factor(property, &ratios, wanted.dissipation_by),
-            ScalingRule::PredSim { height_ratio } => predsim(property, &ratios, height_ratio),
+            ScalingRule::Paper => property_factor(property, &ratios, wanted.dissipation_by),
+            ScalingRule::PredSim { height_ratio } => predsim_factor(property, &ratios, height_ratio),
         };
         let Some((factor, by)) = scaled else { continue };
-        let factor = factor * against_reference(plan, force, chosen, property)?;
+        let factor = factor * composite_ratio(plan, force, chosen, property)?;
         for set in &force.sets {
             if let Some(from) = force.checked(set.id, property)? {
-                plan.parameter(force.id, set.id, property, New::times(from, factor, by))?;
+                plan.change_parameter(force.id, set.id, property, NewValue::times(from, factor, by))?;
             }
         }
     }
@@ -247,17 +249,17 @@ fn radius_ratio(plan: &PlanBuilder<'_>, force: &Force, wanted: &Transfer, radii:
 }
 
 /// The reference's E₁* or α over this model's, as spheres and plane make it together; 1 where they are the same.
-fn against_reference(
+fn composite_ratio(
     plan: &PlanBuilder<'_>,
     force: &Force,
-    chosen: &Choice<'_>,
+    chosen: &ContactChoice<'_>,
     property: Property,
 ) -> Result<f64, Fault> {
     let surfaces = Surfaces::of(force)?;
     let mut common: Option<f64> = None;
     for (set, spheres) in sphere_sets(plan.model, force) {
         let Some(&sphere) = spheres.first() else { continue };
-        let contact = chosen.of_sphere(plan.model, sphere).contact;
+        let contact = chosen.contact_for_sphere(plan.model, sphere).contact;
         let together = surfaces.with_plane(set)?;
         let (there, here) = match property {
             Property::Stiffness => (contact.plane_strain_modulus(), together.plane_strain_modulus),

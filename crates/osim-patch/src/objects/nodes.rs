@@ -1,4 +1,4 @@
-//! How contact objects are written in documents of each version; and those that forces of Moco 0.1 to 0.3 keep inside themselves.
+//! Makes the elements of contact objects for documents of each version; also of those that forces of Moco 0.1 to 0.3 have inside them.
 
 use foldhash::HashSet;
 use osim_model::{
@@ -8,7 +8,7 @@ use osim_model::{
 use crate::change;
 use crate::insert::Node;
 use crate::objects::layout::NewContact;
-use crate::objects::rebuilt::{Deed, Names, ObjectChange, refuse_misread};
+use crate::objects::rebuilt::{ObjectAction, ObjectChange, TakenNames, refuse_non_utf8_name};
 
 /// The first version in which geometry has a `socket_frame`; before, OpenSim refuses it, and afterwards `body_name`.
 const FIRST_WITH_SOCKET_FRAME: u32 = 30505;
@@ -145,9 +145,9 @@ fn has_default(document: &Document, class: Class, tag: &str) -> bool {
 
 /// How the list of a HuntCrossleyForce calls geometry: members of the geometry set by their names, except those that have the
 /// name of a component of the model itself, which OpenSim would find first.
-pub(super) struct InList(HashSet<String>);
+pub(super) struct NamesInList(HashSet<String>);
 
-impl InList {
+impl NamesInList {
     pub(super) fn of(model: &Model) -> Self {
         let document = model.document();
         let tree = document.tree();
@@ -161,7 +161,7 @@ impl InList {
         Self(written.chain(geometry.filter_map(own)).collect())
     }
 
-    pub(super) fn call<'p>(&self, path: &'p str) -> &'p str {
+    pub(super) fn name_of<'p>(&self, path: &'p str) -> &'p str {
         let name = path.strip_prefix("/contactgeometryset/");
         name.filter(|name| !self.0.contains(*name)).unwrap_or(path)
     }
@@ -171,7 +171,7 @@ impl InList {
 
 /// Objects that are taken out of forces.
 #[derive(Default)]
-pub(super) struct Inside {
+pub(super) struct SurfacesInsideForces {
     /// What goes into the geometry set.
     pub(super) geometry: Vec<Node>,
     pub(super) objects: Vec<ObjectChange>,
@@ -179,7 +179,7 @@ pub(super) struct Inside {
     planes: Vec<(String, [[u64; 3]; 2], String)>,
 }
 
-impl Inside {
+impl SurfacesInsideForces {
     /// The new paths of the sphere and of the half-space that `force` keeps inside itself; forces that press on one plane share it.
     ///
     /// # Errors
@@ -189,12 +189,12 @@ impl Inside {
         model: &Model,
         force: &Force,
         (sphere, plane): (&Sphere, &HalfSpace),
-        names: &mut Names,
+        names: &mut TakenNames,
     ) -> Result<(String, String), Fault> {
         refuse_ignored_offset(model, force, sphere, plane)
             .map_err(|fault| fault.at_element(force.path.clone()))?;
         for frame in [&sphere.frame, &plane.frame_path] {
-            refuse_misread(model, frame).map_err(|fault| fault.at_element(force.path.clone()))?;
+            refuse_non_utf8_name(model, frame).map_err(|fault| fault.at_element(force.path.clone()))?;
         }
         Ok((self.sphere(model, force, sphere, names)?, self.plane(model, force, plane, names)?))
     }
@@ -204,10 +204,10 @@ impl Inside {
         model: &Model,
         force: &Force,
         sphere: &Sphere,
-        names: &mut Names,
+        names: &mut TakenNames,
     ) -> Result<String, Fault> {
         let mut contact = NewContact::new(force.kind, force.name.clone(), "");
-        contact.sphere = names.take(&format!("{}_sphere", force.name))?;
+        contact.sphere = names.reserve(&format!("{}_sphere", force.name))?;
         contact.location_m = sphere.location_m;
         contact.radius_m = sphere.radius_m()?;
         let carrier = Carrier { name: sphere.body.as_deref().unwrap_or("ground"), path: &sphere.frame };
@@ -220,7 +220,7 @@ impl Inside {
         model: &Model,
         force: &Force,
         plane: &HalfSpace,
-        names: &mut Names,
+        names: &mut TakenNames,
     ) -> Result<String, Fault> {
         let unread =
             || Fault::refused(format!("the place of the half-space of {} cannot be read", force.path));
@@ -231,7 +231,7 @@ impl Inside {
         if let Some((_, _, path)) = known {
             return Ok(path.clone());
         }
-        let name = names.take(if plane.on_ground { "floor" } else { "half_space" })?;
+        let name = names.reserve(if plane.on_ground { "floor" } else { "half_space" })?;
         let carrier = Carrier { name: plane.body.as_deref().unwrap_or("ground"), path: &plane.frame_path };
         let version = model.document().version();
         self.geometry.push(half_space_node(version, &carrier, &name, [location_m, angles_rad])?);
@@ -243,8 +243,8 @@ impl Inside {
     /// The path of a new object of the geometry set.
     fn added(&mut self, class: &'static str, name: String, body: Option<String>) -> String {
         let path = format!("/contactgeometryset/{name}");
-        let (deed, parameters) = (Deed::Added, Vec::new());
-        self.objects.push(ObjectChange { deed, class, name, path: path.clone(), body, parameters });
+        let (action, parameters) = (ObjectAction::Added, Vec::new());
+        self.objects.push(ObjectChange { action, class, name, path: path.clone(), body, parameters });
         path
     }
 }
