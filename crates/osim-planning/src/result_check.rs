@@ -222,8 +222,9 @@ fn worse_findings(
     let weighs = weighs.or_else(|| Some(masses.contacts_mass(&opened.model).ok()?.0));
     let weighs_kg = weighs.map(|mass| mass.kg);
     // A change that is taken back gives a model that was there before: nobody has to be asked about it.
-    let is_confirmed =
-        change.writes_given_numbers() || plan.restores_original() || change.answers.has(Question::WrongAfterwards);
+    let is_confirmed = change.writes_given_numbers()
+        || plan.restores_original()
+        || change.answers.has(Question::WrongAfterwards);
     let (before, after) = (change.options_before(plan), change.options_after(plan, weighs_kg));
     let worse = findings_that_became_worse(&before, &after, opened, plan, changed);
     let mut findings: Vec<Finding> = match worse.iter().find(|one| one.severity == Severity::Error) {

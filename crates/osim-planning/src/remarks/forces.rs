@@ -20,7 +20,9 @@ const PROPERTIES: [Property; 3] =
 /// Remarks on the smoothing values of new forces and their effects; `given` says that the caller gave all of these values.
 pub(crate) fn remarks_on_smoothing(objects: &[ObjectChange], given: bool) -> Vec<Phrase> {
     let mut groups: Vec<([f64; 3], usize)> = Vec::new();
-    for values in objects.iter().filter(|object| object.action == ObjectAction::Added).filter_map(smoothing_values) {
+    for values in
+        objects.iter().filter(|object| object.action == ObjectAction::Added).filter_map(smoothing_values)
+    {
         match groups.iter_mut().find(|(known, _)| *known == values) {
             Some((_, count)) => *count += 1,
             None => groups.push((values, 1)),

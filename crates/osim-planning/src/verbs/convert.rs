@@ -79,7 +79,8 @@ impl Planner for ConvertPlanner {
         let forces_with = |action: ObjectAction| {
             rebuilt.objects.iter().filter(move |object| object.action == action).filter(is_force)
         };
-        let (old, new) = (forces_with(ObjectAction::Removed).count(), forces_with(ObjectAction::Added).count());
+        let (old, new) =
+            (forces_with(ObjectAction::Removed).count(), forces_with(ObjectAction::Added).count());
         let class = self.wanted.to.as_str();
         let changes_class = forces_with(ObjectAction::Removed).any(|object| object.class != class);
         let summary = match old {

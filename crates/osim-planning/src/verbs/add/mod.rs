@@ -11,7 +11,7 @@ use std::path::Path;
 use osim_model::files::{Failure, Files, InMemory, OpenModel};
 use osim_model::messages::Phrase;
 use osim_model::{Fault, FaultKind, FindingCode, ForceId, Model, Question, Selected, Selection};
-use osim_patch::{ObjectAction, ContactLayout, Plan, RebuiltModel, remove};
+use osim_patch::{ContactLayout, ObjectAction, Plan, RebuiltModel, remove};
 use osim_requests::BodyScale;
 use osim_requests::options::AnswerOptions;
 

@@ -366,7 +366,10 @@ pub(super) fn open_reference(from: &Path, files: &dyn Files) -> Result<(OpenMode
 ///
 /// # Errors
 /// Contacts of `base` that stay are on bodies that get new ones: both would carry the weight.
-pub(super) fn with_contacts(base: &Model, layout: &mut ContactLayout) -> Result<(RebuiltModel, Selected), Fault> {
+pub(super) fn with_contacts(
+    base: &Model,
+    layout: &mut ContactLayout,
+) -> Result<(RebuiltModel, Selected), Fault> {
     let bodies: HashSet<&str> = layout.contacts.iter().map(|contact| contact.body.as_str()).collect();
     let is_there = |force: &Force| {
         let mut spheres = force.spheres().into_iter().filter_map(|id| base.sphere(id)?.body.as_deref());
