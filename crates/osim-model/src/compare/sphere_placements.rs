@@ -75,7 +75,7 @@ impl SpherePlacements {
             unmatched: Vec::new(),
             unknown: Some(why),
             suits_level: false,
-            noted_radii: noted_radii(model),
+            noted_radii: has_radii_of_note(model),
         };
         let placed = || {
             // Those who only look at a model cannot say factors.
@@ -139,7 +139,7 @@ impl PlacedSphere {
 }
 
 /// Whether the note says that this program scaled the radii, and they are as it wrote them.
-fn noted_radii(model: &Model) -> bool {
+fn has_radii_of_note(model: &Model) -> bool {
     let rescaled = |note: &Note| note.steps.last().and_then(Step::verb) == Some(Verb::Rescale);
     model.note.as_ref().is_some_and(rescaled) && model.doubt_about_note().is_none()
 }

@@ -207,10 +207,10 @@ fn other_names(mesh: &str) -> Vec<(String, bool)> {
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
     let (bone, side) = without_mark(&stem.to_lowercase());
     let other = if side == Side::Right { Side::Left } else { Side::Right };
-    let own = names_of_side(&bone, side).into_iter().map(|stem| (stem, false));
+    let same_side = names_of_side(&bone, side).into_iter().map(|stem| (stem, false));
     let mirrored = names_of_side(&bone, other).into_iter().map(|stem| (stem, true));
     let mut stems = vec![(stem.to_owned(), false), (stem.to_lowercase(), false)];
-    stems.extend(own.chain(mirrored));
+    stems.extend(same_side.chain(mirrored));
     let lower = ending.to_lowercase();
     let file = |(stem, mirrored)| {
         let endings = [ending, lower.as_str()].into_iter().take(if ending == lower { 1 } else { 2 });

@@ -58,9 +58,9 @@ impl DefaultPose {
 impl Placements {
     fn of(model: &Model) -> Self {
         let joints = model.joints();
-        let known = CoordinateValues::at_default_pose(model);
-        let places = JointPlacements { model, values: &known.values };
-        let mut pose = Self { placements: HashMap::new(), doubt: known.doubt.clone() };
+        let coordinates = CoordinateValues::at_default_pose(model);
+        let places = JointPlacements { model, values: &coordinates.values };
+        let mut pose = Self { placements: HashMap::new(), doubt: coordinates.doubt.clone() };
         let open = pose.place_all(joints, &places);
         pose.doubt = pose.doubt.or(open);
         pose
@@ -71,12 +71,12 @@ impl Placements {
         let mut open = None;
         for JointStep { joint, from, to, forward, closes } in joints_from_ground(joints) {
             let placement = self.placement_beyond(joint, from, forward, places);
-            let known = match to {
+            let earlier = match to {
                 None => Some(Ok(Placement::IDENTITY)),
                 Some(body) => self.placements.get(body).cloned(),
             };
-            match (known, to) {
-                (Some(known), _) if closes && !are_one_place(&known, &placement) => {
+            match (earlier, to) {
+                (Some(known), _) if closes && !are_equal_placements(&known, &placement) => {
                     open = open.or(Some(PoseFault::Loop { joint: joint.name.clone() }));
                 }
                 (None, Some(body)) => {
@@ -127,7 +127,7 @@ impl JointPlacements<'_> {
 }
 
 /// Whether two placements are one; also if one of them is not known.
-fn are_one_place(known: &Result<Placement, PoseFault>, other: &Result<Placement, PoseFault>) -> bool {
+fn are_equal_placements(known: &Result<Placement, PoseFault>, other: &Result<Placement, PoseFault>) -> bool {
     let (Ok(known), Ok(other)) = (known, other) else { return true };
     let places = [DVec3::ZERO, DVec3::X, DVec3::Y];
     places.into_iter().all(|point| known.point(point).abs_diff_eq(other.point(point), SAME_PLACE))

@@ -94,8 +94,8 @@ impl Movements {
             here -= 1;
             there -= 1;
         }
-        let own = one.iter().take(here).chain(other.iter().take(there));
-        (here < one.len()).then(|| own.fold(Freedom::default(), |all, (_, freedom)| all.with(*freedom)))
+        let steps = one.iter().take(here).chain(other.iter().take(there));
+        (here < one.len()).then(|| steps.fold(Freedom::default(), |all, (_, freedom)| all.with(*freedom)))
     }
 }
 

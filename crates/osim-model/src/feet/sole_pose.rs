@@ -29,12 +29,12 @@ impl Sole {
     /// The coordinates that tilt this foot or a part of it at the default pose of `model`, from the foot up.
     pub fn tilted_by(&self, model: &Model) -> Vec<TiltingCoordinate> {
         let joints = model.joints();
-        let known = CoordinateValues::at_default_pose(model);
+        let coordinates = CoordinateValues::at_default_pose(model);
         let pose = DefaultPose::of(model);
         let mut tilting: Vec<TiltingCoordinate> = Vec::new();
         for joint in self.joints_above(joints) {
             let values: Option<Vec<f64>> =
-                joint.coordinates.iter().map(|one| known.values.get(&one.name).copied()).collect();
+                joint.coordinates.iter().map(|one| coordinates.values.get(&one.name).copied()).collect();
             let Some(values) = values else { continue };
             let parent = match &joint.parent {
                 Some(body) => pose.placement(body).copied().unwrap_or(Placement::IDENTITY),
@@ -85,18 +85,18 @@ impl Sole {
     /// The joints of the foot's bodies, then those above them.
     fn joints_above<'j>(&self, joints: &'j [ModelJoint]) -> Vec<&'j ModelJoint> {
         let above = |body: &str| joints.iter().find(|joint| joint.child.as_deref() == Some(body));
-        let mut found: Vec<&ModelJoint> = self.bodies.iter().filter_map(|body| above(body)).collect();
-        for start in found.clone() {
+        let mut upwards: Vec<&ModelJoint> = self.bodies.iter().filter_map(|body| above(body)).collect();
+        for start in upwards.clone() {
             let mut at = start;
             while let Some(next) = at.parent.as_deref().and_then(above)
-                && !found.iter().any(|known| std::ptr::eq(*known, next))
-                && found.len() <= MOST_JOINTS
+                && !upwards.iter().any(|known| std::ptr::eq(*known, next))
+                && upwards.len() <= MOST_JOINTS
             {
-                found.push(next);
+                upwards.push(next);
                 at = next;
             }
         }
-        found
+        upwards
     }
 }
 

@@ -111,7 +111,7 @@ impl Model {
     /// The forces whose moving spheres are below the same topmost body of the joint tree as those of `forces`: a ball is joined
     /// to its player only through ground.
     pub fn forces_of_same_body(&self, forces: &[ForceId]) -> Vec<ForceId> {
-        let given: HashSet<ForceId> = forces.iter().copied().collect();
+        let requested: HashSet<ForceId> = forces.iter().copied().collect();
         let tops = |id: ForceId| -> HashSet<ComponentId> {
             let spheres = self.force(id).map(Force::spheres).unwrap_or_default();
             let moving = spheres.into_iter().filter_map(|id| self.sphere(id)).filter(|sphere| !sphere.fixed);
@@ -122,7 +122,7 @@ impl Model {
             moving.filter_map(top).collect()
         };
         let chosen: HashSet<ComponentId> = forces.iter().flat_map(|&id| tops(id)).collect();
-        let same = |id: &ForceId| given.contains(id) || !tops(*id).is_disjoint(&chosen);
+        let same = |id: &ForceId| requested.contains(id) || !tops(*id).is_disjoint(&chosen);
         self.force_ids().into_iter().filter(same).collect()
     }
 

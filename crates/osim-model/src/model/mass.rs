@@ -187,9 +187,9 @@ impl MassRequest {
 
     /// What the note in `model` gives, kg, where it can be relied on and the caller gave another mass.
     pub fn disagreeing_note_kg(&self, model: &Model) -> Option<f64> {
-        let given = self.contacts_mass_kg?;
-        let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg)?;
-        (!same_mass(noted, given) && model.doubt_about_note().is_none()).then_some(noted)
+        let given_kg = self.contacts_mass_kg?;
+        let noted_kg = model.note.as_ref().and_then(|note| note.contacts_mass_kg)?;
+        (!same_mass(noted_kg, given_kg) && model.doubt_about_note().is_none()).then_some(noted_kg)
     }
 
     /// A warning for each other source of the model's mass that disagrees with `taken`. The note is not asked, because the model gets

@@ -82,10 +82,10 @@ impl Selection {
     /// Patterns that match no contact force of `model`, probably by a mistake, each with the input that gave it.
     pub fn unmatched_patterns(&self, model: &Model) -> Vec<(Input, &Pattern)> {
         let selected = self.select.iter().map(|pattern| (Input::Select, pattern));
-        let given = selected.chain(self.exclude.iter().map(|pattern| (Input::Exclude, pattern)));
+        let patterns = selected.chain(self.exclude.iter().map(|pattern| (Input::Exclude, pattern)));
         let matches_nothing =
             |pattern: &Pattern| !model.forces().iter().any(|force| pattern.matches(&force.name));
-        given.filter(|(_, pattern)| matches_nothing(pattern)).collect()
+        patterns.filter(|(_, pattern)| matches_nothing(pattern)).collect()
     }
 
     /// Applies the choice to those of `candidates`: they are known, so nothing is asked about several animals.

@@ -8,24 +8,24 @@ use osim_model::Model;
 use osim_model::feet::{Bone, FeetFault, MeshFolders, bones, mesh_points};
 use osim_model::files::{Files, InMemory};
 
-use crate::given::Folder;
+use crate::fixture_folder::Folder;
 
 fn model(name: &str) -> Model {
     Model::parse(Folder.read(Path::new(name)).unwrap()).unwrap()
 }
 
-fn of(name: &str, bodies: &[&str]) -> Vec<Bone> {
+fn read_bones(name: &str, bodies: &[&str]) -> Vec<Bone> {
     bones(&model(name), bodies, &MeshFolders::of_model(Path::new(name)), &Folder).unwrap()
 }
 
-fn points(name: &str) -> Vec<[f64; 3]> {
+fn points_of_mesh(name: &str) -> Vec<[f64; 3]> {
     mesh_points(name, &Folder.read(&Path::new("Geometry").join(name)).unwrap()).unwrap()
 }
 
 #[test]
 fn a_bone_without_factors_is_its_mesh() {
     for model in ["human_30000.osim", "human_40000.osim"] {
-        let found = of(model, &["calcn_r", "toes_r", "calcn_l"]);
+        let found = read_bones(model, &["calcn_r", "toes_r", "calcn_l"]);
         let said: Vec<(&str, &str)> = found.iter().map(|bone| (&*bone.body, &*bone.mesh)).collect();
         let expected = [
             ("calcn_r", "r_human_foot.vtp"),
@@ -34,7 +34,7 @@ fn a_bone_without_factors_is_its_mesh() {
         ];
         assert_eq!(said, expected);
         for bone in &found {
-            assert_eq!(bone.points_m, points(&bone.mesh));
+            assert_eq!(bone.points_m, points_of_mesh(&bone.mesh));
         }
     }
 }
@@ -43,13 +43,13 @@ fn a_bone_without_factors_is_its_mesh() {
 #[test]
 fn factors_come_first_and_then_the_frame() {
     let (s, c) = 0.1_f64.sin_cos();
-    let expected: Vec<[f64; 3]> = points("r_bird_toes.vtp")
+    let expected: Vec<[f64; 3]> = points_of_mesh("r_bird_toes.vtp")
         .into_iter()
         .map(|[x, y, z]| (1.1 * x, y, 1.2 * z))
         .map(|(x, y, z)| [c * x + s * z + 0.002, y, c * z - s * x])
         .collect();
     for model in ["bird_30000.osim", "bird_40000.osim"] {
-        let found = of(model, &["toes_r", "toes_l"]);
+        let found = read_bones(model, &["toes_r", "toes_l"]);
         for (bone, side) in found.iter().zip([1.0, -1.0]) {
             assert_eq!(bone.points_m.len(), expected.len());
             for ([x, y, z], [a, b, c]) in bone.points_m.iter().zip(&expected) {
@@ -91,7 +91,7 @@ fn a_bone_of_the_other_side_is_mirrored() {
         bones(&model("human_40000.osim"), &["calcn_l"], &MeshFolders::of_model(Path::new("m.osim")), &files);
     let bone = &found.unwrap()[0];
     assert!(bone.mirrored);
-    assert_eq!(bone.points_m, points("l_human_foot.vtp"));
+    assert_eq!(bone.points_m, points_of_mesh("l_human_foot.vtp"));
 }
 
 #[test]

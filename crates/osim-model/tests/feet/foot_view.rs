@@ -72,7 +72,7 @@ fn feet(model: &Model) -> Feet {
 }
 
 #[track_caller]
-fn close(seen: DVec3, expected: [f64; 3]) {
+fn assert_close(seen: DVec3, expected: [f64; 3]) {
     assert!(seen.abs_diff_eq(expected.into(), 1e-12), "{seen:?}, expected {expected:?}");
 }
 
@@ -87,11 +87,11 @@ fn a_foot_is_in_ground_at_the_default_pose() {
         (foot.name.as_str(), foot.side, &foot.frame),
         ("calcn_r", Some(Side::Right), &FootFrame::Ground)
     );
-    close(foot.spheres[0].centre_m, [0.5, 0.08, 0.1]);
-    close(foot.spheres[1].centre_m, [0.75, 0.09, 0.11]);
+    assert_close(foot.spheres[0].centre_m, [0.5, 0.08, 0.1]);
+    assert_close(foot.spheres[1].centre_m, [0.75, 0.09, 0.11]);
     let names: Vec<&str> = foot.joints.iter().map(|joint| joint.name.as_str()).collect();
     assert_eq!(names, ["ankle_r", "mtp_r"]);
-    close(foot.joints[1].at_m, [0.7, 0.1, 0.1]);
+    assert_close(foot.joints[1].at_m, [0.7, 0.1, 0.1]);
     // From the back of the heel's sphere to the front of the toe's; the floor is level with its bottom.
     assert!((foot.length_m() - 0.31).abs() < 1e-12 && (foot.lowest_m().unwrap() - 0.05).abs() < 1e-12);
     assert_eq!(foot.floor, FloorPlace::At(0.05));
@@ -118,7 +118,7 @@ fn spheres_on_a_body_that_is_no_limb_are_a_foot_of_their_own() {
 }
 
 /// A tail of `count` bodies, each 1 cm behind the one before, the first on ground by a joint of the class `root`.
-fn tail(count: usize, root: &str, spheres: &str) -> Model {
+fn chain_of_bodies(count: usize, root: &str, spheres: &str) -> Model {
     let bodies: String =
         (0..count).map(|i| format!("<Body name=\"tail{i}_r\"><mass>1</mass></Body>")).collect();
     let joint = |i: usize| {
@@ -145,7 +145,7 @@ fn tail(count: usize, root: &str, spheres: &str) -> Model {
 fn bodies_of_a_long_chain_are_one_foot() {
     let spheres: String =
         (9..=190).map(|i| sphere(&format!("s{i}"), &format!("tail{i}_r"), "0 0 0")).collect();
-    let Feet { feet, found, .. } = feet(&tail(200, "WeldJoint", &spheres));
+    let Feet { feet, found, .. } = feet(&chain_of_bodies(200, "WeldJoint", &spheres));
     let [foot] = feet.as_slice() else { panic!("{feet:?}") };
     assert_eq!((foot.name.as_str(), foot.spheres.len()), ("tail9_r", 182));
     // From the first with a sphere to the end of the tail, each once.
@@ -156,12 +156,12 @@ fn bodies_of_a_long_chain_are_one_foot() {
     found.sort();
     assert_eq!(found, bodies);
     // 10 and 191 joints from ground.
-    close(foot.spheres[0].centre_m, [-0.1, 0.0, 0.0]);
-    close(foot.spheres[181].centre_m, [-1.91, 0.0, 0.0]);
+    assert_close(foot.spheres[0].centre_m, [-0.1, 0.0, 0.0]);
+    assert_close(foot.spheres[181].centre_m, [-1.91, 0.0, 0.0]);
     // The same in the frame of the first body, where nobody knows where that is.
-    let Feet { feet, .. } = self::feet(&tail(200, "ScapulothoracicJoint", &spheres));
+    let Feet { feet, .. } = self::feet(&chain_of_bodies(200, "ScapulothoracicJoint", &spheres));
     assert_eq!(feet[0].unplaced, Vec::<String>::new());
-    close(feet[0].spheres[181].centre_m, [-1.81, 0.0, 0.0]);
+    assert_close(feet[0].spheres[181].centre_m, [-1.81, 0.0, 0.0]);
 }
 
 #[test]
@@ -173,8 +173,8 @@ fn a_pose_that_is_not_understood_leaves_the_frame_of_the_body() {
     let FootFrame::Body { name, fault } = &foot.frame else { panic!("{foot:?}") };
     assert_eq!(name, "calcn_r");
     assert!(fault.to_string().contains("ScapulothoracicJoint"), "{fault}");
-    close(foot.spheres[0].centre_m, [0.0, -0.02, 0.0]);
-    close(foot.spheres[1].centre_m, [0.25, 0.0, 0.0]);
+    assert_close(foot.spheres[0].centre_m, [0.0, -0.02, 0.0]);
+    assert_close(foot.spheres[1].centre_m, [0.25, 0.0, 0.0]);
     assert_eq!(foot.floor, FloorPlace::NotInGround);
     // Feet without spheres are known by their names then.
     let without = walker(&joint, "0 -9.81 0", "");
@@ -200,7 +200,7 @@ fn bones_stand_where_their_bodies_do() {
     let toes = Bone::new("toes_r", "toes.vtp", vec![[0.0, 0.0, 0.0], [0.0, 5.0, 0.0]]);
     feet[0].add_bones(&anatomy, &found[0], &[bone, toes], &pose);
     let foot = &feet[0];
-    close(foot.bones[0].points_m[0], [0.45, 0.1, 0.1]);
+    assert_close(foot.bones[0].points_m[0], [0.45, 0.1, 0.1]);
     assert_eq!(foot.bones[0].points_m.len(), 3);
     // What is high above a foot is left out on bodies without spheres.
     assert_eq!(foot.bones[1].points_m.len(), 1);

@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod bones;
+mod fixture_folder;
 mod foot_view;
-mod given;
 mod levelled;
 mod meshes;
 mod planes;

@@ -25,7 +25,7 @@ fn names(folder: &str) -> BTreeSet<String> {
 }
 
 /// What `small` of make_feet.py writes: multiples of 2^-10, exact in single precision.
-fn small() -> Vec<[f64; 3]> {
+fn expected_points() -> Vec<[f64; 3]> {
     let step = 1.0 / 1024.0;
     let point = |k: i32| [step * f64::from(k), step * f64::from(k * k % 7), -step * f64::from(k * 5 % 11)];
     (0..23).map(point).collect()
@@ -37,7 +37,7 @@ fn every_coding_gives_the_same_points() {
     let names = names("encodings");
     assert_eq!(names.len(), 14);
     for name in names {
-        assert_eq!(read("encodings", &name).unwrap(), small(), "{name}");
+        assert_eq!(read("encodings", &name).unwrap(), expected_points(), "{name}");
     }
 }
 

@@ -66,7 +66,7 @@ fn the_surface(model: &Model) -> PlaneSurface {
 }
 
 #[track_caller]
-fn near(value: impl Into<DVec3>, expected: [f64; 3]) {
+fn assert_near(value: impl Into<DVec3>, expected: [f64; 3]) {
     let value = value.into();
     assert!(value.abs_diff_eq(expected.into(), 1e-15), "{value:?}, expected {expected:?}");
 }
@@ -77,12 +77,12 @@ fn a_floor_on_a_platform_turns_with_it() {
     let model = model(&pin("0.3"), &plane("/bodyset/platform", "0 0.5 0", "0 0 -1.5707963267948966"), ALL);
     let surface = the_surface(&model);
     let (sine, cosine) = (0.3_f64.sin(), 0.3_f64.cos());
-    near(surface.normal, [-sine, cosine, 0.0]);
-    near(surface.point_m, [2.0 - 0.5 * sine, 0.5 * cosine, 0.0]);
+    assert_near(surface.normal, [-sine, cosine, 0.0]);
+    assert_near(surface.point_m, [2.0 - 0.5 * sine, 0.5 * cosine, 0.0]);
     assert!((surface.tilt_rad - 0.3).abs() < 1e-15);
     // Up in the platform, turned back by 0.3.
     let level = Rotation::body_fixed_xyz(surface.level_orientation).to_body([-1.0, 0.0, 0.0]);
-    near(level, [sine, cosine, 0.0]);
+    assert_near(level, [sine, cosine, 0.0]);
     assert_eq!(planes(&model)[0].body.as_deref(), Some("platform"));
 }
 
@@ -119,9 +119,9 @@ fn a_plane_inside_a_force_of_early_moco_is_a_plane() {
     let model = model(&pin("0"), "", force);
     let surface = the_surface(&model);
     // Upside down: the turn has the other sign.
-    near(surface.normal, [0.0, -1.0, 0.0]);
+    assert_near(surface.normal, [0.0, -1.0, 0.0]);
     assert_eq!((surface.point_m, surface.tilt_rad), (DVec3::new(0.0, 0.25, 0.0), PI));
-    near(surface.level_orientation, [0.0, 0.0, -FRAC_PI_2]);
+    assert_near(surface.level_orientation, [0.0, 0.0, -FRAC_PI_2]);
     let planes = planes(&model);
     assert_eq!((planes[0].name.as_str(), planes[0].spheres.len()), ("heel", 1));
     assert_eq!(planes[0].orientations[0].tag, "contact_half_space_orientation");

@@ -31,7 +31,7 @@ fn joint(class: &str, name: &str, parent: &str, child: &str, value: &str) -> Str
     )
 }
 
-fn x(pose: &DefaultPose, body: &str) -> Result<f64, String> {
+fn x_in_ground(pose: &DefaultPose, body: &str) -> Result<f64, String> {
     pose.placement(body).map(|there| there.translation_m[0]).map_err(|fault| fault.to_string())
 }
 
@@ -41,7 +41,10 @@ fn bodies_are_found_through_joints_in_either_direction() {
         [slider("j", "ground", "b", "0.5"), slider("k", "a", "b", "0.2"), slider("l", "a", "c", "1")]
             .concat();
     let pose = pose(&joints, "");
-    assert_eq!((x(&pose, "b"), x(&pose, "a"), x(&pose, "c")), (Ok(0.5), Ok(0.3), Ok(1.3)));
+    assert_eq!(
+        (x_in_ground(&pose, "b"), x_in_ground(&pose, "a"), x_in_ground(&pose, "c")),
+        (Ok(0.5), Ok(0.3), Ok(1.3))
+    );
 }
 
 #[test]
@@ -52,14 +55,20 @@ fn what_is_not_known_is_said_of_the_bodies_that_it_moves() {
         slider("l", "b", "c", "1"),
     ];
     let found = pose(&joints.concat(), "");
-    assert_eq!(x(&found, "a"), Ok(0.5));
+    assert_eq!(x_in_ground(&found, "a"), Ok(0.5));
     let unknown = "it is not known how joint k, a PluginJoint, stands at the default pose: one of its functions, or the joint itself, \
                    is not understood";
-    assert_eq!((x(&found, "b"), x(&found, "c")), (Err(unknown.into()), Err(unknown.into())));
-    let word = pose(&slider("j", "ground", "a", "far"), "");
-    assert_eq!(x(&word, "a"), Err("coordinate j_x of joint j has no default value that can be read".into()));
     assert_eq!(
-        x(&word, "b"),
+        (x_in_ground(&found, "b"), x_in_ground(&found, "c")),
+        (Err(unknown.into()), Err(unknown.into()))
+    );
+    let word = pose(&slider("j", "ground", "a", "far"), "");
+    assert_eq!(
+        x_in_ground(&word, "a"),
+        Err("coordinate j_x of joint j has no default value that can be read".into())
+    );
+    assert_eq!(
+        x_in_ground(&word, "b"),
         Err("no joints lead from ground to body b, so it is not known where it is at the default pose".into())
     );
 }
@@ -75,7 +84,7 @@ fn loops_must_be_closed() {
         ];
         pose(&joints.concat(), "")
     };
-    assert_eq!(x(&ring("0.7"), "b"), Ok(0.7));
+    assert_eq!(x_in_ground(&ring("0.7"), "b"), Ok(0.7));
     let Err(PoseFault::Loop { joint }) = ring("0.8").placement("a").cloned() else { panic!("it is open") };
     assert!(["j", "k", "l"].contains(&&*joint));
 }
@@ -85,12 +94,12 @@ fn constraints_other_than_couplers_are_not_computed() {
     let joints = slider("j", "ground", "a", "0.5");
     let weld = |flag: &str| format!("<WeldConstraint name=\"w\">{flag}</WeldConstraint>");
     assert_eq!(
-        x(&pose(&joints, &weld("")), "a"),
+        x_in_ground(&pose(&joints, &weld("")), "a"),
         Err("constraint w, a WeldConstraint, may move bodies at the default pose, which is not computed: switch it off in a copy of \
              the model"
             .into())
     );
-    assert_eq!(x(&pose(&joints, &weld("<isEnforced>false</isEnforced>")), "a"), Ok(0.5));
+    assert_eq!(x_in_ground(&pose(&joints, &weld("<isEnforced>false</isEnforced>")), "a"), Ok(0.5));
 }
 
 /// Far more bodies than any animal has, each on the one before.
@@ -109,5 +118,5 @@ fn long_chains_are_walked_once() {
          </objects></JointSet></Model></OpenSimDocument>"
     );
     let pose = DefaultPose::of(&Model::parse(text).unwrap());
-    assert!((x(&pose, "b19999").unwrap() - 20.0).abs() < 1e-9);
+    assert!((x_in_ground(&pose, "b19999").unwrap() - 20.0).abs() < 1e-9);
 }

@@ -8,7 +8,7 @@ use osim_model::feet::{Bone, FeetFault, MeshFolders, Sole, SoleRequest, bones, s
 use osim_model::files::{Files, InMemory};
 use osim_model::{DVec3, Model, Side};
 
-use crate::given::Folder;
+use crate::fixture_folder::Folder;
 
 const HUMAN: &[&str] = &["calcn_r", "toes_r", "calcn_l", "toes_l"];
 const ANIMALS: &[(&str, &[&str])] =
@@ -18,24 +18,24 @@ fn text(name: &str) -> String {
     String::from_utf8(Folder.read(Path::new(name)).unwrap()).unwrap()
 }
 
-fn laid_in(text: &str, bodies: &[&str], count: usize) -> Result<Vec<Sole>, FeetFault> {
+fn soles_in_text(text: &str, bodies: &[&str], count: usize) -> Result<Vec<Sole>, FeetFault> {
     let model = Model::parse(text).unwrap();
     let bones = bones(&model, bodies, &MeshFolders::of_model(Path::new("m.osim")), &Folder)?;
     soles(&model, &bones, &SoleRequest { count, radius_m: 0.03, pad_m: 0.01 })
 }
 
-fn laid(name: &str, bodies: &[&str], count: usize) -> Vec<Sole> {
-    laid_in(&text(name), bodies, count).unwrap()
+fn soles_of_fixture(name: &str, bodies: &[&str], count: usize) -> Vec<Sole> {
+    soles_in_text(&text(name), bodies, count).unwrap()
 }
 
 /// Along the ground, where up is y: forward and to the right.
-fn flat(place: DVec3) -> [f64; 2] {
+fn forward_and_right(place: DVec3) -> [f64; 2] {
     [place.x, place.z]
 }
 
 /// Whether a point is in a convex outline, wherever it begins and whichever way it goes.
-fn inside(outline: &[DVec3], point: [f64; 2]) -> bool {
-    let outline: Vec<[f64; 2]> = outline.iter().map(|&corner| flat(corner)).collect();
+fn is_inside(outline: &[DVec3], point: [f64; 2]) -> bool {
+    let outline: Vec<[f64; 2]> = outline.iter().map(|&corner| forward_and_right(corner)).collect();
     let turns = |index: usize| {
         let (a, b) = (outline[index], outline[(index + 1) % outline.len()]);
         (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0])
@@ -49,14 +49,17 @@ fn spheres_stand_in_the_outline_and_are_mirror_images() {
     for &(animal, bodies) in ANIMALS {
         for version in ["30000", "40000"] {
             for count in 1..=8 {
-                let soles = laid(&format!("{animal}_{version}.osim"), bodies, count);
+                let soles = soles_of_fixture(&format!("{animal}_{version}.osim"), bodies, count);
                 let [right, left] = &soles[..] else { panic!("two feet") };
                 assert_eq!((right.side, left.side), (Some(Side::Right), Some(Side::Left)));
                 for sole in &soles {
                     assert_eq!((sole.up, sole.spheres.len()), (DVec3::Y, count));
                     for sphere in &sole.spheres {
                         assert!((sphere.bottom_m[1] - sole.height_m).abs() < 1e-12);
-                        assert!(inside(&sole.outline_m, flat(sphere.bottom_m)), "{animal} {count}");
+                        assert!(
+                            is_inside(&sole.outline_m, forward_and_right(sphere.bottom_m)),
+                            "{animal} {count}"
+                        );
                         assert!(sole.bodies.contains(&sphere.body));
                     }
                 }
@@ -74,16 +77,16 @@ fn spheres_stand_in_the_outline_and_are_mirror_images() {
 #[test]
 fn the_plane_is_a_pad_below_the_lowest_point() {
     let expected = -0.016 + (0.93 - 0.06 - 0.40 - 0.46) - 0.01;
-    for sole in laid("human_40000.osim", HUMAN, 4) {
+    for sole in soles_of_fixture("human_40000.osim", HUMAN, 4) {
         assert!((sole.height_m - expected).abs() < 1e-12, "{}", sole.height_m);
     }
 }
 
 #[test]
 fn a_human_stands_on_heel_toe_and_both_sides_of_the_forefoot() {
-    let soles = laid("human_40000.osim", HUMAN, 4);
+    let soles = soles_of_fixture("human_40000.osim", HUMAN, 4);
     let spheres: Vec<(&str, [f64; 2])> =
-        soles[0].spheres.iter().map(|sphere| (&*sphere.body, flat(sphere.bottom_m))).collect();
+        soles[0].spheres.iter().map(|sphere| (&*sphere.body, forward_and_right(sphere.bottom_m))).collect();
     // In the order in which they are laid: toe tip, heel, outside, inside; the foot is 0.26 m long and turned out by 7 degrees.
     let bodies: Vec<&str> = spheres.iter().map(|(body, _)| *body).collect();
     assert_eq!(bodies, ["toes_r", "calcn_r", "toes_r", "calcn_r"]);
@@ -95,11 +98,11 @@ fn a_human_stands_on_heel_toe_and_both_sides_of_the_forefoot() {
 /// Bodies below a listed body belong to it, whatever the order of the list; a body without a side is a foot of its own.
 #[test]
 fn bodies_are_grouped_into_feet() {
-    let soles = laid("human_40000.osim", &["toes_l", "calcn_r", "toes_r", "calcn_l"], 2);
+    let soles = soles_of_fixture("human_40000.osim", &["toes_l", "calcn_r", "toes_r", "calcn_l"], 2);
     let bodies: Vec<Vec<&str>> =
         soles.iter().map(|sole| sole.bodies.iter().map(String::as_str).collect()).collect();
     assert_eq!(bodies, [["toes_l", "calcn_l"], ["calcn_r", "toes_r"]]);
-    let alone = laid("human_40000.osim", &["toes_r"], 2);
+    let alone = soles_of_fixture("human_40000.osim", &["toes_r"], 2);
     assert_eq!((alone.len(), alone[0].side), (1, Some(Side::Right)));
 }
 
@@ -108,7 +111,7 @@ fn bodies_are_grouped_into_feet() {
 fn up_is_opposite_to_gravity() {
     let turned = text("human_40000.osim")
         .replace("<gravity>0 -9.8100000000000005 0</gravity>", "<gravity>0 9.81 0</gravity>");
-    for sole in laid_in(&turned, HUMAN, 4).unwrap() {
+    for sole in soles_in_text(&turned, HUMAN, 4).unwrap() {
         assert_eq!(sole.up, DVec3::NEG_Y);
         // Above what was the highest point of the foot.
         assert!(sole.spheres.iter().all(|sphere| (sphere.bottom_m[1] + sole.height_m).abs() < 1e-12));
@@ -116,12 +119,12 @@ fn up_is_opposite_to_gravity() {
     }
     let sideways = text("human_40000.osim")
         .replace("<gravity>0 -9.8100000000000005 0</gravity>", "<gravity>0 0 -9.81</gravity>");
-    for sole in laid_in(&sideways, HUMAN, 2).unwrap() {
+    for sole in soles_in_text(&sideways, HUMAN, 2).unwrap() {
         assert!(sole.spheres.iter().all(|sphere| (sphere.bottom_m[2] - sole.height_m).abs() < 1e-12));
     }
     let none = text("human_40000.osim")
         .replace("<gravity>0 -9.8100000000000005 0</gravity>", "<gravity>0 0 0</gravity>");
-    assert_eq!(laid_in(&none, HUMAN, 4).unwrap_err(), FeetFault::NoGravity);
+    assert_eq!(soles_in_text(&none, HUMAN, 4).unwrap_err(), FeetFault::NoGravity);
 }
 
 #[test]
@@ -146,10 +149,10 @@ fn bottoms_are_at_least_a_millimetre_apart() {
     let model =
         Model::parse(text("human_40000.osim").replace("r_human_foot.vtp", "r_human_foot.obj")).unwrap();
     let bones = bones(&model, &["calcn_r"], &MeshFolders::of_model(Path::new("m.osim")), &files).unwrap();
-    let laid = |count| soles(&model, &bones, &SoleRequest { count, radius_m: 0.001, pad_m: 0.0 });
-    assert_eq!(laid(4).unwrap()[0].spheres.len(), 4);
+    let lay_spheres = |count| soles(&model, &bones, &SoleRequest { count, radius_m: 0.001, pad_m: 0.0 });
+    assert_eq!(lay_spheres(4).unwrap()[0].spheres.len(), 4);
     assert_eq!(
-        laid(5).unwrap_err().to_string(),
+        lay_spheres(5).unwrap_err().to_string(),
         "of 5 spheres under calcn_r some would be closer than 1 mm, expected at most 4: ask for fewer"
     );
 }

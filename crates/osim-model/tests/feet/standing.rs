@@ -99,7 +99,7 @@ impl Parts {
     }
 
     /// That of the only tree.
-    fn only(&self) -> Standing {
+    fn only_standing(&self) -> Standing {
         let mut all = self.standing();
         assert_eq!(all.len(), 1);
         all.remove(0)
@@ -120,11 +120,11 @@ fn foot(mass: f64, heights: &[f64], joints: String) -> Parts {
     }
 }
 
-fn lifted(mass: f64, heights: &[f64]) -> Parts {
+fn foot_on_vertical_slider(mass: f64, heights: &[f64]) -> Parts {
     foot(mass, heights, joint("ground", "foot", &[UP]))
 }
 
-fn rest(standing: &Standing) -> RestOnFloor {
+fn rest_on_all_spheres(standing: &Standing) -> RestOnFloor {
     let all: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
     standing.rest(&all, 1.0).unwrap().unwrap()
 }
@@ -139,11 +139,11 @@ fn close(a: f64, b: f64) -> bool {
 
 #[test]
 fn one_sphere_carries_100_n_at_0_01_m() {
-    let standing = lifted(10.0, &[-0.1]).only();
+    let standing = foot_on_vertical_slider(10.0, &[-0.1]).only_standing();
     assert_eq!((standing.top.as_str(), standing.mass_kg, standing.load_n), ("foot", Some(10.0), Some(100.0)));
     assert!(close(standing.spheres[0].gap_m, 0.5 - 0.1 - 0.04) && standing.spheres[0].tilt_rad < 1e-12);
     assert_eq!((lift(&standing).coordinate.as_str(), lift(&standing).default_m), ("height", 0.5));
-    let rest = rest(&standing);
+    let rest = rest_on_all_spheres(&standing);
     assert!(close(rest.spheres[0].relative_indentation, 0.25), "{rest:?}");
     assert!((rest.spheres[0].force_n - 100.0).abs() < 1e-10 && rest.is_carried());
     assert!(close(standing.coordinate_at(rest.down_m).unwrap(), 0.14 - 0.01), "{rest:?}");
@@ -153,8 +153,8 @@ fn one_sphere_carries_100_n_at_0_01_m() {
 /// x = 0.01 m and 0.0025 m: x^(3/2) is 1 and 0.125 thousandths, which carry 100 and 12.5 N.
 #[test]
 fn the_lower_sphere_carries_more() {
-    let standing = lifted(11.25, &[-0.1, -0.1 + 0.0075]).only();
-    let rest = rest(&standing);
+    let standing = foot_on_vertical_slider(11.25, &[-0.1, -0.1 + 0.0075]).only_standing();
+    let rest = rest_on_all_spheres(&standing);
     let [low, high] = rest.spheres[..] else { panic!("two") };
     assert!((low.force_n - 100.0).abs() < 1e-9 && (high.force_n - 12.5).abs() < 1e-9, "{rest:?}");
     assert!(close(low.relative_indentation, 0.25) && close(high.relative_indentation, 0.0625));
@@ -163,8 +163,8 @@ fn the_lower_sphere_carries_more() {
 
 #[test]
 fn a_sphere_out_of_reach_carries_nothing_and_one_alone_can_be_chosen() {
-    let standing = lifted(10.0, &[-0.1, -0.08]).only();
-    let both = rest(&standing);
+    let standing = foot_on_vertical_slider(10.0, &[-0.1, -0.08]).only_standing();
+    let both = rest_on_all_spheres(&standing);
     assert!(
         close(both.spheres[0].relative_indentation, 0.25)
             && close(both.spheres[1].relative_indentation, -0.25)
@@ -183,22 +183,22 @@ fn a_sphere_out_of_reach_carries_nothing_and_one_alone_can_be_chosen() {
 /// Eight times the weight at x = 0.04 m, the radius: nothing carries it as a sphere.
 #[test]
 fn a_sphere_that_is_in_up_to_its_centre_cannot_carry() {
-    assert!(!rest(&lifted(80.001, &[-0.1]).only()).is_carried());
-    assert!(rest(&lifted(79.999, &[-0.1]).only()).is_carried());
+    assert!(!rest_on_all_spheres(&foot_on_vertical_slider(80.001, &[-0.1]).only_standing()).is_carried());
+    assert!(rest_on_all_spheres(&foot_on_vertical_slider(79.999, &[-0.1]).only_standing()).is_carried());
 }
 
 /// The normal leans by 0.6 and 0.8: of 100 N it gets 80, and a metre of height is 0.8 m along it.
 #[test]
 fn on_a_slope_the_part_along_the_normal_counts() {
-    let mut parts = lifted(10.0, &[-0.1]);
+    let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
     parts.surfaces = sphere("s0", "foot", -0.1) + &floor("floor", "ground", 0.6_f64.asin());
-    let standing = parts.only();
+    let standing = parts.only_standing();
     assert!(close(standing.load_n.unwrap(), 80.0) && close(lift(&standing).rise, 0.8), "{standing:?}");
     // The foot is upright, the floor is not.
     assert!(close(standing.spheres[0].tilt_rad, 0.6_f64.asin()));
     // Its centre is 0.4 m over the origin: 0.32 m from the plane.
     assert!(close(standing.spheres[0].gap_m, 0.32 - 0.04));
-    let rest = rest(&standing);
+    let rest = rest_on_all_spheres(&standing);
     assert!(close(rest.spheres[0].relative_indentation * 0.04, 0.01 * 0.8_f64.powf(2.0 / 3.0)));
     let down = standing.coordinate_at(rest.down_m).unwrap() - 0.5;
     assert!(close(down * 0.8, -rest.down_m));
@@ -207,9 +207,9 @@ fn on_a_slope_the_part_along_the_normal_counts() {
 #[test]
 fn a_coordinate_that_points_down_is_raised_to_go_down() {
     let down = Moves { coordinate: "depth", axis: "0 -1 0", more: "<default_value>-0.5</default_value>" };
-    let standing = foot(10.0, &[-0.1], joint("ground", "foot", &[down])).only();
+    let standing = foot(10.0, &[-0.1], joint("ground", "foot", &[down])).only_standing();
     assert_eq!(lift(&standing).rise, -1.0);
-    assert!(close(standing.coordinate_at(rest(&standing).down_m).unwrap(), -0.13));
+    assert!(close(standing.coordinate_at(rest_on_all_spheres(&standing).down_m).unwrap(), -0.13));
 }
 
 /// The cart stays above: the coordinate below it moves the foot alone.
@@ -218,7 +218,7 @@ fn only_what_the_coordinate_moves_is_carried() {
     let along = Moves { coordinate: "along", axis: "1 0 0", more: "" };
     let mut parts = foot(10.0, &[-0.1], joint("ground", "cart", &[along]) + &joint("cart", "foot", &[UP]));
     parts.bodies.push_str(&body("cart", 7.0));
-    let standing = parts.only();
+    let standing = parts.only_standing();
     assert_eq!((standing.top.as_str(), standing.mass_kg), ("cart", Some(10.0)));
 }
 
@@ -233,7 +233,7 @@ fn everything_below_the_joint_is_carried() {
     for (above, below) in [("trunk", "arm"), ("trunk", "leg"), ("trunk", "head"), ("leg", "foot")] {
         parts.joints.push_str(&joint(above, below, &[]));
     }
-    assert_eq!(parts.only().mass_kg, Some(31.0));
+    assert_eq!(parts.only_standing().mass_kg, Some(31.0));
 }
 
 /// Neither a locked nor a free platform is what lifts the foot from it; nor does its mass count.
@@ -241,23 +241,23 @@ fn everything_below_the_joint_is_carried() {
 fn a_platform_is_not_what_stands() {
     for more in ["<locked>true</locked>", ""] {
         let plate = Moves { coordinate: "plate_ty", axis: "0 1 0", more };
-        let mut parts = lifted(10.0, &[-0.1]);
+        let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
         parts.bodies.push_str(&body("plate", 300.0));
         parts.joints.push_str(&joint("ground", "plate", &[plate]));
         parts.surfaces = sphere("s0", "foot", -0.1) + &floor("floor", "plate", 0.0);
-        let standing = parts.only();
+        let standing = parts.only_standing();
         assert_eq!((lift(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
         // A foot that is joined to the platform, too.
         parts.joints = joint("ground", "plate", &[Moves { coordinate: "plate_ty", axis: "0 1 0", more }])
             + &joint("plate", "foot", &[UP]);
-        let standing = parts.only();
+        let standing = parts.only_standing();
         assert_eq!((lift(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
     }
 }
 
 #[test]
 fn a_ball_stands_by_itself() {
-    let mut parts = lifted(10.0, &[-0.1]);
+    let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
     parts.bodies.push_str(&body("ball", 0.5));
     parts.joints.push_str(&joint(
         "ground",
@@ -274,7 +274,7 @@ fn a_ball_stands_by_itself() {
 
 #[test]
 fn why_nothing_lifts_it() {
-    let why = |joints: String| foot(10.0, &[-0.1], joints).only().lift.unwrap_err();
+    let why = |joints: String| foot(10.0, &[-0.1], joints).only_standing().lift.unwrap_err();
     let weld = "<WeldJoint name=\"w\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/foot\
                 </socket_child_frame></WeldJoint>";
     // What a WeldJoint holds on ground is terrain.
@@ -293,7 +293,7 @@ fn why_nothing_lifts_it() {
                            </independent_coordinate_names><dependent_coordinate_name>height</dependent_coordinate_name>\
                            </CoordinateCouplerConstraint>"
         .to_owned();
-    assert_eq!(coupled.only().lift, Err(NotLifted::Driven { coordinate: "height".into() }));
+    assert_eq!(coupled.only_standing().lift, Err(NotLifted::Driven { coordinate: "height".into() }));
 }
 
 /// OpenSim makes the coordinates of a FreeJoint that the file does not have: three that turn, then three that move.
@@ -301,33 +301,33 @@ fn why_nothing_lifts_it() {
 fn coordinates_need_not_be_written() {
     let free = "<FreeJoint name=\"free\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/foot\
                 </socket_child_frame></FreeJoint>";
-    let standing = foot(10.0, &[-0.1], free.to_owned()).only();
+    let standing = foot(10.0, &[-0.1], free.to_owned()).only_standing();
     assert_eq!(lift(&standing).joint, "free");
     assert_eq!((lift(&standing).coordinate.as_str(), lift(&standing).default_m), ("_coord_4", 0.0));
 }
 
 #[test]
 fn floors_of_two_directions_are_no_floor_to_stand_on_and_a_wall_is_none() {
-    let mut parts = lifted(10.0, &[-0.1]);
+    let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
     parts.surfaces.push_str(&floor("slope", "ground", 0.1));
     parts.forces.push_str(&force("other", "s0 slope"));
-    assert_eq!(parts.only().lift, Err(NotLifted::SeveralFloors));
-    let mut parts = lifted(10.0, &[-0.1]);
+    assert_eq!(parts.only_standing().lift, Err(NotLifted::SeveralFloors));
+    let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
     parts.surfaces.push_str(&floor("wall", "ground", 1.5));
     parts.forces.push_str(&force("other", "s0 wall"));
-    let standing = parts.only();
+    let standing = parts.only_standing();
     assert_eq!(lift(&standing).coordinate, "height");
     // What would press it on the wall carries nothing.
-    assert!(close(rest(&standing).spheres[0].relative_indentation, 0.25));
+    assert!(close(rest_on_all_spheres(&standing).spheres[0].relative_indentation, 0.25));
 }
 
 /// A sphere on two planes of one force, and on one of another: 100 N of each that it is 0.01 m in.
 #[test]
 fn a_sphere_on_two_floors_is_carried_by_both() {
-    let mut parts = lifted(20.0, &[-0.1]);
+    let mut parts = foot_on_vertical_slider(20.0, &[-0.1]);
     parts.surfaces.push_str(&floor("second", "ground", 0.0));
     parts.forces.push_str(&force("other", "s0 second"));
-    let rest = rest(&parts.only());
+    let rest = rest_on_all_spheres(&parts.only_standing());
     assert_eq!(rest.spheres.len(), 1);
     assert!(
         close(rest.spheres[0].relative_indentation, 0.25) && (rest.spheres[0].force_n - 200.0).abs() < 1e-9
@@ -343,9 +343,9 @@ fn bodies_whose_place_is_not_known_are_no_standing() {
 /// A mass that cannot be read leaves the heights known, and the weight unknown.
 #[test]
 fn without_a_mass_there_is_no_weight() {
-    let mut parts = lifted(10.0, &[-0.1]);
+    let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
     parts.bodies = parts.bodies.replace("<mass>10</mass>", "<mass>heavy</mass>");
-    let standing = parts.only();
+    let standing = parts.only_standing();
     assert_eq!((standing.mass_kg, standing.load_n), (None, None));
     assert!(standing.rest(&[standing.spheres[0].sphere], 1.0).is_none());
     assert!(close(standing.spheres[0].gap_m, 0.36));

@@ -39,7 +39,7 @@ fn value(model: &Model, property: Property) -> (f64, Origin) {
 }
 
 #[track_caller]
-fn reads(file: &str, property: Property, expected: f64, origin: Origin) {
+fn assert_property(file: &str, property: Property, expected: f64, origin: Origin) {
     let seen = read(file, |model| value(model, property));
     assert_eq!(seen, (expected, origin), "{property} of {file}");
 }
@@ -68,9 +68,9 @@ fn numbers_are_read_as_opensim_reads_them() {
         ("duplicate_objects", STIFFNESS),
         ("duplicate_forceset", STIFFNESS),
     ] {
-        reads(file, Property::Stiffness, expected, Origin::Element);
+        assert_property(file, Property::Stiffness, expected, Origin::Element);
     }
-    reads("number_17_digits", Property::StaticFriction, 0.8, Origin::Element);
+    assert_property("number_17_digits", Property::StaticFriction, 0.8, Origin::Element);
 }
 
 #[test]
@@ -99,9 +99,9 @@ fn contact_parameters_are_found_in_all_their_spellings() {
         "components_hunt_crossley",
         "v20001",
     ] {
-        reads(file, Property::Stiffness, STIFFNESS, Origin::Element);
+        assert_property(file, Property::Stiffness, STIFFNESS, Origin::Element);
     }
-    reads("parameters_wrapper_wins", Property::Stiffness, 77.0, Origin::Element);
+    assert_property("parameters_wrapper_wins", Property::Stiffness, 77.0, Origin::Element);
     read("parameters_misnamed", |model| {
         assert!(model.forces()[0].sets.is_empty());
         let said = &model.irregularities;
@@ -111,18 +111,18 @@ fn contact_parameters_are_found_in_all_their_spellings() {
 
 #[test]
 fn defaults_give_what_is_left_out() {
-    reads("defaults_smooth", Property::HertzSmoothing, 111.0, Origin::Defaults);
-    reads("defaults_smooth", Property::Dissipation, 2.25, Origin::Element);
-    reads("defaults_contact_parameters", Property::Stiffness, 765_432.1, Origin::Defaults);
-    reads("defaults_contact_parameters", Property::Dissipation, 1.75, Origin::Defaults);
-    reads("defaults_sphere_radius", Property::Radius, 0.044, Origin::Defaults);
+    assert_property("defaults_smooth", Property::HertzSmoothing, 111.0, Origin::Defaults);
+    assert_property("defaults_smooth", Property::Dissipation, 2.25, Origin::Element);
+    assert_property("defaults_contact_parameters", Property::Stiffness, 765_432.1, Origin::Defaults);
+    assert_property("defaults_contact_parameters", Property::Dissipation, 1.75, Origin::Defaults);
+    assert_property("defaults_sphere_radius", Property::Radius, 0.044, Origin::Defaults);
     assert_eq!(read("defaults_body_mass", |model| model.bodies()[0].mass.number), 58.5);
-    reads("defaults_twice", Property::HertzSmoothing, 111.0, Origin::Defaults);
-    reads("defaults_after_forces", Property::HertzSmoothing, 111.0, Origin::Defaults);
+    assert_property("defaults_twice", Property::HertzSmoothing, 111.0, Origin::Defaults);
+    assert_property("defaults_after_forces", Property::HertzSmoothing, 111.0, Origin::Defaults);
     // These do not count.
-    reads("defaults_after_model", Property::HertzSmoothing, 300.0, Origin::ClassDefault);
-    reads("defaults_in_forceset", Property::HertzSmoothing, 300.0, Origin::ClassDefault);
-    reads("defaults_of_materials_only", Property::Dissipation, 0.0, Origin::ClassDefault);
+    assert_property("defaults_after_model", Property::HertzSmoothing, 300.0, Origin::ClassDefault);
+    assert_property("defaults_in_forceset", Property::HertzSmoothing, 300.0, Origin::ClassDefault);
+    assert_property("defaults_of_materials_only", Property::Dissipation, 0.0, Origin::ClassDefault);
     assert!(!read("defaults_applies_force", |model| model.forces()[0].applies));
 }
 
@@ -144,11 +144,11 @@ fn defaults_give_surfaces_and_sockets_too() {
 
 #[test]
 fn class_defaults_are_opensims() {
-    reads("left_out_smoothing", Property::ConstantContactForce, 1e-5, Origin::ClassDefault);
-    reads("left_out_smoothing", Property::HertzSmoothing, 300.0, Origin::ClassDefault);
-    reads("left_out_smoothing", Property::HuntCrossleySmoothing, 50.0, Origin::ClassDefault);
-    reads("left_out_stiffness", Property::Stiffness, 1.0, Origin::ClassDefault);
-    reads("left_out_transition_velocity", Property::TransitionVelocity, 0.01, Origin::ClassDefault);
+    assert_property("left_out_smoothing", Property::ConstantContactForce, 1e-5, Origin::ClassDefault);
+    assert_property("left_out_smoothing", Property::HertzSmoothing, 300.0, Origin::ClassDefault);
+    assert_property("left_out_smoothing", Property::HuntCrossleySmoothing, 50.0, Origin::ClassDefault);
+    assert_property("left_out_stiffness", Property::Stiffness, 1.0, Origin::ClassDefault);
+    assert_property("left_out_transition_velocity", Property::TransitionVelocity, 0.01, Origin::ClassDefault);
     for (file, gravity) in [("left_out_gravity", 9.80665), ("no_gravity", 0.0), ("gravity_sideways", 3.71)] {
         read(file, |model| assert_eq!(model.gravity(), Some(gravity), "{file}"));
     }
@@ -203,7 +203,7 @@ fn surfaces_are_told_by_their_class_not_by_name_or_order() {
         });
     }
     // The component counts before the member of the set of the same name.
-    reads("geometry_two_of_a_name", Property::Radius, 0.055, Origin::Element);
+    assert_property("geometry_two_of_a_name", Property::Radius, 0.055, Origin::Element);
     let fault = Model::parse(fixture("format/geometry_unknown.osim")).unwrap_err();
     assert_eq!(fault.code(), "unresolved");
     assert!(fault.to_string().contains("'heel_l'") && fault.position.is_some(), "{fault}");

@@ -3,7 +3,7 @@
 use osim_model::{Model, SizedKind, SizedValues};
 
 /// The numbers of one kind, in file order.
-fn of(found: &SizedValues, kind: SizedKind) -> Vec<f64> {
+fn values_of_kind(found: &SizedValues, kind: SizedKind) -> Vec<f64> {
     found.values.iter().filter(|one| one.kind == kind).map(|one| one.value).collect()
 }
 
@@ -21,12 +21,12 @@ fn an_object_counts_then_defaults_then_what_opensim_has() {
         <ForceSet><objects><Thelen2003Muscle name='a'><max_isometric_force> 900 </max_isometric_force></Thelen2003Muscle>
             <Thelen2003Muscle name='b'/></objects></ForceSet>",
     );
-    assert_eq!(of(&found, SizedKind::MaxIsometricForce), [900.0, 7.0]);
-    assert_eq!(of(&found, SizedKind::ActivationTime), [0.02, 0.02]);
+    assert_eq!(values_of_kind(&found, SizedKind::MaxIsometricForce), [900.0, 7.0]);
+    assert_eq!(values_of_kind(&found, SizedKind::ActivationTime), [0.02, 0.02]);
     // `opensim.Thelen2003Muscle()` of OpenSim 4.6 has these.
-    assert_eq!(of(&found, SizedKind::DeactivationTime), [0.05, 0.05]);
-    assert_eq!(of(&found, SizedKind::OptimalFiberLength), [0.1, 0.1]);
-    assert_eq!(of(&found, SizedKind::MaxContractionVelocity), [10.0, 10.0]);
+    assert_eq!(values_of_kind(&found, SizedKind::DeactivationTime), [0.05, 0.05]);
+    assert_eq!(values_of_kind(&found, SizedKind::OptimalFiberLength), [0.1, 0.1]);
+    assert_eq!(values_of_kind(&found, SizedKind::MaxContractionVelocity), [10.0, 10.0]);
 }
 
 #[test]
@@ -45,12 +45,12 @@ fn what_a_force_on_a_coordinate_is_follows_from_the_coordinate() {
             <SpringGeneralizedForce name='lost'><coordinate>nowhere</coordinate><stiffness>8</stiffness></SpringGeneralizedForce>
         </objects></ForceSet>",
     );
-    assert_eq!(of(&found, SizedKind::ActuatorTorque), [5.0]);
-    assert_eq!(of(&found, SizedKind::ActuatorForce), [6.0]);
+    assert_eq!(values_of_kind(&found, SizedKind::ActuatorTorque), [5.0]);
+    assert_eq!(values_of_kind(&found, SizedKind::ActuatorForce), [6.0]);
     // A limit of an angle is no length; its two kinds of stiffness are 1 in OpenSim, its transition is 0.1.
-    assert_eq!(of(&found, SizedKind::LimitRotationalStiffness), [1.0, 1.0]);
-    assert_eq!(of(&found, SizedKind::LimitLength), [2.0, 0.0, 0.1]);
-    assert!(of(&found, SizedKind::CoordinateStiffness).is_empty());
+    assert_eq!(values_of_kind(&found, SizedKind::LimitRotationalStiffness), [1.0, 1.0]);
+    assert_eq!(values_of_kind(&found, SizedKind::LimitLength), [2.0, 0.0, 0.1]);
+    assert!(values_of_kind(&found, SizedKind::CoordinateStiffness).is_empty());
     assert_eq!(found.not_read.len(), 1);
     assert_eq!((found.not_read[0].class.as_str(), found.not_read[0].count), ("SpringGeneralizedForce", 1));
 }
@@ -66,11 +66,11 @@ fn bushings_have_three_numbers_and_expressions_are_not_read() {
             <PathSpring name='p'><stiffness>10</stiffness></PathSpring>
         </objects></ForceSet>",
     );
-    assert_eq!(of(&found, SizedKind::BushingRotationalStiffness), [1.0, 2.0, 3.0]);
-    assert_eq!(of(&found, SizedKind::BushingRotationalDamping), [0.0, 0.0, 0.0, 4.0, 5.0, 6.0]);
-    assert_eq!(of(&found, SizedKind::SpringStiffness), [10.0]);
+    assert_eq!(values_of_kind(&found, SizedKind::BushingRotationalStiffness), [1.0, 2.0, 3.0]);
+    assert_eq!(values_of_kind(&found, SizedKind::BushingRotationalDamping), [0.0, 0.0, 0.0, 4.0, 5.0, 6.0]);
+    assert_eq!(values_of_kind(&found, SizedKind::SpringStiffness), [10.0]);
     // OpenSim has NaN for a length that is not given.
-    assert!(of(&found, SizedKind::SpringLength).is_empty());
+    assert!(values_of_kind(&found, SizedKind::SpringLength).is_empty());
     let unread: Vec<(&str, &str)> = found.not_read.iter().map(|one| (one.class.as_str(), one.why)).collect();
     assert_eq!(unread, [("ExpressionBasedBushingForce", "expressions")]);
 }
@@ -82,5 +82,5 @@ fn old_documents_have_moments_of_inertia_one_by_one() {
         "<BodySet><objects><Body name='b'><mass>1</mass><inertia_xx>1</inertia_xx><inertia_yy>2</inertia_yy>
             <inertia_zz>4</inertia_zz></Body></objects></BodySet>",
     );
-    assert_eq!(of(&found, SizedKind::Inertia), [7.0]);
+    assert_eq!(values_of_kind(&found, SizedKind::Inertia), [7.0]);
 }

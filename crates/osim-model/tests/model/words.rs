@@ -7,13 +7,13 @@ use osim_model::{Document, Model};
 const FOOT: &str = include_str!("../data/one_foot.osim");
 const STIFFNESS: &str = "<stiffness>1000000</stiffness>";
 
-fn with(more: &str) -> String {
+fn foot_with(more: &str) -> String {
     assert!(FOOT.contains(STIFFNESS));
     FOOT.replace(STIFFNESS, &format!("{more}{STIFFNESS}"))
 }
 
 #[track_caller]
-fn applies(text: &str, expected: bool) {
+fn assert_applies(text: &str, expected: bool) {
     assert_eq!(Model::parse(text).unwrap().forces()[0].applies, expected, "{text}");
 }
 
@@ -22,16 +22,16 @@ fn a_force_is_on_or_off_as_opensim_reads_the_flag() {
     for off in
         ["FALSE", "0.0", "00", "-0", "0abc", "<!-- x -->false<!-- y -->", "<![CDATA[ false]]>", "\u{b}false"]
     {
-        applies(&with(&format!("<appliesForce>{off}</appliesForce>")), false);
+        assert_applies(&foot_with(&format!("<appliesForce>{off}</appliesForce>")), false);
     }
     for on in ["1abc", "yes", "", "\u{a0}false", "false&#32;", "false,"] {
-        applies(&with(&format!("<appliesForce>{on}</appliesForce>")), true);
+        assert_applies(&foot_with(&format!("<appliesForce>{on}</appliesForce>")), true);
     }
 }
 
 #[test]
 fn a_flag_with_a_comment_inside_is_refused_where_it_is() {
-    let text = with("<appliesForce>fa<!-- x -->lse</appliesForce>");
+    let text = foot_with("<appliesForce>fa<!-- x -->lse</appliesForce>");
     let fault = Model::parse(text.as_str()).unwrap_err();
     assert_eq!(fault.code(), "broken-text", "{fault}");
     assert_eq!(fault.position.map(|place| place.line), Some(line_of(&text, "<appliesForce>")));
@@ -43,14 +43,14 @@ fn line_of(text: &str, part: &str) -> usize {
 
 #[test]
 fn of_both_flags_the_first_counts_in_old_documents() {
-    let both = |first: &str, second: &str| with(&format!("{first}{second}")).replace("40000", "30505");
+    let both = |first: &str, second: &str| foot_with(&format!("{first}{second}")).replace("40000", "30505");
     let (on, off) = ("<appliesForce>true</appliesForce>", "<appliesForce>false</appliesForce>");
     let disabled = |text: &str| format!("<isDisabled>{text}</isDisabled>");
-    applies(&both(on, &disabled("true")), true);
-    applies(&both(&disabled("true"), on), false);
-    applies(&both(&disabled("what"), off), true);
-    applies(&both(&disabled("2"), ""), false);
-    applies(&both(&disabled("true false"), ""), true);
+    assert_applies(&both(on, &disabled("true")), true);
+    assert_applies(&both(&disabled("true"), on), false);
+    assert_applies(&both(&disabled("what"), off), true);
+    assert_applies(&both(&disabled("2"), ""), false);
+    assert_applies(&both(&disabled("true false"), ""), true);
 }
 
 #[test]

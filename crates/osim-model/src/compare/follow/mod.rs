@@ -225,11 +225,11 @@ fn refuse_unmatched(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Re
     if unmatched.is_empty() {
         return Ok(());
     }
-    let known: Vec<&str> = generic.spheres.iter().map(|sphere| sphere.name.as_str()).collect();
+    let reference_names: Vec<&str> = generic.spheres.iter().map(|sphere| sphere.name.as_str()).collect();
     Err(Fault::refused(format!(
         "the reference has no spheres with these names: {}; it has {}",
         unmatched.join(", "),
-        if known.is_empty() { "none".to_owned() } else { known.join(", ") }
+        if reference_names.is_empty() { "none".to_owned() } else { reference_names.join(", ") }
     )))
 }
 

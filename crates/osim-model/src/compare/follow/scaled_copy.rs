@@ -119,14 +119,14 @@ impl<'a> SharedJoints<'a> {
         for joint in &reference.joints {
             there.entry(ends(joint)).or_insert(joint);
         }
-        let mut found = Self(HashMap::new());
+        let mut shared = Self(HashMap::new());
         for joint in &scaled.joints {
             let Some(old) = there.get(&ends(joint)) else { continue };
             let offset = |old_m, new_m| SharedOffset { joint: &joint.name, old_m, new_m };
-            found.push(&joint.parent, offset(old.in_parent_m, joint.in_parent_m));
-            found.push(&joint.child, offset(old.in_child_m, joint.in_child_m));
+            shared.push(&joint.parent, offset(old.in_parent_m, joint.in_parent_m));
+            shared.push(&joint.child, offset(old.in_child_m, joint.in_child_m));
         }
-        found
+        shared
     }
 
     fn push(&mut self, body: &'a str, offset: SharedOffset<'a>) {

@@ -68,8 +68,8 @@ impl<'a> Sources<'a> {
     }
 
     fn first(&self, axis: usize) -> Option<AxisFactor> {
-        let mut known = self.by_source.iter();
-        known.find_map(|(source, values)| Some(AxisFactor { factor: values[axis]?, source: *source }))
+        let mut sources = self.by_source.iter();
+        sources.find_map(|(source, values)| Some(AxisFactor { factor: values[axis]?, source: *source }))
     }
 
     /// Sources that do not say what was taken.
@@ -118,8 +118,8 @@ impl<'a> Sources<'a> {
         taken: &[Option<AxisFactor>; 3],
         above: Option<&Self>,
     ) -> Option<FactorQuestion> {
-        let own = self.distance_ratios(taken);
-        let (distance, source, ratios) = own.or_else(|| {
+        let of_this_body = self.distance_ratios(taken);
+        let (distance, source, ratios) = of_this_body.or_else(|| {
             let distance = above?.distance.as_ref()?;
             let [Some(x), Some(y), Some(z)] = *taken else { return None };
             let mean = (x.factor * y.factor * z.factor).cbrt();
@@ -270,7 +270,7 @@ fn nearest_known_above<'a>(
 ) -> Option<(&'a str, [AxisFactor; 3])> {
     let mut passed = Vec::new();
     let mut at = body;
-    let found = loop {
+    let nearest_above = loop {
         if let Some(known) = nearest.get(at) {
             break *known;
         }
@@ -283,8 +283,8 @@ fn nearest_known_above<'a>(
             break Some((at, [x, y, z]));
         }
     };
-    nearest.extend(passed.into_iter().map(|body| (body, found)));
-    found
+    nearest.extend(passed.into_iter().map(|body| (body, nearest_above)));
+    nearest_above
 }
 
 fn is_given(axes: &[Option<AxisFactor>; 3]) -> bool {

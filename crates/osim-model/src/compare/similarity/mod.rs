@@ -111,12 +111,12 @@ impl Similarity {
 type Identity<'v> = (SizedKind, &'v str, (&'static str, usize));
 
 fn by_identity(values: &[SizedValue]) -> HashMap<Identity<'_>, f64> {
-    let mut found = HashMap::new();
+    let mut value_by_identity = HashMap::new();
     for one in values {
         // Of two objects of one name the first counts, as for OpenSim.
-        found.entry((one.kind, one.owner.as_str(), one.part)).or_insert(one.value);
+        value_by_identity.entry((one.kind, one.owner.as_str(), one.part)).or_insert(one.value);
     }
-    found
+    value_by_identity
 }
 
 /// The ratio of the distances between the joints of bodies that both have, summed so that long bones count most.

@@ -68,8 +68,8 @@ fn groups_by_limb(model: &Model, spheres: &[SphereId], forces: &[ForceId]) -> Ve
 }
 
 fn spheres_outside_groups(spheres: &[SphereId], groups: &[SphereGroup]) -> Vec<SphereId> {
-    let known: HashSet<SphereId> = groups.iter().flat_map(|group| group.spheres.iter().copied()).collect();
-    spheres.iter().copied().filter(|id| !known.contains(id)).collect()
+    let grouped: HashSet<SphereId> = groups.iter().flat_map(|group| group.spheres.iter().copied()).collect();
+    spheres.iter().copied().filter(|id| !grouped.contains(id)).collect()
 }
 
 /// The name of the body that carries `sphere`; empty for ground.
@@ -193,9 +193,9 @@ impl<'t> BodyTree<'t> {
     where
         't: 'b,
     {
-        let given: HashSet<&str> = bodies.iter().copied().collect();
+        let allowed: HashSet<&str> = bodies.iter().copied().collect();
         let above = |body: &'b str| {
-            let parent = self.parent(body).filter(|parent| given.contains(parent))?;
+            let parent = self.parent(body).filter(|parent| allowed.contains(parent))?;
             (Side::of_name(parent) == Side::of_name(body)).then_some(parent)
         };
         let mut group_of: HashMap<&str, usize> = HashMap::new();

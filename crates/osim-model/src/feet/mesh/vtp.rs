@@ -56,7 +56,7 @@ fn each_piece(
     bytes: &[u8],
     mut take: impl FnMut(&Tree, ElementId, &Coding<'_>, Vec<[f64; 3]>) -> Result<(), MeshFault>,
 ) -> Result<(), MeshFault> {
-    let (xml, appended) = split(bytes);
+    let (xml, appended) = split_appended_data(bytes);
     let tree = Tree::scan(xml).map_err(|error| broken(&error.fault))?;
     if tree.name(ElementId::ROOT) != "VTKFile" {
         let found = tree.name(ElementId::ROOT);
@@ -68,7 +68,7 @@ fn each_piece(
     for piece in pieces.filter(|&piece| tree.name(piece) == "Piece") {
         let array = tree.child(piece, "Points").and_then(|points| tree.child(points, "DataArray"));
         let Some(array) = array else { continue };
-        let points = of_array(&tree, array, &coding)?;
+        let points = read_array(&tree, array, &coding)?;
         let count = tree.attribute(piece, "NumberOfPoints").unwrap_or_default();
         if count.parse() != Ok(points.len()) {
             let fault = format!("it has {} points where it says {count:?}", points.len());
@@ -80,7 +80,7 @@ fn each_piece(
 }
 
 /// The XML alone, and the appended bytes after their mark.
-fn split(bytes: &[u8]) -> (Vec<u8>, Option<&[u8]>) {
+fn split_appended_data(bytes: &[u8]) -> (Vec<u8>, Option<&[u8]>) {
     let start = bytes.windows(APPENDED.len()).position(|window| window == APPENDED);
     let mark = start.and_then(|start| {
         let open = start + bytes.get(start..)?.iter().position(|&byte| byte == b'>')? + 1;
@@ -104,7 +104,7 @@ fn broken(fault: &SyntaxFault) -> MeshFault {
     })
 }
 
-fn of_array(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<[f64; 3]>, MeshFault> {
+fn read_array(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<[f64; 3]>, MeshFault> {
     let attribute = |key| tree.attribute(array, key).unwrap_or_default();
     let components = attribute("NumberOfComponents");
     if components != "3" {
@@ -127,7 +127,7 @@ fn integers(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<us
             words(&text).map(|word| word.parse().map_err(|_| broken(word))).collect()
         }
         Content::Bytes(bytes) => {
-            integers_of(&bytes, &tree.attribute(array, "type").unwrap_or_default(), coding)
+            decode_integers(&bytes, &tree.attribute(array, "type").unwrap_or_default(), coding)
         }
     }
 }
@@ -142,11 +142,11 @@ fn content<'t>(tree: &'t Tree, array: ElementId, coding: &Coding<'_>) -> Result<
     let attribute = |key| tree.attribute(array, key).unwrap_or_default();
     match &*attribute("format") {
         "ascii" | "" => Ok(Content::Text(tree.text_of(array))),
-        "binary" => coding.of_text(trimmed(&tree.text_of(array))).map(Content::Bytes),
+        "binary" => coding.decode_text(trimmed(&tree.text_of(array))).map(Content::Bytes),
         "appended" => {
             let offset = attribute("offset").parse();
             let offset = offset.map_err(|_| MeshFault::NotUnderstood("its points have no offset".into()))?;
-            coding.of_appended(offset).map(Content::Bytes)
+            coding.decode_appended(offset).map(Content::Bytes)
         }
         other => {
             Err(MeshFault::Unsupported(format!("points in format=\"{}\" are not read", shortened(other))))
@@ -186,12 +186,12 @@ impl<'b> Coding<'b> {
     }
 
     /// The array that is in the file as base64.
-    fn of_text(&self, text: &str) -> Result<Vec<u8>, MeshFault> {
+    fn decode_text(&self, text: &str) -> Result<Vec<u8>, MeshFault> {
         self.unpacked(&decoded(text.bytes())?)
     }
 
     /// The array at `offset` after the mark of the appended data.
-    fn of_appended(&self, offset: usize) -> Result<Vec<u8>, MeshFault> {
+    fn decode_appended(&self, offset: usize) -> Result<Vec<u8>, MeshFault> {
         let no_data =
             || MeshFault::NotUnderstood("its points are in <AppendedData>, which is not there".into());
         let bytes = self.appended.ok_or_else(no_data)?.get(offset..).ok_or(CUT_OFF)?;
@@ -293,7 +293,7 @@ pub(super) fn binary(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Ve
 }
 
 /// Places among points, of the type that the array names.
-fn integers_of(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<usize>, MeshFault> {
+fn decode_integers(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<usize>, MeshFault> {
     let width = match kind {
         "Int32" | "UInt32" => 4,
         "Int64" | "UInt64" => 8,

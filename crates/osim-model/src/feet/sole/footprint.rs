@@ -329,12 +329,12 @@ fn covers(some: &[DVec2], all: &[DVec2]) -> bool {
 
 /// The corners that are farthest in some direction, in their order.
 fn farthest_corners(corners: &[DVec2]) -> Vec<DVec2> {
-    let farthest = (0..DIRECTIONS).filter_map(|turn| farthest_along(corners, direction(turn)));
+    let farthest = (0..DIRECTIONS).filter_map(|turn| farthest_along(corners, direction_at(turn)));
     let farthest: Vec<DVec2> = farthest.collect();
     corners.iter().filter(|corner| farthest.contains(corner)).copied().collect()
 }
 
-fn direction(turn: u32) -> DVec2 {
+fn direction_at(turn: u32) -> DVec2 {
     let angle = std::f64::consts::TAU * f64::from(turn) / f64::from(DIRECTIONS);
     DVec2::new(libm::cos(angle), libm::sin(angle))
 }

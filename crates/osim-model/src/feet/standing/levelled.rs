@@ -134,12 +134,13 @@ impl LevelledFeet<'_> {
     /// A sphere with its centre lower by `down_m` along the normal of its floor.
     fn lowered(&self, over: &OverLowestFloor, down_m: f64) -> Result<LevelledSphere, NotLevelled> {
         let sphere = over.sphere;
-        let found = self.model.sphere(sphere).zip(self.body(sphere)).ok_or(NotLevelled::NoFloor)?;
-        let (found, body) = found;
-        let frame = self.model.rotation_of(found).map_err(|fault| NotLevelled::Frame(Box::new(fault)))?;
+        let (model_sphere, body) =
+            self.model.sphere(sphere).zip(self.body(sphere)).ok_or(NotLevelled::NoFloor)?;
+        let frame =
+            self.model.rotation_of(model_sphere).map_err(|fault| NotLevelled::Frame(Box::new(fault)))?;
         let in_body = self.pose.placement(body)?.rotation.inverse().to_body(over.normal);
         let normal = frame.inverse().to_body(in_body);
-        let location_m = DVec3::from(found.location_m) - down_m * normal;
+        let location_m = DVec3::from(model_sphere.location_m) - down_m * normal;
         Ok(LevelledSphere { sphere, location_m: location_m.to_array() })
     }
 }

@@ -233,12 +233,12 @@ impl<'j> JointTree<'j> {
     }
 
     pub(super) fn with_all_below(&self, body: &'j str) -> HashSet<&'j str> {
-        let mut found = HashSet::from_iter([body]);
+        let mut bodies = HashSet::from_iter([body]);
         let mut waiting = vec![body];
         while let Some(above) = waiting.pop() {
             let below = self.below.get(above).into_iter().flatten().copied();
-            waiting.extend(below.filter(|body| found.insert(body)));
+            waiting.extend(below.filter(|body| bodies.insert(body)));
         }
-        found
+        bodies
     }
 }

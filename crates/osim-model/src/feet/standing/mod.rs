@@ -52,13 +52,13 @@ impl Standing {
         let lifting = LiftSearch::of(model, &pose);
         let bodies = model.bodies().iter().enumerate();
         let masses = bodies.map(|(place, body)| (body.name.as_str(), (place, body.mass_kg().ok()))).collect();
-        let mut found = Vec::new();
+        let mut standings = Vec::new();
         for (top, spheres) in spheres_by_tree(model, &floors, &tree, &pose)? {
             let tree = StandingTree { model, floors: &floors, tree: &tree, masses: &masses, top };
-            found.push(tree.standing(&spheres, &pose, &lifting)?);
+            standings.push(tree.standing(&spheres, &pose, &lifting)?);
         }
-        add_floor_contacts(model, forces, &floors, &pose, &mut found)?;
-        Ok(found)
+        add_floor_contacts(model, forces, &floors, &pose, &mut standings)?;
+        Ok(standings)
     }
 
     /// How the tree rests on the `chosen` spheres of it alone while they carry `share` of its weight, by the laws of the file; `None` if its
@@ -111,18 +111,18 @@ fn spheres_by_tree<'j>(
 ) -> Result<Vec<(&'j str, Vec<SphereId>)>, PoseFault> {
     let mut places: HashMap<&str, usize> = HashMap::new();
     let mut tops: HashMap<&str, Option<&str>> = HashMap::new();
-    let mut found: Vec<(&str, Vec<SphereId>)> = Vec::new();
+    let mut groups: Vec<(&str, Vec<SphereId>)> = Vec::new();
     for id in floors.spheres() {
         let Some(body) = model.sphere(id).and_then(|sphere| sphere.body.as_deref()) else { continue };
         pose.placement(body)?;
         let Some(top) = *tops.entry(body).or_insert_with(|| tree.top(body)) else { continue };
-        let place = *places.entry(top).or_insert(found.len());
-        match found.get_mut(place) {
+        let place = *places.entry(top).or_insert(groups.len());
+        match groups.get_mut(place) {
             Some((_, spheres)) => spheres.push(id),
-            None => found.push((top, vec![id])),
+            None => groups.push((top, vec![id])),
         }
     }
-    Ok(found)
+    Ok(groups)
 }
 
 /// A tree whose standing is asked for.
@@ -194,11 +194,11 @@ impl<'j> StandingTree<'_, 'j> {
     /// The mass of `body` and all bodies below it, kg.
     fn mass_below(&self, body: &'j str) -> Option<f64> {
         let below = self.tree.with_all_below(body);
-        let mut own: Vec<(usize, Option<f64>)> =
+        let mut masses: Vec<(usize, Option<f64>)> =
             below.into_iter().filter_map(|body| self.masses.get(body)).copied().collect();
         // A sum is the same in every run only in one order.
-        own.sort_unstable_by_key(|(place, _)| *place);
-        own.into_iter().map(|(_, mass)| mass).sum()
+        masses.sort_unstable_by_key(|(place, _)| *place);
+        masses.into_iter().map(|(_, mass)| mass).sum()
     }
 }
 
