@@ -157,7 +157,7 @@ fn every_error_code_can_be_explained() {
     for (_, text) in sources(&PROGRAM) {
         let code = text.split("#[cfg(test)]").next().unwrap();
         raised.extend(code.split("Failure::outside(").skip(1).filter_map(code_in));
-        raised.extend(code.split(".of_model(").skip(1).filter_map(code_in));
+        raised.extend(code.split(".into_failure(").skip(1).filter_map(code_in));
         for codes in code.split("fn code(&self) -> &'static str {").skip(1) {
             raised.extend(after(codes.split("\n    }\n").next().unwrap(), &["=> \""]));
         }

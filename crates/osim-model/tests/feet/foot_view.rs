@@ -158,7 +158,7 @@ fn bodies_of_a_long_chain_are_one_foot() {
     // 10 and 191 joints from ground.
     assert_close(foot.spheres[0].centre_m, [-0.1, 0.0, 0.0]);
     assert_close(foot.spheres[181].centre_m, [-1.91, 0.0, 0.0]);
-    // The same in the frame of the first body, where nobody knows where that is.
+    // If the place of the first body is not known, coordinates are in its frame.
     let Feet { feet, .. } = self::feet(&chain_of_bodies(200, "ScapulothoracicJoint", &spheres));
     assert_eq!(feet[0].unplaced, Vec::<String>::new());
     assert_close(feet[0].spheres[181].centre_m, [-1.81, 0.0, 0.0]);
