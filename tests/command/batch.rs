@@ -185,12 +185,14 @@ fn feet_of_a_row_have_commas_as_on_the_command_line() {
         let file = format!("Geometry/{mesh}.vtp");
         bench.write(&file, crate::support::fixture(&format!("feet/{file}")));
     }
-    bench.run("add human.osim --feet calcn_r,toes_r,calcn_l,toes_l --from falisse2022 -o typed.osim").done();
+    bench
+        .run("add human.osim --feet calcn_r,toes_r,calcn_l,toes_l --count 6 --pad 0.02 --from falisse2022 -o typed.osim")
+        .done();
     bench.write(
         "table.csv",
-        "model,verb,from,feet,output\n\
-         human.osim,add,falisse2022,\"calcn_r,toes_r,calcn_l,toes_l\",commas.osim\n\
-         human.osim,add,falisse2022,calcn_r;toes_r; calcn_l;toes_l,semicolons.osim\n",
+        "model,verb,from,feet,count,pad,output\n\
+         human.osim,add,falisse2022,\"calcn_r,toes_r,calcn_l,toes_l\",6,0.02,commas.osim\n\
+         human.osim,add,falisse2022,calcn_r;toes_r; calcn_l;toes_l,6,0.02,semicolons.osim\n",
     );
     bench.run("batch table.csv").done();
     assert_eq!(bench.text("commas.osim"), bench.text("typed.osim"));

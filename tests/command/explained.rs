@@ -79,7 +79,8 @@ fn in_source(text: &str, found: &mut BTreeSet<String>) {
 }
 
 /// The crates that say which equation gave a number. Those below and beside them quote numbers of
-/// equations where nothing is printed: in the texts of rules, which `explain` reads, and in plots.
+/// equations where nothing is printed: in the texts of rules, which `explain` reads, and in plots. So does the help in the register of
+/// options.
 const STATING: [&str; 2] = ["osim-patch", "osim-requests"];
 
 /// The crates that can refuse something.
@@ -114,7 +115,8 @@ fn printed() -> BTreeSet<String> {
         in_tables(&text, &mut found);
     }
     for (file, source) in sources(&STATING) {
-        if !file.components().any(|part| Path::new(part.as_os_str()).file_stem() == Some("rules".as_ref())) {
+        let mut stems = file.components().map(|part| Path::new(part.as_os_str()).file_stem());
+        if !stems.any(|stem| stem == Some("rules".as_ref()) || stem == Some("register".as_ref())) {
             in_source(&source, &mut found);
         }
     }

@@ -31,14 +31,7 @@ pub mod spell;
 pub mod values;
 
 pub use crate::fault::{Relation, RequestError, RequestFault};
-pub use crate::request::{
-    AddRequest, AngleChoice, AxesChoice, BatchRequest, BranchChoice, CHANGING, CheckRequest, ConvertRequest,
-    Deny, DesignRequest, DropTestRequest, ExplainRequest, FigureOptions, FitRequest, FittedChoice,
-    HeatOptions, HeatQuantity, HeightChoice, InspectRequest, MotionFormat, MotionRequest, NoteDetails,
-    NoteRequest, PlotKind, PlotRequest, PresetsRequest, QuantityChoice, RemoveRequest, ReproduceRequest,
-    Request, RescaleRequest, SeriesFormat, SetRequest, SweepRequest, TransferRequest, VerbEntry, VerbGroup,
-    fig1, no_fig1, silent_fields, takes, verb_entry,
-};
+pub use crate::request::*;
 #[cfg(feature = "schemas")]
 pub use crate::schema::schema_of;
 pub use crate::values::{
