@@ -60,7 +60,7 @@ impl OutputFolders {
     /// Removes displaced files of killed runs, or keeps those that may be another program's work as further backups. Returns a sentence
     /// for each that is kept.
     pub(crate) fn keep_displaced_files(&mut self) -> Vec<String> {
-        let keep = |leftover: PathBuf| Some((exchange::settle(&leftover)?, leftover));
+        let keep = |leftover: PathBuf| Some((exchange::settle_leftover(&leftover)?, leftover));
         let shown = |path: &Path| path.strip_prefix(".").unwrap_or(path).display().to_string();
         let line = |(kept, leftover): (PathBuf, PathBuf)| {
             let (leftover, kept) = (shown(&leftover), shown(&kept));

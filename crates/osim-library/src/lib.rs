@@ -26,7 +26,7 @@ pub use file_access::{read_head, reason};
 pub use folders::{OutputFolders, make_folder_of};
 pub use paths::{folder_of, resolved};
 pub use source::{Disk, Loaded, OrdinaryFiles, Origin, Source, Sources, SplitName, Stamp};
-pub use survey::{Survey, SurveyText, Surveyed};
+pub use survey::{Survey, SurveyText, SurveyedModel};
 pub use sweep::{OtherModels, SameContacts, SweepEnd, SweepFrontEnd, SweepRun};
 pub use workers::{thread_count, work_in_order};
 pub use write::{PendingFile, WriteMode};

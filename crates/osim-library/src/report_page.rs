@@ -13,8 +13,8 @@ use osim_planning::BeforeAfter;
 use osim_requests::options::RunOptions;
 use osim_requests::spell::FrontEnd;
 use osim_view::html::{
-    About, Changed, Columns, DeferredText, DetailLevel, EarlierRun, Entry, GENERATOR, Kept, NamedDigest,
-    Page, RowError, RunRow,
+    About, ChangedModelOnPage, Columns, DeferredParts, DeferredText, DetailLevel, EarlierRun, Entry,
+    GENERATOR, NamedDigest, Page, RowError, RunRow,
 };
 
 use crate::run::{ChangedModel, Record, Run};
@@ -64,7 +64,7 @@ impl ReportPage {
         make_folder_of(path)?;
         let mode = if replaces { WriteMode::Replace } else { WriteMode::New };
         let prepared = PendingFile::begin(path, None, mode)?;
-        let kept = Kept {
+        let kept = DeferredParts {
             failures: NamelessFile::in_folder_of(path)?,
             rows: NamelessFile::in_folder_of(path)?,
             details: NamelessFile::in_folder_of(path)?,
@@ -153,7 +153,7 @@ impl DeferredText for NamelessFile {
         self.0.write_all(text.as_bytes())
     }
 
-    fn pour_into(&mut self, page: &mut dyn Write) -> std::io::Result<()> {
+    fn write_to(&mut self, page: &mut dyn Write) -> std::io::Result<()> {
         self.0.flush()?;
         let file = self.0.get_mut();
         file.seek(SeekFrom::Start(0))?;
@@ -190,15 +190,15 @@ pub fn entry_of_change(
         false => changed.written.describe(),
     };
     let files = osim_view::html::Files { inputs: inputs.collect(), result, outputs };
-    let mut change = Changed::of_states(changed.plan, states, files);
+    let mut change = ChangedModelOnPage::of_states(changed.plan, states, files);
     if let Some(feet) = change.feet.last_mut() {
         feet.add_bones(&changed.opened.model, &changed.task.source.path, None, &Disk);
     }
     let followed = states.recording.as_ref();
     change.recording = followed.map(|seen| osim_view::html::recording(&seen.0, &seen.1, words));
     change.in_file = !changed.written.paths().is_empty();
-    let entry = osim_view::html::changed(&row_of_record(record), change, detail, words);
-    if changed.earlier { entry.of_earlier_run() } else { entry }
+    let entry = osim_view::html::entry_of_changed_model(&row_of_record(record), change, detail, words);
+    if changed.earlier { entry.marked_as_earlier() } else { entry }
 }
 
 /// The entry of a model of which only the line in the summary is known.
@@ -217,7 +217,7 @@ pub fn entry_of_record(record: &Record, earlier: bool) -> Entry {
         unequal_factors: record.unequal_factors.split(' ').map(str::to_owned).collect(),
         warnings: record.warnings.split_ascii_whitespace().count(),
     };
-    Entry::left_by_earlier_run(&row_of_record(record), &left)
+    Entry::of_earlier_record(&row_of_record(record), &left)
 }
 
 fn row_of_record(record: &Record) -> RunRow {

@@ -1,4 +1,4 @@
-//! Many models inspected or checked in one call: what is known of each, its text, and its entry on a page.
+//! Many models that are inspected or checked in one call: the result, the text and the page entry of each.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -9,7 +9,7 @@ use osim_model::messages::Verb;
 use osim_planning::{Inspector, ModelFeet};
 use osim_requests::Jobs;
 use osim_requests::options::ReportOptions;
-use osim_view::html::{About, Columns, DetailLevel, Entry, Examined, NamedDigest, Section};
+use osim_view::html::{About, Columns, DetailLevel, Entry, InspectedAndChecked, NamedDigest, Section};
 use osim_view::report::check::{self, LibraryTable};
 use osim_view::report::extent::Extent;
 use osim_view::report::inspection::{self, ModelsTable};
@@ -28,49 +28,49 @@ pub struct Survey<'s> {
     pub verb: Verb,
     /// The models.
     pub sources: &'s Sources,
-    /// Files that are not read from the disk.
+    /// Files in memory, which go before those on the disk.
     pub memory: &'s BTreeMap<PathBuf, Vec<u8>>,
     /// How they are inspected.
     pub inspector: &'s Inspector,
-    /// The page that is asked for.
+    /// The options of the page.
     pub report: &'s ReportOptions,
     /// Whether each model is shown by itself, however many there are.
     pub shows_each: bool,
     /// How much the text of a model shows; in full each is shown by itself, too.
     pub extent: Extent,
-    /// The words of messages.
+    /// The front end whose words messages use.
     pub words: Words,
 }
 
 /// What a survey knows of one model, spelled.
-pub enum Surveyed {
-    /// What it holds; and how much is wrong with it, where that is shown.
+pub enum SurveyedModel {
+    /// Its inspection, and the numbers of its findings if they are shown.
     Inspected(Box<Inspection>, Option<Counts>),
-    /// What is wrong with it.
+    /// Its findings.
     Checked(Box<CheckResult>),
-    /// It is one of a folder, and has no contacts.
+    /// A model of a folder without contacts.
     WithoutContacts,
     /// It cannot be read.
     Failed(Box<Failure>),
 }
 
 impl Survey<'_> {
-    /// The page, if one is asked for, about the call `asked`; what could not even be listed is on it already.
+    /// Begins the page if one is asked for, with entries of models that could not be listed. `call` is shown on the page.
     ///
     /// # Errors
-    /// Its name, a file that is there already, or a file that is read has that name.
-    pub fn begin_page(&self, asked: String) -> Result<Option<ReportPage>, LibraryFault> {
+    /// The name is not that of a page, the file exists already, or it is read in this call.
+    pub fn begin_page(&self, call: String) -> Result<Option<ReportPage>, LibraryFault> {
         let Some(path) = &self.report.report else { return Ok(None) };
         let mut conflicts = PathConflicts::default();
-        self.sources.models.iter().for_each(|source| conflicts.read(source.path.as_path()));
-        self.inspector.extra_files().iter().for_each(|path| conflicts.read(path.as_path()));
-        conflicts.write(path, "the report")?;
+        self.sources.models.iter().for_each(|source| conflicts.add_input(source.path.as_path()));
+        self.inspector.extra_files().iter().for_each(|path| conflicts.add_input(path.as_path()));
+        conflicts.add_output(path, "the report")?;
         let shown = match (self.sources.models.as_slice(), self.sources.failures.as_slice()) {
             ([source], []) => Some(source.shown()),
             ([], [failure]) => Some(failure.model.to_string()),
             _ => None,
         };
-        let about = About::new(self.verb, shown, Columns::Inspections, asked);
+        let about = About::new(self.verb, shown, Columns::Inspections, call);
         let replace = if self.report.force { MayReplace::Files } else { MayReplace::Never };
         OutputFolders::list(std::iter::once(path.as_path()), true);
         let mut page = ReportPage::begin(path, replace, about, self.words)?;
@@ -91,34 +91,34 @@ impl Survey<'_> {
         page: &mut Option<ReportPage>,
         jobs: Option<Jobs>,
         is_stopped: impl Fn() -> bool + Sync,
-        mut each: impl FnMut(&str, Surveyed) -> Result<(), E>,
+        mut each: impl FnMut(&str, SurveyedModel) -> Result<(), E>,
     ) -> Result<Option<E>, E> {
         let models = &self.sources.models;
         let lists = self.verb == Verb::Check || self.is_table();
         let folders =
             lists.then(|| OutputFolders::list(models.iter().map(|source| source.path.as_path()), false));
-        let (with_page, mut untold) = (page.is_some(), None);
+        let (with_page, mut first_error) = (page.is_some(), None);
         work_in_order(
             models,
             thread_count(jobs, models.len()),
-            |source| (!is_stopped()).then(|| self.look(source, folders.as_ref(), with_page)),
+            |source| (!is_stopped()).then(|| self.survey_model(source, folders.as_ref(), with_page)),
             |source, looked| -> Result<(), E> {
                 let Some((surveyed, entry)) = looked else { return Ok(()) };
                 if let Some((page, entry)) = page.as_mut().zip(entry) {
                     page.add(entry);
                 }
                 match each(&source.shown(), surveyed) {
-                    Err(error) if with_page => untold = untold.take().or(Some(error)),
+                    Err(error) if with_page => first_error = first_error.take().or(Some(error)),
                     told => told?,
                 }
                 Ok(())
             },
         )?;
-        Ok(untold)
+        Ok(first_error)
     }
 
-    /// The text of its models, without any of them.
-    pub fn text(&self, colour: Colour) -> SurveyText {
+    /// Begins the text about the models.
+    pub fn begin_text(&self, colour: Colour) -> SurveyText {
         let mut text = SurveyText {
             words: self.words,
             colour,
@@ -138,7 +138,7 @@ impl Survey<'_> {
         text
     }
 
-    /// Whether its models are shown as one table.
+    /// Whether the text is one table of all models.
     fn is_table(&self) -> bool {
         let models = self.sources.models.len();
         let several =
@@ -146,73 +146,81 @@ impl Survey<'_> {
         several && !self.shows_each && !self.extent.is_full()
     }
 
-    fn look(
+    fn survey_model(
         &self,
         source: &Source,
         folders: Option<&OutputFolders>,
         with_page: bool,
-    ) -> (Surveyed, Option<Entry>) {
-        match self.examine(source, folders, with_page) {
+    ) -> (SurveyedModel, Option<Entry>) {
+        match self.inspect_and_check(source, folders, with_page) {
             Ok(looked) => looked,
             Err(failure) if self.verb == Verb::Check && source.is_skipped(&failure) => {
-                (Surveyed::WithoutContacts, with_page.then(|| Entry::without_contacts(&failure.model)))
+                (SurveyedModel::WithoutContacts, with_page.then(|| Entry::without_contacts(&failure.model)))
             }
             Err(failure) => {
                 let entry = with_page.then(|| Entry::failed(&failure, self.words));
-                (Surveyed::Failed(Box::new(failure)), entry)
+                (SurveyedModel::Failed(Box::new(failure)), entry)
             }
         }
     }
 
-    fn examine(
+    fn inspect_and_check(
         &self,
         source: &Source,
         folders: Option<&OutputFolders>,
         with_page: bool,
-    ) -> Result<(Surveyed, Option<Entry>), Failure> {
-        let opened = Loaded::read_beside(source, self.inspector.set_files(), self.memory)?.files.open()?;
+    ) -> Result<(SurveyedModel, Option<Entry>), Failure> {
+        let opened =
+            Loaded::read_with_memory(source, self.inspector.set_files(), self.memory)?.files.open()?;
         let mut inspection = self.inspector.inspect(&opened)?;
         let is_check = self.verb == Verb::Check;
         if is_check && source.folder.is_some() {
             self.inspector.refuse_without_contacts(&opened, &inspection)?;
         }
-        let found = (with_page || folders.is_some()).then(|| {
+        let check_result = (with_page || folders.is_some()).then(|| {
             let is_file = !source.is_stdin() && !self.memory.contains_key(&source.path);
             let compiled = folders
                 .filter(|_| is_file)
                 .and_then(|known| known.compiled_model_beside_output(&source.path));
             let files = MemoryFirst { memory: self.memory, disk: &Disk };
-            let mut found = self.inspector.check(&opened.model, &inspection, compiled.as_ref(), &files);
-            found.spell(self.words);
-            found
+            let mut check_result =
+                self.inspector.check(&opened.model, &inspection, compiled.as_ref(), &files);
+            check_result.spell(self.words);
+            check_result
         });
         inspection.spell(self.words);
-        let entry = found.as_ref().filter(|_| with_page).map(|found| self.entry(&opened, &inspection, found));
-        let surveyed = match found {
-            Some(found) if is_check => Surveyed::Checked(Box::new(found)),
-            found => Surveyed::Inspected(Box::new(inspection), found.map(|found| found.counts)),
+        let entry = check_result
+            .as_ref()
+            .filter(|_| with_page)
+            .map(|check_result| self.entry(&opened, &inspection, check_result));
+        let surveyed = match check_result {
+            Some(check_result) if is_check => SurveyedModel::Checked(Box::new(check_result)),
+            check_result => SurveyedModel::Inspected(
+                Box::new(inspection),
+                check_result.map(|check_result| check_result.counts),
+            ),
         };
         Ok((surveyed, entry))
     }
 
-    /// The model on the page.
+    /// The model's entry on the page.
     fn entry(&self, opened: &OpenModel, inspection: &Inspection, check: &CheckResult) -> Entry {
         let digest =
             |(name, bytes): (&str, &[u8])| NamedDigest { name: name.to_owned(), sha256: sha256(bytes) };
         let files: Vec<NamedDigest> = opened.files().map(digest).collect();
-        let detail = DetailLevel::of(self.sources.models.len() + self.sources.failures.len());
-        let shown = osim_view::html::Inspected {
+        let detail = DetailLevel::for_models(self.sources.models.len() + self.sources.failures.len());
+        let shown = osim_view::html::InspectedModelOnPage {
             options: self.inspector.options(),
             model: opened,
-            examined: Examined { inspection, check },
+            examined: InspectedAndChecked { inspection, check },
             files: &files,
             feet: detail.has_feet().then(|| self.feet(opened)).flatten(),
             recording: self.recording(opened),
         };
-        osim_view::html::inspected(shown, detail, self.words)
+        osim_view::html::entry_of_inspected_model(shown, detail, self.words)
     }
 
-    /// What its contacts do along the recording that was named, if one was.
+    /// The section about the model's contacts along the recording, if one is named.
     fn recording(&self, opened: &OpenModel) -> Option<Section> {
         let (result, remarks) = self.inspector.recording(&opened.name().to_path(), &Disk)?;
         Some(osim_view::html::recording(&result, &remarks, self.words))
@@ -227,7 +235,7 @@ impl Survey<'_> {
     }
 }
 
-/// The text of a survey: of each model by itself, or one table in the end.
+/// The text of a survey: one text for each model, or one table of all.
 pub struct SurveyText {
     words: Words,
     colour: Colour,
@@ -235,9 +243,9 @@ pub struct SurveyText {
     is_first: bool,
     /// Whether a table says how all models are shown in full.
     names_full: bool,
-    /// What models hold.
+    /// The table of inspections, if there is one.
     models: Option<ModelsTable>,
-    /// What is wrong with models.
+    /// The table of findings, if there is one.
     library: Option<LibraryTable>,
 }
 
@@ -248,24 +256,24 @@ impl SurveyText {
     }
 
     /// Adds the model that was named `name`. Returns what is shown of it now: nothing where there is a table.
-    pub fn add(&mut self, name: &str, surveyed: &Surveyed) -> String {
+    pub fn add(&mut self, name: &str, surveyed: &SurveyedModel) -> String {
         match (surveyed, &mut self.models, &mut self.library) {
-            (Surveyed::Inspected(inspected, counts), Some(table), _) => {
+            (SurveyedModel::Inspected(inspected, counts), Some(table), _) => {
                 table.add(inspected, counts.unwrap_or_default());
             }
-            (Surveyed::Inspected(inspected, _), None, _) => {
+            (SurveyedModel::Inspected(inspected, _), None, _) => {
                 let gap = if std::mem::take(&mut self.is_first) { "" } else { "\n" };
                 return format!("{gap}{}", inspection::text(inspected, self.words, self.colour, self.extent));
             }
-            (Surveyed::Checked(found), _, Some(table)) => table.add(found),
-            (Surveyed::Checked(found), _, None) => {
-                return check::text(found, self.words.prompt(), self.colour, self.extent);
+            (SurveyedModel::Checked(check_result), _, Some(table)) => table.add(check_result),
+            (SurveyedModel::Checked(check_result), _, None) => {
+                return check::text(check_result, self.words.prompt(), self.colour, self.extent);
             }
-            (Surveyed::Failed(failure), models, library) => {
+            (SurveyedModel::Failed(failure), models, library) => {
                 models.iter_mut().for_each(|table| table.add_failed(name, failure.code));
                 library.iter_mut().for_each(|table| table.add_failed(name, failure.code));
             }
-            (Surveyed::WithoutContacts, ..) => {}
+            (SurveyedModel::WithoutContacts, ..) => {}
         }
         String::new()
     }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use osim_library::run::{
-    ChangedModel, Counts, ModelDetail, Record, RowReader, Rows, Run, RunFrontEnd, RunRequest, Status,
+    ChangedModel, CheckedRows, Counts, ModelDetail, Record, RowReader, Run, RunFrontEnd, RunRequest, Status,
 };
 use osim_library::{LibraryFault, sha256};
 use osim_model::messages::{Call, Dialect, Example, FieldNames, Input};
@@ -202,13 +202,13 @@ fn no_model_is_written_over() {
 }
 
 /// The rows of a table in memory, whose paths begin in `folder`.
-fn rows(request: &BatchRequest, table: &str, folder: &Path) -> Result<Rows, LibraryFault> {
+fn rows(request: &BatchRequest, table: &str, folder: &Path) -> Result<CheckedRows, LibraryFault> {
     RowReader::new(request)?.read(table.as_bytes(), "table", folder)
 }
 
 /// What `rows` finds wrong with rows: line, column and message of each.
 fn wrong(request: &BatchRequest, table: &str, folder: &Path) -> Vec<(Option<usize>, Option<usize>, String)> {
-    let Rows::Wrong(wrong) = rows(request, table, folder).unwrap() else { panic!("nothing is wrong") };
+    let CheckedRows::Wrong(wrong) = rows(request, table, folder).unwrap() else { panic!("nothing is wrong") };
     assert!(wrong.iter().all(|failure| failure.model.to_string() == "table"), "{wrong:?}");
     wrong.into_iter().map(|failure| (failure.line, failure.column, failure.message.to_string())).collect()
 }
@@ -225,7 +225,7 @@ fn a_table_needs_no_file() {
     let (folder, models) = three_models();
     let table = "model,target_mass,output,#site\na.osim,80,../a80.osim,north\nc.osim,6,../c6.osim,south\n";
     let request = BatchRequest { allow_outside: true, ..BatchRequest::default() };
-    let Rows::Run(rows) = rows(&request, table, &models).unwrap() else { panic!() };
+    let CheckedRows::Run(rows) = rows(&request, table, &models).unwrap() else { panic!() };
     assert!(rows.extra_files.is_empty(), "{:?}", rows.extra_files);
     let options = RunOptions::default();
     let mut run = Run::new(rows, &options).unwrap();

@@ -19,7 +19,7 @@ pub use model_job::{Counts, Outcome};
 pub use planned_model::PlannedModel;
 pub use record::{JsonRecord, Record, Status};
 pub use request::{ChangedModel, ModelDetail, RunFrontEnd, RunRequest};
-pub use rows::{RowReader, Rows};
+pub use rows::{CheckedRows, RowReader};
 pub use start::Run;
 pub use task::{Destination, PathConflicts, PathOwner, Task};
 pub use writing::{GeometryResult, ResultBytes, Written};

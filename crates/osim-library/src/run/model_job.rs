@@ -17,7 +17,7 @@ use crate::run::summary::SummaryWriter;
 use crate::run::task::{Destination, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes, Written};
 use crate::source::{Disk, Loaded, Origin};
-use crate::write::other_names;
+use crate::write::hard_link_finding;
 
 /// What all models of a run share.
 pub(super) struct RunContext<'r> {
@@ -156,7 +156,8 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         let kept = (detail != ModelDetail::ResultOnly).then(|| files.with_bytes(Vec::new()));
         let opened = files.open()?;
         let plan = self.plan(&opened, record)?;
-        let results = ResultBytes::of(task, &plan, &opened.model).map_err(|fault| opened.failure(fault))?;
+        let results =
+            ResultBytes::of_task(task, &plan, &opened.model).map_err(|fault| opened.failure(fault))?;
         let before_after = self.before_after(kept.as_ref(), &opened, &plan, &results, detail)?;
         let written = self
             .write(&opened, &origin, &plan, &results, force, record)
@@ -191,7 +192,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         let kept = loaded.files.with_bytes(Vec::new());
         let opened = loaded.files.open().ok()?;
         let plan = self.plan(&opened, &mut record.clone()).ok()?;
-        let results = ResultBytes::of(task, &plan, &opened.model).ok()?;
+        let results = ResultBytes::of_task(task, &plan, &opened.model).ok()?;
         let before_after = self.before_after(Some(&kept), &opened, &plan, &results, detail).ok()?;
         let outputs = [task.output(), task.geometry_output.as_deref()].into_iter().flatten();
         let wrote = record.status == Status::Written;
@@ -257,7 +258,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         let compiled =
             self.task.output().and_then(|path| self.context.folders.compiled_model_beside_output(path));
         plan.warnings.extend(compiled);
-        let linked = self.task.output().filter(|_| settings.in_place).and_then(other_names);
+        let linked = self.task.output().filter(|_| settings.in_place).and_then(hard_link_finding);
         plan.warnings.extend(linked);
         plan.spell(self.front_end.dialect());
         record.add_plan(&plan);
@@ -280,7 +281,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
             return Ok(Written::Nothing("dry run: nothing written"));
         }
         let to_stdout = self.task.destination == Destination::Stdout;
-        if plan.is_empty() && !self.task.asked && !to_stdout {
+        if plan.is_empty() && !self.task.output_is_named && !to_stdout {
             record.status = Status::Unchanged;
             return Ok(Written::Nothing("nothing written"));
         }

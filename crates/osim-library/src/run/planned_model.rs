@@ -1,4 +1,4 @@
-//! One model that is planned now and may be written later, or never: what people do who look at a change first.
+//! A model whose change is planned now and may be written later.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -21,7 +21,7 @@ use crate::run::request::{ChangedModel, RunRequest};
 use crate::run::task::{Destination, JobSettings, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes, Written};
 use crate::source::{Loaded, Origin, Source};
-use crate::write::other_names;
+use crate::write::hard_link_finding;
 
 pub struct PlannedModel {
     source: Source,
@@ -84,7 +84,7 @@ impl PlannedModel {
         show: impl FnOnce(ChangedModel<'_>) -> T,
     ) -> Result<T, Failure> {
         let task = self.task_for(&OutputOptions::default());
-        let results = ResultBytes::of(&task, &self.plan, &self.opened.model)
+        let results = ResultBytes::of_task(&task, &self.plan, &self.opened.model)
             .map_err(|fault| self.opened.failure(fault))?;
         let new = || changed_files(&task, &self.files, &results);
         let states = BeforeAfter::of_plan(&self.change, &self.opened, &self.plan, new, dialect, with_feet)?;
@@ -126,16 +126,16 @@ impl PlannedModel {
         let outputs = task.output().into_iter().chain(task.geometry_output.as_deref());
         let mut folders = OutputFolders::list(outputs, true);
         let mut remarks = folders.keep_displaced_files();
-        if self.plan.is_empty() && !task.asked {
+        if self.plan.is_empty() && !task.output_is_named {
             return Ok((nothing, remarks));
         }
         let compiled = task.output().and_then(|path| folders.compiled_model_beside_output(path));
-        let linked = task.output().filter(|_| output.in_place).and_then(other_names);
+        let linked = task.output().filter(|_| output.in_place).and_then(hard_link_finding);
         remarks.extend(compiled.into_iter().chain(linked).map(|finding| finding.message.to_string()));
         if output.in_place {
             self.check_unchanged()?;
         }
-        let results = ResultBytes::of(task, &self.plan, &self.opened.model)
+        let results = ResultBytes::of_task(task, &self.plan, &self.opened.model)
             .map_err(|fault| LibraryFault::new(self.opened.failure(fault).message))?;
         let files = PreparedFiles::new(task, &self.opened, &self.origin, &results, output.force)?;
         Ok((files.commit(&results)?, remarks))

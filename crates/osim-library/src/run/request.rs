@@ -82,19 +82,23 @@ impl RunRequest {
     /// Refuses to write a file that is read, or to write a file twice.
     pub(super) fn check_paths(&self, run: &RunOptions) -> Result<(), LibraryFault> {
         let mut conflicts = PathConflicts::default();
-        self.extra_files.iter().for_each(|path| conflicts.read(path.as_path()));
+        self.extra_files.iter().for_each(|path| conflicts.add_input(path.as_path()));
         let mut checked_settings: Option<&Arc<JobSettings>> = None;
         for task in &self.tasks {
             // The name of a model from memory need not be the name of a file.
             if !(self.from_memory && task.source.path.symlink_metadata().is_err()) {
-                conflicts.read_again(task.source.path.as_path());
+                conflicts.add_input_of_model(task.source.path.as_path());
             }
             // The files of settings are checked once for all of their models.
             if !checked_settings.is_some_and(|settings| Arc::ptr_eq(settings, &task.settings)) {
                 // A reference is read before the first model, so a run over a folder may change it; a run over rows may not.
                 task.settings.change.extra_files().for_each(|path| {
                     let path = path.as_path();
-                    if task.row.is_some() { conflicts.read_again(path) } else { conflicts.read(path) }
+                    if task.row.is_some() {
+                        conflicts.add_input_of_model(path)
+                    } else {
+                        conflicts.add_input(path)
+                    }
                 });
                 checked_settings = Some(&task.settings);
             }
@@ -102,20 +106,24 @@ impl RunRequest {
         for task in &self.tasks {
             let owner = task.owner();
             match task.output() {
-                Some(path) if task.settings.in_place => conflicts.change(path, owner)?,
-                Some(path) => conflicts.write(path, owner)?,
+                Some(path) if task.settings.in_place => conflicts.add_changed_in_place(path, owner)?,
+                Some(path) => conflicts.add_output(path, owner)?,
                 None => {}
             }
             match (&task.settings.change.set_files.geometry, &task.geometry_output) {
-                (Some(_), Some(path)) if task.settings.in_place => conflicts.change(path, owner)?,
-                (Some(geometry), Some(path)) => conflicts.write(path, PathOwner::Model(geometry, None))?,
+                (Some(_), Some(path)) if task.settings.in_place => {
+                    conflicts.add_changed_in_place(path, owner)?
+                }
+                (Some(geometry), Some(path)) => {
+                    conflicts.add_output(path, PathOwner::Model(geometry, None))?
+                }
                 _ => {}
             }
         }
         if let Some(path) = &run.report {
-            conflicts.write(path, "the report")?;
+            conflicts.add_output(path, "the report")?;
         }
-        run.summary.as_ref().map_or(Ok(()), |path| conflicts.write(path, "the summary"))
+        run.summary.as_ref().map_or(Ok(()), |path| conflicts.add_output(path, "the summary"))
     }
 }
 

@@ -18,24 +18,24 @@ use crate::run::request::RunRequest;
 use crate::run::task::{Destination, JobSettings, Task};
 use crate::source::{OrdinaryFiles, Source};
 
-/// What can be done with the rows of a table.
-pub enum Rows {
+/// The rows of a table after all of them were checked.
+pub enum CheckedRows {
     /// Every row can be done.
     Run(RunRequest),
-    /// These rows are wrong, so none is done.
+    /// Some rows are wrong, so none is done.
     Wrong(Vec<Failure>),
 }
 
-/// Reads the rows of tables, from wherever their bytes are.
+/// Reads and checks the rows of a table.
 pub struct RowReader<'r> {
     request: &'r BatchRequest,
 }
 
 impl<'r> RowReader<'r> {
-    /// A reader of rows that are done as `request` says.
+    /// A reader with the options of `request`.
     ///
     /// # Errors
-    /// What is asked for all rows makes sense for one model only.
+    /// An option of the call makes sense for one model only.
     pub fn new(request: &'r BatchRequest) -> Result<Self, LibraryFault> {
         if request.output.output.is_some() || request.output.geometry_output.is_some() {
             return Err(LibraryFault::new(phrase![
@@ -53,20 +53,20 @@ impl<'r> RowReader<'r> {
     ///
     /// # Errors
     /// It is not a table with a column `model`, or it has no rows.
-    pub fn read(&self, table: &[u8], name: &str, folder: &Path) -> Result<Rows, LibraryFault> {
+    pub fn read(&self, table: &[u8], name: &str, folder: &Path) -> Result<CheckedRows, LibraryFault> {
         let Self { request } = *self;
-        // Without `.` in front of every path.
+        // Paths are shown without `./` before them.
         let folder = if folder == Path::new(".") { Path::new("") } else { folder };
         let table = Table::read(table, folder).map_err(|fault| LibraryFault::new(fault).within(name))?;
         let rows = TableRows {
             table: table.answering(request.answers.yes.clone()),
-            call: &request.output,
-            inside: (!request.allow_outside)
-                .then(|| Inside::of(request.output.output_dir.as_deref().unwrap_or(folder))),
+            call_output: &request.output,
+            writable_folder: (!request.allow_outside)
+                .then(|| WritableFolder::of_folder(request.output.output_dir.as_deref().unwrap_or(folder))),
         };
-        let (tasks, wrong) = rows.tasks(name);
+        let (tasks, wrong) = rows.tasks_and_failures(name);
         if !wrong.is_empty() {
-            return Ok(Rows::Wrong(wrong));
+            return Ok(CheckedRows::Wrong(wrong));
         }
         if tasks.is_empty() {
             return Err(LibraryFault::new(format!(
@@ -75,27 +75,27 @@ impl<'r> RowReader<'r> {
         }
         let extra_files = request.manifest.iter().cloned().collect();
         let force = request.output.force;
-        Ok(Rows::Run(RunRequest { extra_files, force, ..RunRequest::new(Verb::Batch, tasks) }))
+        Ok(CheckedRows::Run(RunRequest { extra_files, force, ..RunRequest::new(Verb::Batch, tasks) }))
     }
 }
 
-/// Rows that only differ in model and output share what is to be done.
-type Known = HashMap<String, Arc<JobSettings>>;
+/// Settings by their text: rows that differ only in model and output share them.
+type SharedSettings = HashMap<String, Arc<JobSettings>>;
 
 struct TableRows<'r> {
     table: Table,
-    /// Where results go, for rows without a file.
-    call: &'r OutputOptions,
-    /// The folder that rows may write into; `None` is anywhere.
-    inside: Option<Inside>,
+    /// The output options of the call, for rows without an output.
+    call_output: &'r OutputOptions,
+    /// The folder that rows may write into; `None` allows every folder.
+    writable_folder: Option<WritableFolder>,
 }
 
 impl TableRows<'_> {
-    /// A task for each row, and what is wrong with the others of the table `name`.
-    fn tasks(&self, name: &str) -> (Vec<Task>, Vec<Failure>) {
-        let (mut tasks, mut wrong, mut known) = (Vec::new(), Vec::new(), Known::new());
-        for (row, read) in self.table.requests(self.call, &OrdinaryFiles) {
-            match read.and_then(|read| self.task(&read, &mut known)) {
+    /// A task for each row that is right, and a failure for each other row of the table `name`.
+    fn tasks_and_failures(&self, name: &str) -> (Vec<Task>, Vec<Failure>) {
+        let (mut tasks, mut wrong, mut shared) = (Vec::new(), Vec::new(), SharedSettings::new());
+        for (row, read) in self.table.requests(self.call_output, &OrdinaryFiles) {
+            match read.and_then(|read| self.task(&read, &mut shared)) {
                 Ok(task) => tasks.push(task),
                 Err(fault) => wrong.push(self.table.failure(name, row, &fault)),
             }
@@ -103,7 +103,7 @@ impl TableRows<'_> {
         (tasks, wrong)
     }
 
-    fn task(&self, row: &RowRequest, known: &mut Known) -> Result<Task, RowFault> {
+    fn task(&self, row: &RowRequest, shared: &mut SharedSettings) -> Result<Task, RowFault> {
         let column = self.table.model_column();
         if row.model.is_dir() {
             return Err(RowFault::of(column, "a folder, expected one model per row"));
@@ -114,11 +114,13 @@ impl TableRows<'_> {
             let message = format!("{why}: {}", row.model.display());
             return Err(RowFault::of(column, message));
         }
-        let settings = self.settings(row, known)?;
+        let settings = self.settings(row, shared)?;
         let task =
             Task::new(Source::in_table(&row.model), &row.output, settings).with_remarks(row.remarks.clone());
-        let checked =
-            self.inside.as_ref().map_or(Ok(()), |inside| inside.check(&task, &row.output, self.call));
+        let checked = self
+            .writable_folder
+            .as_ref()
+            .map_or(Ok(()), |writable_folder| writable_folder.check(&task, &row.output, self.call_output));
         checked.map_err(|(input, message)| {
             RowFault::of(self.table.header_of(input).unwrap_or(column), message)
         })?;
@@ -128,70 +130,69 @@ impl TableRows<'_> {
         })
     }
 
-    fn settings(&self, row: &RowRequest, known: &mut Known) -> Result<Arc<JobSettings>, RowFault> {
+    fn settings(&self, row: &RowRequest, shared: &mut SharedSettings) -> Result<Arc<JobSettings>, RowFault> {
         let key = row.settings();
-        if let Some(settings) = known.get(&key) {
+        if let Some(settings) = shared.get(&key) {
             return Ok(Arc::clone(settings));
         }
         let change = self.table.prepare(row, &OrdinaryFiles)?;
         let settings = Arc::new(JobSettings::new(Arc::new(change), &row.output));
-        known.insert(key, Arc::clone(&settings));
+        shared.insert(key, Arc::clone(&settings));
         Ok(settings)
     }
 }
 
-/// The folder that the rows of a table may write into. A table comes from somebody else more often than a call does, and its cells
-/// must not reach every file of the reader's.
+/// The folder that the rows of a table may write into. A table often comes from somebody else, and its cells must not reach all files
+/// of the user.
 #[derive(Debug)]
-struct Inside {
+struct WritableFolder {
     folder: PathBuf,
     /// Without links, `.` and `..`.
     real: PathBuf,
 }
 
-impl Inside {
-    /// Everything below `folder`.
-    pub(super) fn of(folder: &Path) -> Self {
+impl WritableFolder {
+    pub(super) fn of_folder(folder: &Path) -> Self {
         Self { folder: folder.to_owned(), real: resolved(folder) }
     }
 
-    /// Checks the files that a task writes: `row` is what its row says of them, with what `call` says for all rows. A new result
-    /// beside its model, under a name of its own, is always fine; one that replaces a file is where the call allows that.
+    /// Checks the files that a task writes; `row` are the output options of its row, `call_output` those of the call. A new result beside
+    /// its model is always allowed; a result that replaces a file is allowed where the call allows it.
     ///
     /// # Errors
-    /// The first that lies elsewhere, by its column.
+    /// The first file that is outside the folder, with its column.
     pub(super) fn check(
         &self,
         task: &Task,
         row: &OutputOptions,
-        call: &OutputOptions,
+        call_output: &OutputOptions,
     ) -> Result<(), (Input, Phrase)> {
-        let changes_model = matches!(task.destination, Destination::Itself);
-        let replaces = row.force && !call.force;
-        if !(task.asked || changes_model || replaces) {
+        let changes_model = matches!(task.destination, Destination::InPlace);
+        let replaces = row.force && !call_output.force;
+        if !(task.output_is_named || changes_model || replaces) {
             return Ok(());
         }
         let column = |own: Input, is_named: bool| match () {
             () if changes_model => Input::InPlace,
             () if is_named => own,
-            () if task.asked => Input::OutputDir,
+            () if task.output_is_named => Input::OutputDir,
             () => Input::Force,
         };
         let output = task.output().map(|path| (column(Input::Output, row.output.is_some()), path));
         let is_named = row.geometry_output.is_some();
         let geometry =
             task.geometry_output.as_deref().map(|path| (column(Input::GeometryOutput, is_named), path));
-        output.into_iter().chain(geometry).try_for_each(|(column, path)| match self.holds(path) {
+        output.into_iter().chain(geometry).try_for_each(|(column, path)| match self.contains(path) {
             true => Ok(()),
-            false => Err((column, self.outside(path, column == Input::Force))),
+            false => Err((column, self.message_outside(path, column == Input::Force))),
         })
     }
 
-    fn holds(&self, path: &Path) -> bool {
+    fn contains(&self, path: &Path) -> bool {
         resolved(path).starts_with(&self.real)
     }
 
-    fn outside(&self, path: &Path, replaces: bool) -> Phrase {
+    fn message_outside(&self, path: &Path, replaces: bool) -> Phrase {
         let folder = if self.folder == Path::new("") { Path::new(".") } else { &self.folder };
         let does = if replaces { "replace files" } else { "write" };
         let where_it_is = format!("{} is outside the folder {}", shown_path(path), shown_path(folder));

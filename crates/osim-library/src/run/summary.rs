@@ -42,7 +42,7 @@ impl OrderedLines {
         let line = format.record_line(record, self.remarks.is_none())?;
         let names = || record.remarks.iter().map(|(name, _)| name.clone()).collect();
         self.remarks.get_or_insert_with(names);
-        self.file.add(&line)
+        self.file.add_bytes(&line)
     }
 }
 

@@ -1,4 +1,4 @@
-//! One model and what is to be done with it: by which settings, where its results go, and whether paths of a run are in conflict.
+//! One model of a run with its settings and outputs; and conflicts between the paths of a run.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -20,27 +20,25 @@ use crate::source::{OrdinaryFiles, Source};
 /// One model with its settings.
 pub struct Task {
     pub source: Source,
-    /// Where its result goes.
     pub destination: Destination,
-    /// Where the changed geometry set of a standalone force set goes.
+    /// The file for the changed geometry set of a standalone force set.
     pub geometry_output: Option<PathBuf>,
-    /// Whether the output was asked for by name: then it is written even if nothing changes.
-    pub(super) asked: bool,
+    /// Whether the user named the output: then it is written even if nothing changes.
+    pub(super) output_is_named: bool,
     pub(super) settings: Arc<JobSettings>,
     /// Row of the manifest, from 1.
     pub row: Option<usize>,
-    /// Columns of the manifest that are the user's own: name and text.
+    /// The user's own columns of the manifest: name and text.
     pub remarks: Vec<(String, String)>,
 }
 
 impl Task {
-    /// A model that is done by these settings.
     pub(super) fn new(source: Source, output: &OutputOptions, settings: Arc<JobSettings>) -> Self {
         let geometry = settings.change.set_files.geometry.as_deref();
         Self {
-            destination: Destination::of(&source, output),
+            destination: Destination::of_source(&source, output),
             geometry_output: geometry.map(|geometry| output.of_geometry(geometry)),
-            asked: output.output.is_some() || output.output_dir.is_some(),
+            output_is_named: output.output.is_some() || output.output_dir.is_some(),
             source,
             settings,
             row: None,
@@ -48,12 +46,11 @@ impl Task {
         }
     }
 
-    /// As row `row` of a manifest.
     pub(super) fn of_row(self, row: usize) -> Self {
         Self { row: Some(row), ..self }
     }
 
-    /// With columns of the user's own, which a summary copies.
+    /// The task with columns of the user's own, which a summary copies.
     pub(super) fn with_remarks(self, remarks: Vec<(String, String)>) -> Self {
         Self { remarks, ..self }
     }
@@ -63,13 +60,13 @@ impl Task {
         self.destination.path(&self.source)
     }
 
-    /// As named in messages about several models.
+    /// The task as the owner of a path, for messages.
     pub(super) fn owner(&self) -> PathOwner<'_> {
         PathOwner::Model(&self.source.path, self.row)
     }
 }
 
-/// What is done with a model: shared by all models of a call, or by like rows of a manifest.
+/// The change and how it is written: all models of a call share it, or equal rows of a manifest.
 pub(super) struct JobSettings {
     pub(super) change: Arc<PreparedChange>,
     pub(super) in_place: bool,
@@ -79,18 +76,17 @@ pub(super) struct JobSettings {
 }
 
 impl JobSettings {
-    /// What `change` plans, written as `output` says.
     pub(super) fn new(change: Arc<PreparedChange>, output: &OutputOptions) -> Self {
         let OutputOptions { in_place, no_backup, force, .. } = *output;
         Self { change, in_place, no_backup, force, digest: OnceLock::new() }
     }
 
-    /// Digest of everything an output follows from except the model itself.
+    /// Digest of everything that decides an output except the model itself. A resumed run compares it.
     pub(super) fn digest(&self) -> &str {
         self.digest.get_or_init(|| {
             let mut text = format!("{}\n", self.change.settings());
             for path in self.change.extra_files() {
-                // What cannot be read fails later, with its name; a pipe can be read once only.
+                // A file that cannot be read is reported later; a pipe can be read only once.
                 let digest = OrdinaryFiles.read(path).map(|bytes| sha256(&bytes)).unwrap_or_default();
                 text.push_str(&format!("{digest}\n"));
             }
@@ -99,13 +95,13 @@ impl JobSettings {
     }
 }
 
-/// Where one model's result goes.
+/// Where the result of a model is written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Destination {
     /// Standard output.
     Stdout,
     File(PathBuf),
-    Itself,
+    InPlace,
 }
 
 impl Destination {
@@ -114,12 +110,11 @@ impl Destination {
         match self {
             Self::Stdout => None,
             Self::File(path) => Some(path),
-            Self::Itself => Some(&source.path),
+            Self::InPlace => Some(&source.path),
         }
     }
 
-    /// Where the result of `source` goes.
-    pub fn of(source: &Source, output: &OutputOptions) -> Self {
+    pub fn of_source(source: &Source, output: &OutputOptions) -> Self {
         if let Some(path) = &output.output {
             return if path.as_os_str() == "-" { Self::Stdout } else { Self::File(path.clone()) };
         }
@@ -130,22 +125,22 @@ impl Destination {
             };
         }
         if output.in_place {
-            return Self::Itself;
+            return Self::InPlace;
         }
         match &output.output_dir {
-            // A file goes to DIR/its name, a folder's files to DIR/their path below that folder.
+            // A named file goes to DIR/NAME, a file of a folder to DIR/PATH-BELOW-THE-FOLDER.
             Some(folder) => Self::File(folder.join(source.below_folder())),
             None => Self::File(OutputOptions::beside(&source.path)),
         }
     }
 }
 
-/// For whom a file is written.
+/// The owner of an output, for messages.
 #[derive(Debug, Clone, Copy)]
 pub enum PathOwner<'p> {
     /// A model, with its row of the manifest.
     Model(&'p Path, Option<usize>),
-    /// Something else, in words.
+    /// Another owner, in words.
     Other(&'static str),
 }
 
@@ -165,45 +160,45 @@ impl fmt::Display for PathOwner<'_> {
     }
 }
 
-/// Outputs and inputs of a whole run, compared before anything is written.
+/// Finds conflicts between inputs and outputs of a run before anything is written.
 ///
-/// Of very many files it keeps digests of the names: the names themselves are in the tasks.
+/// It keeps digests of names instead of names, because there may be very many.
 #[derive(Debug, Default)]
 pub struct PathConflicts<'p> {
     resolver: Resolver,
-    /// Files that are read, and for how many models.
+    /// Input files, and the number of models that read each.
     inputs: HashMap<NameDigest, (Cow<'p, Path>, usize)>,
     outputs: HashMap<NameDigest, PathOwner<'p>>,
 }
 
 impl<'p> PathConflicts<'p> {
-    /// A file that is read: nothing may be written over it.
-    pub fn read(&mut self, path: impl Into<Cow<'p, Path>>) {
-        self.count(path.into(), 0);
+    /// Adds a file that is read before the first model is written.
+    pub fn add_input(&mut self, path: impl Into<Cow<'p, Path>>) {
+        self.count_input(path.into(), 0);
     }
 
-    /// Notes a file that would be another one if it were changed before it is read for this model.
-    pub fn read_again(&mut self, path: impl Into<Cow<'p, Path>>) {
-        self.count(path.into(), 1);
+    /// Adds a file that is read for one model, perhaps after other models were written.
+    pub fn add_input_of_model(&mut self, path: impl Into<Cow<'p, Path>>) {
+        self.count_input(path.into(), 1);
     }
 
-    fn count(&mut self, path: Cow<'p, Path>, models: usize) {
+    fn count_input(&mut self, path: Cow<'p, Path>, models: usize) {
         if path.as_os_str() != "-" {
-            let real = self.without_case(&path);
+            let real = self.digest_without_case(&path);
             self.inputs.entry(real).or_insert((path, 0)).1 += models;
         }
     }
 
-    /// A file that is to be written for `owner`.
+    /// Adds a file that is written for `owner`.
     ///
     /// # Errors
-    /// Another model has that output, or it is one of the files that are read; also where only the letters' case
-    /// differs, because Windows and macOS see one file there.
-    pub fn write(&mut self, path: &Path, owner: impl Into<PathOwner<'p>>) -> Result<(), LibraryFault> {
-        let real = self.without_case(path);
+    /// Another model has that output, or the file is an input. Names that differ only in the letters' case are equal, because they are on
+    /// Windows and macOS.
+    pub fn add_output(&mut self, path: &Path, owner: impl Into<PathOwner<'p>>) -> Result<(), LibraryFault> {
+        let real = self.digest_without_case(path);
         let owner = owner.into();
         if let Some((input, _)) = self.inputs.get(&real) {
-            // Only a model can be changed itself: a report beside it needs a name of its own.
+            // Only a model can be changed in place, not a report.
             let itself = phrase![", or change it with ", Input::InPlace];
             let itself = if matches!(owner, PathOwner::Model(..)) { itself } else { Phrase::default() };
             return Err(LibraryFault::new(phrase![
@@ -215,15 +210,15 @@ impl<'p> PathConflicts<'p> {
                 &itself,
             ]));
         }
-        self.once(real, path, owner)
+        self.add_output_once(real, path, owner)
     }
 
-    /// A file that is changed itself, for `owner`.
+    /// Adds a file that is changed in place for `owner`.
     ///
     /// # Errors
-    /// It is changed, or read, for another one too.
-    pub fn change(&mut self, path: &Path, owner: PathOwner<'p>) -> Result<(), LibraryFault> {
-        let real = self.without_case(path);
+    /// It is changed or read for another model, too.
+    pub fn add_changed_in_place(&mut self, path: &Path, owner: PathOwner<'p>) -> Result<(), LibraryFault> {
+        let real = self.digest_without_case(path);
         if self.inputs.get(&real).is_some_and(|(_, models)| *models > 1) {
             return Err(LibraryFault::new(format!(
                 "{owner} would change {} itself, and another one reads it: give it an output of its own, or do one \
@@ -231,10 +226,15 @@ impl<'p> PathConflicts<'p> {
                 path.display()
             )));
         }
-        self.once(real, path, owner)
+        self.add_output_once(real, path, owner)
     }
 
-    fn once(&mut self, real: NameDigest, path: &Path, owner: PathOwner<'p>) -> Result<(), LibraryFault> {
+    fn add_output_once(
+        &mut self,
+        real: NameDigest,
+        path: &Path,
+        owner: PathOwner<'p>,
+    ) -> Result<(), LibraryFault> {
         if let Some(other) = self.outputs.insert(real, owner) {
             return Err(LibraryFault::new(format!(
                 "{other} and {owner} would both be written to {}: give them different names or folders",
@@ -244,8 +244,8 @@ impl<'p> PathConflicts<'p> {
         Ok(())
     }
 
-    /// Equal for names that Windows and macOS take for one. Names that are not UTF-8 have no known case.
-    fn without_case(&mut self, path: &Path) -> NameDigest {
+    /// A digest that is equal for paths which differ only in case. Names that are not UTF-8 keep their case.
+    fn digest_without_case(&mut self, path: &Path) -> NameDigest {
         let name: OsString = match self.resolver.resolved(path).into_os_string().into_string() {
             Ok(text) => text.to_lowercase().into(),
             Err(name) => name,
@@ -263,23 +263,23 @@ mod tests {
     }
 
     #[test]
-    fn a_folder_keeps_its_shape() {
+    fn paths_below_a_folder_are_kept() {
         assert_eq!(source("lib/a/x.osim", Some("lib")).below_folder(), Path::new("a/x.osim"));
         assert_eq!(source("lib/a/x.osim", None).below_folder(), Path::new("x.osim"));
     }
 
     #[test]
-    fn equal_outputs_are_found_also_but_for_case() {
+    fn equal_outputs_are_found_also_if_their_case_differs() {
         let mut conflicts = PathConflicts::default();
         let owner = "a model";
-        conflicts.read(Path::new("in/a.osim"));
-        assert!(conflicts.write(Path::new("out/X.osim"), owner).is_ok());
-        assert!(conflicts.write(Path::new("out/x.osim"), owner).is_err());
-        assert!(conflicts.write(Path::new("out/../in/a.osim"), owner).is_err());
-        assert!(conflicts.change(Path::new("in/a.osim"), owner.into()).is_ok());
-        assert!(conflicts.change(Path::new("in/A.osim"), owner.into()).is_err());
-        conflicts.read_again(Path::new("in/b.osim"));
-        conflicts.read_again(Path::new("./in/b.osim"));
-        assert!(conflicts.change(Path::new("in/b.osim"), owner.into()).is_err());
+        conflicts.add_input(Path::new("in/a.osim"));
+        assert!(conflicts.add_output(Path::new("out/X.osim"), owner).is_ok());
+        assert!(conflicts.add_output(Path::new("out/x.osim"), owner).is_err());
+        assert!(conflicts.add_output(Path::new("out/../in/a.osim"), owner).is_err());
+        assert!(conflicts.add_changed_in_place(Path::new("in/a.osim"), owner.into()).is_ok());
+        assert!(conflicts.add_changed_in_place(Path::new("in/A.osim"), owner.into()).is_err());
+        conflicts.add_input_of_model(Path::new("in/b.osim"));
+        conflicts.add_input_of_model(Path::new("./in/b.osim"));
+        assert!(conflicts.add_changed_in_place(Path::new("in/b.osim"), owner.into()).is_err());
     }
 }

@@ -1,4 +1,4 @@
-//! The bytes that a plan makes, and what is written of them.
+//! The new bytes of a planned change, and writing them.
 
 use std::path::{Path, PathBuf};
 
@@ -11,20 +11,19 @@ use crate::fault::LibraryFault;
 use crate::folders::make_folder_of;
 use crate::run::task::{Destination, Task};
 use crate::source::{Origin, Stamp};
-use crate::write::{InPlace, PendingFile, Successor, WriteMode, backup};
+use crate::write::{ExchangedModel, PendingFile, Successor, WriteMode, backup};
 
-/// The bytes that a plan makes.
+/// The new bytes of a planned change.
 #[derive(Debug)]
 pub struct ResultBytes<'m> {
     pub model: Patch<'m>,
-    /// Of the geometry set that changes with a standalone force set.
+    /// The geometry set that changes with a standalone force set.
     pub geometry: Option<GeometryResult<'m>>,
 }
 
 /// The changed bytes of a standalone geometry set.
 #[derive(Debug)]
 pub struct GeometryResult<'m> {
-    /// Which of the model's files.
     pub file: FileId,
     pub path: PathBuf,
     pub patch: Patch<'m>,
@@ -32,8 +31,8 @@ pub struct GeometryResult<'m> {
 
 impl<'m> ResultBytes<'m> {
     /// # Errors
-    /// Edits that overlap, which would be a defect.
-    pub(super) fn of(task: &Task, plan: &'m Plan, model: &'m Model) -> Result<Self, Fault> {
+    /// Edits overlap, which is a defect of this program.
+    pub(super) fn of_task(task: &Task, plan: &'m Plan, model: &'m Model) -> Result<Self, Fault> {
         let changed = plan.files(model).find(|&file| file != FileId::MAIN);
         let geometry = match (&task.geometry_output, changed) {
             (Some(path), Some(file)) => {
@@ -44,8 +43,8 @@ impl<'m> ResultBytes<'m> {
         Ok(Self { model: plan.patch(model, FileId::MAIN)?, geometry })
     }
 
-    /// The new bytes of one of the files.
-    fn parts(&self, file: FileId) -> Vec<&[u8]> {
+    /// The new bytes of one of the model's files.
+    fn parts_of(&self, file: FileId) -> Vec<&[u8]> {
         let geometry = self.geometry.as_ref().filter(|geometry| geometry.file == file);
         geometry.map_or(&self.model, |geometry| &geometry.patch).parts().collect()
     }
@@ -54,7 +53,7 @@ impl<'m> ResultBytes<'m> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Written {
     Nothing(&'static str),
-    /// The model goes to standard output.
+    /// The model was written to standard output.
     Stdout,
     /// The model, then its geometry set; and the backups of both.
     Files {
@@ -86,24 +85,24 @@ impl Written {
     }
 }
 
-/// Files that are complete under temporary names.
+/// The outputs of a model, complete under temporary names.
 pub(super) struct PreparedFiles<'w> {
     task: &'w Task,
     opened: &'w OpenModel,
     origin: &'w Origin,
     backups: Vec<PendingFile>,
     successors: Vec<(FileId, PendingFile)>,
-    /// Where each of the successors' models is kept, in the same order.
-    backed_up: Vec<Option<PathBuf>>,
+    /// The backup of each successor's old file, in the same order.
+    backup_paths: Vec<Option<PathBuf>>,
     paths: Vec<PathBuf>,
-    kept: Vec<PathBuf>,
+    backups_of_user: Vec<PathBuf>,
 }
 
 impl<'w> PreparedFiles<'w> {
-    /// Complete successors of everything that is written; `force` replaces what is there.
+    /// Prepares all outputs of a task; `force` allows to replace existing files.
     ///
     /// # Errors
-    /// Something is there that may not be replaced, or the disk is full.
+    /// A file exists that may not be replaced, or the disk is full.
     pub(super) fn new(
         task: &'w Task,
         opened: &'w OpenModel,
@@ -117,22 +116,22 @@ impl<'w> PreparedFiles<'w> {
             origin,
             backups: vec![],
             successors: vec![],
-            backed_up: vec![],
+            backup_paths: vec![],
             paths: vec![],
-            kept: vec![],
+            backups_of_user: vec![],
         };
         if let Some(path) = task.output() {
-            origin.find_included_from(path)?;
-            files.prepare(path, &results.model, FileId::MAIN, force)?;
+            origin.refuse_output_without_includes(path)?;
+            files.prepare_file(path, &results.model, FileId::MAIN, force)?;
         }
         if let Some(geometry) = &results.geometry {
-            files.prepare(&geometry.path, &geometry.patch, geometry.file, force)?;
+            files.prepare_file(&geometry.path, &geometry.patch, geometry.file, force)?;
         }
         Ok(files)
     }
 
-    /// A complete successor of `path`, made from one of the model's files.
-    fn prepare(
+    /// Prepares the successor of `path`, which is made from one of the model's files.
+    fn prepare_file(
         &mut self,
         path: &Path,
         patch: &Patch<'_>,
@@ -140,18 +139,19 @@ impl<'w> PreparedFiles<'w> {
         force: bool,
     ) -> Result<(), LibraryFault> {
         let settings = &self.task.settings;
-        let mut backed_up = None;
+        let mut backup_paths = None;
         if settings.in_place {
-            self.refuse_protected(path)?;
+            self.refuse_write_protected(path)?;
             if !settings.no_backup {
                 let bytes = self.opened.model.file(file).bytes();
-                let (prepared, kept) = backup(path, bytes)
+                let (prepared, backups_of_user) = backup(path, bytes)
                     .map_err(|fault| fault.within("the backup could not be kept, so nothing was changed"))?;
                 self.backups.extend(prepared);
-                backed_up = Some(kept.clone());
-                // As the model was named; behind a link, the backup is where the model really is.
-                let beside = kept.file_name().filter(|_| !path.is_symlink());
-                self.kept.push(beside.map(|name| path.with_file_name(name)).unwrap_or(kept));
+                backup_paths = Some(backups_of_user.clone());
+                // The backup is shown beside the name that the user gave, unless that is a link.
+                let beside = backups_of_user.file_name().filter(|_| !path.is_symlink());
+                self.backups_of_user
+                    .push(beside.map(|name| path.with_file_name(name)).unwrap_or(backups_of_user));
             }
         }
         make_folder_of(path)?;
@@ -161,14 +161,14 @@ impl<'w> PreparedFiles<'w> {
             (false, false) => WriteMode::New,
         };
         let like = self.origin.stamp_of(file).map(Stamp::metadata);
-        self.successors.push((file, PendingFile::of_parts(path, patch.parts(), like, mode)?));
-        self.backed_up.push(backed_up);
+        self.successors.push((file, PendingFile::with_parts(path, patch.parts(), like, mode)?));
+        self.backup_paths.push(backup_paths);
         self.paths.push(path.to_owned());
         Ok(())
     }
 
-    /// A write-protected model is not changed unless the user asks for it.
-    fn refuse_protected(&self, path: &Path) -> Result<(), LibraryFault> {
+    /// Refuses to change a write-protected model in place without `force`.
+    fn refuse_write_protected(&self, path: &Path) -> Result<(), LibraryFault> {
         let protected = std::fs::metadata(path).is_ok_and(|metadata| metadata.permissions().readonly());
         if protected && !self.task.settings.force {
             return Err(LibraryFault::new(phrase![
@@ -182,9 +182,9 @@ impl<'w> PreparedFiles<'w> {
     /// Gives all files their names.
     ///
     /// # Errors
-    /// Somebody else changed the model in the meantime, or a folder cannot be changed.
+    /// Another program changed the model in the meantime, or a folder cannot be changed.
     pub(super) fn commit(self, results: &ResultBytes<'_>) -> Result<Written, LibraryFault> {
-        // Two files that belong together, and a file whose old contents are about to go: all on the disk first.
+        // Bytes reach the disk before names change, if two files belong together or a file is replaced.
         let successors = || self.successors.iter().map(|(_, prepared)| prepared);
         if self.successors.len() > 1 || successors().any(PendingFile::replaces) {
             self.backups.iter().chain(successors()).try_for_each(PendingFile::sync)?;
@@ -193,7 +193,7 @@ impl<'w> PreparedFiles<'w> {
             let geometry = results.geometry.as_ref().map(|geometry| (geometry.file, geometry.path.as_path()));
             let model = (FileId::MAIN, self.task.source.path.as_path());
             for (file, path) in std::iter::once(model).chain(geometry) {
-                self.origin.stamp_of(file).map_or(Ok(()), |stamp| stamp.still_holds(path))?;
+                self.origin.stamp_of(file).map_or(Ok(()), |stamp| stamp.refuse_if_changed(path))?;
             }
         }
         for backup in self.backups {
@@ -203,25 +203,25 @@ impl<'w> PreparedFiles<'w> {
             let successor =
                 |((file, prepared), backup): ((FileId, PendingFile), Option<PathBuf>)| Successor {
                     prepared,
-                    before: self.opened.model.file(file).bytes(),
-                    after: results.parts(file),
+                    read_bytes: self.opened.model.file(file).bytes(),
+                    written_bytes: results.parts_of(file),
                     backup,
                 };
-            take_places(self.successors.into_iter().zip(self.backed_up).map(successor))?;
+            exchange_all(self.successors.into_iter().zip(self.backup_paths).map(successor))?;
         } else {
             for (_, prepared) in self.successors {
                 prepared.commit()?;
             }
         }
         let to_stdout = self.task.destination == Destination::Stdout;
-        let (paths, kept) = (self.paths, self.kept);
-        Ok(if to_stdout { Written::Stdout } else { Written::Files { paths, kept } })
+        let (paths, backups_of_user) = (self.paths, self.backups_of_user);
+        Ok(if to_stdout { Written::Stdout } else { Written::Files { paths, kept: backups_of_user } })
     }
 }
 
-/// Puts all successors into their places, or none: what was done is undone where one of them cannot.
-fn take_places<'b>(successors: impl Iterator<Item = Successor<'b>>) -> Result<(), LibraryFault> {
-    let mut done: Vec<InPlace<'b>> = Vec::new();
+/// Exchanges all successors with their old files, or none: if one exchange fails, the earlier ones are undone.
+fn exchange_all<'b>(successors: impl Iterator<Item = Successor<'b>>) -> Result<(), LibraryFault> {
+    let mut done: Vec<ExchangedModel<'b>> = Vec::new();
     for successor in successors {
         match successor.take_place() {
             Ok(in_place) => done.push(in_place),
@@ -231,6 +231,6 @@ fn take_places<'b>(successors: impl Iterator<Item = Successor<'b>>) -> Result<()
             }
         }
     }
-    done.into_iter().for_each(InPlace::settle);
+    done.into_iter().for_each(ExchangedModel::finish);
     Ok(())
 }

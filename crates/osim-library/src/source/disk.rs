@@ -1,4 +1,4 @@
-//! Files on a disk, and standard input; a model with all the files that belong to it.
+//! Files on a disk and standard input; and models with all the files that belong to them.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
@@ -16,7 +16,7 @@ use crate::fault::{Context, LibraryFault};
 use crate::file_access::{self, FileKinds};
 use crate::paths::folder_of;
 use crate::source::sources::Source;
-use crate::source::workbook::as_table;
+use crate::source::workbook::workbook_as_csv;
 
 /// The disk: paths are those of the file system, and `-` is standard input. For names that the user gave: pipes and devices
 /// are read too. A file that is named in a file that was read has to be an ordinary file.
@@ -37,21 +37,21 @@ impl Files for Disk {
     }
 
     fn today(&self) -> Option<String> {
-        today(std::env::var("SOURCE_DATE_EPOCH").ok().as_deref(), SystemTime::now())
+        date_of(std::env::var("SOURCE_DATE_EPOCH").ok().as_deref(), SystemTime::now())
     }
 }
 
-/// The date at Greenwich: of `epoch`, in seconds since 1970, where a build that must be repeatable sets it, else `now`.
-fn today(epoch: Option<&str>, now: SystemTime) -> Option<String> {
+/// The date at Greenwich: that of `epoch`, in seconds since 1970, which repeatable builds set, else that of `now`.
+fn date_of(epoch: Option<&str>, now: SystemTime) -> Option<String> {
     let set = epoch.and_then(|seconds| seconds.parse().ok()).map(Duration::from_secs);
     let moment = set.map_or(Some(now), |since| SystemTime::UNIX_EPOCH.checked_add(since))?;
-    // Times that no calendar has, such as those of a clock that was never set, are no date.
+    // A clock that was never set may have a time without a date.
     let mut text = String::new();
     write!(text, "{}", humantime::format_rfc3339_seconds(moment)).ok()?;
     text.split_once('T').map(|(date, _)| date.to_owned())
 }
 
-/// The disk for names that are in a file, such as a table: ordinary files and nothing else.
+/// The disk, for names in a file such as a table: only ordinary files are read.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct OrdinaryFiles;
 
@@ -65,10 +65,9 @@ impl Files for OrdinaryFiles {
     }
 }
 
-/// The disk, remembering each file as it was when it was read.
+/// The disk, with a stamp of each file that was read.
 #[derive(Debug)]
 struct StampedDisk {
-    /// For names that the user gave.
     kinds: FileKinds,
     stamps: RefCell<HashMap<PathBuf, Stamp>>,
 }
@@ -82,7 +81,7 @@ impl StampedDisk {
         self.stamps.into_inner()
     }
 
-    fn stamped(&self, path: &Path, kinds: FileKinds) -> Result<Vec<u8>, FileError> {
+    fn read_with_stamp(&self, path: &Path, kinds: FileKinds) -> Result<Vec<u8>, FileError> {
         let (bytes, stamp) = read(path, kinds)?;
         if let Some(stamp) = stamp {
             self.stamps.borrow_mut().insert(path.to_owned(), stamp);
@@ -93,11 +92,11 @@ impl StampedDisk {
 
 impl Files for StampedDisk {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.stamped(path, self.kinds)
+        self.read_with_stamp(path, self.kinds)
     }
 
     fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.stamped(path, FileKinds::Ordinary)
+        self.read_with_stamp(path, FileKinds::Ordinary)
     }
 
     fn exists(&self, path: &Path) -> bool {
@@ -105,7 +104,7 @@ impl Files for StampedDisk {
     }
 }
 
-/// A file's metadata at a moment, to notice that somebody else writes it.
+/// A file's metadata when it was read, to notice later changes by other programs.
 #[derive(Debug, Clone)]
 pub struct Stamp {
     metadata: Metadata,
@@ -123,11 +122,11 @@ impl Stamp {
         &self.metadata
     }
 
-    /// Refuses a file that is no longer as it was read.
+    /// Refuses a file whose length or time changed since it was read.
     ///
     /// # Errors
     /// It was changed or removed since.
-    pub(crate) fn still_holds(&self, path: &Path) -> Result<(), LibraryFault> {
+    pub(crate) fn refuse_if_changed(&self, path: &Path) -> Result<(), LibraryFault> {
         let gone = || format!("{} is no longer there, so nothing was written", path.display());
         let now = std::fs::metadata(path).context(gone)?;
         if now.len() != self.metadata.len() || now.modified().ok() != self.modified {
@@ -143,7 +142,7 @@ impl Stamp {
 /// Reads a whole file, or standard input, which has no stamp.
 ///
 /// # Errors
-/// It is not there, cannot be read, or changes while it is being read.
+/// It does not exist, cannot be read, or changes while it is being read.
 fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Option<Stamp>), FileError> {
     if path.as_os_str() == "-" && kinds == FileKinds::Streams {
         let read = file_access::standard_input();
@@ -152,10 +151,10 @@ fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Option<Stamp>), FileE
             .map_err(|why| FileError::new(format!("standard input: {why}")));
     }
     let (bytes, metadata) = file_access::read(path, kinds)?;
-    Ok((as_table(bytes)?, Some(Stamp::of(metadata))))
+    Ok((workbook_as_csv(bytes)?, Some(Stamp::of(metadata))))
 }
 
-/// Bytes of a model and of the files that belong to it, and where they come from.
+/// Bytes of a model and of the files that belong to it, with their origin.
 #[derive(Debug)]
 pub struct Loaded {
     pub files: ModelFiles,
@@ -165,7 +164,7 @@ pub struct Loaded {
 #[derive(Debug)]
 pub struct Origin {
     path: PathBuf,
-    /// Files as they were when they were read; standard input and a model in memory are none.
+    /// Stamps of files on the disk; standard input and models in memory have none.
     stamps: HashMap<PathBuf, Stamp>,
     companions: HashMap<FileId, PathBuf>,
     /// Files that the model includes, as it names them.
@@ -175,12 +174,11 @@ pub struct Origin {
 impl Loaded {
     /// Reads `source`, the files it includes and those given beside it.
     pub fn read(source: &Source, set_files: &SetFiles) -> Result<Self, Failure> {
-        Self::read_beside(source, set_files, &BTreeMap::new())
+        Self::read_with_memory(source, set_files, &BTreeMap::new())
     }
 
-    /// Reads `source` and the files that belong to it. Those that are in `memory` are taken from there, also where the disk has
-    /// others of the same name.
-    pub fn read_beside(
+    /// Reads `source` and the files that belong to it. Files in `memory` go before those of the same name on the disk.
+    pub fn read_with_memory(
         source: &Source,
         set_files: &SetFiles,
         memory: &BTreeMap<PathBuf, Vec<u8>>,
@@ -194,7 +192,7 @@ impl Loaded {
         Ok(Self::of(&source.path, files, stamped.into_stamps()))
     }
 
-    /// A model whose bytes are known, at `path`, with the files that `files` has beside it.
+    /// A model with given bytes and the name `path`; `files` has the files beside it.
     pub fn in_memory(
         path: &Path,
         bytes: Vec<u8>,
@@ -218,7 +216,7 @@ impl Loaded {
     }
 }
 
-/// Files in memory, then those of the disk.
+/// Files in memory, else those on the disk.
 pub(crate) struct MemoryFirst<'m> {
     pub(crate) memory: &'m BTreeMap<PathBuf, Vec<u8>>,
     pub(crate) disk: &'m dyn Files,
@@ -239,22 +237,22 @@ impl Files for MemoryFirst<'_> {
 }
 
 impl Origin {
-    /// A file of the model as it was when it was read; `None` for standard input.
+    /// The stamp of one of the model's files; `None` for standard input.
     pub(crate) fn stamp_of(&self, file: FileId) -> Option<&Stamp> {
         let path = if file == FileId::MAIN { &self.path } else { self.companions.get(&file)? };
         self.stamps.get(path)
     }
 
-    /// Which of the model's files is at `path`.
+    /// The one of the model's files that is at `path`.
     pub(crate) fn file_at(&self, path: &Path) -> Option<FileId> {
         self.companions.iter().find(|(_, companion)| *companion == path).map(|(&file, _)| file)
     }
 
-    /// Refuses to write the model where OpenSim would not find the files that it includes.
+    /// Refuses an output in a folder where OpenSim would not find the files that the model includes.
     ///
     /// # Errors
-    /// The first that is not there.
-    pub(crate) fn find_included_from(&self, output: &Path) -> Result<(), LibraryFault> {
+    /// The first file that is missing.
+    pub(crate) fn refuse_output_without_includes(&self, output: &Path) -> Result<(), LibraryFault> {
         for file in &self.included {
             if !folder_of(output).join(file).is_file() {
                 return Err(LibraryFault::new(format!(
@@ -275,9 +273,9 @@ mod tests {
     fn the_date_is_that_of_the_clock_or_of_a_repeatable_build() {
         let now = SystemTime::UNIX_EPOCH + Duration::from_secs(1_764_115_199);
         // date -u -d @1764115199: Tue Nov 25 23:59:59 UTC 2025.
-        assert_eq!(today(None, now).as_deref(), Some("2025-11-25"));
-        assert_eq!(today(Some("1764115200"), now).as_deref(), Some("2025-11-26"));
-        assert_eq!(today(Some("soon"), now).as_deref(), Some("2025-11-25"));
-        assert_eq!(today(Some(&u64::MAX.to_string()), now), None);
+        assert_eq!(date_of(None, now).as_deref(), Some("2025-11-25"));
+        assert_eq!(date_of(Some("1764115200"), now).as_deref(), Some("2025-11-26"));
+        assert_eq!(date_of(Some("soon"), now).as_deref(), Some("2025-11-25"));
+        assert_eq!(date_of(Some(&u64::MAX.to_string()), now), None);
     }
 }

@@ -6,5 +6,5 @@ mod workbook;
 
 pub(crate) use disk::MemoryFirst;
 pub use disk::{Disk, Loaded, OrdinaryFiles, Origin, Stamp};
-pub(crate) use sources::FOLDER_MARK;
+pub(crate) use sources::SWEEP_FOLDER_ENDING;
 pub use sources::{Source, Sources, SplitName};

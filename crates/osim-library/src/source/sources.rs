@@ -14,21 +14,21 @@ use crate::digest::{self, NameDigest};
 use crate::file_access;
 use crate::paths::{Resolver, resolved};
 
-/// End of the name of the folder that variants are written into by default. Walks over folders leave it out.
-pub(crate) const FOLDER_MARK: &str = ".sweep";
+/// The name of a folder of variants ends in this by default. Such folders are not searched for models.
+pub(crate) const SWEEP_FOLDER_ENDING: &str = ".sweep";
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
-    /// Where it is; `-` is standard input.
+    /// The path of the model; `-` is standard input.
     pub path: PathBuf,
-    /// The folder that was named, when the model was found by walking it.
+    /// The folder that the user named, if the model was found in it.
     pub folder: Option<Arc<Path>>,
-    /// Whether the user gave this very name: then it may be a pipe. Names in folders and tables are those of ordinary files.
+    /// Whether the user named the model itself: then it may be a pipe. Models of folders and tables have to be ordinary files.
     pub named: bool,
 }
 
 impl Source {
-    /// A model that was named itself.
+    /// A model that the user named.
     pub fn file(path: &Path) -> Self {
         Self { path: path.to_owned(), folder: None, named: true }
     }
@@ -38,12 +38,11 @@ impl Source {
         Self { named: false, ..Self::file(path) }
     }
 
-    /// Whether the model is skipped because it has no contacts: a folder may hold such models; one that was named may not be such.
+    /// Whether the failure is that a model of a folder has no contacts: such models are skipped.
     pub(crate) fn is_skipped(&self, failure: &Failure) -> bool {
         failure.code == "no-contacts" && self.folder.is_some()
     }
 
-    /// Whether it is standard input.
     pub fn is_stdin(&self) -> bool {
         self.path.as_os_str() == "-"
     }
@@ -52,53 +51,53 @@ impl Source {
         self.path.display().to_string()
     }
 
-    /// Its name, or its path below the folder that was named.
+    /// The path below the folder that the user named, else the file's name.
     pub(crate) fn below_folder(&self) -> &Path {
         let below = self.folder.as_ref().and_then(|folder| self.path.strip_prefix(folder).ok());
         below.or_else(|| self.path.file_name().map(Path::new)).unwrap_or(&self.path)
     }
 }
 
-/// What was named, with folders walked.
+/// The models that a call names, those in folders included.
 #[derive(Debug, Default)]
 pub struct Sources {
     pub models: Vec<Source>,
-    /// What could not even be listed.
+    /// Files and folders that cannot be listed.
     pub failures: Vec<Failure>,
-    /// Things to report: what was skipped.
+    /// Remarks about files that were skipped.
     pub remarks: Vec<String>,
 }
 
 impl Sources {
-    /// Expands `named`; `skip` is the output folder, which is never walked.
+    /// Finds the models that `named` files and folders have; `skip` is the output folder, which is not searched.
     pub fn find(named: &[PathBuf], skip: Option<&Path>) -> Self {
         let mut sources = Self::default();
-        let mut known = Known::default();
+        let mut seen = SeenModels::default();
         let mut next = 0;
         for (index, path) in named.iter().enumerate() {
             if index < next {
                 continue;
             }
-            if let Some(split) = SplitName::at(named, index) {
-                // One name that was split is one failure.
+            if let Some(split) = SplitName::beginning_at(named, index) {
+                // The words of one name are one failure.
                 next = split.words.end;
                 sources.failures.push(Failure::outside(path.as_path(), "unreadable", split.reason()));
             } else if path.is_dir() {
-                sources.walk(path, skip, &mut known);
-            } else if known.is_new(path) {
+                sources.walk(path, skip, &mut seen);
+            } else if seen.insert(path) {
                 sources.models.push(Source::file(path));
             }
         }
         sources
     }
 
-    fn walk(&mut self, folder: &Path, skip: Option<&Path>, known: &mut Known) {
+    fn walk(&mut self, folder: &Path, skip: Option<&Path>, seen: &mut SeenModels) {
         let skip = skip.and_then(|path| path.canonicalize().ok());
         let is_skipped = |path: &Path| skip.is_some() && path.canonicalize().ok() == skip;
-        let (mut own, mut again, mut sweeps) = (0, 0, 0);
-        let mut found = false;
+        let (mut own_outputs, mut repeated, mut sweeps) = (0, 0, 0);
+        let mut has_models = false;
         let shared: Arc<Path> = Arc::from(folder);
-        // Links are followed, as a file manager does; a link that leads back into its own folder is a failure.
+        // Links are followed; a link that leads back into a folder above it is a failure.
         let walk = WalkDir::new(folder).follow_links(true).sort_by_file_name().into_iter();
         let enters = |entry: &DirEntry| {
             let is_sweep = entry.depth() > 0 && entry.file_type().is_dir() && is_sweep(entry.path());
@@ -111,20 +110,20 @@ impl Sources {
                 Err(error) if is_dead_link_beside_models(&error) => {}
                 Err(error) => self.failures.push(unreadable(folder, &error)),
                 Ok(entry) if !is_model_entry(&entry) => {}
-                // A pipe would never end, or never begin.
+                // Reading a pipe might never end.
                 Ok(entry) if !entry.file_type().is_file() => {
-                    found = true;
+                    has_models = true;
                     let why = "this is not an ordinary file, and is read only where it is named itself";
                     self.failures.push(Failure::outside(entry.path(), "unreadable", why));
                 }
-                Ok(entry) if is_own_output(entry.path()) => own += 1,
+                Ok(entry) if is_own_output(entry.path()) => own_outputs += 1,
                 Ok(entry) => {
-                    found = true;
-                    if known.is_new(entry.path()) {
+                    has_models = true;
+                    if seen.insert(entry.path()) {
                         let folder = Some(Arc::clone(&shared));
                         self.models.push(Source { path: entry.into_path(), folder, named: false });
                     } else {
-                        again += 1;
+                        repeated += 1;
                     }
                 }
             }
@@ -133,20 +132,21 @@ impl Sources {
             self.remarks.push(format!("{}: the output folder is not read", skipped.display()));
         }
         let shown = folder.display();
-        if own > 0 {
+        if own_outputs > 0 {
             self.remarks.push(format!(
-                "{shown}: outputs of this tool (*{}.osim) skipped: {own}",
+                "{shown}: outputs of this tool (*{}.osim) skipped: {own_outputs}",
                 OutputOptions::MARK
             ));
         }
         if sweeps > 0 {
-            self.remarks.push(format!("{shown}: folders of sweeps (*{FOLDER_MARK}) skipped: {sweeps}"));
-        }
-        if again > 0 {
             self.remarks
-                .push(format!("{shown}: models that are there a second time (named or linked): {again}"));
+                .push(format!("{shown}: folders of sweeps (*{SWEEP_FOLDER_ENDING}) skipped: {sweeps}"));
         }
-        if !found {
+        if repeated > 0 {
+            self.remarks
+                .push(format!("{shown}: models that are there a second time (named or linked): {repeated}"));
+        }
+        if !has_models {
             let why = "no .osim models in this folder: name a model, or the folder that holds them";
             self.failures.push(Failure::outside(folder, "no-models", why));
         }
@@ -161,7 +161,7 @@ fn has_name_of_model(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("osim"))
 }
 
-/// Whether it is a link that leads nowhere and, by its name, never led to a model or a folder.
+/// Whether the error is about a dead link whose name is neither that of a model nor of a folder.
 fn is_dead_link_beside_models(error: &walkdir::Error) -> bool {
     let path = error.path().filter(|path| path.extension().is_some() && !has_name_of_model(path));
     error.loop_ancestor().is_none() && path.is_some_and(is_dead_link)
@@ -176,7 +176,7 @@ fn is_own_output(path: &Path) -> bool {
 }
 
 fn is_sweep(folder: &Path) -> bool {
-    folder.file_name().unwrap_or_default().as_encoded_bytes().ends_with(FOLDER_MARK.as_bytes())
+    folder.file_name().unwrap_or_default().as_encoded_bytes().ends_with(SWEEP_FOLDER_ENDING.as_bytes())
 }
 
 fn unreadable(folder: &Path, error: &walkdir::Error) -> Failure {
@@ -189,31 +189,31 @@ fn unreadable(folder: &Path, error: &walkdir::Error) -> Failure {
         _ if is_dead_link(path) => {
             "a link that leads nowhere: remove it, or bring back what it leads to".to_owned()
         }
-        // Without the path, which is before it.
+        // The message is shown after the path.
         (None, Some(error)) => format!("cannot be read: {}", file_access::reason(error)),
         (None, None) => "cannot be read".to_owned(),
     };
     Failure::outside(path, "unreadable", reason)
 }
 
-/// One model named twice, or linked, is one model.
+/// Models that were found already: a model that is named twice, or linked, counts once.
 #[derive(Debug, Default)]
-struct Known {
+struct SeenModels {
     resolver: Resolver,
     files: HashSet<NameDigest>,
 }
 
-impl Known {
-    fn is_new(&mut self, path: &Path) -> bool {
+impl SeenModels {
+    fn insert(&mut self, path: &Path) -> bool {
         let real = if path.as_os_str() == "-" { path.to_owned() } else { self.resolver.resolved(path) };
         self.files.insert(digest::digest_of_name(real.as_os_str()))
     }
 }
 
-/// More words than this are not one name.
+/// Most words that may be one name.
 const MOST_WORDS: usize = 12;
 
-/// Words that are one name.
+/// A name with blanks that came as several words, because it had no quotes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SplitName {
     pub words: Range<usize>,
@@ -223,13 +223,13 @@ pub struct SplitName {
 }
 
 impl SplitName {
-    /// The first run of words that are files only together, or look like one: the last is the first with the ending of a model.
+    /// The first words that are a file together and not alone, or look like one: then the last of them has the ending of a model.
     pub fn find(words: &[PathBuf]) -> Option<Self> {
-        (0..words.len()).find_map(|start| Self::at(words, start))
+        (0..words.len()).find_map(|start| Self::beginning_at(words, start))
     }
 
-    /// A name that begins with word `start`.
-    pub(super) fn at(words: &[PathBuf], start: usize) -> Option<Self> {
+    /// The name that begins with the word `start`, if there is one.
+    pub(super) fn beginning_at(words: &[PathBuf], start: usize) -> Option<Self> {
         let rest = words.get(start..)?;
         let parts =
             rest.iter().skip(1).take_while(|word| word.as_os_str() != "-").take(MOST_WORDS).count() + 1;
@@ -239,21 +239,22 @@ impl SplitName {
         let mut are_parts = true;
         for end in 1..parts {
             let word = rest.get(end)?;
-            name = joined(name, word);
+            name = with_blank_and_word(name, word);
             let path = PathBuf::from(&name);
             let exists = path.exists();
-            // What is there by itself is a part only of what is there as a whole.
+            // A word that is a file itself is part of a name only if the whole name exists.
             are_parts = are_parts && !word.exists();
-            let found = Self { words: start..start + end + 1, name: path, exists };
+            let name_of_words = Self { words: start..start + end + 1, name: path, exists };
             if exists {
-                return Some(found);
+                return Some(name_of_words);
             }
-            likely = likely.or_else(|| (are_parts && has_name_of_model(&found.name)).then_some(found));
+            likely = likely
+                .or_else(|| (are_parts && has_name_of_model(&name_of_words.name)).then_some(name_of_words));
         }
         likely
     }
 
-    /// What is wrong, and what to write.
+    /// What is wrong with the words, and what to write.
     pub fn message(&self, first: &Path) -> String {
         format!("'{}' is {}", first.display(), self.reason())
     }
@@ -265,7 +266,7 @@ impl SplitName {
     }
 }
 
-fn joined(mut name: OsString, word: &Path) -> OsString {
+fn with_blank_and_word(mut name: OsString, word: &Path) -> OsString {
     name.push(" ");
     name.push(word);
     name

@@ -1,4 +1,4 @@
-//! Excel's own .xlsx as the CSV that every table is read from: the first sheet, whose first row names the columns.
+//! Converts Excel's .xlsx to CSV: the first sheet, whose first row names the columns.
 
 use std::collections::BTreeMap;
 use std::io::Cursor;
@@ -7,32 +7,32 @@ use calamine::{CellErrorType, Data, Reader, Xlsx};
 use osim_model::files::FileError;
 use osim_model::messages::shortest;
 
-/// How .xlsx begins, as every packed file does.
-const PACKED: &[u8] = b"PK\x03\x04";
+/// Files of .xlsx begin with this, as every ZIP archive does.
+const ZIP_SIGNATURE: &[u8] = b"PK\x03\x04";
 
-/// As many as Excel has.
+/// Excel has so many rows and columns.
 const MOST_ROWS: u32 = 1_048_576;
 const MOST_COLUMNS: u32 = 16_384;
-/// A rectangle around all cells with more than this is not a table.
+/// Most cells in the rectangle around all texts.
 const MOST_CELLS: usize = 10_000_000;
 
-/// What a file holds: the first sheet of a workbook as CSV, anything else as it is.
+/// The first sheet of a workbook as CSV; other bytes are returned unchanged.
 ///
 /// # Errors
-/// A cell that is neither a number nor a text, or a broken formula: which.
-pub(super) fn as_table(bytes: Vec<u8>) -> Result<Vec<u8>, FileError> {
-    if !bytes.starts_with(PACKED) {
+/// A cell is neither a number nor a text, or is a broken formula.
+pub(super) fn workbook_as_csv(bytes: Vec<u8>) -> Result<Vec<u8>, FileError> {
+    if !bytes.starts_with(ZIP_SIGNATURE) {
         return Ok(bytes);
     }
-    // What is no workbook is refused by those who read it, in their words.
+    // Bytes that are not a workbook are refused later, by the reader of the table.
     let Ok(mut book) = Xlsx::new(Cursor::new(bytes.as_slice())) else { return Ok(bytes) };
-    csv_of(&rows_of(&mut book)?)
+    csv_of_rows(&rows_of_first_sheet(&mut book)?)
 }
 
-/// The texts of each row that has some, by their columns. Cells are read one by one: what a broken file says of its size is not believed.
+/// The texts of each row by their columns. Cells are read one by one, because a broken file may claim any size.
 type Rows = BTreeMap<u32, BTreeMap<u32, String>>;
 
-fn rows_of(book: &mut Xlsx<Cursor<&[u8]>>) -> Result<Rows, FileError> {
+fn rows_of_first_sheet(book: &mut Xlsx<Cursor<&[u8]>>) -> Result<Rows, FileError> {
     let broken =
         || FileError::new("the first sheet of this workbook cannot be read: save it as CSV in UTF-8");
     let name = book.sheet_names().into_iter().next().ok_or_else(broken)?;
@@ -43,8 +43,8 @@ fn rows_of(book: &mut Xlsx<Cursor<&[u8]>>) -> Result<Rows, FileError> {
         if row >= MOST_ROWS || column >= MOST_COLUMNS {
             return Err(broken());
         }
-        let text =
-            text_of(&Data::from(cell.get_value().clone())).map_err(|why| refused(row, column, &why))?;
+        let text = text_of_cell(&Data::from(cell.get_value().clone()))
+            .map_err(|why| fault_of_cell(row, column, &why))?;
         if !text.is_empty() {
             rows.entry(row).or_default().insert(column, text);
         }
@@ -53,7 +53,7 @@ fn rows_of(book: &mut Xlsx<Cursor<&[u8]>>) -> Result<Rows, FileError> {
 }
 
 /// Empty rows stay, so that lines have the numbers of rows.
-fn csv_of(rows: &Rows) -> Result<Vec<u8>, FileError> {
+fn csv_of_rows(rows: &Rows) -> Result<Vec<u8>, FileError> {
     let failed = |error: &dyn std::fmt::Display| FileError::new(error.to_string());
     let columns = || rows.values().flat_map(BTreeMap::keys).copied();
     let (Some(first), Some(last)) = (columns().min(), columns().max()) else { return Ok(Vec::new()) };
@@ -73,7 +73,7 @@ fn csv_of(rows: &Rows) -> Result<Vec<u8>, FileError> {
         line = row + 1;
         let cells = (first..=last).map(|column| texts.get(&column).map_or("", String::as_str));
         let written = match at {
-            // Otherwise they would be taken for what separates the cells.
+            // These characters in a heading would be taken for the mark between cells.
             0 => writer.write_record(cells.map(|heading| heading.replace([';', '\t'], " "))),
             _ => writer.write_record(cells),
         };
@@ -82,18 +82,20 @@ fn csv_of(rows: &Rows) -> Result<Vec<u8>, FileError> {
     writer.into_inner().map_err(|error| failed(&error))
 }
 
-/// A cell as its value reads as text.
+/// The value of a cell as text.
 ///
 /// # Errors
-/// What is wrong with it, to be read after its name.
-fn text_of(cell: &Data) -> Result<String, String> {
+/// What is wrong with the cell, as the end of a sentence that begins with its name.
+fn text_of_cell(cell: &Data) -> Result<String, String> {
     match cell {
         Data::Empty => Ok(String::new()),
         // A line end would begin another line of the table.
         Data::String(text) => Ok(text.replace(['\r', '\n'], " ")),
         Data::Float(number) => Ok(shortest(*number)),
         Data::Int(number) => Ok(number.to_string()),
-        Data::Error(error) => Err(format!("({}) {}", name_of(error), osim_planning::sheet::BROKEN_FORMULA)),
+        Data::Error(error) => {
+            Err(format!("({}) {}", name_of_error(error), osim_planning::sheet::BROKEN_FORMULA))
+        }
         Data::Bool(_) => Err("is true or false, expected a number or a text".to_owned()),
         _ => {
             Err("is a date or a time, expected a number or a text: give its column the format Text or Number"
@@ -102,7 +104,7 @@ fn text_of(cell: &Data) -> Result<String, String> {
     }
 }
 
-fn name_of(error: &CellErrorType) -> &'static str {
+fn name_of_error(error: &CellErrorType) -> &'static str {
     match error {
         CellErrorType::Div0 => "#DIV/0!",
         CellErrorType::NA => "#N/A",
@@ -115,16 +117,16 @@ fn name_of(error: &CellErrorType) -> &'static str {
     }
 }
 
-/// The cell by the name that spreadsheets give it, such as `B3`.
-fn refused(row: u32, column: u32, why: &str) -> FileError {
-    FileError::new(format!("cell {}{} {why}", letters(column), row + 1))
+/// The fault of a cell, with its name in spreadsheets such as `B3`.
+fn fault_of_cell(row: u32, column: u32, why: &str) -> FileError {
+    FileError::new(format!("cell {}{} {why}", column_letters(column), row + 1))
 }
 
 /// A column as letters: A to Z, then AA and so on.
-fn letters(column: u32) -> String {
+fn column_letters(column: u32) -> String {
     let last = char::from(b'A' + u8::try_from(column % 26).unwrap_or_default());
     match (column / 26).checked_sub(1) {
-        Some(before) => format!("{}{last}", letters(before)),
+        Some(before) => format!("{}{last}", column_letters(before)),
         None => last.to_string(),
     }
 }
@@ -135,7 +137,7 @@ mod tests {
 
     #[test]
     fn columns_have_the_letters_of_spreadsheets() {
-        let named = [0, 25, 26, 51, 52, 701, 702].map(letters);
+        let named = [0, 25, 26, 51, 52, 701, 702].map(column_letters);
         assert_eq!(named, ["A", "Z", "AA", "AZ", "BA", "ZZ", "AAA"]);
     }
 
@@ -145,16 +147,16 @@ mod tests {
             (row, texts.iter().map(|&(column, text)| (column, text.to_owned())).collect())
         };
         let rows = Rows::from([cells(1, &[(2, "a;b"), (3, "c")]), cells(4, &[(3, "d;e")])]);
-        assert_eq!(String::from_utf8(csv_of(&rows).unwrap()).unwrap(), "\na b,c\n\n\n,d;e\n");
-        assert_eq!(csv_of(&Rows::new()).unwrap(), b"");
+        assert_eq!(String::from_utf8(csv_of_rows(&rows).unwrap()).unwrap(), "\na b,c\n\n\n,d;e\n");
+        assert_eq!(csv_of_rows(&Rows::new()).unwrap(), b"");
         let far = Rows::from_iter((0..=MOST_ROWS / 2).map(|row| cells(row, &[(row % 100, "a")])));
-        assert!(csv_of(&far).unwrap_err().to_string().contains("ten million cells"));
+        assert!(csv_of_rows(&far).unwrap_err().to_string().contains("ten million cells"));
     }
 
     #[test]
-    fn what_is_no_workbook_stays_as_it_is() {
+    fn bytes_that_are_not_a_workbook_are_unchanged() {
         for bytes in [b"a,b\n1,2\n".as_slice(), b"PK\x03\x04", b"PK\x03\x04 and more"] {
-            assert_eq!(as_table(bytes.to_vec()).unwrap(), bytes);
+            assert_eq!(workbook_as_csv(bytes.to_vec()).unwrap(), bytes);
         }
     }
 }

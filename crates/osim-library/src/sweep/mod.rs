@@ -1,4 +1,4 @@
-//! A sweep on the disk: a folder of variants, and a table that says what is in which.
+//! A sweep on the disk: a folder of variants, and a table of them.
 
 mod tables;
 
@@ -19,21 +19,21 @@ use crate::file_access;
 use crate::folders::OutputFolders;
 use crate::partial::PartialFile;
 use crate::paths::{Resolver, resolved};
-use crate::source::{FOLDER_MARK, Loaded, Origin, Source, Stamp};
-use crate::sweep::tables::{MadeFiles, Tables, line};
+use crate::source::{Loaded, Origin, SWEEP_FOLDER_ENDING, Source, Stamp};
+use crate::sweep::tables::{SweepTables, WrittenFiles, csv_line};
 use crate::workers::{thread_count, work_in_order};
 use crate::write::{PendingFile, WriteMode};
 
-/// The caller of a sweep. Its methods are called on the threads that do the work.
+/// A front end that starts a sweep. Threads of the sweep call its methods.
 pub trait SweepFrontEnd: Sync {
     /// Whether no further variant should be started.
     fn is_interrupted(&self) -> bool;
 
-    /// One more variant is made.
+    /// Is called after each variant.
     fn variant_done(&self, failed: bool);
 }
 
-/// A sweep that was checked: nothing is written yet.
+/// A sweep that was checked, before anything is written.
 pub struct SweepRun<'s> {
     request: &'s SweepRequest,
     plan: SweepPlan<'s>,
@@ -43,27 +43,27 @@ pub struct SweepRun<'s> {
 
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct SweepEnd {
-    /// The table of what this run made, if it made something.
+    /// The table of the variants of this run, if it has some.
     pub manifest: Option<PathBuf>,
     pub made: usize,
-    /// Variants that an earlier sweep had made already.
+    /// Variants that an earlier sweep has made.
     pub earlier: usize,
-    /// Variants with errors or warnings that the model itself has not.
+    /// Variants with errors or warnings that the original does not have.
     pub worse: usize,
-    /// Variants with the contacts of an earlier one, among those of this run.
+    /// Variants whose contacts are equal to those of another variant of this run.
     pub same: SameContacts,
-    /// Models of another sweep in the folder, which the table has not; looked for where this run makes the whole.
+    /// Models of other sweeps in the folder; only counted if this run makes all variants.
     pub others: OtherModels,
     /// Variants that could not be made.
     pub failed: usize,
     pub not_begun: usize,
 }
 
-enum Made {
-    /// Its row in the table, whether an earlier sweep made it, and whether it is worse than the model.
+enum VariantOutcome {
+    /// The variant exists now.
     Row {
         row: Vec<u8>,
-        /// Number of the variant, from 1, and the digest of its contacts.
+        /// Number of the variant, from 1.
         number: usize,
         contacts: String,
         earlier: bool,
@@ -74,7 +74,7 @@ enum Made {
 }
 
 impl<'s> SweepRun<'s> {
-    /// Reads the model and checks what is asked.
+    /// Reads the model and checks the request.
     ///
     /// # Errors
     /// Wrong usage, or a model that cannot be read.
@@ -99,22 +99,22 @@ impl<'s> SweepRun<'s> {
         Ok((SweepPlan::new(request, files)?, origin))
     }
 
-    /// How many variants this run makes: all, or those of its part.
+    /// The number of variants that this run makes.
     pub fn count(&self) -> usize {
         self.plan.indices().len()
     }
 
-    /// How many variants there are, of all points of the grid or steps of the ladder.
+    /// The number of all points of the grid or steps of the ladder.
     pub fn points(&self) -> usize {
         self.plan.count()
     }
 
-    /// The file of the point that was asked for, by its name in the folder.
+    /// The name of the variant's file, if the request names one point.
     pub fn point_file(&self) -> Option<String> {
         self.request.point.map(|point| self.plan.file_name(point.saturating_sub(1)))
     }
 
-    /// Whether there are so many that they are made only if the user confirms it.
+    /// Whether there are so many variants that the user has to confirm the sweep.
     pub fn is_large(&self) -> bool {
         self.request.is_large()
     }
@@ -132,7 +132,7 @@ impl<'s> SweepRun<'s> {
         &self.folder
     }
 
-    /// What a variant asks for may make no sense: that shows before anything is written.
+    /// Plans the variants at the ends of the axes, so that values outside their domain are refused before anything is written.
     ///
     /// # Errors
     /// What is wrong, with the point.
@@ -140,11 +140,11 @@ impl<'s> SweepRun<'s> {
         self.plan.check_ends()
     }
 
-    /// Makes all variants, or those of its part; `report` is called for each, in order, on this thread, with what went wrong if
-    /// it could not be made. A caller that wants to end it early says so by [`SweepFrontEnd::is_interrupted`].
+    /// Makes the variants of this run. `report` is called for each in order, on this thread, with a failure if it could not be made.
+    /// [`SweepFrontEnd::is_interrupted`] ends the sweep early.
     ///
     /// # Errors
-    /// Something is there already, or the table cannot be written.
+    /// A file exists already, or the table cannot be written.
     pub fn run<F: SweepFrontEnd>(
         &self,
         front_end: &F,
@@ -152,37 +152,37 @@ impl<'s> SweepRun<'s> {
     ) -> Result<SweepEnd, LibraryFault> {
         let mut end = SweepEnd::default();
         if self.count() == 0 {
-            // There are more shares than points.
+            // There are more shards than points.
             return Ok(end);
         }
-        let tables = Tables::new(&self.folder, &self.plan);
-        tables.check_free()?;
-        self.check_new(&tables)?;
-        let files = MadeFiles::begin(&tables, self.request.resume)?;
-        // Files left behind by a run that was killed go first.
-        OutputFolders::list(std::iter::once(tables.own()), true);
-        let mut table = PendingFile::begin(tables.own(), None, self.mode())?;
-        table.add(&line(&self.plan.table_header())?)?;
+        let tables = SweepTables::new(&self.folder, &self.plan);
+        tables.refuse_if_in_use()?;
+        self.refuse_existing_files(&tables)?;
+        let files = WrittenFiles::begin(&tables, self.request.resume)?;
+        // Removes temporary files of a run that was killed.
+        OutputFolders::list(std::iter::once(tables.table_of_run()), true);
+        let mut table = PendingFile::begin(tables.table_of_run(), None, self.table_mode())?;
+        table.add_bytes(&csv_line(&self.plan.table_header())?)?;
         let work = |&index: &usize| {
-            let made = self.make(index, &files, front_end);
-            front_end.variant_done(matches!(made, Made::Failed(_)));
+            let made = self.make_variant(index, &files, front_end);
+            front_end.variant_done(matches!(made, VariantOutcome::Failed(_)));
             made
         };
-        let mut seen = Seen::default();
-        let each = |_: &usize, made: Made| -> Result<(), LibraryFault> {
+        let mut seen_contacts = SeenContacts::default();
+        let each = |_: &usize, made: VariantOutcome| -> Result<(), LibraryFault> {
             match made {
-                Made::Row { row, number, contacts, earlier, worse } => {
-                    seen.add(contacts, number, &mut end.same);
+                VariantOutcome::Row { row, number, contacts, earlier, worse } => {
+                    seen_contacts.add(contacts, number, &mut end.same);
                     end.worse += usize::from(worse);
                     *if earlier { &mut end.earlier } else { &mut end.made } += 1;
-                    table.add(&row)?;
+                    table.add_bytes(&row)?;
                     report(None);
                 }
-                Made::Failed(failure) => {
+                VariantOutcome::Failed(failure) => {
                     end.failed += 1;
                     report(Some(failure));
                 }
-                Made::NotBegun => end.not_begun += 1,
+                VariantOutcome::NotBegun => end.not_begun += 1,
             }
             Ok(())
         };
@@ -190,7 +190,7 @@ impl<'s> SweepRun<'s> {
         work_in_order(&indices, thread_count(self.request.jobs, self.count()), work, each)?;
         if end.made + end.earlier > 0 {
             table.commit()?;
-            end.manifest = Some(tables.own().to_owned());
+            end.manifest = Some(tables.table_of_run().to_owned());
             if !tables.is_part() {
                 end.others = OtherModels::find(&self.folder, &self.plan);
             }
@@ -199,13 +199,13 @@ impl<'s> SweepRun<'s> {
         Ok(end)
     }
 
-    /// Nothing is replaced unasked, and that is known before the first file is written.
-    fn check_new(&self, tables: &Tables<'_>) -> Result<(), LibraryFault> {
+    /// Refuses to begin if a variant or a table exists already and may not be replaced.
+    fn refuse_existing_files(&self, tables: &SweepTables<'_>) -> Result<(), LibraryFault> {
         let names = self.plan.indices().map(|index| self.folder.join(self.plan.file_name(index)));
         let model = resolved(self.request.model.as_deref().unwrap_or(Path::new("")));
         let mut resolver = Resolver::default();
-        let (mut first, mut there) = (None, 0);
-        let tables = || std::iter::once(tables.own()).chain(tables.replaced());
+        let (mut first, mut existing) = (None, 0);
+        let tables = || std::iter::once(tables.table_of_run()).chain(tables.replaced_tables());
         for path in names.chain(tables().map(Path::to_owned)) {
             if resolver.resolved(&path) == model {
                 return Err(LibraryFault::new(phrase![
@@ -214,18 +214,18 @@ impl<'s> SweepRun<'s> {
                 ]));
             }
             if path.exists() {
-                there += 1;
+                existing += 1;
                 first.get_or_insert(path);
             }
         }
-        if self.mode() == WriteMode::Replace {
+        if self.table_mode() == WriteMode::Replace {
             return Ok(());
         }
         tables().try_for_each(PartialFile::refuse_leftover)?;
         match first {
             Some(first) => Err(LibraryFault::new(phrase![
                 format!(
-                    "{there} of these files exist already, such as {}: go on with them (",
+                    "{existing} of these files exist already, such as {}: go on with them (",
                     first.display()
                 ),
                 Input::Resume,
@@ -238,58 +238,63 @@ impl<'s> SweepRun<'s> {
         }
     }
 
-    /// Of the table.
-    fn mode(&self) -> WriteMode {
+    /// How the table is written.
+    fn table_mode(&self) -> WriteMode {
         if self.request.force || self.request.resume { WriteMode::Replace } else { WriteMode::New }
     }
 
-    fn make(&self, index: usize, files: &MadeFiles, front_end: &impl SweepFrontEnd) -> Made {
+    fn make_variant(
+        &self,
+        index: usize,
+        files: &WrittenFiles,
+        front_end: &impl SweepFrontEnd,
+    ) -> VariantOutcome {
         if front_end.is_interrupted() {
-            return Made::NotBegun;
+            return VariantOutcome::NotBegun;
         }
         let name = self.plan.file_name(index);
         let path = self.folder.join(&name);
         let variant = match self.plan.make(index) {
             Ok(variant) => variant,
-            Err(failure) => return Made::Failed(failure),
+            Err(failure) => return VariantOutcome::Failed(failure),
         };
         let (operation, worse) = (variant.operation.clone(), variant.is_worse());
         let contacts = variant.contact_digest().to_owned();
         let digest = sha256(&variant.bytes);
         let written = self.write(&path, &variant.bytes, files, &name, &digest);
-        match written.and_then(|earlier| Ok((line(&variant.row(digest))?, earlier))) {
-            Ok((row, earlier)) => Made::Row { row, number: index + 1, contacts, earlier, worse },
+        match written.and_then(|earlier| Ok((csv_line(&variant.row(digest))?, earlier))) {
+            Ok((row, earlier)) => VariantOutcome::Row { row, number: index + 1, contacts, earlier, worse },
             Err(fault) => {
                 let mut failure = fault.into_failure(path.as_path(), "output");
                 failure.message.push(format!(" ({operation})"));
-                Made::Failed(failure)
+                VariantOutcome::Failed(failure)
             }
         }
     }
 
-    /// Writes a variant, with its name and digest. Returns whether it was there already.
+    /// Writes a variant. Returns whether it existed already with the same bytes.
     fn write(
         &self,
         path: &Path,
         bytes: &[u8],
-        files: &MadeFiles,
+        files: &WrittenFiles,
         name: &str,
         digest: &str,
     ) -> Result<bool, LibraryFault> {
-        self.origin.find_included_from(path)?;
-        let mode = self.mode_of(path, bytes, |there| files.knows(name, there))?;
+        self.origin.refuse_output_without_includes(path)?;
+        let mode = self.mode_for_variant(path, bytes, |existing| files.was_written(name, existing))?;
         files.about_to_finish(name, digest)?;
         let Some(mode) = mode else { return Ok(true) };
-        match self.put(path, bytes, mode) {
+        match self.write_file(path, bytes, mode) {
             Ok(()) => Ok(false),
-            // A run of another part made it in the meantime.
-            Err(_) if self.mode() == WriteMode::Replace && is_there(path, bytes) => Ok(true),
+            // Another run made it in the meantime.
+            Err(_) if self.table_mode() == WriteMode::Replace && has_bytes(path, bytes) => Ok(true),
             Err(fault) => Err(fault),
         }
     }
 
-    /// Gives `bytes` the name `path`.
-    fn put(&self, path: &Path, bytes: &[u8], mode: WriteMode) -> Result<(), LibraryFault> {
+    /// Writes `bytes` to the file `path`.
+    fn write_file(&self, path: &Path, bytes: &[u8], mode: WriteMode) -> Result<(), LibraryFault> {
         let like = self.origin.stamp_of(FileId::MAIN).map(Stamp::metadata);
         let prepared = PendingFile::new(path, bytes, like, mode)?;
         if prepared.replaces() {
@@ -298,58 +303,58 @@ impl<'s> SweepRun<'s> {
         prepared.commit().map_err(|fault| fault.within("not written"))
     }
 
-    /// How a variant may be written; `None` if it is there, byte for byte. `is_ours` knows digests of what earlier sweeps made
-    /// under its name.
-    fn mode_of(
+    /// How a variant may be written; `None` if it exists with the same bytes. `is_ours` says whether an earlier sweep wrote a file of its
+    /// name with this digest.
+    fn mode_for_variant(
         &self,
         path: &Path,
         bytes: &[u8],
         is_ours: impl Fn(&str) -> Result<bool, LibraryFault>,
     ) -> Result<Option<WriteMode>, LibraryFault> {
         if !self.request.resume {
-            return Ok(Some(self.mode()));
+            return Ok(Some(self.table_mode()));
         }
         if !path.exists() {
             return Ok(Some(WriteMode::New));
         }
-        let there = file_access::read_ordinary(path).context(|| path.display())?;
-        if there == bytes {
+        let existing = file_access::read_ordinary(path).context(|| path.display())?;
+        if existing == bytes {
             return Ok(None);
         }
-        if self.request.force || is_ours(&sha256(&there))? {
+        if self.request.force || is_ours(&sha256(&existing))? {
             return Ok(Some(WriteMode::Replace));
         }
         Err(LibraryFault::output_edited(path))
     }
 }
 
-fn is_there(path: &Path, bytes: &[u8]) -> bool {
-    file_access::read_ordinary(path).is_ok_and(|there| there == bytes)
+fn has_bytes(path: &Path, bytes: &[u8]) -> bool {
+    file_access::read_ordinary(path).is_ok_and(|existing| existing == bytes)
 }
 
 fn folder(request: &SweepRequest, model: &Path) -> PathBuf {
     let beside = || {
         let mut name = model.file_stem().unwrap_or_default().to_owned();
-        name.push(FOLDER_MARK);
+        name.push(SWEEP_FOLDER_ENDING);
         model.with_file_name(name)
     };
     request.output_dir.clone().unwrap_or_else(beside)
 }
 
-/// Variants whose contacts another one has already.
+/// Variants whose contacts are equal to those of an earlier variant.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct SameContacts {
     pub count: usize,
-    /// The first of them and the one that it is the same as, by their numbers from 1.
+    /// The numbers, from 1, of the first of them and of the variant with equal contacts.
     pub first: Option<(usize, usize)>,
 }
 
-/// Contacts that were seen, by their digests, with the number of the variant.
+/// The number of the first variant for each digest of contacts.
 #[derive(Debug, Default)]
-struct Seen(HashMap<String, usize>);
+struct SeenContacts(HashMap<String, usize>);
 
-impl Seen {
-    /// Counts variant `number`, from 1, with this digest of its contacts.
+impl SeenContacts {
+    /// Adds the variant `number`, from 1, and counts it in `same` if another one has equal contacts.
     fn add(&mut self, digest: String, number: usize, same: &mut SameContacts) {
         match self.0.get(&digest) {
             Some(&earlier) => {
@@ -363,11 +368,11 @@ impl Seen {
     }
 }
 
-/// Models in the folder of a sweep that are called like its own and are none of them.
+/// Models in the folder of a sweep that have names like its variants and are not among them.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct OtherModels {
     pub count: usize,
-    /// The first of them by name.
+    /// The first name of them.
     pub first: Option<String>,
 }
 
@@ -375,10 +380,11 @@ impl OtherModels {
     fn find(folder: &Path, plan: &SweepPlan<'_>) -> Self {
         let is_like = |name: &OsString| name.to_str().is_some_and(|name| plan.is_like_file_name(name));
         let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-        let there: HashSet<OsString> = entries.map(|entry| entry.file_name()).filter(is_like).collect();
-        let own: HashSet<OsString> = (0..plan.count()).map(|index| plan.file_name(index).into()).collect();
+        let existing: HashSet<OsString> = entries.map(|entry| entry.file_name()).filter(is_like).collect();
+        let own_names: HashSet<OsString> =
+            (0..plan.count()).map(|index| plan.file_name(index).into()).collect();
         let mut others: Vec<String> =
-            there.difference(&own).map(|name| name.to_string_lossy().into_owned()).collect();
+            existing.difference(&own_names).map(|name| name.to_string_lossy().into_owned()).collect();
         others.sort_unstable();
         Self { count: others.len(), first: others.into_iter().next() }
     }

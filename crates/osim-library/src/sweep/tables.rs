@@ -1,4 +1,4 @@
-//! The tables of one sweep, of the whole and of parts that several runs make at the same time; and what they say of files that sweeps made.
+//! The tables of a sweep: one of all variants, or one for each run that makes a part; and the files that they name.
 
 use std::collections::{BTreeSet, HashSet};
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
@@ -14,23 +14,23 @@ use crate::file_access;
 use crate::folders::make_folder_of;
 use crate::partial::{PartialFile, end_of_lines};
 
-pub(super) struct Tables<'p> {
+pub(super) struct SweepTables<'p> {
     folder: &'p Path,
     plan: &'p SweepPlan<'p>,
     whole: PathBuf,
-    /// That of this run, where it makes a part.
+    /// The table of this run, if it makes a part.
     part: Option<PathBuf>,
-    /// As they were when somebody first asked.
+    /// Tables of parts, listed when they are first needed.
     parts: OnceLock<BTreeSet<PathBuf>>,
 }
 
-impl<'p> Tables<'p> {
+impl<'p> SweepTables<'p> {
     pub(super) fn new(folder: &'p Path, plan: &'p SweepPlan<'p>) -> Self {
         let part = plan.part_table_name().map(|name| folder.join(name));
         Self { folder, plan, whole: folder.join(plan.table_name()), part, parts: OnceLock::new() }
     }
 
-    pub(super) fn own(&self) -> &Path {
+    pub(super) fn table_of_run(&self) -> &Path {
         self.part.as_deref().unwrap_or(&self.whole)
     }
 
@@ -39,19 +39,19 @@ impl<'p> Tables<'p> {
         self.part.is_some()
     }
 
-    /// Those that other runs write.
-    pub(super) fn others(&self) -> impl Iterator<Item = &Path> {
+    /// The tables that other runs write.
+    pub(super) fn tables_of_others(&self) -> impl Iterator<Item = &Path> {
         let whole = self.is_part().then_some(self.whole.as_path());
         let parts = self.parts().iter().map(PathBuf::as_path);
-        whole.into_iter().chain(parts.filter(|part| *part != self.own()))
+        whole.into_iter().chain(parts.filter(|part| *part != self.table_of_run()))
     }
 
-    /// Tables of parts that the whole one replaces: empty if this run makes a part.
-    pub(super) fn replaced(&self) -> impl Iterator<Item = &Path> {
-        self.others().filter(|_| !self.is_part())
+    /// Tables of parts that the table of all variants replaces; none if this run makes a part.
+    pub(super) fn replaced_tables(&self) -> impl Iterator<Item = &Path> {
+        self.tables_of_others().filter(|_| !self.is_part())
     }
 
-    /// Tables of parts that are there, whole or partial.
+    /// Tables of parts that exist, complete or partial.
     fn parts(&self) -> &BTreeSet<PathBuf> {
         self.parts.get_or_init(|| {
             let entries = std::fs::read_dir(self.folder).into_iter().flatten().flatten();
@@ -63,22 +63,21 @@ impl<'p> Tables<'p> {
         })
     }
 
-    /// The whole and a part of it are not made at the same time. Parts are.
+    /// Refuses to make all variants while another run makes a part, or a part while another run makes all.
     ///
     /// # Errors
-    /// Another run is at it.
-    pub(super) fn check_free(&self) -> Result<(), LibraryFault> {
+    /// Another run is writing such a table.
+    pub(super) fn refuse_if_in_use(&self) -> Result<(), LibraryFault> {
         let way_out = phrase!["wait until that has ended"];
         if self.is_part() {
             return PartialFile::refuse_if_in_use(&self.whole, &way_out);
         }
-        self.replaced().try_for_each(|part| PartialFile::refuse_if_in_use(part, &way_out))
+        self.replaced_tables().try_for_each(|part| PartialFile::refuse_if_in_use(part, &way_out))
     }
 
-    /// The table of the whole has its name: those of parts that were there when this run began are no longer needed. What another
-    /// program saved is not ours to remove.
+    /// Removes the tables of parts after the table of all variants was written, except those that another program saved.
     fn remove_parts(&self) -> Result<(), LibraryFault> {
-        for part in self.replaced().filter(|part| is_of_sweep(part)) {
+        for part in self.replaced_tables().filter(|part| is_sweep_table(part)) {
             let partial = PartialFile::path_for(part);
             for file in [part, &partial] {
                 if file.exists() {
@@ -95,75 +94,76 @@ impl<'p> Tables<'p> {
 // They are in the tables of the last sweep that came to its end, and, name and digest alone, in `TABLE.partial`, which stays
 // until every variant is made. That a file is as it should be needs neither: its bytes say it.
 
-pub(super) struct MadeFiles<'t> {
-    tables: &'t Tables<'t>,
-    /// By the table of this run.
-    known: KnownFiles,
-    /// By tables of other runs.
-    known_elsewhere: OnceLock<Result<KnownFiles, LibraryFault>>,
+pub(super) struct WrittenFiles<'t> {
+    tables: &'t SweepTables<'t>,
+    /// Files in the table of this run.
+    files_of_run: FileDigests,
+    /// Files in the tables of other runs, read when they are first needed.
+    files_of_others: OnceLock<Result<FileDigests, LibraryFault>>,
     partial: Mutex<PartialFile>,
 }
 
-impl<'t> MadeFiles<'t> {
-    /// Begins the partial table of the run's table, with what is known if the sweep resumes.
+impl<'t> WrittenFiles<'t> {
+    /// Begins the partial table of this run. If the sweep resumes, reads which files earlier runs wrote.
     ///
     /// # Errors
-    /// What is there is not the table of a sweep, or another one is being made.
-    pub(super) fn begin(tables: &'t Tables<'t>, resume: bool) -> Result<Self, LibraryFault> {
-        let mut known = KnownFiles::default();
+    /// An existing file is not the table of a sweep, or another run is writing it.
+    pub(super) fn begin(tables: &'t SweepTables<'t>, resume: bool) -> Result<Self, LibraryFault> {
+        let mut files_of_run = FileDigests::default();
         let mut only_in_table = Vec::new();
         if resume {
-            known.add(tables.own(), |file, sha256| {
-                only_in_table.extend(line(&[file.to_owned(), sha256.to_owned()])?);
+            files_of_run.add(tables.table_of_run(), |file, sha256| {
+                only_in_table.extend(csv_line(&[file.to_owned(), sha256.to_owned()])?);
                 Ok(())
             })?;
         }
-        let known_elsewhere = OnceLock::new();
+        let files_of_others = OnceLock::new();
         if resume && !tables.is_part() {
-            // What another program made of tables of parts shows before anything is written.
-            drop(known_elsewhere.set(Ok(known_by(tables)?)));
+            // Tables of parts that another program changed are refused before anything is written.
+            drop(files_of_others.set(Ok(read_tables_of_others(tables)?)));
         }
-        make_folder_of(tables.own())?;
+        make_folder_of(tables.table_of_run())?;
         let way_out = phrase!["write into another folder with ", Input::OutputDir.with_placeholder("DIR")];
-        let mut partial = PartialFile::open(tables.own(), resume, &way_out)?;
-        // The new table may get its name without the files that this sweep does not make: they stay known.
+        let mut partial = PartialFile::open(tables.table_of_run(), resume, &way_out)?;
+        // Files that this sweep does not make are not in its new table; the partial table keeps them.
         if !only_in_table.is_empty() {
             add_lines(&mut partial, &only_in_table)?;
         }
-        Ok(Self { tables, known, known_elsewhere, partial: Mutex::new(partial) })
+        Ok(Self { tables, files_of_run, files_of_others, partial: Mutex::new(partial) })
     }
 
-    /// Whether a sweep made `file` with this digest.
+    /// Whether a sweep wrote `file` with this digest.
     ///
     /// # Errors
     /// A table of another run is not that of a sweep.
-    pub(super) fn knows(&self, file: &str, sha256: &str) -> Result<bool, LibraryFault> {
-        Ok(self.known.has(file, sha256) || self.known_elsewhere()?.has(file, sha256))
+    pub(super) fn was_written(&self, file: &str, sha256: &str) -> Result<bool, LibraryFault> {
+        Ok(self.files_of_run.contains(file, sha256) || self.files_of_others()?.contains(file, sha256))
     }
 
-    /// A thousand jobs of one sweep would read a million tables: each reads those of others only where it finds a file that is not
-    /// as it should be.
-    fn known_elsewhere(&self) -> Result<&KnownFiles, LibraryFault> {
-        self.known_elsewhere.get_or_init(|| known_by(self.tables)).as_ref().map_err(LibraryFault::clone)
+    /// Files in the tables of other runs. They are read only if an existing file differs: a thousand jobs would read a million tables.
+    fn files_of_others(&self) -> Result<&FileDigests, LibraryFault> {
+        self.files_of_others
+            .get_or_init(|| read_tables_of_others(self.tables))
+            .as_ref()
+            .map_err(LibraryFault::clone)
     }
 
-    /// Records that the file is about to be written with this digest, or has it.
+    /// Adds the line of a file that is about to be written with this digest, or has it already.
     ///
     /// # Errors
-    /// There is no room for its line.
+    /// The line cannot be written.
     pub(super) fn about_to_finish(&self, file: &str, sha256: &str) -> Result<(), LibraryFault> {
-        if self.known.has(file, sha256) {
+        if self.files_of_run.contains(file, sha256) {
             return Ok(());
         }
-        let line = line(&[file.to_owned(), sha256.to_owned()])?;
-        let mut partial = self.partial.lock().map_err(|_| ended_early())?;
+        let line = csv_line(&[file.to_owned(), sha256.to_owned()])?;
+        let mut partial = self.partial.lock().map_err(|_| fault_of_panic())?;
         add_lines(&mut partial, &line)
     }
 
-    /// The sweep is at its end. The partial table stays where something is left to do, and so do tables of parts, which the whole
-    /// one else replaces.
+    /// Ends the sweep. If all variants are made, the partial table and tables of parts are removed.
     pub(super) fn finish(self, all: bool) -> Result<(), LibraryFault> {
-        let partial = self.partial.into_inner().map_err(|_| ended_early())?;
+        let partial = self.partial.into_inner().map_err(|_| fault_of_panic())?;
         if all {
             self.tables.remove_parts()?;
         }
@@ -171,36 +171,36 @@ impl<'t> MadeFiles<'t> {
     }
 }
 
-/// What tables of other runs have.
-fn known_by(tables: &Tables<'_>) -> Result<KnownFiles, LibraryFault> {
-    let mut known = KnownFiles::default();
-    tables.others().try_for_each(|table| known.add(table, |_, _| Ok(())))?;
-    Ok(known)
+fn read_tables_of_others(tables: &SweepTables<'_>) -> Result<FileDigests, LibraryFault> {
+    let mut files_of_run = FileDigests::default();
+    tables.tables_of_others().try_for_each(|table| files_of_run.add(table, |_, _| Ok(())))?;
+    Ok(files_of_run)
 }
 
 fn add_lines(partial: &mut PartialFile, lines: &[u8]) -> Result<(), LibraryFault> {
     let mut whole = Vec::new();
     if partial.is_empty() {
-        whole = line(&COLUMNS.map(str::to_owned))?;
+        whole = csv_line(&FILE_COLUMNS.map(str::to_owned))?;
     }
     whole.extend_from_slice(lines);
     partial.add_lines(&whole)
 }
 
-fn ended_early() -> LibraryFault {
+fn fault_of_panic() -> LibraryFault {
     LibraryFault::new("a thread ended early")
 }
 
 // Names and digests of files, as tables of sweeps have them.
 
-/// Columns of every table, and all of a partial one.
-const COLUMNS: [&str; 2] = ["file", "sha256"];
+/// Columns of every table; a partial table has no others.
+const FILE_COLUMNS: [&str; 2] = ["file", "sha256"];
 
+/// Names and digests of files that sweeps wrote.
 #[derive(Debug, Default)]
-struct KnownFiles(HashSet<NameDigest>);
+struct FileDigests(HashSet<NameDigest>);
 
-impl KnownFiles {
-    /// Adds what `table` and its partial table have; `only_in_table` is called for what is in the table alone.
+impl FileDigests {
+    /// Adds the files of `table` and its partial table; `only_in_table` is called for those that the partial table does not have.
     ///
     /// # Errors
     /// One of them is not the table of a sweep.
@@ -209,43 +209,42 @@ impl KnownFiles {
         table: &Path,
         mut only_in_table: impl FnMut(&str, &str) -> Result<(), LibraryFault>,
     ) -> Result<(), LibraryFault> {
-        each_line(&PartialFile::path_for(table), true, |file, sha256| {
-            self.0.insert(key(file, sha256));
+        for_each_line(&PartialFile::path_for(table), true, |file, sha256| {
+            self.0.insert(digest_of_file(file, sha256));
             Ok(())
         })?;
-        each_line(table, false, |file, sha256| match self.0.insert(key(file, sha256)) {
+        for_each_line(table, false, |file, sha256| match self.0.insert(digest_of_file(file, sha256)) {
             true => only_in_table(file, sha256),
             false => Ok(()),
         })
     }
 
-    /// Whether a sweep made `file` with this digest.
-    pub(super) fn has(&self, file: &str, sha256: &str) -> bool {
-        self.0.contains(&key(file, sha256))
+    pub(super) fn contains(&self, file: &str, sha256: &str) -> bool {
+        self.0.contains(&digest_of_file(file, sha256))
     }
 }
 
-/// Whether `table` and its partial table, if they are there, are those of a sweep.
-fn is_of_sweep(table: &Path) -> bool {
-    KnownFiles::default().add(table, |_, _| Ok(())).is_ok()
+/// Whether `table` and its partial table, if they exist, are tables of a sweep.
+fn is_sweep_table(table: &Path) -> bool {
+    FileDigests::default().add(table, |_, _| Ok(())).is_ok()
 }
 
-/// Equal for the same file with the same bytes.
-fn key(file: &str, sha256: &str) -> NameDigest {
-    // No name holds a slash.
+/// A digest of a file's name and the digest of its bytes.
+fn digest_of_file(file: &str, sha256: &str) -> NameDigest {
+    // No name has a slash.
     digest::digest_of_name(format!("{sha256}/{file}").as_ref())
 }
 
-/// Calls `each` with file and digest of every line; never if there is no such table.
-fn each_line(
+/// Calls `each` with file and digest of every line of a table, if it exists.
+fn for_each_line(
     path: &Path,
-    may_be_cut: bool,
+    may_end_in_a_line: bool,
     each: impl FnMut(&str, &str) -> Result<(), LibraryFault>,
 ) -> Result<(), LibraryFault> {
     if !path.exists() {
         return Ok(());
     }
-    read_lines(path, may_be_cut, each).map_err(|fault| {
+    read_lines(path, may_end_in_a_line, each).map_err(|fault| {
         let mut message = phrase![format!("cannot go on with {}: ", path.display())];
         message.push(fault.phrase());
         message.push("; leave out ");
@@ -260,22 +259,22 @@ fn each_line(
 
 fn read_lines(
     path: &Path,
-    may_be_cut: bool,
+    may_end_in_a_line: bool,
     mut each: impl FnMut(&str, &str) -> Result<(), LibraryFault>,
 ) -> Result<(), LibraryFault> {
     let (mut file, length) = file_access::open_to_read(path).map_err(fault_of_error)?;
     let end = end_of_lines(&mut file, length).map_err(fault_of_error)?;
-    if end < length && !may_be_cut {
+    if end < length && !may_end_in_a_line {
         return Err(LibraryFault::new("its last line is cut off, so this tool did not leave it like that"));
     }
     file.seek(SeekFrom::Start(0)).map_err(fault_of_error)?;
     let mut lines = BufReader::new(file).take(end);
     let mut first = Vec::new();
-    if lines.read_until(b'\n', &mut first).map_err(fault_of_error)? == 0 && may_be_cut {
-        // Killed before its first line was whole.
+    if lines.read_until(b'\n', &mut first).map_err(fault_of_error)? == 0 && may_end_in_a_line {
+        // The run was killed before it had written its first line.
         return Ok(());
     }
-    let (name, digest) = columns(&first)?;
+    let (name, digest) = file_and_digest_columns(&first)?;
     let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(lines);
     let mut row = csv::StringRecord::new();
     while reader.read_record(&mut row).map_err(fault_of_error)? {
@@ -285,16 +284,17 @@ fn read_lines(
     Ok(())
 }
 
-/// Where file and digest are in the rows below `first`.
+/// The indices of the columns of file and digest in a table whose header is `first`.
 ///
 /// # Errors
-/// It is not, byte for byte, the first line of a table of ours: another program saved it, perhaps with columns of the user's, which the
-/// new table would not have.
-fn columns(first: &[u8]) -> Result<(usize, usize), LibraryFault> {
+/// The header is not, byte for byte, one that this program writes: another program saved the table, perhaps with columns that the new
+/// table would lose.
+fn file_and_digest_columns(first: &[u8]) -> Result<(usize, usize), LibraryFault> {
     let header = csv::Reader::from_reader(first).headers().map_err(fault_of_error)?.clone();
     let columns: Vec<String> = header.iter().map(str::to_owned).collect();
-    let is_ours = (columns == COLUMNS || SweepPlan::is_table_header(&columns)) && line(&columns)? == first;
-    let [name, digest] = COLUMNS.map(|column| columns.iter().position(|cell| cell == column));
+    let is_ours =
+        (columns == FILE_COLUMNS || SweepPlan::is_table_header(&columns)) && csv_line(&columns)? == first;
+    let [name, digest] = FILE_COLUMNS.map(|column| columns.iter().position(|cell| cell == column));
     match (name, digest) {
         (Some(name), Some(digest)) if is_ours => Ok((name, digest)),
         _ => Err(LibraryFault::new(
@@ -304,7 +304,7 @@ fn columns(first: &[u8]) -> Result<(usize, usize), LibraryFault> {
 }
 
 /// The cells as one line of CSV; no cell is a formula.
-pub(super) fn line(cells: &[String]) -> Result<Vec<u8>, LibraryFault> {
+pub(super) fn csv_line(cells: &[String]) -> Result<Vec<u8>, LibraryFault> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(cells.iter().map(|text| cell(text).into_owned())).map_err(fault_of_error)?;
     writer.into_inner().map_err(fault_of_error)

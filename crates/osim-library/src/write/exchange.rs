@@ -1,10 +1,9 @@
-//! Two files that exchange their names in one step, so that at no moment a name is without a file, and what was replaced is
-//! still there to be looked at.
+//! Exchanges the names of two files in one step, so that a name is never without a file, and the replaced file can still be read.
 //!
 //! A successor and a model exchange under the name `NAME.replaced-HOST-PROCESS-XXXXXX-DIGEST`, beside the model.
-//! From the exchange on it is the name of what the model was, and that may be another program's work. So it is not a temporary
-//! name: whenever the process is killed, the file stays, and no run removes it before it has read it. `DIGEST` is that of the
-//! successor. What has it was made here; what is in a backup too is not needed; anything else becomes a further backup.
+//! After the exchange, the file of this name is the old model, which may be another program's work. So it is not a temporary file: if
+//! the process is killed, the file stays until a later run reads it. `DIGEST` is that of the successor: a file with this digest was
+//! made by this program and is removed. A file that is equal to a backup is removed, too; any other becomes a further backup.
 
 use std::ffi::{OsStr, OsString};
 use std::fs::Metadata;
@@ -25,12 +24,12 @@ use crate::write::temporary;
 )]
 pub(super) enum Exchange {
     Done,
-    /// This system, or this file system, cannot do it.
+    /// This system, or this file system, cannot exchange files.
     NotPossible,
     Failed(std::io::Error),
 }
 
-/// Whether this system can do it on some of its file systems.
+/// Whether this system can exchange files on some of its file systems.
 pub(super) const EXCHANGE_IS_KNOWN: bool = cfg!(any(target_os = "linux", target_vendor = "apple"));
 
 /// Exchanges two files of one folder: `renameat2` with `RENAME_EXCHANGE` on Linux, `renameatx_np` with `RENAME_SWAP` on macOS.
@@ -55,17 +54,18 @@ pub(super) fn exchange(_one: &Path, _other: &Path) -> Exchange {
 const INFIX: &str = ".replaced-";
 
 /// Most file systems do not allow longer names.
-const LONGEST: usize = 255;
+const LONGEST_NAME: usize = 255;
 
-/// Gives a complete successor of `target` its name for the exchange. From here on nothing removes it by itself.
-pub(super) fn renamed(
+/// Renames a complete successor of `target` for the exchange. From now on it is not removed automatically.
+pub(super) fn rename_for_exchange(
     successor: NamedTempFile,
     target: &Path,
     after: &[&[u8]],
 ) -> std::io::Result<NamedTempFile> {
-    let whose = temporary::whose(successor.path().file_name().unwrap_or_default()).unwrap_or_default();
-    let end = format!("{INFIX}{whose}-{}", digest(after));
-    let mut name = beginning(target.file_name().unwrap_or_default(), LONGEST.saturating_sub(end.len()));
+    let owner =
+        temporary::host_and_process(successor.path().file_name().unwrap_or_default()).unwrap_or_default();
+    let end = format!("{INFIX}{owner}-{}", short_digest(after));
+    let mut name = shortened(target.file_name().unwrap_or_default(), LONGEST_NAME.saturating_sub(end.len()));
     name.push(end);
     let name = target.with_file_name(name);
     if name.symlink_metadata().is_ok() {
@@ -78,8 +78,8 @@ pub(super) fn renamed(
     Ok(NamedTempFile::from_parts(file, path))
 }
 
-/// A name, or as much of it as there is room for.
-fn beginning(name: &OsStr, most: usize) -> OsString {
+/// The first `most` bytes of a name.
+fn shortened(name: &OsStr, most: usize) -> OsString {
     if name.len() <= most {
         return name.to_owned();
     }
@@ -93,55 +93,55 @@ fn beginning(name: &OsStr, most: usize) -> OsString {
     short.into()
 }
 
-/// The first 16 of the digits.
-fn digest(parts: &[&[u8]]) -> String {
+/// The first 16 digits of the SHA-256 of the parts.
+fn short_digest(parts: &[&[u8]]) -> String {
     sha256_of_parts(parts.iter().copied()).chars().take(16).collect()
 }
 
-/// The name of the model, whose file it is, and the digest of the successor.
-fn parts(name: &OsStr) -> Option<(&str, &str, &str)> {
+/// Splits a name of an exchange into the name of the model, host and process, and the digest of the successor.
+fn parts_of_name(name: &OsStr) -> Option<(&str, &str, &str)> {
     let (model, rest) = name.to_str()?.rsplit_once(INFIX)?;
-    let (whose, digest) = rest.rsplit_once('-')?;
-    Some((model, whose, digest))
+    let (owner, digest) = rest.rsplit_once('-')?;
+    Some((model, owner, digest))
 }
 
 /// Whether `name` is that of a file left by a process of this computer that is gone.
 pub(crate) fn is_left_over(folder: &Path, name: &OsStr) -> bool {
-    parts(name).is_some_and(|(_, whose, _)| temporary::is_gone(whose, &folder.join(name)))
+    parts_of_name(name).is_some_and(|(_, owner, _)| temporary::has_dead_owner(owner, &folder.join(name)))
 }
 
-/// What a killed process left under such a name goes where a backup has the same, or where it was made here. Else it becomes a
-/// further backup of its model: which.
-pub(crate) fn settle(left: &Path) -> Option<PathBuf> {
-    let (model, _, of_successor) = parts(left.file_name()?)?;
-    let bytes = file_access::read_ordinary(left).ok()?;
-    let model = left.with_file_name(model);
-    if digest(&[&bytes]) == of_successor {
-        // A user who may not remove it may not write here either, and gets that error.
-        drop(std::fs::remove_file(left));
+/// Removes or keeps a file that a killed process left after an exchange; returns the further backup that it becomes, if it is
+/// kept.
+pub(crate) fn settle_leftover(leftover: &Path) -> Option<PathBuf> {
+    let (model, _, successor_digest) = parts_of_name(leftover.file_name()?)?;
+    let bytes = file_access::read_ordinary(leftover).ok()?;
+    let model = leftover.with_file_name(model);
+    if short_digest(&[&bytes]) == successor_digest {
+        // If the file may not be removed, the folder may not be written, and the user gets that error later.
+        drop(std::fs::remove_file(leftover));
         return None;
     }
     let mut backups = backup_names(&model).take_while(|backup| backup.symlink_metadata().is_ok());
-    if let Some(same) = backups.find(|backup| is(backup, &[&bytes])) {
-        become_backup(left, &same);
+    if let Some(same) = backups.find(|backup| has_bytes(backup, &[&bytes])) {
+        become_backup(leftover, &same);
         return None;
     }
-    let mut left = TempPath::try_from_path(left).ok()?;
-    left.disable_cleanup(true);
-    kept(left, &model)
+    let mut leftover = TempPath::try_from_path(leftover).ok()?;
+    leftover.disable_cleanup(true);
+    keep_as_backup(leftover, &model)
 }
 
-/// A file becomes the backup that has the same bytes: what a program that has it open still writes into it is there, too. A file with
-/// other names goes: who changes it under these would change the backup.
+/// Moves a file over the backup that has the same bytes, so that bytes which another program still writes into it are kept. A file
+/// with hard links is removed instead: who changes it under another name would change the backup.
 pub(super) fn become_backup(file: &Path, backup: &Path) {
-    let linked = std::fs::metadata(file).is_ok_and(|metadata| names_of(&metadata) > 1);
+    let linked = std::fs::metadata(file).is_ok_and(|metadata| link_count(&metadata) > 1);
     if linked || std::fs::rename(file, backup).is_err() {
         drop(std::fs::remove_file(file));
     }
 }
 
-/// Gives a file that is somebody's work the name of a further backup of `target`; `None` if that is not possible.
-pub(super) fn kept(mut file: TempPath, target: &Path) -> Option<PathBuf> {
+/// Renames a file of another program to a further backup of `target`; `None` if that is not possible.
+pub(super) fn keep_as_backup(mut file: TempPath, target: &Path) -> Option<PathBuf> {
     for name in backup_names(target) {
         match file.persist_noclobber(&name) {
             Ok(()) => return Some(name),
@@ -155,8 +155,8 @@ pub(super) fn kept(mut file: TempPath, target: &Path) -> Option<PathBuf> {
     None
 }
 
-/// Whether the file has these bytes, which may be in several places.
-pub(super) fn is(path: &Path, parts: &[&[u8]]) -> bool {
+/// Whether the file has exactly the bytes of `parts`, one after the other.
+pub(super) fn has_bytes(path: &Path, parts: &[&[u8]]) -> bool {
     let Ok(bytes) = file_access::read_ordinary(path) else { return false };
     let mut rest = bytes.as_slice();
     parts.iter().all(|part| {
@@ -166,14 +166,14 @@ pub(super) fn is(path: &Path, parts: &[&[u8]]) -> bool {
     }) && rest.is_empty()
 }
 
-/// How many names a file has.
+/// The number of names (hard links) of a file.
 #[cfg(unix)]
-pub(super) fn names_of(metadata: &Metadata) -> u64 {
+pub(super) fn link_count(metadata: &Metadata) -> u64 {
     std::os::unix::fs::MetadataExt::nlink(metadata)
 }
 
-/// Not known without opening it.
+/// The number of names of a file: taken for 1, because it is not known without opening the file.
 #[cfg(not(unix))]
-pub(super) fn names_of(_metadata: &Metadata) -> u64 {
+pub(super) fn link_count(_metadata: &Metadata) -> u64 {
     1
 }

@@ -7,6 +7,6 @@ mod in_place;
 mod replace;
 pub(crate) mod temporary;
 
-pub(crate) use in_place::{InPlace, Successor, other_names};
+pub(crate) use in_place::{ExchangedModel, Successor, hard_link_finding};
 pub(crate) use replace::backup;
 pub use replace::{PendingFile, WriteMode};

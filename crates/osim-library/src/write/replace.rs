@@ -1,4 +1,4 @@
-//! The successor of a file: it is complete under a temporary name in the target's folder before it takes the target's name.
+//! Replaces a file safely: the new one is complete under a temporary name in the target's folder before it gets the target's name.
 
 use std::fs::{File, Metadata};
 use std::io::{ErrorKind, IoSlice, Write};
@@ -12,13 +12,13 @@ use crate::fault::{Context, LibraryFault};
 use crate::file_access;
 use crate::paths::{folder_of, resolved};
 
-/// A complete successor that does not have its name yet.
+/// A new file under its temporary name.
 #[derive(Debug)]
 pub struct PendingFile {
     temporary: NamedTempFile,
-    /// As the user knows it.
+    /// The target as the user named it.
     shown: PathBuf,
-    /// Where it really is.
+    /// The target itself, if `shown` is a link.
     target: PathBuf,
     replaces: bool,
 }
@@ -28,13 +28,13 @@ pub struct PendingFile {
 pub enum WriteMode {
     /// Refuse to replace anything.
     New,
-    /// Replace what is there, with its owner and group where the system lets us.
+    /// Replace an existing file, and keep its owner and group if the system allows it.
     Replace,
-    /// The successor of the file itself, with its owner and group, or nothing.
+    /// Replace an existing file that is changed in place, and keep its owner and group; refuse if that is not possible.
     InPlace,
 }
 
-/// Bytes are added as they come; [`commit`](PendingFile::commit) is called when they are all there.
+/// Adds bytes; [`commit`](PendingFile::commit) completes the file.
 impl Write for PendingFile {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         self.temporary.write(bytes)
@@ -46,8 +46,8 @@ impl Write for PendingFile {
 }
 
 impl PendingFile {
-    /// Writes `bytes` under a temporary name beside `target`. Mode bits are those of the file that is replaced, else
-    /// those of `like`.
+    /// Writes `bytes` under a temporary name beside `target`. The permissions are those of the file that is replaced, else those of
+    /// `like`.
     ///
     /// # Errors
     /// The target exists and may not be replaced, or the folder cannot be written.
@@ -57,11 +57,11 @@ impl PendingFile {
         like: Option<&Metadata>,
         mode: WriteMode,
     ) -> Result<Self, LibraryFault> {
-        Self::of_parts(target, std::iter::once(bytes), like, mode)
+        Self::with_parts(target, std::iter::once(bytes), like, mode)
     }
 
-    /// Prepares a file whose bytes are in several places.
-    pub(crate) fn of_parts<'p>(
+    /// Like [`new`](Self::new), with bytes in several parts.
+    pub(crate) fn with_parts<'p>(
         target: &Path,
         parts: impl Iterator<Item = &'p [u8]>,
         like: Option<&Metadata>,
@@ -73,9 +73,9 @@ impl PendingFile {
         Ok(prepared)
     }
 
-    /// An empty successor of `target`, for [`add`](Self::add).
+    /// An empty successor of `target`, for [`add`](Self::add_bytes).
     pub fn begin(target: &Path, like: Option<&Metadata>, mode: WriteMode) -> Result<Self, LibraryFault> {
-        let (target, shown) = (real(target)?, target.to_owned());
+        let (target, shown) = (real_target(target)?, target.to_owned());
         let existing = std::fs::metadata(&target).ok();
         if existing.as_ref().is_some_and(Metadata::is_dir) {
             let message = format!("cannot write {}: a folder has that name", shown.display());
@@ -95,14 +95,14 @@ impl PendingFile {
         }
         let cannot = || format!("cannot write into {}", folder_of(&shown).display());
         let like = existing.as_ref().or(like);
-        let temporary = temporary::file(folder_of(&target), like)
+        let temporary = temporary::new_file(folder_of(&target), like)
             .map_err(|error| file_access::reason(&error))
             .context(cannot)?;
         if let Some(existing) = &existing
             && !keep_owner(&temporary, existing).context(cannot)?
             && mode == WriteMode::InPlace
         {
-            return Err(foreign(&shown));
+            return Err(fault_of_other_owner(&shown));
         }
         #[cfg(target_os = "linux")]
         if existing.is_some() {
@@ -116,7 +116,7 @@ impl PendingFile {
     ///
     /// # Errors
     /// The disk is full, or the folder is no longer there.
-    pub fn add(&mut self, bytes: &[u8]) -> Result<(), LibraryFault> {
+    pub fn add_bytes(&mut self, bytes: &[u8]) -> Result<(), LibraryFault> {
         let written = self.temporary.write_all(bytes);
         written.context(|| self.cannot_write())
     }
@@ -130,20 +130,20 @@ impl PendingFile {
         format!("cannot write {}", self.shown.display())
     }
 
-    /// Whether a file is there whose contents are about to go.
+    /// Whether it replaces an existing file.
     pub fn replaces(&self) -> bool {
         self.replaces
     }
 
-    /// Makes sure the bytes are on the disk, not only on their way there.
+    /// Waits until the bytes are on the disk.
     pub fn sync(&self) -> Result<(), LibraryFault> {
         self.temporary.as_file().sync_all().context(|| self.cannot_write())
     }
 
-    /// Gives the successor its name, in one step.
+    /// Gives the file its name, in one step.
     ///
     /// # Errors
-    /// Somebody else made a file of that name in the meantime, or the folder cannot be changed.
+    /// Another program made a file of that name in the meantime, or the folder cannot be changed.
     pub fn commit(self) -> Result<(), LibraryFault> {
         let durable = self.replaces;
         let (target, shown) = (self.target, self.shown.display());
@@ -168,8 +168,8 @@ impl PendingFile {
     }
 }
 
-/// The file that takes the bytes. A symlink stays one: what it leads to is replaced.
-fn real(target: &Path) -> Result<PathBuf, LibraryFault> {
+/// The file that is replaced: if `target` is a symlink, the file that it leads to.
+fn real_target(target: &Path) -> Result<PathBuf, LibraryFault> {
     if !target.is_symlink() {
         return Ok(target.to_owned());
     }
@@ -181,7 +181,7 @@ fn real(target: &Path) -> Result<PathBuf, LibraryFault> {
     Ok(resolved(target))
 }
 
-/// Many slices with few calls; a full disk takes only some of the bytes, which is found by asking again.
+/// Writes many slices with few calls, also if the system takes only a part of the bytes at once.
 fn write_all(file: &mut File, slices: &mut [IoSlice<'_>]) -> std::io::Result<()> {
     let mut left = slices;
     while !left.is_empty() {
@@ -195,8 +195,8 @@ fn write_all(file: &mut File, slices: &mut [IoSlice<'_>]) -> std::io::Result<()>
     Ok(())
 }
 
-/// A file that would belong to somebody else afterwards.
-fn foreign(shown: &Path) -> LibraryFault {
+/// The fault of a file whose owner cannot be kept.
+fn fault_of_other_owner(shown: &Path) -> LibraryFault {
     LibraryFault::new(phrase![
         format!(
             "{} belongs to another user or group, and changed it would be yours: let its owner change it, or write to \
@@ -207,7 +207,7 @@ fn foreign(shown: &Path) -> LibraryFault {
     ])
 }
 
-/// Owner and group of the file that is replaced; whether that was possible.
+/// Gives a new file the owner and group of the replaced one. Returns whether that was possible.
 #[cfg(unix)]
 fn keep_owner(file: &NamedTempFile, like: &Metadata) -> std::io::Result<bool> {
     use std::os::unix::fs::{MetadataExt, fchown};
@@ -218,7 +218,7 @@ fn keep_owner(file: &NamedTempFile, like: &Metadata) -> std::io::Result<bool> {
     if fchown(file, Some(like.uid()), Some(like.gid())).is_ok() {
         return Ok(true);
     }
-    // Files of a group that one belongs to keep it at least.
+    // At least the group is kept, if the user belongs to it.
     drop(fchown(file, None, Some(like.gid())));
     Ok(false)
 }
@@ -228,8 +228,8 @@ fn keep_owner(_file: &NamedTempFile, _like: &Metadata) -> std::io::Result<bool> 
     Ok(true)
 }
 
-/// The mode bits of the file that is replaced or copied, exactly: a process's mask takes nothing from them. A file that is replaced
-/// keeps set-user-ID and set-group-ID, too, where that user or group is still its own.
+/// Gives a new file the permissions of the replaced or copied one, regardless of the process's mask. Set-user-ID and set-group-ID of a
+/// replaced file are kept if the user or group is still the same.
 #[cfg(unix)]
 fn keep_permissions(file: &NamedTempFile, like: Option<&Metadata>, replaces: bool) -> std::io::Result<()> {
     use std::os::unix::fs::{MetadataExt, PermissionsExt};
@@ -252,8 +252,8 @@ fn keep_permissions(_file: &NamedTempFile, _like: Option<&Metadata>, _replaces: 
     Ok(())
 }
 
-/// A backup of `path` as it is: `NAME.bak`. An older backup is never replaced, the next is `NAME.bak2`; one that holds
-/// these bytes already, left by a run that was stopped, is as good as a new one.
+/// Prepares a backup of `path`: `NAME.bak`, or `NAME.bak2` and so on if there are older backups. If a run that was stopped left a
+/// backup with the same bytes, that one is used.
 pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<PendingFile>, PathBuf), LibraryFault> {
     let path = resolved(path);
     let metadata = std::fs::metadata(&path).ok();
@@ -280,7 +280,7 @@ pub(super) fn backup_names(path: &Path) -> impl Iterator<Item = PathBuf> {
 
 /// After a rename, the folder's entry itself has to reach the disk.
 pub(super) fn sync_folder_of(path: &Path) {
-    // Windows cannot open folders; the rename is durable there by itself. A failure loses nothing but speed of certainty.
+    // Windows cannot open folders, and needs no synchronisation after a rename. A failure is harmless.
     if let Ok(folder) = file_access::open_folder(folder_of(path)) {
         let _ = folder.sync_all();
     }

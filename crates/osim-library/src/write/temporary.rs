@@ -1,4 +1,4 @@
-//! Names of files that are being written, and what is left of them when a process is killed.
+//! Temporary names of files that are being written, and how leftovers of killed processes are recognised.
 //!
 //! `.osim-contact-scale-HOST-PROCESS-XXXXXX.tmp`: a later run on the same computer knows whose file it is. If that
 //! process is gone, nobody will ever finish the file, and it is removed. No other program's work ever has such a name: files that
@@ -21,37 +21,37 @@ const SUFFIX: &str = ".tmp";
 
 /// A new file in `folder` that only this process writes, with the mode bits of `like`.
 ///
-/// It is locked as long as it is open, so that under this name it counts as alive also where processes of several containers share a
-/// folder and a host name, and cannot see each other.
-pub(crate) fn file(folder: &Path, like: Option<&Metadata>) -> std::io::Result<NamedTempFile> {
-    let prefix = format!("{PREFIX}{}-{}-", host(), std::process::id());
+/// The file is locked while it is open, so that other processes see that it is in use, even if they run in another container with the
+/// same host name and cannot see this process.
+pub(crate) fn new_file(folder: &Path, like: Option<&Metadata>) -> std::io::Result<NamedTempFile> {
+    let prefix = format!("{PREFIX}{}-{}-", host_in_names(), std::process::id());
     let mut builder = tempfile::Builder::new();
     builder.prefix(&prefix).suffix(SUFFIX);
-    let temporary = made(&mut builder, folder, like)?;
-    // Some network file systems know no locks: the process in the name has to do there.
+    let temporary = create_in(&mut builder, folder, like)?;
+    // Some network file systems have no locks: there, only the process in the name shows whether the file is in use.
     drop(temporary.as_file().try_lock());
     Ok(temporary)
 }
 
 /// Whether `name` is that of a file left by a process of this computer that is gone.
 pub(crate) fn is_left_over(folder: &Path, name: &OsStr) -> bool {
-    whose(name).is_some_and(|whose| is_gone(whose, &folder.join(name)))
+    host_and_process(name).is_some_and(|owner| has_dead_owner(owner, &folder.join(name)))
 }
 
 /// `HOST-PROCESS-XXXXXX` of the name of a temporary file.
-pub(super) fn whose(name: &OsStr) -> Option<&str> {
+pub(super) fn host_and_process(name: &OsStr) -> Option<&str> {
     name.to_str()?.strip_prefix(PREFIX)?.strip_suffix(SUFFIX)
 }
 
 /// Whether `path` is that of a process of this computer that is gone.
-pub(super) fn is_gone(whose: &str, path: &Path) -> bool {
-    let Some(process) = process_of(whose) else { return false };
-    process != std::process::id() && !is_alive(process) && nobody_has_open(path)
+pub(super) fn has_dead_owner(owner: &str, path: &Path) -> bool {
+    let Some(process) = process_of_owner(owner) else { return false };
+    process != std::process::id() && !is_alive(process) && is_open_nowhere(path)
 }
 
 /// The process of this computer in `HOST-PROCESS-XXXXXX`.
-fn process_of(whose: &str) -> Option<u32> {
-    let rest = whose.strip_prefix(host())?.strip_prefix('-')?;
+fn process_of_owner(owner: &str) -> Option<u32> {
+    let rest = owner.strip_prefix(host_in_names())?.strip_prefix('-')?;
     let (process, random) = rest.split_once('-')?;
     process.parse().ok().filter(|_| !random.is_empty() && !random.contains('-'))
 }
@@ -60,24 +60,24 @@ fn process_of(whose: &str) -> Option<u32> {
 fn is_alive(process: u32) -> bool {
     use rustix::{io::Errno, process};
     let process = i32::try_from(process).ok().and_then(process::Pid::from_raw);
-    // Somebody else's process may not be sent anything, but it is there.
+    // A process of another user cannot be signalled, but it exists.
     process.is_some_and(|process| process::test_kill_process(process) != Err(Errno::SRCH))
 }
 
 /// Whether the process is alive. Windows need not be asked: a process that is alive has the file open, which
-/// [`nobody_has_open`] finds.
+/// [`is_open_nowhere`] finds.
 #[cfg(windows)]
 fn is_alive(_process: u32) -> bool {
     false
 }
 
-/// Whether nobody has the file open. What is not an ordinary file was not made here: it stays.
-fn nobody_has_open(path: &Path) -> bool {
+/// Whether no process has the file open; `false` for anything else than an ordinary file.
+fn is_open_nowhere(path: &Path) -> bool {
     file_access::open_to_lock(path).is_ok_and(|file| file.try_lock().is_ok())
 }
 
-/// The computer's name, of letters that every file system takes.
-fn host() -> &'static str {
+/// The computer's name, with only those letters that every file system allows.
+fn host_in_names() -> &'static str {
     static HOST: OnceLock<String> = OnceLock::new();
     HOST.get_or_init(|| {
         let name = host_name();
@@ -97,16 +97,16 @@ fn host_name() -> String {
     gethostname::gethostname().to_string_lossy().into_owned()
 }
 
-fn made(
+fn create_in(
     builder: &mut tempfile::Builder<'_, '_>,
     folder: &Path,
     like: Option<&Metadata>,
 ) -> std::io::Result<NamedTempFile> {
-    builder.make_in(folder, |path| file_access::create_new(path, &mut options(like)))
+    builder.make_in(folder, |path| file_access::create_new(path, &mut open_options(like)))
 }
 
 #[cfg(unix)]
-fn options(like: Option<&Metadata>) -> OpenOptions {
+fn open_options(like: Option<&Metadata>) -> OpenOptions {
     use std::os::unix::fs::{OpenOptionsExt, PermissionsExt};
     let mut options = File::options();
     // Without a file to be like, what any new file gets; the process's mask still applies.
@@ -116,12 +116,12 @@ fn options(like: Option<&Metadata>) -> OpenOptions {
 
 /// Others may read, rename and remove the file while it is open, but not write it.
 #[cfg(windows)]
-fn options(_like: Option<&Metadata>) -> OpenOptions {
+fn open_options(_like: Option<&Metadata>) -> OpenOptions {
     use std::os::windows::fs::OpenOptionsExt;
     const FILE_SHARE_READ: u32 = 1;
     // Without it not even this process could give the file its final name.
     const FILE_SHARE_DELETE: u32 = 4;
-    let mut options = File::options();
+    let mut options = File::open_options();
     options.share_mode(FILE_SHARE_READ | FILE_SHARE_DELETE);
     options
 }
@@ -131,36 +131,36 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_name_tells_whose_file_it_is() {
+    fn a_name_has_the_host_and_process_of_its_file() {
         let folder = tempfile::tempdir().unwrap();
-        let file = file(folder.path(), None).unwrap();
+        let file = new_file(folder.path(), None).unwrap();
         let name = file.path().file_name().unwrap();
-        assert_eq!(process_of(whose(name).unwrap()), Some(std::process::id()));
+        assert_eq!(process_of_owner(host_and_process(name).unwrap()), Some(std::process::id()));
         assert!(!is_left_over(folder.path(), name));
-        assert!(!nobody_has_open(file.path()));
-        assert_eq!(process_of(&format!("not.{}-1-abcdef", host())), None);
-        assert_eq!(process_of(&format!("{}-x-abcdef", host())), None);
+        assert!(!is_open_nowhere(file.path()));
+        assert_eq!(process_of_owner(&format!("not.{}-1-abcdef", host_in_names())), None);
+        assert_eq!(process_of_owner(&format!("{}-x-abcdef", host_in_names())), None);
     }
 
     /// Before it is locked, too: another run may look at any moment.
     #[cfg(windows)]
     #[test]
-    fn a_file_is_its_writers_from_the_beginning_to_its_final_name() {
+    fn no_other_process_can_write_a_file_until_it_has_its_final_name() {
         let folder = tempfile::tempdir().unwrap();
         let mut builder = tempfile::Builder::new();
-        let file = made(builder.prefix(PREFIX).suffix(SUFFIX), folder.path(), None).unwrap();
+        let file = create_in(builder.prefix(PREFIX).suffix(SUFFIX), folder.path(), None).unwrap();
         let path = file.path().to_owned();
-        assert!(!nobody_has_open(&path));
+        assert!(!is_open_nowhere(&path));
         let target = folder.path().join("model.osim");
         std::fs::write(&target, "before").unwrap();
         let file = file.persist(&target).unwrap();
-        assert!(!path.exists() && !nobody_has_open(&target));
+        assert!(!path.exists() && !is_open_nowhere(&target));
         drop(file);
-        assert!(nobody_has_open(&target));
+        assert!(is_open_nowhere(&target));
     }
 
     #[test]
-    fn only_a_file_of_a_dead_process_that_nobody_has_open_is_left_over() {
+    fn only_a_closed_file_of_a_dead_process_is_left_over() {
         let folder = tempfile::tempdir().unwrap();
         let mut child = std::process::Command::new(std::env::current_exe().unwrap())
             .arg("--list")
@@ -169,7 +169,7 @@ mod tests {
             .unwrap();
         let dead = child.id();
         child.wait().unwrap();
-        let name = |process: u32| format!("{PREFIX}{}-{process}-abcdef{SUFFIX}", host());
+        let name = |process: u32| format!("{PREFIX}{}-{process}-abcdef{SUFFIX}", host_in_names());
         let of_dead = folder.path().join(name(dead));
         let held = File::create(&of_dead).unwrap();
         held.lock().unwrap();
