@@ -7,8 +7,8 @@ use osim_model::messages::Verb;
 use osim_planning::{BeforeAfter, Inspector, ModelFeet, open_with, prepare};
 use osim_requests::spell::CommandLine;
 use osim_view::html::{
-    About, Columns, DetailLevel, Entry, Examined, Files, InMemory as Texts, Inspected, Kept, NamedDigest,
-    Page, RunRow,
+    About, Columns, DeferredParts, DetailLevel, Entry, Files, InMemory as Texts, Inspected,
+    InspectedAndChecked, NamedDigest, Page, RunRow,
 };
 use serde_json::json;
 use sha2::{Digest, Sha256};
@@ -27,7 +27,7 @@ fn digests(opened: &OpenModel) -> Vec<NamedDigest> {
 /// The page about one model.
 fn page(verb: Verb, model: &str, columns: Columns, words: &str, entry: Entry) -> String {
     let about = About::new(verb, Some(model.to_owned()), columns, format!("osim-contact-scale {words}"));
-    let mut page = Page::new(about, Kept::<Texts>::default(), &CommandLine);
+    let mut page = Page::new(about, DeferredParts::<Texts>::default(), &CommandLine);
     page.add(entry);
     let mut bytes = Vec::new();
     page.finish(&mut bytes).unwrap();
@@ -51,11 +51,11 @@ fn of_an_inspection() {
         recording: None,
         options: inspector.options(),
         model: &opened,
-        examined: Examined { inspection: &inspected, check: &found },
+        examined: InspectedAndChecked { inspection: &inspected, check: &found },
         files: &digests(&opened),
         feet: Some(feet),
     };
-    let entry = osim_view::html::inspected(shown, DetailLevel::Alone, &CommandLine);
+    let entry = osim_view::html::entry_of_inspected_model(shown, DetailLevel::Alone, &CommandLine);
     let words = "inspect human.osim --report page.html";
     bench.run(words).done().wrote(&["page.html"]);
     assert_eq!(
@@ -91,12 +91,12 @@ fn same_page(bench: &Bench, verb: Verb, words: &str, json: &serde_json::Value) {
         result: format!("written: {}", names.join(", ")),
         outputs: outputs.collect(),
     };
-    let mut shows = osim_view::html::Changed::of_states(&changed.plan, &both, told);
+    let mut shows = osim_view::html::ChangedModelOnPage::of_states(&changed.plan, &both, told);
     if let Some(feet) = shows.feet.last_mut() {
         feet.add_bones(&changed.opened.model, path, None, &files);
     }
     shows.in_file = true;
-    let entry = osim_view::html::changed(&row, shows, DetailLevel::Alone, &CommandLine);
+    let entry = osim_view::html::entry_of_changed_model(&row, shows, DetailLevel::Alone, &CommandLine);
 
     let words = format!("{words} --report page.html");
     bench.run(&words).done();

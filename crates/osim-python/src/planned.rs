@@ -98,7 +98,7 @@ fn load(path: &Path, change: &PreparedChange, files: &RequestFiles) -> Result<Lo
             );
             return Err(Problem::general("RequestError", "usage", message));
         }
-        None => Loaded::read_beside(&Source::file(path), &change.set_files, files.memory())?,
+        None => Loaded::read_with_memory(&Source::file(path), &change.set_files, files.memory())?,
     })
 }
 
@@ -185,7 +185,7 @@ impl Planned {
     /// The page of a report about this change, as HTML; `call` is what was called, for those who want to do it again.
     fn page(&self, py: Python<'_>, verb: &str, call: String) -> PyResult<String> {
         guarded(py, || {
-            let detail = DetailLevel::of(1);
+            let detail = DetailLevel::for_models(1);
             let entry = self.model.show(&PythonWords, detail.has_feet(), |mut changed| {
                 let both = changed.before_after.take();
                 both.map(|both| entry_of_change(&changed, &both, detail, WORDS))

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use osim_library::report_page::{ReportPage, entry_of_change, entry_of_record};
 use osim_library::run::{
-    ChangedModel, JsonRecord, ModelDetail, Outcome, Record, RowReader, Rows, Run, RunFrontEnd, RunRequest,
-    Task,
+    ChangedModel, CheckedRows, JsonRecord, ModelDetail, Outcome, Record, RowReader, Run, RunFrontEnd,
+    RunRequest, Task,
 };
 use osim_library::{LibraryFault, SweepFrontEnd, SweepRun, folder_of};
 use osim_model::files::{Failure, Files};
@@ -117,8 +117,8 @@ pub(crate) fn rescale_many<'py>(
         // A table that cannot be read is a wrong call; no file was to be written yet.
         let wrong = |fault: LibraryFault| Problem::general("RequestError", "usage", fault.phrase());
         match RowReader::new(&request)?.read(&bytes, &name, &folder).map_err(wrong)? {
-            Rows::Run(rows) => run(rows, &request.run, call, &Watch::new(callback)),
-            Rows::Wrong(wrong) => Err(Problem::rows(&wrong)),
+            CheckedRows::Run(rows) => run(rows, &request.run, call, &Watch::new(callback)),
+            CheckedRows::Wrong(wrong) => Err(Problem::rows(&wrong)),
         }
     })?;
     lines(py, records, remarks)
@@ -141,7 +141,7 @@ pub(crate) fn run(
 ) -> Result<(Vec<JsonRecord>, Vec<String>), Problem> {
     let mut run = Run::new(request, options)?;
     run.read_previous()?;
-    let detail = DetailLevel::of(run.request().tasks.len() + run.request().failures.len());
+    let detail = DetailLevel::for_models(run.request().tasks.len() + run.request().failures.len());
     let mut page = ReportPage::begin_for_run(&run, options, call, WORDS)?;
     run.begin()?;
     let mut remarks = run.request().remarks.clone();

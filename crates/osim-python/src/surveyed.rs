@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use osim_library::report_page::ReportPage;
-use osim_library::{LibraryFault, Source, Sources, Survey, Surveyed};
+use osim_library::{LibraryFault, Source, Sources, Survey, SurveyedModel};
 use osim_model::messages::terminal_safe;
 use osim_planning::Inspector;
 use osim_requests::{Jobs, Request};
@@ -96,15 +96,15 @@ fn done(
     jobs: Option<Jobs>,
     call: String,
     watch: &Watch,
-) -> Result<(Vec<Surveyed>, Vec<String>, String), Problem> {
+) -> Result<(Vec<SurveyedModel>, Vec<String>, String), Problem> {
     let mut page = survey.begin_page(call)?;
     let unlisted = survey.sources.failures.iter().cloned().map(Box::new);
-    let mut rows: Vec<Surveyed> = unlisted.map(Surveyed::Failed).collect();
+    let mut rows: Vec<SurveyedModel> = unlisted.map(SurveyedModel::Failed).collect();
     let mut pieces = survey.text(Colour::Plain).without_full();
     let mut text = String::new();
-    let each = |name: &str, surveyed: Surveyed| -> Result<(), LibraryFault> {
+    let each = |name: &str, surveyed: SurveyedModel| -> Result<(), LibraryFault> {
         text.push_str(&pieces.add(name, &surveyed));
-        watch.one_more(matches!(surveyed, Surveyed::Failed(_)));
+        watch.one_more(matches!(surveyed, SurveyedModel::Failed(_)));
         rows.push(surveyed);
         Ok(())
     };
@@ -115,12 +115,12 @@ fn done(
     Ok((rows, survey.sources.remarks.clone(), terminal_safe(&text).into_owned()))
 }
 
-fn row(py: Python<'_>, surveyed: Surveyed) -> PyResult<Row<'_>> {
+fn row(py: Python<'_>, surveyed: SurveyedModel) -> PyResult<Row<'_>> {
     Ok(match surveyed {
-        Surveyed::Inspected(inspection, _) => (Some(dictionary(py, &*inspection)?), Vec::new(), None),
-        Surveyed::Checked(found) => (Some(dictionary(py, &*found)?), remedies(&found), None),
-        Surveyed::WithoutContacts => (None, Vec::new(), None),
-        Surveyed::Failed(failure) => {
+        SurveyedModel::Inspected(inspection, _) => (Some(dictionary(py, &*inspection)?), Vec::new(), None),
+        SurveyedModel::Checked(found) => (Some(dictionary(py, &*found)?), remedies(&found), None),
+        SurveyedModel::WithoutContacts => (None, Vec::new(), None),
+        SurveyedModel::Failed(failure) => {
             let record = dictionary(py, &FailureRecord::new(&failure, WORDS))?;
             let error = Problem::from(*failure).into_error(py);
             (Some(record), Vec::new(), Some(error.into_value(py).into_bound(py).into_any()))

@@ -12,8 +12,8 @@ use osim_planning::{BeforeAfter, BeforeAndAfterPlan, PreparedChange};
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::{CommandLine, FrontEnd};
 use osim_view::html::{
-    About, Columns, DetailLevel, Entry, Explained, Files, InMemory, Kept, NamedDigest, Page, RunRow, Section,
-    Sections,
+    About, Columns, DeferredParts, DetailLevel, Entry, Explained, Files, InMemory, NamedDigest, Page, RunRow,
+    Section, Sections,
 };
 use osim_view::report::json::PlanRecord;
 use osim_view::report::plan::unified_diff;
@@ -174,7 +174,7 @@ impl Planned {
                 let findings = wants("findings").then(|| FindingShown::all(&last.1));
                 // Digests are only for the record.
                 let files = if wants("files") { self.files() } else { Files::default() };
-                let changed = osim_view::html::Changed::of_states(&self.plan, &both, files);
+                let changed = osim_view::html::ChangedModelOnPage::of_states(&self.plan, &both, files);
                 let verdicts = wants("findings").then(|| VerdictShown::all(&last.1.verdicts));
                 (Sections::of_change(changed, wanted, self.words), findings, verdicts)
             }
@@ -237,9 +237,9 @@ impl Planned {
         row.contacts_mass_kg = plan.masses.as_ref().map(|masses| masses.contacts_mass.kg);
         row.target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
         row.changes = plan.changes.len() + plan.moves.len();
-        let mut shown = osim_view::html::Changed::of_states(plan, &both, self.files());
+        let mut shown = osim_view::html::ChangedModelOnPage::of_states(plan, &both, self.files());
         shown.in_file = !plan.is_empty();
-        Ok(osim_view::html::changed(&row, shown, DetailLevel::Alone, self.words))
+        Ok(osim_view::html::entry_of_changed_model(&row, shown, DetailLevel::Alone, self.words))
     }
 }
 
@@ -262,7 +262,7 @@ impl Report {
     pub(crate) fn of(verb: Verb, model: &Path, asked: String, entry: Entry) -> Result<Self, Problem> {
         let columns = if verb == Verb::Inspect { Columns::Inspections } else { Columns::Changes };
         let about = About::new(verb, Some(model.display().to_string()), columns, asked);
-        let mut page = Page::new(about, Kept::<InMemory>::default(), &CommandLine);
+        let mut page = Page::new(about, DeferredParts::<InMemory>::default(), &CommandLine);
         page.add(entry);
         let mut bytes = Vec::new();
         page.finish(&mut bytes).map_err(Problem::defect)?;

@@ -11,7 +11,9 @@ use osim_planning::{Inspector, ModelFeet, run_motion};
 use osim_requests::Request;
 use osim_requests::options::SetFiles;
 use osim_requests::spell::{FrontEnd, Page};
-use osim_view::html::{DetailLevel, Entry, Examined, Explained, Inspected, NamedDigest, Section, Sections};
+use osim_view::html::{
+    DetailLevel, Entry, Explained, InspectedAndChecked, InspectedModelOnPage, NamedDigest, Section, Sections,
+};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
@@ -166,7 +168,7 @@ pub(crate) fn look(
     let shown = Inspected {
         options: inspector.options(),
         model: &opened.model,
-        examined: Examined { inspection: &inspection, check: &found },
+        examined: InspectedAndChecked { inspection: &inspection, check: &found },
         files: &digests,
         feet,
         recording: None,
@@ -206,12 +208,12 @@ pub(crate) fn entry(
     let shown = Inspected {
         options: inspector.options(),
         model: &opened.model,
-        examined: Examined { inspection: &inspection, check: &found },
+        examined: InspectedAndChecked { inspection: &inspection, check: &found },
         files: &opened.digests(),
         feet: feet(inspector, opened, shelf),
         recording: None,
     };
-    Ok(osim_view::html::inspected(shown, DetailLevel::Alone, words))
+    Ok(osim_view::html::entry_of_inspected_model(shown, DetailLevel::Alone, words))
 }
 
 // A verdict with its question.

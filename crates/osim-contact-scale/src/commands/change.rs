@@ -5,7 +5,8 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 use osim_library::report_page::{ReportPage, Words, entry_of_change, entry_of_record};
 use osim_library::run::{
-    ChangedModel, Counts, ModelDetail, Outcome, RowReader, Rows, Run, RunFrontEnd, RunRequest, Task, Written,
+    ChangedModel, CheckedRows, Counts, ModelDetail, Outcome, RowReader, Run, RunFrontEnd, RunRequest, Task,
+    Written,
 };
 use osim_library::{Disk, folder_of};
 use osim_model::FileId;
@@ -148,7 +149,7 @@ fn do_tasks(
         words: session.words,
         options,
         format,
-        detail: DetailLevel::of(tasks + run.request().failures.len()),
+        detail: DetailLevel::for_models(tasks + run.request().failures.len()),
         progress: Progress::begin(tasks, options.quiet),
     };
     let mut untold = false;
@@ -385,8 +386,8 @@ pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result
     let from_stdin = manifest.as_os_str() == "-";
     let folder = if from_stdin { Path::new("") } else { folder_of(manifest) };
     match reader.read(&bytes, &shown, folder).map_err(|fault| session.refused(&fault))? {
-        Rows::Run(rows) => run(rows, &request.run, session),
-        Rows::Wrong(wrong) => report(&wrong, &shown, request.run.is_json(), session),
+        CheckedRows::Run(rows) => run(rows, &request.run, session),
+        CheckedRows::Wrong(wrong) => report(&wrong, &shown, request.run.is_json(), session),
     }
 }
 

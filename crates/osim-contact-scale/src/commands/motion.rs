@@ -74,10 +74,10 @@ impl<'o> Output<'o> {
         let set_files = request.set_files.paths();
         let read = [&request.subject, &request.motion, &request.plates, &request.loads];
         for path in read.into_iter().flatten().chain(set_files) {
-            conflicts.read(path);
+            conflicts.add_input(path);
         }
-        conflicts.write(table, "the ground reactions").map_err(|fault| session.refused(&fault))?;
-        conflicts.write(&loads, "their ExternalLoads").map_err(|fault| session.refused(&fault))?;
+        conflicts.add_output(table, "the ground reactions").map_err(|fault| session.refused(&fault))?;
+        conflicts.add_output(&loads, "their ExternalLoads").map_err(|fault| session.refused(&fault))?;
         Ok(Some(Self { table, loads }))
     }
 

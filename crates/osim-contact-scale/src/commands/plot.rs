@@ -59,7 +59,7 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
             session.terminal.print_beside(&mass_mismatch(&body.name, mismatch, session.words))?;
         }
     }
-    let remarks = figures::weights(&bodies, session.words);
+    let remarks = figures::weights_in_words(&bodies, session.words);
     output.write(&drawing, &bodies, &remarks, request, session)
 }
 
@@ -116,7 +116,7 @@ impl<'o> Output<'o> {
         let recording = [&request.motion, &request.plates, &request.loads].into_iter().flatten();
         let read = request.models.iter().chain(&request.presets).chain(&request.heat.table).chain(recording);
         for read in read {
-            conflicts.read(read.as_path());
+            conflicts.add_input(read.as_path());
         }
         let is_csv = |path: &Path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
         if let Some(data) = data {
@@ -127,7 +127,7 @@ impl<'o> Output<'o> {
                     data.display()
                 );
             }
-            conflicts.write(data, "the table of the figure").map_err(|fault| session.refused(&fault))?;
+            conflicts.add_output(data, "the table of the figure").map_err(|fault| session.refused(&fault))?;
         }
         if path.as_os_str() == "-" {
             return Ok(Self { path: None, picture: Picture::Svg, data });
@@ -146,7 +146,7 @@ impl<'o> Output<'o> {
                 path.display()
             ),
         };
-        conflicts.write(path, "the figure").map_err(|fault| session.refused(&fault))?;
+        conflicts.add_output(path, "the figure").map_err(|fault| session.refused(&fault))?;
         Ok(Self { path: Some(path), picture, data })
     }
 
@@ -162,7 +162,7 @@ impl<'o> Output<'o> {
         request: &PlotRequest,
         session: &mut Session,
     ) -> Result<Exit> {
-        let svg = match figures::svg(drawing, figures::paper(&request.looks), bodies) {
+        let svg = match figures::svg(drawing, figures::paper_of(&request.looks), bodies) {
             Ok(svg) => svg,
             Err(failure) => return session.fail(&failure, false),
         };

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use anyhow::Result;
-use osim_library::{Disk, Sources, Survey, Surveyed};
+use osim_library::{Disk, Sources, Survey, SurveyedModel};
 use osim_model::Severity;
 use osim_model::messages::{Call, Input, Verb};
 use osim_planning::Inspector;
@@ -99,29 +99,29 @@ fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Resu
     for remark in &survey.sources.remarks {
         session.terminal.remark(remark)?;
     }
-    let mut text = survey.text(Colour::Ansi);
-    let each = |name: &str, surveyed: Surveyed| -> Result<()> {
+    let mut text = survey.begin_text(Colour::Ansi);
+    let each = |name: &str, surveyed: SurveyedModel| -> Result<()> {
         let header = !shown.is_any;
         match &surveyed {
-            Surveyed::Inspected(inspected, _) => shown.has_contacts |= !inspected.forces.is_empty(),
-            Surveyed::Checked(found) => {
+            SurveyedModel::Inspected(inspected, _) => shown.has_contacts |= !inspected.forces.is_empty(),
+            SurveyedModel::Checked(found) => {
                 let worst = found.findings.iter().map(|finding| finding.severity).max();
                 shown.worst = shown.worst.max(worst);
             }
-            Surveyed::WithoutContacts => shown.without_contacts += 1,
-            Surveyed::Failed(failure) => shown.exit = shown.exit.and(session.fail(failure, json)?),
+            SurveyedModel::WithoutContacts => shown.without_contacts += 1,
+            SurveyedModel::Failed(failure) => shown.exit = shown.exit.and(session.fail(failure, json)?),
         }
-        shown.is_any |= matches!(surveyed, Surveyed::Inspected(..) | Surveyed::Checked(_));
+        shown.is_any |= matches!(surveyed, SurveyedModel::Inspected(..) | SurveyedModel::Checked(_));
         let terminal = &mut session.terminal;
         match (format, &surveyed) {
-            (SheetFormat::Json, Surveyed::Inspected(inspected, _)) => {
+            (SheetFormat::Json, SurveyedModel::Inspected(inspected, _)) => {
                 terminal.print_records(&line(inspected))?;
             }
-            (SheetFormat::Json, Surveyed::Checked(found)) => terminal.print_records(&line(found))?,
-            (SheetFormat::Csv, Surveyed::Inspected(inspected, _)) => {
+            (SheetFormat::Json, SurveyedModel::Checked(found)) => terminal.print_records(&line(found))?,
+            (SheetFormat::Csv, SurveyedModel::Inspected(inspected, _)) => {
                 terminal.print_records(&inspection::csv_rows(inspected, header)?)?;
             }
-            (SheetFormat::Csv, Surveyed::Checked(found)) => {
+            (SheetFormat::Csv, SurveyedModel::Checked(found)) => {
                 terminal.print_records(&check::csv_rows(found, header)?)?;
             }
             _ => terminal.print_painted(&text.add(name, &surveyed))?,

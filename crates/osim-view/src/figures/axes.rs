@@ -1,4 +1,4 @@
-//! Units, titles, lines where a law ends, and remarks beside a figure.
+//! Units, titles, limits and remarks of figures.
 
 use contact_plots::{Axis, Limit};
 use contact_scaling::limits;
@@ -6,23 +6,23 @@ use osim_inspect::series::{self, Body, ForceUnit, IndentationUnit, SphereKind, U
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, Phrase, counted, readable};
 
-/// Which units are wanted.
+/// The units of both axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Axes {
+pub enum AxisUnits {
     /// x/R, and force over the weight's share of one sphere.
     Dimensionless,
     /// mm and N.
     Real,
 }
 
-/// The units wanted, else those that compare well: x/R, and newtons for one contact, shares of the weight for several.
-pub fn units(bodies: &[Body], wanted: Option<Axes>) -> Units {
+/// The wanted units. The default is x/R, with newtons for one contact, and with shares of the weight for several.
+pub fn units_for(bodies: &[Body], wanted: Option<AxisUnits>) -> Units {
     let single = bodies_and_kinds(bodies).count() == 1;
     let indentation = match wanted {
-        Some(Axes::Real) => IndentationUnit::Millimetre,
+        Some(AxisUnits::Real) => IndentationUnit::Millimetre,
         _ => IndentationUnit::Relative,
     };
-    let shares = wanted.map_or(!single, |wanted| wanted == Axes::Dimensionless);
+    let shares = wanted.map_or(!single, |wanted| wanted == AxisUnits::Dimensionless);
     let force = if shares { ForceUnit::WeightShare } else { ForceUnit::Newton };
     Units { indentation, force }
 }
@@ -41,8 +41,8 @@ pub(super) fn force_axis(units: Units) -> Axis {
     })
 }
 
-/// The title wanted, else what the figure shows of whom.
-pub(super) fn title(what: &str, bodies: &[Body], wanted: Option<&str>) -> String {
+/// The wanted title, else one that says what the figure shows.
+pub(super) fn title_for(what: &str, bodies: &[Body], wanted: Option<&str>) -> String {
     match (wanted, bodies) {
         (Some(title), _) => title.to_owned(),
         (None, [one]) => format!("{what}: {}", one.name),
@@ -50,34 +50,32 @@ pub(super) fn title(what: &str, bodies: &[Body], wanted: Option<&str>) -> String
     }
 }
 
-/// A figure of these bodies that cannot be drawn.
-pub(super) fn failure(bodies: &[Body], why: impl Into<Phrase>) -> Failure {
+/// The failure that a figure of these bodies cannot be drawn.
+pub(super) fn plot_failure(bodies: &[Body], why: impl Into<Phrase>) -> Failure {
     let names: Vec<&str> = bodies.iter().map(|body| body.name.as_str()).collect();
     Failure::outside(names.join(", "), "plot", why)
 }
 
-// Lines where a law ends, and where contact begins.
-
-/// The limit of the Hertz law, where the axis can show it for all bodies.
+/// The limit of the Hertz law as a line, if it is the same for all bodies on this axis.
 pub(super) fn hertz_limit(units: Units) -> Vec<Limit> {
     match units.indentation {
         IndentationUnit::Relative => {
             let at = limits::INDENTATION.value;
             vec![Limit::vertical(format!("x̂ = {at}"), at)]
         }
-        // It is another length for each radius.
+        // In millimetres, each radius has another limit.
         IndentationUnit::Millimetre => vec![],
     }
 }
 
-/// Where the contact state is t and 1 − t (C.6).
-pub(super) fn thresholds(kind: &SphereKind, units: Units) -> Vec<Limit> {
+/// Lines where the contact state is t and 1 − t (C.6).
+pub(super) fn threshold_limits(kind: &SphereKind, units: Units) -> Vec<Limit> {
     let limit = |(state, at): (f64, f64)| Limit::vertical(format!("state {state}"), at);
     series::thresholds(kind, units).into_iter().map(limit).collect()
 }
 
-/// What each body is taken to weigh and to stand on, one line each; or why it is not known, if it is not needed.
-pub fn weights(bodies: &[Body], dialect: &dyn Dialect) -> String {
+/// One line for each body: its mass, spheres and gravity, or why they are not known.
+pub fn weights_in_words(bodies: &[Body], dialect: &dyn Dialect) -> String {
     let line = |body: &Body| match &body.weight {
         Ok(weight) => format!(
             "{}: {} kg on {}, {} m/s2\n",

@@ -1,4 +1,4 @@
-//! Curves of one contact: force and state against indentation, in and out, and in a fall.
+//! Figures of contacts as curves: force and contact state against indentation, loops of dissipation, and drops.
 
 use contact_plots::{Area, Axis, Curve, Dash, Figure, Limit, Look, Mark, Panel, Point};
 use osim_inspect::series::{
@@ -8,27 +8,28 @@ use osim_model::files::Failure;
 use osim_model::messages::Phrase;
 use osim_requests::DropHeight;
 
-use crate::figures::axes::{failure, force_axis, hertz_limit, indentation_axis, thresholds, title};
+use crate::figures::axes::{
+    force_axis, hertz_limit, indentation_axis, plot_failure, threshold_limits, title_for,
+};
 
-/// A vertical axis ends at this many times the weight's share of one sphere if curves go further: running animals push this hard,
-/// and what happens at rest can still be seen.
-const SHARES_SHOWN: f64 = 3.0;
+/// A force axis ends at this many times the weight's share of one sphere: running animals push this hard, and the state at rest can
+/// still be seen.
+const MOST_SHARES_SHOWN: f64 = 3.0;
 
-/// The laws of one kind of sphere.
-pub(super) struct Laws {
-    /// What it is called where there are several.
+/// The curves of one kind of sphere.
+pub(super) struct KindOfSphereLaws {
+    /// Its name, if the figure shows several.
     pub(super) name: String,
-    /// Their points.
     pub(super) series: ForceSeries,
-    /// Where it rests, in brackets after the law of the file, if the figure does not show that; else empty.
+    /// The indentation at rest in brackets, if it is outside the figure; else empty.
     pub(super) remark: String,
 }
 
-/// Force against indentation of every kind of sphere of `bodies`, as in Fig. C.5. `limits` of the horizontal axis say from where
-/// to where; without them from above the ground to a little more than where the bodies rest, and no deeper than a sphere's centre.
+/// Force against indentation of every kind of sphere of `bodies`, as in Fig. C.5. The horizontal axis has the range `limits`; the
+/// default is from above the ground to a little deeper than the bodies rest, at most to a sphere's centre.
 ///
 /// # Errors
-/// In shares of the weight: what a body weighs is not known.
+/// The weight of a body is not known, and forces are shares of the weight.
 pub fn force(
     bodies: &[Body],
     units: Units,
@@ -49,7 +50,7 @@ pub fn force(
         let outside = series.rest.map(|(x, _)| x).filter(|x| *x > units.x(to_m, radius_m));
         let remark = outside.map(|x| format!(" (rests at {}, outside the figure)", rest_text(x, units)));
         let name = series::curve_name(body, kind, bodies.len() == 1);
-        drawn.push(Laws { name, series, remark: remark.unwrap_or_default() });
+        drawn.push(KindOfSphereLaws { name, series, remark: remark.unwrap_or_default() });
     }
     let description = match drawn.as_slice() {
         [one] if !one.series.model_law.is_empty() => format!(
@@ -57,22 +58,22 @@ pub fn force(
              smoothed law. The force before contact is shaded.",
             one.name
         ),
-        laws => format!("Force against indentation of {}.", names(laws.iter().map(|one| &one.name))),
+        laws => format!("Force against indentation of {}.", joined_names(laws.iter().map(|one| &one.name))),
     };
-    let top = limits.is_none().then(|| top(&drawn)).flatten();
+    let top = limits.is_none().then(|| end_of_force_axis(&drawn)).flatten();
     let mut panel = force_panel(drawn, units);
     panel.y.limits = top.map(|top| (0.0, top));
-    Ok(Figure::in_column(title("Contact force", bodies, wanted_title), description, vec![panel]))
+    Ok(Figure::in_column(title_for("Contact force", bodies, wanted_title), description, vec![panel]))
 }
 
-/// One kind of sphere: its laws, and the force before contact shaded. Several: the law of each.
-pub(super) fn force_panel(laws: Vec<Laws>, units: Units) -> Panel {
+/// A panel with all laws of one kind of sphere and the force before contact shaded, or with one law of each of several kinds.
+pub(super) fn force_panel(laws: Vec<KindOfSphereLaws>, units: Units) -> Panel {
     let mut panel = Panel::new("", indentation_axis(units), force_axis(units));
     panel.limits = hertz_limit(units);
     let rest = |at| Mark { label: "at rest under body weight".to_owned(), at, look: Look::OWN };
     panel.marks = laws.iter().filter_map(|one| one.series.rest).map(rest).collect();
     let is_single = laws.len() == 1;
-    for (index, Laws { name, series, remark }) in laws.into_iter().enumerate() {
+    for (index, KindOfSphereLaws { name, series, remark }) in laws.into_iter().enumerate() {
         let ForceSeries { hertz, with_constant, model_law, .. } = series;
         panel.curves.extend(match (is_single, model_law.is_empty()) {
             (false, is_plain) => {
@@ -81,7 +82,7 @@ pub(super) fn force_panel(laws: Vec<Laws>, units: Units) -> Panel {
             }
             (true, true) => vec![Curve::new(format!("Hertz (1){remark}"), hertz, Look::HERTZ)],
             (true, false) => {
-                panel.areas.push(before_contact(&model_law));
+                panel.areas.push(area_before_contact(&model_law));
                 vec![
                     Curve::new("Hertz (1)", hertz, Look::HERTZ),
                     Curve::new("Hertz with cf (C.1)", with_constant, Look::WITH_CONSTANT),
@@ -93,8 +94,8 @@ pub(super) fn force_panel(laws: Vec<Laws>, units: Units) -> Panel {
     panel
 }
 
-/// The area below the points before contact, up to x = 0 itself.
-fn before_contact(points: &[Point]) -> Area {
+/// The area below the curve before contact, up to x = 0.
+fn area_before_contact(points: &[Point]) -> Area {
     let mut part: Vec<Point> = points.iter().copied().take_while(|(x, _)| *x <= 0.0).collect();
     let next = points.get(part.len());
     if let (Some(&(x0, y0)), Some(&(x1, y1))) = (part.last(), next)
@@ -105,14 +106,14 @@ fn before_contact(points: &[Point]) -> Area {
     Area { label: "before contact".to_owned(), points: part }
 }
 
-fn names<'n>(names: impl Iterator<Item = &'n String>) -> String {
+fn joined_names<'n>(names: impl Iterator<Item = &'n String>) -> String {
     names.map(String::as_str).collect::<Vec<_>>().join(", ")
 }
 
-/// Where the vertical axis ends, if the curves go much further than where the bodies rest.
-fn top(drawn: &[Laws]) -> Option<f64> {
+/// The end of the force axis, if forces are much larger than at rest.
+fn end_of_force_axis(drawn: &[KindOfSphereLaws]) -> Option<f64> {
     let rests: Option<Vec<f64>> = drawn.iter().map(|one| one.series.rest.map(|(_, force)| force)).collect();
-    let top = SHARES_SHOWN * rests?.into_iter().fold(0.0, f64::max);
+    let top = MOST_SHARES_SHOWN * rests?.into_iter().fold(0.0, f64::max);
     let highest = drawn.iter().flat_map(|one| one.series.hertz.iter().chain(&one.series.model_law));
     let highest = highest.fold(0.0_f64, |most, (_, force)| most.max(*force));
     (highest > top && top > 0.0).then_some(top)
@@ -125,13 +126,11 @@ fn rest_text(x: f64, units: Units) -> String {
     }
 }
 
-// Force while a sphere goes in and out.
-
-/// Loops of force against indentation while spheres go in and out, in which the energy lost is the area: one contact at a
-/// quarter, half and all of the speed of a fall from `height`, beside its force at rest; several contacts each at that speed.
+/// Loops of force against indentation while spheres go in and out; the area inside is the energy that is lost. One contact is shown
+/// at a quarter, half and all of the speed of a fall from `height`, with its force at rest; several contacts at that speed.
 ///
 /// # Errors
-/// What a body weighs is not known.
+/// The weight of a body is not known.
 pub fn loops(
     bodies: &[Body],
     units: Units,
@@ -144,7 +143,7 @@ pub fn loops(
     for (body, kind) in series::bodies_and_kinds(bodies) {
         if !only {
             let name = series::curve_name(body, kind, bodies.len() == 1);
-            loops.push(named(&name, impact(body, kind, units, height)?));
+            loops.push(with_body_name(&name, impact_loop(body, kind, units, height)?));
             continue;
         }
         let speed = series::impact_speed(body, kind, height)?;
@@ -159,14 +158,13 @@ pub fn loops(
          speed, by the exact law.",
         height.describe("m", "R")
     );
-    Ok(loop_figure(title("Dissipation", bodies, wanted_title), &motion, units, at_rest, loops))
+    Ok(loop_figure(title_for("Dissipation", bodies, wanted_title), &motion, units, at_rest, loops))
 }
 
-/// Force against indentation while each kind of sphere of `bodies` goes in and out, beginning with the speed of a fall from
-/// `height`. Names of bodies are there only where there are several.
+/// Like [`loops`], with one loop for each kind of sphere of `bodies`, which begins with the speed of a fall from `height`.
 ///
 /// # Errors
-/// What a body weighs is not known.
+/// The weight of a body is not known.
 pub fn impact_loops(
     bodies: &[Body],
     units: Units,
@@ -175,11 +173,11 @@ pub fn impact_loops(
 ) -> Result<Figure, Failure> {
     let mut loops = Vec::new();
     for (body, kind) in series::bodies_and_kinds(bodies) {
-        let impact = impact(body, kind, units, height)?;
+        let impact = impact_loop(body, kind, units, height)?;
         // One curve of one model needs no name.
         let is_alone = bodies.len() == 1 && kind.spheres.is_empty();
         let name = || series::curve_name(body, kind, bodies.len() == 1);
-        loops.push(if is_alone { impact } else { named(&name(), impact) });
+        loops.push(if is_alone { impact } else { with_body_name(&name(), impact) });
     }
     let from = match height {
         DropHeight::Radii(0.25) => "a quarter of the radius".to_owned(),
@@ -189,10 +187,10 @@ pub fn impact_loops(
         "Half a sine wave, as deep as twice the body weight presses by the Hertz law; it begins with the speed of a fall \
          from {from}."
     );
-    Ok(loop_figure(title("Dissipation", bodies, wanted_title), &motion, units, vec![], loops))
+    Ok(loop_figure(title_for("Dissipation", bodies, wanted_title), &motion, units, vec![], loops))
 }
 
-/// `motion` says how the spheres moved; the force `at_rest` is empty for none.
+/// A figure of loops; `motion` says how the spheres moved, and `at_rest` are points of the force at rest, if any.
 fn loop_figure(
     title: String,
     motion: &str,
@@ -213,18 +211,21 @@ fn loop_figure(
 }
 
 /// The loop that begins with the speed of a fall.
-fn impact(body: &Body, kind: &SphereKind, units: Units, height: DropHeight) -> Result<LoopSeries, Failure> {
+fn impact_loop(
+    body: &Body,
+    kind: &SphereKind,
+    units: Units,
+    height: DropHeight,
+) -> Result<LoopSeries, Failure> {
     series::hysteresis(body, kind, units, series::impact_speed(body, kind, height)?)
 }
 
-fn named(name: &str, series: LoopSeries) -> LoopSeries {
+fn with_body_name(name: &str, series: LoopSeries) -> LoopSeries {
     LoopSeries { name: format!("{name}: {}", series.name), ..series }
 }
 
-// Contact state against indentation.
-
-/// Contact state (C.4) against indentation of every kind of sphere of `bodies`, half a radius to either side unless the horizontal
-/// axis has `limits`.
+/// Contact state (C.4) against indentation of every kind of sphere of `bodies`. The horizontal axis has the range `limits`; the
+/// default is half a radius to either side.
 ///
 /// # Errors
 /// No body has a smoothed law.
@@ -241,24 +242,24 @@ pub fn state(
         if let Some(points) = series::contact_state(body, kind, units, limits.map(metres))? {
             states.push((series::curve_name(body, kind, bodies.len() == 1), points));
         }
-        marked = thresholds(kind, units);
+        marked = threshold_limits(kind, units);
     }
     if states.is_empty() {
         let why = "a HuntCrossleyForce has no contact state to draw: there, contact is a step; `plot kind=force` shows \
                    its law";
-        return Err(failure(bodies, Phrase::template(why)));
+        return Err(plot_failure(bodies, Phrase::template(why)));
     }
-    // Thresholds are a contact's own; several would be too many lines.
+    // Each contact has thresholds of its own; those of several would be too many lines.
     if states.len() > 1 {
         marked.clear();
     }
-    let of = names(states.iter().map(|(name, _)| name));
+    let of = joined_names(states.iter().map(|(name, _)| name));
     let description = format!("Contact state, from 0 to 1, against indentation of {of}.");
     let panel = Panel { limits: marked, ..state_panel(states, units) };
-    Ok(Figure::in_column(title("Contact state", bodies, wanted_title), description, vec![panel]))
+    Ok(Figure::in_column(title_for("Contact state", bodies, wanted_title), description, vec![panel]))
 }
 
-/// One body: its smoothed state over the step without smoothing. Several: the state of each, by its name.
+/// A panel with the smoothed state of one body and the step without smoothing, or with the states of several bodies.
 pub(super) fn state_panel(states: Vec<(String, Vec<Point>)>, units: Units) -> Panel {
     let mut panel = Panel::new("", indentation_axis(units), Axis::over("contact state (–)", 0.0, 1.05));
     if let [(_, points)] = states.as_slice() {
@@ -267,7 +268,7 @@ pub(super) fn state_panel(states: Vec<(String, Vec<Point>)>, units: Units) -> Pa
             let step = vec![(from, 0.0), (0.0, 0.0), (0.0, 1.0), (to, 1.0)];
             panel.curves.push(Curve::new("binary contact, without smoothing", step, Look::HERTZ));
         }
-        panel.areas.push(before_contact(points));
+        panel.areas.push(area_before_contact(points));
         panel.curves.push(Curve::new("smoothed (C.4)", points.clone(), Look::OWN));
         return panel;
     }
@@ -276,21 +277,19 @@ pub(super) fn state_panel(states: Vec<(String, Vec<Point>)>, units: Units) -> Pa
     panel
 }
 
-// Force in a fall.
+/// Labels of the time axis.
+pub(super) const TIME_IN_SECONDS: &str = "time t (s)";
+pub(super) const DIMENSIONLESS_TIME: &str = "non-dimensional time t/√(R/g) (–)";
 
-/// What the axis of time says, in s and without dimensions.
-pub(super) const SECONDS: &str = "time t (s)";
-pub(super) const DIMENSIONLESS: &str = "non-dimensional time t/√(R/g) (–)";
+/// If no duration is given, a fall is drawn until all bodies rest, times this.
+const DRAWN_AFTER_REST: f64 = 1.15;
 
-/// How much longer than until all are at rest a fall is drawn, if no duration is given.
-const AFTER_REST: f64 = 1.15;
-
-/// Force over body weight of bodies that fall from `height`, against time and, below, against time without dimensions, as in
-/// Fig. 4; for `duration_s`, else they are followed for 20 √(R/g) of the slowest, and the figure ends soon after all are at rest.
-/// `from` is the height in words.
+/// Force over body weight of bodies that fall from `height`, against time and against dimensionless time, as in Fig. 4. The fall is
+/// followed for `duration_s`, else for 20 √(R/g) of the slowest body, and the figure ends soon after all rest. `from` is the height
+/// in words.
 ///
 /// # Errors
-/// What a body weighs is not known, or its contacts are so stiff that it cannot be followed.
+/// The weight of a body is not known, or its contacts are too stiff to follow the fall.
 pub fn drops(
     bodies: &[Body],
     height: DropHeight,
@@ -305,7 +304,7 @@ pub fn drops(
     let falls = bodies.iter().map(|body| series::drop_force(body, height, followed_s));
     let falls: Vec<DropSeries> = falls.collect::<Result<_, _>>()?;
     let at_rest = |unit: &dyn Fn(&DropSeries) -> f64| {
-        AFTER_REST * falls.iter().map(|fall| fall.settled_s / unit(fall)).fold(0.0, f64::max)
+        DRAWN_AFTER_REST * falls.iter().map(|fall| fall.settled_s / unit(fall)).fold(0.0, f64::max)
     };
     let at_rest_s = at_rest(&|_| 1.0);
     let ends_early = duration_s.is_none() && at_rest_s > 0.0 && at_rest_s < followed_s;
@@ -316,14 +315,14 @@ pub fn drops(
     let description = format!(
         "Normal force over body weight of {} in a drop test, against time and against non-dimensional time. They fall \
          from {from}.",
-        names(falls.iter().map(|fall| &fall.name))
+        joined_names(falls.iter().map(|fall| &fall.name))
     );
-    let panels = vec![panel(SECONDS, &|_| 1.0), panel(DIMENSIONLESS, &|fall| fall.time_unit_s)];
-    Ok(Figure::in_column(title("Drop test", bodies, wanted_title), description, panels))
+    let panels = vec![panel(TIME_IN_SECONDS, &|_| 1.0), panel(DIMENSIONLESS_TIME, &|fall| fall.time_unit_s)];
+    Ok(Figure::in_column(title_for("Drop test", bodies, wanted_title), description, panels))
 }
 
-/// `falls` are names, points in s and body weights, and the unit of `time`, in s. The axis of time ends at `end`, at the latest with
-/// the shortest of several falls.
+/// A panel of falls: each has a name, points in s and body weights, and the unit of its `time`, s. The time axis ends at `end` or with
+/// the shortest fall.
 pub(super) fn drop_panel<'f>(
     falls: impl Iterator<Item = (&'f str, &'f [Point], f64)>,
     time: &str,

@@ -1,4 +1,4 @@
-//! Feet from the side and from above.
+//! Figures of feet from the right and from above.
 
 use std::collections::{HashMap, HashSet};
 
@@ -13,12 +13,12 @@ use osim_planning::ModelFeet;
 
 /// The last of `states` with its bones and names, and the spheres of the first where they are others.
 pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
-    let (Some(now), before) = (states.last(), earlier(states)) else { return Scene::default() };
+    let (Some(now), before) = (states.last(), state_before(states)) else { return Scene::default() };
     let mut others: HashMap<&str, &Foot> = HashMap::new();
     for other in before.into_iter().flat_map(|before| &before.feet) {
         others.entry(&other.name).or_insert(other);
     }
-    let blocks = now.feet.iter().map(|foot| block(foot, others.get(foot.name.as_str()).copied()));
+    let blocks = now.feet.iter().map(|foot| block_of_foot(foot, others.get(foot.name.as_str()).copied()));
     let whose = match before {
         Some(before) => format!("{} and {}", before.name, now.name),
         None => now.name.clone(),
@@ -47,44 +47,48 @@ pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
     }
 }
 
-/// The figure as an SVG document; `name` is whose figure it is, where it cannot be drawn.
+/// The figure as an SVG document; `name` is that of the model, for failures.
 ///
 /// # Errors
-/// It was not drawn: a number is not finite.
+/// A number is not finite.
 pub(crate) fn feet_svg(states: &[ModelFeet], name: &str, title: Option<&str>) -> Result<String, Failure> {
-    // Names of spheres are labels: what a picture cannot show would make it unreadable.
+    // Control characters in names of spheres would make the SVG unreadable.
     let drawn = scene(&feet(states, title), Paper::default()).map(|svg| terminal_safe(&svg).into_owned());
     drawn.map_err(|error| Failure::outside(name, "plot", error.to_string()))
 }
 
 /// The first of two states.
-fn earlier(states: &[ModelFeet]) -> Option<&ModelFeet> {
+fn state_before(states: &[ModelFeet]) -> Option<&ModelFeet> {
     states.split_last().and_then(|(_, before)| before.last())
 }
 
-/// `other` is the same foot in another state.
-fn block(foot: &Foot, other: Option<&Foot>) -> Block {
-    let shift = other.map(|other| shift(other, foot));
+/// The part of the figure about one foot; `other` is this foot in another state.
+fn block_of_foot(foot: &Foot, other: Option<&Foot>) -> Block {
+    let shift = other.map(|other| shift_to(other, foot));
     let name = if foot.name.is_empty() { "ground" } else { foot.name.as_str() };
     let title = match foot.side {
         Some(side) => format!("{name}, {}", side.as_str()),
         None => name.to_owned(),
     };
-    Block { title, remarks: remarks(foot, other.zip(shift)), views: views(foot, other.zip(shift)) }
+    Block {
+        title,
+        remarks: remarks_on_foot(foot, other.zip(shift)),
+        views: views_of_foot(foot, other.zip(shift)),
+    }
 }
 
-/// From where another model has the foot to where this one has it, m.
-fn shift(other: &Foot, foot: &Foot) -> DVec3 {
+/// The shift from the origin of a foot in another state to its origin in this state, m.
+fn shift_to(other: &Foot, foot: &Foot) -> DVec3 {
     foot.origin_m - other.origin_m
 }
 
-/// Names and heights that a remark lists; more are counted.
-const LISTED: usize = 12;
+/// Names and heights that a remark lists at most.
+const NAMES_LISTED: usize = 12;
 
-/// A foot that is moved by less than this is where it was, m.
-const STAYS_M: f64 = 1e-6;
+/// A smaller shift of a foot is not mentioned, m.
+const SMALL_SHIFT_M: f64 = 1e-6;
 
-fn remarks(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<String> {
+fn remarks_on_foot(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<String> {
     let mut remarks = Vec::new();
     if let FootFrame::Body { name, fault } = &foot.frame {
         remarks.push(format!("Drawn in the frame of {name}: {fault}."));
@@ -92,11 +96,11 @@ fn remarks(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<String> {
     if !foot.unplaced.is_empty() {
         remarks.push(format!(
             "Not drawn, as the default pose of a joint cannot be calculated: {}.",
-            listed(&foot.unplaced, LISTED)
+            listed(&foot.unplaced, NAMES_LISTED)
         ));
     }
     if let Some((_, shift)) = before
-        && shift.abs().cmpgt(DVec3::splat(STAYS_M)).any()
+        && shift.abs().cmpgt(DVec3::splat(SMALL_SHIFT_M)).any()
     {
         remarks.push(format!("Both are drawn with the origin of {} in one place.", foot.name));
     }
@@ -107,12 +111,12 @@ fn remarks(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<String> {
             _ => format!("Centres are at {} to {} of the bones' length.", percent(first), percent(last)),
         });
     }
-    remarks.extend(floor_in_words(foot));
+    remarks.extend(remark_on_floor(foot));
     remarks
 }
 
-/// Why the floor is not drawn, in words.
-fn floor_in_words(foot: &Foot) -> Option<String> {
+/// The remark why the floor is not drawn.
+fn remark_on_floor(foot: &Foot) -> Option<String> {
     let metres = |value: f64| format!("{} m", four_significant(value)).replace('-', "−");
     match &foot.floor {
         FloorPlace::At(height) if foot.is_near(*height) => None,
@@ -124,38 +128,36 @@ fn floor_in_words(foot: &Foot) -> Option<String> {
         }
         FloorPlace::Several(heights) => {
             let heights: Vec<String> = heights.iter().map(|height| metres(*height)).collect();
-            Some(format!("Floors are at {}; none is drawn.", listed(&heights, LISTED)))
+            Some(format!("Floors are at {}; none is drawn.", listed(&heights, NAMES_LISTED)))
         }
         FloorPlace::None if !foot.spheres.is_empty() => Some("The model has no level floor.".to_owned()),
         _ => None,
     }
 }
 
-// The two views of a foot, in millimetres.
+/// Spheres that differ by less than this, m, are drawn once.
+const SAME_PLACE_M: f64 = 1e-9;
+const MM_PER_M: f64 = 1e3;
 
-/// Spheres that differ by less than this, in m, are drawn once.
-const SAME_M: f64 = 1e-9;
-const MM: f64 = 1e3;
-
-/// From which side a foot is seen.
+/// The side from which a foot is seen.
 #[derive(Clone, Copy, PartialEq)]
-enum From {
+enum ViewSide {
     Right,
     Above,
 }
 
-/// From the right and from above; `before` is another state, and by how much it is moved to be drawn here.
-fn views(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<View> {
-    [From::Right, From::Above].map(|from| view(foot, before, from)).into()
+/// Both views of a foot; `before` is the foot in another state, with the shift to draw it at the same place.
+fn views_of_foot(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<View> {
+    [ViewSide::Right, ViewSide::Above].map(|from| view(foot, before, from)).into()
 }
 
-fn view(foot: &Foot, before: Option<(&Foot, DVec3)>, from: From) -> View {
+fn view(foot: &Foot, before: Option<(&Foot, DVec3)>, from: ViewSide) -> View {
     let [forward, up, right] = foot.axes.names();
     let place = match &foot.frame {
         FootFrame::Ground => "in ground",
         _ => "in the body",
     };
-    let side = from == From::Right;
+    let side = from == ViewSide::Right;
     let mut view = View {
         title: if side { "from the right" } else { "from above" }.to_owned(),
         x_label: format!("{forward} {place} (mm)"),
@@ -164,20 +166,20 @@ fn view(foot: &Foot, before: Option<(&Foot, DVec3)>, from: From) -> View {
         ..View::default()
     };
     if let Some((other, shift)) = before {
-        add_before(&mut view, foot, other, shift, from);
+        add_state_before(&mut view, foot, other, shift, from);
     }
-    let seen = |point: DVec3| seen(foot, point, from);
+    let on_view = |point: DVec3| projected(foot, point, from);
     view.outlines.extend(outlines(foot, DVec3::ZERO, from, State::Now));
     view.balls.extend(foot.spheres.iter().map(|sphere| Ball {
         name: sphere.name.clone(),
-        centre: seen(sphere.centre_m),
-        radius: MM * sphere.radius_m,
+        centre: on_view(sphere.centre_m),
+        radius: MM_PER_M * sphere.radius_m,
         state: State::Now,
         misplaced: sphere.misplaced,
     }));
     view.spots.extend(foot.joints.iter().map(|joint| Spot {
         name: joint.name.clone(),
-        at: seen(joint.at_m),
+        at: on_view(joint.at_m),
         state: State::Now,
     }));
     if side {
@@ -186,35 +188,35 @@ fn view(foot: &Foot, before: Option<(&Foot, DVec3)>, from: From) -> View {
     view
 }
 
-/// What another state has elsewhere: its spheres, and its bones where they are of another size.
-fn add_before(view: &mut View, foot: &Foot, other: &Foot, shift: DVec3, from: From) {
+/// Adds those spheres and bones of another state that differ.
+fn add_state_before(view: &mut View, foot: &Foot, other: &Foot, shift: DVec3, from: ViewSide) {
     let moved = |point: DVec3| point + shift;
-    let drawn = Drawn::of(&foot.spheres);
-    let differs = |sphere: &&FootSphere| !drawn.has(moved(sphere.centre_m), sphere.radius_m);
+    let drawn = SortedSpheres::new(&foot.spheres);
+    let differs = |sphere: &&FootSphere| !drawn.contains(moved(sphere.centre_m), sphere.radius_m);
     view.balls.extend(other.spheres.iter().filter(differs).map(|sphere| Ball {
         name: String::new(),
-        centre: seen(foot, moved(sphere.centre_m), from),
-        radius: MM * sphere.radius_m,
+        centre: projected(foot, moved(sphere.centre_m), from),
+        radius: MM_PER_M * sphere.radius_m,
         state: State::Before,
         misplaced: false,
     }));
     let (here, there) =
         (outlines(foot, DVec3::ZERO, from, State::Before), outlines(other, shift, from, State::Before));
     let close = |a: &Outline, b: &Outline| {
-        let near = |(p, q): (&Point, &Point)| (p.0 - q.0).hypot(p.1 - q.1) <= MM * SAME_M;
+        let near = |(p, q): (&Point, &Point)| (p.0 - q.0).hypot(p.1 - q.1) <= MM_PER_M * SAME_PLACE_M;
         a.points.len() == b.points.len() && a.points.iter().zip(&b.points).all(near)
     };
     view.outlines.extend(there.into_iter().filter(|there| !here.iter().any(|here| close(here, there))));
 }
 
-/// Spheres in the order along the axis on which they are farthest apart, so that one is found without looking at all.
-struct Drawn<'f> {
+/// Spheres sorted along the axis on which they are farthest apart, for a fast search.
+struct SortedSpheres<'f> {
     axis: usize,
     spheres: Vec<&'f FootSphere>,
 }
 
-impl<'f> Drawn<'f> {
-    fn of(spheres: &'f [FootSphere]) -> Self {
+impl<'f> SortedSpheres<'f> {
+    fn new(spheres: &'f [FootSphere]) -> Self {
         let spread = |axis: usize| {
             let along = || spheres.iter().map(|sphere| sphere.centre_m[axis]);
             along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
@@ -225,64 +227,64 @@ impl<'f> Drawn<'f> {
         Self { axis, spheres }
     }
 
-    fn has(&self, centre_m: DVec3, radius_m: f64) -> bool {
+    fn contains(&self, centre_m: DVec3, radius_m: f64) -> bool {
         let off = |sphere: &FootSphere, axis: usize| sphere.centre_m[axis] - centre_m[axis];
-        let first = self.spheres.partition_point(|sphere| off(sphere, self.axis) < -SAME_M);
+        let first = self.spheres.partition_point(|sphere| off(sphere, self.axis) < -SAME_PLACE_M);
         let from = self.spheres.get(first..).unwrap_or_default();
-        from.iter().take_while(|sphere| off(sphere, self.axis) <= SAME_M).any(|sphere| {
-            (0..3).all(|axis| off(sphere, axis).abs() <= SAME_M)
-                && (sphere.radius_m - radius_m).abs() <= SAME_M
+        from.iter().take_while(|sphere| off(sphere, self.axis) <= SAME_PLACE_M).any(|sphere| {
+            (0..3).all(|axis| off(sphere, axis).abs() <= SAME_PLACE_M)
+                && (sphere.radius_m - radius_m).abs() <= SAME_PLACE_M
         })
     }
 }
 
-fn seen(foot: &Foot, point: DVec3, from: From) -> Point {
+fn projected(foot: &Foot, point: DVec3, from: ViewSide) -> Point {
     let [forward, up, right] = foot.axes.coordinates(point);
-    (MM * forward, MM * if from == From::Right { up } else { right })
+    (MM_PER_M * forward, MM_PER_M * if from == ViewSide::Right { up } else { right })
 }
 
-fn outlines(foot: &Foot, shift: DVec3, from: From, state: State) -> Vec<Outline> {
+fn outlines(foot: &Foot, shift: DVec3, from: ViewSide, state: State) -> Vec<Outline> {
     let line = |points: &Vec<DVec3>| {
-        let points = points.iter().map(|&point| DVec2::from(seen(foot, point + shift, from)));
+        let points = points.iter().map(|&point| DVec2::from(projected(foot, point + shift, from)));
         silhouette(&points.collect::<Vec<_>>()).into_iter().map(DVec2::into).collect()
     };
     let lines = foot.bones.iter().map(|bone| Outline { points: line(&bone.points_m), state });
     lines.filter(|outline| !outline.points.is_empty()).collect()
 }
 
-/// The line under the lowest sphere, and the floor where it is near.
+/// The lines under the lowest sphere and at the floor, if it is near.
 fn levels(foot: &Foot, up: &str) -> Vec<Level> {
     let mut levels = Vec::new();
-    // A thousandth of a millimetre: what rounding leaves of 0 is 0.
+    // Rounded to thousandths of a millimetre, so that rounding errors of 0 are shown as 0.
     let rounded = |value: f64| (1e6 * value).round() / 1e3 + 0.0;
     let mm = |value: f64| format!("{up} = {} mm", four_significant(rounded(value))).replace('-', "−");
     if let Some(lowest) = foot.lowest_m().filter(|_| !foot.spheres.is_empty()) {
         let name = format!("lowest bottom, {}", mm(lowest));
-        levels.push(Level { name, at: MM * lowest, kind: LevelKind::Lowest });
+        levels.push(Level { name, at: MM_PER_M * lowest, kind: LevelKind::Lowest });
     }
     if let FloorPlace::At(height) = foot.floor
         && foot.is_near(height)
     {
         let name = format!("floor, {}", mm(height));
-        levels.push(Level { name, at: MM * height, kind: LevelKind::Ground });
+        levels.push(Level { name, at: MM_PER_M * height, kind: LevelKind::Ground });
     }
     levels
 }
 
-/// What is drawn of each state, one line each; what was not available, and what is wrong with the places of spheres.
+/// Lines about each state: what is drawn, spheres in wrong places, and missing bones.
 pub fn feet_remarks(states: &[ModelFeet], dialect: &dyn Dialect) -> String {
-    states.iter().map(|state| of_state(state, dialect)).collect()
+    states.iter().map(|state| remarks_on_state(state, dialect)).collect()
 }
 
-fn of_state(state: &ModelFeet, dialect: &dyn Dialect) -> String {
+fn remarks_on_state(state: &ModelFeet, dialect: &dyn Dialect) -> String {
     let name = &state.name;
     let spheres: usize = state.feet.iter().map(|foot| foot.spheres.len()).sum();
     let in_ground = state.feet.iter().all(|foot| foot.frame == FootFrame::Ground);
     let pose = if in_ground { ", at the default pose" } else { "" };
     let mut text = format!(
         "{name}: {}, {}{pose}\n",
-        count(state.feet.len(), "foot", "feet"),
-        count(spheres, "sphere", "spheres")
+        counted_noun(state.feet.len(), "foot", "feet"),
+        counted_noun(spheres, "sphere", "spheres")
     );
     if let Some(finding) = &state.misplaced {
         text.push_str(&format!(
@@ -291,23 +293,26 @@ fn of_state(state: &ModelFeet, dialect: &dyn Dialect) -> String {
             finding.message.spelled(dialect)
         ));
     }
-    if let Some(missing) = missing(state, dialect) {
+    if let Some(missing) = missing_bones_in_words(state, dialect) {
         text.push_str(&format!("{name}: {missing}\n"));
     }
     text
 }
 
-fn count(number: usize, one: &str, many: &str) -> String {
+fn counted_noun(number: usize, one: &str, many: &str) -> String {
     format!("{number} {}", if number == 1 { one } else { many })
 }
 
-/// Bones that are not drawn: meshes that were not found in one sentence, others each with what is wrong.
-fn missing(state: &ModelFeet, dialect: &dyn Dialect) -> Option<String> {
-    let names = missing_meshes(state);
+/// The sentence about bones that are not drawn.
+fn missing_bones_in_words(state: &ModelFeet, dialect: &dyn Dialect) -> Option<String> {
+    let names = names_of_missing_meshes(state);
     let mut reasons: Vec<String> = Vec::new();
     if !names.is_empty() {
         let text = phrase![
-            format!("no bones are drawn of {}: name the folder of the meshes with ", listed(&names, LISTED)),
+            format!(
+                "no bones are drawn of {}: name the folder of the meshes with ",
+                listed(&names, NAMES_LISTED)
+            ),
             Input::GeometryDir.with_placeholder("DIR"),
         ];
         reasons.push(text.spelled(dialect));
@@ -317,8 +322,8 @@ fn missing(state: &ModelFeet, dialect: &dyn Dialect) -> Option<String> {
     (!reasons.is_empty()).then(|| reasons.join("; "))
 }
 
-/// Meshes that were not found, each once, as the model spells them.
-pub(crate) fn missing_meshes(state: &ModelFeet) -> Vec<String> {
+/// Names of meshes that were not found, each once, as the model spells them.
+pub(crate) fn names_of_missing_meshes(state: &ModelFeet) -> Vec<String> {
     let mut known = HashSet::new();
     let missing = state.missing.iter().filter_map(|fault| match fault {
         FeetFault::MeshMissing { mesh, .. } => Some(shown(mesh).to_string()),

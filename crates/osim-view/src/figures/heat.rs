@@ -1,4 +1,4 @@
-//! A quantity as colours over two others, or as a curve over one.
+//! Heat maps: a quantity as colours over two others, or as a curve over one.
 
 use contact_plots::{Axis, Curve, Drawing, Figure, HeatLimit, HeatMap, Limit, Look, Mark, Panel, Point};
 use contact_scaling::limits;
@@ -8,13 +8,13 @@ use osim_model::messages::{Input, phrase};
 use osim_planning::HeatTable;
 use osim_requests::HeatQuantity;
 
-use crate::figures::axes::failure;
+use crate::figures::axes::plot_failure;
 
 /// Colours over E₁* and α for the one contact of the one body; `stiffness` and `dissipation` make axes of its own E₁* (N/m²)
 /// and α (s/m). Where only one of the two changes the quantity, a curve over that one.
 ///
 /// # Errors
-/// There are several bodies or contacts, the weight is not known, or the contact has no dissipation to multiply.
+/// There are several bodies or contacts, the weight is not known, or the dissipation is 0 and has no multiples.
 pub fn heat(
     bodies: &[Body],
     request: &HeatRequest,
@@ -22,17 +22,17 @@ pub fn heat(
     dissipation: impl FnOnce(f64) -> Vec<f64>,
     wanted_title: Option<&str>,
 ) -> Result<Drawing, Failure> {
-    let body = only(bodies)?;
+    let body = only_body(bodies)?;
     let series = series::heat(body, request, stiffness, dissipation)?;
-    let words = Words::of(request.quantity);
+    let words = QuantityWords::of_quantity(request.quantity);
     let title = wanted_title.map_or_else(|| format!("{}: {}", words.title, body.name), str::to_owned);
-    let now = format!("{} now", body.name);
+    let mark_label = format!("{} now", body.name);
     if let Some(profile) = series.profile {
-        return Ok(Drawing::Panels(curve(
+        return Ok(Drawing::Panels(curve_figure(
             profile,
             series.limit,
             &words,
-            Texts { title, body: &body.name, now },
+            CurveTexts { title, body: &body.name, mark_label },
         )));
     }
     Ok(Drawing::HeatMap(HeatMap {
@@ -41,48 +41,52 @@ pub fn heat(
             "{} of {} as a colour, over stiffness E₁* and dissipation α, both on logarithmic axes.",
             words.label, body.name
         ),
-        x_axis: Axis::logarithmic(STIFFNESS),
-        y_axis: Axis::logarithmic(DISSIPATION),
+        x_axis: Axis::logarithmic(STIFFNESS_LABEL),
+        y_axis: Axis::logarithmic(DISSIPATION_LABEL),
         value_axis: value_axis(words.label, &series.values),
         values: series.values,
         x: series.x,
         y: series.y,
         limit: series.limit.map(|at| HeatLimit { label: words.limit.clone(), at }),
-        mark: Some((now, series.present)),
+        mark: Some((mark_label, series.present)),
     }))
 }
 
-const STIFFNESS: &str = "stiffness E₁* (N/m²)";
-const DISSIPATION: &str = "dissipation α (s/m)";
-/// If the largest value is more than this many times the smallest, equal ratios have equal steps of colour: else most of the map
-/// would have one.
-const WIDE: f64 = 8.0;
+const STIFFNESS_LABEL: &str = "stiffness E₁* (N/m²)";
+const DISSIPATION_LABEL: &str = "dissipation α (s/m)";
+/// If the largest value over the smallest is more than this, colours are logarithmic.
+const LOGARITHMIC_RATIO: f64 = 8.0;
 
-/// How a quantity becomes a colour.
+/// The axis of colours for these values.
 pub(super) fn value_axis(label: &str, values: &[Vec<Option<f64>>]) -> Axis {
     let values = || values.iter().flatten().flatten().copied();
     let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
-    if low > 0.0 && high > WIDE * low { Axis::logarithmic(label) } else { Axis::new(label) }
+    if low > 0.0 && high > LOGARITHMIC_RATIO * low { Axis::logarithmic(label) } else { Axis::new(label) }
 }
 
-/// What a curve says beside its axes.
-struct Texts<'t> {
+/// Texts of a curve.
+struct CurveTexts<'t> {
     title: String,
     body: &'t str,
-    /// At the point where the body is now.
-    now: String,
+    /// Label of the point at the present values of the body.
+    mark_label: String,
 }
 
-/// The quantity along the one parameter that changes it.
-fn curve(profile: Profile, limit: Option<f64>, words: &Words, texts: Texts<'_>) -> Figure {
-    let Texts { title, body, now } = texts;
+/// The figure of a quantity over the one parameter that changes it.
+fn curve_figure(
+    profile: Profile,
+    limit: Option<f64>,
+    words: &QuantityWords,
+    texts: CurveTexts<'_>,
+) -> Figure {
+    let CurveTexts { title, body, mark_label } = texts;
     let (axis, other) = match profile.along {
-        Parameter::Stiffness => (STIFFNESS, "dissipation α"),
-        Parameter::Dissipation => (DISSIPATION, "stiffness E₁*"),
+        Parameter::Stiffness => (STIFFNESS_LABEL, "dissipation α"),
+        Parameter::Dissipation => (DISSIPATION_LABEL, "stiffness E₁*"),
     };
     let mut panel = Panel::new("", Axis::logarithmic(axis), Axis::new(words.label));
     panel.curves.push(Curve::new(words.curve, profile.points, Look::HERTZ));
-    panel.marks.extend(profile.present.map(|at| Mark { label: now, at, look: Look::OWN }));
+    panel.marks.extend(profile.present.map(|at| Mark { label: mark_label, at, look: Look::OWN }));
     panel.limits.extend(limit.map(|at| Limit::horizontal(&words.limit, at)));
     let description = format!(
         "{} of {body} over {axis}, on a logarithmic axis. It does not depend on the {other}, so it is a curve and no \
@@ -92,28 +96,28 @@ fn curve(profile: Profile, limit: Option<f64>, words: &Words, texts: Texts<'_>) 
     Figure::in_column(title, description, vec![panel])
 }
 
-/// The one body of a figure that is about one.
-fn only(bodies: &[Body]) -> Result<&Body, Failure> {
+/// The only body; refused if there are several.
+fn only_body(bodies: &[Body]) -> Result<&Body, Failure> {
     match bodies {
         [one] => Ok(one),
         _ => {
             let why = phrase!["a sweep is about one body: name one model, without ", Input::TargetMass];
-            Err(failure(bodies, why))
+            Err(plot_failure(bodies, why))
         }
     }
 }
 
-/// How a quantity is called.
-struct Words {
+/// Texts about a quantity.
+struct QuantityWords {
     title: &'static str,
     label: &'static str,
-    /// The curve, in the legend.
+    /// The curve's name in the legend.
     curve: &'static str,
     limit: String,
 }
 
-impl Words {
-    fn of(quantity: HeatQuantity) -> Self {
+impl QuantityWords {
+    fn of_quantity(quantity: HeatQuantity) -> Self {
         match quantity {
             HeatQuantity::Indentation => Self {
                 title: "Indentation at rest",
@@ -137,17 +141,16 @@ impl Words {
     }
 }
 
-// A column of a table, as colours over two others or as a curve over one.
-
-/// Draws a table: colours where two columns vary, a curve where one does.
+/// A figure of a column of a table: a heat map over two columns that vary, or a curve over one.
 ///
 /// # Errors
-/// Nothing varies, two rows are about the same point, or no row has a number in all columns.
-pub(super) fn table(table: &HeatTable, wanted_title: Option<&str>) -> Result<Drawing, Failure> {
+/// No column varies, two rows are about one point, or no row has a number in all columns.
+pub(super) fn table_figure(table: &HeatTable, wanted_title: Option<&str>) -> Result<Drawing, Failure> {
     let failed = |why: String| Failure::outside(&table.name, "plot", why);
     let title = wanted_title.map_or_else(|| format!("{}: {}", table.value.name, table.name), str::to_owned);
-    let x = distinct(&table.x.values);
-    let y = table.y.as_ref().map(|column| (column, distinct(&column.values))).filter(|(_, y)| y.len() > 1);
+    let x = distinct_values(&table.x.values);
+    let y =
+        table.y.as_ref().map(|column| (column, distinct_values(&column.values))).filter(|(_, y)| y.len() > 1);
     match y {
         _ if x.len() < 2 => Err(failed(format!(
             "the column '{}' has {} value, expected two or more: choose another for the horizontal axis",
@@ -155,15 +158,15 @@ pub(super) fn table(table: &HeatTable, wanted_title: Option<&str>) -> Result<Dra
             x.len()
         ))),
         Some((column, y)) => {
-            let values = cells(table, &column.values, (&x, &y)).map_err(failed)?;
+            let values = grid_of_values(table, &column.values, (&x, &y)).map_err(failed)?;
             Ok(Drawing::HeatMap(HeatMap {
                 title,
                 description: format!(
                     "The column {} of {} as a colour, over {} and {}.",
                     table.value.name, table.name, table.x.name, column.name
                 ),
-                x_axis: axis(&table.x.name, &x),
-                y_axis: axis(&column.name, &y),
+                x_axis: axis_for_values(&table.x.name, &x),
+                y_axis: axis_for_values(&column.name, &y),
                 value_axis: value_axis(&table.value.name, &values),
                 x,
                 y,
@@ -173,8 +176,8 @@ pub(super) fn table(table: &HeatTable, wanted_title: Option<&str>) -> Result<Dra
             }))
         }
         None => {
-            let mut panel = Panel::new("", axis(&table.x.name, &x), Axis::new(&table.value.name));
-            let points = line(table).map_err(failed)?;
+            let mut panel = Panel::new("", axis_for_values(&table.x.name, &x), Axis::new(&table.value.name));
+            let points = points_of_table(table).map_err(failed)?;
             panel.curves.push(Curve::new("", points, Look::HERTZ));
             let description =
                 format!("The column {} of {} over {}.", table.value.name, table.name, table.x.name);
@@ -183,17 +186,16 @@ pub(super) fn table(table: &HeatTable, wanted_title: Option<&str>) -> Result<Dra
     }
 }
 
-/// The values of a column, each once, from the smallest to the largest.
-fn distinct(values: &[Option<f64>]) -> Vec<f64> {
+/// The values of a column without repetitions, sorted.
+fn distinct_values(values: &[Option<f64>]) -> Vec<f64> {
     let mut values: Vec<f64> = values.iter().flatten().copied().collect();
     values.sort_by(f64::total_cmp);
     values.dedup();
     values
 }
 
-/// An axis on which the values are as equally spaced as they can be: logarithmic where their ratios are more alike than their
-/// differences.
-fn axis(name: &str, values: &[f64]) -> Axis {
+/// An axis on which the values are most equally spaced: logarithmic if their ratios are more alike than their differences.
+fn axis_for_values(name: &str, values: &[f64]) -> Axis {
     let spread = |steps: Vec<f64>| {
         let (low, high) = steps
             .into_iter()
@@ -206,8 +208,8 @@ fn axis(name: &str, values: &[f64]) -> Axis {
     if is_positive && ratios() < differences { Axis::logarithmic(name) } else { Axis::new(name) }
 }
 
-/// A value for each point of the grid; `None` where the table has none.
-fn cells(
+/// The value at each point of the grid; `None` where the table has none.
+fn grid_of_values(
     table: &HeatTable,
     y_values: &[Option<f64>],
     (x, y): (&[f64], &[f64]),
@@ -217,32 +219,32 @@ fn cells(
     for (row, (at_x, at_y)) in table.x.values.iter().zip(y_values).enumerate() {
         let place = |values: &[f64], at: f64| values.binary_search_by(|value| value.total_cmp(&at)).ok();
         let (Some(at_x), Some(at_y)) = (*at_x, *at_y) else { continue };
-        let found = place(x, at_x).zip(place(y, at_y));
-        let Some((cell, seen)) = found.and_then(|(column, line)| {
+        let place_in_grid = place(x, at_x).zip(place(y, at_y));
+        let Some((cell, seen)) = place_in_grid.and_then(|(column, line)| {
             Some((cells.get_mut(line)?.get_mut(column)?, seen.get_mut(line)?.get_mut(column)?))
         }) else {
             continue;
         };
         if std::mem::replace(seen, true) {
-            return Err(twice(&format!("{} = {at_x}, {at_y}", table.x.name)));
+            return Err(fault_of_repeated_point(&format!("{} = {at_x}, {at_y}", table.x.name)));
         }
         *cell = table.value.values.get(row).copied().flatten();
     }
     Ok(cells)
 }
 
-/// The values over the one column that varies, from left to right.
-fn line(table: &HeatTable) -> Result<Vec<Point>, String> {
+/// The points of a curve, from left to right.
+fn points_of_table(table: &HeatTable) -> Result<Vec<Point>, String> {
     let pairs = table.x.values.iter().zip(&table.value.values);
     let mut points: Vec<Point> = pairs.filter_map(|(x, value)| Some(((*x)?, (*value)?))).collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     match points.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-        Some(pair) => Err(twice(&format!("{} = {}", table.x.name, pair[0].0))),
+        Some(pair) => Err(fault_of_repeated_point(&format!("{} = {}", table.x.name, pair[0].0))),
         None => Ok(points),
     }
 }
 
-fn twice(point: &str) -> String {
+fn fault_of_repeated_point(point: &str) -> String {
     format!(
         "several rows are about {point}: other columns vary, too, so leave rows out, or choose other columns for the axes"
     )
@@ -254,9 +256,9 @@ mod tests {
 
     #[test]
     fn axes_follow_the_spacing_of_their_values() {
-        assert!(axis("E", &[1e5, 1e6, 1e7]).logarithmic);
-        assert!(!axis("x", &[1.0, 2.0, 3.0]).logarithmic);
-        assert!(!axis("x", &[0.0, 1.0, 10.0]).logarithmic);
-        assert!(!axis("x", &[-1.0, 1.0]).logarithmic);
+        assert!(axis_for_values("E", &[1e5, 1e6, 1e7]).logarithmic);
+        assert!(!axis_for_values("x", &[1.0, 2.0, 3.0]).logarithmic);
+        assert!(!axis_for_values("x", &[0.0, 1.0, 10.0]).logarithmic);
+        assert!(!axis_for_values("x", &[-1.0, 1.0]).logarithmic);
     }
 }

@@ -1,7 +1,6 @@
 //! Figures of what contacts do, for `contact_plots` to draw.
 //!
-//! [`osim_inspect::series`] computes the points; here they get titles, labels and limits. What goes wrong is a
-//! [`Failure`](osim_model::files::Failure), whose message is not spelled yet.
+//! [`osim_inspect::series`] computes the points; here they get titles, labels and limits.
 //!
 //! ```
 //! use contact_plots::{Drawing, Paper};
@@ -22,12 +21,12 @@ mod indentations;
 mod motion;
 pub mod paper;
 
-pub use axes::{Axes, units, weights};
+pub use axes::{AxisUnits, units_for, weights_in_words};
 pub use curves::{drops, force, impact_loops, loops, state};
-pub use draw::{data_csv, draw, draw_feet, draw_motion, not_drawn, paper, svg};
+pub use draw::{data_csv, draw, draw_feet, draw_motion, failure_of_plot, paper_of, svg};
 pub(crate) use feet::feet_svg;
-pub(crate) use feet::missing_meshes;
+pub(crate) use feet::names_of_missing_meshes;
 pub use feet::{feet, feet_remarks};
 pub use heat::heat;
-pub(crate) use indentations::above_the_axis;
+pub(crate) use indentations::count_above_axis;
 pub use indentations::{State as Indentations, indentations};

@@ -1,4 +1,4 @@
-//! Contacts along a recorded motion: force beside the plates', how deep each sphere is, and where forces act on the sole.
+//! The figure of contacts along a recorded motion: forces of model and plates, indentations, and forces on the sole.
 
 use contact_plots::{Axis, Curve, Dash, Figure, Limit, Look, Mark, Panel, Width};
 use contact_scaling::limits;
@@ -11,12 +11,15 @@ use osim_planning::MotionResult;
 /// Forces and depths over time and over strides, and two panels of the sole, for each foot: in three columns where all are there.
 pub(super) fn motion(result: &MotionResult, title: Option<&str>) -> Figure {
     let feet = &result.summary.feet;
-    let own = || format!("{} along {}", stem(result.opened.name()), stem(&result.motion));
-    let rows: Vec<Rows> =
-        feet.iter().enumerate().map(|(index, foot)| Rows::of(result, index, foot)).collect();
-    let is_whole = rows.iter().all(|rows| rows.strides.is_some() && rows.sole.is_some());
+    let default_title = || {
+        format!("{} along {}", name_without_ending(result.opened.name()), name_without_ending(&result.motion))
+    };
+    let feet_panels: Vec<FootPanels> =
+        feet.iter().enumerate().map(|(index, foot)| FootPanels::of_foot(result, index, foot)).collect();
+    let has_all_panels =
+        feet_panels.iter().all(|feet_panels| feet_panels.strides.is_some() && feet_panels.sole.is_some());
     Figure {
-        title: title.map_or_else(own, str::to_owned),
+        title: title.map_or_else(default_title, str::to_owned),
         description: format!(
             "Force along the normal of the floor over body weight of {}, of the model and, where they are there, of the plates; and \
              indentation over radius of each sphere, against time and over strides; where the force acts on the sole; and forces as \
@@ -24,34 +27,34 @@ pub(super) fn motion(result: &MotionResult, title: Option<&str>) -> Figure {
             feet.iter().map(|foot| foot.foot.name.as_str()).collect::<Vec<_>>().join(" and ")
         ),
         width: Width::Page,
-        columns: if is_whole { 3 } else { 2 },
-        panels: rows.into_iter().flat_map(|rows| rows.panels(is_whole)).collect(),
+        columns: if has_all_panels { 3 } else { 2 },
+        panels: feet_panels.into_iter().flat_map(|feet_panels| feet_panels.panels(has_all_panels)).collect(),
     }
 }
 
-/// The panels of one foot, in pairs.
-struct Rows {
+/// Pairs of panels of one foot.
+struct FootPanels {
     times: [Panel; 2],
     strides: Option<[Panel; 2]>,
     sole: Option<[Panel; 2]>,
 }
 
-impl Rows {
-    fn of(result: &MotionResult, index: usize, foot: &FootSummary) -> Self {
+impl FootPanels {
+    fn of_foot(result: &MotionResult, index: usize, foot: &FootSummary) -> Self {
         let on_sole = result.on_soles.get(index).and_then(Option::as_ref);
         let sole = on_sole.map(|on_sole| sole_panels(result, index, foot, on_sole));
         Self {
-            times: [forces(result, index, foot), depths(result, foot)],
+            times: [force_panel(result, index, foot), depth_panel(result, foot)],
             strides: stride_panels(result, index, foot),
             // A foot in the air has no centre of pressure.
             sole: sole.filter(|panels| panels.iter().all(|panel| !panel.curves.is_empty())),
         }
     }
 
-    /// Three above three, or pairs side by side.
-    fn panels(self, is_whole: bool) -> Vec<Panel> {
+    /// The panels in order: three above three, or pairs side by side.
+    fn panels(self, has_all_panels: bool) -> Vec<Panel> {
         let pairs = [Some(self.times), self.strides, self.sole];
-        if !is_whole {
+        if !has_all_panels {
             return pairs.into_iter().flatten().flatten().collect();
         }
         let (above, below): (Vec<Panel>, Vec<Panel>) =
@@ -60,7 +63,7 @@ impl Rows {
     }
 }
 
-fn forces(result: &MotionResult, index: usize, foot: &FootSummary) -> Panel {
+fn force_panel(result: &MotionResult, index: usize, foot: &FootSummary) -> Panel {
     let along = |wrench: &Wrench| along_normal(result, foot, wrench);
     let times = || result.states.time_s.iter().copied();
     let mut panel = Panel::new(
@@ -75,7 +78,7 @@ fn forces(result: &MotionResult, index: usize, foot: &FootSummary) -> Panel {
     if let Some(measured) = measured {
         let all: Vec<Option<(f64, f64)>> =
             times().zip(measured).map(|(time, one)| Some((time, along(one.as_ref()?)))).collect();
-        // No line leads over a time of which the plates know nothing.
+        // The line is interrupted where the plates have no force.
         for run in all.chunk_by(|before, after| before.is_some() == after.is_some()) {
             let points: Vec<(f64, f64)> = run.iter().copied().flatten().collect();
             if points.len() > 1 {
@@ -87,15 +90,15 @@ fn forces(result: &MotionResult, index: usize, foot: &FootSummary) -> Panel {
 }
 
 /// The file's name without its folders and its ending.
-fn stem(name: &FileName) -> String {
+fn name_without_ending(name: &FileName) -> String {
     let path = name.to_path();
     path.file_stem().map_or_else(|| name.to_string(), |stem| stem.to_string_lossy().into_owned())
 }
 
-/// A sphere further above the floor than so many radii says nothing of its contact.
-const ABOVE: f64 = -0.5;
+/// Spheres higher above the floor than this are not shown, radii.
+const LEAST_DEPTH_SHOWN: f64 = -0.5;
 
-fn depths(result: &MotionResult, foot: &FootSummary) -> Panel {
+fn depth_panel(result: &MotionResult, foot: &FootSummary) -> Panel {
     let mut panel = Panel::new("", Axis::new("time (s)"), Axis::new("indentation / radius (–)"));
     panel.limits.push(hertz_limit());
     for (index, &pair) in foot.foot.pairs.iter().enumerate() {
@@ -106,51 +109,44 @@ fn depths(result: &MotionResult, foot: &FootSummary) -> Panel {
         panel.curves.push(Curve::new(sphere.unwrap_or_default(), points, Look::series(index)));
     }
     let deepest = foot.spheres.iter().map(|sphere| sphere.largest_relative_indentation).fold(0.2, f64::max);
-    panel.y.limits = Some((ABOVE, 1.05 * deepest));
+    panel.y.limits = Some((LEAST_DEPTH_SHOWN, 1.05 * deepest));
     panel
 }
 
-/// The normal of the foot's floor.
+/// The normal of the floor under a foot.
 fn normal(result: &MotionResult, foot: &FootSummary) -> DVec3 {
     let first = foot.foot.pairs.first().and_then(|&pair| result.states.frame(0).get(pair));
     first.map_or(DVec3::Y, |state| state.normal)
 }
 
-/// The part of a force along that normal, body weights.
+/// A force along the normal of the foot's floor, body weights.
 fn along_normal(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> f64 {
     wrench.force_n.dot(normal(result, foot)) / result.summary.weight_n
 }
 
-/// How deep the Hertz law holds.
+/// The limit of the Hertz law as a line.
 fn hertz_limit() -> Limit {
     Limit::horizontal("Hertz", limits::INDENTATION.value)
 }
 
-// Where forces act on the sole, and forces along the foot.
+/// Most arrows of one stance.
+const MOST_ARROWS: usize = 25;
+/// An arrow leans so far for a force of one body weight along the foot, mm.
+const LEAN_PER_BODY_WEIGHT_MM: f64 = 100.0;
 
-/// Arrows of one stance, at most.
-const ARROWS: usize = 25;
-/// How far a push of one body weight along the foot leans an arrow, mm.
-const LEAN_MM: f64 = 100.0;
-
-/// The path of the centre of pressure seen from above, and forces as they stand on the sole.
-fn sole_panels(
-    result: &MotionResult,
-    index: usize,
-    foot: &FootSummary,
-    on_sole: &PressureOnSole,
-) -> [Panel; 2] {
-    [path(result, foot, on_sole), arrows(result, index, foot, on_sole)]
+/// The path of the centre of pressure from above, and forces as arrows on the sole.
+fn sole_panels(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &OnSole) -> [Panel; 2] {
+    [path_panel(result, foot, on_sole), arrow_panel(result, index, foot, on_sole)]
 }
 
-fn path(result: &MotionResult, foot: &FootSummary, on_sole: &PressureOnSole) -> Panel {
+fn path_panel(result: &MotionResult, foot: &FootSummary, on_sole: &PressureOnSole) -> Panel {
     let mut panel = Panel::new(
         "centre of pressure on the sole",
         Axis::new("along the foot (mm)"),
         Axis::new("to the right of the foot (mm)"),
     );
     for (label, points, series) in [("model", &on_sole.model_m, 0), ("plates", &on_sole.measured_m, 1)] {
-        // No line leads over a time without a centre of pressure.
+        // The line is interrupted where there is no centre of pressure.
         for run in points.chunk_by(|before, after| before.is_some() == after.is_some()) {
             let points: Vec<(f64, f64)> =
                 run.iter().flatten().map(|[ahead, right]| (1e3 * ahead, 1e3 * right)).collect();
@@ -168,28 +164,28 @@ fn path(result: &MotionResult, foot: &FootSummary, on_sole: &PressureOnSole) -> 
     panel
 }
 
-/// The first stance that is seen whole, else the first one: the force in some of its frames, from where it acts.
-fn arrows(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &PressureOnSole) -> Panel {
+/// Arrows of forces in some frames of the first complete stance, else of the first one, from the centre of pressure.
+fn arrow_panel(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &PressureOnSole) -> Panel {
     let mut panel = Panel::new(
         "forces of one stance",
         Axis::new("along the foot (mm)"),
         Axis::new("normal force / body weight (–)"),
     );
-    let whole = foot.stances.iter().find(|one| one.stance.duration_s().is_some());
-    let Some(stance) = whole.or(foot.stances.first()).map(|one| one.stance) else { return panel };
+    let complete_stance = foot.stances.iter().find(|one| one.stance.duration_s().is_some());
+    let Some(stance) = complete_stance.or(foot.stances.first()).map(|one| one.stance) else { return panel };
     let measured = result.measured.as_ref().and_then(|measured| measured.feet.get(index));
-    let step = ((stance.last - stance.first) / ARROWS).max(1);
+    let step = ((stance.last - stance.first) / MOST_ARROWS).max(1);
     for frame in (stance.first..=stance.last).step_by(step) {
-        let own = on_sole.model_m.get(frame).copied().flatten().zip(foot.wrenches.get(frame));
+        let default_title = on_sole.model_m.get(frame).copied().flatten().zip(foot.wrenches.get(frame));
         let plate = on_sole.measured_m.get(frame).copied().flatten();
         let plate = plate.zip(measured.and_then(|all| all.get(frame)?.as_ref()));
-        for (one, series) in [(own, 0), (plate, 1)] {
+        for (one, series) in [(default_title, 0), (plate, 1)] {
             if let Some(([ahead_m, _], wrench)) = one {
-                let (leans_mm, up) = arrow(result, foot, wrench);
+                let (leans_mm, up) = lean_and_height(result, foot, wrench);
                 let start_mm = 1e3 * ahead_m;
                 let points = vec![(start_mm, 0.0), (start_mm + leans_mm, up)];
                 let look = Look { dash: Dash::Solid, ..Look::series(series) };
-                // The legend has them by their colours.
+                // Other panels explain the colours.
                 panel.curves.push(Curve::new("", points, look));
             }
         }
@@ -197,17 +193,16 @@ fn arrows(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &Pre
     panel
 }
 
-/// How far an arrow leans, mm, and how high it is, body weights.
-fn arrow(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> (f64, f64) {
+/// The lean of an arrow, mm, and its height, body weights.
+fn lean_and_height(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> (f64, f64) {
     let normal = normal(result, foot);
     let weight_n = result.summary.weight_n;
     let forward = ViewAxes::with_up(normal).forward;
-    (LEAN_MM * wrench.force_n.dot(forward) / weight_n, along_normal(result, foot, wrench))
+    (LEAN_PER_BODY_WEIGHT_MM * wrench.force_n.dot(forward) / weight_n, along_normal(result, foot, wrench))
 }
 
-// Forces and depths over whole strides, from touch-down (0 %) to the next one (100 %).
-
-/// The force and the deepest sphere; `None` where no stride is seen whole.
+/// Panels of the force and of the deepest sphere over strides, from one touch-down (0 %) to the next (100 %); `None` without a complete
+/// stride.
 fn stride_panels(result: &MotionResult, index: usize, foot: &FootSummary) -> Option<[Panel; 2]> {
     let strides = foot.strides();
     if strides.is_empty() {
@@ -221,15 +216,15 @@ fn stride_panels(result: &MotionResult, index: usize, foot: &FootSummary) -> Opt
     for &stride in &strides {
         let plates = |frame: usize| Some(along_normal(result, foot, measured?.get(frame)?.as_ref()?));
         let model = |frame: usize| Some(along_normal(result, foot, foot.wrenches.get(frame)?));
-        add(&mut forces, result, stride, ("model", 0), model);
-        add(&mut forces, result, stride, ("plates", 1), plates);
-        add(&mut depths, result, stride, ("model", 0), |frame| deepest(result, foot, frame));
+        add_stride(&mut forces, result, stride, ("model", 0), model);
+        add_stride(&mut forces, result, stride, ("plates", 1), plates);
+        add_stride(&mut depths, result, stride, ("model", 0), |frame| deepest_at(result, foot, frame));
     }
     Some([forces, depths])
 }
 
-/// Adds a curve of what is known of a stride, up to the first frame of which nothing is.
-fn add(
+/// Adds the curve of one stride, up to the first frame without a value.
+fn add_stride(
     panel: &mut Panel,
     result: &MotionResult,
     (from_s, to_s): (f64, f64),
@@ -247,7 +242,7 @@ fn add(
     }
 }
 
-fn deepest(result: &MotionResult, foot: &FootSummary, frame: usize) -> Option<f64> {
+fn deepest_at(result: &MotionResult, foot: &FootSummary, frame: usize) -> Option<f64> {
     let relative = |&pair: &usize| {
         let state = result.states.frame(frame).get(pair)?;
         Some(state.indentation_m / result.states.pairs.get(pair)?.radius_m)

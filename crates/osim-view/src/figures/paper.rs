@@ -10,41 +10,42 @@ use osim_inspect::series::{self, Body, ForceUnit, IndentationUnit, SphereKind, U
 use osim_model::files::Failure;
 use osim_model::messages::readable;
 
-use crate::figures::axes::thresholds;
-use crate::figures::curves::{DIMENSIONLESS, Laws, SECONDS, drop_panel, force_panel, state_panel};
+use crate::figures::axes::threshold_limits;
+use crate::figures::curves::{
+    DIMENSIONLESS_TIME, KindOfSphereLaws, TIME_IN_SECONDS, drop_panel, force_panel, state_panel,
+};
 
 /// The animal of Table 1 that is called `taxon` and stands on the most spheres.
 fn animal(taxon: &str) -> Result<Animal, Failure> {
     let spheres = |animal: &Animal| animal.scale().sphere_count();
     let most = table1::called(taxon).max_by(|a, b| spheres(a).total_cmp(&spheres(b)));
-    most.ok_or_else(|| failure(format!("there is no {taxon}")))
+    most.ok_or_else(|| table_failure(format!("there is no {taxon}")))
 }
 
-/// Something that went wrong with numbers of the table.
-fn failure(error: impl Display) -> Failure {
+/// A failure with numbers of Table 1.
+fn table_failure(error: impl Display) -> Failure {
     Failure::outside("Table 1", "plot", error.to_string())
 }
 
-// Fig. 4: what scaling the dissipation does.
-
-/// How long the drop is followed for the time axis, in s.
+/// How long drops of Fig. 4 are followed, s.
 const DURATION_S: f64 = 1.1;
-/// Where the time axis ends, in s: both animals are at rest.
+/// End of the time axis of Fig. 4, s: both animals rest.
 const SHOWN_S: f64 = 0.5;
-/// Points for each √(R/g): as many for the mouse as for the giraffe in their own time.
+/// Points for each √(R/g), so that the curves of all animals have equally many.
 const SAMPLES_PER_UNIT: f64 = 40.0;
 
-/// Where the force axes end, in body weights.
-const TOP: f64 = 3.0;
+/// End of the force axes of Fig. 4, body weights.
+const MOST_BODY_WEIGHTS: f64 = 3.0;
 
-/// Drops of the mouse and the giraffe, with α = 2 s/m for both and with α scaled by (14).
+/// Fig. 4, the effect of scaling the dissipation: drops of the mouse and the giraffe, with α = 2 s/m for both and with α scaled by
+/// (14).
 ///
 /// # Errors
 /// None with the numbers of Table 1.
 pub fn fig4(title: Option<&str>) -> Result<Figure, Failure> {
     let animals = [animal("mouse")?, animal("giraffe")?];
-    let drops = |scale_dissipation: bool| -> Result<Vec<Fall>, Failure> {
-        animals.iter().map(|animal| drop(animal, scale_dissipation)).collect()
+    let drops = |scale_dissipation: bool| -> Result<Vec<AnimalDrop>, Failure> {
+        animals.iter().map(|animal| drop_of_animal(animal, scale_dissipation)).collect()
     };
     let (before, after) = (drops(false)?, drops(true)?);
     let base = falisse2022().contact.dissipation();
@@ -59,16 +60,16 @@ pub fn fig4(title: Option<&str>) -> Result<Figure, Failure> {
         width: Width::Page,
         columns: 2,
         panels: vec![
-            panel(&same, SECONDS, &before),
-            panel("α scaled by (14)", SECONDS, &after),
-            panel(&same, DIMENSIONLESS, &before),
-            panel("α scaled by (14)", DIMENSIONLESS, &after),
+            panel(&same, TIME_IN_SECONDS, &before),
+            panel("α scaled by (14)", TIME_IN_SECONDS, &after),
+            panel(&same, DIMENSIONLESS_TIME, &before),
+            panel("α scaled by (14)", DIMENSIONLESS_TIME, &after),
         ],
     })
 }
 
-/// The fall of one animal.
-struct Fall {
+/// The drop of one animal.
+struct AnimalDrop {
     taxon: &'static str,
     /// Time in s, force in body weights.
     points: Vec<Point>,
@@ -76,63 +77,62 @@ struct Fall {
     time_unit_s: f64,
 }
 
-fn panel(title: &str, time: &str, falls: &[Fall]) -> Panel {
-    let in_seconds = time == SECONDS;
-    let unit_s = |fall: &Fall| if in_seconds { 1.0 } else { fall.time_unit_s };
+fn panel(title: &str, time: &str, falls: &[AnimalDrop]) -> Panel {
+    let in_seconds = time == TIME_IN_SECONDS;
+    let unit_s = |fall: &AnimalDrop| if in_seconds { 1.0 } else { fall.time_unit_s };
     let drawn = falls.iter().map(|fall| (fall.taxon, fall.points.as_slice(), unit_s(fall)));
     let mut panel = drop_panel(drawn, time, in_seconds.then_some(SHOWN_S));
     panel.title = title.to_owned();
-    // One scale for all, so that the eye can compare them.
-    panel.y.range = Some((0.0, TOP));
+    // All panels have one scale, so that they can be compared.
+    panel.y.range = Some((0.0, MOST_BODY_WEIGHTS));
     panel
 }
 
 /// The drop of one animal by the law that the paper's tests used, which has no smoothing.
-fn drop(animal: &Animal, scale_dissipation: bool) -> Result<Fall, Failure> {
-    let (scale, values) = (animal.scale(), animal.plain_contact().map_err(failure)?.values());
+fn drop_of_animal(animal: &Animal, scale_dissipation: bool) -> Result<AnimalDrop, Failure> {
+    let (scale, values) = (animal.scale(), animal.plain_contact().map_err(table_failure)?.values());
     let dissipation =
         if scale_dissipation { values.dissipation } else { falisse2022().contact.dissipation() };
-    let contact = Contact::new(ContactValues { dissipation, ..values }).map_err(failure)?;
-    let test = DropTest::of(&contact, &scale, HEIGHT_RADII, DURATION_S).map_err(failure)?;
+    let contact = Contact::new(ContactValues { dissipation, ..values }).map_err(table_failure)?;
+    let test = DropTest::of(&contact, &scale, HEIGHT_RADII, DURATION_S).map_err(table_failure)?;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand points")]
     let samples = (SAMPLES_PER_UNIT * DURATION_S / scale.time_s()) as usize;
     let values = DropValues { samples, ..test.values() };
-    let test = DropTest::new(test.spheres().iter().copied(), values).map_err(failure)?;
-    let report = test.run().map_err(failure)?;
+    let test = DropTest::new(test.spheres().iter().copied(), values).map_err(table_failure)?;
+    let report = test.run().map_err(table_failure)?;
     let points = report.series.iter().map(|sample| (sample.time_s, sample.force_n / report.body_weight_n));
-    Ok(Fall { taxon: animal.taxon(), points: points.collect(), time_unit_s: report.reference_time_s })
+    Ok(AnimalDrop { taxon: animal.taxon(), points: points.collect(), time_unit_s: report.reference_time_s })
 }
 
-// Fig. C.5: what smoothing does.
+/// The animal whose sphere Fig. C.5 shows.
+const FIG_C5_ANIMAL: &str = "emu";
 
-/// Whose sphere the figure is taken to show.
-const EMU: &str = "emu";
-
-/// Radii that curves go to either side.
-const REACH: f64 = 0.5;
+/// Curves of Fig. C.5 go so many radii to either side.
+const SHOWN_RADII: f64 = 0.5;
 
 const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: ForceUnit::Newton };
 
-/// The smoothed law of a sphere of 15 mm (the emu of ten spheres) with OpenSim's own cf and bd, and with scaled ones.
+/// Fig. C.5, the effect of smoothing: the smoothed law of a sphere of 15 mm (the emu of ten spheres) with OpenSim's default cf and bd,
+/// and with scaled ones.
 ///
 /// # Errors
 /// None with the numbers of Table 1.
 pub fn fig_c5(title: Option<&str>) -> Result<Figure, Failure> {
-    let animal = animal(EMU)?;
-    let (emu, values) = (animal.scale(), animal.contact().map_err(failure)?.values());
+    let animal = animal(FIG_C5_ANIMAL)?;
+    let (emu, values) = (animal.scale(), animal.contact().map_err(table_failure)?.values());
     let default = ContactValues { smoothing: Some(SmoothingValues::OPENSIM_DEFAULT), ..values };
     let mut bodies = Vec::new();
     for (name, values) in [("default cf, bd", default), ("scaled cf, bd", values)] {
-        bodies.push((name, body(&emu, Contact::new(values).map_err(failure)?)));
+        bodies.push((name, body(&emu, Contact::new(values).map_err(table_failure)?)));
     }
     let mut panels = Vec::new();
     for (name, body) in &bodies {
-        panels.push(forces(name, body)?);
+        panels.push(force_panel_of(name, body)?);
     }
     for (name, body) in &bodies {
-        panels.push(states(name, body)?);
+        panels.push(state_panel_of(name, body)?);
     }
-    // Both forces on one scale, so that the eye can compare them.
+    // Both force panels have one scale, so that they can be compared.
     let top = panels.iter().take(2).flat_map(|panel| panel.curves.iter().flat_map(|curve| &curve.points));
     let top = top.fold(0.0_f64, |most, (_, force)| most.max(*force));
     for panel in panels.iter_mut().take(2) {
@@ -151,27 +151,27 @@ pub fn fig_c5(title: Option<&str>) -> Result<Figure, Failure> {
 }
 
 fn body(scale: &Scale, contact: Contact) -> Body {
-    let unknown = Failure::outside(EMU, "plot", "Fig. C.5 says nothing of weight");
-    Body::without_weight(EMU.to_owned(), vec![SphereKind::new(scale.radius_m(), contact)], &unknown)
+    let unknown = Failure::outside(FIG_C5_ANIMAL, "plot", "Fig. C.5 says nothing of weight");
+    Body::without_weight(FIG_C5_ANIMAL.to_owned(), vec![SphereKind::new(scale.radius_m(), contact)], &unknown)
 }
 
-fn forces(title: &str, body: &Body) -> Result<Panel, Failure> {
+fn force_panel_of(title: &str, body: &Body) -> Result<Panel, Failure> {
     let mut laws = Vec::new();
     for (body, kind) in series::bodies_and_kinds(std::slice::from_ref(body)) {
-        let reach_m = (-REACH * kind.radius_m, REACH * kind.radius_m);
+        let reach_m = (-SHOWN_RADII * kind.radius_m, SHOWN_RADII * kind.radius_m);
         let series = series::force(body, kind, UNITS, reach_m)?;
-        laws.push(Laws { name: body.name.clone(), series, remark: String::new() });
+        laws.push(KindOfSphereLaws { name: body.name.clone(), series, remark: String::new() });
     }
     Ok(Panel { title: title.to_owned(), ..force_panel(laws, UNITS) })
 }
 
-fn states(title: &str, body: &Body) -> Result<Panel, Failure> {
+fn state_panel_of(title: &str, body: &Body) -> Result<Panel, Failure> {
     let mut states = Vec::new();
     let mut limits = Vec::new();
     for (body, kind) in series::bodies_and_kinds(std::slice::from_ref(body)) {
         let points = series::contact_state(body, kind, UNITS, None)?;
         states.extend(points.map(|points| (body.name.clone(), points)));
-        limits.extend(thresholds(kind, UNITS));
+        limits.extend(threshold_limits(kind, UNITS));
     }
     Ok(Panel { title: title.to_owned(), limits, ..state_panel(states, UNITS) })
 }

@@ -1,4 +1,4 @@
-//! A model that was changed: from what, to what, by which equation, and what its contacts do before and after.
+//! The page entry and sections of a model that was changed.
 
 use maud::{Markup, html};
 use osim_inspect::series::Body;
@@ -8,9 +8,9 @@ use osim_patch::{NumberChange, PlaceChange, Plan};
 use osim_planning::{BeforeAfter, ModelFeet};
 
 use crate::html::entry::{Entry, RunRow};
-use crate::html::explained::{Topics, listed, sentence, severity};
+use crate::html::explained::{Topics, as_sentence, listed_names, severity_tag};
 use crate::html::fragment::{DetailLevel, Fragment, Section, table};
-use crate::html::inspected::{self, Examined, Files};
+use crate::html::inspected::{self, Files, InspectedAndChecked};
 use crate::html::special::{Drawn, Facts, deepest};
 use crate::html::sphere_figures::{self, State};
 use crate::html::{findings, plots, reference};
@@ -20,34 +20,33 @@ use crate::report::plan::{
 
 /// A change and what it does. What the plan, the inspections and the checks say is taken as it is spelled.
 #[derive(Debug)]
-pub struct Changed<'c> {
-    /// What changes.
+pub struct ChangedModelOnPage<'c> {
     pub plan: &'c Plan,
-    /// The model as it was.
-    pub before: Examined<'c>,
-    /// The figures of the model as it was, under the new weight, where that differs.
+    /// The old model.
+    pub before: InspectedAndChecked<'c>,
+    /// Figures of the old contacts under the new weight, if it differs.
     pub before_under_new_weight: Option<&'c Figures>,
-    /// The model as it is written; `None` where nothing changes.
-    pub after: Option<Examined<'c>>,
-    /// States of the model to be drawn.
+    /// The new model; `None` if nothing changes.
+    pub after: Option<InspectedAndChecked<'c>>,
+    /// States of the model for curves.
     pub bodies: Vec<Body>,
     /// The feet of these states, the last with its bones; empty if they are not drawn.
     pub feet: Vec<ModelFeet>,
-    /// What the contacts are taken from, where they are another body's.
+    /// The model or preset that the contacts come from, if they are another body's.
     pub reference: Option<&'c ReferenceState>,
-    /// What the new contacts do along a recording, where the change follows one: from [`recording`](crate::html::recording).
+    /// The section about the contacts along a recording, from [`recording`](crate::html::recording), if the change follows one.
     pub recording: Option<Section>,
     /// Whether the new model is in a file.
     pub in_file: bool,
-    /// The gravity the contacts are scaled to, where the model's is another, m/s².
+    /// The gravity that the contacts are scaled to, if the model has another one, m/s².
     pub target_gravity_m_s2: Option<f64>,
-    /// What was read and written.
+    /// Files that were read and written.
     pub files: Files,
 }
 
-impl<'c> Changed<'c> {
-    /// A plan for a model as it was, not written yet.
-    pub fn new(plan: &'c Plan, before: Examined<'c>, files: Files) -> Self {
+impl<'c> ChangedModelOnPage<'c> {
+    /// A plan for a model, not written yet, without its results.
+    pub fn new(plan: &'c Plan, before: InspectedAndChecked<'c>, files: Files) -> Self {
         Self {
             plan,
             before,
@@ -63,52 +62,61 @@ impl<'c> Changed<'c> {
         }
     }
 
-    /// A plan with all that is known of both states of its model; its caller says whether that is in a file.
+    /// A plan with both states of its model. The caller sets `in_file`.
     pub fn of_states(plan: &'c Plan, states: &'c BeforeAfter, files: Files) -> Self {
         Self {
             before_under_new_weight: states.before_under_new_weight.as_ref(),
-            after: states.after.as_ref().map(Examined::from),
+            after: states.after.as_ref().map(InspectedAndChecked::from),
             bodies: states.bodies.clone(),
             feet: states.feet.clone(),
             reference: states.reference.as_ref(),
             target_gravity_m_s2: states.target_gravity_m_s2,
-            ..Self::new(plan, Examined::from(&states.before), files)
+            ..Self::new(plan, InspectedAndChecked::from(&states.before), files)
         }
     }
 }
 
-/// Everything about one model that was changed; `row` is in the table of models.
-pub fn changed(row: &RunRow, changed: Changed<'_>, detail: DetailLevel, dialect: &dyn Dialect) -> Entry {
+/// The entry of a changed model; `row` is its row in the table of models.
+pub fn entry_of_changed_model(
+    row: &RunRow,
+    changed: ChangedModelOnPage<'_>,
+    detail: DetailLevel,
+    dialect: &dyn Dialect,
+) -> Entry {
     let mut fragment = Fragment::new(detail);
-    let (facts, plan) = (facts(&changed), changed.plan);
-    let drawn = fill(&mut fragment, changed, dialect);
-    Entry::of_change(row, plan, facts, drawn, fragment)
+    let (facts, plan) = (facts_of_change(&changed), changed.plan);
+    let drawn = add_change_sections(&mut fragment, changed, dialect);
+    Entry::of_changed_model(row, plan, facts, drawn, fragment)
 }
 
-/// Adds the sections; what may be drawn of the model elsewhere.
-pub(super) fn fill(fragment: &mut Fragment, changed: Changed<'_>, dialect: &dyn Dialect) -> Drawn {
-    what_changed(fragment, changed.plan);
+/// Adds the sections about a change; returns what other parts of the page may draw.
+pub(super) fn add_change_sections(
+    fragment: &mut Fragment,
+    changed: ChangedModelOnPage<'_>,
+    dialect: &dyn Dialect,
+) -> Drawn {
+    add_changes_section(fragment, changed.plan);
     let before = changed.before;
-    if fragment.wants(findings::SECTION.0) {
+    if fragment.is_wanted(findings::SECTION.0) {
         match changed.after {
             Some(after) => {
                 let found = after.check;
                 let (in_file, gravity_m_s2) = (changed.in_file, changed.target_gravity_m_s2);
-                let after = findings::After { found, in_file, gravity_m_s2 };
-                findings::of_change(fragment, before.check, &after);
+                let after = findings::NewModelFindings { check: found, in_file, gravity_m_s2 };
+                findings::add_findings_of_change(fragment, before.check, &after);
             }
-            None => findings::of_model(fragment, before.check),
+            None => findings::add_findings_of_model(fragment, before.check),
         }
     }
     if let Some(recording) = &changed.recording {
-        fragment.section(recording.id, recording.title, &maud::PreEscaped(recording.html.clone()));
+        fragment.add_section(recording.id, recording.title, &maud::PreEscaped(recording.html.clone()));
     }
-    if let Some(reference) = changed.reference.filter(|_| fragment.wants(reference::SECTION.0)) {
+    if let Some(reference) = changed.reference.filter(|_| fragment.is_wanted(reference::SECTION.0)) {
         reference::section(fragment, reference, &changed.bodies);
     }
-    let Changed { before_under_new_weight, after, reference, .. } = changed;
-    let files = inspected::of_change(&changed.files);
-    let drawn = drawn(changed);
+    let ChangedModelOnPage { before_under_new_weight, after, reference, .. } = changed;
+    let files = inspected::list_of_files(&changed.files);
+    let drawn = drawn_states(changed);
     if fragment.detail.is_alone() {
         plots::feet_section(fragment, &drawn.feet);
         if !drawn.bodies.is_empty() {
@@ -116,23 +124,23 @@ pub(super) fn fill(fragment: &mut Fragment, changed: Changed<'_>, dialect: &dyn 
             plots::state_section(fragment, &drawn.bodies);
         }
     }
-    if fragment.wants(sphere_figures::SECTION.0) {
+    if fragment.is_wanted(sphere_figures::SECTION.0) {
         let after = after.map(|after| after.inspection);
-        let mut states = states(before.inspection, before_under_new_weight, after);
-        let there = reference.and_then(|reference| reference.figures.as_ref());
-        states.extend(there.map(|figures| State {
+        let mut states = states_of_change(before.inspection, before_under_new_weight, after);
+        let reference_figures = reference.and_then(|reference| reference.figures.as_ref());
+        states.extend(reference_figures.map(|figures| State {
             name: "reference".to_owned(),
             figures,
             is_reference: true,
         }));
         sphere_figures::section(fragment, &states);
     }
-    fragment.section("files", "Files read and written", &files);
+    fragment.add_section("files", "Files read and written", &files);
     drawn
 }
 
-/// What is drawn: the states of the model, and the reference where there are any.
-fn drawn(changed: Changed<'_>) -> Drawn {
+/// States of the model, and the reference if there is one, to be drawn.
+fn drawn_states(changed: ChangedModelOnPage<'_>) -> Drawn {
     let reference = changed.reference.and_then(|reference| reference.body.clone());
     let mut drawn =
         Drawn { bodies: changed.bodies, has_reference: changed.reference.is_some(), feet: changed.feet };
@@ -142,8 +150,8 @@ fn drawn(changed: Changed<'_>) -> Drawn {
     drawn
 }
 
-/// What the page counts.
-fn facts(changed: &Changed<'_>) -> Facts {
+/// Numbers that the page counts.
+fn facts_of_change(changed: &ChangedModelOnPage<'_>) -> Facts {
     let last = changed.after.unwrap_or(changed.before);
     let mut facts = Facts::new(&last.inspection.figures, last.check, changed.bodies.last());
     facts.reference = changed.reference.map(reference::in_words);
@@ -152,7 +160,7 @@ fn facts(changed: &Changed<'_>) -> Facts {
     facts
 }
 
-fn states<'s>(
+fn states_of_change<'s>(
     before: &'s Inspection,
     under_new_weight: Option<&'s Figures>,
     after: Option<&'s Inspection>,
@@ -178,31 +186,31 @@ fn states<'s>(
         figures: &after.figures,
         is_reference: false,
     }));
-    // Contacts that are new, or that are gone, have one state.
+    // If all contacts were added or removed, one state has no spheres and is left out.
     if states.iter().any(|state| state.figures.spheres().next().is_some()) {
         states.retain(|state| state.figures.spheres().next().is_some());
     }
     states
 }
 
-/// Adds what changes.
-pub(super) fn what_changed(fragment: &mut Fragment, plan: &Plan) {
-    let objects = objects(plan);
-    let changes = changes(&mut fragment.topics, plan);
-    let spheres = new_spheres(plan);
-    let moves = moves(&mut fragment.topics, &moves_of_others(plan));
-    let warnings = warnings(&mut fragment.topics, plan);
+/// Adds the section about all changes of a plan.
+pub(super) fn add_changes_section(fragment: &mut Fragment, plan: &Plan) {
+    let objects = table_of_objects(plan);
+    let changes = table_of_numbers(&mut fragment.topics, plan);
+    let spheres = table_of_new_spheres(plan);
+    let moves = table_of_moves(&mut fragment.topics, &moves_of_others(plan));
+    let warnings = list_of_warnings(&mut fragment.topics, plan);
     let body = html! {
-        p { (sentence(&plan.taken.to_string())) }
+        p { (as_sentence(&plan.taken.to_string())) }
         @if plan.is_empty() { p.aside { "Nothing had to change." } }
         (objects) (changes) (spheres) (moves)
-        @if !plan.remarks.is_empty() { ul { @for remark in &plan.remarks { li { (sentence(&remark.to_string())) } } } }
+        @if !plan.remarks.is_empty() { ul { @for remark in &plan.remarks { li { (as_sentence(&remark.to_string())) } } } }
         (warnings)
     };
-    fragment.section("changes", "What changed", &body);
+    fragment.add_section("changes", "What changed", &body);
 }
 
-fn objects(plan: &Plan) -> Markup {
+fn table_of_objects(plan: &Plan) -> Markup {
     let rows: Vec<Markup> = object_groups(plan.objects())
         .iter()
         .map(|group| {
@@ -211,7 +219,7 @@ fn objects(plan: &Plan) -> Markup {
                     th scope="row" { code { (group.class) } }
                     td.words { (group.action.as_str()) }
                     td { (group.names.len()) }
-                    td.words { (listed(&group.names)) }
+                    td.words { (listed_names(&group.names)) }
                 }
             }
         })
@@ -227,16 +235,16 @@ fn objects(plan: &Plan) -> Markup {
     )
 }
 
-fn changes(topics: &mut Topics, plan: &Plan) -> Markup {
+fn table_of_numbers(topics: &mut Topics, plan: &Plan) -> Markup {
     if plan.changes.is_empty() {
         return html! {};
     }
     let groups = groups(&plan.changes);
-    // Twelve spheres with the same numbers need no names; two groups of one property do.
+    // Names are shown only if a property has several groups of objects with different numbers.
     let several = several_groups(&groups);
-    let is_named =
-        |group: &[&NumberChange]| group.first().is_some_and(|change| several.contains(&change.property));
-    let rows: Vec<Markup> = groups.iter().map(|group| change(topics, group, is_named(group))).collect();
+    let is_named = |group: &[&NumberChange]| group.first().is_some_and(|change| several.contains(&change.property));
+    let rows: Vec<Markup> =
+        groups.iter().map(|group| row_of_numbers(topics, group, is_named(group))).collect();
     let mut caption =
         "Numbers that change, in OpenSim's units, and the equation each follows from.".to_owned();
     if plan.changes.iter().any(|change| change.inserted) {
@@ -247,23 +255,22 @@ fn changes(topics: &mut Topics, plan: &Plan) -> Markup {
     table("Numbers that change", &caption, &headers, &rows)
 }
 
-fn change(topics: &mut Topics, group: &[&NumberChange], with_names: bool) -> Markup {
+fn row_of_numbers(topics: &mut Topics, group: &[&NumberChange], with_names: bool) -> Markup {
     let Some(first) = group.first() else { return html! {} };
     let unit = first.property.unit().replace("m2", "m²");
     html! {
         tr {
             th scope="row" { code { (first.property.name()) } @if !unit.is_empty() && unit != "1" { " " span.quiet { (unit) } } }
-            td.words { (whose(group)) @if with_names && group.len() > 1 { br; span.quiet { (listed(&names(group))) } } }
+            td.words { (whose(group)) @if with_names && group.len() > 1 { br; span.quiet { (listed_names(&names(group))) } } }
             td { (readable(first.from)) }
             td { b { (readable(first.to)) } @if first.inserted { " +" } }
             td { @if let Some(factor) = first.factor { "×" (readable(factor)) } }
-            td { (topics.equations(first.by.as_str())) }
+            td { (topics.links_to_equations(first.by.as_str())) }
         }
     }
 }
 
-/// Spheres that are added, as they are written.
-fn new_spheres(plan: &Plan) -> Markup {
+fn table_of_new_spheres(plan: &Plan) -> Markup {
     let rows: Vec<Markup> = plan
         .new_spheres()
         .iter()
@@ -285,7 +292,7 @@ fn new_spheres(plan: &Plan) -> Markup {
     table("New spheres", caption, &["sphere", " on", "radius", "x", "y", "z"], &rows)
 }
 
-fn moves(topics: &mut Topics, moves: &[&PlaceChange]) -> Markup {
+fn table_of_moves(topics: &mut Topics, moves: &[&PlaceChange]) -> Markup {
     if moves.is_empty() {
         return html! {};
     }
@@ -296,7 +303,7 @@ fn moves(topics: &mut Topics, moves: &[&PlaceChange]) -> Markup {
                 tr {
                     th scope="row" { (moved.sphere) }
                     @for value in moved.from.iter().chain(&moved.to) { td { (centre(*value)) } }
-                    td { (topics.equations(moved.by.as_str())) }
+                    td { (topics.links_to_equations(moved.by.as_str())) }
                 }
             }
         })
@@ -306,14 +313,14 @@ fn moves(topics: &mut Topics, moves: &[&PlaceChange]) -> Markup {
     table("Centres that move", caption, &headers, &rows)
 }
 
-fn warnings(topics: &mut Topics, plan: &Plan) -> Markup {
+fn list_of_warnings(topics: &mut Topics, plan: &Plan) -> Markup {
     let items: Vec<Markup> = plan
         .warnings
         .iter()
         .map(|warning| {
             html! {
                 li { p {
-                    (severity(warning.severity)) " " (topics.code(warning.code())) " "
+                    (severity_tag(warning.severity)) " " (topics.link_to_finding(warning.code())) " "
                     (warning.message.to_string()) "."
                     @if let Some(line) = warning.line { " " span.quiet { "line " (line) } }
                 } }

@@ -1,4 +1,4 @@
-//! The outcome for one model: its row in the table, and everything else about it.
+//! The entry of a model on a page: its row in the table of models, and its sections.
 
 use osim_inspect::Inspection;
 use osim_model::Property;
@@ -12,13 +12,13 @@ use crate::html::special::{Drawn, Facts, Indentation, is_too_deep};
 use crate::report::explain::{ErrorCode, error};
 
 /// Marks models that an earlier run has done.
-pub(super) const EARLIER: &str = " †";
-/// Factors that differ from place to place.
-const UNEQUAL: &str = "unequal";
-/// Properties whose old and new values are in the table.
-const SHOWN: [Property; 3] = [Property::Radius, Property::Stiffness, Property::Dissipation];
+pub(super) const EARLIER_MARK: &str = " †";
+/// The text in the place of factors that are not equal.
+const UNEQUAL_FACTORS: &str = "unequal";
+/// Properties whose old and new values are columns of the table.
+const PROPERTIES_SHOWN: [Property; 3] = [Property::Radius, Property::Stiffness, Property::Dissipation];
 
-/// The outcome for one model.
+/// The entry of a model on a page.
 #[derive(Debug)]
 pub struct Entry {
     pub(super) model: String,
@@ -29,20 +29,20 @@ pub struct Entry {
     pub(super) failed: bool,
     /// The cells after the outcome, in the order of the columns; empty if there is only the outcome.
     pub(super) cells: Vec<Cell>,
-    /// After its name where its details are closed.
+    /// The text after its name, where its sections are folded.
     pub(super) summary: String,
-    /// Everything else about it; `None` where it could not be done.
+    /// Its sections; `None` if it could not be done.
     pub(super) fragment: Option<Box<Fragment>>,
-    /// What was wrong, if it could not be done.
+    /// The error, if it could not be done.
     pub(super) error: Option<&'static ErrorCode>,
-    /// What the page counts.
+    /// Numbers that the page counts.
     pub(super) facts: Option<Facts>,
-    /// What is drawn of it, if it is chosen.
+    /// Its states to be drawn, if it is chosen.
     pub(super) drawn: Option<Drawn>,
 }
 
 impl Entry {
-    pub(super) fn of_change(
+    pub(super) fn of_changed_model(
         row: &RunRow,
         plan: &Plan,
         facts: Facts,
@@ -50,11 +50,11 @@ impl Entry {
         fragment: Fragment,
     ) -> Self {
         let mut cells = row.cells();
-        cells.extend(SHOWN.map(|property| change(plan, property)));
-        cells.push(indentation(facts.indentation));
-        cells.push(some(plan.warnings.len()));
+        cells.extend(PROPERTIES_SHOWN.map(|property| cell_of_property(plan, property)));
+        cells.push(cell_of_indentation(facts.indentation));
+        cells.push(cell_of_count(plan.warnings.len()));
         let found = facts.counts.describe("no findings");
-        cells.push(Cell::of_words(facts.counts.describe("–")));
+        cells.push(Cell::with_words(facts.counts.describe("–")));
         let summary = format!("{}; {found} in the new model", row.status);
         Self {
             cells,
@@ -62,11 +62,11 @@ impl Entry {
             facts: Some(facts),
             drawn: Some(drawn),
             summary,
-            ..Self::not_done(&row.name(), row.status.clone())
+            ..Self::with_outcome_only(&row.name(), row.status.clone())
         }
     }
 
-    pub(super) fn of_inspection(
+    pub(super) fn of_inspected_model(
         inspected: &Inspection,
         facts: Facts,
         drawn: Drawn,
@@ -76,9 +76,9 @@ impl Entry {
             inspected.mass_kg.map(readable).unwrap_or_default().into(),
             inspected.contacts_mass_kg.as_ref().map(|mass| readable(mass.value)).unwrap_or_default().into(),
             inspected.spheres_per_limb.map(|count| count.to_string()).unwrap_or_default().into(),
-            indentation(facts.indentation),
+            cell_of_indentation(facts.indentation),
         ];
-        cells.push(Cell::of_words(facts.counts.describe("–")));
+        cells.push(Cell::with_words(facts.counts.describe("–")));
         let summary = facts.counts.describe("no findings");
         Self {
             cells,
@@ -86,26 +86,26 @@ impl Entry {
             facts: Some(facts),
             drawn: Some(drawn),
             summary,
-            ..Self::not_done(&inspected.model, "read".to_owned())
+            ..Self::with_outcome_only(&inspected.model, "read".to_owned())
         }
     }
 
     /// Marks the entry of a model that an earlier run has done.
-    pub fn of_earlier_run(self) -> Self {
+    pub fn marked_as_earlier(self) -> Self {
         Self { earlier: true, ..self }
     }
 
-    /// A model that an earlier run has done, with only what that run has left.
-    pub fn left_by_earlier_run(row: &RunRow, earlier: &EarlierRun) -> Self {
+    /// The entry of a model that an earlier run has done, from its line in the summary.
+    pub fn of_earlier_record(row: &RunRow, earlier: &EarlierRun) -> Self {
         let factor = |factor: Option<f64>, property: Property| {
-            let below = match factor {
+            let second_line = match factor {
                 Some(factor) => format!("×{}", four_significant(factor)),
                 None if earlier.unequal_factors.iter().any(|name| name == property.name()) => {
-                    UNEQUAL.to_owned()
+                    UNEQUAL_FACTORS.to_owned()
                 }
                 None => String::new(),
             };
-            Cell { below, ..Cell::default() }
+            Cell { second_line, ..Cell::default() }
         };
         let mut cells = row.cells();
         cells.extend([
@@ -113,44 +113,43 @@ impl Entry {
             factor(earlier.stiffness_factor, Property::Stiffness),
             factor(earlier.dissipation_factor, Property::Dissipation),
             Cell::default(),
-            some(earlier.warnings),
+            cell_of_count(earlier.warnings),
         ]);
-        Self { cells, earlier: true, ..Self::not_done(&row.name(), row.status.clone()) }
+        Self { cells, earlier: true, ..Self::with_outcome_only(&row.name(), row.status.clone()) }
     }
 
-    /// A model that was to be changed, with only its row, and what was wrong if it failed.
+    /// The entry of a model in a run, from its row alone, with the error if it failed.
     pub fn of_row(row: &RunRow, failed: Option<&RowError>) -> Self {
-        let became = match failed {
+        let outcome = match failed {
             Some(failed) => {
-                format!("{}: {}{}", row.status, place(failed.line, failed.column), failed.message)
+                format!("{}: {}{}", row.status, place_in_words(failed.line, failed.column), failed.message)
             }
             None => row.status.clone(),
         };
         let error = failed.and_then(|failed| error(&failed.code));
-        Self { error, failed: failed.is_some(), ..Self::not_done(&row.name(), became) }
+        Self { error, failed: failed.is_some(), ..Self::with_outcome_only(&row.name(), outcome) }
     }
 
-    /// A model that could not be read.
+    /// The entry of a model that could not be read.
     pub fn failed(failure: &Failure, dialect: &dyn Dialect) -> Self {
         let message = failure.message.spelled(dialect);
-        let became = format!("failed: {}{message}", place(failure.line, failure.column));
-        Self { error: error(failure.code), failed: true, ..Self::not_done(&failure.model, became) }
+        let outcome = format!("failed: {}{message}", place_in_words(failure.line, failure.column));
+        Self { error: error(failure.code), failed: true, ..Self::with_outcome_only(&failure.model, outcome) }
     }
 
-    /// A model of a folder that has no contacts.
+    /// The entry of a model of a folder that has no contacts.
     pub fn without_contacts(model: &str) -> Self {
-        Self::not_done(model, "skipped: no contacts".to_owned())
+        Self::with_outcome_only(model, "skipped: no contacts".to_owned())
     }
 
-    /// A model with only the outcome.
-    fn not_done(model: &str, became: String) -> Self {
+    fn with_outcome_only(model: &str, outcome: String) -> Self {
         Self {
             model: model.to_owned(),
-            outcome: became.clone(),
+            outcome: outcome.clone(),
             earlier: false,
             failed: false,
             cells: Vec::new(),
-            summary: became,
+            summary: outcome,
             fragment: None,
             error: None,
             facts: None,
@@ -159,41 +158,41 @@ impl Entry {
     }
 }
 
-/// Where in the model something is wrong.
-fn place(line: Option<usize>, column: Option<usize>) -> String {
+/// The place of an error in words, before its message.
+fn place_in_words(line: Option<usize>, column: Option<usize>) -> String {
     match (line, column) {
         (Some(line), Some(column)) => format!("line {line}, column {column}: "),
         _ => String::new(),
     }
 }
 
-/// Old and new values with the factor between them.
-fn change(plan: &Plan, property: Property) -> Cell {
-    let changes: Vec<&NumberChange> =
-        plan.changes.iter().filter(|change| change.property == property).collect();
+/// The cell with old and new values of a property, and its factor.
+fn cell_of_property(plan: &Plan, property: Property) -> Cell {
+    let changes: Vec<&NumberChange> = plan.changes.iter().filter(|change| change.property == property).collect();
     let mut ratios = changes.iter().map(|change| change.to / change.from);
     let Some(first) = ratios.next() else { return Cell::default() };
     let same = |ratio: f64| four_significant(ratio) == four_significant(first);
-    let factor = if ratios.all(same) { format!("×{}", four_significant(first)) } else { UNEQUAL.to_owned() };
-    let from = range(changes.iter().map(|change| change.from));
-    let to = range(changes.iter().map(|change| change.to));
-    Cell { text: format!("{from} → {to}"), below: factor, ..Cell::default() }
+    let factor =
+        if ratios.all(same) { format!("×{}", four_significant(first)) } else { UNEQUAL_FACTORS.to_owned() };
+    let from = range_in_words(changes.iter().map(|change| change.from));
+    let to = range_in_words(changes.iter().map(|change| change.to));
+    Cell { text: format!("{from} → {to}"), second_line: factor, ..Cell::default() }
 }
 
-/// One number, or the smallest and the largest of several.
-fn range(values: impl Iterator<Item = f64> + Clone) -> String {
+/// One number, or the smallest and the largest of several different ones.
+fn range_in_words(values: impl Iterator<Item = f64> + Clone) -> String {
     let low = four_significant(values.clone().fold(f64::INFINITY, f64::min));
     let high = four_significant(values.fold(f64::NEG_INFINITY, f64::max));
     if low == high { low } else { format!("{low}–{high}") }
 }
 
-/// x/R at rest, before and after where both are known.
-fn indentation(indentation: Indentation) -> Cell {
-    let Some(now) = indentation.now else { return Cell::default() };
-    let outside = is_too_deep(now);
+/// The cell of x/R at rest, before and after if both are known.
+fn cell_of_indentation(indentation: Indentation) -> Cell {
+    let Some(after) = indentation.now else { return Cell::default() };
+    let outside = is_too_deep(after);
     let mut text = match indentation.before {
-        Some(before) => format!("{} → {}", four_significant(before), four_significant(now)),
-        None => four_significant(now),
+        Some(before) => format!("{} → {}", four_significant(before), four_significant(after)),
+        None => four_significant(after),
     };
     if outside {
         text = marked_outside(&text);
@@ -201,7 +200,7 @@ fn indentation(indentation: Indentation) -> Cell {
     Cell { text, outside, ..Cell::default() }
 }
 
-fn some(count: usize) -> Cell {
+fn cell_of_count(count: usize) -> Cell {
     if count == 0 { "–".to_owned().into() } else { count.to_string().into() }
 }
 
@@ -209,8 +208,8 @@ fn some(count: usize) -> Cell {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Cell {
     pub(super) text: String,
-    /// A second line: the factor below old and new values.
-    pub(super) below: String,
+    /// A second line, such as the factor below old and new values.
+    pub(super) second_line: String,
     /// Whether it is a figure outside its limit.
     pub(super) outside: bool,
     /// Whether it has words, not numbers.
@@ -228,7 +227,7 @@ impl Cell {
         }
     }
 
-    pub(super) fn of_words(text: String) -> Self {
+    pub(super) fn with_words(text: String) -> Self {
         Self { text, words: true, ..Self::default() }
     }
 }
@@ -239,47 +238,45 @@ impl From<String> for Cell {
     }
 }
 
-// What a run knows of one model, for the table.
-
-/// The outcome for one model in a run.
+/// A model of a run, for its row in the table.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct RunRow {
     /// Row of the manifest, from 1.
     pub row: Option<usize>,
     pub model: String,
-    /// The file that results.
+    /// The output file.
     pub output: Option<String>,
     /// The outcome, in words.
     pub status: String,
-    /// What its contacts were made for, kg.
+    /// The mass that its contacts were made for, kg.
     pub contacts_mass_kg: Option<f64>,
-    /// The mass they are made for afterwards, kg.
+    /// The mass that its new contacts are made for, kg.
     pub target_mass_kg: Option<f64>,
-    /// How many numbers and places changed.
+    /// Number of changed numbers and places.
     pub changes: usize,
 }
 
-/// What an earlier run has left of a model that it did.
+/// The line of an earlier run about a model.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct EarlierRun {
-    /// New over old radius, where it is the same everywhere.
+    /// New over old radius, if it is equal in all contacts.
     pub radius_factor: Option<f64>,
-    /// New over old stiffness, likewise.
+    /// New over old stiffness, if it is equal in all contacts.
     pub stiffness_factor: Option<f64>,
-    /// New over old dissipation, likewise.
+    /// New over old dissipation, if it is equal in all contacts.
     pub dissipation_factor: Option<f64>,
-    /// OpenSim's names of the properties whose factor is not the same everywhere.
+    /// OpenSim's names of the properties whose factors differ.
     pub unequal_factors: Vec<String>,
-    /// How many kinds of warnings there were.
+    /// Number of codes of warnings.
     pub warnings: usize,
 }
 
-/// What was wrong with a model that could not be done.
+/// The error of a model that could not be done.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct RowError {
     /// Stable short name.
     pub code: String,
-    /// What is wrong, in the reader's words.
+    /// The message, spelled.
     pub message: String,
     /// Line of the place, from 1.
     pub line: Option<usize>,
@@ -288,12 +285,12 @@ pub struct RowError {
 }
 
 impl RunRow {
-    /// A model in which nothing changed yet.
+    /// The row of a model without changes.
     pub fn new(model: impl Into<String>, status: impl Into<String>) -> Self {
         Self { model: model.into(), status: status.into(), ..Self::default() }
     }
 
-    /// The model; in a manifest, where several rows may use one, with its row and the result.
+    /// The model's name; with its row and output if it is in a manifest, where several rows may have the same model.
     pub(super) fn name(&self) -> String {
         match (self.row, &self.output) {
             (Some(row), Some(output)) => format!("row {row}: {} → {output}", self.model),
@@ -302,7 +299,7 @@ impl RunRow {
         }
     }
 
-    /// The cells that any change has: both masses, and how many changes.
+    /// The cells of both masses and of the number of changes.
     pub(super) fn cells(&self) -> Vec<Cell> {
         let masses = match (self.contacts_mass_kg, self.target_mass_kg) {
             (Some(contacts_mass_kg), Some(target_mass_kg)) => {

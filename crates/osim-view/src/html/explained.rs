@@ -1,4 +1,4 @@
-//! Equations and findings that a page names, each explained once, and words that sections share.
+//! Links to equations, findings and errors, their explanations, and texts that several sections use.
 
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
@@ -17,7 +17,7 @@ use crate::report::layout::OUTSIDE;
 /// The section's anchor and heading.
 pub(super) const SECTION: (&str, &str) = ("explained", "Equations and findings explained");
 
-/// What is named.
+/// Equations, findings and errors that a page names, each to be explained once.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Topics {
     equations: BTreeSet<&'static str>,
@@ -36,14 +36,14 @@ impl Topics {
         self.errors.extend(&other.errors);
     }
 
-    /// The column "equation" of a change, each equation linked to its explanation.
-    pub(super) fn equations(&mut self, named: &str) -> Markup {
+    /// The equations of a change, each linked to its explanation.
+    pub(super) fn links_to_equations(&mut self, named: &str) -> Markup {
         let parts: Vec<Markup> =
-            named.split(", ").map(|name| self.equation(name, &reference(name))).collect();
+            named.split(", ").map(|name| self.link_to_equation(name, &reference(name))).collect();
         html! { @for (index, part) in parts.iter().enumerate() { @if index > 0 { ", " } (part) } }
     }
 
-    fn equation(&mut self, name: &str, shown: &str) -> Markup {
+    fn link_to_equation(&mut self, name: &str, shown: &str) -> Markup {
         match explain::equation(name) {
             Some(equation) => {
                 self.equations.insert(equation.label);
@@ -53,19 +53,19 @@ impl Topics {
         }
     }
 
-    /// Text with every number of an equation in brackets linked to its explanation.
-    pub(super) fn linked(&mut self, text: &str) -> Markup {
+    /// A text in which every number of an equation in brackets is a link to its explanation.
+    pub(super) fn with_links_to_equations(&mut self, text: &str) -> Markup {
         let mut parts = Vec::new();
         let mut rest = text;
-        while let Some((before, number, after)) = bracketed(rest) {
-            parts.push(html! { (before) (self.equation(number, &format!("({number})"))) });
+        while let Some((before, number, after)) = first_bracketed_equation(rest) {
+            parts.push(html! { (before) (self.link_to_equation(number, &format!("({number})"))) });
             rest = after;
         }
         html! { @for part in parts { (part) } (rest) }
     }
 
-    /// A code linked to its explanation.
-    pub(super) fn code(&mut self, code: FindingCode) -> Markup {
+    /// The code of a finding, linked to its explanation.
+    pub(super) fn link_to_finding(&mut self, code: FindingCode) -> Markup {
         self.codes.insert(code);
         html! { a.code href={ "#" (anchor("finding", code.as_str())) } { (code.as_str()) } }
     }
@@ -73,14 +73,14 @@ impl Topics {
 
 impl Topics {
     /// The code of an error linked to its explanation.
-    pub(super) fn error(&mut self, error: &'static ErrorCode) -> Markup {
+    pub(super) fn link_to_error(&mut self, error: &'static ErrorCode) -> Markup {
         self.errors.insert(error.code);
         html! { a.code href={ "#" (anchor("error", error.code)) } { (error.code) } }
     }
 }
 
-/// The first number of an equation that is in brackets, and what is around it.
-fn bracketed(text: &str) -> Option<(&str, &str, &str)> {
+/// Splits a text at the first number of an equation in brackets: text before, number, text after.
+fn first_bracketed_equation(text: &str) -> Option<(&str, &str, &str)> {
     let mut from = 0;
     loop {
         let open = from + text.get(from..)?.find('(')?;
@@ -99,8 +99,8 @@ fn anchor(kind: &str, name: &str) -> String {
     format!("{kind}-{}", name.chars().map(plain).collect::<String>())
 }
 
-/// The section, in the order of the registers.
-pub(super) fn section(topics: &Topics, dialect: &dyn Dialect) -> String {
+/// The section with all explanations, in the order of the registers.
+pub(super) fn explained_section(topics: &Topics, dialect: &dyn Dialect) -> String {
     let equations: Vec<&Equation> =
         equations().filter(|equation| topics.equations.contains(equation.label)).collect();
     let (id, title) = SECTION;
@@ -110,34 +110,34 @@ pub(super) fn section(topics: &Topics, dialect: &dyn Dialect) -> String {
             @if !equations.is_empty() {
                 h3 { "Equations" }
                 p { "Numbers are those of the paper (see " a href="#origin" { "Program and citation" } ")." }
-                @for equation in equations { (of_equation(equation, dialect)) }
+                @for equation in equations { (explained_equation(equation, dialect)) }
             }
             @if !topics.codes.is_empty() {
                 h3 { "Findings" }
-                @for rule in rules::with_code(|code| topics.codes.contains(&code)) { (of_rule(rule, dialect)) }
+                @for rule in rules::with_code(|code| topics.codes.contains(&code)) { (explained_rule(rule, dialect)) }
             }
             @if !topics.errors.is_empty() {
                 h3 { "Errors" }
-                @for error in topics.errors.iter().filter_map(|code| explain::error(code)) { (of_error(error, dialect)) }
+                @for error in topics.errors.iter().filter_map(|code| explain::error(code)) { (explained_error(error, dialect)) }
             }
         }
     }
     .0
 }
 
-/// Each topic by itself, in the order of the registers: its anchor, and its explanation.
-pub(super) fn each(topics: &Topics, dialect: &dyn Dialect) -> Vec<(String, Markup)> {
+/// Anchor and explanation of each topic, in the order of the registers.
+pub(super) fn each_topic(topics: &Topics, dialect: &dyn Dialect) -> Vec<(String, Markup)> {
     let equations = equations().filter(|equation| topics.equations.contains(equation.label));
     let equations =
-        equations.map(|equation| (anchor("equation", equation.label), of_equation(equation, dialect)));
+        equations.map(|equation| (anchor("equation", equation.label), explained_equation(equation, dialect)));
     let codes = rules::with_code(|code| topics.codes.contains(&code))
-        .map(|rule| (anchor("finding", rule.code.as_str()), of_rule(rule, dialect)));
+        .map(|rule| (anchor("finding", rule.code.as_str()), explained_rule(rule, dialect)));
     let errors = topics.errors.iter().filter_map(|code| explain::error(code));
-    let errors = errors.map(|error| (anchor("error", error.code), of_error(error, dialect)));
+    let errors = errors.map(|error| (anchor("error", error.code), explained_error(error, dialect)));
     equations.chain(codes).chain(errors).collect()
 }
 
-fn of_equation(equation: &Equation, dialect: &dyn Dialect) -> Markup {
+fn explained_equation(equation: &Equation, dialect: &dyn Dialect) -> Markup {
     let spelled = |template: &'static str| Phrase::template(template).spelled(dialect);
     html! {
         div.explained id=(anchor("equation", equation.label)) {
@@ -158,7 +158,7 @@ fn of_equation(equation: &Equation, dialect: &dyn Dialect) -> Markup {
     }
 }
 
-fn of_rule(rule: &Rule, dialect: &dyn Dialect) -> Markup {
+fn explained_rule(rule: &Rule, dialect: &dyn Dialect) -> Markup {
     html! {
         div.explained id=(anchor("finding", rule.code.as_str())) {
             h4 { (rule.code.as_str()) }
@@ -168,48 +168,46 @@ fn of_rule(rule: &Rule, dialect: &dyn Dialect) -> Markup {
     }
 }
 
-fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> Markup {
+fn explained_error(error: &ErrorCode, dialect: &dyn Dialect) -> Markup {
     html! {
         div.explained id=(anchor("error", error.code)) {
             h4 { (error.code) }
-            p { (sentence(&error.means().spelled(dialect))) }
-            p { b { "What to do: " } (sentence(&error.way_out().spelled(dialect))) }
+            p { (as_sentence(&error.means().spelled(dialect))) }
+            p { b { "What to do: " } (as_sentence(&error.way_out().spelled(dialect))) }
         }
     }
 }
 
-// Words that several sections share.
-
-/// How bad something is, as a word with a colour.
-pub(super) fn severity(severity: Severity) -> Markup {
+/// A severity as a coloured word.
+pub(super) fn severity_tag(severity: Severity) -> Markup {
     let word = severity.as_str();
     html! { span class={ "tag " (word) } { (word) } }
 }
 
-/// The first names, and how many more there are.
-pub(super) fn listed(names: &[&str]) -> String {
+/// The first names, and the number of the others.
+pub(super) fn listed_names(names: &[&str]) -> String {
     const NAMED: usize = 8;
     osim_model::messages::listed(names, NAMED)
 }
 
-/// A path that may be broken after each folder, so that long ones leave room for what is beside them.
-pub(super) fn broken_at_folders(path: &str) -> Markup {
+/// A path in which lines may break after each folder.
+pub(super) fn breakable_path(path: &str) -> Markup {
     html! { @for part in path.split_inclusive(['/', '\\']) { (part) @if part.ends_with(['/', '\\']) { wbr; } } }
 }
 
-/// A figure outside of its limit. The sign and the value must stay on one line.
+/// A figure outside of its limit, with a sign on the same line.
 pub(super) fn marked_outside(figure: &str) -> String {
     format!("{figure}\u{a0}{OUTSIDE}")
 }
 
-pub(super) fn sentence(clause: &str) -> String {
+pub(super) fn as_sentence(clause: &str) -> String {
     let mut letters = clause.chars();
     let first = letters.next().map(|letter| letter.to_uppercase().collect::<String>()).unwrap_or_default();
     let end = if clause.ends_with('.') { "" } else { "." };
     format!("{first}{}{end}", letters.as_str())
 }
 
-/// The last part of a path as it is shown.
+/// The file's name for titles.
 pub(super) fn file_name(shown: &str) -> &str {
     if shown == "-" {
         return "standard input";
@@ -224,10 +222,10 @@ mod tests {
     #[test]
     fn numbers_in_brackets_become_links() {
         let mut topics = Topics::default();
-        let linked = topics.linked("stiffness k, N/m (B.2), (as found)").0;
+        let linked = topics.with_links_to_equations("stiffness k, N/m (B.2), (as found)").0;
         assert_eq!(linked, "stiffness k, N/m <a href=\"#equation-b-2\">(B.2)</a>, (as found)");
         assert!(topics.equations.contains("B.2"));
-        let named = topics.equations("11, B.2").0;
+        let named = topics.links_to_equations("11, B.2").0;
         assert!(named.starts_with("<a href=\"#equation-11\">(11)</a>, "), "{named}");
     }
 }

@@ -1,53 +1,57 @@
-//! The six verdicts on a model, what `check` found, and what a change made of it.
+//! The section of findings: verdicts and findings of a model, or of both states of a change.
 
 use maud::{Markup, html};
 use osim_inspect::{CheckResult, FindingIndex, FindingWithRemedy, Sign, Verdict};
 use osim_model::messages::readable;
 
-use crate::html::explained::severity;
+use crate::html::explained::severity_tag;
 use crate::html::fragment::{Fragment, table};
 use crate::html::shell::command_line;
 
 pub(super) const SECTION: (&str, &str) = ("findings", "Findings");
 
-/// Findings of a model that was inspected.
-pub(super) fn of_model(fragment: &mut Fragment, found: &CheckResult) {
-    let findings: Vec<&FindingWithRemedy> = found.findings.iter().collect();
-    let list = list(&items(fragment, &findings, Lines::Only, Commands::Shown));
+/// Adds the section about the findings of one model.
+pub(super) fn add_findings_of_model(fragment: &mut Fragment, check: &CheckResult) {
+    let findings: Vec<&FindingWithRemedy> = check.findings.iter().collect();
+    let list = list_of_items(&items_of_findings(fragment, &findings, LineOf::Only, CommandDisplay::Shown));
     let body = html! {
-        (verdicts_of_model(&found.verdicts))
-        @if found.findings.is_empty() { p { "Nothing to say: all figures are within the limits." } }
+        (verdicts_of_model(&check.verdicts))
+        @if check.findings.is_empty() { p { "Nothing to say: all figures are within the limits." } }
         (list)
     };
-    fragment.section(SECTION.0, SECTION.1, &body);
+    fragment.add_section(SECTION.0, SECTION.1, &body);
 }
 
-/// What findings have to know of the new model.
-pub(super) struct After<'r> {
-    pub(super) found: &'r CheckResult,
-    /// Whether it is in a file, so that commands can name it.
+/// Findings of the new model.
+pub(super) struct NewModelFindings<'r> {
+    pub(super) check: &'r CheckResult,
+    /// Whether the new model is in a file, so that commands can name it.
     pub(super) in_file: bool,
-    /// Contacts are scaled to a gravity that the model's file does not say yet, m/s².
+    /// The gravity that the contacts are scaled to, if the model's file has another one, m/s².
     pub(super) gravity_m_s2: Option<f64>,
 }
 
-/// Findings before and after: what came, what stayed, what went.
-pub(super) fn of_change(fragment: &mut Fragment, now: &CheckResult, new: &After<'_>) {
-    let pairs = paired(&now.findings, &new.found.findings);
-    let comes: Vec<&FindingWithRemedy> =
+/// Adds the section about findings before and after a change: new, kept and gone ones.
+pub(super) fn add_findings_of_change(fragment: &mut Fragment, now: &CheckResult, new: &NewModelFindings<'_>) {
+    let pairs = pair_with_old(&now.findings, &new.check.findings);
+    let new_findings: Vec<&FindingWithRemedy> =
         pairs.iter().filter(|(_, before)| before.is_none()).map(|(one, _)| *one).collect();
-    let index = FindingIndex::new(&new.found.findings);
+    let index = FindingIndex::new(&new.check.findings);
     let gone = |one: &&FindingWithRemedy| index.find_same_or_other_depth(one).is_none();
-    let goes: Vec<&FindingWithRemedy> = now.findings.iter().filter(gone).collect();
-    let commands = if new.in_file { Commands::Shown } else { Commands::Left };
-    let comes = items(fragment, &comes, Lines::New, commands);
-    let stays: Vec<Markup> = pairs
+    let gone_findings: Vec<&FindingWithRemedy> = now.findings.iter().filter(gone).collect();
+    let commands = if new.in_file { CommandDisplay::Shown } else { CommandDisplay::Hidden };
+    let new_findings = items_of_findings(fragment, &new_findings, LineOf::New, commands);
+    let kept_items: Vec<Markup> = pairs
         .iter()
         .filter_map(|(one, before)| Some((one, before.as_ref()?)))
-        .map(|(one, before)| html! { (item(fragment, one, Lines::New, commands)) (was(fragment, one, before)) })
+        .map(|(one, before)| html! { (item_of_finding(fragment, one, LineOf::New, commands)) (old_message(fragment, one, before)) })
         .collect();
-    let goes = items(fragment, &goes, Lines::Old, Commands::Left);
-    let groups = [("New with this change", comes), ("Still there", stays), ("Gone with this change", goes)];
+    let gone_findings = items_of_findings(fragment, &gone_findings, LineOf::Old, CommandDisplay::Hidden);
+    let groups = [
+        ("New with this change", new_findings),
+        ("Still there", kept_items),
+        ("Gone with this change", gone_findings),
+    ];
     let body = html! {
         p {
             "As " code { "check" } " sees the model before, and the new one under the mass its contacts are made for"
@@ -57,17 +61,17 @@ pub(super) fn of_change(fragment: &mut Fragment, now: &CheckResult, new: &After<
             "."
             @if !new.in_file { " The new model is in no file yet, so no commands are given." }
         }
-        (verdicts_of_change(&now.verdicts, &new.found.verdicts))
+        (verdicts_of_change(&now.verdicts, &new.check.verdicts))
         @for (title, items) in groups {
             (fragment.heading(title))
-            @if items.is_empty() { p.quiet { "Nothing." } } @else { (list(&items)) }
+            @if items.is_empty() { p.quiet { "Nothing." } } @else { (list_of_items(&items)) }
         }
     };
-    fragment.section(SECTION.0, SECTION.1, &body);
+    fragment.add_section(SECTION.0, SECTION.1, &body);
 }
 
-/// Each new finding with the old one that says the same, if there is one.
-fn paired<'f>(
+/// Each finding of the new model with the equal or similar one of the old model, if there is one.
+fn pair_with_old<'f>(
     now: &'f [FindingWithRemedy],
     new: &'f [FindingWithRemedy],
 ) -> Vec<(&'f FindingWithRemedy, Option<&'f FindingWithRemedy>)> {
@@ -75,60 +79,65 @@ fn paired<'f>(
     new.iter().map(|one| (one, index.find_same_or_other_depth(one))).collect()
 }
 
-/// What the finding was before, where that differs.
-fn was(fragment: &mut Fragment, one: &FindingWithRemedy, before: &FindingWithRemedy) -> Markup {
+/// The message of the old finding, if it differs.
+fn old_message(fragment: &mut Fragment, one: &FindingWithRemedy, before: &FindingWithRemedy) -> Markup {
     let other = before.code() != one.code();
     let (message, message_before) = (one.message.to_string(), before.message.to_string());
     html! {
         @if other || message_before != message {
             p.quiet {
                 "Before: "
-                @if other { (severity(before.severity)) " " (fragment.topics.code(before.code())) " " }
+                @if other { (severity_tag(before.severity)) " " (fragment.topics.link_to_finding(before.code())) " " }
                 (message_before) "."
             }
         }
     }
 }
 
-/// Which file a finding's line is of, where there are two.
+/// The file to which the line of a finding belongs.
 #[derive(Clone, Copy)]
-enum Lines {
+enum LineOf {
     Only,
     Old,
     New,
 }
 
-/// Whether commands that fix are shown.
+/// Whether commands of remedies are shown.
 #[derive(Clone, Copy, PartialEq)]
-enum Commands {
+enum CommandDisplay {
     Shown,
-    Left,
+    Hidden,
 }
 
-fn list(items: &[Markup]) -> Markup {
+fn list_of_items(items: &[Markup]) -> Markup {
     html! { @if !items.is_empty() { ul.findings { @for item in items { li { (item) } } } } }
 }
 
-fn items(
+fn items_of_findings(
     fragment: &mut Fragment,
     findings: &[&FindingWithRemedy],
-    lines: Lines,
-    commands: Commands,
+    lines: LineOf,
+    commands: CommandDisplay,
 ) -> Vec<Markup> {
-    findings.iter().map(|finding| item(fragment, finding, lines, commands)).collect()
+    findings.iter().map(|finding| item_of_finding(fragment, finding, lines, commands)).collect()
 }
 
-fn item(fragment: &mut Fragment, finding: &FindingWithRemedy, lines: Lines, commands: Commands) -> Markup {
+fn item_of_finding(
+    fragment: &mut Fragment,
+    finding: &FindingWithRemedy,
+    lines: LineOf,
+    commands: CommandDisplay,
+) -> Markup {
     let message = finding.message.to_string();
     let place = finding.place.as_deref().filter(|place| !message.contains(*place));
     let file = match lines {
-        Lines::Only => "",
-        Lines::Old => " of the old file",
-        Lines::New => " of the new file",
+        LineOf::Only => "",
+        LineOf::Old => " of the old file",
+        LineOf::New => " of the new file",
     };
     html! {
         p {
-            (severity(finding.severity)) " " (fragment.topics.code(finding.code())) " "
+            (severity_tag(finding.severity)) " " (fragment.topics.link_to_finding(finding.code())) " "
             (message) "."
             @if place.is_some() || finding.line.is_some() {
                 " " span.quiet {
@@ -138,24 +147,22 @@ fn item(fragment: &mut Fragment, finding: &FindingWithRemedy, lines: Lines, comm
                 }
             }
         }
-        @if let Some(command) = finding.command.as_ref().filter(|_| commands == Commands::Shown) {
+        @if let Some(command) = finding.command.as_ref().filter(|_| commands == CommandDisplay::Shown) {
             (command_line(command))
         }
     }
 }
 
-// The six verdicts on a model, a row each; after a change, on both states.
-
-const NAME: &str = "Verdicts";
+const TABLE_NAME: &str = "Verdicts";
 
 fn verdicts_of_model(verdicts: &[Verdict]) -> Markup {
     let rows: Vec<Markup> = verdicts
         .iter()
-        .map(|verdict| html! { tr { (question(verdict)) td.words { (sign(verdict.sign)) } (answer(verdict)) } })
+        .map(|verdict| html! { tr { (question_cell(verdict)) td.words { (sign_tag(verdict.sign)) } (answer_cell(verdict)) } })
         .collect();
     table(
-        NAME,
-        &format!("{} questions about the model.", number(rows.len())),
+        TABLE_NAME,
+        &format!("{} questions about the model.", number_in_words(rows.len())),
         &["question", " verdict", " why"],
         &rows,
     )
@@ -167,30 +174,30 @@ fn verdicts_of_change(before: &[Verdict], after: &[Verdict]) -> Markup {
         .zip(after)
         .map(|(before, after)| {
             html! { tr {
-                (question(after)) td.words { (sign(before.sign)) } td.words { (sign(after.sign)) } (answer(after))
+                (question_cell(after)) td.words { (sign_tag(before.sign)) } td.words { (sign_tag(after.sign)) } (answer_cell(after))
             } }
         })
         .collect();
     let headers = ["question", " before", " after", " why, after the change"];
-    table(NAME, "Six questions about the model, before and after the change.", &headers, &rows)
+    table(TABLE_NAME, "Six questions about the model, before and after the change.", &headers, &rows)
 }
 
-fn question(verdict: &Verdict) -> Markup {
+fn question_cell(verdict: &Verdict) -> Markup {
     html! { th scope="row" { (verdict.on.question()) } }
 }
 
-fn sign(sign: Sign) -> Markup {
+fn sign_tag(sign: Sign) -> Markup {
     html! { span class={ "tag " (sign.as_str()) } { (sign.as_str()) } }
 }
 
-fn answer(verdict: &Verdict) -> Markup {
+fn answer_cell(verdict: &Verdict) -> Markup {
     let text = verdict.text.to_string();
     let place = verdict.place.as_deref().filter(|place| !text.contains(*place));
     html! { td.words { (text) @if let Some(place) = place { " " span.quiet { (place) } } } }
 }
 
-/// Six questions, and one more where a recording is named.
-fn number(questions: usize) -> String {
+/// The number of questions in words: six, or seven with a recording.
+fn number_in_words(questions: usize) -> String {
     match questions {
         6 => "Six".to_owned(),
         7 => "Seven".to_owned(),
@@ -211,30 +218,30 @@ mod tests {
         Finding::new(rule, "").with_place(place).with_spheres(spheres).into()
     }
 
-    fn are_akin(old: &FindingWithRemedy, new: &FindingWithRemedy) -> bool {
+    fn are_paired(old: &FindingWithRemedy, new: &FindingWithRemedy) -> bool {
         FindingIndex::new(std::slice::from_ref(old)).find_same_or_other_depth(new).is_some()
     }
 
     #[test]
-    fn the_worst_sphere_may_be_another_one_after_a_change() {
+    fn findings_with_another_worst_sphere_are_paired() {
         let (heel, toe) = (&["heel", "toe"], &["toe"]);
         let before = finding(FindingCode::BeyondHertz, "heel", heel);
-        assert!(are_akin(&before, &finding(FindingCode::BeyondHertz, "toe", toe)));
-        assert!(are_akin(&before, &finding(FindingCode::SunkIn, "toe", toe)));
-        assert!(!are_akin(&before, &finding(FindingCode::BeyondHuntCrossley, "toe", toe)));
+        assert!(are_paired(&before, &finding(FindingCode::BeyondHertz, "toe", toe)));
+        assert!(are_paired(&before, &finding(FindingCode::SunkIn, "toe", toe)));
+        assert!(!are_paired(&before, &finding(FindingCode::BeyondHuntCrossley, "toe", toe)));
     }
 
     #[test]
-    fn what_is_said_of_forces_belongs_to_each() {
+    fn findings_about_forces_are_paired_by_force() {
         let before = finding(FindingCode::ConnecteeByName, "left", &[]);
-        assert!(are_akin(&before, &finding(FindingCode::ConnecteeByName, "left", &[])));
-        assert!(!are_akin(&before, &finding(FindingCode::ConnecteeByName, "right", &[])));
+        assert!(are_paired(&before, &finding(FindingCode::ConnecteeByName, "left", &[])));
+        assert!(!are_paired(&before, &finding(FindingCode::ConnecteeByName, "right", &[])));
     }
 
     #[test]
-    fn the_same_finding_is_nearer_than_another_step() {
+    fn an_equal_finding_is_preferred_to_a_similar_one() {
         let now = [finding(FindingCode::SunkIn, "a", &["a"]), finding(FindingCode::BeyondHertz, "b", &["b"])];
         let new = [finding(FindingCode::BeyondHertz, "c", &["c"])];
-        assert_eq!(paired(&now, &new)[0].1.map(|old| old.code()), Some(FindingCode::BeyondHertz));
+        assert_eq!(pair_with_old(&now, &new)[0].1.map(|old| old.code()), Some(FindingCode::BeyondHertz));
     }
 }

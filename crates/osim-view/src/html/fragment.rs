@@ -1,4 +1,4 @@
-//! What a page says about one model: sections, and what they need explained.
+//! The sections about one model, with the topics that they name.
 
 use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
@@ -11,7 +11,7 @@ pub(super) struct Fragment {
     pub(super) detail: DetailLevel,
     pub(super) sections: Vec<Section>,
     pub(super) topics: Topics,
-    /// The sections that are asked for; `None` for all.
+    /// Ids of the wanted sections; `None` for all.
     wanted: Option<Vec<String>>,
 }
 
@@ -20,29 +20,29 @@ impl Fragment {
         Self { detail, sections: Vec::new(), topics: Topics::default(), wanted: None }
     }
 
-    /// A model alone, with only the sections that are asked for.
-    pub(super) fn of_some(wanted: Option<&[String]>) -> Self {
+    /// A page about one model, with only the `wanted` sections.
+    pub(super) fn of_wanted_sections(wanted: Option<&[String]>) -> Self {
         Self { wanted: wanted.map(<[String]>::to_vec), ..Self::new(DetailLevel::Alone) }
     }
 
-    /// Whether the section `id` is asked for. The others need not be made.
-    pub(super) fn wants(&self, id: &str) -> bool {
+    /// Whether the section `id` is wanted. Other sections need not be made.
+    pub(super) fn is_wanted(&self, id: &str) -> bool {
         self.wanted.as_ref().is_none_or(|wanted| wanted.iter().any(|one| one == id))
     }
 
-    /// Whether the section `id` is asked for by its name: one that reports do without.
-    pub(super) fn names(&self, id: &str) -> bool {
-        self.wanted.is_some() && self.wants(id)
+    /// Whether the section `id` is wanted by its name. Some sections are shown only then.
+    pub(super) fn is_named(&self, id: &str) -> bool {
+        self.wanted.is_some() && self.is_wanted(id)
     }
 
-    /// Adds a section, if it is asked for.
-    pub(super) fn section(&mut self, id: &'static str, title: &'static str, body: &Markup) {
-        if self.wants(id) {
+    /// Adds a section, if it is wanted.
+    pub(super) fn add_section(&mut self, id: &'static str, title: &'static str, body: &Markup) {
+        if self.is_wanted(id) {
             self.sections.push(Section { id, title, html: body.0.clone() });
         }
     }
 
-    /// All sections with their headings. Anchors are there only where the model stands alone, so that none comes twice.
+    /// All sections with their headings; with anchors if the page is about one model.
     pub(super) fn html(&self) -> String {
         let one = |section: &Section| {
             let (id, title, body) = (section.id, section.title, PreEscaped(&section.html));
@@ -55,7 +55,7 @@ impl Fragment {
         self.sections.iter().map(|section| one(section).0).collect()
     }
 
-    /// A heading inside a section.
+    /// A heading inside of a section.
     pub(super) fn heading(&self, text: &str) -> Markup {
         if self.detail.is_alone() {
             html! { h3 { (text) } }
@@ -65,12 +65,12 @@ impl Fragment {
     }
 }
 
-/// A table in a box of its own, which scrolls where the page is too narrow; `name` says what it is in screen readers.
-pub(super) fn boxed(name: &str, table: &Markup) -> Markup {
+/// A table in a box that scrolls if the page is too narrow; screen readers read `name`.
+pub(super) fn scrollable(name: &str, table: &Markup) -> Markup {
     html! { div.wide role="group" aria-label=(name) tabindex="0" { (table) } }
 }
 
-/// A table under `caption` with one row of headers; those that begin with a blank are above words, not numbers.
+/// A table with a caption and one row of headers. Headers that begin with a blank are those of columns with words instead of numbers.
 pub(super) fn table(name: &str, caption: &str, headers: &[&str], rows: &[Markup]) -> Markup {
     let table = html! {
         table {
@@ -79,7 +79,7 @@ pub(super) fn table(name: &str, caption: &str, headers: &[&str], rows: &[Markup]
             tbody { @for row in rows { (row) } }
         }
     };
-    boxed(name, &table)
+    scrollable(name, &table)
 }
 
 pub(super) fn header_cell(header: &str) -> Markup {
@@ -96,25 +96,25 @@ pub struct Section {
     pub html: String,
 }
 
-/// Models of a library whose feet may be drawn: bones take most of the time and the room of a page.
-const FEW: usize = 20;
+/// Feet are drawn on pages about at most this many models: bones take most of the time and the size of a page.
+const MOST_MODELS_WITH_FEET: usize = 20;
 
-/// How much of a model a page shows.
+/// How much a page shows of each model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DetailLevel {
     /// The page is about this model alone.
     Alone,
-    /// One of few: its feet may be drawn.
+    /// The page is about few models, whose feet may be drawn.
     OneOfFew,
     OneOfMany,
 }
 
 impl DetailLevel {
-    /// The level for each model on a page about this many.
-    pub const fn of(models: usize) -> Self {
+    /// The level of detail on a page about this many models.
+    pub const fn for_models(models: usize) -> Self {
         match models {
             0 | 1 => Self::Alone,
-            2..=FEW => Self::OneOfFew,
+            2..=MOST_MODELS_WITH_FEET => Self::OneOfFew,
             _ => Self::OneOfMany,
         }
     }

@@ -1,4 +1,4 @@
-//! Counts and failures: what a reader wants to know first.
+//! The first section of a page: counts of models, findings and failures, and the chart of indentations.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -9,39 +9,39 @@ use osim_model::messages::{counted, four_significant};
 use osim_model::{FindingCode, Severity};
 
 use crate::figures::{self, Indentations};
-use crate::html::entry::{EARLIER, Entry};
-use crate::html::explained::{Topics, marked_outside, severity};
+use crate::html::entry::{EARLIER_MARK, Entry};
+use crate::html::explained::{Topics, marked_outside, severity_tag};
 use crate::html::fragment::table;
 use crate::html::special::{Indentation, is_too_deep};
 
 pub(super) const SECTION: (&str, &str) = ("glance", "At a glance");
 pub(super) const CHART: (&str, &str) = ("indentation", "Relative indentation at rest, x̂");
 
-/// References that are named; rows of a manifest may have one each.
-const REFERENCES: usize = 5;
+/// References that are named at most: each row of a manifest may have its own.
+const MOST_REFERENCES: usize = 5;
 
-/// The outcome of all models together.
+/// Counts over all models of a page.
 #[derive(Debug, Default)]
-pub(super) struct Tally {
+pub(super) struct PageCounts {
     models: usize,
     failed: usize,
     earlier: usize,
-    /// The different references, in order of appearance; a run has one, a manifest may have many.
+    /// Different references, in order of appearance.
     references: Vec<String>,
-    /// The outcomes of models that did not fail, with their numbers, in order of appearance.
+    /// Outcomes of models that did not fail, with their numbers, in order of appearance.
     outcomes: Vec<(String, usize)>,
-    /// Those that were inspected.
-    seen: usize,
-    /// Of these, those with errors, with warnings, with remarks.
-    with: [usize; 3],
+    /// Number of models that were inspected.
+    inspected: usize,
+    /// Numbers of inspected models with errors, with warnings and with remarks.
+    models_with: [usize; 3],
     findings: BTreeMap<(FindingCode, Severity), usize>,
-    /// x̂ of each model in each state, if known.
+    /// Known x̂ of all models before the change; then under the new weight, and after it.
     before: Vec<f64>,
     not_scaled: Vec<f64>,
     now: Vec<f64>,
 }
 
-impl Tally {
+impl PageCounts {
     pub(super) fn add(&mut self, entry: &Entry) {
         self.models += 1;
         self.earlier += usize::from(entry.earlier);
@@ -55,14 +55,17 @@ impl Tally {
         }
         let Some(facts) = &entry.facts else { return };
         if let Some(reference) = &facts.reference
-            && self.references.len() < REFERENCES
+            && self.references.len() < MOST_REFERENCES
             && !self.references.contains(reference)
         {
             self.references.push(reference.clone());
         }
-        self.seen += 1;
+        self.inspected += 1;
         let counts = [facts.counts.error, facts.counts.warning, facts.counts.remark];
-        self.with.iter_mut().zip(counts).for_each(|(with, count)| *with += usize::from(count > 0));
+        self.models_with
+            .iter_mut()
+            .zip(counts)
+            .for_each(|(models_with, count)| *models_with += usize::from(count > 0));
         facts
             .codes
             .iter()
@@ -85,7 +88,7 @@ impl Tally {
         self.now.len() > 1
     }
 
-    /// The counts. Failed models come next.
+    /// The list of counts.
     pub(super) fn counts(&self) -> Markup {
         let too_deep = self.now.iter().filter(|value| is_too_deep(**value)).count();
         html! {
@@ -93,10 +96,10 @@ impl Tally {
                 li { b { (self.models) } (if self.models == 1 { " model" } else { " models" }) }
                 @if self.failed > 0 { li.bad { b { (self.failed) } " failed" } }
                 @for (outcome, count) in &self.outcomes { li { b { (count) } " " (outcome) } }
-                @if self.seen > 0 {
-                    @for (severity, (with, what)) in [Severity::Error, Severity::Warning, Severity::Remark]
-                        .into_iter().zip(self.with.iter().zip(["errors", "warnings", "remarks"])) {
-                        @if *with > 0 { li class=(severity.as_str()) { b { (with) } " with " (what) } }
+                @if self.inspected > 0 {
+                    @for (severity, (models_with, what)) in [Severity::Error, Severity::Warning, Severity::Remark]
+                        .into_iter().zip(self.models_with.iter().zip(["errors", "warnings", "remarks"])) {
+                        @if *models_with > 0 { li class=(severity.as_str()) { b { (models_with) } " with " (what) } }
                     }
                 }
                 @if !self.now.is_empty() {
@@ -105,14 +108,14 @@ impl Tally {
             }
             @for reference in &self.references { p { b { "Reference: " } (reference) "." } }
             @if self.earlier > 0 {
-                p { (counted(self.earlier, "model")) " done by an earlier run of this call, marked with" (EARLIER) "." }
+                p { (counted(self.earlier, "model")) " done by an earlier run of this call, marked with" (EARLIER_MARK) "." }
             }
         }
     }
 
-    /// The findings, the worst and most frequent first.
+    /// The table of findings, the worst and most frequent first.
     pub(super) fn findings(&self, topics: &mut Topics) -> Markup {
-        let rows = self.rows(topics);
+        let rows = self.rows_of_findings(topics);
         html! {
             @if !rows.is_empty() {
                 h3 { "Findings by kind" }
@@ -121,13 +124,13 @@ impl Tally {
         }
     }
 
-    fn rows(&self, topics: &mut Topics) -> Vec<Markup> {
+    fn rows_of_findings(&self, topics: &mut Topics) -> Vec<Markup> {
         let mut findings: Vec<((FindingCode, Severity), usize)> =
             self.findings.iter().map(|(finding, count)| (*finding, *count)).collect();
         findings.sort_by_key(|((code, severity), count)| (Reverse((*severity, *count)), *code));
         let row = |((code, how_bad), count): &((FindingCode, Severity), usize)| {
             html! {
-                tr { th scope="row" { (topics.code(*code)) } td.words { (severity(*how_bad)) } td { (count) } }
+                tr { th scope="row" { (topics.link_to_finding(*code)) } td.words { (severity_tag(*how_bad)) } td { (count) } }
             }
         };
         findings.iter().map(row).collect()
@@ -143,7 +146,7 @@ impl Tally {
                 .into_iter()
                 .map(|(name, indentations)| Indentations { name, indentations })
                 .collect();
-        let above: usize = states.iter().map(|state| figures::above_the_axis(state.indentations)).sum();
+        let above: usize = states.iter().map(|state| figures::count_above_axis(state.indentations)).sum();
         let Some(svg) = figures::indentations(&states) else { return html! {} };
         html! {
             section id=(id) aria-labelledby="indentation-title" {
@@ -153,7 +156,7 @@ impl Tally {
                     figcaption {
                         "x̂ = x/R of the sphere that sinks in most under the body weight on one limb, by the Hertz law, which \
                          holds up to " (limit) ". Each curve has an order of its own, from the smallest value to the largest"
-                        @if self.seen > self.now.len() { "; " (counted(self.seen - self.now.len(), "model")) " without a known x̂ left out" }
+                        @if self.inspected > self.now.len() { "; " (counted(self.inspected - self.now.len(), "model")) " without a known x̂ left out" }
                         @if above > 0 { "; " (counted(above, "value")) " above 1 drawn at 1" }
                         "."
                         @if !self.before.is_empty() {
@@ -170,7 +173,7 @@ impl Tally {
 }
 
 /// The section about one model.
-pub(super) fn of_one(entry: &Entry, code: &Markup) -> Markup {
+pub(super) fn glance_of_one_model(entry: &Entry, code: &Markup) -> Markup {
     let (id, title) = SECTION;
     html! {
         section id=(id) aria-labelledby="glance-title" {
@@ -180,14 +183,14 @@ pub(super) fn of_one(entry: &Entry, code: &Markup) -> Markup {
             } @else {
                 ul.counts {
                     li { (entry.summary) @if entry.earlier { " (done by an earlier run)" } }
-                    @if let Some(facts) = &entry.facts { (depth(facts.indentation)) }
+                    @if let Some(facts) = &entry.facts { (depth_item(facts.indentation)) }
                 }
             }
         }
     }
 }
 
-fn depth(indentation: Indentation) -> Markup {
+fn depth_item(indentation: Indentation) -> Markup {
     let Indentation { before, not_scaled, now } = indentation;
     let Some(now) = now else { return html! {} };
     let which = if before.is_some() { "after" } else { "at rest" };

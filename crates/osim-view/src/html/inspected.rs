@@ -1,4 +1,4 @@
-//! A model that was inspected and checked, and its files.
+//! The page entry and sections of a model that was inspected and checked.
 
 use maud::{Markup, html};
 use osim_inspect::series::Body;
@@ -18,35 +18,43 @@ use crate::report::inspection::table::{decimals, described, groups, metres, sent
 
 /// A model that was inspected, and what a page shows of it.
 #[derive(Debug)]
-pub struct Inspected<'m> {
+pub struct InspectedModelOnPage<'m> {
     pub options: &'m InspectOptions,
     pub model: &'m OpenModel,
-    /// What is in it, and what is wrong with it.
-    pub examined: Examined<'m>,
+    /// Its inspection and check.
+    pub examined: InspectedAndChecked<'m>,
     /// The files that it was read from, the model first.
     pub files: &'m [NamedDigest],
-    /// Its feet, to be drawn where there are plots.
+    /// Its feet, if they are drawn.
     pub feet: Option<ModelFeet>,
-    /// What its contacts do along a recording, where one was named: from [`recording`](crate::html::recording).
+    /// The section about its contacts along a recording, from [`recording`](crate::html::recording), if one is named.
     pub recording: Option<Section>,
 }
 
-/// Everything about one model that was inspected.
-pub fn inspected(inspected: Inspected<'_>, detail: DetailLevel, dialect: &dyn Dialect) -> Entry {
+/// The entry of an inspected model.
+pub fn entry_of_inspected_model(
+    inspected: InspectedModelOnPage<'_>,
+    detail: DetailLevel,
+    dialect: &dyn Dialect,
+) -> Entry {
     let mut fragment = Fragment::new(detail);
-    let Examined { inspection, check } = inspected.examined;
-    let drawn = fill(&mut fragment, inspected, dialect);
+    let InspectedAndChecked { inspection, check } = inspected.examined;
+    let drawn = add_inspection_sections(&mut fragment, inspected, dialect);
     let facts = Facts::new(&inspection.figures, check, drawn.bodies.first());
-    Entry::of_inspection(inspection, facts, drawn, fragment)
+    Entry::of_inspected_model(inspection, facts, drawn, fragment)
 }
 
-/// Adds the sections; what may be drawn of the model elsewhere.
-pub(super) fn fill(fragment: &mut Fragment, inspected: Inspected<'_>, dialect: &dyn Dialect) -> Drawn {
-    let Inspected { options, model, examined, files, feet, recording } = inspected;
+/// Adds the sections about an inspected model; returns what other parts of the page may draw.
+pub(super) fn add_inspection_sections(
+    fragment: &mut Fragment,
+    inspected: InspectedModelOnPage<'_>,
+    dialect: &dyn Dialect,
+) -> Drawn {
+    let InspectedModelOnPage { options, model, examined, files, feet, recording } = inspected;
     let inspected = examined.inspection;
-    findings::of_model(fragment, examined.check);
+    findings::add_findings_of_model(fragment, examined.check);
     if let Some(recording) = recording {
-        fragment.section(recording.id, recording.title, &maud::PreEscaped(recording.html));
+        fragment.add_section(recording.id, recording.title, &maud::PreEscaped(recording.html));
     }
     let failed = |fault| model.failure(fault);
     let body = || {
@@ -73,13 +81,13 @@ pub(super) fn fill(fragment: &mut Fragment, inspected: Inspected<'_>, dialect: &
     if let Some(list) = compared.or(asked) {
         reference::size_section(fragment, list);
     }
-    let body = html! { (forces(inspected)) (spheres(inspected)) (standing(inspected)) (factors(inspected)) };
-    fragment.section("contacts", "Forces and spheres of the model", &body);
-    fragment.section("model", "The model and its files", &the_model(inspected, files));
+    let body = html! { (table_of_forces(inspected)) (table_of_spheres(inspected)) (sentences_on_standing(inspected)) (table_of_factors(inspected)) };
+    fragment.add_section("contacts", "Forces and spheres of the model", &body);
+    fragment.add_section("model", "The model and its files", &facts_of_model(inspected, files));
     drawn
 }
 
-fn forces(inspected: &Inspection) -> Markup {
+fn table_of_forces(inspected: &Inspection) -> Markup {
     let groups = groups(inspected, Extent::Brief);
     let rows: Vec<Markup> = groups
         .iter()
@@ -100,8 +108,8 @@ fn forces(inspected: &Inspection) -> Markup {
     table("Forces", &caption, &["forces", "E₁*", "E*", "α", "friction", "slip", "cf", "bd", "bv"], &rows)
 }
 
-/// Where bodies are over their floors, and what puts them on their feet.
-fn standing(inspected: &Inspection) -> Markup {
+/// Sentences about the heights of bodies over their floors.
+fn sentences_on_standing(inspected: &Inspection) -> Markup {
     let several = inspected.standing.len() > 1;
     html! {
         @for body in &inspected.standing {
@@ -114,7 +122,7 @@ fn standing(inspected: &Inspection) -> Markup {
     }
 }
 
-fn spheres(inspected: &Inspection) -> Markup {
+fn table_of_spheres(inspected: &Inspection) -> Markup {
     if inspected.spheres.is_empty() {
         return html! {};
     }
@@ -141,7 +149,7 @@ fn spheres(inspected: &Inspection) -> Markup {
 }
 
 /// Each body's factors, compared with the generic model, if there is one.
-fn factors(inspected: &Inspection) -> Markup {
+fn table_of_factors(inspected: &Inspection) -> Markup {
     let Some(factors) = &inspected.body_factors else { return html! {} };
     let shown = |factor: Option<f64>| factor.map_or_else(|| "?".to_owned(), |factor| format!("{factor:.6}"));
     let rows: Vec<Markup> = factors
@@ -151,7 +159,7 @@ fn factors(inspected: &Inspection) -> Markup {
                 tr {
                     th scope="row" { (body.body) }
                     @for factor in body.factors { td { (shown(factor)) } }
-                    td.words { (sources(&body.sources)) }
+                    td.words { (sources_in_words(&body.sources)) }
                 }
             }
         })
@@ -160,19 +168,19 @@ fn factors(inspected: &Inspection) -> Markup {
     table("Factors of bodies", caption, &["body", "x", "y", "z", " from"], &rows)
 }
 
-fn sources(sources: &[Option<&'static str>]) -> String {
+fn sources_in_words(sources: &[Option<&'static str>]) -> String {
     let mut named: Vec<&str> = sources.iter().flatten().copied().collect();
     named.dedup();
     named.join(", ")
 }
 
-fn the_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
+fn facts_of_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
     let limbs = inspected.limbs.iter().flatten();
     let limbs: Vec<String> =
         limbs.map(|limb| format!("{} ({}, n = {})", limb.name, limb.side, limb.spheres.len())).collect();
     html! {
         dl {
-            (read(files))
+            (list_of_read_files(files))
             dt { "Name" } dd { (inspected.name) ", document version " (inspected.document_version) }
             dt { "Weighs" } dd { @match inspected.mass_kg {
                 Some(mass) => { (readable(mass)) " kg (" (inspected.mass_source) ")" }
@@ -195,20 +203,20 @@ fn the_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
     }
 }
 
-/// One state of a model, inspected and checked. It is shown as it is spelled.
+/// Inspection and check of one state of a model. Their texts are spelled already.
 #[derive(Debug, Clone, Copy)]
-pub struct Examined<'m> {
+pub struct InspectedAndChecked<'m> {
     pub inspection: &'m Inspection,
     pub check: &'m CheckResult,
 }
 
-impl<'m> From<&'m (Inspection, CheckResult)> for Examined<'m> {
+impl<'m> From<&'m (Inspection, CheckResult)> for InspectedAndChecked<'m> {
     fn from((inspection, check): &'m (Inspection, CheckResult)) -> Self {
         Self { inspection, check }
     }
 }
 
-/// A file, for the record.
+/// A file with its digest.
 #[derive(Debug, Clone)]
 pub struct NamedDigest {
     pub name: String,
@@ -218,7 +226,7 @@ pub struct NamedDigest {
 
 #[derive(Debug, Clone, Default)]
 pub struct Files {
-    /// What was read, the model first.
+    /// Files that were read, the model first.
     pub inputs: Vec<NamedDigest>,
     /// The outcome, in words.
     pub result: String,
@@ -226,25 +234,25 @@ pub struct Files {
 }
 
 /// The files of a change, as a list.
-pub(super) fn of_change(files: &Files) -> Markup {
+pub(super) fn list_of_files(files: &Files) -> Markup {
     html! {
         dl {
-            (read(&files.inputs))
+            (list_of_read_files(&files.inputs))
             dt { "Result" } dd { (files.result) }
-            @for file in &files.outputs { dt { "Written" } dd { (digest(file)) } }
+            @for file in &files.outputs { dt { "Written" } dd { (name_and_digest(file)) } }
         }
     }
 }
 
 /// The files that a model was read from, the model first.
-pub(super) fn read(files: &[NamedDigest]) -> Markup {
+pub(super) fn list_of_read_files(files: &[NamedDigest]) -> Markup {
     html! {
         @for (index, file) in files.iter().enumerate() {
-            dt { @if index == 0 { "Model" } @else { "With it" } } dd { (digest(file)) }
+            dt { @if index == 0 { "Model" } @else { "With it" } } dd { (name_and_digest(file)) }
         }
     }
 }
 
-fn digest(NamedDigest { name, sha256 }: &NamedDigest) -> Markup {
+fn name_and_digest(NamedDigest { name, sha256 }: &NamedDigest) -> Markup {
     html! { (name) @if !sha256.is_empty() { br; "SHA-256 " code.digest { (sha256) } } }
 }

@@ -5,12 +5,12 @@
 //! stay flat however many models there are.
 //!
 //! ```
-//! use osim_view::html::{About, Columns, InMemory, Kept, Page};
+//! use osim_view::html::{About, Columns, InMemory, DeferredParts, Page};
 //! use osim_model::messages::Verb;
 //! use osim_requests::spell::CommandLine;
 //!
 //! let about = About::new(Verb::Check, None, Columns::Inspections, "osim-contact-scale check models");
-//! let page = Page::new(about, Kept::<InMemory>::default(), &CommandLine);
+//! let page = Page::new(about, DeferredParts::<InMemory>::default(), &CommandLine);
 //! let mut bytes = Vec::new();
 //! page.finish(&mut bytes)?;
 //! let text = String::from_utf8_lossy(&bytes);
@@ -34,12 +34,14 @@ mod shell;
 mod special;
 mod sphere_figures;
 
-pub use change::{Changed, changed};
+pub use change::{ChangedModelOnPage, entry_of_changed_model};
 pub use entry::{EarlierRun, Entry, RowError, RunRow};
 pub use fragment::{DetailLevel, Section};
-pub use inspected::{Examined, Files, Inspected, NamedDigest, inspected};
+pub use inspected::{
+    Files, InspectedAndChecked, InspectedModelOnPage, NamedDigest, entry_of_inspected_model,
+};
 pub use models_table::Columns;
-pub use page::{About, DeferredText, InMemory, Kept, Page};
+pub use page::{About, DeferredParts, DeferredText, InMemory, Page};
 pub use plots::recording;
 pub use sections::{Explained, Sections};
 pub use shell::GENERATOR;

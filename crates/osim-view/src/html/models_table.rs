@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 use osim_model::messages::Dialect;
 
-use crate::html::entry::{Cell, EARLIER, Entry};
-use crate::html::explained::{Topics, broken_at_folders};
+use crate::html::entry::{Cell, EARLIER_MARK, Entry};
+use crate::html::explained::{Topics, breakable_path};
 use crate::html::fragment::header_cell;
 use crate::html::special::Chosen;
 use crate::html::{glance, plots};
@@ -94,7 +94,7 @@ pub(super) fn table_opening(columns: Columns, left_out: &[String]) -> String {
 
 /// The row of a model, linked to its `details` by their number, if it has some.
 pub(super) fn row(entry: &Entry, columns: Columns, details: Option<usize>, topics: &mut Topics) -> String {
-    let name = broken_at_folders(&entry.model);
+    let name = breakable_path(&entry.model);
     let empty = columns.headers().len().saturating_sub(1 + entry.cells.len());
     let row = html! {
         tr {
@@ -102,7 +102,7 @@ pub(super) fn row(entry: &Entry, columns: Columns, details: Option<usize>, topic
             @if entry.cells.is_empty() {
                 td.words colspan=(columns.headers().len()) { (entry.outcome) (code(entry, topics)) }
             } @else {
-                td.words { (entry.outcome) @if entry.earlier { (EARLIER) } }
+                td.words { (entry.outcome) @if entry.earlier { (EARLIER_MARK) } }
                 @for cell in &entry.cells { (of_cell(cell)) }
                 @if empty > 0 { td colspan=(empty) {} }
             }
@@ -114,7 +114,7 @@ pub(super) fn row(entry: &Entry, columns: Columns, details: Option<usize>, topic
 fn of_cell(cell: &Cell) -> Markup {
     html! {
         td class=[cell.class()] {
-            (cell.text) @if !cell.below.is_empty() { @if !cell.text.is_empty() { " " br; } span.quiet { (cell.below) } }
+            (cell.text) @if !cell.second_line.is_empty() { @if !cell.text.is_empty() { " " br; } span.quiet { (cell.second_line) } }
         }
     }
 }
@@ -149,9 +149,9 @@ pub(super) fn failures_opening(columns: Columns) -> String {
 pub(super) fn failure(entry: &Entry, topics: &mut Topics) -> String {
     let row = html! {
         tr {
-            th scope="row" { (broken_at_folders(&entry.model)) }
+            th scope="row" { (breakable_path(&entry.model)) }
             td.words { (entry.outcome) }
-            td.words { @if let Some(error) = entry.error { (topics.error(error)) } }
+            td.words { @if let Some(error) = entry.error { (topics.link_to_error(error)) } }
         }
     };
     format!("{}\n", row.0)
@@ -162,8 +162,8 @@ pub(super) fn failure(entry: &Entry, topics: &mut Topics) -> String {
 /// The anchor is inside: a browser that follows a link into closed details opens them.
 pub(super) fn details(entry: &Entry, number: usize, inside: &str) -> String {
     let summary = html! {
-        h3 { (broken_at_folders(&entry.model)) } " "
-        span.quiet { (entry.summary) @if entry.earlier { (EARLIER) } }
+        h3 { (breakable_path(&entry.model)) } " "
+        span.quiet { (entry.summary) @if entry.earlier { (EARLIER_MARK) } }
     };
     format!(
         "<details><summary>{}</summary><div class=\"model\" id=\"model-{number}\">{inside}</div></details>\n",
@@ -173,7 +173,7 @@ pub(super) fn details(entry: &Entry, number: usize, inside: &str) -> String {
 
 /// The code of what was wrong, linked to its explanation.
 pub(super) fn code(entry: &Entry, topics: &mut Topics) -> Markup {
-    html! { @if let Some(error) = entry.error { " [" (topics.error(error)) "]" } }
+    html! { @if let Some(error) = entry.error { " [" (topics.link_to_error(error)) "]" } }
 }
 
 // The models of a library that are drawn, with the reasons.
@@ -194,7 +194,7 @@ pub(super) fn section(chosen: &Chosen, dialect: &dyn Dialect) -> Markup {
             }
             @for (one, reasons) in &models {
                 div.chosen {
-                    h3 { (broken_at_folders(&one.model)) }
+                    h3 { (breakable_path(&one.model)) }
                     p { b { "Chosen because: " } (reasons.join("; ")) "." }
                     @if let Some(drawn) = plots::feet_figure(&one.drawn.feet) { (drawn) }
                     @if !one.drawn.bodies.is_empty() {

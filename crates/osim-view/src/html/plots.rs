@@ -9,7 +9,7 @@ use osim_planning::{ModelFeet, MotionRemark, MotionResult};
 use osim_requests::{DropHeight, PlotRequest};
 
 use crate::figures::{self, draw_motion};
-use crate::html::explained::sentence;
+use crate::html::explained::as_sentence;
 use crate::html::fragment::{Fragment, Section, table};
 use crate::report::results::motion_feet;
 
@@ -30,18 +30,18 @@ pub(super) fn contact_section(
     has_reference: bool,
     dialect: &dyn Dialect,
 ) {
-    if fragment.wants(CONTACTS.0) {
-        fragment.section(CONTACTS.0, CONTACTS.1, &figures(bodies, has_reference, dialect));
+    if fragment.is_wanted(CONTACTS.0) {
+        fragment.add_section(CONTACTS.0, CONTACTS.1, &figures(bodies, has_reference, dialect));
     }
 }
 
 /// The section about the contact state of a smoothed law, if it is asked for; there is none without smoothing.
 pub(super) fn state_section(fragment: &mut Fragment, bodies: &[Body]) {
-    let svg = fragment.names(STATE.0).then(|| state(bodies).ok()).flatten();
+    let svg = fragment.is_named(STATE.0).then(|| state(bodies).ok()).flatten();
     if let Some(svg) = svg {
         let what = "How softly contact sets in: from 0, no contact, to 1. Where curves lie on each other, the smoothing without \
                     dimensions is the same.";
-        fragment.section(STATE.0, STATE.1, &html! { div.plots { (plot(what, &svg)) } });
+        fragment.add_section(STATE.0, STATE.1, &html! { div.plots { (plot(what, &svg)) } });
     }
 }
 
@@ -111,8 +111,8 @@ const FEET: (&str, &str) = ("feet", "Feet from the side and from above");
 
 /// The section: `states` of one model, the last with its bones. Nothing without feet.
 pub(super) fn feet_section(fragment: &mut Fragment, states: &[ModelFeet]) {
-    if let Some(figure) = fragment.wants(FEET.0).then(|| feet_figure(states)).flatten() {
-        fragment.section(FEET.0, FEET.1, &figure);
+    if let Some(figure) = fragment.is_wanted(FEET.0).then(|| feet_figure(states)).flatten() {
+        fragment.add_section(FEET.0, FEET.1, &figure);
     }
 }
 
@@ -129,7 +129,7 @@ pub(super) fn feet_figure(states: &[ModelFeet]) -> Option<Markup> {
     if had_spheres {
         caption.push_str(" Dashed: where spheres were before the change.");
     }
-    let missing = figures::missing_meshes(last);
+    let missing = figures::names_of_missing_meshes(last);
     Some(html! {
         figure { div.plot.feet role="group" aria-label="Feet" tabindex="0" { (PreEscaped(svg)) } figcaption { (caption) } }
         @if !missing.is_empty() {
@@ -146,7 +146,7 @@ pub fn recording(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn 
         p.aside {
             (result.motion.to_string()) ": " (result.states.frames()) " frames."
         }
-        ul { @for remark in remarks { li { (sentence(&remark.message.spelled(dialect))) } } }
+        ul { @for remark in remarks { li { (as_sentence(&remark.message.spelled(dialect))) } } }
         (feet(result))
         (recording_figure(result, dialect))
     };

@@ -48,7 +48,7 @@ pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodie
         (table("Contacts beside the reference's", caption, &headers, &rows))
         (parameters(own, bodies))
     };
-    fragment.section(SECTION.0, SECTION.1, &body);
+    fragment.add_section(SECTION.0, SECTION.1, &body);
 }
 
 /// The reference in one clause, for a page about many models.
@@ -204,5 +204,5 @@ pub(super) fn size_section(fragment: &mut Fragment, list: &SizeList) {
         (table("What else follows size", "Factors, new over old.", &[name, count, numbers, similar, &last], &rows))
         @for sentence in gaps(list, Extent::Brief) { p.aside { (sentence) "." } }
     };
-    fragment.section("similarity", "What else follows size", &body);
+    fragment.add_section("similarity", "What else follows size", &body);
 }

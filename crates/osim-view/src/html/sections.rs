@@ -6,9 +6,9 @@ use osim_model::messages::{Dialect, terminal_safe};
 use osim_patch::Plan;
 use serde::Serialize;
 
-use crate::html::change::{Changed, fill, what_changed};
+use crate::html::change::{ChangedModelOnPage, add_change_sections, add_changes_section};
 use crate::html::fragment::{Fragment, Section};
-use crate::html::inspected::{self, Inspected};
+use crate::html::inspected::{self, InspectedModelOnPage};
 use crate::html::{explained, plots};
 
 /// What a link in a section leads to.
@@ -30,7 +30,7 @@ pub struct Sections {
 
 impl Sections {
     fn of(fragment: Fragment, dialect: &dyn Dialect) -> Self {
-        let explained = explained::each(&fragment.topics, dialect).into_iter();
+        let explained = explained::each_topic(&fragment.topics, dialect).into_iter();
         let explained =
             explained.map(|(id, html)| Explained { id, html: terminal_safe(&html.0).into_owned() });
         let sections = fragment.sections.into_iter();
@@ -48,8 +48,8 @@ impl Sections {
         wanted: Option<&[String]>,
         dialect: &dyn Dialect,
     ) -> Self {
-        let mut fragment = Fragment::of_some(wanted);
-        what_changed(&mut fragment, plan);
+        let mut fragment = Fragment::of_wanted_sections(wanted);
+        add_changes_section(&mut fragment, plan);
         if !bodies.is_empty() {
             let other = reference.and_then(|reference| reference.body.clone());
             let bodies: Vec<Body> = bodies.iter().cloned().chain(other).collect();
@@ -60,16 +60,24 @@ impl Sections {
     }
 
     /// Those sections of a change whose names are `wanted`; `None` for all.
-    pub fn of_change(changed: Changed<'_>, wanted: Option<&[String]>, dialect: &dyn Dialect) -> Self {
-        let mut fragment = Fragment::of_some(wanted);
-        fill(&mut fragment, changed, dialect);
+    pub fn of_change(
+        changed: ChangedModelOnPage<'_>,
+        wanted: Option<&[String]>,
+        dialect: &dyn Dialect,
+    ) -> Self {
+        let mut fragment = Fragment::of_wanted_sections(wanted);
+        add_change_sections(&mut fragment, changed, dialect);
         Self::of(fragment, dialect)
     }
 
     /// Those sections about a model that was inspected whose names are `wanted`; `None` for all.
-    pub fn of_model(inspected: Inspected<'_>, wanted: Option<&[String]>, dialect: &dyn Dialect) -> Self {
-        let mut fragment = Fragment::of_some(wanted);
-        inspected::fill(&mut fragment, inspected, dialect);
+    pub fn of_model(
+        inspected: InspectedModelOnPage<'_>,
+        wanted: Option<&[String]>,
+        dialect: &dyn Dialect,
+    ) -> Self {
+        let mut fragment = Fragment::of_wanted_sections(wanted);
+        inspected::add_inspection_sections(&mut fragment, inspected, dialect);
         Self::of(fragment, dialect)
     }
 }

@@ -5,8 +5,8 @@ use std::collections::{HashMap, HashSet};
 use maud::{Markup, html};
 use osim_inspect::{Figure, Figures, SphereFigures};
 
-use crate::html::explained::{listed, marked_outside};
-use crate::html::fragment::{Fragment, boxed, table};
+use crate::html::explained::{listed_names, marked_outside};
+use crate::html::fragment::{Fragment, scrollable, table};
 use crate::report::extent::Extent;
 use crate::report::inspection::spheres::{
     CAPTION, FigureText, Spheres, equally_deep, heading, key, limit, value,
@@ -95,7 +95,7 @@ pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
     if outside {
         body = html! { (body) p.quiet { (OUTSIDE) " outside the limit; Findings says more." } };
     }
-    fragment.section(SECTION.0, SECTION.1, &body);
+    fragment.add_section(SECTION.0, SECTION.1, &body);
 }
 
 /// The spheres at their own heights, where these differ.
@@ -107,7 +107,7 @@ fn standing(state: &State<'_>) -> Markup {
                 tr {
                     th scope="row" { (row.limb) }
                     @for value in &row.indentation { td { (value) } }
-                    td.words { (listed(&row.spheres)) }
+                    td.words { (listed_names(&row.spheres)) }
                 }
             }
         })
@@ -154,7 +154,7 @@ fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {
 fn described(group: &Group<'_>) -> String {
     let limbs: Vec<&str> = group.limbs.iter().copied().filter(|limb| !limb.is_empty()).collect();
     let limbs = if limbs.is_empty() { String::new() } else { format!(" ({})", limbs.join(", ")) };
-    format!("{}{limbs}", listed(&group.names))
+    format!("{}{limbs}", listed_names(&group.names))
 }
 
 fn sheet(
@@ -198,7 +198,7 @@ fn sheet(
             tbody { @for row in rows { (row) } }
         }
     };
-    boxed("Figures of the spheres", &table)
+    scrollable("Figures of the spheres", &table)
 }
 
 fn line(
@@ -210,7 +210,7 @@ fn line(
 ) -> Markup {
     let name = heading(figure, speed, Extent::Brief);
     let part = name.starts_with(' ');
-    let name = fragment.topics.linked(name.trim_start_matches(' '));
+    let name = fragment.topics.with_links_to_equations(name.trim_start_matches(' '));
     html! {
         tr {
             th class=[part.then_some("part")] scope="row" { (name) }

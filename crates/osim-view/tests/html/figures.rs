@@ -5,7 +5,7 @@ use osim_inspect::InspectOptions;
 use osim_inspect::series::{Body, HeatRequest};
 use osim_requests::spell::{CommandLine, Python};
 use osim_requests::{DropHeight, HeatQuantity};
-use osim_view::figures::{self as figures, Axes};
+use osim_view::figures::{self as figures, AxisUnits};
 
 use crate::support::open;
 
@@ -35,7 +35,7 @@ fn limits(figure: &Figure) -> Vec<&str> {
 fn one_contact_is_drawn_in_newtons_and_several_in_shares_of_the_weight() {
     let (mouse, horse) = (body("mouse_smooth_sphere"), body("horse_smooth_sphere"));
     let one = [mouse];
-    let figure = figures::force(&one, figures::units(&one, None), None, None).unwrap();
+    let figure = figures::force(&one, figures::units_for(&one, None), None, None).unwrap();
     assert_eq!(axes(&figure), ("relative indentation x̂ = x/R (–)", "force of one sphere (N)"));
     assert_eq!(figure.title, "Contact force: mouse_smooth_sphere");
     assert_eq!(curves(&figure), ["Hertz (1)", "Hertz with cf (C.1)", "smoothed, at rest (C.9)"]);
@@ -50,11 +50,12 @@ fn one_contact_is_drawn_in_newtons_and_several_in_shares_of_the_weight() {
     );
     let [mouse] = one;
     let two = [mouse, horse];
-    let figure = figures::force(&two, figures::units(&two, None), None, None).unwrap();
+    let figure = figures::force(&two, figures::units_for(&two, None), None, None).unwrap();
     assert_eq!(axes(&figure).1, "force of one sphere / its share Mg/n (–)");
     assert_eq!(figure.title, "Contact force");
     assert_eq!(curves(&figure), ["mouse_smooth_sphere", "horse_smooth_sphere"]);
-    let figure = figures::force(&two, figures::units(&two, Some(Axes::Real)), None, Some("Both")).unwrap();
+    let figure =
+        figures::force(&two, figures::units_for(&two, Some(AxisUnits::Real)), None, Some("Both")).unwrap();
     assert_eq!(axes(&figure).0, "indentation x (mm)");
     assert_eq!((figure.title.as_str(), limits(&figure).len()), ("Both", 0));
 }
@@ -62,12 +63,12 @@ fn one_contact_is_drawn_in_newtons_and_several_in_shares_of_the_weight() {
 #[test]
 fn thresholds_and_the_step_are_drawn_for_one_contact_only() {
     let one = [body("mouse_smooth_sphere")];
-    let figure = figures::state(&one, figures::units(&one, None), None, None).unwrap();
+    let figure = figures::state(&one, figures::units_for(&one, None), None, None).unwrap();
     assert_eq!(limits(&figure), ["state 0.05", "state 0.95"]);
     assert_eq!(axes(&figure).1, "contact state (–)");
     assert_eq!(curves(&figure), ["binary contact, without smoothing", "smoothed (C.4)"]);
     let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
-    let figure = figures::state(&two, figures::units(&two, None), None, None).unwrap();
+    let figure = figures::state(&two, figures::units_for(&two, None), None, None).unwrap();
     assert!(limits(&figure).is_empty());
     assert_eq!(curves(&figure), ["mouse_smooth_sphere", "horse_smooth_sphere"]);
 }
@@ -75,7 +76,7 @@ fn thresholds_and_the_step_are_drawn_for_one_contact_only() {
 #[test]
 fn a_law_without_smoothing_has_no_state() {
     let bodies = [body("mouse_hunt_crossley")];
-    let failure = figures::state(&bodies, figures::units(&bodies, None), None, None).unwrap_err();
+    let failure = figures::state(&bodies, figures::units_for(&bodies, None), None, None).unwrap_err();
     assert_eq!(
         failure.message.spelled(&CommandLine),
         "a HuntCrossleyForce has no contact state to draw: there, contact is a step; plot force shows its law"
@@ -86,15 +87,15 @@ fn a_law_without_smoothing_has_no_state() {
 #[test]
 fn loops_of_one_contact_have_three_speeds_and_those_of_several_one_each() {
     let one = [body("mouse_smooth_sphere")];
-    let figure = figures::loops(&one, figures::units(&one, None), HEIGHT, None).unwrap();
+    let figure = figures::loops(&one, figures::units_for(&one, None), HEIGHT, None).unwrap();
     assert_eq!((curves(&figure).len(), curves(&figure)[0]), (4, "force at rest"));
     let described = &figure.description;
     assert!(described.contains("the largest of them that of a fall from 0.25 R."), "{described}");
-    let short = figures::impact_loops(&one, figures::units(&one, None), HEIGHT, None).unwrap();
+    let short = figures::impact_loops(&one, figures::units_for(&one, None), HEIGHT, None).unwrap();
     let (short, whole) = (&short.panels[0].curves[0], &figure.panels[0].curves[3]);
     assert_eq!((&short.label, &short.points), (&whole.label, &whole.points));
     let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
-    let figure = figures::loops(&two, figures::units(&two, None), HEIGHT, None).unwrap();
+    let figure = figures::loops(&two, figures::units_for(&two, None), HEIGHT, None).unwrap();
     assert_eq!(curves(&figure).len(), 2);
     assert!(curves(&figure)[1].starts_with("horse_smooth_sphere: "), "{:?}", curves(&figure));
 }
@@ -142,8 +143,8 @@ fn a_heat_map_is_about_one_body() {
 #[test]
 fn too_many_curves_are_refused_with_a_way_out() {
     let bodies: Vec<Body> = (0..12).map(|_| body("mouse_smooth_sphere")).collect();
-    let figure = figures::force(&bodies, figures::units(&bodies, None), None, None).unwrap();
-    let failure = figures::not_drawn(figure.distinct().unwrap_err(), &bodies);
+    let figure = figures::force(&bodies, figures::units_for(&bodies, None), None, None).unwrap();
+    let failure = figures::failure_of_plot(figure.distinct().unwrap_err(), &bodies);
     let message = failure.message.spelled(&CommandLine);
     assert!(message.ends_with("expected at most 8: choose with --select GLOB"), "{message}");
 }

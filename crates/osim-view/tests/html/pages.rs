@@ -6,14 +6,15 @@ use osim_model::messages::Verb;
 use osim_planning::ModelFeet;
 use osim_requests::spell::{CommandLine, FrontEnd, Python};
 use osim_view::html::{
-    About, Changed, Columns, DetailLevel, EarlierRun, Entry, Examined, Files, InMemory, Inspected, Kept,
-    NamedDigest, Page, RowError, RunRow, changed, inspected,
+    About, ChangedModelOnPage, Columns, DeferredParts, DetailLevel, EarlierRun, Entry, Files, InMemory,
+    InspectedAndChecked, InspectedModelOnPage, NamedDigest, Page, RowError, RunRow, entry_of_changed_model,
+    entry_of_inspected_model,
 };
 
 use crate::support::{self, open, rescaled};
 
 fn page(about: About, front_end: &dyn FrontEnd, entries: impl IntoIterator<Item = Entry>) -> String {
-    let mut page = Page::new(about, Kept::<InMemory>::default(), front_end);
+    let mut page = Page::new(about, DeferredParts::<InMemory>::default(), front_end);
     entries.into_iter().for_each(|entry| page.add(entry));
     let mut bytes = Vec::new();
     page.finish(&mut bytes).unwrap();
@@ -31,10 +32,10 @@ fn changes(model: Option<&str>) -> About {
 fn entry(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> Entry {
     let options = InspectOptions::default();
     let (seen, found) = support::inspected(&options, model, front_end);
-    let shown = Inspected {
+    let shown = InspectedModelOnPage {
         options: &options,
         model,
-        examined: Examined { inspection: &seen, check: &found },
+        examined: InspectedAndChecked { inspection: &seen, check: &found },
         files: &[NamedDigest { name: model.name().to_string(), sha256: "0123".to_owned() }],
         feet: ModelFeet::for_page(model.name(), model, &options.selection),
         recording: None,
@@ -115,13 +116,19 @@ fn a_change_is_shown_before_and_after() {
     row.contacts_mass_kg = Some(62.0);
     row.target_mass_kg = Some(500.0);
     row.changes = plan.changes.len();
-    let change = || Changed::new(&plan, Examined { inspection: &before, check: &found }, Files::default());
-    let one = changed(&row, change(), DetailLevel::Alone, &CommandLine);
+    let change = || {
+        ChangedModelOnPage::new(
+            &plan,
+            InspectedAndChecked { inspection: &before, check: &found },
+            Files::default(),
+        )
+    };
+    let one = entry_of_changed_model(&row, change(), DetailLevel::Alone, &CommandLine);
     let text = page(changes(Some(model.name())), &CommandLine, [one]);
     assert!(text.contains("<h2 id=\"changes-title\">What changed</h2>"));
     assert!(text.contains("<code>stiffness</code>"), "{text}");
     assert_anchors(&text);
-    let one = changed(&row, change(), DetailLevel::OneOfMany, &CommandLine);
+    let one = entry_of_changed_model(&row, change(), DetailLevel::OneOfMany, &CommandLine);
     let text = page(changes(None), &CommandLine, [one]);
     assert!(text.contains(">62 → 500</td>") && !text.contains("<svg"), "{text}");
     // R follows M^(1/3): 0.032 m × (500/62)^(1/3) = 0.06417 m; E1* likewise, from 1e6 N/m².
@@ -195,7 +202,7 @@ fn rows_say_what_became_of_models_that_are_not_shown() {
     };
     let error = RowError::new("no-mass", "body 'a' has no mass").at(Some(4), Some(2));
     let entries = [
-        Entry::left_by_earlier_run(&row, &earlier),
+        Entry::of_earlier_record(&row, &earlier),
         Entry::of_row(&RunRow::new("c.osim", "failed"), Some(&error)),
         Entry::of_row(&RunRow::new("d.osim", "not begun: the run was stopped"), None),
         Entry::without_contacts("e.osim"),
@@ -224,12 +231,13 @@ fn a_page_that_cannot_be_kept_says_so_at_the_end() {
             Err(std::io::Error::other("the disk is full"))
         }
 
-        fn pour_into(&mut self, _: &mut dyn std::io::Write) -> std::io::Result<()> {
+        fn write_to(&mut self, _: &mut dyn std::io::Write) -> std::io::Result<()> {
             Ok(())
         }
     }
 
-    let mut page = Page::new(check(None), Kept { failures: Full, rows: Full, details: Full }, &CommandLine);
+    let mut page =
+        Page::new(check(None), DeferredParts { failures: Full, rows: Full, details: Full }, &CommandLine);
     page.add(Entry::without_contacts("a.osim"));
     page.add(Entry::without_contacts("b.osim"));
     let error = page.finish(&mut Vec::new()).unwrap_err();
