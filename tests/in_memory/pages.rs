@@ -7,8 +7,8 @@ use osim_model::messages::Verb;
 use osim_planning::{BeforeAfter, Inspector, ModelFeet, open_with, prepare};
 use osim_requests::spell::CommandLine;
 use osim_view::html::{
-    About, Columns, DeferredParts, DetailLevel, Entry, Files, InMemory as Texts, Inspected,
-    InspectedAndChecked, NamedDigest, Page, RunRow,
+    About, Columns, DeferredParts, DetailLevel, Entry, Files, InMemory as Texts, InspectedAndChecked,
+    InspectedModelOnPage, NamedDigest, Page, RunRow,
 };
 use serde_json::json;
 use sha2::{Digest, Sha256};
@@ -47,7 +47,7 @@ fn of_an_inspection() {
     found.spell(&CommandLine);
     let mut feet = ModelFeet::of_selection(opened.name(), &opened, &inspector.options().selection).unwrap();
     feet.add_bones(&opened.model, &request.models[0], None, &files);
-    let shown = Inspected {
+    let shown = InspectedModelOnPage {
         recording: None,
         options: inspector.options(),
         model: &opened,

@@ -20,9 +20,9 @@ fn same(words: &str, json: &Value) {
     request.check_models().unwrap();
     let bodies = plot_bodies(&request, &files_of(&bench)).unwrap();
     let drawing = figures::draw(&request, &bodies, None).unwrap();
-    let svg = figures::svg(&drawing, figures::paper(&request.looks), &bodies).unwrap();
+    let svg = figures::svg(&drawing, figures::paper_of(&request.looks), &bodies).unwrap();
 
-    let said = figures::weights(&bodies, &CommandLine);
+    let said = figures::weights_in_words(&bodies, &CommandLine);
     let ran = bench.run(&format!("plot {words} -o figure.svg")).done().wrote(&["figure.svg"]);
     assert_eq!(bench.text("figure.svg"), svg);
     assert_eq!(format!("{said}written to figure.svg\n"), ran.out());

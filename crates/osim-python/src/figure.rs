@@ -59,7 +59,7 @@ pub(crate) fn plot(
         };
         request.check_models()?;
         let (drawing, bodies, remarks) = drawn(&request, &files)?;
-        let svg = figures::svg(&drawing, figures::paper(&request.looks), &bodies)?;
+        let svg = figures::svg(&drawing, figures::paper_of(&request.looks), &bodies)?;
         let csv = figures::data_csv(&drawing).map_err(|error| Problem::defect(error.to_string()))?;
         let csv = String::from_utf8(csv).map_err(|error| Problem::defect(error.to_string()))?;
         Ok(Figure {
@@ -86,7 +86,7 @@ fn drawn(request: &PlotRequest, files: &RequestFiles) -> Result<(Drawing, Vec<Bo
     let table = plot_table(request, files)?;
     let bodies = plot_bodies(request, files)?;
     let drawing = figures::draw(request, &bodies, table.as_ref())?;
-    let remarks = figures::weights(&bodies, &PythonWords);
+    let remarks = figures::weights_in_words(&bodies, &PythonWords);
     Ok((drawing, bodies, remarks))
 }
 

@@ -100,7 +100,7 @@ fn done(
     let mut page = survey.begin_page(call)?;
     let unlisted = survey.sources.failures.iter().cloned().map(Box::new);
     let mut rows: Vec<SurveyedModel> = unlisted.map(SurveyedModel::Failed).collect();
-    let mut pieces = survey.text(Colour::Plain).without_full();
+    let mut pieces = survey.begin_text(Colour::Plain).without_full();
     let mut text = String::new();
     let each = |name: &str, surveyed: SurveyedModel| -> Result<(), LibraryFault> {
         text.push_str(&pieces.add(name, &surveyed));

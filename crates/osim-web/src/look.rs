@@ -165,7 +165,7 @@ pub(crate) fn look(
     let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
     let feet = wants("feet").then(|| feet(inspector, opened, shelf)).flatten();
     let digests = if wants("model") { opened.digests() } else { Vec::new() };
-    let shown = Inspected {
+    let shown = InspectedModelOnPage {
         options: inspector.options(),
         model: &opened.model,
         examined: InspectedAndChecked { inspection: &inspection, check: &found },
@@ -205,7 +205,7 @@ pub(crate) fn entry(
     words: &dyn FrontEnd,
 ) -> Result<Entry, Problem> {
     let (inspection, found) = seen(inspector, opened, shelf, words)?;
-    let shown = Inspected {
+    let shown = InspectedModelOnPage {
         options: inspector.options(),
         model: &opened.model,
         examined: InspectedAndChecked { inspection: &inspection, check: &found },

@@ -135,7 +135,12 @@ const MOST_ARROWS: usize = 25;
 const LEAN_PER_BODY_WEIGHT_MM: f64 = 100.0;
 
 /// The path of the centre of pressure from above, and forces as arrows on the sole.
-fn sole_panels(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &OnSole) -> [Panel; 2] {
+fn sole_panels(
+    result: &MotionResult,
+    index: usize,
+    foot: &FootSummary,
+    on_sole: &PressureOnSole,
+) -> [Panel; 2] {
     [path_panel(result, foot, on_sole), arrow_panel(result, index, foot, on_sole)]
 }
 

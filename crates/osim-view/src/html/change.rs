@@ -242,7 +242,8 @@ fn table_of_numbers(topics: &mut Topics, plan: &Plan) -> Markup {
     let groups = groups(&plan.changes);
     // Names are shown only if a property has several groups of objects with different numbers.
     let several = several_groups(&groups);
-    let is_named = |group: &[&NumberChange]| group.first().is_some_and(|change| several.contains(&change.property));
+    let is_named =
+        |group: &[&NumberChange]| group.first().is_some_and(|change| several.contains(&change.property));
     let rows: Vec<Markup> =
         groups.iter().map(|group| row_of_numbers(topics, group, is_named(group))).collect();
     let mut caption =

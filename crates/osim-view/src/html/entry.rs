@@ -168,7 +168,8 @@ fn place_in_words(line: Option<usize>, column: Option<usize>) -> String {
 
 /// The cell with old and new values of a property, and its factor.
 fn cell_of_property(plan: &Plan, property: Property) -> Cell {
-    let changes: Vec<&NumberChange> = plan.changes.iter().filter(|change| change.property == property).collect();
+    let changes: Vec<&NumberChange> =
+        plan.changes.iter().filter(|change| change.property == property).collect();
     let mut ratios = changes.iter().map(|change| change.to / change.from);
     let Some(first) = ratios.next() else { return Cell::default() };
     let same = |ratio: f64| four_significant(ratio) == four_significant(first);

@@ -40,7 +40,7 @@ fn entry(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> En
         feet: ModelFeet::for_page(model.name(), model, &options.selection),
         recording: None,
     };
-    inspected(shown, detail, front_end)
+    entry_of_inspected_model(shown, detail, front_end)
 }
 
 /// Every anchor that is linked is there, and none is there twice.
