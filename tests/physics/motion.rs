@@ -99,7 +99,7 @@ fn plates_are_compared_and_words_come_first() {
         let peak = foot["comparison"]["measured_peak_n"].as_f64().unwrap();
         assert_close(peak, PLATES_PEAK_N, 1e-3, "peak of the plates");
         assert!(foot["comparison"]["vertical_rms_bw"].as_f64().unwrap() > 2.0);
-        assert!(foot["has_stances_of_plates"].as_bool().unwrap());
+        assert!(foot["stands_by_plates"].as_bool().unwrap());
     }
     // The plates carry the weight, over whole strides, within what the walker was made with.
     let mean = seen["measured_stride_mean_n"].as_f64().unwrap() / seen["weight_n"].as_f64().unwrap();

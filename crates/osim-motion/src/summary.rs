@@ -56,7 +56,7 @@ pub struct FootSummary {
     /// Its stances, by the plates that measured it, else by the model.
     pub stances: Vec<StanceSummary>,
     /// Whether the stances are those of the plates.
-    pub has_stances_of_plates: bool,
+    pub stands_by_plates: bool,
     /// The median depth of its deepest sphere in stance, m; below 0 above the plane. `None` if it never stands.
     pub stance_depth_m: Option<f64>,
     /// The range of the depth of its deepest sphere in stance, from the 5th to the 95th percentile, m.
@@ -200,7 +200,7 @@ impl FootSummary {
             peak_n,
             peak_at_s: states.time_s.get(peak_at).copied().unwrap_or_default(),
             stances: stances.iter().map(|stance| StanceSummary::of(states, stance, &forces)).collect(),
-            has_stances_of_plates: measured.is_some(),
+            stands_by_plates: measured.is_some(),
             stance_depth_m: percentile(0.5),
             stance_scatter_m: percentile(0.95).zip(percentile(0.05)).map(|(high, low)| high - low),
             deepest_m: deepest

@@ -78,7 +78,7 @@ pub struct MotionFootRecord {
     /// When that is, s.
     pub peak_at_s: f64,
     /// Whether its stances are those of the plates; else they are those of the model.
-    pub has_stances_of_plates: bool,
+    pub stands_by_plates: bool,
     /// The median depth of its deepest sphere in stance, m; below 0 it is above the floor.
     pub stance_depth_m: Option<f64>,
     /// From the 5th to the 95th percentile of the same, m.
@@ -223,7 +223,7 @@ fn of_foot(result: &MotionResult, foot: &FootSummary, on_sole: Option<&PressureO
         bodies: foot.foot.bodies.clone(),
         peak_n: foot.peak_n,
         peak_at_s: foot.peak_at_s,
-        has_stances_of_plates: foot.has_stances_of_plates,
+        stands_by_plates: foot.stands_by_plates,
         stance_depth_m: foot.stance_depth_m,
         stance_scatter_m: foot.stance_scatter_m,
         deepest_m: foot.deepest_m,
