@@ -6,17 +6,17 @@ from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _native
-from ._frames import frame_of, unit_of
+from ._frames import to_frame, unit_from_name
 from ._html import preformatted
-from ._named import Named, clipped, line, lines
-from ._tables import columns_of, table
+from ._named_values import NamedValues, clipped, repr_line, repr_lines
+from ._tables import all_columns, table
 from .types import Table
 
 if TYPE_CHECKING:
     import pandas as pd
 
 
-class Answer(Named, Mapping[str, Any]):
+class Answer(NamedValues, Mapping[str, Any]):
     """Numbers by their names, as the command's JSON has them; the unit is in the name.
 
     Attributes
@@ -57,8 +57,8 @@ class Answer(Named, Mapping[str, Any]):
     def __repr__(self) -> str:
         plain = ((name, value) for name, value in self._values().items() if isinstance(value, (str, int, float)))
         # A long text, such as a source, leaves room for the others.
-        said = (f"{name}={clipped(repr(value), 40)}" for name, value in plain if name != "schema_version")
-        return line(type(self).__name__, ", ".join(said) or ", ".join(self._values()))
+        fields = (f"{name}={clipped(repr(value), 40)}" for name, value in plain if name != "schema_version")
+        return repr_line(type(self).__name__, ", ".join(fields) or ", ".join(self._values()))
 
     def _repr_html_(self) -> str:
         return preformatted(self.text, "print() and .text have all")
@@ -72,7 +72,7 @@ class DropTest(Answer):
     @property
     def series(self) -> Table:
         """The motion over time: a table with a column for each quantity, the unit in its name."""
-        return _of_columns(self.record["series"])
+        return _table_from_columns(self.record["series"])
 
     def frame(self) -> pd.DataFrame:
         """The motion over time as a DataFrame, always; units are in `attrs["units"]`, too.
@@ -81,7 +81,7 @@ class DropTest(Answer):
         --------
         >>> ocs.drop_test("falisse2022").frame()["force_bw"].max()
         """
-        return frame_of(lambda: self.series)
+        return to_frame(lambda: self.series)
 
 
 class Motion(Answer):
@@ -104,7 +104,7 @@ class Motion(Answer):
     @property
     def rows(self) -> Table:
         """A row for each frame, sphere and force: places, velocities and forces, the unit in the name of each column."""
-        return _of_columns(self._columns)
+        return _table_from_columns(self._columns)
 
     def frame(self) -> pd.DataFrame:
         """The rows as a DataFrame, always; units are in `attrs["units"]`, too.
@@ -113,7 +113,7 @@ class Motion(Answer):
         --------
         >>> ocs.motion("walker.osim", "walk.mot").frame().groupby("sphere")["relative_indentation"].max()
         """
-        return frame_of(lambda: self.rows)
+        return to_frame(lambda: self.rows)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (self.record, self.text, self._columns)
@@ -132,11 +132,11 @@ class Fit(Answer):
         >>> ocs.fit("heel_pad.csv", radius=0.03).frame()[["name", "value", "unit"]]
         """
         units = _native.units()
-        return _listed(
+        return _frame_from_rows(
             [
-                {"name": name, "unit": units.get(name) or unit_of(name), **found}
-                for name, found in self.record.items()
-                if isinstance(found, dict) and "standard_error" in found
+                {"name": name, "unit": units.get(name) or unit_from_name(name), **estimate}
+                for name, estimate in self.record.items()
+                if isinstance(estimate, dict) and "standard_error" in estimate
             ]
         )
 
@@ -169,7 +169,7 @@ class DesignSheet(Answer):
             {**figure, "limit": limit.get("text"), "within_limit": limit.get("within_limit")}
             for figure, limit in zip(self.record["figures"], limits)
         ]
-        return _listed(rows)
+        return _frame_from_rows(rows)
 
 
 class Preset(Answer):
@@ -199,13 +199,15 @@ class Presets(list[Preset]):
         """
         rows = []
         for preset in self:
-            own = {name: value for name, value in preset.record.items() if name != "schema_version"}
-            free = {f"dimensionless_{name}": value for name, value in (own.pop("dimensionless") or {}).items()}
-            rows.append(own | free)
-        return _listed(rows)
+            plain = {name: value for name, value in preset.record.items() if name != "schema_version"}
+            dimensionless = {
+                f"dimensionless_{name}": value for name, value in (plain.pop("dimensionless") or {}).items()
+            }
+            rows.append(plain | dimensionless)
+        return _frame_from_rows(rows)
 
     def __repr__(self) -> str:
-        return lines(f"Presets: {len(self)}", (repr(preset) for preset in self), len(self))
+        return repr_lines(f"Presets: {len(self)}", (repr(preset) for preset in self), len(self))
 
     def _repr_html_(self) -> str:
         return preformatted("\n".join(preset.text for preset in self), "each preset by itself has its own")
@@ -223,7 +225,7 @@ class Reproduction(Answer):
         --------
         >>> ocs.reproduce().frame()["within_last_digit"].value_counts()
         """
-        return _listed(
+        return _frame_from_rows(
             [{"taxon": row["taxon"], **value} for row in self.record["table1"] for value in row["values"]],
         )
 
@@ -234,12 +236,12 @@ class Explanation(Answer):
     __slots__ = ()
 
 
-def _of_columns(columns: Mapping[str, list[Any]]) -> Table:
+def _table_from_columns(columns: Mapping[str, list[Any]]) -> Table:
     """Columns as a table."""
     names = list(columns)
     return table([dict(zip(names, row)) for row in zip(*columns.values())], names)
 
 
-def _listed(rows: list[dict[str, Any]]) -> pd.DataFrame:
+def _frame_from_rows(rows: list[dict[str, Any]]) -> pd.DataFrame:
     """Rows as a DataFrame with the columns that they have."""
-    return frame_of(lambda: table(rows, columns_of((), rows)))
+    return to_frame(lambda: table(rows, all_columns((), rows)))

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._errors import ContactScaleError, RequestError
-from ._labels import Labels, labels_of, missing_as_nan
+from ._labels import Labels, common_labels, missing_as_nan
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     #: The Series that comes out.
     PandasFloats = pd.Series[float]
     #: What comes out as what it came in as.
-    Frame = TypeVar("Frame", bound=pd.DataFrame | "OfPolars")
+    Frame = TypeVar("Frame", bound=pd.DataFrame | "PolarsLabelled")
 
 
 class Labelled(Protocol):
@@ -30,7 +30,7 @@ class Labelled(Protocol):
         """Its values."""
 
 
-class OfPolars(Labelled, Protocol):
+class PolarsLabelled(Labelled, Protocol):
     """A Series or a DataFrame of polars, told by what those of pandas do not have."""
 
     def drop_nulls(self, *args: Any, **kwargs: Any) -> Any:
@@ -67,7 +67,7 @@ def call(name: str, arguments: Mapping[str, Any], nan: str, rule: str | None = N
     TypeError
         An argument that is no real number.
     """
-    labels = labels_of(arguments)
+    labels = common_labels(arguments)
     arrays = {key: _floats(key, value) for key, value in arguments.items()}
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
@@ -76,11 +76,11 @@ def call(name: str, arguments: Mapping[str, Any], nan: str, rule: str | None = N
         message = f"these shapes cannot be broadcast against each other: {shapes}"
         raise RequestError("usage", message, keywords=tuple(arrays)) from None
     if labels is not None:
-        labels.must_fit(shape)
-    kept = _without_nan(arrays, shape) if _propagates(nan) else None
-    values = np.empty(shape) if 0 in shape else _values(name, rule, arrays, shape, kept, labels)
+        labels.check_shape(shape)
+    valid = _valid_indices(arrays, shape) if _propagates(nan) else None
+    values = np.empty(shape) if 0 in shape else _values(name, rule, arrays, shape, valid, labels)
     if labels is not None:
-        return labels.around(values)
+        return labels.attach(values)
     return values if shape else float(values)
 
 
@@ -94,9 +94,9 @@ def call_of_list(
     RequestError
         Labels that do not go together, or a value outside of the domain, by its argument and element.
     """
-    given = dict(arguments) if height is None else {**arguments, "height": height}
-    labels = labels_of(given)
-    arrays = {key: np.atleast_1d(_floats(key, value)) for key, value in given.items()}
+    inputs = dict(arguments) if height is None else {**arguments, "height": height}
+    labels = common_labels(inputs)
+    arrays = {key: np.atleast_1d(_floats(key, value)) for key, value in inputs.items()}
     for key, array in arrays.items():
         if array.ndim > 1:
             raise RequestError("usage", f"{key} has the shape {array.shape}, expected one list", keywords=(key,))
@@ -110,7 +110,7 @@ def call_of_list(
     heights = arrays["height"].tobytes() if "height" in arrays else None
     value, refusal = _native.equation_of_list(name, columns, heights, float(weight.reshape(())))
     if refusal is not None or value is None:
-        raise _refused(refusal or (None, None, "no value"), arrays, (), labels)
+        raise _domain_error(refusal or (None, None, "no value"), arrays, (), labels)
     return value
 
 
@@ -127,7 +127,7 @@ def call_of_steps(first: float, last: float, dissipation_ratio: float, count: in
     # Any ladder will do where all its steps are missing: it says whether there can be so many.
     columns, refusal = _native.steps(*((1.0, 2.0, 1.0) if missing else numbers), count)
     if columns is None:
-        raise _refused(refusal or (None, None, "no value"), {}, ())
+        raise _domain_error(refusal or (None, None, "no value"), {}, ())
     return Steps(*(np.full(len(column), np.nan) if missing else np.array(column) for column in columns))
 
 
@@ -138,16 +138,16 @@ def _propagates(nan: str) -> bool:
     return nan == "propagate"
 
 
-def _without_nan(arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]) -> NDArray[np.intp] | None:
+def _valid_indices(arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]) -> NDArray[np.intp] | None:
     """Places of the elements without NaN in a result that is one long row; None where no element has NaN."""
     missing = np.zeros(shape, dtype=bool)
     for array in arrays.values():
         missing |= np.isnan(array)
     if not missing.any():
         return None
-    kept = np.flatnonzero(~missing)
+    valid = np.flatnonzero(~missing)
     # One element alone would be taken for one number for all, and be named without its place.
-    return np.repeat(kept, 2) if kept.size == 1 else kept
+    return np.repeat(valid, 2) if valid.size == 1 else valid
 
 
 def _values(
@@ -155,31 +155,31 @@ def _values(
     rule: str | None,
     arrays: Mapping[str, NDArray[np.float64]],
     shape: tuple[int, ...],
-    kept: NDArray[np.intp] | None,
+    valid: NDArray[np.intp] | None,
     labels: Labels | None,
 ) -> NDArray[np.float64]:
     """The values of an equation; those that are not kept are NaN."""
-    if kept is not None and not kept.size:
+    if valid is not None and not valid.size:
         return np.full(shape, np.nan)
     # What is one number for all is not copied for each of them.
     columns = [array if array.size == 1 else np.broadcast_to(array, shape) for array in arrays.values()]
-    if kept is not None:
-        columns = [column if column.size == 1 else column.ravel()[kept] for column in columns]
-    given, refusal = _native.equation(name, rule, [column.tobytes() for column in columns])
+    if valid is not None:
+        columns = [column if column.size == 1 else column.ravel()[valid] for column in columns]
+    result, refusal = _native.equation(name, rule, [column.tobytes() for column in columns])
     if refusal is not None:
-        raise _refused(_replaced(refusal, kept), arrays, shape, labels)
-    calculated = np.frombuffer(given or b"", dtype=np.float64)
-    if kept is None:
+        raise _domain_error(_with_original_index(refusal, valid), arrays, shape, labels)
+    calculated = np.frombuffer(result or b"", dtype=np.float64)
+    if valid is None:
         return calculated.reshape(shape)
     values = np.full(shape, np.nan)
-    values.flat[kept] = calculated
+    values.flat[valid] = calculated
     return values
 
 
-def _replaced(refusal: tuple[Any, ...], kept: NDArray[np.intp] | None) -> tuple[Any, ...]:
+def _with_original_index(refusal: tuple[Any, ...], valid: NDArray[np.intp] | None) -> tuple[Any, ...]:
     """A refusal with its place among all elements, not only among those that were kept."""
     name, index, message = refusal
-    return refusal if kept is None or index is None else (name, int(kept[index]), message)
+    return refusal if valid is None or index is None else (name, int(valid[index]), message)
 
 
 def _floats(name: str, value: Any) -> NDArray[np.float64]:
@@ -205,20 +205,23 @@ def _is_real(item: Any) -> bool:
     return isinstance(item, (int, float, np.integer, np.floating)) and not isinstance(item, bool)
 
 
-def _refused(
+def _domain_error(
     refusal: tuple[Any, ...], arrays: Mapping[str, Any], shape: tuple[int, ...], labels: Labels | None = None
 ) -> ContactScaleError:
     """The exception, with the place of the element in the array that was given."""
     name, index, message = refusal
     place = ""
     if index is not None:
-        own = arrays[name].shape if name in arrays else shape
-        at = np.unravel_index(index, shape) if shape else (index,)
+        argument_shape = arrays[name].shape if name in arrays else shape
+        position = np.unravel_index(index, shape) if shape else (index,)
         # An array with fewer dimensions, or one of length 1, is the same along the others.
-        places = [int(step) if length > 1 else 0 for step, length in zip(at[len(at) - len(own) :], own)]
-        place = str(places) if own else ""
-        if labels is not None and own == labels.shape:
-            place += labels.at(tuple(places))
+        places = [
+            int(step) if length > 1 else 0
+            for step, length in zip(position[len(position) - len(argument_shape) :], argument_shape)
+        ]
+        place = str(places) if argument_shape else ""
+        if labels is not None and argument_shape == labels.shape:
+            place += labels.describe_place(tuple(places))
     if " is NaN," in message:
         message += ' (with nan="propagate" its result is NaN)'
     return RequestError("out-of-domain", message.replace("{}", place), keywords=(name,) if name else ())

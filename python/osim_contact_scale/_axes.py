@@ -27,48 +27,50 @@ class Panel(NamedTuple):
     look: _native.PanelLook
 
 
-def panels_of(rows: Sequence[Row], looks: Sequence[_native.PanelLook]) -> list[Panel]:
+def group_panels(rows: Sequence[Row], looks: Sequence[_native.PanelLook]) -> list[Panel]:
     """The panels of a figure, in its order."""
-    groups = [(name, list(own)) for name, own in itertools.groupby(rows, key=lambda row: str(row["panel"]))]
-    return [Panel(name, own, look) for (name, own), look in zip(groups, looks)]
+    groups = [
+        (name, list(panel_rows)) for name, panel_rows in itertools.groupby(rows, key=lambda row: str(row["panel"]))
+    ]
+    return [Panel(name, panel_rows, look) for (name, panel_rows), look in zip(groups, looks)]
 
 
 def draw(panel: Panel, axes: Any) -> None:
     """Draws a panel on axes of matplotlib."""
-    (x_log, x_limits), (y_log, y_limits), is_down, lengths = panel.look
+    (x_log, x_limits), (y_log, y_limits), is_inverted, lengths = panel.look
     if x_log:
         axes.set_xscale("log")
     if y_log:
         axes.set_yscale("log")
-    of = _by_kind(panel.rows)
-    _cells(axes, of, (x_log, y_log))
-    _outlines(axes, of.get("outline", ()))
-    _curves(axes, of.get("curve", ()), lengths)
-    _spheres(axes, of.get("sphere", ()))
-    _points(axes, of.get("point", ()), with_text="sphere" in of or "outline" in of)
-    for row in (*of.get("limit", ()), *of.get("level", ())):
+    rows_by_kind = _group_by_kind(panel.rows)
+    _cells(axes, rows_by_kind, (x_log, y_log))
+    _outlines(axes, rows_by_kind.get("outline", ()))
+    _curves(axes, rows_by_kind.get("curve", ()), lengths)
+    _spheres(axes, rows_by_kind.get("sphere", ()))
+    _points(axes, rows_by_kind.get("point", ()), with_text="sphere" in rows_by_kind or "outline" in rows_by_kind)
+    for row in (*rows_by_kind.get("limit", ()), *rows_by_kind.get("level", ())):
         _line(axes, row)
-    _around(panel, axes)
+    _label_axes(panel, axes)
     if x_limits is not None:
         axes.set_xlim(*x_limits)
     if y_limits is not None:
         axes.set_ylim(*y_limits)
-    if is_down:
+    if is_inverted:
         axes.yaxis.set_inverted(True)
 
 
-def _by_kind(rows: Sequence[Row]) -> dict[str, list[Row]]:
+def _group_by_kind(rows: Sequence[Row]) -> dict[str, list[Row]]:
     kinds: dict[str, list[Row]] = {}
     for row in rows:
         kinds.setdefault(row["kind"], []).append(row)
     return kinds
 
 
-def _around(panel: Panel, axes: Any) -> None:
+def _label_axes(panel: Panel, axes: Any) -> None:
     """Title, labels with units, and the legend."""
-    axes.set_title(_shown(panel.name))
-    axes.set_xlabel(_shown(panel.rows[0]["x_axis"]))
-    axes.set_ylabel(_shown(panel.rows[0]["y_axis"]))
+    axes.set_title(_escaped(panel.name))
+    axes.set_xlabel(_escaped(panel.rows[0]["x_axis"]))
+    axes.set_ylabel(_escaped(panel.rows[0]["y_axis"]))
     handles, labels = axes.get_legend_handles_labels()
     # What has one name has one entry.
     entries = dict(zip(reversed(labels), reversed(handles)))
@@ -77,7 +79,7 @@ def _around(panel: Panel, axes: Any) -> None:
         axes.legend([entries[name] for name in names], names)
 
 
-def _shown(text: str) -> str:
+def _escaped(text: str) -> str:
     """A text from outside: no mathematics of TeX, which begins with a dollar; an underscore first would keep it from the legend."""
     text = printable(text).replace("$", r"\$")
     return f" {text}" if text.startswith("_") else text
@@ -86,15 +88,15 @@ def _shown(text: str) -> str:
 def _curves(axes: Any, rows: Sequence[Row], lengths: Sequence[int]) -> None:
     """Curves, each by itself: several may have one name, and then one look."""
     looks: dict[str, dict[str, Any]] = {"": _UNNAMED}
-    for curve in _in_turn(rows, lengths):
+    for curve in _split_curves(rows, lengths):
         name = curve[0]["name"]
         if name not in looks:
-            turn = len(looks) - 1
-            looks[name] = {"color": f"C{turn % 10}", "linestyle": _DASHES[turn % 4], "label": _shown(name)}
-        axes.plot(*_places(curve), **looks[name])
+            number = len(looks) - 1
+            looks[name] = {"color": f"C{number % 10}", "linestyle": _DASHES[number % 4], "label": _escaped(name)}
+        axes.plot(*_coordinates(curve), **looks[name])
 
 
-def _in_turn(rows: Sequence[Row], lengths: Sequence[int]) -> Iterator[Sequence[Row]]:
+def _split_curves(rows: Sequence[Row], lengths: Sequence[int]) -> Iterator[Sequence[Row]]:
     """The rows of each curve."""
     begin = 0
     for length in lengths:
@@ -103,33 +105,33 @@ def _in_turn(rows: Sequence[Row], lengths: Sequence[int]) -> Iterator[Sequence[R
         begin += length
 
 
-def _places(rows: Sequence[Row]) -> tuple[list[float], list[float]]:
+def _coordinates(rows: Sequence[Row]) -> tuple[list[float], list[float]]:
     return [row["x"] for row in rows], [row["y"] for row in rows]
 
 
 def _points(axes: Any, rows: Sequence[Row], with_text: bool) -> None:
     """Points by their names: in the legend, or beside them where each has its own."""
-    for name, own in itertools.groupby(rows, key=lambda row: str(row["name"])):
-        places = _places(list(own))
+    for name, point_rows in itertools.groupby(rows, key=lambda row: str(row["name"])):
+        places = _coordinates(list(point_rows))
         if with_text:
             axes.plot(*places, "D", color="0.3", markersize=4)
-            axes.annotate(_shown(name), (places[0][0], places[1][0]), fontsize="x-small")
+            axes.annotate(_escaped(name), (places[0][0], places[1][0]), fontsize="x-small")
         else:
-            axes.plot(*places, "o", color="black", label=_shown(name), zorder=3)
+            axes.plot(*places, "o", color="black", label=_escaped(name), zorder=3)
 
 
 def _line(axes: Any, row: Row) -> None:
     """A limit or a level: a line across the panel, or along a value of a heat map, which has no place."""
     if row["x"] is not None:
-        axes.axvline(row["x"], **_THIN, label=_shown(row["name"]))
+        axes.axvline(row["x"], **_THIN, label=_escaped(row["name"]))
     elif row["y"] is not None:
-        axes.axhline(row["y"], **_THIN, label=_shown(row["name"]))
+        axes.axhline(row["y"], **_THIN, label=_escaped(row["name"]))
 
 
 def _outlines(axes: Any, rows: Sequence[Row]) -> None:
     """Shapes of bones."""
     for _, corners in itertools.groupby(rows, key=lambda row: str(row["name"])):
-        axes.fill(*_places(list(corners)), facecolor="0.7", edgecolor="0.4", alpha=0.3)
+        axes.fill(*_coordinates(list(corners)), facecolor="0.7", edgecolor="0.4", alpha=0.3)
 
 
 def _spheres(axes: Any, rows: Sequence[Row]) -> None:
@@ -143,26 +145,26 @@ def _spheres(axes: Any, rows: Sequence[Row]) -> None:
         dash = "-" if row["name"] else "--"
         axes.add_patch(Circle((row["x"], row["y"]), row["value"], fill=False, edgecolor="C0", linestyle=dash))
         if row["name"]:
-            axes.annotate(_shown(row["name"]), (row["x"], row["y"]), fontsize="x-small", ha="center", va="center")
+            axes.annotate(_escaped(row["name"]), (row["x"], row["y"]), fontsize="x-small", ha="center", va="center")
     axes.set_aspect("equal", adjustable="datalim")
     axes.autoscale_view()
 
 
-def _cells(axes: Any, of: dict[str, list[Row]], logarithmic: tuple[bool, bool]) -> None:
+def _cells(axes: Any, rows_by_kind: dict[str, list[Row]], logarithmic: tuple[bool, bool]) -> None:
     """A heat map with its colour bar; cells without a value stay empty."""
-    rows = of.get("cell")
+    rows = rows_by_kind.get("cell")
     if not rows:
         return
     x, y = (sorted({row[name] for row in rows}) for name in ("x", "y"))
-    known = {(row["x"], row["y"]): row["value"] for row in rows}
-    values = [[math.nan if known.get((a, b)) is None else known[a, b] for a in x] for b in y]
+    values_by_place = {(row["x"], row["y"]): row["value"] for row in rows}
+    values = [[math.nan if values_by_place.get((a, b)) is None else values_by_place[a, b] for a in x] for b in y]
     mesh = axes.pcolormesh(_edges(x, logarithmic[0]), _edges(y, logarithmic[1]), values)
-    bar = axes.figure.colorbar(mesh, ax=axes, label=_shown(rows[0]["value_name"]))
-    for row in of.get("limit", ()):
+    bar = axes.figure.colorbar(mesh, ax=axes, label=_escaped(rows[0]["value_name"]))
+    for row in rows_by_kind.get("limit", ()):
         # At this value, in the map and on the bar.
         axes.contour(x, y, values, levels=[row["value"]], colors="white", linestyles="--")
         bar.ax.axhline(row["value"], color="white", linestyle="--")
-        axes.plot([], [], **_THIN, label=_shown(row["name"]))
+        axes.plot([], [], **_THIN, label=_escaped(row["name"]))
 
 
 def _edges(middles: Sequence[float], is_logarithmic: bool) -> list[float]:

@@ -17,15 +17,15 @@ def to_cell(text: str) -> str:
     Letters that steer a terminal are written as their numbers, and what a spreadsheet would run has an apostrophe before it.
     """
     if text.isprintable() and _ESCAPE not in text:
-        return _marked(text)
+        return _with_apostrophe(text)
     pieces = []
     for at, letter in enumerate(text):
-        escaped = steers(letter) or text.startswith(_ESCAPE, at)
+        escaped = is_control_character(letter) or text.startswith(_ESCAPE, at)
         pieces.append(f"{_ESCAPE}{ord(letter):x}}}" if escaped else letter)
-    return _marked("".join(pieces))
+    return _with_apostrophe("".join(pieces))
 
 
-def _marked(text: str) -> str:
+def _with_apostrophe(text: str) -> str:
     return f"'{text}" if _is_formula(text) and not _RUST_NUMBER.fullmatch(text) else text
 
 
@@ -47,6 +47,6 @@ def _is_formula(text: str) -> bool:
     return text.lstrip("'").startswith(("=", "+", "-", "@", "\t", "\r", "\n"))
 
 
-def steers(letter: str) -> bool:
+def is_control_character(letter: str) -> bool:
     """Whether a letter steers a terminal, or the direction of a text."""
     return unicodedata.category(letter) == "Cc" or "\u2028" <= letter <= "\u202e" or "\u2066" <= letter <= "\u2069"

@@ -10,17 +10,17 @@ from typing import Any, get_args
 
 from . import _native
 from ._errors import RequestError
-from ._gaps import explained, gaps_of, say_gaps
+from ._gaps import explain_gaps, find_gaps, log_gaps
 from ._kinds import kind_of
 from ._options import ChangingVerb
-from ._own_columns import beside, names_of, own_columns, seen
-from ._progress import following
+from ._progress import progress_callback
 from ._request import fields_of, is_path, path_of
 from ._rows import as_known, is_blank, models_csv, rows_of
-from ._survey import listed
-from ._tables import columns_of, table
+from ._survey import as_list
+from ._tables import all_columns, table
 from ._text import printable
-from ._threads import jobs_of
+from ._threads import thread_count
+from ._user_columns import column_names, join_user_columns, user_columns, visible_rows
 from .types import Progress, Table
 
 log = logging.getLogger("osim_contact_scale")
@@ -50,12 +50,12 @@ def many(verb: str, models: Any, keywords: Mapping[str, Any], progress: Progress
         if not is_path(model):
             kind = type(model).__name__
             raise TypeError(f"many changes files: expected the paths of models or folders, not {kind}")
-    fields = fields_of(verb, {**keywords, "jobs": jobs_of(keywords.get("jobs"))})
+    fields = fields_of(verb, {**keywords, "jobs": thread_count(keywords.get("jobs"))})
     fields["models"] = [path_of(model) for model in named]
-    with following(progress, verb) as callback:
+    with progress_callback(progress, verb) as callback:
         records, remarks = _native.change_many(fields, f'ocs.many("{verb}", ...)', callback)
     _report(records, remarks)
-    return table(records, columns_of((), records))
+    return table(records, all_columns((), records))
 
 
 def batch(of_models: Any, keep: Any, keywords: Mapping[str, Any], progress: Progress) -> Any:
@@ -73,7 +73,7 @@ def batch(of_models: Any, keep: Any, keywords: Mapping[str, Any], progress: Prog
             'for the same change of several models, or of all in a folder: ocs.many("rescale", models, target_mass=...)'
         )
         raise RequestError("usage", f"{message}; {same}")
-    keywords = {**keywords, "jobs": jobs_of(keywords.get("jobs"))}
+    keywords = {**keywords, "jobs": thread_count(keywords.get("jobs"))}
     if is_path(given):
         if keep:
             message = "keep: columns of a file are kept where their names begin with #; or read it first, as by pandas.read_csv"
@@ -82,29 +82,29 @@ def batch(of_models: Any, keep: Any, keywords: Mapping[str, Any], progress: Prog
     rows = rows_of(given)
     if not rows:
         raise RequestError("usage", "the table has no rows")
-    own = own_columns(names_of(given, rows), keep)
-    shown = seen(rows, own)
-    gaps = gaps_of(shown, kind_of(given) is not None)
+    own = user_columns(column_names(given, rows), keep)
+    shown = visible_rows(rows, own)
+    gaps = find_gaps(shown, kind_of(given) is not None)
     _refuse_nameless(rows, shown)
-    say_gaps(gaps, shown)
+    log_gaps(gaps, shown)
     data = models_csv(shown)
     try:
         records = _done(fields_of("batch", keywords), data, len(rows), progress)
     except RequestError as error:
-        raise explained(error, gaps) from None
+        raise explain_gaps(error, gaps) from None
     places = _places(records, rows)
     if places is None:
         return _as_texts(records)
     for record in records:
         record.pop("remarks", None)
-    return beside(given, own, rows, places, records)
+    return join_user_columns(given, own, rows, places, records)
 
 
 def _done(
     fields: dict[str, Any], data: bytes | None, count: int | None, progress: Progress
 ) -> Sequence[dict[str, Any]]:
     """Does the rows of a table: a record for each."""
-    with following(progress, "batch", count) as callback:
+    with progress_callback(progress, "batch", count) as callback:
         records, remarks = _native.rescale_many(fields, data, "ocs.rescale_many(table, ...)", callback)
     _report(records, remarks)
     return records
@@ -114,7 +114,7 @@ def _as_texts(records: Sequence[dict[str, Any]]) -> Table:
     """Records as a table, with the user's columns, whose names begin with #, as texts."""
     for record in records:
         record.update(record.pop("remarks", {}))
-    return table(records, columns_of((), records))
+    return table(records, all_columns((), records))
 
 
 def _refuse_nameless(rows: Sequence[Mapping[str, Any]], shown: Sequence[Mapping[str, Any]]) -> None:
@@ -145,7 +145,7 @@ def _report(records: Sequence[Mapping[str, Any]], remarks: Sequence[str]) -> Non
 def _given(value: Any) -> Any:
     """A path or a table that is known here; of anything else, a list of what it has."""
     value = as_known(value)
-    return value if is_path(value) or hasattr(value, "columns") or isinstance(value, Mapping) else listed(value)
+    return value if is_path(value) or hasattr(value, "columns") or isinstance(value, Mapping) else as_list(value)
 
 
 def _is_table(given: Any) -> bool:

@@ -39,13 +39,13 @@ class ContactScaleError(Exception):
     ) -> None:
         name = "" if path is None else printable(path)
         # A message about a file that it names itself does not name it twice.
-        named = bool(name) and message.startswith(name)
+        is_named = bool(name) and message.startswith(name)
         # Line by line: wrong rows of a table have one each.
         message = "\n".join(map(clipped, message.split("\n")))
-        at = "" if line is None or column is None else f":{line}:{column}"
-        text = message if named or not name else f"{clipped(name)}{at}: {message}"
-        shown = "" if excerpt is None else f"\n{line or '':>6} | {clipped(printable(excerpt.expandtabs(2)))}"
-        super().__init__(text + shown)
+        position = "" if line is None or column is None else f":{line}:{column}"
+        text = message if is_named or not name else f"{clipped(name)}{position}: {message}"
+        excerpt_text = "" if excerpt is None else f"\n{line or '':>6} | {clipped(printable(excerpt.expandtabs(2)))}"
+        super().__init__(text + excerpt_text)
         self.code = code
         self.message = message
         self.path = path
@@ -55,10 +55,10 @@ class ContactScaleError(Exception):
         self.keywords = tuple(keywords)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _restored, (type(self), self.code, self.message, self.__dict__)
+        return _unpickled, (type(self), self.code, self.message, self.__dict__)
 
 
-def _restored(kind: type[ContactScaleError], code: str, message: str, state: dict[str, Any]) -> ContactScaleError:
+def _unpickled(kind: type[ContactScaleError], code: str, message: str, state: dict[str, Any]) -> ContactScaleError:
     names = ("path", "line", "column", "excerpt", "keywords")
     return kind(code, message, **{name: state[name] for name in names})
 

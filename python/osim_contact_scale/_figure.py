@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 from . import _native
 from ._errors import RequestError
-from ._frames import frame_of, require
-from ._named import Named, clipped, line
+from ._frames import require, to_frame
+from ._named_values import NamedValues, clipped, repr_line
 from ._request import at_home
 from ._text import printable
 from .types import Table
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 _PANEL = (5.0, 3.6)
 
 
-class _Drawn(NamedTuple):
+class _RenderedFigure(NamedTuple):
     """A figure that came from another process or from a file: it is drawn already, in all formats."""
 
     svg: str
@@ -46,7 +46,7 @@ class _Drawn(NamedTuple):
         return self.as_png
 
 
-class Figure(Named):
+class Figure(NamedValues):
     """A figure; in a notebook the picture itself.
 
     Attributes
@@ -59,7 +59,7 @@ class Figure(Named):
 
     __slots__ = ("_native",)
 
-    def __init__(self, native: _native.Figure | _Drawn) -> None:
+    def __init__(self, native: _native.Figure | _RenderedFigure) -> None:
         self._native = native
 
     @property
@@ -98,9 +98,9 @@ class Figure(Named):
         return tuple(panel.name for panel in self._panels())
 
     def _panels(self) -> list[Panel]:
-        from ._axes import panels_of
+        from ._axes import group_panels
 
-        return panels_of(self._rows()[0], self._native.panels)
+        return group_panels(self._rows()[0], self._native.panels)
 
     def frame(self) -> pd.DataFrame:
         """The numbers that are drawn as a DataFrame, always. Units are in `x_axis`, `y_axis` and `value_name`.
@@ -109,7 +109,7 @@ class Figure(Named):
         --------
         >>> ocs.plot("drop", "falisse2022").frame().query("kind == 'curve'")[["x", "y"]]
         """
-        return frame_of(lambda: self.data)
+        return to_frame(lambda: self.data)
 
     @overload
     def plot(self, ax: Axes, *, panel: str | None = None) -> Axes: ...
@@ -161,17 +161,17 @@ class Figure(Named):
         from ._axes import draw
 
         panels = self._panels()
-        chosen = panels if panel is None else [_panel_of(panels, panel)]
-        given = self._made(len(chosen)) if ax is None else list(np.ravel(np.asarray(ax, dtype=object)))
-        if len(given) != len(chosen):
+        chosen = panels if panel is None else [_find_panel(panels, panel)]
+        targets = self._create_axes(len(chosen)) if ax is None else list(np.ravel(np.asarray(ax, dtype=object)))
+        if len(targets) != len(chosen):
             names = ", ".join(repr(printable(one.name)) for one in panels)
-            message = f"{len(given)} axes for {len(chosen)} panels: give one for each, or choose one panel of {names}"
+            message = f"{len(targets)} axes for {len(chosen)} panels: give one for each, or choose one panel of {names}"
             raise RequestError("usage", message, keywords=("ax", "panel"))
-        for one, axes in zip(chosen, given):
+        for one, axes in zip(chosen, targets):
             draw(one, axes)
-        return given[0] if len(given) == 1 else np.array(given, dtype=object)
+        return targets[0] if len(targets) == 1 else np.array(targets, dtype=object)
 
-    def _made(self, count: int) -> Sequence[Any]:
+    def _create_axes(self, count: int) -> Sequence[Any]:
         """Axes below each other, two beside each other where there are many."""
         from matplotlib import pyplot
 
@@ -221,15 +221,17 @@ class Figure(Named):
     def __reduce__(self) -> tuple[Any, ...]:
         # All that can be asked of it travels along: where it arrives, the models need not be there.
         return Figure, (
-            _Drawn(self.svg, self.remarks, self._native.csv, self.to_pdf(), self.to_png(), self._native.panels),
+            _RenderedFigure(
+                self.svg, self.remarks, self._native.csv, self.to_pdf(), self.to_png(), self._native.panels
+            ),
         )
 
     def __repr__(self) -> str:
         title = html.unescape("".join(re.findall(r"<title>(.*?)</title>", self.svg[:2000], re.DOTALL)[:1]))
-        return line("Figure", f"{clipped(title, 100)}: show it in a notebook, or write it with save()")
+        return repr_line("Figure", f"{clipped(title, 100)}: show it in a notebook, or write it with save()")
 
 
-def _panel_of(panels: Sequence[Panel], name: str) -> Panel:
+def _find_panel(panels: Sequence[Panel], name: str) -> Panel:
     """The panel with this name or letter.
 
     Raises

@@ -28,10 +28,10 @@ class MissingPackage(ContactScaleError, ImportError):
     def __init__(self, package: str, extra: str, what: str) -> None:
         install = f'pip install "osim-contact-scale[{extra}]"'
         super().__init__("usage", f"{package} is not installed, which {what} needs: {install}")
-        self._given = (package, extra, what)
+        self._arguments = (package, extra, what)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), self._given
+        return type(self), self._arguments
 
 
 def require(package: str, extra: str, what: str) -> None:
@@ -46,7 +46,7 @@ def require(package: str, extra: str, what: str) -> None:
         raise MissingPackage(package, extra, what)
 
 
-def frame_of(make: Callable[[], Any], units: Mapping[str, str] | None = None) -> pd.DataFrame:
+def to_frame(make: Callable[[], Any], units: Mapping[str, str] | None = None) -> pd.DataFrame:
     """A table of `_tables.table` as a DataFrame, with the units of its columns in `attrs["units"]`.
 
     Raises
@@ -56,12 +56,12 @@ def frame_of(make: Callable[[], Any], units: Mapping[str, str] | None = None) ->
     """
     require("pandas", "pandas", "frame()")
     frame: pd.DataFrame = make()
-    known = {str(name): unit_of(str(name)) for name in frame.columns}
-    frame.attrs["units"] = {**{name: unit for name, unit in known.items() if unit is not None}, **(units or {})}
+    named_units = {str(name): unit_from_name(str(name)) for name in frame.columns}
+    frame.attrs["units"] = {**{name: unit for name, unit in named_units.items() if unit is not None}, **(units or {})}
     return frame
 
 
-def unit_of(name: str) -> str | None:
+def unit_from_name(name: str) -> str | None:
     """The unit at the end of a column's name, or None."""
     name = _AXIS.sub("", name)
     return next((unit for end, unit in _UNITS.items() if name.endswith(end)), None)

@@ -23,10 +23,10 @@ class Gaps(NamedTuple):
     #: Those of them that have NaN, NaT or NA, which may be a number that went wrong.
     nan: set[int]
     #: Whether all other values of the column are numbers.
-    is_of_numbers: bool
+    is_numeric: bool
 
 
-def gaps_of(rows: Sequence[Mapping[str, Any]], with_none: bool) -> dict[str, Gaps]:
+def find_gaps(rows: Sequence[Mapping[str, Any]], count_none: bool) -> dict[str, Gaps]:
     """The gaps of each column that has some.
 
     Remarks are left out, and so are rows in which all is missing. None counts only `with_none`: in a list somebody wrote it, in a DataFrame
@@ -39,49 +39,49 @@ def gaps_of(rows: Sequence[Mapping[str, Any]], with_none: bool) -> dict[str, Gap
             continue
         for name in missing:
             is_nan = row[name] is not None
-            if is_nan or with_none:
+            if is_nan or count_none:
                 if name not in gaps:
-                    gaps[name] = Gaps(set(), set(), _is_of_numbers(other.get(name) for other in rows))
+                    gaps[name] = Gaps(set(), set(), _is_numeric(other.get(name) for other in rows))
                 gaps[name].places.add(index)
                 gaps[name].nan.update([index] if is_nan else [])
     return gaps
 
 
-def _is_of_numbers(values: Iterable[Any]) -> bool:
+def _is_numeric(values: Iterable[Any]) -> bool:
     return all(
         isinstance(value, numbers.Number) and not isinstance(value, bool) for value in values if value is not None
     )
 
 
-def say_gaps(gaps: Mapping[str, Gaps], rows: Sequence[Mapping[str, Any]]) -> None:
+def log_gaps(gaps: Mapping[str, Gaps], rows: Sequence[Mapping[str, Any]]) -> None:
     """Says where a missing value leaves an option out.
 
     In a column of numbers a gap and a number that went wrong look alike, as pandas fills gaps with NaN: there it is a warning.
     """
-    for name, of_column in gaps.items():
-        level = logging.WARNING if of_column.nan and of_column.is_of_numbers else logging.INFO
-        empty = "empty (NaN)" if of_column.nan else "empty"
-        count = _counted(len(of_column.places), len(rows))
+    for name, gap in gaps.items():
+        level = logging.WARNING if gap.nan and gap.is_numeric else logging.INFO
+        empty = "empty (NaN)" if gap.nan else "empty"
+        count = _count_phrase(len(gap.places), len(rows))
         log.log(level, "column %s: %s %s: the option is left out there", printable(name), count, empty)
     if blank := sum(map(is_blank, rows)):
-        log.info("%s empty and left out", _counted(blank, len(rows)))
+        log.info("%s empty and left out", _count_phrase(blank, len(rows)))
 
 
-def _counted(some: int, rows: int) -> str:
+def _count_phrase(some: int, rows: int) -> str:
     return f"{some} of {rows} rows {'is' if some == 1 else 'are'}" if rows > 1 else "the row is"
 
 
-def explained(error: RequestError, gaps: Mapping[str, Gaps]) -> RequestError:
+def explain_gaps(error: RequestError, gaps: Mapping[str, Gaps]) -> RequestError:
     """The error about a table, which says of each row what is empty in it, and how columns are kept."""
 
-    def said(found: re.Match[str]) -> str:
-        place, column = int(found["row"]) - 2, found["column"]
-        named = {name: gap for name, gap in gaps.items() if place in gap.places and column in (None, name)}
-        empty = ", ".join(f"{name} (NaN)" if place in gap.nan else name for name, gap in named.items())
-        return f"{found[0]} (empty there: {empty})" if named else found[0]
+    def with_empty_columns(match: re.Match[str]) -> str:
+        place, column = int(match["row"]) - 2, match["column"]
+        empty_gaps = {name: gap for name, gap in gaps.items() if place in gap.places and column in (None, name)}
+        empty = ", ".join(f"{name} (NaN)" if place in gap.nan else name for name, gap in empty_gaps.items())
+        return f"{match[0]} (empty there: {empty})" if empty_gaps else match[0]
 
     pattern = r"^table: row (?P<row>\d+)(, column '(?P<column>[^']*)')?:.*$"
-    message = re.sub(pattern, said, error.message, flags=re.MULTILINE)
+    message = re.sub(pattern, with_empty_columns, error.message, flags=re.MULTILINE)
     if "is not an option of" in message:
         message += '; columns of your own are kept by their names, keep=["age"]'
     return error if message == error.message else RequestError(error.code, message, keywords=error.keywords)

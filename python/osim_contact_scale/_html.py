@@ -23,16 +23,16 @@ def html_table(columns: Sequence[str], rows: Iterable[Sequence[Any]], where: str
     Rows that have no room are counted; `where` says where they are.
     """
     head = "".join(f"<th scope='col'>{html.escape(column)}</th>" for column in columns)
-    shown: list[str] = []
-    left_out = taken = 0
+    html_rows: list[str] = []
+    left_out = used = 0
     for row in rows:
         cells = "" if left_out else "".join(f"<td>{_cell(value)}</td>" for value in row)
-        taken += len(cells)
-        if left_out or (taken > room and shown):
+        used += len(cells)
+        if left_out or (used > room and html_rows):
             left_out += 1
         else:
-            shown.append(f"<tr>{cells}</tr>")
-    table = f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(shown)}</tbody></table>"
+            html_rows.append(f"<tr>{cells}</tr>")
+    table = f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(html_rows)}</tbody></table>"
     return table + (_more(left_out, where) if left_out else "")
 
 
@@ -63,13 +63,13 @@ def heading(text: str) -> str:
 def preformatted(text: str, where: str, *, room: int = 5 * ROOM) -> str:
     """A text whose lines are kept, as far as there is room; `where` says where all of it is."""
     lines = text.splitlines()
-    kept, taken = [], 0
+    html_lines, used = [], 0
     for line in lines:
-        shown = escaped(line, 4 * CELL)
-        taken += len(shown) + 1
-        if taken > room:
+        html_line = escaped(line, 4 * CELL)
+        used += len(html_line) + 1
+        if used > room:
             break
-        kept.append(shown)
-    left_out = len(lines) - len(kept)
+        html_lines.append(html_line)
+    left_out = len(lines) - len(html_lines)
     more = paragraph(f"… and {left_out} lines more: {where}") if left_out else ""
-    return f"<pre>{chr(10).join(kept)}</pre>{more}"
+    return f"<pre>{chr(10).join(html_lines)}</pre>{more}"

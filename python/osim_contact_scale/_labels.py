@@ -18,7 +18,7 @@ from ._kinds import kind_of
 #: What most arguments are. None of them has labels, so that nothing needs to be looked for.
 _PLAIN = frozenset({float, int, list, tuple, np.ndarray, np.float64})
 #: What two arguments of a kind must have the same of.
-_SAME = {
+_MUST_MATCH = {
     ("pandas", "Series"): "indexes",
     ("pandas", "DataFrame"): "indexes or columns",
     ("polars", "Series"): "lengths",
@@ -42,7 +42,7 @@ class Labels(NamedTuple):
     def _first(self) -> Any:
         return next(iter(self.owners.values()))
 
-    def must_fit(self, shape: tuple[int, ...]) -> None:
+    def check_shape(self, shape: tuple[int, ...]) -> None:
         """Refuses a result of another shape, which these labels are not for."""
         if shape != self.shape:
             key = next(iter(self.owners))
@@ -52,7 +52,7 @@ class Labels(NamedTuple):
             )
             raise RequestError("usage", message, keywords=(key,))
 
-    def around(self, values: NDArray[np.float64]) -> Any:
+    def attach(self, values: NDArray[np.float64]) -> Any:
         """Values with these labels, as what the arguments are."""
         module, kind = self.kind
         make, first = getattr(sys.modules[module], kind), self._first
@@ -66,18 +66,18 @@ class Labels(NamedTuple):
             return make(name or "", values)
         return make(values, schema=first.columns, orient="row")
 
-    def at(self, place: tuple[int, ...]) -> str:
+    def describe_place(self, place: tuple[int, ...]) -> str:
         """The labels of one element, in brackets; nothing where they say no more than its place."""
-        shown = []
-        for called, axis, step in zip(("index", "column"), _axes(self._first, self.kind), place):
+        parts = []
+        for axis_name, axis, step in zip(("index", "column"), _axes(self._first, self.kind), place):
             # An iterator has numbers of Python, which are shown as they are.
             label = repr(next(iter(axis[step : step + 1])))
             if label != str(step):
-                shown.append(f"{called} {label}")
-        return f" ({', '.join(shown)})" if shown else ""
+                parts.append(f"{axis_name} {label}")
+        return f" ({', '.join(parts)})" if parts else ""
 
 
-def labels_of(arguments: Mapping[str, Any]) -> Labels | None:
+def common_labels(arguments: Mapping[str, Any]) -> Labels | None:
     """The labels that all Series or DataFrames among the arguments have.
 
     Raises
@@ -96,7 +96,7 @@ def labels_of(arguments: Mapping[str, Any]) -> Labels | None:
             what = [f"{key} is a {kinds[key][1]} of {kinds[key][0]}" for key in (first, other)]
             remedy = f"give both as one kind, or one as an array, as by {other}.to_numpy()"
             raise RequestError("usage", f"{', '.join(what)}: {remedy}", keywords=(first, other))
-        _must_agree(kinds[first], first, arguments[first], other, arguments[other])
+        _check_same_labels(kinds[first], first, arguments[first], other, arguments[other])
     return Labels(kinds[first], {key: arguments[key] for key in kinds})
 
 
@@ -106,8 +106,8 @@ def missing_as_nan(value: Any) -> Any:
     if kind is None or kind[0] != "pandas":
         return value
     types = [value.dtype] if kind[1] == "Series" else list(value.dtypes)
-    of_numbers = all(one.kind in "iuf" and one.itemsize <= 8 for one in types)
-    return value.to_numpy(dtype=np.float64, na_value=np.nan) if of_numbers else value
+    are_numbers = all(dtype.kind in "iuf" and dtype.itemsize <= 8 for dtype in types)
+    return value.to_numpy(dtype=np.float64, na_value=np.nan) if are_numbers else value
 
 
 def _axes(value: Any, kind: tuple[str, str]) -> list[Any]:
@@ -117,13 +117,16 @@ def _axes(value: Any, kind: tuple[str, str]) -> list[Any]:
     return [range(len(value)), *([value.columns] if kind[1] == "DataFrame" else [])]
 
 
-def _must_agree(kind: tuple[str, str], first: str, one: Any, second: str, other: Any) -> None:
+def _check_same_labels(kind: tuple[str, str], first: str, one: Any, second: str, other: Any) -> None:
     pairs = zip(_axes(one, kind), _axes(other, kind))
-    if all(mine.equals(its) if hasattr(mine, "equals") else mine == its for mine, its in pairs):
+    if all(
+        first_axis.equals(second_axis) if hasattr(first_axis, "equals") else first_axis == second_axis
+        for first_axis, second_axis in pairs
+    ):
         return
     remedy = "take both from one table, which join makes of two"
     if kind[0] == "pandas":
         remedy = f'align them first, as by {first}, {second} = {first}.align({second}, join="inner"), or where only the order counts, '
         remedy += f"give one of them as an array, as by {second}.to_numpy()"
-    message = f"{first} and {second} have different {_SAME[kind]}: {remedy}"
+    message = f"{first} and {second} have different {_MUST_MATCH[kind]}: {remedy}"
     raise RequestError("usage", message, keywords=(first, second))

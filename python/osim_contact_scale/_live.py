@@ -11,8 +11,8 @@ from collections.abc import Callable
 from typing import Any
 
 from ._errors import ContactScaleError
-from ._live_objects import component, exchange
-from ._live_print import printed
+from ._live_objects import exchange, find_component
+from ._live_print import model_to_xml
 
 
 def is_model(source: Any) -> bool:
@@ -33,7 +33,7 @@ def to_bytes(model: Any) -> tuple[str | None, bytes]:
 
     name = str(model.getInputFileName())
     file = None if name in ("", "Unassigned") else name
-    return file, printed(opensim, model, file)
+    return file, model_to_xml(opensim, model, file)
 
 
 def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: Any) -> None:
@@ -51,7 +51,7 @@ def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: A
     import opensim
 
     for path, mass in masses.items():
-        _compare_mass(opensim, model, path, mass)
+        _check_mass(opensim, model, path, mass)
     # All places are found before anything changes. Objects that are added come with their numbers.
     added = {change["path"] for change in record["objects"] if change["change"] == "added"}
     edits = [_edit(opensim, model, change) for change in record["changes"] if change["path"] not in added]
@@ -70,12 +70,12 @@ def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: A
 
 def _edit(opensim: Any, model: Any, change: dict[str, Any]) -> Callable[[], object]:
     """What sets one property, once it is called."""
-    owner = component(model, change["path"])
+    owner = find_component(model, change["path"])
     name, value = change["property"], change["to"]
     if name == "location":
         geometry = opensim.ContactGeometry.safeDownCast(owner)
-        now = geometry.get_location()
-        _compare(change, [now.get(axis) for axis in range(3)])
+        location = geometry.get_location()
+        _check_unchanged(change, [location.get(axis) for axis in range(3)])
         vector = opensim.Vec3(*value)
         return lambda: geometry.set_location(vector)
     if change["set"] is not None:
@@ -84,26 +84,26 @@ def _edit(opensim: Any, model: Any, change: dict[str, Any]) -> Callable[[], obje
     if not owner.hasProperty(name):
         raise ContactScaleError("live-model", f"{change['path']} has no {name}: this is another model")
     prop = owner.updPropertyByName(name)
-    _compare(change, [opensim.PropertyHelper.getValueDouble(prop)])
+    _check_unchanged(change, [opensim.PropertyHelper.getValueDouble(prop)])
     return lambda: opensim.PropertyHelper.setValueDouble(value, prop)
 
 
-def _compare_mass(opensim: Any, model: Any, path: str, mass: float) -> None:
+def _check_mass(opensim: Any, model: Any, path: str, mass: float) -> None:
     """Refuses a body of another mass: what contacts should be follows from it."""
-    body = opensim.Body.safeDownCast(component(model, path))
+    body = opensim.Body.safeDownCast(find_component(model, path))
     if body is None or math.isclose(body.getMass(), mass, rel_tol=1e-9):
         return
     message = f"the mass of {path} is {body.getMass()} kg, not {mass} kg as it was when this change was planned"
     raise ContactScaleError("live-model", f"{message}: plan it again for the model as it is now")
 
 
-def _compare(change: dict[str, Any], now: list[float]) -> None:
+def _check_unchanged(change: dict[str, Any], current: list[float]) -> None:
     """Refuses to change what is neither as it was planned for, nor changed already."""
     for state in ("from", "to"):
         planned = change[state] if isinstance(change[state], (list, tuple)) else [change[state]]
         # OpenSim prints a live model with fewer digits than its numbers have.
-        if all(value is None or math.isclose(value, own, rel_tol=1e-9) for value, own in zip(planned, now)):
+        if all(value is None or math.isclose(value, actual, rel_tol=1e-9) for value, actual in zip(planned, current)):
             return
-    shown = " ".join(map(str, now))
-    message = f"{change['property']} of {change['path']} is {shown}, not {change['from']} as it was when this change was planned"
+    current_text = " ".join(map(str, current))
+    message = f"{change['property']} of {change['path']} is {current_text}, not {change['from']} as it was when this change was planned"
     raise ContactScaleError("live-model", f"{message}: plan it again for the model as it is now")

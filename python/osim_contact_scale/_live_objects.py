@@ -26,31 +26,31 @@ def exchange(opensim: Any, model: Any, objects: list[dict[str, Any]], new: bytes
         path = Path(folder, "model.osim")
         path.write_bytes(new)
         try:
-            made = opensim.Model(str(path))
+            new_model = opensim.Model(str(path))
         except RuntimeError as error:
             message = f"OpenSim cannot read the new model by itself ({error}): write it to a file and load that"
             raise ContactScaleError("live-model", message) from error
     for change in objects:
         if not change["path"].startswith(tuple(f"{path}/" for path in _SETS)):
-            raise _outside(change["path"])
+            raise _outside_sets_error(change["path"])
     edits: list[Callable[[], object]] = []
     for folder_path, accessor in _SETS.items():
-        live, wanted = getattr(model, accessor)(), getattr(made, accessor)()
-        own = [change for change in objects if change["path"].startswith(folder_path + "/")]
-        removed = [_name(change) for change in own if change["change"] == "removed"]
-        added = [_name(change) for change in own if change["change"] == "added"]
+        live_set, new_set = getattr(model, accessor)(), getattr(new_model, accessor)()
+        set_changes = [change for change in objects if change["path"].startswith(folder_path + "/")]
+        removed = [_object_name(change) for change in set_changes if change["change"] == "removed"]
+        added = [_object_name(change) for change in set_changes if change["change"] == "added"]
         for name in removed:
-            if live.getIndex(name) < 0:
-                component(model, f"{folder_path}/{name}")
-                raise _outside(f"{folder_path}/{name}")
-        edits += [partial(_remove, live, name) for name in removed]
+            if live_set.getIndex(name) < 0:
+                find_component(model, f"{folder_path}/{name}")
+                raise _outside_sets_error(f"{folder_path}/{name}")
+        edits += [partial(_remove, live_set, name) for name in removed]
         # Cloned now: what is in a set does not keep its model alive.
-        places = sorted(wanted.getIndex(name) for name in added)
-        if own and _names(wanted) != _expected(_names(live), removed, places, _names(wanted)):
+        places = sorted(new_set.getIndex(name) for name in added)
+        if set_changes and _names(new_set) != _names_after_exchange(_names(live_set), removed, places, _names(new_set)):
             reason = "because of what else is in it, or because of names that occur twice"
             message = f"{folder_path} would not be that of the new model, {reason}: write it to a file and load that"
             raise ContactScaleError("live-model", message)
-        edits += [partial(_insert, live, place, wanted.get(place).clone()) for place in places]
+        edits += [partial(_insert, live_set, place, new_set.get(place).clone()) for place in places]
     return edits
 
 
@@ -58,31 +58,31 @@ def _names(members: Any) -> list[str]:
     return [str(members.get(place).getName()) for place in range(members.getSize())]
 
 
-def _expected(names: list[str], removed: list[str], places: list[int], wanted: list[str]) -> list[str]:
+def _names_after_exchange(names: list[str], removed: list[str], places: list[int], new_names: list[str]) -> list[str]:
     """The names of a live set after an exchange."""
-    left = [name for name in names if name not in removed]
+    remaining = [name for name in names if name not in removed]
     for place in places:
-        left.insert(place, wanted[place] if place >= 0 else "")
-    return left
+        remaining.insert(place, new_names[place] if place >= 0 else "")
+    return remaining
 
 
-def _name(change: dict[str, Any]) -> str:
+def _object_name(change: dict[str, Any]) -> str:
     """The name of an object in its set: OpenSim's own, where the file gives it none."""
     path: str = change["path"]
     return path.rsplit("/", 1)[-1]
 
 
-def _remove(live: Any, name: str) -> None:
-    live.remove(live.getIndex(name))
+def _remove(live_set: Any, name: str) -> None:
+    live_set.remove(live_set.getIndex(name))
 
 
-def _insert(live: Any, place: int, clone: Any) -> None:
+def _insert(live_set: Any, place: int, clone: Any) -> None:
     # The set owns it from now on.
     clone.thisown = False
-    live.insert(place, clone)
+    live_set.insert(place, clone)
 
 
-def component(model: Any, path: str) -> Any:
+def find_component(model: Any, path: str) -> Any:
     """A component by its path.
 
     Raises
@@ -97,6 +97,6 @@ def component(model: Any, path: str) -> Any:
         raise ContactScaleError("live-model", message) from error
 
 
-def _outside(path: str) -> ContactScaleError:
+def _outside_sets_error(path: str) -> ContactScaleError:
     message = f"{path} is outside of the model's sets, where OpenSim removes nothing: write it to a file and load that"
     return ContactScaleError("live-model", message)

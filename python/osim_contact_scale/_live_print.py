@@ -37,7 +37,7 @@ CONTACTS = frozenset(
 _PRINTING = threading.Lock()
 
 
-def printed(opensim: Any, model: Any, file: str | None = None) -> bytes:
+def model_to_xml(opensim: Any, model: Any, file: str | None = None) -> bytes:
     """A model as XML: contacts with all their values, and all else that is not as in OpenSim's code. `file` is for messages.
 
     A clone is printed, so that the marks of the model stay as they are. It has no `<defaults>`, which would count for models that are
@@ -53,8 +53,8 @@ def printed(opensim: Any, model: Any, file: str | None = None) -> bytes:
         try:
             # OpenSim refuses a model whose connections are not finalized. A clone of it would be printed, without them.
             is_printed = model.printToXML(path)
-            clone = connected(model)
-            _keep(opensim, clone)
+            clone = connected_clone(model)
+            _unmark_defaults(opensim, clone)
             is_printed = is_printed and clone.printToXML(path)
         except RuntimeError as error:
             # More lines name each place.
@@ -65,7 +65,7 @@ def printed(opensim: Any, model: Any, file: str | None = None) -> bytes:
         return Path(path).read_bytes()
 
 
-def connected(model: Any) -> Any:
+def connected_clone(model: Any) -> Any:
     """A clone of a model, connected where it has controllers.
 
     Those of files before version 40600 keep the names of their actuators aside until then, and would be printed without them.
@@ -99,25 +99,25 @@ def _settings(opensim: Any) -> Iterator[None]:
         opensim.IO.SetPrintOfflineDocuments(offline)
 
 
-def _keep(opensim: Any, owner: Any) -> None:
+def _unmark_defaults(opensim: Any, owner: Any) -> None:
     """Takes the marks from all properties of an object that have to be printed."""
     name = owner.getConcreteClassName()
-    pristine = None if name.split("::")[0] in CONTACTS else _pristine(opensim, name)
+    defaults = None if name.split("::")[0] in CONTACTS else _default_values(opensim, name)
     for index in range(owner.getNumProperties()):
         # Not the one to be updated: the object would count as changed.
-        own = owner.getPropertyByIndex(index)
-        if own.getValueIsDefault():
+        prop = owner.getPropertyByIndex(index)
+        if prop.getValueIsDefault():
             # A note is added to credits: without their text in the file it would take the place of it.
-            if own.getName() != "credits" and pristine is not None and _value(opensim, own) == pristine[index]:
+            if prop.getName() != "credits" and defaults is not None and _value(opensim, prop) == defaults[index]:
                 continue
-            own.setValueIsDefault(False)
-        if own.isObjectProperty():
-            for place in range(own.size()):
-                _keep(opensim, own.getValueAsObject(place))
+            prop.setValueIsDefault(False)
+        if prop.isObjectProperty():
+            for place in range(prop.size()):
+                _unmark_defaults(opensim, prop.getValueAsObject(place))
 
 
 @functools.cache
-def _pristine(opensim: Any, name: str) -> list[object] | None:
+def _default_values(opensim: Any, name: str) -> list[object] | None:
     """The values of an object as OpenSim's code makes it. None for classes that Python cannot make."""
     try:
         return _values(opensim, getattr(opensim, name)())
@@ -141,6 +141,6 @@ def _value(opensim: Any, prop: Any) -> object:
     if kind == "double":
         return repr([opensim.PropertyHelper.getValueDouble(prop, place) for place in places])
     if kind in ("Vec3", "Vec6") and len(places) == 1:
-        read = getattr(opensim.PropertyHelper, f"getValue{kind}")
-        return repr([read(prop, axis) for axis in range(int(kind[-1]))])
+        getter = getattr(opensim.PropertyHelper, f"getValue{kind}")
+        return repr([getter(prop, axis) for axis in range(int(kind[-1]))])
     return object()

@@ -11,7 +11,7 @@ from .types import Table
 #: Columns of a table of changes. `old` and `new` are in `unit`.
 CHANGES = ("property", "path", "old", "new", "factor", "unit", "equation", "force", "sphere", "set", "line", "inserted")
 #: Columns of a table of changes in which equal ones are one row: `of` says how many there are.
-ALIKE = ("property", "of", "old", "new", "factor", "unit", "equation")
+GROUPED = ("property", "of", "old", "new", "factor", "unit", "equation")
 #: Columns of a table of spheres that move: metres, in their frames.
 MOVES = ("path", "sphere", "old_x", "old_y", "old_z", "new_x", "new_y", "new_z", "equation", "line", "inserted")
 #: Columns of a table of whole objects.
@@ -20,10 +20,10 @@ OBJECTS = ("change", "class", "name", "path", "body", "location_m", "radius_m", 
 
 def changes(record: dict[str, Any]) -> Table:
     """The numbers that change, a row each."""
-    return table(_rows_of_changes(record), CHANGES)
+    return table(_change_rows(record), CHANGES)
 
 
-def _rows_of_changes(record: dict[str, Any]) -> list[dict[str, Any]]:
+def _change_rows(record: dict[str, Any]) -> list[dict[str, Any]]:
     units = _native.units()
     numbers = [change for change in record["changes"] if change["property"] != "location"]
     return [
@@ -31,21 +31,21 @@ def _rows_of_changes(record: dict[str, Any]) -> list[dict[str, Any]]:
     ]
 
 
-def alike(record: dict[str, Any]) -> list[dict[str, Any]]:
+def grouped_changes(record: dict[str, Any]) -> list[dict[str, Any]]:
     """The numbers that change, those of one property that change in the same way as one row."""
     groups: dict[tuple[Any, ...], dict[str, Any]] = {}
-    for row in _rows_of_changes(record):
-        first = groups.setdefault(tuple(row[name] for name in ("property", "old", "new")), {**row, "of": 0})
-        first["of"] += 1
+    for row in _change_rows(record):
+        group = groups.setdefault(tuple(row[name] for name in ("property", "old", "new")), {**row, "of": 0})
+        group["of"] += 1
     return list(groups.values())
 
 
 def moves(record: dict[str, Any]) -> Table:
     """The spheres that move, a row each."""
-    return table(rows_of_moves(record), MOVES)
+    return table(move_rows(record), MOVES)
 
 
-def rows_of_moves(record: dict[str, Any]) -> list[dict[str, Any]]:
+def move_rows(record: dict[str, Any]) -> list[dict[str, Any]]:
     """The spheres that move, as dictionaries."""
     moved = [change for change in record["changes"] if change["property"] == "location"]
     axes = ("x", "y", "z")

@@ -14,7 +14,7 @@ Callback = Callable[[int, bool], object] | None
 
 
 @contextmanager
-def following(progress: Progress, what: str, total: int | None = None) -> Iterator[Callback]:
+def progress_callback(progress: Progress, what: str, total: int | None = None) -> Iterator[Callback]:
     """What to call back, while it lasts.
 
     Raises

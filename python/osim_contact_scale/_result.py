@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
 from . import _live, _native, _plan_tables
 from ._errors import RequestError
-from ._frames import frame_of
+from ._frames import to_frame
 from ._html import heading, html_table, paragraph, preformatted
-from ._named import Named, clipped, line, lines
+from ._named_values import NamedValues, clipped, repr_line, repr_lines
 from ._request import MODELS, Memory, at_home, fields_of, is_path, model_of, with_own_files
 from ._tables import table
 from ._text import printable
@@ -62,7 +62,7 @@ def plan(verb: str, source: Source, keywords: Mapping[str, Any], tables: Mapping
     return planned
 
 
-class Result(Named):
+class Result(NamedValues):
     """A planned change of one model. The model itself is as it was until `write`.
 
     Attributes
@@ -144,7 +144,7 @@ class Result(Named):
 
     @property
     def warnings(self) -> Findings:
-        return Findings._of(self.record["warnings"], (), None)
+        return Findings._from_records(self.record["warnings"], (), None)
 
     @property
     def findings(self) -> Findings:
@@ -158,10 +158,10 @@ class Result(Named):
     def _check(self) -> tuple[Findings, Findings]:
         if self._checked is None:
             states = self._planned.checked()
-            (before, requests), (after, later) = states[0], states[-1]
+            (before, before_requests), (after, after_requests) = states[0], states[-1]
             self._checked = (
-                Findings._of(before["findings"], requests, _Before(self)),
-                Findings._of(after["findings"], later, self),
+                Findings._from_records(before["findings"], before_requests, _ModelBefore(self)),
+                Findings._from_records(after["findings"], after_requests, self),
             )
         return self._checked
 
@@ -182,8 +182,8 @@ class Result(Named):
     def _companions(self) -> dict[str, tuple[str, bytes]]:
         """The other files of a ForceSet by itself, by the keywords that name them: as they are after the change."""
         new, old = self.files, self._planned.read()
-        named = {name: self._fields[name] for name in ("geometry", "model") if isinstance(self._fields.get(name), str)}
-        return {name: (path, new[path] if path in new else old[Path(path)]) for name, path in named.items()}
+        names = {name: self._fields[name] for name in ("geometry", "model") if isinstance(self._fields.get(name), str)}
+        return {name: (path, new[path] if path in new else old[Path(path)]) for name, path in names.items()}
 
     @property
     def files(self) -> dict[str, bytes]:
@@ -227,7 +227,7 @@ class Result(Named):
         OutputError
             Something is there, or cannot be written. Nothing was replaced.
         """
-        asked = {
+        options = {
             "output": output,
             "output_dir": output_dir,
             "in_place": in_place,
@@ -236,10 +236,10 @@ class Result(Named):
             "geometry_output": geometry_output,
         }
         self._stay_in_folder(output, output_dir)
-        fields = fields_of(self.verb, {name: value for name, value in asked.items() if value is not False})
+        fields = fields_of(self.verb, {name: value for name, value in options.items() if value is not False})
         del fields["verb"]
-        paths, kept, remarks = self._planned.write(fields)
-        for path in kept:
+        paths, backups, remarks = self._planned.write(fields)
+        for path in backups:
             log.info("%s: the old model is kept as %s", printable(self.path), printable(str(path)))
         for remark in remarks:
             log.warning("%s: %s", printable(self.path), remark)
@@ -282,11 +282,12 @@ class Result(Named):
         return self._planned.page(self.verb, self._call())
 
     def _call(self) -> str:
-        own = {name: value for name, value in self._fields.items() if name not in ("verb", "models", "file")}
+        keywords = {name: value for name, value in self._fields.items() if name not in ("verb", "models", "file")}
         # Of `set` each property is a keyword.
-        own |= own.pop("set", {})
+        keywords |= keywords.pop("set", {})
         words = ", ".join(
-            f"{name}_={value!r}" if name in ("from", "class") else f"{name}={value!r}" for name, value in own.items()
+            f"{name}_={value!r}" if name in ("from", "class") else f"{name}={value!r}"
+            for name, value in keywords.items()
         )
         return f"ocs.{self.verb.replace('-', '_')}({', '.join(filter(None, (repr(self.path), words)))})"
 
@@ -297,30 +298,30 @@ class Result(Named):
         --------
         >>> result.frame().groupby("property")["factor"].first()
         """
-        return frame_of(lambda: self.changes)
+        return to_frame(lambda: self.changes)
 
-    def _count(self) -> str:
+    def _summary(self) -> str:
         """How much is to be changed."""
         record = self.record
         counts = [(len(record["changes"]), "number", "numbers"), (len(record["objects"]), "object", "objects")]
-        said = [f"{count} {one if count == 1 else several}" for count, one, several in counts if count]
-        return f"{' and '.join(said) or 'nothing'} to change"
+        counted = [f"{count} {one if count == 1 else several}" for count, one, several in counts if count]
+        return f"{' and '.join(counted) or 'nothing'} to change"
 
     def __repr__(self) -> str:
-        return f"<Result of {self.verb}: {clipped(self.path, 200)}: {self._count()}>"
+        return f"<Result of {self.verb}: {clipped(self.path, 200)}: {self._summary()}>"
 
     def __str__(self) -> str:
         return self.text
 
     def _repr_html_(self) -> str:
         record = self.record
-        parts = [heading(f"{self.verb}: {self.path}: {self._count()}")]
-        alike, moves = _plan_tables.alike(record), _plan_tables.rows_of_moves(record)
-        parts += _section("", _plan_tables.ALIKE, alike, ".changes")
+        parts = [heading(f"{self.verb}: {self.path}: {self._summary()}")]
+        grouped, moves = _plan_tables.grouped_changes(record), _plan_tables.move_rows(record)
+        parts += _section("", _plan_tables.GROUPED, grouped, ".changes")
         parts += _section("Spheres that move", _plan_tables.MOVES[:8], moves, ".moves")
         parts += _section("Objects", _plan_tables.OBJECTS[:5], record["objects"], ".objects")
         parts += _section("Verdicts, as it is and after the change", _VERDICTS, self._verdicts(), ".report(path)")
-        parts.append(self.findings._table_of("Findings of the new model"))
+        parts.append(self.findings._html_table("Findings of the new model"))
         parts += [paragraph(remark) for remark in self.remarks[:5]]
         parts.append(paragraph("The whole page, with figures: .report(path). To write the new model: .write()"))
         return "".join(parts)
@@ -343,7 +344,7 @@ class Result(Named):
 
     def __reduce__(self) -> tuple[Any, ...]:
         # Everything that the plan was made from travels along: where it arrives, the files need not be there.
-        return _restored, (self._fields, self._planned.read(), self._folder)
+        return _unpickled, (self._fields, self._planned.read(), self._folder)
 
 
 def _section(title: str, columns: Sequence[str], rows: Sequence[Mapping[str, Any]], where: str) -> list[str]:
@@ -355,7 +356,7 @@ def _section(title: str, columns: Sequence[str], rows: Sequence[Mapping[str, Any
 
 
 @dataclass(frozen=True, repr=False)
-class Remedy(Named):
+class Remedy(NamedValues):
     """What puts a finding right: a call that is ready to be made.
 
     Attributes
@@ -392,20 +393,20 @@ class Remedy(Named):
             The model was named in a folder that is no longer the current one: its name may be that of another model here.
         """
         steps = json.loads(self._requests)
-        named = steps[0].get("models", [None])
+        model_names = steps[0].get("models", [None])
         if source is not None:
             steps = steps[-1:]
         else:
-            source = self._source if self._source is not None else named[0]
+            source = self._source if self._source is not None else model_names[0]
         if is_path(source) and self._folder not in (None, os.getcwd()) and not os.path.isabs(at_home(source)):
             message = f"{printable(os.fsdecode(source))} was named in the folder {self._folder}, which is no longer the current one"
             raise RequestError("usage", f"{message}: go back to that folder, or check it by its whole path")
-        result = self._planned(steps[0], source)
+        result = self._plan_step(steps[0], source)
         for step in steps[1:]:
-            result = self._planned(step, result)
+            result = self._plan_step(step, result)
         return result
 
-    def _planned(self, step: dict[str, Any], source: Any) -> Result:
+    def _plan_step(self, step: dict[str, Any], source: Any) -> Result:
         fields = {name: value for name, value in step.items() if name not in ("verb", "models", "output")}
         others = {name: self._others[fields[name]] for name in MODELS if fields.get(name) in self._others}
         return plan(step["verb"], source, fields | others)
@@ -414,14 +415,14 @@ class Remedy(Named):
         return self.call
 
     def __repr__(self) -> str:
-        return line("Remedy", self.call)
+        return repr_line("Remedy", self.call)
 
     def _repr_html_(self) -> str:
         return preformatted(self.call, ".call")
 
 
 @dataclass(frozen=True, repr=False)
-class Finding(Named):
+class Finding(NamedValues):
     """Something that is wrong with a model, or worth knowing.
 
     Attributes
@@ -455,27 +456,27 @@ class Finding(Named):
     remedy: Remedy | None
 
     @classmethod
-    def _of(
+    def _from_record(
         cls, record: dict[str, Any], request: str | None, source: Any, others: dict[str, Any], folder: str | None
     ) -> Finding:
         command = record["command"]
         remedy = Remedy(command, request, source, others, folder) if command and request else None
-        own = {key: value for key, value in record.items() if key not in ("command", "spheres")}
-        return cls(**own, spheres=tuple(record["spheres"]), remedy=remedy)
+        values = {key: value for key, value in record.items() if key not in ("command", "spheres")}
+        return cls(**values, spheres=tuple(record["spheres"]), remedy=remedy)
 
     def __str__(self) -> str:
         return f"{self.severity}: {self.code}: {self.message}"
 
     def __repr__(self) -> str:
-        return line("Finding", str(self))
+        return repr_line("Finding", str(self))
 
     def _repr_html_(self) -> str:
         names = ("severity", "code", "message", "place", "line", "why", "advice", "remedy")
-        said = ((name, getattr(self, name)) for name in names)
-        return html_table(("", "finding"), [(name, value) for name, value in said if value is not None])
+        fields = ((name, getattr(self, name)) for name in names)
+        return html_table(("", "finding"), [(name, value) for name, value in fields if value is not None])
 
 
-class Findings(tuple[Finding, ...], Named):
+class Findings(tuple[Finding, ...], NamedValues):
     """Findings from the worst to the least; in a notebook a table.
 
     By its name a column has the values of all: `findings.code`, or `findings["code"]`.
@@ -484,12 +485,12 @@ class Findings(tuple[Finding, ...], Named):
     __slots__ = ()
 
     @classmethod
-    def _of(
+    def _from_records(
         cls, records: Any, requests: Any, source: Any, others: dict[str, Any] | None = None, folder: str | None = None
     ) -> Findings:
         requests = list(requests) + [None] * (len(records) - len(requests))
-        both = zip(records, requests)
-        return cls(Finding._of(record, request, source, others or {}, folder) for record, request in both)
+        pairs = zip(records, requests)
+        return cls(Finding._from_record(record, request, source, others or {}, folder) for record, request in pairs)
 
     @overload
     def __getitem__(self, index: SupportsIndex, /) -> Finding: ...
@@ -502,9 +503,9 @@ class Findings(tuple[Finding, ...], Named):
 
     def __getitem__(self, index: Any, /) -> Any:
         if isinstance(index, str):
-            return self._by_name(index)
-        found = super().__getitem__(index)
-        return Findings(found) if isinstance(index, slice) else found
+            return self._get_by_name(index)
+        item = super().__getitem__(index)
+        return Findings(item) if isinstance(index, slice) else item
 
     def _values(self) -> Mapping[str, Any]:
         return {name: tuple(row[name] for row in self._rows()) for name in COLUMNS}
@@ -530,18 +531,18 @@ class Findings(tuple[Finding, ...], Named):
         --------
         >>> check.findings.frame()["code"].value_counts()
         """
-        return frame_of(lambda: self.table)
+        return to_frame(lambda: self.table)
 
     def __str__(self) -> str:
         return "\n".join(str(finding) for finding in self) or "no findings"
 
     def __repr__(self) -> str:
-        return lines(f"Findings: {len(self)}", (str(finding) for finding in self), len(self))
+        return repr_lines(f"Findings: {len(self)}", (str(finding) for finding in self), len(self))
 
     def _repr_html_(self) -> str:
-        return self._table_of("")
+        return self._html_table("")
 
-    def _table_of(self, title: str) -> str:
+    def _html_table(self, title: str) -> str:
         """The findings with what puts them right, under a title; in words where there are none."""
         if not self:
             return paragraph(f"{title}: none" if title else "no findings")
@@ -550,7 +551,7 @@ class Findings(tuple[Finding, ...], Named):
         return (heading(title) if title else "") + html_table(names, rows, ".findings.table has all")
 
 
-class _Before:
+class _ModelBefore:
     """The model of a result as it is, for remedies of what was found in it."""
 
     def __init__(self, result: Result) -> None:
@@ -567,5 +568,5 @@ class _Before:
         }
 
 
-def _restored(fields: dict[str, Any], files: dict[Path, bytes], folder: str | None) -> Result:
+def _unpickled(fields: dict[str, Any], files: dict[Path, bytes], folder: str | None) -> Result:
     return Result(fields, _native.plan(fields, files, False), folder)

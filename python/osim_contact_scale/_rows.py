@@ -10,9 +10,9 @@ import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
-from ._cells import steers, to_cell
+from ._cells import is_control_character, to_cell
 from ._errors import RequestError
-from ._options import ROW_OPTIONS
+from ._options import PATHS, ROW_OPTIONS
 from ._request import at_home
 
 
@@ -139,7 +139,7 @@ def csv_of(rows: Sequence[Mapping[str, Any]], text_of: Callable[[str, Any], str]
         names.update(dict.fromkeys(name for name, value in row.items() if not is_missing(value)))
     for name in names:
         # The first line shows what separates the cells, and it has no other meaning for these characters.
-        if any(letter in ";\t" or steers(letter) for letter in name):
+        if any(letter in ";\t" or is_control_character(letter) for letter in name):
             raise RequestError(
                 "usage", f"the column {name!r}: its name must not contain a semicolon, a tab or a line end"
             )

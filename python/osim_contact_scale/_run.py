@@ -28,9 +28,9 @@ survey = _survey.survey
 _TABLE = "table.csv"
 
 
-def assignments(given: Mapping[str, Any]) -> dict[str, Any]:
+def assignments(assignments: Mapping[str, Any]) -> dict[str, Any]:
     """The properties that are set."""
-    return {name: value for name, value in given.items() if value is not None}
+    return {name: value for name, value in assignments.items() if value is not None}
 
 
 def design(source: Source | None, keywords: Mapping[str, Any]) -> Any:
@@ -59,12 +59,12 @@ def motion(source: Source, recording: Any, keywords: Mapping[str, Any]) -> Motio
     tables = {"motion": recording, "plates": keywords.pop("plates", None)}
     fields = fields_of("motion", with_own_files(source, keywords, memory), memory)
     fields["subject"] = model_of(source, memory)
-    for field, given in tables.items():
-        if isinstance(given, (str, os.PathLike)):
-            fields[field] = path_of(given)
-        elif given is not None:
+    for field, recording_or_plates in tables.items():
+        if isinstance(recording_or_plates, (str, os.PathLike)):
+            fields[field] = path_of(recording_or_plates)
+        elif recording_or_plates is not None:
             fields[field] = f"{field} table.sto"
-            memory[f"{field} table.sto"] = storage_of(given, field)
+            memory[f"{field} table.sto"] = storage_of(recording_or_plates, field)
     record, text, columns = _native.motion(fields, memory)
     return Motion(record, text, columns)
 
@@ -75,12 +75,12 @@ def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit | Result:
         keywords = {**keywords, "fit": [keywords["fit"]]}
     if keywords.get("motion") is not None:
         tables: dict[str, bytes] = {}
-        named = {
+        tables_by_name = {
             name: _recordings(name, keywords[name], tables)
             for name in ("motion", "plates")
             if keywords.get(name) is not None
         }
-        return plan("fit", measured, {**keywords, **named}, tables)
+        return plan("fit", measured, {**keywords, **tables_by_name}, tables)
     memory = Memory()
     fields = fields_of("fit", keywords)
     if isinstance(measured, (str, os.PathLike)):
@@ -92,33 +92,35 @@ def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit | Result:
     return Fit(record, text)
 
 
-def _recordings(field: str, given: Any, tables: dict[str, bytes]) -> list[Any]:
+def _recordings(field: str, recordings: Any, tables: dict[str, bytes]) -> list[Any]:
     """Files as they are named; what is a table goes into `tables`."""
     several = (
-        given if isinstance(given, (list, tuple)) and not all(isinstance(row, Mapping) for row in given) else [given]
+        recordings
+        if isinstance(recordings, (list, tuple)) and not all(isinstance(row, Mapping) for row in recordings)
+        else [recordings]
     )
-    named = []
+    names = []
     for number, one in enumerate(several, 1):
         if isinstance(one, (str, os.PathLike)):
-            named.append(path_of(one))
+            names.append(path_of(one))
         else:
             name = f"{field} table {number}.sto"
             tables[name] = storage_of(one, field)
-            named.append(name)
-    return named
+            names.append(name)
+    return names
 
 
 def plot(kind: str, models: tuple[Source, ...], keywords: Mapping[str, Any]) -> Figure:
     memory = Memory()
     keywords = dict(keywords)
-    of_table = keywords.pop("table", None)
-    named = models_of(models, memory)
+    data = keywords.pop("table", None)
+    model_names = models_of(models, memory)
     fields = fields_of("plot", keywords, memory)
-    fields.update(kind=kind, output="-", models=named)
-    if isinstance(of_table, (str, os.PathLike)):
-        fields["table"] = model_of(of_table, memory)
-    elif of_table is not None:
-        memory[_TABLE] = csv_of(rows_of(of_table))
+    fields.update(kind=kind, output="-", models=model_names)
+    if isinstance(data, (str, os.PathLike)):
+        fields["table"] = model_of(data, memory)
+    elif data is not None:
+        memory[_TABLE] = csv_of(rows_of(data))
         fields["table"] = _TABLE
     figure = Figure(_native.plot(fields, memory))
     log.info("%s", figure.remarks.strip())
@@ -132,20 +134,20 @@ def presets(name: str | None, keywords: Mapping[str, Any]) -> Presets:
 
 def explain(topics: tuple[str, ...], keywords: Mapping[str, Any]) -> list[Explanation]:
     """Explains each topic; without topics, all that there are."""
-    records = _explained(topics, keywords)[1]
+    records = _explain_records(topics, keywords)[1]
     if len(topics) == 1 or (topics and len(records) == 1):
-        alone = [topics]
+        groups = [topics]
     elif topics:
-        alone = [(topic,) for topic in topics]
+        groups = [(topic,) for topic in topics]
     else:
-        alone = [(record.get("label") or record.get("code") or record["name"],) for record in records]
-    answers = {words: _explained(words, keywords) for words in alone}
+        groups = [(record.get("label") or record.get("code") or record["name"],) for record in records]
+    answers = {words: _explain_records(words, keywords) for words in groups}
     if topics:
-        return [Explanation(record, answers[words][0]) for words in alone for record in answers[words][1]]
-    return [Explanation(record, answers[words][0]) for words, record in zip(alone, records)]
+        return [Explanation(record, answers[words][0]) for words in groups for record in answers[words][1]]
+    return [Explanation(record, answers[words][0]) for words, record in zip(groups, records)]
 
 
-def _explained(topics: tuple[str, ...], keywords: Mapping[str, Any]) -> tuple[str, list[dict[str, Any]]]:
+def _explain_records(topics: tuple[str, ...], keywords: Mapping[str, Any]) -> tuple[str, list[dict[str, Any]]]:
     """The text and the records of these topics."""
     text, lines = _native.explain(fields_of("explain", {"topics": list(topics), **keywords}))
     return text, [json.loads(line) for line in lines.splitlines()]

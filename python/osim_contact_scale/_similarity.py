@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
-from ._frames import frame_of
+from ._frames import to_frame
 from ._html import heading, html_table, paragraph
-from ._named import line
+from ._named_values import repr_line
 from ._tables import table
 from .types import Table
 
@@ -85,7 +85,7 @@ class Similarity(Sequence[dict[str, Any]]):
         --------
         >>> ocs.check("scaled.osim", from_="generic.osim").similarity.frame()[["kind", "factor_median", "verdict"]]
         """
-        return frame_of(lambda: self.table)
+        return to_frame(lambda: self.table)
 
     def _rows(self) -> list[dict[str, Any]]:
         rows = []
@@ -99,7 +99,7 @@ class Similarity(Sequence[dict[str, Any]]):
         return rows
 
     def __repr__(self) -> str:
-        return line("Similarity", f"{sum(len(record['kinds']) for record in self.records)} kinds of numbers")
+        return repr_line("Similarity", f"{sum(len(record['kinds']) for record in self.records)} kinds of numbers")
 
     def _repr_html_(self) -> str:
         if not self.records:

@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
 from . import _live, _native
 from ._errors import ContactScaleError
-from ._frames import frame_of
+from ._frames import to_frame
 from ._html import heading, html_table, paragraph
-from ._named import Named, line
-from ._progress import following
+from ._named_values import NamedValues, repr_line
+from ._progress import progress_callback
 from ._request import MODELS, InMemory, Memory, at_home, fields_of, is_path, models_of, with_own_files
 from ._result import COLUMNS, Findings
 from ._similarity import Similarity
-from ._tables import columns_of, table
-from ._threads import jobs_of
+from ._tables import all_columns, table
+from ._threads import thread_count
 from .types import Progress, Sources, Table
 
 if TYPE_CHECKING:
@@ -49,37 +49,39 @@ def survey(verb: str, sources: Sources, keywords: Mapping[str, Any], jobs: int |
     ContactScaleError
         The call is wrong, or there is one model and it cannot be read. Of several models those that fail are in `errors`.
     """
-    count = jobs_of(jobs)
+    count = thread_count(jobs)
     memory = Memory()
-    named = listed(sources)
-    models = models_of(named, memory)
-    if len(named) == 1:
-        keywords = with_own_files(named[0], keywords, memory)
+    source_list = as_list(sources)
+    models = models_of(source_list, memory)
+    if len(source_list) == 1:
+        keywords = with_own_files(source_list[0], keywords, memory)
     fields = fields_of(verb, keywords, memory)
     fields["models"] = models
     call = f"ocs.{verb}(...)"
-    has_folder = any(os.path.isdir(at_home(source)) for source in named if is_path(source))
+    has_folder = any(os.path.isdir(at_home(source)) for source in source_list if is_path(source))
     # How many models a folder has is known at the end.
-    with following(progress, verb, None if has_folder else len(models)) as callback:
+    with progress_callback(progress, verb, None if has_folder else len(models)) as callback:
         rows, remarks, text = _native.survey(fields, memory, count, call, callback)
     for remark in remarks:
         log.info("%s", remark)
-    alone = len(rows) == 1 and not has_folder
+    is_single = len(rows) == 1 and not has_folder
     errors = [error for _, _, error in rows if error is not None]
-    if alone and errors:
+    if is_single and errors:
         raise errors[0]
     for error in errors:
         log.error("%s", error)
-    good = [(record, requests) for record, requests, error in rows if error is None and record is not None]
-    given = [
-        *zip(models, named),
+    surveyed = [(record, requests) for record, requests, error in rows if error is None and record is not None]
+    named_sources = [
+        *zip(models, source_list),
         *((fields[name], keywords[name]) for name in MODELS if keywords.get(name) is not None),
     ]
-    by_name = {name: _kept(name, source, memory) for name, source in given if isinstance(name, str)}
-    return (Inspection if verb == "inspect" else Check)(good, errors, by_name, os.getcwd(), text)
+    sources_by_name = {
+        name: _for_later_calls(name, source, memory) for name, source in named_sources if isinstance(name, str)
+    }
+    return (Inspection if verb == "inspect" else Check)(surveyed, errors, sources_by_name, os.getcwd(), text)
 
 
-def listed(sources: Any) -> list[Any]:
+def as_list(sources: Any) -> list[Any]:
     """The models of a call: one, or all of a list or of another iterable of them.
 
     Raises
@@ -94,12 +96,12 @@ def listed(sources: Any) -> list[Any]:
     return [sources] if is_one or not isinstance(sources, Iterable) else list(sources)
 
 
-def _kept(name: str, source: Any, memory: Mapping[str, bytes]) -> Any:
+def _for_later_calls(name: str, source: Any, memory: Mapping[str, bytes]) -> Any:
     """A model for later calls. A live model is kept as its bytes: it may change, and it cannot go to another process."""
     return InMemory(name, memory[name]) if _live.is_model(source) else source
 
 
-class Survey(Named, Sequence[dict[str, Any]]):
+class Survey(NamedValues, Sequence[dict[str, Any]]):
     """Models that were looked at: a record for each, as the command's JSON has it.
 
     Attributes
@@ -116,15 +118,15 @@ class Survey(Named, Sequence[dict[str, Any]]):
 
     def __init__(
         self,
-        good: list[Any],
+        surveyed: list[Any],
         errors: list[ContactScaleError],
         sources: dict[str, Any],
         folder: str | None = None,
         text: str = "",
     ) -> None:
-        self.records: list[dict[str, Any]] = [record for record, _ in good]
+        self.records: list[dict[str, Any]] = [record for record, _ in surveyed]
         self.errors = errors
-        self._requests = [requests for _, requests in good]
+        self._requests = [requests for _, requests in surveyed]
         self._sources = sources
         # Where names of files begin.
         self._folder = folder
@@ -140,7 +142,7 @@ class Survey(Named, Sequence[dict[str, Any]]):
     def __getitem__(self, index: str, /) -> Any: ...
 
     def __getitem__(self, index: Any, /) -> Any:
-        return self._by_name(index) if isinstance(index, str) else self.records[index]
+        return self._get_by_name(index) if isinstance(index, str) else self.records[index]
 
     def __len__(self) -> int:
         return len(self.records)
@@ -149,7 +151,7 @@ class Survey(Named, Sequence[dict[str, Any]]):
         return iter(self.records)
 
     def __repr__(self) -> str:
-        return line(type(self).__name__, self._count())
+        return repr_line(type(self).__name__, self._summary())
 
     def __str__(self) -> str:
         return self.text
@@ -159,13 +161,13 @@ class Survey(Named, Sequence[dict[str, Any]]):
         """What else of the models follows their size; empty unless `from_` (check) or `target_mass` (inspect) was given."""
         return Similarity(self.records)
 
-    def _count(self) -> str:
+    def _summary(self) -> str:
         """How many models there are, or which one."""
         failed = f", {len(self.errors)} not read" if self.errors else ""
-        alone = self.records[0]["model"] if len(self.records) == 1 else f"{len(self.records)} models"
-        return f"{alone}{failed}"
+        name = self.records[0]["model"] if len(self.records) == 1 else f"{len(self.records)} models"
+        return f"{name}{failed}"
 
-    def _not_read(self) -> str:
+    def _errors_html(self) -> str:
         """The models that could not be read, as a notebook shows them."""
         if not self.errors:
             return ""
@@ -184,7 +186,7 @@ class Inspection(Survey):
         --------
         >>> ocs.inspect("models/").frame()[["model", "mass_kg"]]
         """
-        return frame_of(lambda: self.models)
+        return to_frame(lambda: self.models)
 
     @property
     def models(self) -> Table:
@@ -192,15 +194,19 @@ class Inspection(Survey):
         rows = []
         for record in self.records:
             contacts = record["contacts_mass_kg"] or {}
-            own = {**record, "contacts_mass_kg": contacts.get("value"), "contacts_mass_source": contacts.get("source")}
+            values = {
+                **record,
+                "contacts_mass_kg": contacts.get("value"),
+                "contacts_mass_source": contacts.get("source"),
+            }
             counts = {"sphere_count": len(record["spheres"]), "force_count": len(record["forces"])}
-            rows.append({name: own.get(name) for name in _MODEL} | counts | _scalars(record["figures"], _MODEL))
-        return table(rows, columns_of(_MODEL, rows))
+            rows.append({name: values.get(name) for name in _MODEL} | counts | _scalars(record["figures"], _MODEL))
+        return table(rows, all_columns(_MODEL, rows))
 
     @property
     def spheres(self) -> Table:
         """A row for each sphere: radius, place, limb, and what it does under the weight, each figure by its name."""
-        first = (
+        leading = (
             "model",
             "name",
             "path",
@@ -224,31 +230,38 @@ class Inspection(Survey):
                 place = sphere["location_m"] or (None, None, None)
                 axes = {f"location_{axis}_m": value for axis, value in zip("xyz", place)}
                 rows.append({"model": record["model"], **_scalars(sphere), **axes, **figures.get(sphere["path"], {})})
-        return table(rows, columns_of(first, rows))
+        return table(rows, all_columns(leading, rows))
 
     @property
     def forces(self) -> Table:
         """A row for each force, or each ContactParameters of one: its parameters by OpenSim's names, and without dimensions."""
-        first = ("model", "name", "path", "type", "set", "spheres", "applies", "selected")
+        leading = ("model", "name", "path", "type", "set", "spheres", "applies", "selected")
         rows = []
         for record in self.records:
             for force in record["forces"]:
-                free = {f"dimensionless_{name}": value for name, value in (force["dimensionless"] or {}).items()}
+                dimensionless = {
+                    f"dimensionless_{name}": value for name, value in (force["dimensionless"] or {}).items()
+                }
                 spheres = {"spheres": " ".join(force["spheres"])}
-                rows.append({"model": record["model"], **_scalars(force), **spheres, **force["parameters"], **free})
-        return table(rows, columns_of(first, rows))
+                rows.append(
+                    {"model": record["model"], **_scalars(force), **spheres, **force["parameters"], **dimensionless}
+                )
+        return table(rows, all_columns(leading, rows))
 
     def _repr_html_(self) -> str:
         columns = ("model", "mass_kg", "contacts_mass_kg", "spheres_per_limb", "spheres", "forces")
-        parts = [heading(f"inspect: {self._count()}"), html_table(columns, map(_seen, self.records), ".models has all")]
+        parts = [
+            heading(f"inspect: {self._summary()}"),
+            html_table(columns, map(_notebook_row, self.records), ".models has all"),
+        ]
         if len(self.records) == 1:
-            own = ("name", "radius_m", "body", "limb")
-            spheres = ([sphere.get(name) for name in own] for sphere in self.records[0]["spheres"])
-            parts.append(html_table(own, spheres, ".spheres has all"))
-        return "".join([*parts, self._not_read()])
+            sphere_columns = ("name", "radius_m", "body", "limb")
+            spheres = ([sphere.get(name) for name in sphere_columns] for sphere in self.records[0]["spheres"])
+            parts.append(html_table(sphere_columns, spheres, ".spheres has all"))
+        return "".join([*parts, self._errors_html()])
 
 
-def _seen(record: Mapping[str, Any]) -> list[Any]:
+def _notebook_row(record: Mapping[str, Any]) -> list[Any]:
     """What a notebook shows of a model."""
     contacts = (record["contacts_mass_kg"] or {}).get("value")
     counts = (len(record["spheres"]), len(record["forces"]))
@@ -267,18 +280,18 @@ class Check(Survey):
         --------
         >>> ocs.check("models/").frame().groupby("code")["model"].nunique()
         """
-        return frame_of(lambda: self.table)
+        return to_frame(lambda: self.table)
 
     @property
     def findings(self) -> Findings:
         """All findings, model by model, from the worst to the least."""
-        return Findings(finding for index in range(len(self.records)) for finding in self.of(index))
+        return Findings(finding for index in range(len(self.records)) for finding in self.findings_of(index))
 
-    def of(self, index: int) -> Findings:
+    def findings_of(self, index: int) -> Findings:
         """The findings of one model, by its number from 0."""
         record = self.records[index]
         source = self._sources.get(record["model"])
-        return Findings._of(record["findings"], self._requests[index], source, self._sources, self._folder)
+        return Findings._from_records(record["findings"], self._requests[index], source, self._sources, self._folder)
 
     @property
     def models(self) -> Table:
@@ -296,30 +309,32 @@ class Check(Survey):
         return table(rows, ("model", *COLUMNS))
 
     def _repr_html_(self) -> str:
-        parts = [heading(f"check: {self._count()}")]
+        parts = [heading(f"check: {self._summary()}")]
         if len(self.records) == 1:
             names = ("on", "sign", "text", "place")
             verdicts = ([verdict.get(name) for name in names] for verdict in self.records[0]["verdicts"])
             parts.append(html_table(("verdict", "", "says", "place"), verdicts, ".records"))
         elif self.records:
-            counts = ([record["model"], *record["counts"].values()] for record in self._worst())
+            counts = ([record["model"], *record["counts"].values()] for record in self._worst_first())
             parts.append(html_table(("model", "errors", "warnings", "remarks"), counts, ".models has all"))
-        parts.append(self._found() if any(record["findings"] for record in self.records) else paragraph("no findings"))
-        return "".join([*parts, self._not_read()])
+        parts.append(
+            self._findings_html() if any(record["findings"] for record in self.records) else paragraph("no findings")
+        )
+        return "".join([*parts, self._errors_html()])
 
-    def _count(self) -> str:
+    def _summary(self) -> str:
         totals = {name: sum(record["counts"][name] for record in self.records) for name in _SEVERITIES}
-        said = (f"{count} {name}{'s' if count > 1 else ''}" for name, count in totals.items() if count)
-        return f"{super()._count()}: {', '.join(said) or 'no findings'}"
+        counted = (f"{count} {name}{'s' if count > 1 else ''}" for name, count in totals.items() if count)
+        return f"{super()._summary()}: {', '.join(counted) or 'no findings'}"
 
-    def _worst(self) -> list[dict[str, Any]]:
+    def _worst_first(self) -> list[dict[str, Any]]:
         """The models, those with most errors first: there may be no room for the others."""
         return sorted(self.records, key=lambda record: [-count for count in record["counts"].values()])
 
-    def _found(self) -> str:
+    def _findings_html(self) -> str:
         """The findings as a notebook shows them: of one model each, of several those of one kind as one row."""
         if len(self.records) == 1:
-            return self.of(0)._table_of("")
+            return self.findings_of(0)._html_table("")
         kinds: dict[tuple[str, str], list[str]] = {}
         for record in self.records:
             for finding in record["findings"]:
@@ -328,7 +343,7 @@ class Check(Survey):
         ranked = sorted(kinds.items(), key=lambda kind: (_SEVERITIES.index(kind[0][0]), -len(kind[1])))
         rows = ([*kind, len(models), models[0]] for kind, models in ranked)
         columns = ("severity", "finding", "models", "for example")
-        return html_table(columns, rows, ".findings.table") + paragraph("Each finding: .findings.table, or .of(number)")
+        return html_table(columns, rows, ".findings.table") + paragraph("Each finding: .findings.table, or .findings_of(number)")
 
 
 def _scalars(record: Mapping[str, Any], without: Sequence[str] = ()) -> dict[str, Any]:

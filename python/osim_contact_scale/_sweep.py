@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 from . import _native
 from ._cells import from_cell
-from ._frames import frame_of
+from ._frames import to_frame
 from ._html import heading, html_table
-from ._named import Named, line
-from ._progress import following
+from ._named_values import NamedValues, repr_line
+from ._progress import progress_callback
 from ._request import fields_of, is_path, path_of
 from ._tables import table
-from ._threads import jobs_of
+from ._threads import thread_count
 from .types import Progress, Source, Table
 
 if TYPE_CHECKING:
@@ -35,16 +35,16 @@ def sweep(source: Source, keywords: Mapping[str, Any], progress: Progress) -> Sw
     """
     if not is_path(source):
         raise TypeError("a sweep makes files beside a file: name the file of a model")
-    fields = fields_of("sweep", {**keywords, "jobs": jobs_of(keywords.get("jobs"))})
+    fields = fields_of("sweep", {**keywords, "jobs": thread_count(keywords.get("jobs"))})
     fields["model"] = path_of(source)
-    with following(progress, "sweep") as callback:
+    with progress_callback(progress, "sweep") as callback:
         record, manifest, failures = _native.sweep(fields, callback)
     for failure in failures:
         log.error("%s: %s", failure["model"], failure["error"]["message"])
     return Sweep(record, manifest, failures)
 
 
-class Sweep(Named):
+class Sweep(NamedValues):
     """Variants of a model in a folder.
 
     Attributes
@@ -85,7 +85,7 @@ class Sweep(Named):
             reader = csv.DictReader(file)
             columns = list(reader.fieldnames or ())
             rows: list[dict[str, Any]] = [
-                {name: number(from_cell(text)) for name, text in row.items()} for row in reader
+                {name: number_or_text(from_cell(text)) for name, text in row.items()} for row in reader
             ]
         for row in rows:
             row["index"] = int(row["index"])
@@ -99,31 +99,31 @@ class Sweep(Named):
         --------
         >>> ocs.sweep("human.osim", grid={"stiffness": "x0.1..x10/3"}).frame()["path"]
         """
-        return frame_of(lambda: self.table)
+        return to_frame(lambda: self.table)
 
     def _values(self) -> Mapping[str, Any]:
         return self.record
 
     def __len__(self) -> int:
-        made: int = self.record["models"]
-        return made
+        count: int = self.record["models"]
+        return count
 
     def __repr__(self) -> str:
-        return line("Sweep", self._count())
+        return repr_line("Sweep", self._summary())
 
-    def _count(self) -> str:
+    def _summary(self) -> str:
         failed = f", {len(self.failures)} failed" if self.failures else ""
         return f"{len(self)} models in {self.folder}{failed}"
 
     def _repr_html_(self) -> str:
         rows, columns = self._rows()
         # A whole path is long, and the same but for its end.
-        shown = [column for column in columns if column != "path"]
-        cells = ([row[column] for column in shown] for row in rows)
-        return heading(f"sweep: {self._count()}") + html_table(shown, cells, ".table has all")
+        shown_columns = [column for column in columns if column != "path"]
+        cells = ([row[column] for column in shown_columns] for row in rows)
+        return heading(f"sweep: {self._summary()}") + html_table(shown_columns, cells, ".table has all")
 
 
-def number(text: str) -> Any:
+def number_or_text(text: str) -> Any:
     """A cell as a number where it is one; None where it is empty."""
     if not text:
         return None

@@ -25,9 +25,9 @@ def table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> Table:
 
     values = {column: [row.get(column) for row in rows] for column in columns}
     frame = pd.DataFrame(values, columns=list(columns))
-    for column, own in values.items():
+    for column, column_values in values.items():
         # A column of numbers with gaps is one of float64, also where the numbers are whole or all of them are missing.
-        if (not own or any(value is None for value in own)) and _is_of_numbers(column, own):
+        if (not column_values or any(value is None for value in column_values)) and _is_numeric(column, column_values):
             frame[column] = frame[column].astype("float64")
     return frame
 
@@ -39,25 +39,25 @@ def polars_table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> A
 
 
 def _polars_column(polars: Any, name: str, values: list[Any]) -> Any:
-    if not _is_of_numbers(name, values):
-        known = {type(value) for value in values if value is not None}
-        kind = None if known - {str} else polars.String
+    if not _is_numeric(name, values):
+        present = {type(value) for value in values if value is not None}
+        kind = None if present - {str} else polars.String
     else:
         kind = polars.Int64 if {int} == {type(value) for value in values if value is not None} else polars.Float64
     return polars.Series(name, values, dtype=kind)
 
 
-def _is_of_numbers(column: str, values: Sequence[Any]) -> bool:
+def _is_numeric(column: str, values: Sequence[Any]) -> bool:
     """Whether a column holds numbers: by its values, or by its name where all of them are missing."""
-    known = [value for value in values if value is not None]
-    return all(_is_number(value) for value in known) if known else _NUMBERS.fullmatch(column) is not None
+    present = [value for value in values if value is not None]
+    return all(_is_number(value) for value in present) if present else _NUMBERS.fullmatch(column) is not None
 
 
 def _is_number(value: Any) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
-def columns_of(first: Sequence[str], rows: Sequence[Mapping[str, Any]]) -> list[str]:
+def all_columns(first: Sequence[str], rows: Sequence[Mapping[str, Any]]) -> list[str]:
     """Those that are always there, then the others in the order in which they come."""
     names = dict.fromkeys(first)
     for row in rows:

@@ -12,12 +12,12 @@ from ._errors import RequestError
 log = logging.getLogger("osim_contact_scale")
 
 #: No computer has more processors than this for one program.
-_MOST = 4096
+_MAX_THREADS = 4096
 _VARIABLE = "OSIM_CONTACT_SCALE_THREADS"
 
-_asked: int | None = None
+_default_count: int | None = None
 #: The value of the environment that could not be used, and was reported.
-_reported: str | None = None
+_reported_value: str | None = None
 
 
 def set_threads(count: int | None) -> None:
@@ -39,11 +39,11 @@ def set_threads(count: int | None) -> None:
     >>> ocs.set_threads(2)
     >>> ocs.set_threads(None)
     """
-    global _asked
-    _asked = _checked(count, "count")
+    global _default_count
+    _default_count = _check_count(count, "count")
 
 
-def jobs_of(jobs: Any) -> int | None:
+def thread_count(jobs: Any) -> int | None:
     """How many threads a call has: `jobs`, else the number for all calls; None for one per processor.
 
     Raises
@@ -51,32 +51,32 @@ def jobs_of(jobs: Any) -> int | None:
     RequestError
         Not a whole number from 1 to 4096.
     """
-    return threads() if jobs is None else _checked(jobs, "jobs")
+    return default_thread_count() if jobs is None else _check_count(jobs, "jobs")
 
 
-def threads() -> int | None:
+def default_thread_count() -> int | None:
     """How many threads were asked for; None for one per processor."""
-    global _reported
-    if _asked is not None:
-        return _asked
+    global _reported_value
+    if _default_count is not None:
+        return _default_count
     text = os.environ.get(_VARIABLE, "").strip()
-    if text.isdecimal() and len(text) < 10 and 1 <= int(text) <= _MOST:
+    if text.isdecimal() and len(text) < 10 and 1 <= int(text) <= _MAX_THREADS:
         return int(text)
-    if text and text != _reported:
-        _reported = text
+    if text and text != _reported_value:
+        _reported_value = text
         message = "%s=%r: expected a whole number, 1 or more and at most %d: one thread per processor is used"
-        log.warning(message, _VARIABLE, text[:40], _MOST)
+        log.warning(message, _VARIABLE, text[:40], _MAX_THREADS)
     return None
 
 
-def _checked(count: Any, keyword: str) -> int | None:
+def _check_count(count: Any, keyword: str) -> int | None:
     if count is None:
         return None
     try:
         number = None if isinstance(count, bool) else operator.index(count)
     except TypeError:
         number = None
-    if number is None or not 1 <= number <= _MOST:
-        message = f"{keyword}={count!r}: expected a whole number, 1 or more and at most {_MOST}, or None"
+    if number is None or not 1 <= number <= _MAX_THREADS:
+        message = f"{keyword}={count!r}: expected a whole number, 1 or more and at most {_MAX_THREADS}, or None"
         raise RequestError("usage", message, keywords=(keyword,))
     return number

@@ -26,7 +26,17 @@ FIXTURES = TOP / "fixtures"
 HUMAN = FIXTURES / "table1" / "human_62kg_smooth_sphere.osim"
 
 # Words that each front end spells in its own way.
-SPELLED = {"message", "why", "advice", "command", "commands", "remarks", "limbs_unknown", "why_no_body_weight", "source"}
+SPELLED = {
+    "message",
+    "why",
+    "advice",
+    "command",
+    "commands",
+    "remarks",
+    "limbs_unknown",
+    "why_no_body_weight",
+    "source",
+}
 
 
 def corpus():

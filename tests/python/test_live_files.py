@@ -50,7 +50,7 @@ AUTHORS = re.compile("<credits>(Frank Anderson, [^;<]*)")
 
 def everything(model, path):
     """What OpenSim prints of a model, all defaults with it. The clone has no `<defaults>` and no other files."""
-    clone = _live_print.connected(model)
+    clone = _live_print.connected_clone(model)
     opensim.OpenSimObject.setSerializeAllDefaults(True)
     try:
         clone.printToXML(str(path))

@@ -14,7 +14,7 @@ import sys
 import osim_contact_scale as ocs
 import pytest
 from conftest import FIXTURES, HUMAN, corpus, fixtures, name_of, program
-from osim_contact_scale._frames import MissingPackage, unit_of
+from osim_contact_scale._frames import MissingPackage, unit_from_name
 from osim_contact_scale._html import html_table
 
 TABLE1 = FIXTURES / "table1"
@@ -278,7 +278,7 @@ def test_frames_have_units():
     assert units == {"time_s": "s", "height_m": "m", "speed_m_s": "m/s", "force_n": "N", "force_bw": "body weight"}
     assert ocs.inspect(HUMAN).frame().attrs["units"]["gravity_m_s2"] == "m/s2"
     assert recorded().frame().attrs["units"]["velocity_x_m_s"] == "m/s"
-    assert unit_of("equilibrium_stiffness_n_m") == "N/m" and unit_of("name") is None
+    assert unit_from_name("equilibrium_stiffness_n_m") == "N/m" and unit_from_name("name") is None
 
 
 def test_frames_of_answers_have_a_row_for_each_number():

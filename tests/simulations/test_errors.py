@@ -11,7 +11,7 @@ import osim_contact_scale as ocs
 import pytest
 from conftest import HUMAN, models
 from osim_contact_scale import simulate
-from osim_contact_scale.simulate._why import why
+from osim_contact_scale.simulate._why import describe_error
 
 HERE = Path(__file__).name
 
@@ -166,11 +166,11 @@ def test_a_cell_of_a_notebook_has_a_line_and_no_file(tmp_path):
             names["task"]("a.osim")
         except ValueError as error:
             # This test is code of the user's, too, but further out.
-            assert why(error) == "ValueError: no weight (line 2, in task)"
+            assert describe_error(error) == "ValueError: no weight (line 2, in task)"
 
 
 def test_a_message_of_line_ends_alone_takes_no_time():
-    assert why(ValueError("\n" * 1_000_000)).startswith("ValueError")
+    assert describe_error(ValueError("\n" * 1_000_000)).startswith("ValueError")
 
 
 def test_a_task_that_cannot_be_loaded_says_what_is_missing(tmp_path):

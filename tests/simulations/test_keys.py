@@ -14,7 +14,7 @@ from conftest import models
 from osim_contact_scale import simulate
 from osim_contact_scale.simulate._job import Versions
 from osim_contact_scale.simulate._source import Source
-from osim_contact_scale.simulate._task import base_of, key_of, task_of
+from osim_contact_scale.simulate._task import base_key, prepare_task, row_key
 from source_cases import CASES
 
 MODULE = '''
@@ -130,8 +130,8 @@ def test_what_cannot_be_compared_needs_a_version():
             return {}
 
     with pytest.raises(ocs.RequestError, match="version="):
-        task_of(locked)
-    assert task_of(simulate.Function(locked, version="1")).identity["version"] == "1"
+        prepare_task(locked)
+    assert prepare_task(simulate.Function(locked, version="1")).identity["version"] == "1"
 
 
 def test_an_edited_module_is_simulated_anew_by_workers_that_live_on(tmp_path, client, monkeypatch):
@@ -158,10 +158,10 @@ def test_every_part_of_a_key_counts():
     identity = {"task": "a", "settings": {"x": 1.0}, "version": "v"}
     versions = Versions("4.6", "0.1.0")
     other = {**identity, "settings": {"x": 2.0}}, {**identity, "version": "w"}, {**identity, "task": "b"}
-    bases = [base_of(one, versions) for one in (identity, *other)]
-    bases += [base_of(identity, one) for one in (Versions("4.5", "0.1.0"), Versions("4.6", "0.2.0"))]
-    keys = {key_of("aa", base, {"index": 1}) for base in bases}
-    keys |= {key_of("ab", bases[0], {"index": 1}), key_of("aa", bases[0], {"index": 2})}
+    bases = [base_key(one, versions) for one in (identity, *other)]
+    bases += [base_key(identity, one) for one in (Versions("4.5", "0.1.0"), Versions("4.6", "0.2.0"))]
+    keys = {row_key("aa", base, {"index": 1}) for base in bases}
+    keys |= {row_key("ab", bases[0], {"index": 1}), row_key("aa", bases[0], {"index": 2})}
     assert len(keys) == 8
 
 
@@ -206,7 +206,9 @@ def test_a_point_has_one_key_however_it_is_given(tmp_path, client):
 
 
 def test_settings_of_the_packages_tasks_are_in_the_key():
-    identities = [task_of(task).identity for task in (simulate.Drop(), simulate.Drop(duration=1.0), simulate.Stand())]
+    identities = [
+        prepare_task(task).identity for task in (simulate.Drop(), simulate.Drop(duration=1.0), simulate.Stand())
+    ]
     assert len({str(identity) for identity in identities}) == 3
 
 

@@ -12,7 +12,7 @@ import pytest
 import tasks
 from conftest import HUMAN, models
 from osim_contact_scale import simulate
-from osim_contact_scale.simulate._task import task_of
+from osim_contact_scale.simulate._task import prepare_task
 
 
 def test_a_sweep_is_simulated_row_by_row(tmp_path, client):
@@ -89,11 +89,11 @@ def test_any_executor_will_do(tmp_path, points, client, kind):
 
 
 def test_where_no_process_can_be_copied_each_model_starts_one(tmp_path, points, monkeypatch):
-    from osim_contact_scale.simulate import _frames
+    from osim_contact_scale.simulate import _messages
 
-    monkeypatch.setattr(_frames, "CAN_FORK", False)
+    monkeypatch.setattr(_messages, "CAN_FORK", False)
     task = simulate.Function(tasks.by_index, settings={"spoil": {"2": "crash", "3": "endless"}})
-    monkeypatch.setattr("osim_contact_scale.simulate._worker._START", 1.0)
+    monkeypatch.setattr("osim_contact_scale.simulate._worker._START_SECONDS", 1.0)
     table = simulate.run(points(3), task, results=tmp_path / "r", scheduler="here", workers=3, time_limit=12).table
     assert list(table["status"]) == ["done", "crashed", "time limit"]
 
@@ -127,13 +127,13 @@ def test_a_server_that_is_kept_waiting_sees_what_its_copy_wrote(tmp_path, monkey
         return waitid(*arguments)
 
     monkeypatch.setattr(os, "waitid", late)
-    monkeypatch.setattr(_server, "_LOOK", 1e-6)
+    monkeypatch.setattr(_server, "_POLL_SECONDS", 1e-6)
     loaded = Loaded()
-    task = task_of(tasks.empty)
+    task = prepare_task(tasks.empty)
     digest = hashlib.sha256(HUMAN.read_bytes()).hexdigest()
     job = Job("run", "key", str(HUMAN), digest, {}, *task.packed(), loaded.versions, None)
     ends = *os.pipe(), *os.pipe()
-    outcome = _server._in_a_copy(job, loaded, ends[0], ends[3])
+    outcome = _server._run_in_copy(job, loaded, ends[0], ends[3])
     for end in ends:
         os.close(end)
     assert (outcome.status, outcome.error) == ("done", None)

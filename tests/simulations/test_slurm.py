@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 import slurm as slurm_module
 from conftest import FIXTURES, models, processes, table_bytes, wait_for
-from osim_contact_scale.simulate._store import known_in, rows_in
+from osim_contact_scale.simulate._store import read_outcomes, read_statuses
 from recipes import changed, recipe
 
 COUNT = 8
@@ -207,7 +207,11 @@ class Killed:
     def written(self, share):
         """How many rows of this share are in the results."""
         results = self.folder / "walker.results"
-        done = [row.numbers["square"] for row in rows_in(results, known_in(results)).values() if row.status == "done"]
+        done = [
+            row.numbers["square"]
+            for row in read_outcomes(results, read_statuses(results)).values()
+            if row.status == "done"
+        ]
         return sum(round(square**0.5) % 3 == share % 3 for square in done)
 
 

@@ -56,7 +56,7 @@ class Case:
 
     def written(self):
         """Keys of the rows in whole parts."""
-        return set(simulate._store.known_in(self.results))
+        return set(simulate._store.read_statuses(self.results))
 
     def finish(self, client):
         """Goes on, and compares."""
@@ -260,8 +260,8 @@ def test_a_stop_in_the_middle_of_writing_loses_no_row(tmp_path, monkeypatch):
     monkeypatch.setattr(os, "replace", interrupted)
     with pytest.raises(KeyboardInterrupt):
         store.flush()
-    assert _store.known_in(tmp_path) == {}
+    assert _store.read_statuses(tmp_path) == {}
     store.flush()
-    assert list(_store.known_in(tmp_path)) == ["a"]
-    assert list(_store.series_in(tmp_path, "a")["time_s"]) == [0.0]
+    assert list(_store.read_statuses(tmp_path)) == ["a"]
+    assert list(_store.read_series(tmp_path, "a")["time_s"]) == [0.0]
     assert not list(tmp_path.rglob("*.partial"))

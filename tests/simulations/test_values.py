@@ -11,8 +11,8 @@ import pytest
 import tasks
 from conftest import HUMAN, processes
 from osim_contact_scale import simulate
-from osim_contact_scale.simulate._points import points_of
-from osim_contact_scale.simulate._table_file import rows_of_file
+from osim_contact_scale.simulate._points import read_points
+from osim_contact_scale.simulate._table_file import read_rows
 
 
 def returns(path, what):
@@ -84,18 +84,18 @@ def test_values_of_points(tmp_path):
         "gap": pd.NA,
         "t": "x",
     }
-    (point,) = points_of([row])
+    (point,) = read_points([row])
     assert point.values == {"day": "2026-01-02", "folder": os.path.join("a", "b"), "n": 3, "gap": None, "t": "x"}
     assert type(point.values["n"]) is int
     for wrong in (1j, [1, 2], object()):
         with pytest.raises(ocs.RequestError, match=r"points: row 1, column 'x': .*expected a number or a text"):
-            points_of([{"path": HUMAN, "x": wrong}])
+            read_points([{"path": HUMAN, "x": wrong}])
 
 
 def test_a_file_says_what_is_a_number(tmp_path):
     file = tmp_path / "points.csv"
     file.write_text("path,a,b,c,d,e,f\nm.osim,007,12,1e6,false,,12345678901234567890\n\n")
-    (row,) = rows_of_file(file)
+    (row,) = read_rows(file)
     assert row == {"path": "m.osim", "a": "007", "b": 12, "c": 1e6, "d": False, "e": None, "f": "12345678901234567890"}
     assert type(row["b"]) is int and type(row["c"]) is float
 
@@ -116,7 +116,7 @@ def test_files_that_are_no_table(tmp_path, content, message):
     file = tmp_path / "points.csv"
     file.write_bytes(content)
     with pytest.raises(ocs.RequestError, match=message):
-        points_of(file)
+        read_points(file)
 
 
 def needs(path, stiffness):

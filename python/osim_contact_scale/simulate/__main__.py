@@ -55,14 +55,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
             progress=sys.stderr.isatty(),
         )
     except (RequestError, OSError) as error:
-        return _said(error, 2)
+        return _print_error(error, 2)
     except (WorkersLost, OutputError) as error:
-        return _said(error, 3)
+        return _print_error(error, 3)
     except ContactScaleError as error:
-        return _said(error, 1)
+        return _print_error(error, 1)
     except _StoppedError as stopped:
         who = " by the system" if stopped.number == signal.SIGTERM else ""
-        return _said(f"stopped{who}; what was done is kept: run again with --resume", 128 + stopped.number)
+        return _print_error(f"stopped{who}; what was done is kept: run again with --resume", 128 + stopped.number)
     print(_summary(Counter(results.table["status"].fillna("not run")), options))
     return 0 if len(results.failures) == 0 else 1
 
@@ -118,13 +118,13 @@ def _task(text: str, settings: dict[str, Any]) -> Any:
     RequestError
         There is no such task or setting.
     """
-    known = TASKS.get(text)
-    if known is not None:
-        names = list(inspect.signature(known).parameters)
+    task_class = TASKS.get(text)
+    if task_class is not None:
+        names = list(inspect.signature(task_class).parameters)
         unknown = next((name for name in settings if name not in names), None)
         if unknown is not None:
             raise RequestError("usage", f"--set {printable(unknown)}: {text} has {', '.join(names)}")
-        return known(**settings)
+        return task_class(**settings)
     file, colon, name = text.rpartition(":")
     if not colon or not file.endswith(".py"):
         raise RequestError("usage", f"--task {printable(text)}: expected {', '.join(TASKS)} or FILE.py:FUNCTION")
@@ -150,28 +150,28 @@ def _function(file: Path, name: str) -> Callable[..., Any]:
     function = getattr(module, name, None)
     if not callable(function):
         raise RequestError("usage", f"--task: {printable(str(file))} has no function {printable(name)}")
-    found: Callable[..., Any] = function
-    return found
+    task_function: Callable[..., Any] = function
+    return task_function
 
 
-def _settings(given: Sequence[str]) -> dict[str, Any]:
+def _settings(items: Sequence[str]) -> dict[str, Any]:
     """`NAME=VALUE`: a number, true or false where it is one, else a text."""
     settings: dict[str, Any] = {}
-    for item in given:
+    for item in items:
         name, equals, text = item.partition("=")
         if not equals or not name.isidentifier():
             raise RequestError("usage", f"--set {printable(item)}: expected NAME=VALUE")
         if name in settings:
             raise RequestError("usage", f"--set {name}: said twice")
         try:
-            settings[name] = json.loads(_OF_PYTHON.get(text, text))
+            settings[name] = json.loads(_PYTHON_LITERALS.get(text, text))
         except (ValueError, RecursionError):
             settings[name] = text
     return settings
 
 
 #: How Python spells what JSON has in small letters.
-_OF_PYTHON = {"True": "true", "False": "false", "None": "null"}
+_PYTHON_LITERALS = {"True": "true", "False": "false", "None": "null"}
 
 
 def _summary(counts: Counter[str], options: argparse.Namespace) -> str:
@@ -180,7 +180,7 @@ def _summary(counts: Counter[str], options: argparse.Namespace) -> str:
     return f"{counted}: {printable(str(where))}"
 
 
-def _said(what: object, status: int) -> int:
+def _print_error(what: object, status: int) -> int:
     print(printable(str(what)), file=sys.stderr)
     return status
 

@@ -8,10 +8,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from ._error_text import describe_error
 from ._job import Job, Outcome, Value
 from ._loaded import Loaded
-from ._values import cell_of
-from ._why import why
+from ._values import to_value
 
 
 def simulate(job: Job, loaded: Loaded, folder: str) -> Outcome:
@@ -21,14 +21,16 @@ def simulate(job: Job, loaded: Loaded, folder: str) -> Outcome:
         return Outcome(job.key, "refused", refusal)
     task = loaded.task(job)
     if task is None:
-        reason = "" if loaded.error is None else f": {why(loaded.error, folder)}"
+        reason = "" if loaded.error is None else f": {describe_error(loaded.error, folder)}"
         return Outcome(job.key, "failed", f"the task cannot be loaded here{reason}")
     begin = time.perf_counter()
     try:
-        numbers, series = _parts(task(job.path, **job.values))
+        numbers, series = _numbers_and_series(task(job.path, **job.values))
     except BaseException as error:
         ended = "the task ended its process: " if isinstance(error, (KeyboardInterrupt, SystemExit)) else ""
-        return Outcome(job.key, "failed", ended + why(error, folder), task_seconds=time.perf_counter() - begin)
+        return Outcome(
+            job.key, "failed", ended + describe_error(error, folder), task_seconds=time.perf_counter() - begin
+        )
     return Outcome(job.key, "done", None, numbers, series, task_seconds=time.perf_counter() - begin)
 
 
@@ -47,7 +49,7 @@ def _refusal(job: Job, loaded: Loaded) -> str | None:
     return None if digest == job.digest else "the model was changed after this run had begun; run again with resume"
 
 
-def _parts(returned: Any) -> tuple[dict[str, Value], dict[str, list[float]]]:
+def _numbers_and_series(returned: Any) -> tuple[dict[str, Value], dict[str, list[float]]]:
     """Numbers and series of what a task returned.
 
     Raises
@@ -55,26 +57,26 @@ def _parts(returned: Any) -> tuple[dict[str, Value], dict[str, list[float]]]:
     TypeError, ValueError
         It is not what a task returns.
     """
-    wanted = "a task returns a dictionary of numbers, or that and a dictionary of series"
+    expectation = "a task returns a dictionary of numbers, or that and a dictionary of series"
     numbers, series = returned if isinstance(returned, tuple) and len(returned) == 2 else (returned, {})
     if not isinstance(numbers, Mapping) or not isinstance(series, Mapping):
-        raise TypeError(f"{wanted}, not {type(returned).__name__}")
-    rows = {_name(name): _value(str(name), value) for name, value in numbers.items()}
-    columns = {_name(name): [float(value) for value in values] for name, values in series.items()}
+        raise TypeError(f"{expectation}, not {type(returned).__name__}")
+    rows = {_column_name(name): _column_value(str(name), value) for name, value in numbers.items()}
+    columns = {_column_name(name): [float(value) for value in values] for name, values in series.items()}
     if len({len(column) for column in columns.values()}) > 1:
         lengths = ", ".join(f"{name} {len(column)}" for name, column in columns.items())
         raise ValueError(f"series must be equally long: {lengths}")
     return rows, columns
 
 
-def _name(name: Any) -> str:
+def _column_name(name: Any) -> str:
     if not isinstance(name, str) or not name.isidentifier():
         raise ValueError(f"{name!r} cannot be the name of a column: use letters, digits and _, such as peak_force_n")
     return name
 
 
-def _value(name: str, value: Any) -> Value:
+def _column_value(name: str, value: Any) -> Value:
     try:
-        return cell_of(value)
+        return to_value(value)
     except (TypeError, ValueError) as error:
         raise type(error)(f"{name} is {error}") from None

@@ -31,7 +31,7 @@ class Contact:
         return float(sum(values.get(place + axis) * up[axis] for place in self.places for axis in range(3)))
 
 
-def chosen(opensim: Any, model: Any, select: Sequence[str]) -> list[Contact]:
+def selected_contacts(opensim: Any, model: Any, select: Sequence[str]) -> list[Contact]:
     """Contact forces that apply, of those whose names fit one of the patterns; without patterns, of all.
 
     Raises
@@ -39,60 +39,63 @@ def chosen(opensim: Any, model: Any, select: Sequence[str]) -> list[Contact]:
     ModelError
         There are none, or one of their spheres has no radius.
     """
-    contacts = [found for force in _contact_forces(opensim, model) if (found := _contact(opensim, model, force))]
+    contacts = [contact for force in _contact_forces(opensim, model) if (contact := _contact(opensim, model, force))]
     if not contacts:
         expected = f"a {HUNT_CROSSLEY} or {SMOOTH} in which a ContactSphere meets a ContactHalfSpace"
-        raise refusal(f"there is nothing that the body can stand on: expected {expected}")
+        raise model_error(f"there is nothing that the body can stand on: expected {expected}")
     names = ", ".join(str(one.force.getName()) for one in contacts)
     if select:
         contacts = [one for one in contacts if any(fnmatchcase(one.force.getName(), pattern) for pattern in select)]
         if not contacts:
-            raise refusal(f"select fits no contact force: {', '.join(select)}; there are {names}")
+            raise model_error(f"select fits no contact force: {', '.join(select)}; there are {names}")
     contacts = [one for one in contacts if one.force.get_appliesForce()]
     if not contacts:
-        raise refusal(f"the contact forces are switched off (appliesForce is false): {names}")
+        raise model_error(f"the contact forces are switched off (appliesForce is false): {names}")
     # OpenSim's system never comes to an end of making such a sphere.
     for sphere in (sphere for contact in contacts for sphere in contact.spheres):
         if not 0 < sphere.getRadius() < math.inf:
-            raise refusal(f"the sphere {sphere.getName()} has a radius of {sphere.getRadius():g} m")
+            raise model_error(f"the sphere {sphere.getName()} has a radius of {sphere.getRadius():g} m")
     return contacts
 
 
-def without_constant(contacts: Sequence[Contact]) -> list[str]:
+def forces_without_constant(contacts: Sequence[Contact]) -> list[str]:
     """Names of smooth forces with a constant_contact_force of 0, which are not a number where a sphere does not slip."""
     smooth = [one.force for one in contacts if one.force.getConcreteClassName() == SMOOTH]
     return [str(force.getName()) for force in smooth if force.get_constant_contact_force() == 0]
 
 
-def base_of(geometry: Any) -> Any:
+def base_frame(geometry: Any) -> Any:
     """The body, or ground, that a contact geometry is on."""
     return geometry.getFrame().findBaseFrame()
 
 
-def refusal(message: str) -> ModelError:
+def model_error(message: str) -> ModelError:
     """An error about the model, in which the name of its file is still missing."""
     return ModelError("simulation", message)
 
 
-def geometry_of(opensim: Any, model: Any, force: Any) -> list[Any]:
+def force_geometry(opensim: Any, model: Any, force: Any) -> list[Any]:
     """What meets in a force, in the order of its record."""
     if force.getConcreteClassName() == SMOOTH:
         return [opensim.ContactGeometry.safeDownCast(force.getConnectee(socket)) for socket in _SOCKETS]
-    named = [_found(opensim, model, opensim.PropertyHelper.getValueString(*place)) for place in _name_places(force)]
-    return [one for one in named if one is not None]
+    geometries = [
+        _find_geometry(opensim, model, opensim.PropertyHelper.getValueString(*place))
+        for place in _geometry_names(force)
+    ]
+    return [one for one in geometries if one is not None]
 
 
-def name_geometry(opensim: Any, force: Any, names: Sequence[str]) -> None:
+def set_geometry_names(opensim: Any, force: Any, names: Sequence[str]) -> None:
     """Lets a force that is not yet connected be about other geometry, of these names in a set of contact geometry."""
     if force.getConcreteClassName() == SMOOTH:
         for socket, name in zip(_SOCKETS, names):
             force.updSocket(socket).setConnecteePath(f"/contactgeometryset/{name}")
         return
-    for (prop, number), name in zip(_name_places(force), names):
+    for (prop, number), name in zip(_geometry_names(force), names):
         opensim.PropertyHelper.setValueString(name, prop, number)
 
 
-def _name_places(force: Any) -> Iterator[tuple[Any, int]]:
+def _geometry_names(force: Any) -> Iterator[tuple[Any, int]]:
     """The names of geometry in a HuntCrossleyForce, over all of its materials: property, and number in it."""
     materials = force.updPropertyByName("contact_parameters").updValueAsObject().updPropertyByName("objects")
     for place in range(materials.size()):
@@ -111,15 +114,15 @@ def _contact_forces(opensim: Any, model: Any) -> Iterator[Any]:
 
 def _contact(opensim: Any, model: Any, force: Any) -> Contact | None:
     """The sphere and the half-space that meet in a force; None if other shapes do."""
-    geometry = geometry_of(opensim, model, force)
+    geometry = force_geometry(opensim, model, force)
     spheres = [one for one in map(opensim.ContactSphere.safeDownCast, geometry) if one is not None]
     floors = [one for one in map(opensim.ContactHalfSpace.safeDownCast, geometry) if one is not None]
     if not spheres or not floors:
         return None
-    return Contact(force, tuple(spheres), tuple(floors), tuple(_places(geometry, spheres)))
+    return Contact(force, tuple(spheres), tuple(floors), tuple(_record_places(geometry, spheres)))
 
 
-def _found(opensim: Any, model: Any, name: str) -> Any:
+def _find_geometry(opensim: Any, model: Any, name: str) -> Any:
     """The geometry that OpenSim means by a name: a path in the model, or a name in its set of geometry."""
     for path in (name, f"contactgeometryset/{name}"):
         try:
@@ -131,12 +134,12 @@ def _found(opensim: Any, model: Any, name: str) -> Any:
     return None
 
 
-def _places(geometry: Sequence[Any], spheres: Sequence[Any]) -> Iterator[int]:
+def _record_places(geometry: Sequence[Any], spheres: Sequence[Any]) -> Iterator[int]:
     """Each geometry has six values, the force and the torque on its body: of a body with two spheres, the same twice."""
-    of_spheres = {sphere.getAbsolutePathString() for sphere in spheres}
-    seen = set()
+    sphere_paths = {sphere.getAbsolutePathString() for sphere in spheres}
+    body_paths = set()
     for number, one in enumerate(geometry):
-        body = base_of(one).getAbsolutePathString()
-        if one.getAbsolutePathString() in of_spheres and body not in seen:
-            seen.add(body)
+        body = base_frame(one).getAbsolutePathString()
+        if one.getAbsolutePathString() in sphere_paths and body not in body_paths:
+            body_paths.add(body)
             yield 6 * number

@@ -7,18 +7,18 @@ from dataclasses import dataclass
 from typing import Any
 
 from .._errors import RequestError
-from ._contacts import chosen
+from ._contacts import selected_contacts
 from ._motion import Motion, Observer, Record
 from ._passive import make_passive
-from ._rest import resting_height
-from ._rigid import rigid
-from ._scene import Scene, errors_of, opened, quiet_opensim
-from ._words import choice, multiple, patterns
+from ._resting_height import resting_height
+from ._rigid import rigid_copy
+from ._scene import Scene, model_errors, open_model, quiet_opensim
+from ._settings import as_patterns, check_choice, parse_multiple
 
 #: Stops of the integrator are at most this many times √(x/g) apart, x the indentation at rest: there are 60 in one swing on the contacts.
-_STOP = 0.1
+_MAX_STEP = 0.1
 #: The least indentation for that, in R.
-_LEAST = 1e-3
+_MIN_INDENTATION = 1e-3
 
 
 @dataclass(frozen=True)
@@ -62,18 +62,18 @@ class Drop:
     accuracy: float = 1e-9
 
     def __post_init__(self) -> None:
-        multiple(self.height, "R", "height")
-        if not multiple(self.duration, "T", "duration")[0] > 0:
+        parse_multiple(self.height, "R", "height")
+        if not parse_multiple(self.duration, "T", "duration")[0] > 0:
             raise RequestError("usage", "duration=0: expected a time above 0", keywords=("duration",))
-        choice(self.joints, ("locked", "free"), "joints")
-        choice(self.actuators, ("rest", "off"), "actuators")
+        check_choice(self.joints, ("locked", "free"), "joints")
+        check_choice(self.actuators, ("rest", "off"), "actuators")
         if not isinstance(self.samples, int) or self.samples < 2:
             message = f"samples={self.samples!r}: expected a whole number of at least 2"
             raise RequestError("usage", message, keywords=("samples",))
         if not isinstance(self.accuracy, float) or not 0 < self.accuracy < 1:
             message = f"accuracy={self.accuracy!r}: expected a number between 0 and 1"
             raise RequestError("usage", message, keywords=("accuracy",))
-        object.__setattr__(self, "select", patterns(self.select))
+        object.__setattr__(self, "select", as_patterns(self.select))
 
     def __call__(self, path: str) -> tuple[dict[str, float | None], dict[str, list[float]]]:
         """Lets the model of a file fall: its figures and its series.
@@ -89,31 +89,31 @@ class Drop:
             moves it up and down, contact forces that are not a number.
         """
         opensim = quiet_opensim()
-        with errors_of(path, "let this model fall"):
+        with model_errors(path, "let this model fall"):
             scene = self._scene(opensim, path)
             return self._fall(scene)
 
     def _scene(self, opensim: Any, path: str) -> Scene:
-        model = opened(opensim, path)
-        contacts = chosen(opensim, model, self.select)
+        model = open_model(opensim, path)
+        contacts = selected_contacts(opensim, model, self.select)
         if self.joints == "free":
             make_passive(opensim, model, contacts, acting=self.actuators == "rest")
             return Scene(opensim, model, contacts)
         scene = Scene(opensim, model, contacts)
-        made = rigid(opensim, model, scene.state, scene.moving, contacts, scene.up)
-        made.finalizeConnections()
-        return Scene(opensim, made, chosen(opensim, made, ()))
+        locked_model = rigid_copy(opensim, model, scene.state, scene.moving, contacts, scene.up)
+        locked_model.finalizeConnections()
+        return Scene(opensim, locked_model, selected_contacts(opensim, locked_model, ()))
 
     def _fall(self, scene: Scene) -> tuple[dict[str, float | None], dict[str, list[float]]]:
-        number, in_radii = multiple(self.height, "R", "height")
-        height = number * scene.reference_radius_m if in_radii else number
-        number, in_units = multiple(self.duration, "T", "duration")
-        duration = number * scene.reference_time_s if in_units else number
+        number, is_in_radii = parse_multiple(self.height, "R", "height")
+        height = number * scene.reference_radius_m if is_in_radii else number
+        number, is_in_units = parse_multiple(self.duration, "T", "duration")
+        duration = number * scene.reference_time_s if is_in_units else number
         rest = resting_height(scene, scene.opensim.State(scene.state))
         scene.place(scene.state, height)
         if self.joints == "free" and self.actuators == "rest":
             scene.model.equilibrateMuscles(scene.state)
-        indented = max(-rest, _LEAST * scene.reference_radius_m)
+        indentation = max(-rest, _MIN_INDENTATION * scene.reference_radius_m)
         columns: dict[str, Callable[[Any], float]] = {
             "height_m": scene.lowest_m,
             "speed_m_s": scene.speed_m_s,
@@ -122,7 +122,7 @@ class Drop:
         if self.joints == "free":
             columns["com_height_m"] = scene.com_height_m
         observer = Observer(scene, Motion(scene, self.accuracy), columns)
-        record = observer.follow(duration, self.samples, _STOP * (indented / scene.gravity_m_s2) ** 0.5)
+        record = observer.follow(duration, self.samples, _MAX_STEP * (indentation / scene.gravity_m_s2) ** 0.5)
         return self._figures(scene, record, height, duration, rest), _series(scene, record)
 
     def _figures(

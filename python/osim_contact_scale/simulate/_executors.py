@@ -24,7 +24,7 @@ HERE = "here"
 
 
 @contextmanager
-def executor_of(scheduler: Any, workers: int | None, run: str) -> Iterator[Executor]:
+def open_executor(scheduler: Any, workers: int | None, run: str) -> Iterator[Executor]:
     """An executor, while it lasts.
 
     Raises
@@ -40,7 +40,7 @@ def executor_of(scheduler: Any, workers: int | None, run: str) -> Iterator[Execu
         yield scheduler
     elif scheduler == HERE:
         try:
-            with ThreadPoolExecutor(workers or _cores(), "simulate") as threads:
+            with ThreadPoolExecutor(workers or _core_count(), "simulate") as threads:
                 try:
                     yield threads
                 finally:
@@ -65,11 +65,11 @@ def _client(scheduler: Any, workers: int | None) -> Iterator[Any]:
         _refuse_workers(workers)
         yield scheduler
         return
-    with ExitStack() as opened:
+    with ExitStack() as stack:
         try:
             if scheduler is None:
                 refuse_unguarded()
-                scheduler = opened.enter_context(
+                scheduler = stack.enter_context(
                     distributed.LocalCluster(
                         n_workers=workers, threads_per_worker=1, dashboard_address=":0", silence_logs=logging.CRITICAL
                     )
@@ -77,23 +77,23 @@ def _client(scheduler: Any, workers: int | None) -> Iterator[Any]:
             elif isinstance(scheduler, (str, distributed.deploy.Cluster)):
                 _refuse_workers(workers)
             else:
-                raise _unknown(scheduler)
-            client = opened.enter_context(distributed.Client(scheduler))
+                raise _unknown_scheduler(scheduler)
+            client = stack.enter_context(distributed.Client(scheduler))
         except (RuntimeError, OSError, ValueError) as error:
             if isinstance(error, RequestError):
                 raise
-            why = printable(str(error).strip().splitlines()[0]) if str(error).strip() else type(error).__name__
-            raise RequestError("usage", f"no workers of Dask: {why}", keywords=("scheduler",)) from error
-        _tell(client)
+            reason = printable(str(error).strip().splitlines()[0]) if str(error).strip() else type(error).__name__
+            raise RequestError("usage", f"no workers of Dask: {reason}", keywords=("scheduler",)) from error
+        _log_dashboard(client)
         yield client
 
 
-def _unknown(scheduler: Any) -> RequestError:
+def _unknown_scheduler(scheduler: Any) -> RequestError:
     kinds = f"None, an address, a client or cluster of Dask, an executor, or {HERE!r}"
     return RequestError("usage", f"scheduler is {type(scheduler).__name__}, expected {kinds}", keywords=("scheduler",))
 
 
-def _cores() -> int:
+def _core_count() -> int:
     """How many this program may use: a job on a cluster often has few of many."""
     return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
 
@@ -105,7 +105,7 @@ def _refuse_workers(workers: int | None) -> None:
         )
 
 
-def _tell(client: Any) -> None:
+def _log_dashboard(client: Any) -> None:
     """The dashboard's address; Dask has one where bokeh is installed."""
     if importlib.util.find_spec("bokeh") is not None:
         log.info("Dask's dashboard: %s", client.dashboard_link)

@@ -17,13 +17,13 @@ _MESSAGE = (
 )
 
 #: When this program imported the package, in s.
-_BEGIN = time.time()
+_IMPORT_TIME = time.time()
 
 #: In the environment of a process in which models run, and of all that it starts.
-WITHIN = "OSIM_CONTACT_SCALE_WITHIN_A_RUN"
+RUN_VARIABLE = "OSIM_CONTACT_SCALE_WITHIN_A_RUN"
 
 
-def refuse_within() -> None:
+def refuse_nested_run() -> None:
     """Refuses a run that a task begins, or a module that a task imports: each of its models would begin another one.
 
     Raises
@@ -31,7 +31,7 @@ def refuse_within() -> None:
     RequestError
         It is one.
     """
-    if WITHIN in os.environ:
+    if RUN_VARIABLE in os.environ:
         message = (
             'a task cannot begin a run; a module that begins one needs `if __name__ == "__main__":` before the call'
         )
@@ -64,7 +64,7 @@ def refuse_unguarded() -> None:
 
 def _refuse(frame: FrameType, file: str) -> None:
     try:
-        if os.path.getmtime(file) > _BEGIN:
+        if os.path.getmtime(file) > _IMPORT_TIME:
             return  # Edited since: its lines are no longer those of the program that runs.
         with open(file, "rb") as text:
             tree = ast.parse(text.read())
@@ -78,12 +78,12 @@ def _refuse(frame: FrameType, file: str) -> None:
 def _guards(part: ast.If, line: int) -> bool:
     """Whether this line of the program runs only where `__name__` is `"__main__"`."""
     for test in ast.walk(part.test):
-        if isinstance(test, ast.Compare) and {"__name__", "__main__"} <= set(_words(test)):
-            inside = part.body if isinstance(test.ops[0], ast.Eq) else part.orelse
-            return any(statement.lineno <= line <= (statement.end_lineno or 0) for statement in inside)
+        if isinstance(test, ast.Compare) and {"__name__", "__main__"} <= set(_names_and_constants(test)):
+            guarded = part.body if isinstance(test.ops[0], ast.Eq) else part.orelse
+            return any(statement.lineno <= line <= (statement.end_lineno or 0) for statement in guarded)
     return False
 
 
-def _words(test: ast.AST) -> list[str]:
+def _names_and_constants(test: ast.AST) -> list[str]:
     names = [part.id for part in ast.walk(test) if isinstance(part, ast.Name)]
     return names + [str(part.value) for part in ast.walk(test) if isinstance(part, ast.Constant)]

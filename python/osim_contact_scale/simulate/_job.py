@@ -13,7 +13,7 @@ from typing import Any, Literal, NamedTuple
 Status = Literal["done", "failed", "crashed", "time limit", "lost", "refused"]
 
 #: Columns of a table of results beside those of its points and the numbers of the task.
-OWN = ("key", "status", "error")
+RESULT_COLUMNS = ("key", "status", "error")
 
 Value = float | int | str | bool | None
 
@@ -45,7 +45,7 @@ class Job:
     time_limit: float | None
 
 
-class Known(NamedTuple):
+class RowStatus(NamedTuple):
     """The outcome of a row in this run or an earlier one."""
 
     status: Status

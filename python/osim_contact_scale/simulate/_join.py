@@ -10,37 +10,37 @@ from typing import Any
 import pandas as pd
 
 from .._cells import to_cell
-from ._job import OWN, Outcome
+from ._job import RESULT_COLUMNS, Outcome
 from ._points import Point
 from ._store import replace
 
 TABLE = "table"
 RUNS = "runs.csv"
 
-_RUN = ("key", "status", "task_seconds", "process_seconds", "memory_mb", "host", "time_limit")
+_RUN_COLUMNS = ("key", "status", "task_seconds", "process_seconds", "memory_mb", "host", "time_limit")
 
 
-def joined(points: Sequence[Point], keys: Mapping[int, str], rows: Mapping[str, Outcome]) -> pd.DataFrame:
+def join_outcomes(points: Sequence[Point], keys: Mapping[int, str], rows: Mapping[str, Outcome]) -> pd.DataFrame:
     """A row for each point in their order: its columns, key, status, error, and the task's numbers. Points without a row have no status.
 
     A number that is called like a column of the points has `_result` added to its name.
     """
-    found = [rows.get(keys.get(point.row, "")) for point in points]
-    ours = {name: None for point in points for name in point.columns}
+    outcomes = [rows.get(keys.get(point.row, "")) for point in points]
+    point_columns = {name: None for point in points for name in point.columns}
     numbers: dict[str, str] = {}
-    for row in found:
+    for row in outcomes:
         for name in row.numbers if row is not None else ():
             if name not in numbers:
-                numbers[name] = _free(name, {*ours, *OWN, *numbers.values()})
+                numbers[name] = _unused_name(name, {*point_columns, *RESULT_COLUMNS, *numbers.values()})
     return pd.DataFrame(
-        [_record(point, keys.get(point.row), row, numbers) for point, row in zip(points, found)],
-        columns=[*ours, *OWN, *numbers.values()],
+        [_record(point, keys.get(point.row), row, numbers) for point, row in zip(points, outcomes)],
+        columns=[*point_columns, *RESULT_COLUMNS, *numbers.values()],
     )
 
 
-def _free(name: str, taken: set[str]) -> str:
+def _unused_name(name: str, used: set[str]) -> str:
     """A name for a column that no other one has."""
-    while name in taken:
+    while name in used:
         name = f"{name}_result"
     return name
 
@@ -49,15 +49,15 @@ def _record(point: Point, key: str | None, row: Outcome | None, numbers: Mapping
     record = {**point.columns, "key": key}
     if row is not None:
         # The name of the model is not in the parts: models of other names with the same bytes share an outcome.
-        error = None if row.error is None else point.said(row.error)
+        error = None if row.error is None else point.with_file_name(row.error)
         record.update(status=row.status, error=error, **{numbers[name]: value for name, value in row.numbers.items()})
     return record
 
 
-def runs_of(rows: Mapping[str, Outcome]) -> pd.DataFrame:
+def run_table(rows: Mapping[str, Outcome]) -> pd.DataFrame:
     """How long each run of a model took, where, and with how much memory: what differs from time to time."""
-    records = [{name: getattr(row, name) for name in _RUN} for row in rows.values()]
-    return pd.DataFrame(records, columns=list(_RUN))
+    records = [{name: getattr(row, name) for name in _RUN_COLUMNS} for row in rows.values()]
+    return pd.DataFrame(records, columns=list(_RUN_COLUMNS))
 
 
 def write_tables(folder: Path, table: pd.DataFrame, runs: pd.DataFrame) -> None:

@@ -14,7 +14,7 @@ class Loaded:
     """OpenSim, if it is there, and the last task."""
 
     def __init__(self) -> None:
-        self.versions = Versions(_opensim(), _native.VERSION)
+        self.versions = Versions(_opensim_version(), _native.VERSION)
         self._bytes: bytes | None = None
         self._task: Callable[..., Any] | None = None
         self._error: BaseException | None = None
@@ -24,7 +24,7 @@ class Loaded:
         if job.task != self._bytes:
             self._bytes, self._task, self._error = job.task, None, None
             try:
-                self._task = _loaded(job)
+                self._task = _load_task(job)
             except BaseException as error:
                 # A module may end its process, too.
                 self._error = error
@@ -36,7 +36,7 @@ class Loaded:
         return self._error
 
 
-def _opensim() -> str:
+def _opensim_version() -> str:
     """OpenSim's version; empty where it is not installed: a task may need none."""
     try:
         import opensim
@@ -48,7 +48,7 @@ def _opensim() -> str:
     return str(opensim.GetVersion())
 
 
-def _loaded(job: Job) -> Callable[..., Any]:
+def _load_task(job: Job) -> Callable[..., Any]:
     import cloudpickle
 
     # Modules beside the program that asked for the run: found here as there, after those of the library.

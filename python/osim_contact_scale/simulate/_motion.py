@@ -12,7 +12,7 @@ from ._scene import Scene
 #: Into how many parts the time around the largest force is divided, and how often.
 _PARTS, _TIMES = 16, 3
 #: Share of R within which a height is 0.
-_NO_HEIGHT = 1e-13
+_HEIGHT_TOLERANCE = 1e-13
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ class Motion:
         """The state at a later time; valid until the next one."""
         return self._manager.integrate(time_s)
 
-    def again(self, moment: Moment, time_s: float) -> Any:
+    def state_at(self, moment: Moment, time_s: float) -> Any:
         """The state at a time, from an earlier moment."""
         state = self.begin(moment)
         return self.to(time_s) if time_s > moment.time_s else state
@@ -101,24 +101,24 @@ class Observer:
         if height <= 0:
             self.record.touch = Event(0.0, 0.0)
         self._sample(0.0, state)
-        around = (self._motion.start, 0.0)
+        peak_range = (self._motion.start, 0.0)
         for number in range(1, count + 1):
             time = duration_s * (number / count)
             state = self._motion.to(time)
-            now = self._motion.moment(state)
+            current = self._motion.moment(state)
             last, height = height, self._scene.lowest_m(state)
             force = self._scene.force_n(state)
             if force > self.record.peak_force_n:
                 self.record.peak_force_n, self.record.peak_time_s = force, time
-                around = (before[0], duration_s * min((number + 1) / count, 1.0))
+                peak_range = (before[0], duration_s * min((number + 1) / count, 1.0))
             if number % stops == 0:
                 self._sample(time, state)
             if (last > 0) != (height > 0) and self.record.lift_off is None:
-                self._cross(before[1], time, upward=height > 0)
-                self._motion.begin(now)
-            before = [before[1], now]
+                self._find_crossing(before[1], time, upward=height > 0)
+                self._motion.begin(current)
+            before = [before[1], current]
         if self.record.peak_force_n > 0:
-            self._look_closer(*around)
+            self._refine_peak(*peak_range)
         return self.record
 
     def _sample(self, time: float, state: Any) -> None:
@@ -126,23 +126,23 @@ class Observer:
         for name, value in self._columns.items():
             self.record.series[name].append(value(state))
 
-    def _cross(self, before: Moment, until: float, *, upward: bool) -> None:
+    def _find_crossing(self, before: Moment, until: float, *, upward: bool) -> None:
         """Finds when height 0 was crossed. Only the first contact counts."""
 
         def height(at: float) -> float:
-            return self._scene.lowest_m(self._motion.again(before, at))
+            return self._scene.lowest_m(self._motion.state_at(before, at))
 
-        time, close = until, _NO_HEIGHT * self._scene.reference_radius_m
+        time, close = until, _HEIGHT_TOLERANCE * self._scene.reference_radius_m
         # With a last step of another length, it may be on the other side still, by rounding.
         if (height(until) > 0) == upward:
             time = root(height, before.time_s, until, close=close)
-        event = Event(time, self._scene.speed_m_s(self._motion.again(before, time)))
+        event = Event(time, self._scene.speed_m_s(self._motion.state_at(before, time)))
         if not upward:
             self.record.touch = event
         else:
             self.record.lift_off = event
 
-    def _look_closer(self, before: Moment, until: float) -> None:
+    def _refine_peak(self, before: Moment, until: float) -> None:
         """The largest force is between stops."""
         for _ in range(_TIMES):
             moments, forces = [before], [self._scene.force_n(self._motion.begin(before))]

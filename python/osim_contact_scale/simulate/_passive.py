@@ -14,7 +14,7 @@ def make_passive(opensim: Any, model: Any, contacts: Sequence[Contact], *, actin
     Springs, limits, ligaments and bushings go on acting. Without a controller the control of an actuator is 0, and muscles take the
     least activation that they have.
     """
-    kept = {contact.force.getAbsolutePathString() for contact in contacts}
+    selected = {contact.force.getAbsolutePathString() for contact in contacts}
     kinds = ("HuntCrossleyForce", "SmoothSphereHalfSpaceForce")
     for component in list(model.getComponentsList()):
         controller = opensim.Controller.safeDownCast(component)
@@ -23,6 +23,6 @@ def make_passive(opensim: Any, model: Any, contacts: Sequence[Contact], *, actin
         force = opensim.Force.safeDownCast(component)
         if force is None:
             continue
-        unchosen = component.getConcreteClassName() in kinds and component.getAbsolutePathString() not in kept
-        if unchosen or (not acting and opensim.Actuator.safeDownCast(component) is not None):
+        is_unselected = component.getConcreteClassName() in kinds and component.getAbsolutePathString() not in selected
+        if is_unselected or (not acting and opensim.Actuator.safeDownCast(component) is not None):
             force.set_appliesForce(False)

@@ -12,9 +12,9 @@ from .._errors import RequestError
 from .._rows import rows_of
 from .._sweep import Sweep
 from .._text import printable
-from ._job import OWN, Value
-from ._table_file import rows_of_file
-from ._values import cell_of
+from ._job import RESULT_COLUMNS, Value
+from ._table_file import read_rows
+from ._values import to_value
 
 
 @dataclass(frozen=True)
@@ -30,12 +30,12 @@ class Point:
     #: Its row in the table of results: with the path as it was given.
     columns: Mapping[str, Any]
 
-    def said(self, error: str) -> str:
+    def with_file_name(self, error: str) -> str:
         """What is wrong with it, with the name of its file."""
         return f"{printable(os.path.basename(self.path))}: {error}"
 
 
-def points_of(given: Any) -> list[Point]:
+def read_points(source: Any) -> list[Point]:
     """The points of a `Sweep`, of a file of CSV, or of a table with a column `path`.
 
     In a file, `path` may also be called `file`; both are relative to the folder of the table.
@@ -47,47 +47,49 @@ def points_of(given: Any) -> list[Point]:
     OSError
         The file cannot be read.
     """
-    if isinstance(given, Sweep):
-        if given.manifest is None:
+    if isinstance(source, Sweep):
+        if source.manifest is None:
             raise RequestError("usage", "points: this sweep made no models", keywords=("points",))
-        given = given.manifest
-    if isinstance(given, (str, os.PathLike)):
-        table = Path(given)
-        return _points(rows_of_file(table), table.parent, printed=printable(str(table)))
-    return _points(rows_of(given), Path.cwd(), printed="points")
+        source = source.manifest
+    if isinstance(source, (str, os.PathLike)):
+        table = Path(source)
+        return _points(read_rows(table), table.parent, printed_name=printable(str(table)))
+    return _points(rows_of(source), Path.cwd(), printed_name="points")
 
 
-def _points(rows: Sequence[Mapping[str, Any]], folder: Path, printed: str) -> list[Point]:
+def _points(rows: Sequence[Mapping[str, Any]], folder: Path, printed_name: str) -> list[Point]:
     if not rows:
-        raise RequestError("usage", f"{printed}: it has no rows", keywords=("points",))
+        raise RequestError("usage", f"{printed_name}: it has no rows", keywords=("points",))
     for column in rows[0]:
-        if column in OWN:
-            message = f"{printed}: the column {column!r} is one of those that results have: leave out {', '.join(OWN)}"
+        if column in RESULT_COLUMNS:
+            message = f"{printed_name}: the column {column!r} is one of those that results have: leave out {', '.join(RESULT_COLUMNS)}"
             raise RequestError("usage", message, keywords=("points",))
-    return [_point(number, row, folder, printed) for number, row in enumerate(rows, 1)]
+    return [_point(number, row, folder, printed_name) for number, row in enumerate(rows, 1)]
 
 
-def _point(number: int, row: Mapping[str, Any], folder: Path, printed: str) -> Point:
+def _point(number: int, row: Mapping[str, Any], folder: Path, printed_name: str) -> Point:
     column = next((name for name in ("path", "file") if name in row), None)
     if column is None:
-        message = f"{printed}: expected a column path (or file) with the files of the models"
+        message = f"{printed_name}: expected a column path (or file) with the files of the models"
         raise RequestError("usage", message, keywords=("points",))
     path = row[column]
     if not isinstance(path, (str, os.PathLike)) or not os.fspath(path):
-        raise RequestError("usage", f"{printed}: row {number} has no {column}", keywords=("points",))
-    columns = {name: _cell(value, f"{printed}: row {number}, column {name!r}") for name, value in row.items()}
+        raise RequestError("usage", f"{printed_name}: row {number} has no {column}", keywords=("points",))
+    columns = {
+        name: _table_value(value, f"{printed_name}: row {number}, column {name!r}") for name, value in row.items()
+    }
     values = {name: value for name, value in columns.items() if name != "path"}
     return Point(number, os.path.abspath(folder / os.fsdecode(path)), values, columns)
 
 
-def _cell(value: Any, place: str) -> Value:
+def _table_value(value: Any, place: str) -> Value:
     try:
-        return cell_of(value)
+        return to_value(value)
     except (TypeError, ValueError) as error:
         raise RequestError("usage", f"{place}: {error}", keywords=("points",)) from None
 
 
-def shard_of(points: list[Point], shard: str | None) -> list[Point]:
+def select_shard(points: list[Point], shard: str | None) -> list[Point]:
     """Those of one share: `"2/8"` is the second of eight, every eighth point from the second on.
 
     Raises

@@ -14,11 +14,11 @@ from .._errors import ContactScaleError
 from .._progress import Callback
 from .._text import printable
 from . import _worker
-from ._job import Job, Known, Outcome, Versions
+from ._error_text import describe_error
+from ._job import Job, Outcome, RowStatus, Versions
 from ._points import Point
-from ._store import SOON, Store
-from ._task import Task, base_of, key_of
-from ._why import why
+from ._store import FLUSH_SECONDS, Store
+from ._task import Task, base_key, row_key
 
 log = logging.getLogger("osim_contact_scale")
 
@@ -26,11 +26,11 @@ log = logging.getLogger("osim_contact_scale")
 AHEAD = 4000
 
 #: What Dask says where a scheduler is gone.
-_GONE = {"CommClosedError", "FutureCancelledError", "CancelledError"}
+_LOST_ERRORS = {"CommClosedError", "FutureCancelledError", "CancelledError"}
 
 
 #: What we say where Dask writes about its own tasks and addresses.
-_OF_DASK = {
+_DASK_MESSAGES = {
     "KilledWorker": "the workers that had this model died one after the other: out of memory, or ended from outside"
 }
 
@@ -40,13 +40,13 @@ class WorkersLost(ContactScaleError):
 
 
 @dataclass(frozen=True)
-class Again:
+class RerunRule:
     """Which rows of an earlier run are done again."""
 
     failed: bool
     time_limit: float | None
 
-    def __contains__(self, row: Known) -> bool:
+    def __contains__(self, row: RowStatus) -> bool:
         if row.status in ("lost", "refused"):
             return True
         if row.status == "time limit":
@@ -63,15 +63,15 @@ class Queue:
         executor: Executor,
         task: Task,
         store: Store,
-        known: dict[str, Known],
-        again: Again,
+        statuses: dict[str, RowStatus],
+        rerun: RerunRule,
         callback: Callback,
     ) -> None:
         self._executor = executor
         self._task = task
         self._store = store
-        self._known = known
-        self._again = again
+        self._statuses = statuses
+        self._rerun = rerun
         self._callback = callback or (lambda count, failed: None)
         self.run = run
         self._pending: dict[Future[Outcome], tuple[str, Point]] = {}
@@ -79,9 +79,9 @@ class Queue:
         self._ready: queue.SimpleQueue[Future[Outcome]] = queue.SimpleQueue()
         #: The key of each row of the points.
         self.keys: dict[int, str] = {}
-        self._done: set[str] = set()
+        self._done_keys: set[str] = set()
 
-    def do(self, points: Iterable[Point]) -> None:
+    def simulate(self, points: Iterable[Point]) -> None:
         """Has every point simulated that is not known.
 
         Raises
@@ -92,84 +92,86 @@ class Queue:
             What came cannot be written.
         """
         try:
-            self._do(points)
+            self._simulate(points)
         except BaseException:
             # What was given to the workers and has not begun is not begun.
             for future in list(self._pending):
                 future.cancel()
             raise
 
-    def _do(self, points: Iterable[Point]) -> None:
+    def _simulate(self, points: Iterable[Point]) -> None:
         versions = self._versions()
-        blob, modules = self._task.packed()
-        base = base_of(self._task.identity, versions)
+        blob, modules = self._task.pickled()
+        base = base_key(self._task.identity, versions)
         for point in points:
             job = self._job(point, base, versions, blob, modules)
             if job is not None:
                 self._submit(job, point)
-            self._take(wait=len(self._pending) >= AHEAD)
+            self._take_ready(wait=len(self._pending) >= AHEAD)
         while self._pending:
-            self._take(wait=True)
+            self._take_ready(wait=True)
 
     def _versions(self) -> Versions:
         """Asked of a worker: this program may be without OpenSim."""
         try:
             return self._executor.submit(_worker.versions, self.run).result()
         except Exception as error:
-            raise _lost(error) from error
+            raise _workers_lost(error) from error
 
     def _job(self, point: Point, base: str, versions: Versions, blob: bytes, modules: tuple[str, ...]) -> Job | None:
         """What is to do; None where the row is known, or coming."""
-        values = self._task.values_of(point.values)
+        values = self._task.arguments(point.values)
         try:
             digest = hashlib.sha256(Path(point.path).read_bytes()).hexdigest()
         except OSError as error:
-            key = key_of(point.path, base, values)
-            self._arrived(Outcome(key, "refused", f"the model cannot be read: {error.strerror}"), point, 1)
+            key = row_key(point.path, base, values)
+            self._record_outcome(Outcome(key, "refused", f"the model cannot be read: {error.strerror}"), point, 1)
             self.keys[point.row] = key
             return None
-        key = key_of(digest, base, values)
+        key = row_key(digest, base, values)
         self.keys[point.row] = key
         if key in self._waiting:
             self._waiting[key] += 1
             return None
-        known = self._known.get(key)
-        if known is not None and (key in self._done or known not in self._again):
-            self._callback(1, known.status != "done")
+        status = self._statuses.get(key)
+        if status is not None and (key in self._done_keys or status not in self._rerun):
+            self._callback(1, status.status != "done")
             return None
-        return Job(self.run, key, point.path, digest, values, blob, modules, versions, self._again.time_limit)
+        return Job(self.run, key, point.path, digest, values, blob, modules, versions, self._rerun.time_limit)
 
     def _submit(self, job: Job, point: Point) -> None:
         try:
             future = self._executor.submit(_worker.work, job)
         except (BrokenExecutor, RuntimeError) as error:
-            raise _lost(error) from error
+            raise _workers_lost(error) from error
         self._pending[future] = job.key, point
         self._waiting[job.key] = 1
         future.add_done_callback(self._ready.put)
 
-    def _take(self, wait: bool) -> None:
+    def _take_ready(self, wait: bool) -> None:
         """Takes what is ready; waits for a moment where there is nothing else to do."""
         try:
-            future = self._ready.get(timeout=SOON if wait else 0)
+            future = self._ready.get(timeout=FLUSH_SECONDS if wait else 0)
         except queue.Empty:
             pass
         else:
             key, point = self._pending.pop(future)
-            self._arrived(_outcome(future, key, self._again.time_limit), point, self._waiting.pop(key))
+            self._record_outcome(_future_outcome(future, key, self._rerun.time_limit), point, self._waiting.pop(key))
         if self._store.is_due():
             self._store.flush()
 
-    def _arrived(self, outcome: Outcome, point: Point, count: int) -> None:
+    def _record_outcome(self, outcome: Outcome, point: Point, count: int) -> None:
         self._store.add(outcome)
-        self._known[outcome.key] = Known(outcome.status, outcome.time_limit)
-        self._done.add(outcome.key)
+        self._statuses[outcome.key] = RowStatus(outcome.status, outcome.time_limit)
+        self._done_keys.add(outcome.key)
         self._callback(count, outcome.status != "done")
         if outcome.status != "done":
-            log.warning("%s: row %d, %s", outcome.status, point.row, point.said(printable(outcome.error or "")))
+            log.warning(
+                "%s: row %d, %s", outcome.status, point.row, point.with_file_name(printable(outcome.error or ""))
+            )
 
 
-def _outcome(future: Future[Outcome], key: str, time_limit: float | None) -> Outcome:
+def _future_outcome(future: Future[Outcome], key: str, time_limit: float | None) -> Outcome:
     """What came.
 
     Raises
@@ -180,13 +182,15 @@ def _outcome(future: Future[Outcome], key: str, time_limit: float | None) -> Out
     try:
         return future.result()
     except (CancelledError, BrokenExecutor) as error:
-        raise _lost(error) from error
+        raise _workers_lost(error) from error
     except Exception as error:
-        if type(error).__name__ in _GONE:
-            raise _lost(error) from error
-        return Outcome(key, "lost", _OF_DASK.get(type(error).__name__) or why(error), time_limit=time_limit)
+        if type(error).__name__ in _LOST_ERRORS:
+            raise _workers_lost(error) from error
+        return Outcome(
+            key, "lost", _DASK_MESSAGES.get(type(error).__name__) or describe_error(error), time_limit=time_limit
+        )
 
 
-def _lost(error: BaseException) -> WorkersLost:
+def _workers_lost(error: BaseException) -> WorkersLost:
     text = printable(str(error).strip().splitlines()[0]) if str(error).strip() else type(error).__name__
     return WorkersLost("workers-lost", f"the workers are gone ({text}); what was done is kept: run again with resume")

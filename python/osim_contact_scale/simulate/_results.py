@@ -9,7 +9,7 @@ import pandas as pd
 
 from .._errors import RequestError
 from .._text import printable
-from ._store import series_in
+from ._store import read_series
 
 
 class Results:
@@ -50,10 +50,10 @@ class Results:
             It has none.
         """
         key = row if isinstance(row, str) else self._key(row)
-        found = series_in(self.folder, key)
-        if found is None:
+        series = read_series(self.folder, key)
+        if series is None:
             raise RequestError("usage", f"{printable(str(self.folder))} has no series of {printable(str(row))}")
-        return found
+        return series
 
     def _key(self, place: int) -> str:
         number = operator.index(place)

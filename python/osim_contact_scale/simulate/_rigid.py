@@ -10,13 +10,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from ._contacts import Contact, base_of, geometry_of, name_geometry, refusal
-from ._placed import Array, Pose, along, angles
+from ._contacts import Contact, base_frame, force_geometry, model_error, set_geometry_names
+from ._poses import Array, Pose, along, angles
 
 _NAME = "osim_contact_scale"
 
 
-def rigid(opensim: Any, model: Any, state: Any, moving: Sequence[Any], contacts: Sequence[Contact], up: Array) -> Any:
+def rigid_copy(
+    opensim: Any, model: Any, state: Any, moving: Sequence[Any], contacts: Sequence[Contact], up: Array
+) -> Any:
     """A new model: `moving`, the bodies that move up and down, in the pose of a state, and these contact forces.
 
     Raises
@@ -24,61 +26,68 @@ def rigid(opensim: Any, model: Any, state: Any, moving: Sequence[Any], contacts:
     ModelError
         A force has contact geometry that is neither a sphere nor a half-space.
     """
-    made = opensim.Model()
-    made.set_gravity(model.get_gravity())
-    bodies = {one.getAbsolutePathString(): _copy(opensim, one, f"body{number}") for number, one in enumerate(moving)}
-    carrier, start = _slide(opensim, made, bodies, moving[0], state, up)
-    for one in moving[1:]:
-        body, place = bodies[one.getAbsolutePathString()], Pose.in_ground(one, state).seen_from(start)
-        made.addBody(body)
-        at, turned = _vec3(opensim, place.origin_m), _vec3(opensim, angles(place.rotation))
+    copy = opensim.Model()
+    copy.set_gravity(model.get_gravity())
+    bodies = {
+        moving_body.getAbsolutePathString(): _copy_body(opensim, moving_body, f"body{number}")
+        for number, moving_body in enumerate(moving)
+    }
+    carrier, start = _add_slider(opensim, copy, bodies, moving[0], state, up)
+    for moving_body in moving[1:]:
+        body, place = bodies[moving_body.getAbsolutePathString()], Pose.in_ground(moving_body, state).seen_from(start)
+        copy.addBody(body)
+        position, orientation = _vec3(opensim, place.origin_m), _vec3(opensim, angles(place.rotation))
         none = opensim.Vec3(0)
-        made.addJoint(opensim.WeldJoint(f"{_NAME}_{body.getName()}", carrier, at, turned, body, none, none))
+        copy.addJoint(opensim.WeldJoint(f"{_NAME}_{body.getName()}", carrier, position, orientation, body, none, none))
     names: dict[str, str] = {}
     for contact in contacts:
         paths = []
-        for geometry in geometry_of(opensim, model, contact.force):
+        for geometry in force_geometry(opensim, model, contact.force):
             path = geometry.getAbsolutePathString()
             paths.append(path)
             if path not in names:
                 names[path] = f"geometry{len(names)}"
-                made.addContactGeometry(_geometry(opensim, made, geometry, names[path], bodies, state))
+                copy.addContactGeometry(_copy_geometry(opensim, copy, geometry, names[path], bodies, state))
         clone = contact.force.clone()
         clone.thisown = False  # The model owns it.
-        made.updForceSet().adoptAndAppend(clone)
-        name_geometry(opensim, clone, [names[path] for path in paths])
-    return made
+        copy.updForceSet().adoptAndAppend(clone)
+        set_geometry_names(opensim, clone, [names[path] for path in paths])
+    return copy
 
 
-def _copy(opensim: Any, body: Any, name: str) -> Any:
+def _copy_body(opensim: Any, body: Any, name: str) -> Any:
     return opensim.Body(name, body.getMass(), body.getMassCenter(), body.getInertia())
 
 
-def _slide(opensim: Any, made: Any, bodies: dict[str, Any], one: Any, state: Any, up: Array) -> tuple[Any, Pose]:
+def _add_slider(opensim: Any, copy: Any, bodies: dict[str, Any], first: Any, state: Any, up: Array) -> tuple[Any, Pose]:
     """Adds the body that the others are welded to, and its joint along `up`."""
-    body, start = bodies[one.getAbsolutePathString()], Pose.in_ground(one, state)
+    body, start = bodies[first.getAbsolutePathString()], Pose.in_ground(first, state)
     track = Pose(start.origin_m, along(up))
-    at, turned = _vec3(opensim, track.origin_m), _vec3(opensim, angles(track.rotation))
+    position, orientation = _vec3(opensim, track.origin_m), _vec3(opensim, angles(track.rotation))
     in_body = _vec3(opensim, angles(track.seen_from(start).rotation))
-    made.addBody(body)
-    made.addJoint(opensim.SliderJoint(f"{_NAME}_lift", made.getGround(), at, turned, body, opensim.Vec3(0), in_body))
+    copy.addBody(body)
+    copy.addJoint(
+        opensim.SliderJoint(f"{_NAME}_lift", copy.getGround(), position, orientation, body, opensim.Vec3(0), in_body)
+    )
     return body, start
 
 
-def _geometry(opensim: Any, made: Any, geometry: Any, name: str, bodies: dict[str, Any], state: Any) -> Any:
+def _copy_geometry(opensim: Any, copy: Any, geometry: Any, name: str, bodies: dict[str, Any], state: Any) -> Any:
     """The same sphere or half-space on a copy of its body, or on ground where that does not move."""
-    body, place = bodies.get(base_of(geometry).getAbsolutePathString()), Pose.of(geometry.getTransform())
+    body, place = bodies.get(base_frame(geometry).getAbsolutePathString()), Pose.of(geometry.getTransform())
     if body is None:
-        body, place = made.getGround(), Pose.in_ground(geometry.getFrame(), state).then(place)
+        body, place = copy.getGround(), Pose.in_ground(geometry.getFrame(), state).then(place)
     else:
         place = Pose.of(geometry.getFrame().findTransformInBaseFrame()).then(place)
-    at, turned = _vec3(opensim, place.origin_m), _vec3(opensim, angles(place.rotation))
+    position, orientation = _vec3(opensim, place.origin_m), _vec3(opensim, angles(place.rotation))
     sphere = opensim.ContactSphere.safeDownCast(geometry)
     if sphere is not None:
-        return opensim.ContactSphere(sphere.getRadius(), at, body, name)
+        return opensim.ContactSphere(sphere.getRadius(), position, body, name)
     if opensim.ContactHalfSpace.safeDownCast(geometry) is None:
-        raise refusal(f"{geometry.getName()} is a {geometry.getConcreteClassName()}: expected a sphere or a half-space")
-    return opensim.ContactHalfSpace(at, turned, body, name)
+        raise model_error(
+            f"{geometry.getName()} is a {geometry.getConcreteClassName()}: expected a sphere or a half-space"
+        )
+    return opensim.ContactHalfSpace(position, orientation, body, name)
 
 
 def _vec3(opensim: Any, values: Array) -> Any:

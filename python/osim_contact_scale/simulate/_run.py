@@ -8,18 +8,18 @@ from pathlib import Path
 from typing import Any
 
 from .._errors import RequestError
-from .._progress import following
+from .._progress import progress_callback
 from .._sweep import Sweep
 from .._text import printable
 from ..types import Progress, StrPath, TableLike
-from ._executors import executor_of
-from ._guard import refuse_within
-from ._join import joined, runs_of, write_tables
-from ._points import points_of, shard_of
-from ._queue import Again, Queue
+from ._executors import open_executor
+from ._guard import refuse_nested_run
+from ._join import join_outcomes, run_table, write_tables
+from ._points import read_points, select_shard
+from ._queue import Queue, RerunRule
 from ._results import Results
-from ._store import Store, known_in, rows_in
-from ._task import Function, task_of
+from ._store import Store, read_outcomes, read_statuses
+from ._task import Function, prepare_task
 
 
 def run(
@@ -77,30 +77,33 @@ def run(
     OutputError
         Results cannot be written. What was written is kept.
     """
-    refuse_within()
+    refuse_nested_run()
     _refuse_numbers(time_limit, workers)
-    wanted = points_of(points)
-    what = task_of(task)
-    what.refuse_other_columns(wanted[0].values)
-    wanted = shard_of(wanted, shard)
+    selected = read_points(points)
+    prepared_task = prepare_task(task)
+    prepared_task.check_columns(selected[0].values)
+    selected = select_shard(selected, shard)
     folder = Path(results).absolute()
-    known = known_in(folder)
-    if known and not resume:
+    statuses = read_statuses(folder)
+    if statuses and not resume:
         message = f"{printable(str(folder))} has results already: say resume=True to go on, or name another folder"
         raise RequestError("usage", message, keywords=("results", "resume"))
-    name = uuid.uuid4().hex
-    with executor_of(scheduler, workers, name) as executor, following(progress, "simulate", len(wanted)) as callback:
+    run_id = uuid.uuid4().hex
+    with (
+        open_executor(scheduler, workers, run_id) as executor,
+        progress_callback(progress, "simulate", len(selected)) as callback,
+    ):
         store = Store(folder)
-        again = Again(failed=retry_failed, time_limit=time_limit)
-        queue = Queue(name, executor, what, store, known, again, callback)
+        rerun = RerunRule(failed=retry_failed, time_limit=time_limit)
+        queue = Queue(run_id, executor, prepared_task, store, statuses, rerun, callback)
         try:
-            queue.do(wanted)
+            queue.simulate(selected)
         finally:
             store.flush()
     store.merge()
-    rows = rows_in(folder, set(queue.keys.values()))
-    table = joined(wanted, queue.keys, rows)
-    runs = runs_of(rows)
+    rows = read_outcomes(folder, set(queue.keys.values()))
+    table = join_outcomes(selected, queue.keys, rows)
+    runs = run_table(rows)
     if shard is None:
         write_tables(folder, table, runs)
     return Results(folder, table, runs)

@@ -10,15 +10,15 @@ from typing import Any
 import numpy as np
 
 from .._errors import ContactScaleError, ModelError
-from ._contacts import Contact, base_of, refusal, without_constant
-from ._placed import Array, Ball, Pose, vector
+from ._contacts import Contact, base_frame, forces_without_constant, model_error
+from ._poses import Array, Ball, Pose, vector
 
 #: How far a coordinate is moved to see what it does; in m, or in rad.
-_TRIAL = 0.1
+_TRIAL_STEP = 0.1
 #: Differences of places in m, and of directions, that are none.
-_NONE = 1e-9
+_TOLERANCE = 1e-9
 #: How far a half-space may be from level, in rad. A right angle is written as 1.5708 in some models.
-_LEVEL = 1e-3
+_MAX_SLOPE = 1e-3
 
 
 def quiet_opensim() -> Any:
@@ -32,7 +32,7 @@ def quiet_opensim() -> Any:
 
 
 @contextmanager
-def errors_of(path: str, doing: str) -> Iterator[None]:
+def model_errors(path: str, doing: str) -> Iterator[None]:
     """Names the file in errors about it; OpenSim's exceptions are of many kinds."""
     try:
         yield
@@ -45,7 +45,7 @@ def errors_of(path: str, doing: str) -> Iterator[None]:
         raise ModelError("simulation", f"OpenSim could not {doing}: {reason}", path=path) from error
 
 
-def opened(opensim: Any, path: str) -> Any:
+def open_model(opensim: Any, path: str) -> Any:
     """The model of a file.
 
     Raises
@@ -53,7 +53,7 @@ def opened(opensim: Any, path: str) -> Any:
     ModelError
         OpenSim cannot read it, or not connect its parts.
     """
-    with errors_of(path, "read this model"):
+    with model_errors(path, "read this model"):
         model = opensim.Model(os.path.abspath(path))
         model.finalizeConnections()
     return model
@@ -72,15 +72,15 @@ class Scene:
 
     def __init__(self, opensim: Any, model: Any, contacts: Sequence[Contact]) -> None:
         self.opensim, self.model, self.contacts = opensim, model, contacts
-        self.gravity_m_s2, self.up = _up(model)
+        self.gravity_m_s2, self.up = _gravity_and_up(model)
         self._up = tuple(map(float, self.up))
         self.state = model.initSystem()
         model.realizePosition(self.state)
-        self.lift, self.per_metre, self.moving = self._lifting()
+        self.lift, self.per_metre, self.moving = self._find_lift()
         self.mass_kg = float(sum(body.getMass() for body in self.moving))
         if not self.mass_kg > 0:
-            raise refusal("the bodies that the contact spheres are on have no mass")
-        self.balls = self._balls()
+            raise model_error("the bodies that the contact spheres are on have no mass")
+        self.balls = self._find_balls()
 
     @property
     def weight_n(self) -> float:
@@ -117,9 +117,9 @@ class Scene:
         self.model.realizeDynamics(state)
         total = sum(contact.force_n(state, self._up) for contact in self.contacts)
         if not np.isfinite(total):
-            zero = ", ".join(without_constant(self.contacts))
+            zero = ", ".join(forces_without_constant(self.contacts))
             why = f": constant_contact_force is 0, and nothing slips (in {zero})" if zero else ""
-            raise refusal(f"OpenSim's contact force is not a number{why}")
+            raise model_error(f"OpenSim's contact force is not a number{why}")
         return total
 
     def speed_m_s(self, state: Any) -> float:
@@ -135,89 +135,93 @@ class Scene:
             - self.balls[0].level_m
         )
 
-    def _mean(self, of_body: Callable[[Any], Any]) -> float:
+    def _mean(self, body_vector: Callable[[Any], Any]) -> float:
         """Of a vector of each body, upwards, weighted by mass."""
-        parts = (body.getMass() * float(vector(of_body(body)) @ self.up) for body in self.moving)
+        parts = (body.getMass() * float(vector(body_vector(body)) @ self.up) for body in self.moving)
         return float(sum(parts)) / self.mass_kg
 
     def place(self, state: Any, height_m: float) -> None:
         """Puts the lowest point of the lowest sphere at a height above the ground; the pose stays."""
         self.lift.setLocked(state, False)
-        away = height_m - self.lowest_m(state)
-        self.lift.setValue(state, self.lift.getValue(state) + away * self.per_metre, False)
+        distance = height_m - self.lowest_m(state)
+        self.lift.setValue(state, self.lift.getValue(state) + distance * self.per_metre, False)
         # A copy of a state that is not realized may keep where frames were before.
         self.model.realizePosition(state)
 
-    def _lifting(self) -> tuple[Any, float, list[Any]]:
+    def _find_lift(self) -> tuple[Any, float, list[Any]]:
         """The coordinate that lifts all spheres straight up, how much of it lifts them by 1 m, and the bodies that it lifts."""
-        bodies = _bodies(self.opensim, self.model)
+        bodies = _all_bodies(self.opensim, self.model)
         before = [Pose.in_ground(body, self.state) for body in bodies]
-        on = {base_of(sphere).getAbsolutePathString() for contact in self.contacts for sphere in contact.spheres}
+        sphere_bodies = {
+            base_frame(sphere).getAbsolutePathString() for contact in self.contacts for sphere in contact.spheres
+        }
         coordinates = self.model.getCoordinateSet()
         for place in range(coordinates.getSize()):
             coordinate = coordinates.get(place)
-            after = self._tried(coordinate, bodies)
+            after = self._poses_after_trial(coordinate, bodies)
             moved = [number for number, poses in enumerate(zip(before, after)) if _is_moved(*poses)]
-            carries = any(bodies[number].getAbsolutePathString() in on for number in moved)
+            carries = any(bodies[number].getAbsolutePathString() in sphere_bodies for number in moved)
             risen = _risen([(before[number], after[number]) for number in moved], self.up) if carries else None
             if risen is not None:
-                return coordinate, _TRIAL / risen, [bodies[number] for number in moved]
+                return coordinate, _TRIAL_STEP / risen, [bodies[number] for number in moved]
         expected = "expected a joint between ground and the body that leaves it free to move up and down"
-        raise refusal(f"no coordinate lifts the contact spheres straight against gravity: {expected}")
+        raise model_error(f"no coordinate lifts the contact spheres straight against gravity: {expected}")
 
-    def _tried(self, coordinate: Any, bodies: Sequence[Any]) -> list[Pose]:
+    def _poses_after_trial(self, coordinate: Any, bodies: Sequence[Any]) -> list[Pose]:
         """Where bodies are with this coordinate changed."""
         trial = self.opensim.State(self.state)
         coordinate.setLocked(trial, False)
-        coordinate.setValue(trial, coordinate.getValue(trial) + _TRIAL, False)
+        coordinate.setValue(trial, coordinate.getValue(trial) + _TRIAL_STEP, False)
         self.model.realizePosition(trial)
         return [Pose.in_ground(body, trial) for body in bodies]
 
-    def _balls(self) -> list[Ball]:
+    def _find_balls(self) -> list[Ball]:
         """The spheres, each once, above ground that does not move."""
         moving = {body.getAbsolutePathString() for body in self.moving}
         balls: dict[str, Ball] = {}
         for contact in self.contacts:
-            floors = [floor for floor in contact.floors if base_of(floor).getAbsolutePathString() not in moving]
+            floors = [floor for floor in contact.floors if base_frame(floor).getAbsolutePathString() not in moving]
             for sphere in contact.spheres:
-                if not floors or base_of(sphere).getAbsolutePathString() not in moving:
+                if not floors or base_frame(sphere).getAbsolutePathString() not in moving:
                     names = f"the sphere {sphere.getName()} of {contact.force.getName()}"
-                    raise refusal(
+                    raise model_error(
                         f"{names} is not on the body that moves, above a half-space that does not: select others"
                     )
                 for floor in floors:
                     ball = Ball(self.opensim, sphere, floor, self.state)
-                    self._refuse_slope(ball)
-                    known = balls.setdefault(sphere.getAbsolutePathString(), ball)
-                    if abs(known.height_m(self.state) - ball.height_m(self.state)) > _NONE:
-                        raise refusal(
+                    self._check_level(ball)
+                    first_ball = balls.setdefault(sphere.getAbsolutePathString(), ball)
+                    if abs(first_ball.height_m(self.state) - ball.height_m(self.state)) > _TOLERANCE:
+                        raise model_error(
                             f"the sphere {ball.name} meets half-spaces at different heights: select forces of one"
                         )
         return list(balls.values())
 
-    def _refuse_slope(self, ball: Ball) -> None:
-        if np.linalg.norm(ball.normal - self.up) > _LEVEL:
-            raise refusal(f"the half-space below {ball.name} is not level: its direction up must be against gravity")
+    def _check_level(self, ball: Ball) -> None:
+        if np.linalg.norm(ball.normal - self.up) > _MAX_SLOPE:
+            raise model_error(
+                f"the half-space below {ball.name} is not level: its direction up must be against gravity"
+            )
 
 
-def _up(model: Any) -> tuple[float, Array]:
+def _gravity_and_up(model: Any) -> tuple[float, Array]:
     """g, and the direction against it."""
     gravity = vector(model.get_gravity())
     size = float(np.linalg.norm(gravity))
     if not size > 0:
-        raise refusal("gravity is 0: nothing falls, and nothing has a weight")
+        raise model_error("gravity is 0: nothing falls, and nothing has a weight")
     return size, -gravity / size
 
 
-def _bodies(opensim: Any, model: Any) -> list[Any]:
+def _all_bodies(opensim: Any, model: Any) -> list[Any]:
     """All bodies; of a loop, OpenSim divides one, and its parts are within it."""
-    found = [one for one in map(opensim.Body.safeDownCast, list(model.getComponentsList())) if one is not None]
-    return [one for one in found if one.getOwner().getConcreteClassName() != "Body"]
+    bodies = [body for body in map(opensim.Body.safeDownCast, list(model.getComponentsList())) if body is not None]
+    return [body for body in bodies if body.getOwner().getConcreteClassName() != "Body"]
 
 
 def _is_moved(before: Pose, after: Pose) -> bool:
     moved, turned = after.origin_m - before.origin_m, after.rotation - before.rotation
-    return float(np.abs(moved).max()) > _NONE or float(np.abs(turned).max()) > _NONE
+    return float(np.abs(moved).max()) > _TOLERANCE or float(np.abs(turned).max()) > _TOLERANCE
 
 
 def _risen(poses: Sequence[tuple[Pose, Pose]], up: Array) -> float | None:
@@ -225,4 +229,4 @@ def _risen(poses: Sequence[tuple[Pose, Pose]], up: Array) -> float | None:
     moves = np.array([after.origin_m - before.origin_m for before, after in poses])
     turned = max(float(np.abs(after.rotation - before.rotation).max()) for before, after in poses)
     risen = float(moves[0] @ up)
-    return risen if turned <= _NONE and float(np.abs(moves - risen * up).max()) <= _NONE else None
+    return risen if turned <= _TOLERANCE and float(np.abs(moves - risen * up).max()) <= _TOLERANCE else None

@@ -20,13 +20,13 @@ from contextlib import suppress
 
 from .._text import printable
 from ._child import simulate
-from ._frames import Pieces, receive, send
+from ._error_text import describe_error
 from ._job import Job, Outcome
 from ._loaded import Loaded
-from ._why import why
+from ._messages import MessageBuffer, receive, send
 
 #: Seconds after which it is looked whether a process has died whose pipe another one keeps open.
-_LOOK = 0.2
+_POLL_SECONDS = 0.2
 
 
 def main(arguments: list[str]) -> None:
@@ -42,7 +42,7 @@ def main(arguments: list[str]) -> None:
             return
         while True:
             job: Job = receive(requests)
-            send(answers, _in_a_copy(job, loaded, requests, answers))
+            send(answers, _run_in_copy(job, loaded, requests, answers))
 
 
 def _take_pipes() -> tuple[int, int]:
@@ -64,7 +64,7 @@ def _once(requests: int, answers: int, loaded: Loaded) -> None:
     send(answers, outcome)
 
 
-def _in_a_copy(job: Job, loaded: Loaded, requests: int, answers: int) -> Outcome:
+def _run_in_copy(job: Job, loaded: Loaded, requests: int, answers: int) -> Outcome:
     """Does a job in a copy of this process."""
     # The task is loaded here: copies have it, and its modules, already.
     loaded.task(job)
@@ -74,25 +74,25 @@ def _in_a_copy(job: Job, loaded: Loaded, requests: int, answers: int) -> Outcome
         return Outcome(job.key, "refused", f"no temporary folder can be made: {error.strerror}")
     begin = time.perf_counter()
     try:
-        outcome = _watched(job, loaded, folder, requests, answers)
+        outcome = _run_watched(job, loaded, folder, requests, answers)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
     outcome.process_seconds = time.perf_counter() - begin
     return outcome
 
 
-def _watched(job: Job, loaded: Loaded, folder: str, requests: int, answers: int) -> Outcome:
+def _run_watched(job: Job, loaded: Loaded, folder: str, requests: int, answers: int) -> Outcome:
     reading, writing = os.pipe()
     parent = os.getpid()
     child = os.fork()
     if child == 0:
-        _be_the_copy(job, loaded, folder, (requests, reading, answers), writing, parent)
+        _run_as_copy(job, loaded, folder, (requests, reading, answers), writing, parent)
     os.close(writing)
     # Here as there: which of the two comes first is not known, and both come before it is ended.
     with suppress(OSError):
         os.setpgid(child, child)
     try:
-        pieces, ended_by = _wait(child, reading, requests, job.time_limit)
+        pieces, ended_by = _wait_for_outcome(child, reading, requests, job.time_limit)
     finally:
         os.close(reading)
         # Its whole group: programs that it started, too. Where the child is dead already, its group may still be there.
@@ -102,40 +102,40 @@ def _watched(job: Job, loaded: Loaded, folder: str, requests: int, answers: int)
         _, status, usage = os.wait4(child, 0)
     if ended_by == "input":
         sys.exit(0)
-    if pieces.whole():
-        outcome = _message(job, pieces)
+    if pieces.is_complete():
+        outcome = _read_outcome(job, pieces)
     elif ended_by == "time limit":
         outcome = Outcome(job.key, "time limit", f"it did not end within {job.time_limit:g} s")
     else:
-        outcome = Outcome(job.key, "crashed", f"its process died: {_how(status)}{_last_words(folder)}")
+        outcome = Outcome(job.key, "crashed", f"its process died: {_exit_text(status)}{_last_line(folder)}")
     # Linux counts in kilobytes, macOS in bytes.
     outcome.memory_mb = usage.ru_maxrss / (1e6 if sys.platform == "darwin" else 1e3)
     return outcome
 
 
-def _message(job: Job, pieces: Pieces) -> Outcome:
+def _read_outcome(job: Job, pieces: MessageBuffer) -> Outcome:
     try:
-        outcome: Outcome = pieces.message()
+        outcome: Outcome = pieces.take_message()
     except Exception:
         # Two processes wrote into the pipe: the task copied itself, and both went on.
         return Outcome(job.key, "crashed", "its answer cannot be read: did the task copy its process?")
     return outcome
 
 
-def _wait(child: int, reading: int, requests: int, limit: float | None) -> tuple[Pieces, str]:
+def _wait_for_outcome(child: int, reading: int, requests: int, limit: float | None) -> tuple[MessageBuffer, str]:
     """Until there is an outcome, or none will come: which of `outcome`, `death`, `time limit`, `input` it was."""
-    pieces = Pieces()
+    pieces = MessageBuffer()
     until = None if limit is None else time.monotonic() + limit
     with selectors.DefaultSelector() as selector:
         selector.register(reading, selectors.EVENT_READ)
         selector.register(requests, selectors.EVENT_READ)
         while True:
-            left = _LOOK if until is None else max(0.0, min(_LOOK, until - time.monotonic()))
-            ready = {key.fd for key, _ in selector.select(left)}
+            timeout = _POLL_SECONDS if until is None else max(0.0, min(_POLL_SECONDS, until - time.monotonic()))
+            ready = {key.fd for key, _ in selector.select(timeout)}
             if reading in ready:
                 piece = os.read(reading, 1 << 20)
                 pieces.add(piece)
-                if pieces.whole():
+                if pieces.is_complete():
                     return pieces, "outcome"
                 if not piece:
                     return pieces, "death"
@@ -143,29 +143,29 @@ def _wait(child: int, reading: int, requests: int, limit: float | None) -> tuple
                 # A worker asks for nothing before it has its answer: this is the end of its pipe.
                 return pieces, "input"
             elif os.waitid(os.P_PID, child, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None:
-                return pieces, _rest(selector, reading, pieces)
+                return pieces, _read_remaining(selector, reading, pieces)
             if until is not None and time.monotonic() >= until:
                 return pieces, "time limit"
 
 
-def _rest(selector: selectors.BaseSelector, reading: int, pieces: Pieces) -> str:
+def _read_remaining(selector: selectors.BaseSelector, reading: int, pieces: MessageBuffer) -> str:
     """What a copy that has ended left in its pipe, as far as it is there: another process may keep the pipe open."""
     while reading in {key.fd for key, _ in selector.select(0)}:
         piece = os.read(reading, 1 << 20)
         pieces.add(piece)
-        if pieces.whole():
+        if pieces.is_complete():
             return "outcome"
         if not piece:
             break
     return "death"
 
 
-def _be_the_copy(job: Job, loaded: Loaded, folder: str, others: tuple[int, ...], writing: int, parent: int) -> None:
+def _run_as_copy(job: Job, loaded: Loaded, folder: str, others: tuple[int, ...], writing: int, parent: int) -> None:
     """Does the job and ends, whatever happens."""
     try:
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
         os.setpgid(0, 0)
-        _end_with(parent)
+        _die_with_parent(parent)
         for descriptor in others:
             os.close(descriptor)
         printed = os.open(os.path.join(folder, _PRINTED), os.O_WRONLY | os.O_CREAT | os.O_APPEND)
@@ -177,7 +177,7 @@ def _be_the_copy(job: Job, loaded: Loaded, folder: str, others: tuple[int, ...],
         send(writing, simulate(job, loaded, folder=work))
     except BaseException as error:
         with suppress(OSError):
-            send(writing, Outcome(job.key, "failed", why(error, folder)))
+            send(writing, Outcome(job.key, "failed", describe_error(error, folder)))
     finally:
         # Not sys.exit(): what the server registered for its end is not the copy's.
         os._exit(0)
@@ -187,7 +187,7 @@ def _be_the_copy(job: Job, loaded: Loaded, folder: str, others: tuple[int, ...],
 _PRINTED = "printed.txt"
 
 
-def _end_with(parent: int) -> None:
+def _die_with_parent(parent: int) -> None:
     """Linux ends the copy with its server, also if the server is killed; elsewhere the copy runs to its own end."""
     if sys.platform == "linux":
         import ctypes
@@ -198,7 +198,7 @@ def _end_with(parent: int) -> None:
             os._exit(0)
 
 
-def _how(status: int) -> str:
+def _exit_text(status: int) -> str:
     code = os.waitstatus_to_exitcode(status)
     if code >= 0:
         return f"exit status {code}"
@@ -208,7 +208,7 @@ def _how(status: int) -> str:
         return f"signal {-code}"
 
 
-def _last_words(folder: str) -> str:
+def _last_line(folder: str) -> str:
     """The last line that it printed."""
     try:
         with open(os.path.join(folder, _PRINTED), errors="replace") as file:

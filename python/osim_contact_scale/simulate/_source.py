@@ -20,10 +20,10 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from .._errors import RequestError
-from ._values import parts_of_value
+from ._values import describe_value
 
 #: What says where a module is, and nothing of what it does.
-_OF_EVERY_MODULE = {"__builtins__", "__file__", "__name__", "__package__", "__spec__"}
+_MODULE_ATTRIBUTES = {"__builtins__", "__file__", "__name__", "__package__", "__spec__"}
 
 #: What the standard library notes about a class under a name of one underscore.
 _NOTES = {"_abc_impl", "_field_defaults", "_fields"}
@@ -41,44 +41,47 @@ class Source:
     """
 
     def __init__(self, call: Any) -> None:
-        self._seen: dict[int, int] = {}
+        self._numbers_by_id: dict[int, int] = {}
         # Objects that are made on the way must live as long as their numbers are remembered.
-        self._kept: list[Any] = []
+        self._kept_alive: list[Any] = []
         self.modules: list[str] = []
-        text = json.dumps(self._of(call, "the task"), sort_keys=True)
+        text = json.dumps(self._describe(call, "the task"), sort_keys=True)
         self.digest = hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
 
-    def _of(self, value: Any, name: str) -> Any:
+    def _describe(self, value: Any, name: str) -> Any:
         """A nested list of texts that is the same for the same thing in every process."""
-        plain = parts_of_value(value)
+        plain = describe_value(value)
         if plain is not None:
             return plain
-        if id(value) in self._seen:
-            return ["above", self._seen[id(value)]]
-        self._seen[id(value)] = len(self._seen)
-        self._kept.append(value)
+        if id(value) in self._numbers_by_id:
+            return ["above", self._numbers_by_id[id(value)]]
+        self._numbers_by_id[id(value)] = len(self._numbers_by_id)
+        self._kept_alive.append(value)
         if isinstance(value, types.ModuleType):
             return ["module", value.__name__]
         if isinstance(value, types.BuiltinFunctionType):
             return ["built in", value.__module__, value.__qualname__]
         if isinstance(value, types.FunctionType):
-            return self._function(value, name) if self._is_yours(value) else _named(value)
+            return self._function(value, name) if self._is_yours(value) else _describe_installed(value)
         if isinstance(value, type):
-            return self._class(value, name) if self._is_yours(value) else _named(value)
+            return self._class(value, name) if self._is_yours(value) else _describe_installed(value)
         if isinstance(value, functools.partial):
-            return ["partial", self._of([value.func, value.args, value.keywords], name)]
+            return ["partial", self._describe([value.func, value.args, value.keywords], name)]
         if isinstance(value, types.MethodType):
-            return ["method", self._of([value.__func__, value.__self__], name)]
+            return ["method", self._describe([value.__func__, value.__self__], name)]
         if isinstance(value, (staticmethod, classmethod)):
-            return [type(value).__name__, self._of(value.__func__, name)]
+            return [type(value).__name__, self._describe(value.__func__, name)]
         if isinstance(value, property):
-            return ["property", self._of([value.fget, value.fset], name)]
+            return ["property", self._describe([value.fget, value.fset], name)]
         if isinstance(value, Mapping):
-            return ["mapping", _sorted([self._of(key, name), self._of(item, name)] for key, item in value.items())]
+            return [
+                "mapping",
+                _sorted([self._describe(key, name), self._describe(item, name)] for key, item in value.items()),
+            ]
         if isinstance(value, (set, frozenset)):
-            return ["set", _sorted(self._of(item, name) for item in value)]
+            return ["set", _sorted(self._describe(item, name) for item in value)]
         if isinstance(value, (list, tuple)):
-            return [type(value).__name__, [self._of(item, name) for item in value]]
+            return [type(value).__name__, [self._describe(item, name) for item in value]]
         return self._object(value, name)
 
     def _function(self, function: types.FunctionType, name: str) -> Any:
@@ -86,22 +89,22 @@ class Source:
         parts: list[Any] = ["function", self._code(code)]
         cells = [] if function.__closure__ is None else [_content(cell) for cell in function.__closure__]
         parts += [
-            self._of([function.__defaults__, function.__kwdefaults__], f"a default of {function.__qualname__}"),
-            [self._of(cell, used) for used, cell in zip(code.co_freevars, cells)],
-            self._of(function.__dict__, f"an attribute of {function.__qualname__}"),
+            self._describe([function.__defaults__, function.__kwdefaults__], f"a default of {function.__qualname__}"),
+            [self._describe(cell, global_names) for global_names, cell in zip(code.co_freevars, cells)],
+            self._describe(function.__dict__, f"an attribute of {function.__qualname__}"),
         ]
         instructions = list(_instructions(code))
-        used = {item.argval for item in instructions if item.opname in ("LOAD_GLOBAL", "LOAD_NAME")}
+        global_names = {item.argval for item in instructions if item.opname in ("LOAD_GLOBAL", "LOAD_NAME")}
         attributes = {
             item.argval for item in instructions if item.opname in ("LOAD_ATTR", "LOAD_METHOD", "IMPORT_FROM")
         }
-        for used_name in sorted(used & function.__globals__.keys() - _OF_EVERY_MODULE):
+        for used_name in sorted(global_names & function.__globals__.keys() - _MODULE_ATTRIBUTES):
             parts.append([used_name, self._global(function.__globals__[used_name], used_name, attributes)])
         return parts
 
     def _code(self, code: types.CodeType) -> Any:
         constants = [
-            self._code(item) if isinstance(item, types.CodeType) else self._of(item, "a constant")
+            self._code(item) if isinstance(item, types.CodeType) else self._describe(item, "a constant")
             for item in code.co_consts
         ]
         return [code.co_code.hex(), list(code.co_names), constants]
@@ -110,13 +113,13 @@ class Source:
         """Of a module of yours, what is named; of all else, what it is."""
         if isinstance(value, types.ModuleType) and self._is_yours(value):
             members = vars(value)
-            return [[used, self._of(members[used], used)] for used in sorted(attributes) if used in members]
-        return self._of(value, name)
+            return [[used, self._describe(members[used], used)] for used in sorted(attributes) if used in members]
+        return self._describe(value, name)
 
     def _class(self, kind: type, name: str) -> Any:
-        members = {member: value for member, value in vars(kind).items() if not _is_made(member, value)}
-        bases = [self._of(base, name) for base in kind.__bases__]
-        return ["class", kind.__qualname__, bases, self._of(members, f"an attribute of {kind.__qualname__}")]
+        members = {member: value for member, value in vars(kind).items() if not _is_generated(member, value)}
+        bases = [self._describe(base, name) for base in kind.__bases__]
+        return ["class", kind.__qualname__, bases, self._describe(members, f"an attribute of {kind.__qualname__}")]
 
     def _object(self, value: Any, name: str) -> Any:
         try:
@@ -125,8 +128,8 @@ class Source:
         except Exception:
             state = None
         if not isinstance(state, tuple) or " at 0x" in repr(state[1:2]):
-            raise _needs_version(f"{name} is {type(value).__name__}, which cannot be compared")
-        return ["object", self._of(type(value), name), self._of(list(state[1:3]), name)]
+            raise _needs_version_error(f"{name} is {type(value).__name__}, which cannot be compared")
+        return ["object", self._describe(type(value), name), self._describe(list(state[1:3]), name)]
 
     def _is_yours(self, value: Any) -> bool:
         """Whether it is of a module that is neither installed nor Python's."""
@@ -135,18 +138,25 @@ class Source:
         if name is None or module is None:
             return True
         file = getattr(module, "__file__", None)
-        yours = name == "__main__" or (file is not None and not os.path.realpath(file).startswith(installed()))
-        if yours and name not in self.modules:
+        is_yours = name == "__main__" or (
+            file is not None and not os.path.realpath(file).startswith(installed_folders())
+        )
+        if is_yours and name not in self.modules:
             self.modules.append(name)
-        return yours
+        return is_yours
 
 
 @functools.cache
-def installed() -> tuple[str, ...]:
+def installed_folders() -> tuple[str, ...]:
     """Folders of Python and of what was installed, and of this package."""
-    own = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    package = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     names = ("stdlib", "platstdlib", "purelib", "platlib")
-    folders = [own, site.getusersitepackages(), *site.getsitepackages(), *(sysconfig.get_path(name) for name in names)]
+    folders = [
+        package,
+        site.getusersitepackages(),
+        *site.getsitepackages(),
+        *(sysconfig.get_path(name) for name in names),
+    ]
     return tuple(os.path.realpath(folder) + os.sep for folder in folders)
 
 
@@ -158,11 +168,11 @@ def _instructions(code: types.CodeType) -> Iterator[dis.Instruction]:
             yield from _instructions(constant)
 
 
-def _is_made(member: str, value: Any) -> bool:
+def _is_generated(member: str, value: Any) -> bool:
     """Whether Python or a decorator such as `dataclass` made it of what the class has otherwise."""
     if isinstance(value, types.FunctionType):
-        made: bool = inspect.unwrap(value).__code__.co_filename == "<string>"
-        return made
+        is_generated: bool = inspect.unwrap(value).__code__.co_filename == "<string>"
+        return is_generated
     if isinstance(value, (types.MemberDescriptorType, types.GetSetDescriptorType)):
         return True
     # Notes that Python keeps about a class; some come only when it is used.
@@ -180,7 +190,7 @@ def _content(cell: types.CellType) -> Any:
         return None  # Not filled yet.
 
 
-def _named(value: Any) -> list[str]:
+def _describe_installed(value: Any) -> list[str]:
     return ["installed", value.__module__ or "", value.__qualname__]
 
 
@@ -188,7 +198,7 @@ def _sorted(items: Iterable[Any]) -> list[Any]:
     return sorted(items, key=lambda item: json.dumps(item, sort_keys=True))
 
 
-def _needs_version(message: str) -> RequestError:
+def _needs_version_error(message: str) -> RequestError:
     return RequestError(
         "usage",
         f"{message}: say simulate.Function(..., version=...), and another version when it changes",

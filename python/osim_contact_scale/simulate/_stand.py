@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
-from ._contacts import chosen
-from ._rest import resting_height
-from ._scene import Scene, errors_of, opened, quiet_opensim
-from ._words import patterns
+from ._contacts import selected_contacts
+from ._resting_height import resting_height
+from ._scene import Scene, model_errors, open_model, quiet_opensim
+from ._settings import as_patterns
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Stand:
     select: str | tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "select", patterns(self.select))
+        object.__setattr__(self, "select", as_patterns(self.select))
 
     def __call__(self, path: str) -> tuple[dict[str, float | None], dict[str, list[float]]]:
         """Places the model of a file: figures, and lists with one value for each sphere, in the order of the forces.
@@ -44,12 +44,12 @@ class Stand:
             down, contact forces that are not a number or never carry the weight.
         """
         opensim = quiet_opensim()
-        with errors_of(path, "place this model"):
-            model = opened(opensim, path)
-            return _placed(Scene(opensim, model, chosen(opensim, model, self.select)))
+        with model_errors(path, "place this model"):
+            model = open_model(opensim, path)
+            return _stand_figures(Scene(opensim, model, selected_contacts(opensim, model, self.select)))
 
 
-def _placed(scene: Scene) -> tuple[dict[str, float | None], dict[str, list[float]]]:
+def _stand_figures(scene: Scene) -> tuple[dict[str, float | None], dict[str, list[float]]]:
     start = scene.lowest_m(scene.state)
     height = resting_height(scene, scene.state)
     depths = [-value for value in scene.heights_m(scene.state)]

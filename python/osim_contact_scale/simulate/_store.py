@@ -25,14 +25,14 @@ import pyarrow.parquet as pq
 
 from .._errors import OutputError
 from .._text import printable
-from ._job import Known, Outcome
+from ._job import Outcome, RowStatus
 
 log = logging.getLogger("osim_contact_scale")
 
 #: Seconds after which rows go to the disk.
-SOON = 1.0
+FLUSH_SECONDS = 1.0
 #: Rows that are never kept back.
-MANY = 1000
+FLUSH_ROWS = 1000
 
 PARTS = "parts"
 _SERIES = ".series.parquet"
@@ -76,12 +76,12 @@ class Store:
         if not self._waiting:
             self._since = time.monotonic()
         self._waiting.append(outcome)
-        if len(self._waiting) >= MANY:
+        if len(self._waiting) >= FLUSH_ROWS:
             self.flush()
 
     def is_due(self) -> bool:
         """Whether rows wait for long enough."""
-        return bool(self._waiting) and time.monotonic() - self._since >= SOON
+        return bool(self._waiting) and time.monotonic() - self._since >= FLUSH_SECONDS
 
     def flush(self) -> None:
         """Writes what waits, as a whole part.
@@ -119,9 +119,9 @@ class Store:
         for kind in (_SERIES, _ROWS):
             paths = [path for name in names if (path := self.parts / (name + kind)).exists()]
             if len(paths) > 1:
-                whole = pa.concat_tables([pq.read_table(path) for path in paths], promote_options="default")
+                merged = pa.concat_tables([pq.read_table(path) for path in paths], promote_options="default")
                 # For a moment both files have the rows; there is no moment without them.
-                self._write(self._run + kind, whole.unify_dictionaries())
+                self._write(self._run + kind, merged.unify_dictionaries())
                 for path in paths:
                     path.unlink()
 
@@ -185,57 +185,57 @@ def _series_table(rows: Iterable[Outcome]) -> pa.Table | None:
     return pa.concat_tables(tables, promote_options="default").unify_dictionaries() if tables else None
 
 
-def known_in(folder: Path) -> dict[str, Known]:
+def read_statuses(folder: Path) -> dict[str, RowStatus]:
     """The outcomes of the rows that are there, by their keys; of two with one key the better one.
 
     Without their numbers: each job of an array asks, and there may be millions.
     """
-    found: dict[str, Known] = {}
-    for table in _tables(folder, _ROWS, columns=["key", "status", "time_limit"]):
+    statuses: dict[str, RowStatus] = {}
+    for table in _part_tables(folder, _ROWS, columns=["key", "status", "time_limit"]):
         for key, status, limit in zip(*(table[name].to_pylist() for name in ("key", "status", "time_limit"))):
-            if key not in found or found[key].status != "done":
-                found[key] = Known(status, limit)
-    return found
+            if key not in statuses or statuses[key].status != "done":
+                statuses[key] = RowStatus(status, limit)
+    return statuses
 
 
-def rows_in(folder: Path, keys: Container[str]) -> dict[str, Outcome]:
+def read_outcomes(folder: Path, keys: Container[str]) -> dict[str, Outcome]:
     """The rows with these keys; of two with one key the better one."""
-    found: dict[str, Outcome] = {}
-    for table in _tables(folder, _ROWS, schema=_ROW_SCHEMA):
-        for batch in table.to_batches(MANY):
+    outcomes: dict[str, Outcome] = {}
+    for table in _part_tables(folder, _ROWS, schema=_ROW_SCHEMA):
+        for batch in table.to_batches(FLUSH_ROWS):
             for record in batch.to_pylist():
                 key = record["key"]
-                if key in keys and (key not in found or found[key].status != "done"):
-                    found[key] = Outcome(**{**record, "numbers": json.loads(record["numbers"])})
-    return found
+                if key in keys and (key not in outcomes or outcomes[key].status != "done"):
+                    outcomes[key] = Outcome(**{**record, "numbers": json.loads(record["numbers"])})
+    return outcomes
 
 
-def series_in(folder: Path, key: str) -> pd.DataFrame | None:
+def read_series(folder: Path, key: str) -> pd.DataFrame | None:
     """The series of one row; None if it has none."""
-    for table in _tables(folder, _SERIES, filters=[("key", "=", key)]):
+    for table in _part_tables(folder, _SERIES, filters=[("key", "=", key)]):
         if table.num_rows:
             # Other rows of this part may have other series. A series that is not a number has values all the same: they are no nulls.
-            own = [name for name in table.column_names if name != "key" and table[name].null_count < table.num_rows]
-            frame: pd.DataFrame = table.select(own).to_pandas()
+            names = [name for name in table.column_names if name != "key" and table[name].null_count < table.num_rows]
+            frame: pd.DataFrame = table.select(names).to_pandas()
             return frame
     return None
 
 
-def _tables(folder: Path, kind: str, **options: Any) -> Iterator[pa.Table]:
+def _part_tables(folder: Path, kind: str, **options: Any) -> Iterator[pa.Table]:
     """What is in the parts, while other runs may write and merge theirs."""
-    read: set[Path] = set()
+    read_paths: set[Path] = set()
     while True:
-        paths = set((folder / PARTS).glob(f"*{kind}")) - read
+        paths = set((folder / PARTS).glob(f"*{kind}")) - read_paths
         if not paths:
             return
         for path in sorted(paths):
-            read.add(path)
+            read_paths.add(path)
             try:
                 table = pq.read_table(path, **options)
             except FileNotFoundError:
                 continue  # It was merged since, and the next round finds where to.
             except (pa.ArrowException, OSError) as error:
-                why = printable(str(error).splitlines()[0])
-                log.warning("%s is left out, its rows are simulated again: %s", printable(str(path)), why)
+                reason = printable(str(error).splitlines()[0])
+                log.warning("%s is left out, its rows are simulated again: %s", printable(str(path)), reason)
                 continue
             yield table

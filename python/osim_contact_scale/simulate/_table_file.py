@@ -9,15 +9,15 @@ from typing import Any
 
 from .._cells import from_cell
 from .._errors import RequestError
-from .._sweep import number
+from .._sweep import number_or_text
 from .._text import printable
 
 #: A whole number as it is written; what begins with 0 is the name of a subject, and what is longer would lose digits as a float.
-_WHOLE = re.compile(r"-?(0|[1-9]\d{0,17})")
+_WHOLE_NUMBER = re.compile(r"-?(0|[1-9]\d{0,17})")
 _LOOKS_WHOLE = re.compile(r"[-+]?\d+")
 
 
-def rows_of_file(path: Path) -> list[dict[str, Any]]:
+def read_rows(path: Path) -> list[dict[str, Any]]:
     """The rows of a file of CSV: numbers, true and false, texts, and None where a cell is empty.
 
     Raises
@@ -27,39 +27,39 @@ def rows_of_file(path: Path) -> list[dict[str, Any]]:
     OSError
         It cannot be read.
     """
-    printed = printable(str(path))
+    printed_name = printable(str(path))
     try:
         with open(path, newline="", encoding="utf-8-sig") as file:
             lines = list(csv.reader(file))
     except UnicodeDecodeError:
-        raise _wrong(f"{printed}: it is not in UTF-8: save it as CSV UTF-8") from None
+        raise _table_error(f"{printed_name}: it is not in UTF-8: save it as CSV UTF-8") from None
     except csv.Error as error:
-        raise _wrong(f"{printed}: it is no table in CSV: {error}") from None
+        raise _table_error(f"{printed_name}: it is no table in CSV: {error}") from None
     if not lines:
-        raise _wrong(f"{printed}: it is empty: expected a first line with the names of columns")
+        raise _table_error(f"{printed_name}: it is empty: expected a first line with the names of columns")
     names = [from_cell(name) for name in lines[0]]
-    twice = next((name for name in names if names.count(name) > 1), None)
-    if twice is not None:
-        raise _wrong(f"{printed}: the column {printable(twice)!r} appears twice")
+    repeated = next((name for name in names if names.count(name) > 1), None)
+    if repeated is not None:
+        raise _table_error(f"{printed_name}: the column {printable(repeated)!r} appears twice")
     rows = []
     for line, cells in enumerate(lines[1:], 2):
         if len(cells) > len(names):
-            raise _wrong(f"{printed}: line {line} has {len(cells)} cells, expected {len(names)}")
+            raise _table_error(f"{printed_name}: line {line} has {len(cells)} cells, expected {len(names)}")
         if cells:
-            rows.append({name: value_of(from_cell(cell)) for name, cell in zip(names, cells)})
+            rows.append({name: parse_cell(from_cell(cell)) for name, cell in zip(names, cells)})
     return rows
 
 
-def value_of(text: str) -> Any:
+def parse_cell(text: str) -> Any:
     """What a cell says."""
-    if _WHOLE.fullmatch(text):
+    if _WHOLE_NUMBER.fullmatch(text):
         return int(text)
     if _LOOKS_WHOLE.fullmatch(text):
         return text
     if text in ("true", "True", "TRUE", "false", "False", "FALSE"):
         return text.lower() == "true"
-    return number(text)
+    return number_or_text(text)
 
 
-def _wrong(message: str) -> RequestError:
+def _table_error(message: str) -> RequestError:
     return RequestError("usage", message, keywords=("points",))

@@ -41,7 +41,7 @@ class Function:
         self.version = version
 
     def __repr__(self) -> str:
-        return f"<Function {name_of(self.function)} with {self.settings}>"
+        return f"<Function {task_name(self.function)} with {self.settings}>"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -60,12 +60,12 @@ class Task:
     #: Modules of yours that travel with it.
     modules: tuple[str, ...]
 
-    def values_of(self, row: Mapping[str, Any]) -> dict[str, Any]:
+    def arguments(self, row: Mapping[str, Any]) -> dict[str, Any]:
         """What it is called with for this row."""
-        wanted = row if self.columns is None else {name: row[name] for name in self.columns if name in row}
-        return {**{name: value for name, value in wanted.items() if name not in self.reserved}, **self.settings}
+        values = row if self.columns is None else {name: row[name] for name in self.columns if name in row}
+        return {**{name: value for name, value in values.items() if name not in self.reserved}, **self.settings}
 
-    def refuse_other_columns(self, columns: Iterable[str]) -> None:
+    def check_columns(self, columns: Iterable[str]) -> None:
         """Refuses a table without the columns that it needs, or with one that a setting is called like.
 
         Raises
@@ -75,14 +75,15 @@ class Task:
         """
         missing = sorted(self.needed - set(columns))
         if missing:
-            message = f"{name_of(self.call)} needs {missing[0]!r}, which is neither a column nor a setting; there are: {', '.join(columns)}"
+            there = ", ".join(columns)
+            message = f"{task_name(self.call)} needs {missing[0]!r}, which is neither a column nor a setting; there are: {there}"
             raise RequestError("usage", message, keywords=("points", "settings"))
-        both = sorted(self.settings.keys() & set(columns))
-        if both:
-            message = f"{both[0]!r} is a column of the points and a setting, too: call one of them differently"
+        ambiguous = sorted(self.settings.keys() & set(columns))
+        if ambiguous:
+            message = f"{ambiguous[0]!r} is a column of the points and a setting, too: call one of them differently"
             raise RequestError("usage", message, keywords=("points", "settings"))
 
-    def packed(self) -> tuple[bytes, tuple[str, ...]]:
+    def pickled(self) -> tuple[bytes, tuple[str, ...]]:
         """The callable for another process, and where Python looks for its modules.
 
         Raises
@@ -101,7 +102,7 @@ class Task:
         try:
             blob = cloudpickle.dumps(self.call)
         except Exception as error:
-            message = f"{name_of(self.call)} cannot be sent to another process: {error}"
+            message = f"{task_name(self.call)} cannot be sent to another process: {error}"
             raise RequestError("usage", message, keywords=("task",)) from error
         finally:
             for module in yours:
@@ -109,7 +110,7 @@ class Task:
         return blob, tuple(folder for folder in folders if os.path.isdir(folder))
 
 
-def task_of(given: Any) -> Task:
+def prepare_task(task: Any) -> Task:
     """The task that was meant.
 
     Raises
@@ -117,19 +118,19 @@ def task_of(given: Any) -> Task:
     RequestError
         It cannot be called with a path, its settings are no plain values, or its source is unknown and no version was given.
     """
-    function = given if isinstance(given, Function) else Function(given)
+    function = task if isinstance(task, Function) else Function(task)
     call = function.function
     if not callable(call) or isinstance(call, type):
         hint = ": make one, such as simulate.Drop()" if isinstance(call, type) else ""
-        shown = clipped(printable(repr(call)), 200)
-        raise RequestError("usage", f"task={shown}: expected a function, or a task{hint}", keywords=("task",))
-    _refuse_other_values(function.settings)
+        task_text = clipped(printable(repr(call)), 200)
+        raise RequestError("usage", f"task={task_text}: expected a function, or a task{hint}", keywords=("task",))
+    _check_settings(function.settings)
     identity, modules = _identity(function)
     first, columns, needed = _parameters(call, function.settings)
     return Task(call, function.settings, identity, columns, first, needed, modules)
 
 
-def name_of(call: Any) -> str:
+def task_name(call: Any) -> str:
     """What a task is called."""
     return str(getattr(call, "__qualname__", None) or type(call).__name__)
 
@@ -144,12 +145,12 @@ def _identity(function: Function) -> tuple[dict[str, Any], tuple[str, ...]]:
         # A task of this package: its version is the package's.
         return {"task": type(call).__name__, "settings": {**dataclasses.asdict(call), **function.settings}}, ()
     if function.version is not None:
-        return {"task": name_of(call), "settings": function.settings, "version": str(function.version)}, ()
+        return {"task": task_name(call), "settings": function.settings, "version": str(function.version)}, ()
     source = Source(call)
-    return {"task": name_of(call), "settings": function.settings, "version": source.digest}, tuple(source.modules)
+    return {"task": task_name(call), "settings": function.settings, "version": source.digest}, tuple(source.modules)
 
 
-def _refuse_other_values(settings: Mapping[str, Any]) -> None:
+def _check_settings(settings: Mapping[str, Any]) -> None:
     for name, value in settings.items():
         try:
             json.dumps(value)
@@ -167,7 +168,9 @@ def _parameters(
     kinds = inspect.Parameter
     parameters = list(inspect.signature(call).parameters.values())
     if not parameters or parameters[0].kind in (kinds.KEYWORD_ONLY, kinds.VAR_KEYWORD):
-        raise RequestError("usage", f"{name_of(call)}: its first parameter is the path of a model", keywords=("task",))
+        raise RequestError(
+            "usage", f"{task_name(call)}: its first parameter is the path of a model", keywords=("task",)
+        )
     first = frozenset({parameters[0].name} if parameters[0].kind is kinds.POSITIONAL_OR_KEYWORD else ())
     named = {
         item.name: item for item in parameters[1:] if item.kind in (kinds.POSITIONAL_OR_KEYWORD, kinds.KEYWORD_ONLY)
@@ -175,12 +178,12 @@ def _parameters(
     takes_all = any(item.kind is kinds.VAR_KEYWORD for item in parameters)
     unknown = sorted(name for name in settings if name in first or (name not in named and not takes_all))
     if unknown:
-        raise RequestError("usage", f"{name_of(call)} has no parameter {unknown[0]!r}", keywords=("settings",))
+        raise RequestError("usage", f"{task_name(call)} has no parameter {unknown[0]!r}", keywords=("settings",))
     needed = frozenset(name for name, item in named.items() if item.default is kinds.empty and name not in settings)
     return first, None if takes_all else frozenset(named.keys() - settings.keys()), needed
 
 
-def base_of(identity: Mapping[str, Any], versions: Any) -> str:
+def base_key(identity: Mapping[str, Any], versions: Any) -> str:
     """SHA-256 of what all rows of a run depend on.
 
     Parameters
@@ -193,7 +196,7 @@ def base_of(identity: Mapping[str, Any], versions: Any) -> str:
     return _digest({**identity, **dataclasses.asdict(versions)})
 
 
-def key_of(digest: str, base: str, values: Mapping[str, Any]) -> str:
+def row_key(digest: str, base: str, values: Mapping[str, Any]) -> str:
     """SHA-256 of everything that a row depends on: two rows with one key have one result.
 
     Parameters
@@ -208,16 +211,16 @@ def key_of(digest: str, base: str, values: Mapping[str, Any]) -> str:
     return _digest({"model": digest, "base": base, "values": values})
 
 
-def _digest(whole: Mapping[str, Any]) -> str:
-    return hashlib.sha256(json.dumps(_same(whole), sort_keys=True, default=str).encode()).hexdigest()
+def _digest(identity: Mapping[str, Any]) -> str:
+    return hashlib.sha256(json.dumps(_normalized(identity), sort_keys=True, default=str).encode()).hexdigest()
 
 
-def _same(value: Any) -> Any:
+def _normalized(value: Any) -> Any:
     """Numbers in one form: what is 2 in a file may be 2.0 in a DataFrame."""
     if isinstance(value, Mapping):
-        return {str(name): _same(item) for name, item in value.items()}
+        return {str(name): _normalized(item) for name, item in value.items()}
     if isinstance(value, (list, tuple)):
-        return [_same(item) for item in value]
+        return [_normalized(item) for item in value]
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, float) and value != value:

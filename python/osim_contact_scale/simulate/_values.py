@@ -12,10 +12,10 @@ from typing import Any
 from ._job import Value
 
 #: Whole numbers that a column can hold.
-_WHOLE = 2**63
+_INT64_LIMIT = 2**63
 
 
-def cell_of(value: Any) -> Value:
+def to_value(value: Any) -> Value:
     """A value as a table has it: a number, a text, true or false, or nothing.
 
     Raises
@@ -34,7 +34,7 @@ def cell_of(value: Any) -> Value:
     if value is None or isinstance(value, bool) or type(value).__name__ in ("NAType", "NaTType"):
         return value if isinstance(value, bool) else None
     if isinstance(value, int):
-        if not -_WHOLE <= value < _WHOLE:
+        if not -_INT64_LIMIT <= value < _INT64_LIMIT:
             raise ValueError(f"{value} is longer than 64 bits, which a table cannot hold")
         return int(value)
     if isinstance(value, float):
@@ -49,7 +49,7 @@ def cell_of(value: Any) -> Value:
     raise TypeError(f"{type(value).__name__}, expected a number or a text")
 
 
-def parts_of_value(value: Any) -> list[Any] | None:
+def describe_value(value: Any) -> list[Any] | None:
     """A nested list of texts for values that have no parts of yours in them; None for all others."""
     if isinstance(value, enum.Enum):
         return ["enum", type(value).__qualname__, value.name]

@@ -16,12 +16,12 @@ import threading
 import time
 from contextlib import suppress
 
-from . import _frames
-from ._frames import frame, receive, send
-from ._guard import WITHIN
+from . import _messages
+from ._guard import RUN_VARIABLE
 from ._job import Job, Outcome, Versions
+from ._messages import encode, receive, send
 
-_here = threading.local()
+_thread_local = threading.local()
 
 #: Servers of this process, for those who end a run.
 _servers: set[Server] = set()
@@ -35,15 +35,15 @@ _ONE_THREAD = dict.fromkeys(
 )
 
 #: Seconds that a server has to end what it does.
-_END = 5.0
+_END_SECONDS = 5.0
 
 #: Seconds that OpenSim may take to be imported, beyond the time limit of a job.
-_START = 120.0
+_START_SECONDS = 120.0
 
 
 def work(job: Job) -> Outcome:
     """Simulates one model."""
-    outcome = _server(job.run).do(job) if _frames.CAN_FORK else _alone(job)
+    outcome = _server_of_thread(job.run).run_job(job) if _messages.CAN_FORK else _run_once(job)
     outcome.host = socket.gethostname()
     outcome.time_limit = job.time_limit
     return outcome
@@ -57,13 +57,13 @@ def versions(run: str) -> Versions:
     RuntimeError
         The process for models does not start here.
     """
-    if _frames.CAN_FORK:
-        return _server(run).versions
-    with _started("--once", cwd=None) as process:
+    if _messages.CAN_FORK:
+        return _server_of_thread(run).versions
+    with _start_server("--once", cwd=None) as process:
         assert process.stdout is not None
-        found: Versions = receive(process.stdout.fileno())
+        received: Versions = receive(process.stdout.fileno())
         process.kill()
-    return found
+    return received
 
 
 class Server:
@@ -75,7 +75,7 @@ class Server:
         with _lock:
             if run in _ended:
                 raise RuntimeError("the run was stopped")
-            self._process = _started(cwd=tempfile.gettempdir())
+            self._process = _start_server(cwd=tempfile.gettempdir())
             _servers.add(self)
         assert self._process.stdin is not None and self._process.stdout is not None
         self._to, self._from = self._process.stdin.fileno(), self._process.stdout.fileno()
@@ -88,7 +88,7 @@ class Server:
                 f"(exit status {self._process.returncode}): run it there by hand to see why"
             ) from None
 
-    def do(self, job: Job) -> Outcome:
+    def run_job(self, job: Job) -> Outcome:
         """Has one model simulated."""
         try:
             send(self._to, job)
@@ -100,7 +100,7 @@ class Server:
         return outcome
 
     @property
-    def lives(self) -> bool:
+    def is_alive(self) -> bool:
         """Whether it can take a job."""
         return self._process.poll() is None
 
@@ -118,19 +118,19 @@ class Server:
             _servers.discard(self)
         # It ends with its input; what hangs is killed.
         with suppress(subprocess.TimeoutExpired):
-            self._process.wait(_END)
+            self._process.wait(_END_SECONDS)
         self._process.kill()
         self._process.wait()
 
 
-def _server(run: str) -> Server:
+def _server_of_thread(run: str) -> Server:
     """The one of this thread for this run."""
-    server: Server | None = getattr(_here, "server", None)
-    if server is not None and (server.run != run or not server.lives):
+    server: Server | None = getattr(_thread_local, "server", None)
+    if server is not None and (server.run != run or not server.is_alive):
         server.close()
         server = None
     if server is None:
-        _here.server = server = Server(run)
+        _thread_local.server = server = Server(run)
     return server
 
 
@@ -149,7 +149,7 @@ def close_servers(run: str) -> None:
         server.close()
 
 
-def _started(*arguments: str, cwd: str | None) -> subprocess.Popen[bytes]:
+def _start_server(*arguments: str, cwd: str | None) -> subprocess.Popen[bytes]:
     return subprocess.Popen(
         [sys.executable, "-m", "osim_contact_scale.simulate._server", *arguments],
         stdin=subprocess.PIPE,
@@ -157,29 +157,29 @@ def _started(*arguments: str, cwd: str | None) -> subprocess.Popen[bytes]:
         stderr=subprocess.DEVNULL,
         bufsize=0,
         cwd=cwd,
-        env={**os.environ, **_ONE_THREAD, WITHIN: "1"},
+        env={**os.environ, **_ONE_THREAD, RUN_VARIABLE: "1"},
         # Ctrl-C is for the program that waits; this one ends with its input.
-        start_new_session=_frames.CAN_FORK,
+        start_new_session=_messages.CAN_FORK,
     )
 
 
-def _alone(job: Job) -> Outcome:
+def _run_once(job: Job) -> Outcome:
     """Where a process cannot be copied: a new one, which imports OpenSim by itself."""
     folder = tempfile.mkdtemp(prefix="osim-contact-scale-")
     begin = time.perf_counter()
-    limit = None if job.time_limit is None else job.time_limit + _START
+    limit = None if job.time_limit is None else job.time_limit + _START_SECONDS
     try:
-        with _started("--once", cwd=folder) as process:
+        with _start_server("--once", cwd=folder) as process:
             try:
-                out, _ = process.communicate(frame(job), timeout=limit)
+                out, _ = process.communicate(encode(job), timeout=limit)
             except subprocess.TimeoutExpired:
                 process.kill()
                 return Outcome(job.key, "time limit", f"it did not end within {job.time_limit:g} s")
-            pieces = _frames.Pieces(out)
-            if pieces.whole():
-                pieces.message()  # Its versions.
-            if pieces.whole():
-                outcome: Outcome = pieces.message()
+            pieces = _messages.MessageBuffer(out)
+            if pieces.is_complete():
+                pieces.take_message()  # Its versions.
+            if pieces.is_complete():
+                outcome: Outcome = pieces.take_message()
             else:
                 outcome = Outcome(job.key, "crashed", f"its process died: exit status {process.returncode}")
     finally:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from ._contacts import refusal
+from ._contacts import model_error
 from ._root import root
 from ._scene import Scene
 
 #: Share of the body weight within which a force equals it.
-_CLOSE = 1e-12
+_FORCE_TOLERANCE = 1e-12
 #: Radii that a body may sink in.
-_DEEPEST = 1e6
+_MAX_DEPTH = 1e6
 
 
 def resting_height(scene: Scene, state: Any) -> float:
@@ -34,12 +34,14 @@ def resting_height(scene: Scene, state: Any) -> float:
     above, below = 0.0, 0.1 * radius
     while surplus(above) > 0:
         above = -2 * (0.1 * radius - above)
-        if above < -_DEEPEST * radius:
-            raise refusal("the contact forces carry more than the body weight wherever it is")
+        if above < -_MAX_DEPTH * radius:
+            raise model_error("the contact forces carry more than the body weight wherever it is")
     while surplus(below) < 0:
         below *= 2
-        if below > _DEEPEST * radius:
-            raise refusal("the contact forces do not carry the body weight however deep it sinks: is the stiffness 0?")
-    depth = root(surplus, above, below, close=_CLOSE * scene.weight_n)
+        if below > _MAX_DEPTH * radius:
+            raise model_error(
+                "the contact forces do not carry the body weight however deep it sinks: is the stiffness 0?"
+            )
+    depth = root(surplus, above, below, close=_FORCE_TOLERANCE * scene.weight_n)
     scene.place(state, -depth)
     return -depth

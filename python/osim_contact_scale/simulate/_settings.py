@@ -7,7 +7,7 @@ import math
 from .._errors import RequestError
 
 
-def multiple(value: float | str, unit: str, keyword: str) -> tuple[float, bool]:
+def parse_multiple(value: float | str, unit: str, keyword: str) -> tuple[float, bool]:
     """A number, and whether it counts in the unit of the model: `0.01` does not, `"0.25R"` and `"x0.25"` do.
 
     Raises
@@ -16,7 +16,7 @@ def multiple(value: float | str, unit: str, keyword: str) -> tuple[float, bool]:
         It is something else, below 0, or not finite.
     """
     text = str(value).strip()
-    in_units = text.endswith(unit) or text.startswith("x")
+    is_in_units = text.endswith(unit) or text.startswith("x")
     digits = text.removeprefix("x") if text.startswith("x") else text.removesuffix(unit)
     try:
         number = float(digits)
@@ -26,16 +26,16 @@ def multiple(value: float | str, unit: str, keyword: str) -> tuple[float, bool]:
         raise RequestError(
             "usage", f"{keyword}={value!r}: expected a number, or one like '0.25{unit}'", keywords=(keyword,)
         )
-    return number, in_units
+    return number, is_in_units
 
 
-def choice(value: str, expected: tuple[str, ...], keyword: str) -> None:
+def check_choice(value: str, expected: tuple[str, ...], keyword: str) -> None:
     """Refuses a word that is not among those expected."""
     if value not in expected:
         words = " or ".join(map(repr, expected))
         raise RequestError("usage", f"{keyword}={value!r}: expected {words}", keywords=(keyword,))
 
 
-def patterns(select: str | tuple[str, ...] | list[str]) -> tuple[str, ...]:
+def as_patterns(select: str | tuple[str, ...] | list[str]) -> tuple[str, ...]:
     """Names of forces, one or several, as a tuple."""
     return (select,) if isinstance(select, str) else tuple(select)

@@ -8,19 +8,19 @@ import traceback
 from types import FrameType
 
 from .._text import clipped, printable
-from ._source import installed
+from ._source import installed_folders
 
 #: Letters of an error that are looked at: a message may have millions.
-_READ = 20_000
+_MAX_LENGTH = 20_000
 
 #: Where there is no file: prompts and cells of a notebook.
 _PROMPTS = ("<stdin>", "<ipython-input", "<python-input", "<doctest")
 
 #: How cloudpickle names the file of all code that it sends.
-_TRAVELLED = "<dynamic-code>"
+_CLOUDPICKLE_FILE = "<dynamic-code>"
 
 #: What OpenSim, Simbody and SWIG say of themselves around what is wrong.
-_OF_OPENSIM = re.compile(
+_OPENSIM_NOISE = re.compile(
     r"\A(?:std::exception in '.*?': )+"
     r"|SimTK Exception thrown at \S+:\d+:\s*"
     r"|\n[ \t]*Thrown at \S+:\d+ in [^\n]*?\)\.(?=\)|\s|\Z)"
@@ -29,7 +29,7 @@ _OF_OPENSIM = re.compile(
 )
 
 
-def why(error: BaseException, folder: str | None = None) -> str:
+def describe_error(error: BaseException, folder: str | None = None) -> str:
     """An error with its place in the task: the same text in whatever folder it happened."""
     text = _kind_and_message(error)
     for name in (os.path.realpath(folder), folder) if folder else ():
@@ -49,32 +49,34 @@ def _kind_and_message(error: BaseException) -> str:
 
 def _in_one_line(message: str) -> str:
     """The lines of a message as one, without those that are about OpenSim's own source."""
-    text = message if len(message) <= _READ else clipped(message, _READ)
-    lines = _OF_OPENSIM.sub("", text).splitlines()
+    text = message if len(message) <= _MAX_LENGTH else clipped(message, _MAX_LENGTH)
+    lines = _OPENSIM_NOISE.sub("", text).splitlines()
     return " ".join(line.strip() for line in lines if line.strip())
 
 
 def _place(error: BaseException) -> str:
     """The innermost line of yours that led to the error; nothing where there is none, as in a task of this package."""
-    places = [(_file_of(frame), line, frame.f_code.co_name) for frame, line in traceback.walk_tb(error.__traceback__)]
+    places = [
+        (_frame_file(frame), line, frame.f_code.co_name) for frame, line in traceback.walk_tb(error.__traceback__)
+    ]
     yours = [place for place in places if _is_yours(place[0])]
     if not yours:
         return ""
     file, line, name = yours[-1]
-    of_file = "" if _is_prompt(file) else f"{printable(os.path.basename(file))}, "
-    return f" ({of_file}line {line}, in {printable(name)})"
+    file_text = "" if _is_prompt(file) else f"{printable(os.path.basename(file))}, "
+    return f" ({file_text}line {line}, in {printable(name)})"
 
 
-def _file_of(frame: FrameType) -> str:
+def _frame_file(frame: FrameType) -> str:
     """The file of a line. Code that travelled has no name of one, but its globals have."""
     file = frame.f_code.co_filename
-    return str(frame.f_globals.get("__file__") or _PROMPTS[0]) if file == _TRAVELLED else file
+    return str(frame.f_globals.get("__file__") or _PROMPTS[0]) if file == _CLOUDPICKLE_FILE else file
 
 
 def _is_yours(file: str) -> bool:
     if file.startswith("<"):
         return file.startswith(_PROMPTS)
-    return not os.path.realpath(file).startswith(installed())
+    return not os.path.realpath(file).startswith(installed_folders())
 
 
 def _is_prompt(file: str) -> bool:

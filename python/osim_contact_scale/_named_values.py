@@ -12,7 +12,7 @@ from ._text import printable
 LINE = 160
 
 
-class Named:
+class NamedValues:
     """Values by their names: `thing.name` and `thing["name"]` are the same.
 
     Names are the public properties and fields of the class, and those of `_values`. A class that is indexed by numbers too asks
@@ -26,22 +26,22 @@ class Named:
         return {}
 
     def _names(self) -> list[str]:
-        own = (name for name in super().__dir__() if _is_attribute(type(self), name))
-        return list(dict.fromkeys((*sorted(own), *self._values())))
+        attributes = (name for name in super().__dir__() if _is_attribute(type(self), name))
+        return list(dict.fromkeys((*sorted(attributes), *self._values())))
 
-    def _by_name(self, name: Any) -> Any:
+    def _get_by_name(self, name: Any) -> Any:
         if isinstance(name, str) and _is_attribute(type(self), name):
             return getattr(self, name)
         try:
             return self._values()[name]
         except KeyError:
-            raise KeyError(self._unknown(name)) from None
+            raise KeyError(self._unknown_name(name)) from None
 
-    def _unknown(self, name: Any) -> str:
+    def _unknown_name(self, name: Any) -> str:
         return f"there is no {printable(str(name))}; there are {', '.join(map(printable, self._names()))}"
 
     def __getitem__(self, name: Any) -> Any:
-        return self._by_name(name)
+        return self._get_by_name(name)
 
     def __getattr__(self, name: str) -> Any:
         # What the class has is missing only before an object is whole, as while it is copied: its values are not there then.
@@ -50,7 +50,7 @@ class Named:
         try:
             return self._values()[name]
         except KeyError:
-            raise AttributeError(self._unknown(name), name=name, obj=self) from None
+            raise AttributeError(self._unknown_name(name), name=name, obj=self) from None
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *self._values()]
@@ -62,9 +62,9 @@ def _is_attribute(kind: type, name: str) -> bool:
     return not name.startswith("_") and (is_field or inspect.isdatadescriptor(getattr(kind, name, None)))
 
 
-def line(kind: str, said: str) -> str:
+def repr_line(kind: str, text: str) -> str:
     """The one line that `repr` gives."""
-    return f"<{kind}: {clipped(said, LINE)}>"
+    return f"<{kind}: {clipped(text, LINE)}>"
 
 
 def clipped(text: str, length: int) -> str:
@@ -73,8 +73,8 @@ def clipped(text: str, length: int) -> str:
     return text if len(text) <= length else f"{text[: length - 1]}…"
 
 
-def lines(head: str, entries: Iterable[str], count: int, shown: int = 8) -> str:
+def repr_lines(head: str, entries: Iterable[str], count: int, limit: int = 8) -> str:
     """What `repr` gives of a list: its head, and a line for each of the first entries."""
-    kept = [f"  {clipped(entry, LINE)}" for entry, _ in zip(entries, range(shown))]
-    more = [f"  … and {count - shown} more"] if count > shown else []
-    return "\n".join([f"<{head}>", *kept, *more])
+    listed = [f"  {clipped(entry, LINE)}" for entry, _ in zip(entries, range(limit))]
+    more = [f"  … and {count - limit} more"] if count > limit else []
+    return "\n".join([f"<{head}>", *listed, *more])

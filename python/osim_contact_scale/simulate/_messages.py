@@ -13,7 +13,7 @@ _LENGTH = struct.Struct("<Q")
 CAN_FORK = hasattr(os, "fork")
 
 
-def frame(message: Any) -> bytes:
+def encode(message: Any) -> bytes:
     """A message as bytes."""
     body = pickle.dumps(message, protocol=pickle.HIGHEST_PROTOCOL)
     return _LENGTH.pack(len(body)) + body
@@ -27,9 +27,9 @@ def send(descriptor: int, message: Any) -> None:
     OSError
         Nobody reads it any more.
     """
-    rest = memoryview(frame(message))
-    while rest:
-        rest = rest[os.write(descriptor, rest) :]
+    remaining = memoryview(encode(message))
+    while remaining:
+        remaining = remaining[os.write(descriptor, remaining) :]
 
 
 def receive(descriptor: int) -> Any:
@@ -40,11 +40,11 @@ def receive(descriptor: int) -> Any:
     EOFError
         The other side has ended before the message was whole.
     """
-    (length,) = _LENGTH.unpack(_exactly(descriptor, _LENGTH.size))
-    return pickle.loads(_exactly(descriptor, length))
+    (length,) = _LENGTH.unpack(_read_exactly(descriptor, _LENGTH.size))
+    return pickle.loads(_read_exactly(descriptor, length))
 
 
-def _exactly(descriptor: int, length: int) -> bytes:
+def _read_exactly(descriptor: int, length: int) -> bytes:
     parts = bytearray()
     while len(parts) < length:
         part = os.read(descriptor, min(length - len(parts), 1 << 20))
@@ -54,7 +54,7 @@ def _exactly(descriptor: int, length: int) -> bytes:
     return bytes(parts)
 
 
-class Pieces:
+class MessageBuffer:
     """Messages that arrive in pieces, for those who cannot wait for them."""
 
     def __init__(self, first: bytes = b"") -> None:
@@ -64,11 +64,11 @@ class Pieces:
         """What was read."""
         self._bytes += piece
 
-    def whole(self) -> bool:
+    def is_complete(self) -> bool:
         """Whether a message is there."""
         return len(self._bytes) >= _LENGTH.size and len(self._bytes) >= self._end()
 
-    def message(self) -> Any:
+    def take_message(self) -> Any:
         """Takes the first message out, once it is whole."""
         end = self._end()
         message = pickle.loads(self._bytes[_LENGTH.size : end])
