@@ -106,10 +106,10 @@ fn with_texts(argument: Arg, option: &Entry, silent: &Value) -> Arg {
     if option.is_rare { argument.hide_short_help(true).display_order(LAST) } else { argument }
 }
 
-/// The request that was typed for `verb`; `is_file` says what is no assignment, although it looks like one.
+/// The request that was typed for `verb`; `is_file` says which words name files, although they look like assignments.
 ///
 /// # Errors
-/// An option that says nothing without another one; of `set`, no model, an unknown property or a value that is not a number.
+/// An option that says nothing without another one; of `set`, an unknown property or a value that is not a number.
 pub fn read(
     verb: Verb,
     matches: &ArgMatches,
@@ -136,10 +136,6 @@ pub fn read(
                     }
                     _ => request.models.push(PathBuf::from(word)),
                 }
-            }
-            if request.models.is_empty() {
-                let message = "no model given, expected one or more .osim files or folders (see set --help)";
-                return Err(RequestFault::general(message));
             }
             Ok(Request::Set(request))
         }

@@ -7,8 +7,6 @@ use osim_model::messages::{Phrase, Verb, shown};
 use osim_requests::VerbGroup;
 use osim_view::report::layout::broken;
 
-use crate::args::OWN_VERBS;
-
 // A usage error in one line.
 
 /// A usage error in one line: what is wrong and what was expected.
@@ -60,6 +58,9 @@ const EXAMPLES: [(&str, &str); 3] = [
     ("MODEL.osim --target-mass 80", "make its contacts right for 80 kg"),
     ("add MODEL.osim --from OTHER.osim", "give it the contacts of another model"),
 ];
+
+/// The names of the command's own verbs, in their order.
+pub(super) const OWN_VERBS: [&str; 5] = ["request", "completions", "man", "help", "version"];
 
 /// The verbs of a group, in the order of the help.
 fn verbs_of(group: VerbGroup) -> impl Iterator<Item = &'static str> {

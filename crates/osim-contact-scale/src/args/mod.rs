@@ -10,7 +10,7 @@ use osim_requests::command_line::{read, with_options};
 use osim_requests::{Request, RequestFault, VerbEntry, verb_entry};
 use osim_view::report::ExitStatus;
 
-use crate::args::help::in_groups;
+use crate::args::help::{OWN_VERBS, in_groups};
 use crate::session::{Language, WORDS};
 pub(crate) use help::usage_line;
 
@@ -66,9 +66,6 @@ impl OwnVerb {
         }
     }
 }
-
-/// The names of the command's own verbs, in their order.
-const OWN_VERBS: [&str; 5] = ["request", "completions", "man", "help", "version"];
 
 /// The names of all verbs.
 pub(crate) fn verb_names() -> impl Iterator<Item = &'static str> {
@@ -143,10 +140,20 @@ pub(crate) fn typed_call(matches: &ArgMatches) -> Result<Result<Call, RequestFau
     Ok(match matches.subcommand() {
         None => read(Verb::Rescale, matches, is_file).map(Call::WithoutVerb),
         Some((name, typed)) => match Verb::named(name) {
-            Some(verb) => read(verb, typed, is_file).map(Call::Request),
+            Some(verb) => read(verb, typed, is_file).and_then(with_models).map(Call::Request),
             None => Ok(Call::Own(OwnVerb::from_arg_matches(matches)?)),
         },
     })
+}
+
+/// The request, if a `set` names models: they share one list of words with what is set.
+fn with_models(request: Request) -> Result<Request, RequestFault> {
+    match request {
+        Request::Set(set) if set.models.is_empty() => Err(RequestFault::general(
+            "no model given, expected one or more .osim files or folders (see set --help)",
+        )),
+        request => Ok(request),
+    }
 }
 
 // Arguments of the command alone.

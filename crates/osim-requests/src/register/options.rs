@@ -6,7 +6,7 @@ use osim_model::messages::Verb::{
     Remove, Reproduce, Rescale, Set, Sweep, Transfer,
 };
 
-use super::{Entry, Field, FieldGroup};
+use super::entry::{Entry, Field, FieldGroup};
 use crate::options::*;
 use crate::request::*;
 use crate::values::serial::Words;
@@ -71,7 +71,7 @@ fn help_for(verb: Verb, help: &'static str, others: &[(&[Verb], &'static str)]) 
     others.iter().find(|(verbs, _)| verbs.contains(&verb)).map_or(help, |(_, help)| help)
 }
 
-pub(super) fn entry(field: Field<'_>, verb: Verb) -> Option<Entry> {
+pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
     let is = |verbs: &[Verb]| verbs.contains(&verb);
     Some(entries! {
     (field, verb);

@@ -1,4 +1,4 @@
-//! The register of verbs: the request of each, how the help and pages speak of it, and what has no name in its calls.
+//! The register of verbs: the request of each, what the help and pages say of it, and what has no name in its calls.
 
 use osim_model::messages::{Input, Verb};
 #[cfg(feature = "schemas")]
@@ -20,7 +20,7 @@ use crate::request::plot::PlotRequest;
 /// The name under which a dictionary says which verb it is for.
 pub(super) const VERB: &str = "verb";
 
-/// A verb as the help and pages speak of it.
+/// What the help and pages say of a verb.
 #[derive(Debug, Clone, Copy)]
 pub struct VerbEntry {
     /// The group in which the help lists it.
