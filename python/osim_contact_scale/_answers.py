@@ -1,4 +1,4 @@
-"""What verbs give that compute and change nothing: `drop_test`, `motion`, `fit`, `design` alone, `presets`, `explain`, `reproduce`."""
+"""Answers of the verbs that compute and change no model: `drop_test`, `motion`, `fit`, `design`, `presets`, `explain`, `reproduce`."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ if TYPE_CHECKING:
 
 
 class Answer(NamedValues, Mapping[str, Any]):
-    """Numbers by their names, as the command's JSON has them; the unit is in the name.
+    """Numbers by their names, with the names of the command's JSON; the unit is in the name.
 
     Attributes
     ----------
     record : dict
-        All of it.
+        The whole answer.
     text : str
-        The same, as the command prints it.
+        The answer as the command prints it.
 
     Examples
     --------
@@ -56,7 +56,7 @@ class Answer(NamedValues, Mapping[str, Any]):
 
     def __repr__(self) -> str:
         plain = ((name, value) for name, value in self._values().items() if isinstance(value, (str, int, float)))
-        # A long text, such as a source, leaves room for the others.
+        # A long text, such as a source, is shortened, so that the others fit.
         fields = (f"{name}={clipped(repr(value), 40)}" for name, value in plain if name != "schema_version")
         return repr_line(type(self).__name__, ", ".join(fields) or ", ".join(self._values()))
 
@@ -65,7 +65,7 @@ class Answer(NamedValues, Mapping[str, Any]):
 
 
 class DropTest(Answer):
-    """A fall on the contacts of a model or preset."""
+    """A simulated fall on the contacts of a model or preset."""
 
     __slots__ = ()
 
@@ -75,7 +75,7 @@ class DropTest(Answer):
         return _table_from_columns(self.record["series"])
 
     def frame(self) -> pd.DataFrame:
-        """The motion over time as a DataFrame, always; units are in `attrs["units"]`, too.
+        """The motion over time, always as a DataFrame; units are in `attrs["units"]`, too.
 
         Examples
         --------
@@ -90,9 +90,9 @@ class Motion(Answer):
     Attributes
     ----------
     record : dict
-        Each foot and sphere, beside the plates.
+        Each foot and sphere, compared with the plates.
     text : str
-        The same, as the command prints it.
+        The answer as the command prints it.
     """
 
     __slots__ = ("_columns",)
@@ -107,7 +107,7 @@ class Motion(Answer):
         return _table_from_columns(self._columns)
 
     def frame(self) -> pd.DataFrame:
-        """The rows as a DataFrame, always; units are in `attrs["units"]`, too.
+        """The rows, always as a DataFrame; units are in `attrs["units"]`, too.
 
         Examples
         --------
@@ -125,7 +125,7 @@ class Fit(Answer):
     __slots__ = ()
 
     def frame(self) -> pd.DataFrame:
-        """A row for each parameter: `name`, `value`, `unit`, and how sure it is: `standard_error`, `low_95`, `high_95`.
+        """A row for each parameter: `name`, `value`, `unit`, and its uncertainty: `standard_error`, `low_95`, `high_95`.
 
         Examples
         --------
@@ -142,7 +142,7 @@ class Fit(Answer):
 
 
 class DesignSheet(Answer):
-    """Quantities that follow from each other, without a model: each by its name.
+    """Quantities that the equations compute from each other, without a model: each by its name.
 
     Examples
     --------
@@ -154,7 +154,7 @@ class DesignSheet(Answer):
     __slots__ = ()
 
     def _values(self) -> Mapping[str, Any]:
-        # Quantities are what one asks a sheet for.
+        # The quantities of a design sheet are also found by their names.
         return {**self.record, **{figure["name"]: figure["value"] for figure in self.record["figures"]}}
 
     def frame(self) -> pd.DataFrame:
@@ -173,7 +173,7 @@ class DesignSheet(Answer):
 
 
 class Preset(Answer):
-    """Published contacts, or one's own."""
+    """Contacts that are published or that the user has defined."""
 
     __slots__ = ()
 
@@ -214,7 +214,7 @@ class Presets(list[Preset]):
 
 
 class Reproduction(Answer):
-    """What the paper prints and what its equations give."""
+    """The numbers that the paper prints, and those that its equations give."""
 
     __slots__ = ()
 
@@ -231,17 +231,17 @@ class Reproduction(Answer):
 
 
 class Explanation(Answer):
-    """What an equation says, or what a finding or an error means."""
+    """An explanation of an equation, a finding or an error."""
 
     __slots__ = ()
 
 
 def _table_from_columns(columns: Mapping[str, list[Any]]) -> Table:
-    """Columns as a table."""
+    """A table made of columns."""
     names = list(columns)
     return table([dict(zip(names, row)) for row in zip(*columns.values())], names)
 
 
 def _frame_from_rows(rows: list[dict[str, Any]]) -> pd.DataFrame:
-    """Rows as a DataFrame with the columns that they have."""
+    """A DataFrame of rows, with every column that a row has."""
     return to_frame(lambda: table(rows, all_columns((), rows)))

@@ -1,4 +1,4 @@
-"""Between NumPy's arrays and the equations in Rust."""
+"""Calls the equations in Rust with NumPy arrays and returns their values as arrays."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
     #: A Series of pandas.
     PandasSeries = pd.Series[Any]
-    #: The Series that comes out.
+    #: A Series that an equation returns.
     PandasFloats = pd.Series[float]
-    #: What comes out as what it came in as.
+    #: A DataFrame of pandas or polars: an equation returns the kind that it was given.
     Frame = TypeVar("Frame", bound=pd.DataFrame | "PolarsLabelled")
 
 
@@ -27,21 +27,21 @@ class Labelled(Protocol):
     """A Series or a DataFrame, of pandas or of polars."""
 
     def to_numpy(self, *args: Any, **kwargs: Any) -> Any:
-        """Its values."""
+        """Returns its values."""
 
 
 class PolarsLabelled(Labelled, Protocol):
-    """A Series or a DataFrame of polars, told by what those of pandas do not have."""
+    """A Series or a DataFrame of polars, recognised by a method that pandas does not have."""
 
     def drop_nulls(self, *args: Any, **kwargs: Any) -> Any:
-        """It without what is missing."""
+        """Returns the values that are not missing."""
 
 
 #: A number.
 Scalar = float | np.floating[Any] | np.integer[Any]
-#: An array of numbers without labels. `ArrayLike` would fit Series, too, and hide from type checkers what comes out for them.
+#: An array of numbers without labels. `ArrayLike` would also match Series, and type checkers would not see which type is returned.
 Array = NDArray[Any] | Sequence[Scalar] | Sequence[Sequence[Scalar]] | Sequence[NDArray[Any]]
-#: An array that comes out.
+#: An array that an equation returns.
 Floats = NDArray[np.float64]
 #: A number or an array of numbers, with labels or without.
 Number = Scalar | Array | ArrayLike | Labelled
@@ -50,7 +50,7 @@ NumberList = Sequence[float] | NDArray[np.float64] | Labelled
 
 
 class Steps(NamedTuple):
-    """Steps of a ladder; what each array is, `continuation_steps` says."""
+    """Steps from a soft contact to a stiff one; `continuation_steps` explains each array."""
 
     dimensionless_stiffness: NDArray[np.float64]
     modulus_factor: NDArray[np.float64]
@@ -58,14 +58,14 @@ class Steps(NamedTuple):
 
 
 def call(name: str, arguments: Mapping[str, Any], nan: str, rule: str | None = None) -> Any:
-    """The values of an equation over arrays, which are broadcast to one shape; with the labels that the arguments have.
+    """The values of an equation for arrays, which are broadcast to one shape. The result has the labels of the arguments.
 
     Raises
     ------
     RequestError
-        Shapes or labels that do not go together, or a value outside of the domain, by its argument and element.
+        Shapes or labels do not match, or a value is outside of the domain; the message names its argument and element.
     TypeError
-        An argument that is no real number.
+        An argument is not a real number.
     """
     labels = common_labels(arguments)
     arrays = {key: _floats(key, value) for key, value in arguments.items()}
@@ -87,12 +87,12 @@ def call(name: str, arguments: Mapping[str, Any], nan: str, rule: str | None = N
 def call_of_list(
     name: str, arguments: Mapping[str, Any], height: Any = None, load: Any = 0.0, *, nan: str = "raise"
 ) -> float:
-    """The value of an equation over a list.
+    """The value of an equation for a list.
 
     Raises
     ------
     RequestError
-        Labels that do not go together, or a value outside of the domain, by its argument and element.
+        Labels do not match, or a value is outside of the domain; the message names its argument and element.
     """
     inputs = dict(arguments) if height is None else {**arguments, "height": height}
     labels = common_labels(inputs)
@@ -103,7 +103,7 @@ def call_of_list(
     weight = _floats("load", load)
     if weight.size != 1:
         raise RequestError("usage", f"load has the shape {weight.shape}, expected one number", keywords=("load",))
-    # What is summed has no value where one of its parts has none.
+    # A sum has no value if one of its terms has none.
     if _propagates(nan) and any(np.isnan(array).any() for array in (weight, *arrays.values())):
         return float("nan")
     columns = [arrays[key].tobytes() for key in arguments]
@@ -115,16 +115,16 @@ def call_of_list(
 
 
 def call_of_steps(first: float, last: float, dissipation_ratio: float, count: int, nan: str = "raise") -> Steps:
-    """The steps of a ladder.
+    """The steps from a soft contact to a stiff one.
 
     Raises
     ------
     RequestError
-        A value outside of the domain.
+        A value is outside of the domain.
     """
     numbers = (first, last, dissipation_ratio)
     missing = _propagates(nan) and any(np.isnan(number) for number in numbers)
-    # Any ladder will do where all its steps are missing: it says whether there can be so many.
+    # If all steps will be NaN, numbers that are always valid are used, so that the count is still checked.
     columns, refusal = _native.steps(*((1.0, 2.0, 1.0) if missing else numbers), count)
     if columns is None:
         raise _domain_error(refusal or (None, None, "no value"), {}, ())
@@ -132,21 +132,21 @@ def call_of_steps(first: float, last: float, dissipation_ratio: float, count: in
 
 
 def _propagates(nan: str) -> bool:
-    """Whether NaN that comes in goes out, and is no error."""
+    """Whether NaN in an argument gives NaN in the result instead of an error."""
     if nan not in ("raise", "propagate"):
         raise RequestError("usage", f'nan is {nan!r}, expected "raise" or "propagate"', keywords=("nan",))
     return nan == "propagate"
 
 
 def _valid_indices(arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]) -> NDArray[np.intp] | None:
-    """Places of the elements without NaN in a result that is one long row; None where no element has NaN."""
+    """Indices of the elements without NaN in the flattened result; None if no element has NaN."""
     missing = np.zeros(shape, dtype=bool)
     for array in arrays.values():
         missing |= np.isnan(array)
     if not missing.any():
         return None
     valid = np.flatnonzero(~missing)
-    # One element alone would be taken for one number for all, and be named without its place.
+    # A column of one element would be read as one number for all elements, and an error would not name its place.
     return np.repeat(valid, 2) if valid.size == 1 else valid
 
 
@@ -158,10 +158,10 @@ def _values(
     valid: NDArray[np.intp] | None,
     labels: Labels | None,
 ) -> NDArray[np.float64]:
-    """The values of an equation; those that are not kept are NaN."""
+    """The values of an equation; elements that are not valid get NaN."""
     if valid is not None and not valid.size:
         return np.full(shape, np.nan)
-    # What is one number for all is not copied for each of them.
+    # One number for all elements is not copied for each of them.
     columns = [array if array.size == 1 else np.broadcast_to(array, shape) for array in arrays.values()]
     if valid is not None:
         columns = [column if column.size == 1 else column.ravel()[valid] for column in columns]
@@ -177,13 +177,13 @@ def _values(
 
 
 def _with_original_index(refusal: tuple[Any, ...], valid: NDArray[np.intp] | None) -> tuple[Any, ...]:
-    """A refusal with its place among all elements, not only among those that were kept."""
+    """A refusal whose index counts all elements, not only the valid ones."""
     name, index, message = refusal
     return refusal if valid is None or index is None else (name, int(valid[index]), message)
 
 
 def _floats(name: str, value: Any) -> NDArray[np.float64]:
-    """Real numbers as float64, whatever they were."""
+    """Real numbers of any kind as float64."""
     if np.ma.is_masked(value):
         message = f"{name} has masked elements, which no equation has a value for: leave them out, or fill them, first"
         raise RequestError("usage", message, keywords=(name,))
@@ -208,13 +208,13 @@ def _is_real(item: Any) -> bool:
 def _domain_error(
     refusal: tuple[Any, ...], arrays: Mapping[str, Any], shape: tuple[int, ...], labels: Labels | None = None
 ) -> ContactScaleError:
-    """The exception, with the place of the element in the array that was given."""
+    """The exception for a refusal, with the place of the element in the argument."""
     name, index, message = refusal
     place = ""
     if index is not None:
         argument_shape = arrays[name].shape if name in arrays else shape
         position = np.unravel_index(index, shape) if shape else (index,)
-        # An array with fewer dimensions, or one of length 1, is the same along the others.
+        # An array with fewer dimensions, or with length 1, is repeated along the others.
         places = [
             int(step) if length > 1 else 0
             for step, length in zip(position[len(position) - len(argument_shape) :], argument_shape)

@@ -1,4 +1,4 @@
-"""Figures on axes of matplotlib: from the numbers that are drawn."""
+"""Draws figures on axes of matplotlib, from the numbers of each panel."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from ._text import printable
 
 Row = dict[str, Any]
 
-#: Dashes of curves in turn: colours alone do not tell them apart.
+#: Dashes of the curves, one after the other: colours alone do not distinguish enough curves.
 _DASHES = ("-", "--", "-.", ":")
-#: Curves that have no name are there beside others.
+#: The look of curves without a name, which are the background of others.
 _UNNAMED = {"color": "0.6", "linewidth": 0.6}
 _THIN = {"color": "0.5", "linestyle": "--", "linewidth": 0.8}
 
 
 class Panel(NamedTuple):
-    """A pair of axes of a figure, and its numbers."""
+    """One panel of a figure: its name, its numbers and its look."""
 
     name: str
     rows: list[Row]
@@ -28,7 +28,7 @@ class Panel(NamedTuple):
 
 
 def group_panels(rows: Sequence[Row], looks: Sequence[_native.PanelLook]) -> list[Panel]:
-    """The panels of a figure, in its order."""
+    """The panels of a figure, in their order."""
     groups = [
         (name, list(panel_rows)) for name, panel_rows in itertools.groupby(rows, key=lambda row: str(row["panel"]))
     ]
@@ -72,7 +72,7 @@ def _label_axes(panel: Panel, axes: Any) -> None:
     axes.set_xlabel(_escaped(panel.rows[0]["x_axis"]))
     axes.set_ylabel(_escaped(panel.rows[0]["y_axis"]))
     handles, labels = axes.get_legend_handles_labels()
-    # What has one name has one entry.
+    # Curves of one name have one entry.
     entries = dict(zip(reversed(labels), reversed(handles)))
     if entries:
         names = list(dict.fromkeys(labels))
@@ -80,13 +80,13 @@ def _label_axes(panel: Panel, axes: Any) -> None:
 
 
 def _escaped(text: str) -> str:
-    """A text from outside: no mathematics of TeX, which begins with a dollar; an underscore first would keep it from the legend."""
+    """A name for matplotlib: a dollar does not begin a formula, and an underscore at the start does not hide it from the legend."""
     text = printable(text).replace("$", r"\$")
     return f" {text}" if text.startswith("_") else text
 
 
 def _curves(axes: Any, rows: Sequence[Row], lengths: Sequence[int]) -> None:
-    """Curves, each by itself: several may have one name, and then one look."""
+    """Draws the curves. Several may have one name; they then have one look."""
     looks: dict[str, dict[str, Any]] = {"": _UNNAMED}
     for curve in _split_curves(rows, lengths):
         name = curve[0]["name"]
@@ -110,7 +110,7 @@ def _coordinates(rows: Sequence[Row]) -> tuple[list[float], list[float]]:
 
 
 def _points(axes: Any, rows: Sequence[Row], with_text: bool) -> None:
-    """Points by their names: in the legend, or beside them where each has its own."""
+    """Draws points with their names: in the legend, or beside each point."""
     for name, point_rows in itertools.groupby(rows, key=lambda row: str(row["name"])):
         places = _coordinates(list(point_rows))
         if with_text:
@@ -121,7 +121,7 @@ def _points(axes: Any, rows: Sequence[Row], with_text: bool) -> None:
 
 
 def _line(axes: Any, row: Row) -> None:
-    """A limit or a level: a line across the panel, or along a value of a heat map, which has no place."""
+    """Draws a limit or a level as a line across the panel. A limit of a heat map has no place; `_cells` draws it."""
     if row["x"] is not None:
         axes.axvline(row["x"], **_THIN, label=_escaped(row["name"]))
     elif row["y"] is not None:
@@ -129,19 +129,19 @@ def _line(axes: Any, row: Row) -> None:
 
 
 def _outlines(axes: Any, rows: Sequence[Row]) -> None:
-    """Shapes of bones."""
+    """Draws the shapes of bones."""
     for _, corners in itertools.groupby(rows, key=lambda row: str(row["name"])):
         axes.fill(*_coordinates(list(corners)), facecolor="0.7", edgecolor="0.4", alpha=0.3)
 
 
 def _spheres(axes: Any, rows: Sequence[Row]) -> None:
-    """Circles in their true size, with their names."""
+    """Draws spheres as circles of their true size, with their names."""
     if not rows:
         return
     from matplotlib.patches import Circle
 
     for row in rows:
-        # A sphere without a name is how it was before.
+        # A sphere without a name is the state before the change.
         dash = "-" if row["name"] else "--"
         axes.add_patch(Circle((row["x"], row["y"]), row["value"], fill=False, edgecolor="C0", linestyle=dash))
         if row["name"]:
@@ -151,7 +151,7 @@ def _spheres(axes: Any, rows: Sequence[Row]) -> None:
 
 
 def _cells(axes: Any, rows_by_kind: dict[str, list[Row]], logarithmic: tuple[bool, bool]) -> None:
-    """A heat map with its colour bar; cells without a value stay empty."""
+    """Draws a heat map with its colour bar; cells without a value stay empty."""
     rows = rows_by_kind.get("cell")
     if not rows:
         return
@@ -161,14 +161,14 @@ def _cells(axes: Any, rows_by_kind: dict[str, list[Row]], logarithmic: tuple[boo
     mesh = axes.pcolormesh(_edges(x, logarithmic[0]), _edges(y, logarithmic[1]), values)
     bar = axes.figure.colorbar(mesh, ax=axes, label=_escaped(rows[0]["value_name"]))
     for row in rows_by_kind.get("limit", ()):
-        # At this value, in the map and on the bar.
+        # The limit is a line at this value, in the map and on the bar.
         axes.contour(x, y, values, levels=[row["value"]], colors="white", linestyles="--")
         bar.ax.axhline(row["value"], color="white", linestyle="--")
         axes.plot([], [], **_THIN, label=_escaped(row["name"]))
 
 
 def _edges(middles: Sequence[float], is_logarithmic: bool) -> list[float]:
-    """Where cells begin and end: between two of their middles, and as far beyond the first and the last."""
+    """The edges of cells: halfway between two middles, and as far beyond the first and the last."""
     places = [math.log(value) for value in middles] if is_logarithmic else list(middles)
     between = [(low + high) / 2 for low, high in itertools.pairwise(places)]
     edges = [2 * places[0] - between[0], *between, 2 * places[-1] - between[-1]]

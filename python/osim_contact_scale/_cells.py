@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import unicodedata
 
-#: How a letter begins that is written as its number.
+#: The beginning of a character that is written as its number.
 _ESCAPE = "\\u{"
 #: A number as Rust reads it.
 _RUST_NUMBER = re.compile(r"[+-]?(\d+\.?\d*(e[+-]?\d+)?|\.\d+(e[+-]?\d+)?|inf|infinity|nan)", re.ASCII | re.IGNORECASE)
@@ -14,7 +14,7 @@ _RUST_NUMBER = re.compile(r"[+-]?(\d+\.?\d*(e[+-]?\d+)?|\.\d+(e[+-]?\d+)?|inf|in
 def to_cell(text: str) -> str:
     """A text as a cell of CSV, by the rule of `cell` in crates/osim-planning/src/sheet/cell.rs.
 
-    Letters that steer a terminal are written as their numbers, and what a spreadsheet would run has an apostrophe before it.
+    Control characters are written as their numbers, and a text that a spreadsheet would run as a formula gets an apostrophe before it.
     """
     if text.isprintable() and _ESCAPE not in text:
         return _with_apostrophe(text)
@@ -48,5 +48,5 @@ def _is_formula(text: str) -> bool:
 
 
 def is_control_character(letter: str) -> bool:
-    """Whether a letter steers a terminal, or the direction of a text."""
+    """Whether a character controls a terminal or the direction of a text."""
     return unicodedata.category(letter) == "Cc" or "\u2028" <= letter <= "\u202e" or "\u2066" <= letter <= "\u2069"

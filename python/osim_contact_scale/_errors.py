@@ -1,4 +1,4 @@
-"""What can go wrong, as exceptions."""
+"""The exceptions of this package."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from ._text import clipped, printable
 
 
 class ContactScaleError(Exception):
-    """Something could not be done; nothing was changed by it.
+    """A call failed; it changed nothing.
 
     Attributes
     ----------
     code : str
-        Stable short name, which `explain` explains; `usage`, and of simulations `simulation` and `workers-lost`, have their messages alone.
+        Stable short name, which `explain` explains. Only `usage`, `simulation` and `workers-lost` have no explanation beside their message.
     message : str
-        What is wrong, what was expected, and a way out. Of what is long in it, such as the text of a whole model, the middle is left out.
+        What is wrong, what was expected, and a way out. Long parts, such as the text of a whole model, are shortened in the middle.
     path : str or None
-        The file, as it was named.
+        The file, as the caller named it.
     line, column : int or None
         The place in that file, from 1.
     excerpt : str or None
@@ -38,9 +38,9 @@ class ContactScaleError(Exception):
         keywords: Any = (),
     ) -> None:
         name = "" if path is None else printable(path)
-        # A message about a file that it names itself does not name it twice.
+        # A message that begins with the name of the file does not get the name again.
         is_named = bool(name) and message.startswith(name)
-        # Line by line: wrong rows of a table have one each.
+        # Each line is shortened by itself: a message about a table has a line for each wrong row.
         message = "\n".join(map(clipped, message.split("\n")))
         position = "" if line is None or column is None else f":{line}:{column}"
         text = message if is_named or not name else f"{clipped(name)}{position}: {message}"
@@ -68,25 +68,25 @@ class ModelError(ContactScaleError):
 
 
 class NeedsAnswer(ContactScaleError):
-    """A keyword is missing that must not be guessed.
+    """A keyword is missing, and this package must not guess its value.
 
-    `keywords` names it: pass the first of them, or one of the others.
+    `keywords` names the keywords that answer: pass the first, or one of the others.
     """
 
     @property
     def keyword(self) -> str | None:
-        """The keyword that answers, where the message names one."""
+        """The keyword that answers, if the message names one."""
         return self.keywords[0] if self.keywords else None
 
 
 class RequestError(ContactScaleError, ValueError):
-    """The call itself is wrong: a value, or keywords that do not go together."""
+    """The call itself is wrong: a value, or keywords that cannot be used together."""
 
     @property
     def keyword(self) -> str | None:
-        """The keyword that is wrong, where it is one."""
+        """The keyword that is wrong, if the message names one."""
         return self.keywords[0] if self.keywords else None
 
 
 class OutputError(ContactScaleError):
-    """A file cannot be written: something is there, the folder is read-only, the disk is full. No file is half written."""
+    """A file cannot be written: it exists already, the folder is read-only, or the disk is full. No file is half written."""

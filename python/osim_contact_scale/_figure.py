@@ -1,4 +1,4 @@
-"""Figures that show themselves."""
+"""Figures that notebooks display, that matplotlib draws, and that are saved to files."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _PANEL = (5.0, 3.6)
 
 
 class _RenderedFigure(NamedTuple):
-    """A figure that came from another process or from a file: it is drawn already, in all formats."""
+    """A figure that came from another process or from a pickle: it has been drawn already, in all formats."""
 
     svg: str
     remarks: str
@@ -54,7 +54,7 @@ class Figure(NamedValues):
     svg : str
         The figure as an SVG document.
     remarks : str
-        What is to be said beside it, such as the masses that were taken.
+        Remarks about the figure, such as the masses that were used.
     """
 
     __slots__ = ("_native",)
@@ -103,7 +103,7 @@ class Figure(NamedValues):
         return group_panels(self._rows()[0], self._native.panels)
 
     def frame(self) -> pd.DataFrame:
-        """The numbers that are drawn as a DataFrame, always. Units are in `x_axis`, `y_axis` and `value_name`.
+        """The numbers that are drawn, always as a DataFrame. Units are in `x_axis`, `y_axis` and `value_name`.
 
         Examples
         --------
@@ -125,7 +125,7 @@ class Figure(NamedValues):
     def plot(self, ax: None = None, *, panel: None = None) -> Any: ...
 
     def plot(self, ax: Axes | Sequence[Axes] | NDArray[np.object_] | None = None, *, panel: str | None = None) -> Any:
-        """Draws the figure with matplotlib, to be changed as every plot of it can be.
+        """Draws the figure with matplotlib, so that you can change it like every plot of matplotlib.
 
         Curves, points, limits, heat maps, spheres and bones are drawn, with the labels, units and names of the picture. The shade below
         a curve and remarks are in the picture alone, and colours are those of your style.
@@ -133,19 +133,19 @@ class Figure(NamedValues):
         Parameters
         ----------
         ax : matplotlib Axes, or several of them, optional
-            Where it is drawn: one for each panel. Made where there is none.
+            The axes to draw on, one for each panel. By default new axes are made.
         panel : str, optional
-            One panel alone: its name as in `panels`, or the letter that it begins with.
+            Draw only this panel: its name as in `panels`, or the letter that it begins with.
 
         Returns
         -------
         matplotlib.axes.Axes or numpy.ndarray of them
-            One for one panel; of several panels an array with one for each.
+            The axes of one panel; an array with one for each of several panels.
 
         Raises
         ------
         RequestError
-            There is no such panel, or not one of the axes for each.
+            There is no such panel, or the number of axes is not the number of panels.
         ContactScaleError
             matplotlib is not installed.
 
@@ -172,7 +172,7 @@ class Figure(NamedValues):
         return targets[0] if len(targets) == 1 else np.array(targets, dtype=object)
 
     def _create_axes(self, count: int) -> Sequence[Any]:
-        """Axes below each other, two beside each other where there are many."""
+        """Creates axes in one column, or in two columns if there are many."""
         from matplotlib import pyplot
 
         columns = 1 if count < 4 else 2
@@ -197,9 +197,9 @@ class Figure(NamedValues):
         Raises
         ------
         RequestError
-            Another ending.
+            The name ends in something else.
         OutputError
-            The file is there already and `force` is not said.
+            The file exists already and `force` is not given.
         """
         path = Path(at_home(output))
         makers: dict[str, Callable[[], bytes]] = {
@@ -219,7 +219,7 @@ class Figure(NamedValues):
         return self.svg
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # All that can be asked of it travels along: where it arrives, the models need not be there.
+        # The pickle has every format, because the process that loads it may not have the models.
         return Figure, (
             _RenderedFigure(
                 self.svg, self.remarks, self._native.csv, self.to_pdf(), self.to_png(), self._native.panels

@@ -1,4 +1,4 @@
-"""Tables that are DataFrames always."""
+"""Tables that are always DataFrames, and the units of their columns."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ _UNITS = {
     "_bw": "body weight", "_m": "m", "_n": "N", "_s": "s",
 }  # fmt: skip
 
-#: The axis of a place, which stands after its unit or before it.
+#: The axis of a place, which follows the unit in the name of a column.
 _AXIS = re.compile(r"_[xyz]$")
 
 
 class MissingPackage(ContactScaleError, ImportError):
-    """A package is not installed that is not needed otherwise."""
+    """An optional package that this call needs is not installed."""
 
     def __init__(self, package: str, extra: str, what: str) -> None:
         install = f'pip install "osim-contact-scale[{extra}]"'
@@ -35,7 +35,7 @@ class MissingPackage(ContactScaleError, ImportError):
 
 
 def require(package: str, extra: str, what: str) -> None:
-    """Refuses to go on without a package.
+    """Raises an error if a package is not installed.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Gaps in tables of models: where an option is left out because its cell is empty, and the remark on that."""
+"""Gaps in tables of models: an option whose cell is empty is left out, and the log says where."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ log = logging.getLogger("osim_contact_scale")
 
 
 class Gaps(NamedTuple):
-    """Where the values of an option are missing."""
+    """The rows in which a column has no value."""
 
     #: Rows, from 0.
     places: set[int]
-    #: Those of them that have NaN, NaT or NA, which may be a number that went wrong.
+    #: The rows that have NaN, NaT or NA, which may be the result of a failed calculation.
     nan: set[int]
     #: Whether all other values of the column are numbers.
     is_numeric: bool
 
 
 def find_gaps(rows: Sequence[Mapping[str, Any]], count_none: bool) -> dict[str, Gaps]:
-    """The gaps of each column that has some.
+    """The gaps of each column that has gaps.
 
     Remarks are left out, and so are rows in which all is missing. None counts only `with_none`: in a list somebody wrote it, in a DataFrame
     it may be a gap.
@@ -54,9 +54,9 @@ def _is_numeric(values: Iterable[Any]) -> bool:
 
 
 def log_gaps(gaps: Mapping[str, Gaps], rows: Sequence[Mapping[str, Any]]) -> None:
-    """Says where a missing value leaves an option out.
+    """Logs where an option is left out because its value is missing.
 
-    In a column of numbers a gap and a number that went wrong look alike, as pandas fills gaps with NaN: there it is a warning.
+    pandas fills gaps with NaN. In a column of numbers, a gap thus looks like a failed calculation, and the log has a warning.
     """
     for name, gap in gaps.items():
         level = logging.WARNING if gap.nan and gap.is_numeric else logging.INFO
@@ -72,7 +72,7 @@ def _count_phrase(some: int, rows: int) -> str:
 
 
 def explain_gaps(error: RequestError, gaps: Mapping[str, Gaps]) -> RequestError:
-    """The error about a table, which says of each row what is empty in it, and how columns are kept."""
+    """An error about a table, with the empty columns of each row that it names, and with the way to keep own columns."""
 
     def with_empty_columns(match: re.Match[str]) -> str:
         place, column = int(match["row"]) - 2, match["column"]

@@ -1,6 +1,6 @@
-"""What a notebook shows: plain tables, which take the colours of the notebook, light or dark.
+"""HTML for notebooks: plain tables, which take the colours of the notebook, light or dark.
 
-All texts are escaped, since names of models are from outside. Each part has an end, so that a cell stays small however much there is.
+All texts are escaped, because names of models come from files. Each part has a limit, so that the cell of a notebook stays small.
 """
 
 from __future__ import annotations
@@ -11,16 +11,16 @@ from typing import Any
 
 from ._text import printable
 
-#: Characters of a table or a text, as HTML: all parts of a cell together stay below 60 kB.
+#: Most characters of a table or a text as HTML; all parts of a notebook's cell together then stay below 60 kB.
 ROOM = 9_000
-#: Characters of a cell.
+#: Most characters in the cell of a table.
 CELL = 300
 
 
 def html_table(columns: Sequence[str], rows: Iterable[Sequence[Any]], where: str = "", *, room: int = ROOM) -> str:
-    """A table in which every text is escaped, and characters that are not seen are shown by their numbers.
+    """A table in which every text is escaped, and invisible characters are written as their numbers.
 
-    Rows that have no room are counted; `where` says where they are.
+    Rows beyond the limit `room` are only counted; `where` says where the user finds them.
     """
     head = "".join(f"<th scope='col'>{html.escape(column)}</th>" for column in columns)
     html_rows: list[str] = []
@@ -45,7 +45,7 @@ def _cell(value: Any) -> str:
 
 
 def escaped(value: Any, length: int = CELL) -> str:
-    """A text from outside, no longer than this."""
+    """A text as HTML, shortened to this length."""
     text = printable(str(value))
     return html.escape(text if len(text) <= length else f"{text[: length - 1]}…")
 
@@ -56,12 +56,12 @@ def paragraph(text: str) -> str:
 
 
 def heading(text: str) -> str:
-    """What a table is about."""
+    """A bold line above a table."""
     return f"<p><b>{escaped(text)}</b></p>"
 
 
 def preformatted(text: str, where: str, *, room: int = 5 * ROOM) -> str:
-    """A text whose lines are kept, as far as there is room; `where` says where all of it is."""
+    """A text with its line breaks, up to the limit `room`; `where` says where the user finds the rest."""
     lines = text.splitlines()
     html_lines, used = [], 0
     for line in lines:

@@ -1,16 +1,16 @@
-"""Series and DataFrames of pandas and polars, distinguished without an import: nothing is of the classes of what is not imported."""
+"""Recognises Series and DataFrames of pandas and polars without an import: no value can be of a class that is not imported."""
 
 from __future__ import annotations
 
 import sys
 from typing import Any
 
-#: Module and class of each kind.
+#: Module and class of each kind of table.
 KINDS = (("pandas", "Series"), ("pandas", "DataFrame"), ("polars", "Series"), ("polars", "DataFrame"))
 
 
 def kind_of(value: Any) -> tuple[str, str] | None:
-    """Which of `KINDS` a value is; None for everything else."""
+    """The entry of `KINDS` that fits a value; None for everything else."""
     for module, name in KINDS:
         kind = getattr(sys.modules.get(module), name, None)
         if kind is not None and isinstance(value, kind):

@@ -1,6 +1,6 @@
-"""Labels of Series and DataFrames: those of the arguments are those of the result.
+"""Labels of Series and DataFrames: the result of an equation gets the labels of its arguments.
 
-Neither pandas nor polars is imported: where one of them is not, no argument can be of its classes.
+Neither pandas nor polars is imported here: if the caller has not imported one of them, no argument can be of its classes.
 """
 
 from __future__ import annotations
@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from ._errors import RequestError
 from ._kinds import kind_of
 
-#: What most arguments are. None of them has labels, so that nothing needs to be looked for.
+#: Types of most arguments. They have no labels, so that the search for labels is skipped.
 _PLAIN = frozenset({float, int, list, tuple, np.ndarray, np.float64})
-#: What two arguments of a kind must have the same of.
+#: What must be equal in two arguments of one kind.
 _MUST_MATCH = {
     ("pandas", "Series"): "indexes",
     ("pandas", "DataFrame"): "indexes or columns",
@@ -27,7 +27,7 @@ _MUST_MATCH = {
 
 
 class Labels(NamedTuple):
-    """Labels of the elements of a result."""
+    """The labels of a result: index, and columns of a DataFrame."""
 
     kind: tuple[str, str]
     #: The arguments that have these labels, by their names.
@@ -35,7 +35,7 @@ class Labels(NamedTuple):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The shape of what has these labels."""
+        """The shape of an array that has these labels."""
         return tuple(len(axis) for axis in _axes(self._first, self.kind))
 
     @property
@@ -43,7 +43,7 @@ class Labels(NamedTuple):
         return next(iter(self.owners.values()))
 
     def check_shape(self, shape: tuple[int, ...]) -> None:
-        """Refuses a result of another shape, which these labels are not for."""
+        """Raises an error if a result has another shape than these labels."""
         if shape != self.shape:
             key = next(iter(self.owners))
             message = (
@@ -53,7 +53,7 @@ class Labels(NamedTuple):
             raise RequestError("usage", message, keywords=(key,))
 
     def attach(self, values: NDArray[np.float64]) -> Any:
-        """Values with these labels, as what the arguments are."""
+        """The values with these labels, as a Series or DataFrame like the arguments."""
         module, kind = self.kind
         make, first = getattr(sys.modules[module], kind), self._first
         names = {owner.name for owner in self.owners.values()} if kind == "Series" else set()
@@ -67,10 +67,10 @@ class Labels(NamedTuple):
         return make(values, schema=first.columns, orient="row")
 
     def describe_place(self, place: tuple[int, ...]) -> str:
-        """The labels of one element, in brackets; nothing where they say no more than its place."""
+        """The labels of one element, in brackets; an empty text if they only repeat its position."""
         parts = []
         for axis_name, axis, step in zip(("index", "column"), _axes(self._first, self.kind), place):
-            # An iterator has numbers of Python, which are shown as they are.
+            # An iterator gives plain Python numbers, whose repr is short.
             label = repr(next(iter(axis[step : step + 1])))
             if label != str(step):
                 parts.append(f"{axis_name} {label}")
@@ -83,7 +83,7 @@ def common_labels(arguments: Mapping[str, Any]) -> Labels | None:
     Raises
     ------
     RequestError
-        Two of them that differ in kind or labels: to align them is left to the caller, who knows what elements without a partner mean.
+        Two of them differ in kind or labels. The caller has to align them, and knows what elements without a partner mean.
     """
     if _PLAIN.issuperset(map(type, arguments.values())):
         return None
@@ -101,7 +101,7 @@ def common_labels(arguments: Mapping[str, Any]) -> Labels | None:
 
 
 def missing_as_nan(value: Any) -> Any:
-    """Numbers of pandas as an array, NaN where pandas says NA; everything else as it is."""
+    """Numbers of pandas as an array, with NaN for NA; every other value unchanged."""
     kind = kind_of(value)
     if kind is None or kind[0] != "pandas":
         return value
@@ -111,7 +111,7 @@ def missing_as_nan(value: Any) -> Any:
 
 
 def _axes(value: Any, kind: tuple[str, str]) -> list[Any]:
-    """Labels along each dimension; a row of polars has its number alone."""
+    """Labels along each dimension; rows of polars have only their number."""
     if kind[0] == "pandas":
         return list(value.axes)
     return [range(len(value)), *([value.columns] if kind[1] == "DataFrame" else [])]

@@ -1,6 +1,6 @@
-"""Models that are alive in memory: `opensim.Model` in, and changes applied to one.
+"""Live models: reads an `opensim.Model` in memory and applies changes to it.
 
-opensim is imported only where somebody brings one of its models.
+opensim is imported only if the caller passes one of its models.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ def is_model(source: Any) -> bool:
 
 
 def to_bytes(model: Any) -> tuple[str | None, bytes]:
-    """The name of a live model's file, if it has one, and the model as XML as it is now.
+    """The file name of a live model, if it has one, and its present state as XML.
 
     Raises
     ------
@@ -37,14 +37,14 @@ def to_bytes(model: Any) -> tuple[str | None, bytes]:
 
 
 def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: Any) -> None:
-    """Applies the changes of a plan, and the credits with its note, to a live model: it then equals the `new` file.
+    """Applies the changes of a plan, and the credits with its note, to a live model, which then equals the file `new`.
 
     `masses` are those of the bodies that the plan was made for, in kg by their component paths.
 
     Raises
     ------
     ContactScaleError
-        Something is not as it was planned for, because this is another model or was changed since. Nothing was changed then.
+        This is another model than the plan is for, or it was changed since. Nothing was changed then.
     """
     if not is_model(model):
         raise TypeError(f"expected an opensim.Model, not {type(model).__name__}")
@@ -52,7 +52,7 @@ def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: A
 
     for path, mass in masses.items():
         _check_mass(opensim, model, path, mass)
-    # All places are found before anything changes. Objects that are added come with their numbers.
+    # All places are looked up before anything changes. Objects that are added already have the new numbers.
     added = {change["path"] for change in record["objects"] if change["change"] == "added"}
     edits = [_edit(opensim, model, change) for change in record["changes"] if change["path"] not in added]
     if record["objects"]:
@@ -61,7 +61,7 @@ def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: A
         edit()
     credit = record["credits"]
     if credit is None and edits:
-        # Of a file without credits, such as one whose note went, OpenSim reads its own.
+        # If a file has no credits, for example because its note was removed, OpenSim uses its default text.
         credit = opensim.Model().getCredits()
     if credit is not None:
         model.set_credits(credit)
@@ -69,7 +69,7 @@ def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: A
 
 
 def _edit(opensim: Any, model: Any, change: dict[str, Any]) -> Callable[[], object]:
-    """What sets one property, once it is called."""
+    """A function that sets one property."""
     owner = find_component(model, change["path"])
     name, value = change["property"], change["to"]
     if name == "location":
@@ -89,7 +89,7 @@ def _edit(opensim: Any, model: Any, change: dict[str, Any]) -> Callable[[], obje
 
 
 def _check_mass(opensim: Any, model: Any, path: str, mass: float) -> None:
-    """Refuses a body of another mass: what contacts should be follows from it."""
+    """Raises an error if a body has another mass than in the plan, because the new contacts depend on it."""
     body = opensim.Body.safeDownCast(find_component(model, path))
     if body is None or math.isclose(body.getMass(), mass, rel_tol=1e-9):
         return
@@ -98,7 +98,7 @@ def _check_mass(opensim: Any, model: Any, path: str, mass: float) -> None:
 
 
 def _check_unchanged(change: dict[str, Any], current: list[float]) -> None:
-    """Refuses to change what is neither as it was planned for, nor changed already."""
+    """Raises an error unless a property has the value before the change or the value after it."""
     for state in ("from", "to"):
         planned = change[state] if isinstance(change[state], (list, tuple)) else [change[state]]
         # OpenSim prints a live model with fewer digits than its numbers have.

@@ -1,4 +1,4 @@
-"""Whole objects into a live model, and out of it."""
+"""Adds whole objects to a live model and removes them from it."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from typing import Any
 
 from ._errors import ContactScaleError
 
-#: The sets that whole objects are removed from and added to, by their component paths.
+#: The sets whose objects can be removed and added, by their component paths.
 _SETS = {"/forceset": "updForceSet", "/contactgeometryset": "updContactGeometrySet"}
 
 
 def exchange(opensim: Any, model: Any, objects: list[dict[str, Any]], new: bytes) -> list[Callable[[], object]]:
-    """What removes and adds whole objects, once it is called. Those that are added are clones of what OpenSim reads in `new`.
+    """Functions that remove and add whole objects. New objects are clones of those that OpenSim reads in `new`.
 
     Raises
     ------
     ContactScaleError
-        It is another model, or one whose objects cannot be exchanged. Nothing was changed.
+        This is another model than the plan is for, or its objects cannot be exchanged. Nothing was changed.
     """
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "model.osim")
@@ -44,7 +44,7 @@ def exchange(opensim: Any, model: Any, objects: list[dict[str, Any]], new: bytes
                 find_component(model, f"{folder_path}/{name}")
                 raise _outside_sets_error(f"{folder_path}/{name}")
         edits += [partial(_remove, live_set, name) for name in removed]
-        # Cloned now: what is in a set does not keep its model alive.
+        # Objects are cloned now, because a member of a set does not keep its model alive.
         places = sorted(new_set.getIndex(name) for name in added)
         if set_changes and _names(new_set) != _names_after_exchange(_names(live_set), removed, places, _names(new_set)):
             reason = "because of what else is in it, or because of names that occur twice"
@@ -67,7 +67,7 @@ def _names_after_exchange(names: list[str], removed: list[str], places: list[int
 
 
 def _object_name(change: dict[str, Any]) -> str:
-    """The name of an object in its set: OpenSim's own, where the file gives it none."""
+    """The name of an object in its set. OpenSim generates it if the file has none."""
     path: str = change["path"]
     return path.rsplit("/", 1)[-1]
 

@@ -1,4 +1,4 @@
-"""What a live model is as XML, for programs that do not know what this process has read before.
+"""Writes a live model as XML that means the same in every other process.
 
 OpenSim marks each property that no file and no call has set, and leaves it out of what it prints. Its value is the default that was
 registered for its class at that time. OpenSim takes registered defaults from the `<defaults>` of every file that it reads, and keeps them
@@ -18,7 +18,7 @@ from typing import Any
 
 from ._errors import ContactScaleError
 
-#: Classes whose properties are printed always, with those of their parts, such as `HuntCrossleyForce::ContactParameters`.
+#: Classes whose properties are always printed, including their parts, such as `HuntCrossleyForce::ContactParameters`.
 CONTACTS = frozenset(
     {
         "ContactCylinder",
@@ -33,12 +33,12 @@ CONTACTS = frozenset(
     }
 )
 
-#: What is printed depends on settings of the whole process.
+#: Settings of the whole process change what OpenSim prints: only one thread prints at a time.
 _PRINTING = threading.Lock()
 
 
 def model_to_xml(opensim: Any, model: Any, file: str | None = None) -> bytes:
-    """A model as XML: contacts with all their values, and all else that is not as in OpenSim's code. `file` is for messages.
+    """A model as XML: all values of contacts, and all other values that differ from the defaults in OpenSim's code. `file` is for messages.
 
     A clone is printed, so that the marks of the model stay as they are. It has no `<defaults>`, which would count for models that are
     read later, and holds all objects itself, also those that the model has from other files.
@@ -84,7 +84,7 @@ def connected_clone(model: Any) -> Any:
 
 @contextlib.contextmanager
 def _settings(opensim: Any) -> Iterator[None]:
-    """What OpenSim does for the whole process while a model is printed.
+    """Changes OpenSim's settings while a model is printed.
 
     It leaves out defaults: it refuses to read some of those that it prints, such as a muscle's `optimal_force`. And it does not write the
     other files that a model has objects from.
@@ -100,14 +100,14 @@ def _settings(opensim: Any) -> Iterator[None]:
 
 
 def _unmark_defaults(opensim: Any, owner: Any) -> None:
-    """Takes the marks from all properties of an object that have to be printed."""
+    """Removes the mark "is default" from all properties of an object that have to be printed."""
     name = owner.getConcreteClassName()
     defaults = None if name.split("::")[0] in CONTACTS else _default_values(opensim, name)
     for index in range(owner.getNumProperties()):
-        # Not the one to be updated: the object would count as changed.
+        # `updPropertyByIndex` would mark the object as changed.
         prop = owner.getPropertyByIndex(index)
         if prop.getValueIsDefault():
-            # A note is added to credits: without their text in the file it would take the place of it.
+            # The program adds its note to the credits: without a text in the file, the note would replace it.
             if prop.getName() != "credits" and defaults is not None and _value(opensim, prop) == defaults[index]:
                 continue
             prop.setValueIsDefault(False)
@@ -118,7 +118,7 @@ def _unmark_defaults(opensim: Any, owner: Any) -> None:
 
 @functools.cache
 def _default_values(opensim: Any, name: str) -> list[object] | None:
-    """The values of an object as OpenSim's code makes it. None for classes that Python cannot make."""
+    """The values of a new object of a class. None for classes that Python cannot create."""
     try:
         return _values(opensim, getattr(opensim, name)())
     except Exception:
@@ -130,7 +130,7 @@ def _values(opensim: Any, owner: Any) -> list[object]:
 
 
 def _value(opensim: Any, prop: Any) -> object:
-    """What is in a property, to be compared: all digits of its numbers. NaN equals NaN, and what is of a rare type equals nothing."""
+    """The value of a property in a form that can be compared, with all digits. NaN equals NaN; a value of a rare type equals nothing."""
     places = range(prop.size())
     if prop.isObjectProperty():
         objects = [prop.getValueAsObject(place) for place in places]

@@ -1,4 +1,4 @@
-"""One change of many models."""
+"""Makes one change in many models."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .types import Progress, StrPath, Table
 def many(
     verb: ChangingVerb, models: StrPath | Iterable[StrPath], /, *, progress: Progress = False, **options: object
 ) -> Table:
-    """Does the same change to many models and writes all of them.
+    """Makes one change in many models and writes all of them.
 
     Parameters
     ----------
@@ -23,7 +23,7 @@ def many(
     progress : bool or callable, optional
         Show a bar (where tqdm is there), or call this with 1 and whether it failed for each model.
     **options
-        What the verb takes, and where results go: `output_dir`, `in_place`, `force`, `dry_run`, `report`, `summary`, `resume`,
+        Keywords of the verb, and where results go: `output_dir`, `in_place`, `force`, `dry_run`, `report`, `summary`, `resume`,
         `jobs`, `shard`.
 
     Returns
@@ -34,9 +34,9 @@ def many(
     Raises
     ------
     ContactScaleError
-        It cannot be done: found before anything is written.
+        The call is wrong, or a result exists already. Nothing was written.
     TypeError
-        A model that is not the path of a file.
+        A model is not the path of a file.
 
     Examples
     --------
@@ -44,7 +44,7 @@ def many(
     >>> set(done["status"])
     {'dry-run'}
     """
-    # Only those wait for it who have many models.
+    # Imported here, because most programs do not need it.
     from . import _changes
 
     keywords = {name.rstrip("_"): value for name, value in options.items()}

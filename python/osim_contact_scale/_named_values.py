@@ -1,4 +1,4 @@
-"""What is read by attribute and by key alike."""
+"""Objects whose values are attributes and items."""
 
 from __future__ import annotations
 
@@ -8,21 +8,21 @@ from typing import Any
 
 from ._text import printable
 
-#: Letters of a line that `repr` gives; a cell of a notebook shows about as many.
+#: Most characters of a line of `repr`; a cell of a notebook shows about as many.
 LINE = 160
 
 
 class NamedValues:
-    """Values by their names: `thing.name` and `thing["name"]` are the same.
+    """An object whose values are attributes and items: `thing.name` equals `thing["name"]`.
 
-    Names are the public properties and fields of the class, and those of `_values`. A class that is indexed by numbers too asks
-    `_by_name` for texts.
+    Names are the public properties and fields of the class, and those of `_values`. A class that is also indexed by numbers calls
+    `_get_by_name` for texts.
     """
 
     __slots__ = ()
 
     def _values(self) -> Mapping[str, Any]:
-        """Values by names that are no attributes of the class."""
+        """Values whose names are not attributes of the class."""
         return {}
 
     def _names(self) -> list[str]:
@@ -44,7 +44,7 @@ class NamedValues:
         return self._get_by_name(name)
 
     def __getattr__(self, name: str) -> Any:
-        # What the class has is missing only before an object is whole, as while it is copied: its values are not there then.
+        # An attribute of the class is missing only while an object is copied; it has no values yet.
         if name.startswith("_") or hasattr(type(self), name):
             raise AttributeError(name)
         try:
@@ -63,18 +63,18 @@ def _is_attribute(kind: type, name: str) -> bool:
 
 
 def repr_line(kind: str, text: str) -> str:
-    """The one line that `repr` gives."""
+    """A line for `repr`."""
     return f"<{kind}: {clipped(text, LINE)}>"
 
 
 def clipped(text: str, length: int) -> str:
-    """A text from outside, printable, and no longer than this."""
+    """A printable text, shortened to this length."""
     text = printable(text)
     return text if len(text) <= length else f"{text[: length - 1]}…"
 
 
 def repr_lines(head: str, entries: Iterable[str], count: int, limit: int = 8) -> str:
-    """What `repr` gives of a list: its head, and a line for each of the first entries."""
+    """Lines for the `repr` of a list: a head, and a line for each of the first entries."""
     listed = [f"  {clipped(entry, LINE)}" for entry, _ in zip(entries, range(limit))]
     more = [f"  … and {count - limit} more"] if count > limit else []
     return "\n".join([f"<{head}>", *listed, *more])

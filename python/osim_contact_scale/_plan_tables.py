@@ -1,4 +1,4 @@
-"""Tables of a plan: what it changes, from the record that the command's JSON has."""
+"""Tables of the changes of a plan, made from its record in the command's JSON."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .types import Table
 
 #: Columns of a table of changes. `old` and `new` are in `unit`.
 CHANGES = ("property", "path", "old", "new", "factor", "unit", "equation", "force", "sphere", "set", "line", "inserted")
-#: Columns of a table of changes in which equal ones are one row: `of` says how many there are.
+#: Columns of a table in which equal changes are one row: `of` is their number.
 GROUPED = ("property", "of", "old", "new", "factor", "unit", "equation")
 #: Columns of a table of spheres that move: metres, in their frames.
 MOVES = ("path", "sphere", "old_x", "old_y", "old_z", "new_x", "new_y", "new_z", "equation", "line", "inserted")
@@ -19,7 +19,7 @@ OBJECTS = ("change", "class", "name", "path", "body", "location_m", "radius_m", 
 
 
 def changes(record: dict[str, Any]) -> Table:
-    """The numbers that change, a row each."""
+    """A row for each number that changes."""
     return table(_change_rows(record), CHANGES)
 
 
@@ -32,7 +32,7 @@ def _change_rows(record: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def grouped_changes(record: dict[str, Any]) -> list[dict[str, Any]]:
-    """The numbers that change, those of one property that change in the same way as one row."""
+    """A row for each property and change of its value, however many numbers it concerns."""
     groups: dict[tuple[Any, ...], dict[str, Any]] = {}
     for row in _change_rows(record):
         group = groups.setdefault(tuple(row[name] for name in ("property", "old", "new")), {**row, "of": 0})
@@ -41,12 +41,12 @@ def grouped_changes(record: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def moves(record: dict[str, Any]) -> Table:
-    """The spheres that move, a row each."""
+    """A row for each sphere that moves."""
     return table(move_rows(record), MOVES)
 
 
 def move_rows(record: dict[str, Any]) -> list[dict[str, Any]]:
-    """The spheres that move, as dictionaries."""
+    """A dictionary for each sphere that moves."""
     moved = [change for change in record["changes"] if change["property"] == "location"]
     axes = ("x", "y", "z")
     return [
@@ -60,5 +60,5 @@ def move_rows(record: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def objects(record: dict[str, Any]) -> Table:
-    """The objects that are added or removed, a row each."""
+    """A row for each object that is added or removed."""
     return table(record["objects"], OBJECTS)

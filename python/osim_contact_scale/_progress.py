@@ -1,4 +1,4 @@
-"""How far a long call is."""
+"""Reports the progress of a long call."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from contextlib import contextmanager
 from ._errors import RequestError
 from .types import Progress
 
-#: What the native half calls back.
+#: The function that the Rust half calls, with a count and whether it failed.
 Callback = Callable[[int, bool], object] | None
 
 
 @contextmanager
 def progress_callback(progress: Progress, what: str, total: int | None = None) -> Iterator[Callback]:
-    """What to call back, while it lasts.
+    """A context with the function that reports progress; None if nothing is reported.
 
     Raises
     ------
     RequestError
-        Something else than `Progress`.
+        `progress` is neither a truth value nor a function.
     """
     if callable(progress):
         yield progress

@@ -32,15 +32,15 @@ log = logging.getLogger("osim_contact_scale")
 COLUMNS = ("code", "severity", "message", "place", "spheres", "line", "why", "advice", "command")
 
 
-#: Columns of the verdicts of both states.
+#: Columns of the verdicts before and after the change.
 _VERDICTS = ("verdict", "before", "after", "says")
 
-#: The field of the model, where it is not `models`.
+#: The field that names the model, for verbs in which it is not `models`.
 _MODEL = {"fit": "file"}
 
 
 def plan(verb: str, source: Source, keywords: Mapping[str, Any], tables: Mapping[str, bytes] | None = None) -> Result:
-    """Plans a change of one model. Nothing is written. `tables` are files in memory that keywords name.
+    """Plans a change of one model and writes nothing. `tables` are files in memory that keywords name.
 
     Raises
     ------
@@ -63,12 +63,12 @@ def plan(verb: str, source: Source, keywords: Mapping[str, Any], tables: Mapping
 
 
 class Result(NamedValues):
-    """A planned change of one model. The model itself is as it was until `write`.
+    """A planned change of one model. The file of the model does not change before `write`.
 
     Attributes
     ----------
     path : str
-        The model as it was named.
+        The name of the model's file.
     changes : pandas.DataFrame or list of dict
         Every number that changes: `property` (OpenSim's name), component `path`, `old`, `new`, `factor`, `unit`, `equation` of the paper.
     moves : pandas.DataFrame or list of dict
@@ -86,7 +86,7 @@ class Result(NamedValues):
     findings : Findings
         The warnings, and what `check` finds in the new model.
     record : dict
-        All of it, as the command's JSON has it.
+        The whole plan, as in the command's JSON.
     """
 
     __slots__ = ("_checked", "_fields", "_folder", "_planned", "_record")
@@ -96,7 +96,7 @@ class Result(NamedValues):
         self._planned = planned
         self._record: dict[str, Any] | None = None
         self._checked: tuple[Findings, Findings] | None = None
-        # Where the name of its file begins, if that is not a whole path.
+        # The folder that a relative path of its file begins in.
         self._folder = folder
 
     @property
@@ -112,7 +112,7 @@ class Result(NamedValues):
 
     @property
     def verb(self) -> str:
-        """What was asked for."""
+        """The verb that made this plan."""
         verb: str = self._fields["verb"]
         return verb
 
@@ -152,7 +152,7 @@ class Result(NamedValues):
 
     @property
     def findings_before(self) -> Findings:
-        """What `check` finds in the model as it is."""
+        """What `check` finds in the model before the change."""
         return self._check()[0]
 
     def _check(self) -> tuple[Findings, Findings]:
@@ -180,14 +180,14 @@ class Result(NamedValues):
         return files[0][1] if files else self._planned.old()
 
     def _companions(self) -> dict[str, tuple[str, bytes]]:
-        """The other files of a ForceSet by itself, by the keywords that name them: as they are after the change."""
+        """The other files of a standalone ForceSet after the change, by the keywords that name them."""
         new, old = self.files, self._planned.read()
         names = {name: self._fields[name] for name in ("geometry", "model") if isinstance(self._fields.get(name), str)}
         return {name: (path, new[path] if path in new else old[Path(path)]) for name, path in names.items()}
 
     @property
     def files(self) -> dict[str, bytes]:
-        """The new bytes of each file that changes, by the name of the old one: of a standalone set, its geometry too."""
+        """The new bytes of each file that changes, by the name of the old file. A standalone ForceSet has its geometry, too."""
         return dict(self._planned.results())
 
     def write(
@@ -200,14 +200,14 @@ class Result(NamedValues):
         force: bool = False,
         geometry_output: str | os.PathLike[str] | None = None,
     ) -> list[Path]:
-        """Writes the new model: whole, or not at all.
+        """Writes the new model. If that fails, no part of it is written.
 
         Parameters
         ----------
         output : path, optional
             The new file; by default NAME.scaled.osim beside the model.
         output_dir : path, optional
-            A folder for it instead.
+            The folder for the new file, instead of `output`.
         in_place : bool
             Change the model itself, and keep the old one as NAME.osim.bak.
         no_backup : bool
@@ -225,7 +225,7 @@ class Result(NamedValues):
         Raises
         ------
         OutputError
-            Something is there, or cannot be written. Nothing was replaced.
+            A file exists already or cannot be written. Nothing was replaced.
         """
         options = {
             "output": output,
@@ -246,7 +246,7 @@ class Result(NamedValues):
         return list(paths)
 
     def _stay_in_folder(self, *outputs: Any) -> None:
-        """Refuses to write beside a model that was named in another folder."""
+        """Raises an error if the model has a relative path and the current folder is another one now."""
         if self._folder is None or self._folder == os.getcwd():
             return
         if not any(output is not None and os.path.isabs(at_home(output)) for output in outputs):
@@ -261,17 +261,17 @@ class Result(NamedValues):
         Raises
         ------
         ContactScaleError
-            It is another model, or was changed since. Nothing was changed then.
+            This is another model than the plan is for, or it was changed since. Nothing was changed then.
         """
         _live.apply(self.record, self._planned.masses(), self.to_bytes(), model)
 
     def report(self, output: str | os.PathLike[str], *, force: bool = False) -> Path:
-        """Writes a page for browsers about this change: tables, plots, findings of both states.
+        """Writes a web page about this change: tables, plots, and findings before and after.
 
         Raises
         ------
         OutputError
-            It is there already and `force` is not given.
+            The file exists already and `force` is not given.
         """
         path = Path(at_home(output))
         _native.write_file(path, self.html().encode("utf-8"), force)
@@ -283,7 +283,7 @@ class Result(NamedValues):
 
     def _call(self) -> str:
         keywords = {name: value for name, value in self._fields.items() if name not in ("verb", "models", "file")}
-        # Of `set` each property is a keyword.
+        # Python's `set` has a keyword for each property.
         keywords |= keywords.pop("set", {})
         words = ", ".join(
             f"{name}_={value!r}" if name in ("from", "class") else f"{name}={value!r}"
@@ -292,7 +292,7 @@ class Result(NamedValues):
         return f"ocs.{self.verb.replace('-', '_')}({', '.join(filter(None, (repr(self.path), words)))})"
 
     def frame(self) -> pd.DataFrame:
-        """The numbers that change as a DataFrame, always: as `changes` has them. The unit of each is in the column `unit`.
+        """The table `changes`, always as a DataFrame. The unit of each number is in the column `unit`.
 
         Examples
         --------
@@ -301,7 +301,7 @@ class Result(NamedValues):
         return to_frame(lambda: self.changes)
 
     def _summary(self) -> str:
-        """How much is to be changed."""
+        """How many numbers and objects change, as a text."""
         record = self.record
         counts = [(len(record["changes"]), "number", "numbers"), (len(record["objects"]), "object", "objects")]
         counted = [f"{count} {one if count == 1 else several}" for count, one, several in counts if count]
@@ -327,7 +327,7 @@ class Result(NamedValues):
         return "".join(parts)
 
     def _verdicts(self) -> list[dict[str, Any]]:
-        """What the verdicts are before and after; each sentence once."""
+        """A row for each verdict: its sign before and after, and its sentence after the change."""
         states = [record["verdicts"] for record, _ in self._planned.checked()]
         if not states:
             return []
@@ -343,12 +343,12 @@ class Result(NamedValues):
         ]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # Everything that the plan was made from travels along: where it arrives, the files need not be there.
+        # The pickle has all files of the plan, because the process that loads it may not have them.
         return _unpickled, (self._fields, self._planned.read(), self._folder)
 
 
 def _section(title: str, columns: Sequence[str], rows: Sequence[Mapping[str, Any]], where: str) -> list[str]:
-    """A table under its title; nothing where there are no rows."""
+    """A table with its title; nothing if there are no rows."""
     if not rows:
         return []
     cells = ([row.get(column) for column in columns] for row in rows)
@@ -357,21 +357,21 @@ def _section(title: str, columns: Sequence[str], rows: Sequence[Mapping[str, Any
 
 @dataclass(frozen=True, repr=False)
 class Remedy(NamedValues):
-    """What puts a finding right: a call that is ready to be made.
+    """A call that corrects what a finding reports.
 
     Attributes
     ----------
     call : str
-        The call as one would write it.
+        The call as a line of Python.
     """
 
     call: str
-    #: The requests that lead to it, the last of them its own.
+    #: The requests to make one after the other; the last one is the remedy itself.
     _requests: str = field(repr=False)
     _source: Any = field(repr=False, compare=False, default=None)
-    #: The other models of the call that found it, by the names that they have in the request.
+    #: The other models of the call that reported the finding, by their names in the request.
     _others: dict[str, Any] = field(repr=False, compare=False, default_factory=dict)
-    #: Where names of files began when it was found.
+    #: The current folder when the finding was reported.
     _folder: str | None = field(repr=False, compare=False, default=None)
 
     def apply(self, source: Source | None = None) -> Result:
@@ -381,7 +381,7 @@ class Remedy(NamedValues):
         ----------
         source : path, bytes, Result or opensim.Model, optional
             Another state of the model, such as the result of another remedy. By default the model that the finding is about, after
-            the remedies that have to come before this one.
+            the remedies that must be applied before this one.
 
         Returns
         -------
@@ -423,7 +423,7 @@ class Remedy(NamedValues):
 
 @dataclass(frozen=True, repr=False)
 class Finding(NamedValues):
-    """Something that is wrong with a model, or worth knowing.
+    """A problem of a model, or a remark about it.
 
     Attributes
     ----------
@@ -432,9 +432,9 @@ class Finding(NamedValues):
     severity : str
         `error`, `warning` or `remark`.
     message : str
-        This case, in words.
+        A description of this case.
     why, advice : str
-        Why it matters and what to do about it, the same for every case.
+        Why it matters and what to do about it, for every case of this code.
     place : str or None
         Component path of the force or sphere.
     spheres : tuple of str
@@ -442,7 +442,7 @@ class Finding(NamedValues):
     line : int or None
         Line in the model.
     remedy : Remedy or None
-        What puts it right, if something can be proposed.
+        A call that corrects it, if there is one.
     """
 
     code: str
@@ -525,7 +525,7 @@ class Findings(tuple[Finding, ...], NamedValues):
         return table(self._rows(), COLUMNS)
 
     def frame(self) -> pd.DataFrame:
-        """The findings as a DataFrame, always: a row for each.
+        """The findings, always as a DataFrame, with a row for each.
 
         Examples
         --------
@@ -543,7 +543,7 @@ class Findings(tuple[Finding, ...], NamedValues):
         return self._html_table("")
 
     def _html_table(self, title: str) -> str:
-        """The findings with what puts them right, under a title; in words where there are none."""
+        """A table of the findings with their remedies, under a title; a sentence if there are none."""
         if not self:
             return paragraph(f"{title}: none" if title else "no findings")
         names = ("severity", "code", "message", "place", "remedy")
@@ -552,7 +552,7 @@ class Findings(tuple[Finding, ...], NamedValues):
 
 
 class _ModelBefore:
-    """The model of a result as it is, for remedies of what was found in it."""
+    """The model of a result before the change, for the remedies of its findings."""
 
     def __init__(self, result: Result) -> None:
         self._result = result

@@ -1,4 +1,4 @@
-"""What the functions of the verbs call."""
+"""Runs the verbs: the generated functions in `_verbs` call these."""
 
 from __future__ import annotations
 
@@ -24,17 +24,17 @@ __all__ = [
 
 survey = _survey.survey
 
-#: How a table is called that has no file.
+#: The name of a table without a file.
 _TABLE = "table.csv"
 
 
 def assignments(assignments: Mapping[str, Any]) -> dict[str, Any]:
-    """The properties that are set."""
+    """The properties that have a value."""
     return {name: value for name, value in assignments.items() if value is not None}
 
 
 def design(source: Source | None, keywords: Mapping[str, Any]) -> Any:
-    """A plan for a model, or a calculator without one."""
+    """A plan for a model; without a model, a design sheet."""
     if source is not None:
         return plan("design", source, keywords)
     record, text = _native.calculate(fields_of("design", keywords))
@@ -70,7 +70,7 @@ def motion(source: Source, recording: Any, keywords: Mapping[str, Any]) -> Motio
 
 
 def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit | Result:
-    """A contact from a curve, or a plan for a model that is fitted to recordings."""
+    """A contact that fits a curve; with recordings, a plan for a model that fits them."""
     if isinstance(keywords.get("fit"), str):
         keywords = {**keywords, "fit": [keywords["fit"]]}
     if keywords.get("motion") is not None:
@@ -93,7 +93,7 @@ def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit | Result:
 
 
 def _recordings(field: str, recordings: Any, tables: dict[str, bytes]) -> list[Any]:
-    """Files as they are named; what is a table goes into `tables`."""
+    """Names of recordings for a request; the data of those that are tables go into `tables`."""
     several = (
         recordings
         if isinstance(recordings, (list, tuple)) and not all(isinstance(row, Mapping) for row in recordings)
@@ -133,7 +133,7 @@ def presets(name: str | None, keywords: Mapping[str, Any]) -> Presets:
 
 
 def explain(topics: tuple[str, ...], keywords: Mapping[str, Any]) -> list[Explanation]:
-    """Explains each topic; without topics, all that there are."""
+    """Explains each topic; without topics, every topic."""
     records = _explain_records(topics, keywords)[1]
     if len(topics) == 1 or (topics and len(records) == 1):
         groups = [topics]
@@ -162,7 +162,7 @@ def sweep(source: Source, keywords: Mapping[str, Any], progress: Progress) -> _s
 
 
 def batch(table: Any, keep: Any, keywords: Mapping[str, Any], progress: Progress) -> Any:
-    # Only those wait for it who have tables.
+    # Imported here, because most programs do not need it.
     from . import _changes
 
     return _changes.batch(table, keep, keywords, progress)

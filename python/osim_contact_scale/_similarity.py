@@ -1,4 +1,4 @@
-"""What else of a model follows the size of its body, as `check(from_=...)` and `inspect(target_mass=...)` list it."""
+"""Other numbers of a model that depend on body size, which `check(from_=...)` and `inspect(target_mass=...)` list."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .types import Table
 if TYPE_CHECKING:
     import pandas as pd
 
-#: Columns of the table: the record's own, with each spread in three.
+#: Fields of a record that become three columns each: median, min and max.
 _SPREADS = ("value", "factor")
 _COLUMNS = (
     "model",
@@ -37,9 +37,9 @@ _COLUMNS = (
 
 
 class Similarity(Sequence[dict[str, Any]]):
-    """For each model what else follows its size: a record with the ratios and a list of `kinds`, as the JSON has it.
+    """For each model, its other numbers that depend on size: a record with the ratios and a list of `kinds`, as in the JSON.
 
-    Nothing of it is ever changed, and geometric similarity is one choice among several.
+    This package never changes these numbers, and geometric similarity is one choice among several.
 
     Attributes
     ----------
@@ -75,11 +75,11 @@ class Similarity(Sequence[dict[str, Any]]):
 
     @property
     def table(self) -> Table:
-        """A row for each kind of number of each model: how many, the factor found, that of similarity, and the verdict."""
+        """A row for each kind of number of each model: count, actual factor, factor by geometric similarity, and verdict."""
         return table(self._rows(), _COLUMNS)
 
     def frame(self) -> pd.DataFrame:
-        """The same as a DataFrame, always.
+        """The table, always as a DataFrame.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Models that are looked at: inspected and checked."""
+"""Inspects and checks models."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def survey(verb: str, sources: Sources, keywords: Mapping[str, Any], jobs: int |
     Raises
     ------
     ContactScaleError
-        The call is wrong, or there is one model and it cannot be read. Of several models those that fail are in `errors`.
+        The call is wrong, or there is one model and it cannot be read. If there are several, `errors` has those that cannot be read.
     """
     count = thread_count(jobs)
     memory = Memory()
@@ -59,7 +59,7 @@ def survey(verb: str, sources: Sources, keywords: Mapping[str, Any], jobs: int |
     fields["models"] = models
     call = f"ocs.{verb}(...)"
     has_folder = any(os.path.isdir(at_home(source)) for source in source_list if is_path(source))
-    # How many models a folder has is known at the end.
+    # The number of models in a folder is not known before the end.
     with progress_callback(progress, verb, None if has_folder else len(models)) as callback:
         rows, remarks, text = _native.survey(fields, memory, count, call, callback)
     for remark in remarks:
@@ -82,12 +82,12 @@ def survey(verb: str, sources: Sources, keywords: Mapping[str, Any], jobs: int |
 
 
 def as_list(sources: Any) -> list[Any]:
-    """The models of a call: one, or all of a list or of another iterable of them.
+    """The models of a call as a list: one model, or all of an iterable.
 
     Raises
     ------
     TypeError
-        A table.
+        It is a table.
     """
     if hasattr(sources, "columns") or isinstance(sources, Mapping):
         kind = type(sources).__name__
@@ -97,19 +97,19 @@ def as_list(sources: Any) -> list[Any]:
 
 
 def _for_later_calls(name: str, source: Any, memory: Mapping[str, bytes]) -> Any:
-    """A model for later calls. A live model is kept as its bytes: it may change, and it cannot go to another process."""
+    """A model for later calls. A live model is kept as bytes, because it may change and cannot be pickled."""
     return InMemory(name, memory[name]) if _live.is_model(source) else source
 
 
 class Survey(NamedValues, Sequence[dict[str, Any]]):
-    """Models that were looked at: a record for each, as the command's JSON has it.
+    """Models that were inspected or checked: a record for each, as in the command's JSON.
 
     Attributes
     ----------
     records : list of dict
         One for each model that could be read.
     errors : list of ContactScaleError
-        One for each that could not.
+        One for each model that could not be read.
     text : str
         What the command prints: one model in full, several as one table.
     """
@@ -128,7 +128,7 @@ class Survey(NamedValues, Sequence[dict[str, Any]]):
         self.errors = errors
         self._requests = [requests for _, requests in surveyed]
         self._sources = sources
-        # Where names of files begin.
+        # The current folder at the call, which relative paths begin in.
         self._folder = folder
         self.text = text
 
@@ -158,29 +158,29 @@ class Survey(NamedValues, Sequence[dict[str, Any]]):
 
     @property
     def similarity(self) -> Similarity:
-        """What else of the models follows their size; empty unless `from_` (check) or `target_mass` (inspect) was given."""
+        """Other numbers of the models that depend on size; empty unless `from_` (check) or `target_mass` (inspect) was given."""
         return Similarity(self.records)
 
     def _summary(self) -> str:
-        """How many models there are, or which one."""
+        """The number of models, or the name of the only one, and how many could not be read."""
         failed = f", {len(self.errors)} not read" if self.errors else ""
         name = self.records[0]["model"] if len(self.records) == 1 else f"{len(self.records)} models"
         return f"{name}{failed}"
 
     def _errors_html(self) -> str:
-        """The models that could not be read, as a notebook shows them."""
+        """The models that could not be read, as HTML."""
         if not self.errors:
             return ""
         return heading("Not read") + html_table(("error",), ([str(error)] for error in self.errors), ".errors")
 
 
 class Inspection(Survey):
-    """What contacts models have and what they do under the weight: one row per model, sphere or force."""
+    """The contacts of models, and how they deform under body weight: one row per model, sphere or force."""
 
     __slots__ = ()
 
     def frame(self) -> pd.DataFrame:
-        """The models as a DataFrame, always: as `models` has them, units in `attrs["units"]`.
+        """The table `models`, always as a DataFrame; units are in `attrs["units"]`.
 
         Examples
         --------
@@ -205,7 +205,7 @@ class Inspection(Survey):
 
     @property
     def spheres(self) -> Table:
-        """A row for each sphere: radius, place, limb, and what it does under the weight, each figure by its name."""
+        """A row for each sphere: radius, place, limb, and its figures under body weight, each by its name."""
         leading = (
             "model",
             "name",
@@ -234,7 +234,7 @@ class Inspection(Survey):
 
     @property
     def forces(self) -> Table:
-        """A row for each force, or each ContactParameters of one: its parameters by OpenSim's names, and without dimensions."""
+        """A row for each force, or each ContactParameters of one: its parameters with OpenSim's names, also in dimensionless form."""
         leading = ("model", "name", "path", "type", "set", "spheres", "applies", "selected")
         rows = []
         for record in self.records:
@@ -262,19 +262,19 @@ class Inspection(Survey):
 
 
 def _notebook_row(record: Mapping[str, Any]) -> list[Any]:
-    """What a notebook shows of a model."""
+    """The cells of a model in a notebook's table."""
     contacts = (record["contacts_mass_kg"] or {}).get("value")
     counts = (len(record["spheres"]), len(record["forces"]))
     return [record["model"], record["mass_kg"], contacts, record["spheres_per_limb"], *counts]
 
 
 class Check(Survey):
-    """What the limits of the paper and the traps of the format say about models."""
+    """Models checked for the limits of the paper and the pitfalls of the file format."""
 
     __slots__ = ()
 
     def frame(self) -> pd.DataFrame:
-        """The findings of all models as a DataFrame, always: as `table` has them.
+        """The findings of all models: `table`, always as a DataFrame.
 
         Examples
         --------
@@ -328,11 +328,11 @@ class Check(Survey):
         return f"{super()._summary()}: {', '.join(counted) or 'no findings'}"
 
     def _worst_first(self) -> list[dict[str, Any]]:
-        """The models, those with most errors first: there may be no room for the others."""
+        """The models, those with most errors first, because a notebook shows only the first ones."""
         return sorted(self.records, key=lambda record: [-count for count in record["counts"].values()])
 
     def _findings_html(self) -> str:
-        """The findings as a notebook shows them: of one model each, of several those of one kind as one row."""
+        """The findings as HTML: a row for each finding of one model; for several models, a row for each code."""
         if len(self.records) == 1:
             return self.findings_of(0)._html_table("")
         kinds: dict[tuple[str, str], list[str]] = {}
@@ -343,10 +343,12 @@ class Check(Survey):
         ranked = sorted(kinds.items(), key=lambda kind: (_SEVERITIES.index(kind[0][0]), -len(kind[1])))
         rows = ([*kind, len(models), models[0]] for kind, models in ranked)
         columns = ("severity", "finding", "models", "for example")
-        return html_table(columns, rows, ".findings.table") + paragraph("Each finding: .findings.table, or .findings_of(number)")
+        return html_table(columns, rows, ".findings.table") + paragraph(
+            "Each finding: .findings.table, or .findings_of(number)"
+        )
 
 
 def _scalars(record: Mapping[str, Any], without: Sequence[str] = ()) -> dict[str, Any]:
-    """What fits into a cell."""
+    """The fields whose values fit into a cell of a table."""
     plain = {name: value for name, value in record.items() if not isinstance(value, (list, dict, tuple))}
     return {name: value for name, value in plain.items() if name not in without}

@@ -1,4 +1,4 @@
-"""Variants of one model."""
+"""Makes variants of one model."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ log = logging.getLogger("osim_contact_scale")
 
 
 def sweep(source: Source, keywords: Mapping[str, Any], progress: Progress) -> Sweep:
-    """Makes variants of one model: a row for each, which says what is in which file.
+    """Makes variants of one model, and a table that says what each file contains.
 
     Raises
     ------
     ContactScaleError
-        The call is wrong. Variants that cannot be made are in `failures`.
+        The call is wrong. `failures` has the variants that cannot be made.
     """
     if not is_path(source):
         raise TypeError("a sweep makes files beside a file: name the file of a model")
@@ -50,18 +50,18 @@ class Sweep(NamedValues):
     Attributes
     ----------
     record : dict
-        How many there are, as the command's JSON has it.
+        The number of variants, and more, as in the command's JSON.
     manifest : pathlib.Path or None
-        The table of what is in which file; None if nothing was made.
+        The table that says what each file contains; None if nothing was made.
     failures : list of dict
-        What went wrong, for each variant that could not be made.
+        The error of each variant that could not be made.
     """
 
     __slots__ = ("failures", "manifest", "record")
 
     def __init__(self, record: dict[str, Any], manifest: Path | None, failures: list[dict[str, Any]]) -> None:
         self.record = record
-        # A whole path, which stays right when the program goes to another folder.
+        # An absolute path stays valid if the program changes its current folder.
         self.manifest = None if manifest is None else Path(os.path.abspath(manifest))
         self.failures = failures
 
@@ -72,7 +72,7 @@ class Sweep(NamedValues):
 
     @property
     def table(self) -> Table:
-        """A row for each variant, with the path of its file under `path`."""
+        """A row for each variant; the column `path` has the path of its file."""
         return table(*self._rows())
 
     def _rows(self) -> tuple[list[dict[str, Any]], list[str]]:
@@ -93,7 +93,7 @@ class Sweep(NamedValues):
         return rows, [*columns, "path"]
 
     def frame(self) -> pd.DataFrame:
-        """The table as a DataFrame, always: a row for each variant, units in `attrs["units"]`.
+        """The table, always as a DataFrame: a row for each variant; units are in `attrs["units"]`.
 
         Examples
         --------
@@ -117,14 +117,14 @@ class Sweep(NamedValues):
 
     def _repr_html_(self) -> str:
         rows, columns = self._rows()
-        # A whole path is long, and the same but for its end.
+        # The absolute paths are long and differ only in the name of the file.
         shown_columns = [column for column in columns if column != "path"]
         cells = ([row[column] for column in shown_columns] for row in rows)
         return heading(f"sweep: {self._summary()}") + html_table(shown_columns, cells, ".table has all")
 
 
 def number_or_text(text: str) -> Any:
-    """A cell as a number where it is one; None where it is empty."""
+    """A cell as a number, or as a text if it is not a number; None if it is empty."""
     if not text:
         return None
     try:

@@ -1,4 +1,4 @@
-"""Tables that go out: a pandas DataFrame where pandas is there, else a list of dictionaries with the same keys."""
+"""Tables that this package returns: a DataFrame if pandas is installed, else a list of dictionaries with the same keys."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, cast
 
 from .types import Table
 
-#: Names of columns that hold numbers, also where all of them are missing.
+#: Names of columns that hold numbers, even if all of them are missing.
 _NUMBERS = re.compile(
     r"old|new|factor|set|line|column|row|x|y|value|(old|new)_[xyz]|dimensionless_.*|relative_indentation_.*"
     r"|.*_(from|to|factor|kg|m|m_s|s_m|m_s2|n|n_m|n_m2|hz)"
@@ -18,7 +18,7 @@ _NUMBERS = re.compile(
 
 
 def table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> Table:
-    """Rows under these columns. What a row does not have is missing: None, and NaN in a column of numbers."""
+    """A table of rows with these columns. A missing value is None, or NaN in a column of numbers."""
     if importlib.util.find_spec("pandas") is None:
         return cast("Table", [{column: row.get(column) for column in columns} for row in rows])
     import pandas as pd
@@ -26,14 +26,14 @@ def table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> Table:
     values = {column: [row.get(column) for row in rows] for column in columns}
     frame = pd.DataFrame(values, columns=list(columns))
     for column, column_values in values.items():
-        # A column of numbers with gaps is one of float64, also where the numbers are whole or all of them are missing.
+        # A column of numbers with gaps has the type float64, even if the numbers are whole or all of them are missing.
         if (not column_values or any(value is None for value in column_values)) and _is_numeric(column, column_values):
             frame[column] = frame[column].astype("float64")
     return frame
 
 
 def polars_table(rows: Sequence[Mapping[str, Any]], columns: Sequence[str]) -> Any:
-    """Rows as a DataFrame of polars, which is imported: a table of it came in. What is missing is null."""
+    """A DataFrame of polars, which the caller has imported. A missing value is null."""
     polars = sys.modules["polars"]
     return polars.DataFrame([_polars_column(polars, column, [row.get(column) for row in rows]) for column in columns])
 
@@ -48,7 +48,7 @@ def _polars_column(polars: Any, name: str, values: list[Any]) -> Any:
 
 
 def _is_numeric(column: str, values: Sequence[Any]) -> bool:
-    """Whether a column holds numbers: by its values, or by its name where all of them are missing."""
+    """Whether a column holds numbers, judged by its values, or by its name if all values are missing."""
     present = [value for value in values if value is not None]
     return all(_is_number(value) for value in present) if present else _NUMBERS.fullmatch(column) is not None
 
@@ -58,7 +58,7 @@ def _is_number(value: Any) -> bool:
 
 
 def all_columns(first: Sequence[str], rows: Sequence[Mapping[str, Any]]) -> list[str]:
-    """Those that are always there, then the others in the order in which they come."""
+    """The columns `first`, then all others of the rows in the order of their first appearance."""
     names = dict.fromkeys(first)
     for row in rows:
         names.update(dict.fromkeys(row))

@@ -1,18 +1,18 @@
-"""Texts from outside, such as names of files, where a terminal may show them."""
+"""Makes texts of files and users safe for a terminal."""
 
-#: Letters of one line of a message. What somebody gave may be a whole model.
+#: Most characters of one line of a message. A wrong argument may be a whole model.
 MAX_LENGTH = 600
 
 _SHORT = {"\n": r"\n", "\r": r"\r", "\t": r"\t"}
 
 
 def printable(text: str) -> str:
-    """The text with numbers in place of characters that a terminal would obey, or that cannot be seen: as messages have them."""
+    """The text with control characters and invisible characters written as their numbers."""
     return "".join(letter if letter.isprintable() else _escape(letter) for letter in text)
 
 
 def clipped(text: str, max_length: int = MAX_LENGTH) -> str:
-    """The text, or of a long one its beginning and its end, and how long it is."""
+    """The text; if it is long, its beginning, its length and its end."""
     if len(text) <= max_length:
         return text
     left_out = f" ... ({len(text)} letters in all) ... "

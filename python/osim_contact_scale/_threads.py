@@ -1,4 +1,4 @@
-"""How many threads work on many models."""
+"""The number of threads that work on many models."""
 
 from __future__ import annotations
 
@@ -11,28 +11,28 @@ from ._errors import RequestError
 
 log = logging.getLogger("osim_contact_scale")
 
-#: No computer has more processors than this for one program.
+#: More threads than any computer has processors.
 _MAX_THREADS = 4096
 _VARIABLE = "OSIM_CONTACT_SCALE_THREADS"
 
 _default_count: int | None = None
-#: The value of the environment that could not be used, and was reported.
+#: The wrong value of the environment variable that was reported already.
 _reported_value: str | None = None
 
 
 def set_threads(count: int | None) -> None:
-    """Says how many threads work on many models at once.
+    """Sets how many threads work on many models at once.
 
     Parameters
     ----------
     count : int or None
-        None for one per processor, which is also the default. The environment variable `OSIM_CONTACT_SCALE_THREADS` says it for a
+        None for one per processor, which is the default. The environment variable `OSIM_CONTACT_SCALE_THREADS` sets it for a
         whole session.
 
     Raises
     ------
     RequestError
-        Not a whole number from 1 to 4096.
+        `count` is not a whole number from 1 to 4096.
 
     Examples
     --------
@@ -44,18 +44,18 @@ def set_threads(count: int | None) -> None:
 
 
 def thread_count(jobs: Any) -> int | None:
-    """How many threads a call has: `jobs`, else the number for all calls; None for one per processor.
+    """The number of threads of a call: `jobs`, or else the default; None for one per processor.
 
     Raises
     ------
     RequestError
-        Not a whole number from 1 to 4096.
+        `jobs` is not a whole number from 1 to 4096.
     """
     return default_thread_count() if jobs is None else _check_count(jobs, "jobs")
 
 
 def default_thread_count() -> int | None:
-    """How many threads were asked for; None for one per processor."""
+    """The number of threads from `set_threads` or the environment; None for one per processor."""
     global _reported_value
     if _default_count is not None:
         return _default_count

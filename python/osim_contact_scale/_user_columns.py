@@ -1,4 +1,4 @@
-"""Columns of a table that are the user's own: which they are, and how they come back beside what was done."""
+"""Columns of a table that are not options but data of the user, which the result has again."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ._text import printable
 
 log = logging.getLogger("osim_contact_scale")
 
-#: Columns of the result that are not those of the table with the same name.
+#: Names of columns that the result has itself.
 _RESULT = re.compile(
     r"row|status|(contacts|target)_mass_kg|contacts_mass_source|objects|changes|unequal_factors|warnings|error|error_code|line|column|folder"
     r"|tool_version|sha256_.*|(radius|stiffness|dissipation|\w+_friction|transition_velocity|constant_contact_force|\w+_smoothing)_"
@@ -26,21 +26,21 @@ _RESULT = re.compile(
 
 
 class UserColumns(NamedTuple):
-    """The user's own columns of a table."""
+    """The columns of a table that are data of the user."""
 
-    #: Those that come back, by their names as text.
+    #: Names of the columns that the result has again.
     returned: frozenset[str]
-    #: Those that no verb is to see.
+    #: Names of the columns that are not passed to a verb.
     hidden: frozenset[str]
 
 
 def user_columns(names: Sequence[str], keep: Any) -> UserColumns:
-    """Which columns are the user's own: those whose names begin with #, and those of `keep`.
+    """Finds the user's columns: those whose names begin with #, and those of `keep`.
 
     Raises
     ------
     RequestError
-        A column of `keep` that is not there, or that the result has, too.
+        The table has no column that `keep` names, or the result has a column of that name itself.
     TypeError
         `keep` is neither yes or no nor names.
     """
@@ -84,20 +84,20 @@ def _suggestion(name: str, names: Iterable[str]) -> str:
 
 
 def _warn_if_misspelt(name: str) -> None:
-    """Says that a column is the user's whose name is nearly that of an option: it may be misspelt."""
+    """Logs a warning if the name of a user's column is nearly that of an option: it may be misspelt."""
     suggestion = _suggestion(option_of(name), ROW_OPTIONS)
     if suggestion:
         log.warning("the column %s is kept as yours, because it is not an option%s", repr(printable(name)), suggestion)
 
 
 def column_names(original: Any, rows: Sequence[Mapping[str, Any]]) -> list[str]:
-    """The names of all columns of a table, as text."""
+    """The names of all columns of a table as texts."""
     labels = original.columns if kind_of(original) is not None else all_columns((), rows)
     return [str(name) for name in labels]
 
 
 def visible_rows(rows: Sequence[Mapping[str, Any]], user: UserColumns) -> list[dict[str, Any]]:
-    """The rows as verbs see them."""
+    """The rows without the columns that no verb reads."""
     return [{name: value for name, value in row.items() if name not in user.hidden} for row in rows]
 
 
@@ -108,9 +108,9 @@ def join_user_columns(
     places: list[int],
     records: Sequence[Mapping[str, Any]],
 ) -> Any:
-    """What was done, with the user's own columns before it, taken from the table itself: one of the same kind, with its index.
+    """The results, with the user's columns of the original table before them: a table of that kind, with its index.
 
-    `places` are the rows of the records, from 0. Columns have their kinds, too, so that the result can be merged with the table.
+    `places` are the rows of the records, from 0. Columns keep their types, so that the result can be merged with the table.
     """
     columns = [name for name in all_columns((), records) if name not in user.returned]
     kind = kind_of(original)
@@ -125,7 +125,7 @@ def join_user_columns(
         return polars.concat([original[places, positions], results], how="horizontal") if positions else results
     import pandas as pd
 
-    # All rows are taken as they are: a list of them would make an index of another kind.
+    # All rows are taken by a slice: a list of them would make an index of another type.
     user_values = original.iloc[slice(None) if places == list(range(len(original))) else places, positions]
     results = table(records, columns)
     results.index = user_values.index

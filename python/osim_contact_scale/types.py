@@ -1,4 +1,4 @@
-"""Types for annotations: what the functions of this package take and give.
+"""Types for annotations: arguments and results of this package's functions.
 
 from osim_contact_scale.types import Source, Table
 
@@ -40,32 +40,32 @@ StrPath = str | os.PathLike[str]
 """The name of a file or folder."""
 
 Progress = bool | Callable[[int, bool], object]
-"""`True` for a bar where tqdm is there, `False` for none, or a function that is called with 1 and whether it failed, for each model."""
+"""`True` for a bar (if tqdm is installed), `False` for none, or a function that is called for each model with 1 and whether it failed."""
 
 
 class LiveModel(Protocol):
-    """An `opensim.Model`, by two of its methods: OpenSim's own package has no types."""
+    """An `opensim.Model`, described by two of its methods, because OpenSim's package has no types."""
 
     def printToXML(self, path: str, /) -> Any:
-        """Writes it to a file."""
+        """Writes the model to a file."""
 
     def getInputFileName(self) -> Any:
-        """The file that it was read from."""
+        """The file that the model was read from."""
 
 
 class ModelInMemory(Protocol):
-    """A model without a file of its own, such as a `Result`: its new bytes, and the name of the old file."""
+    """A model that is in no file yet, such as a `Result`: its new bytes, and the name of the old file."""
 
     @property
     def path(self) -> str:
-        """The name of the file that it was made from."""
+        """The name of the file that the model was made from."""
 
     def to_bytes(self) -> bytes:
-        """The model."""
+        """The model as bytes."""
 
 
 Source = str | os.PathLike[str] | bytes | bytearray | memoryview | ModelInMemory | LiveModel
-"""A model: the name of its file, its bytes, a result of this package, or an `opensim.Model`."""
+"""A model: the path of its file, its bytes, a result of this package, or an `opensim.Model`."""
 
 Sources = Source | Iterable[Source]
 """One model or several: paths, folders, bytes, results or live models."""
@@ -86,24 +86,24 @@ class InterchangeTable(Protocol):
 
 
 class Polars(Protocol):
-    """A DataFrame of polars, by a method that those of other libraries have not."""
+    """A DataFrame of polars, described by a method that no other library has."""
 
     def lazy(self) -> object:
-        """The same, to be calculated later."""
+        """The DataFrame as a lazy query."""
 
 
 PolarsTable = TypeVar("PolarsTable", bound=Polars)
-"""A DataFrame of polars that comes in and goes out."""
+"""A DataFrame of polars, for functions that return the type that they are given."""
 
 if TYPE_CHECKING:
     Table: TypeAlias = pd.DataFrame
-    """A table that goes out: a DataFrame. Where pandas is not installed, it is a list of dictionaries with the same names."""
+    """A table that a function returns: a DataFrame. If pandas is not installed, it is a list of dictionaries with the same names."""
 
     TableLike: TypeAlias = (
         pd.DataFrame | ArrowTable | InterchangeTable | Mapping[str, Iterable[object]] | Iterable[Mapping[str, object]]
     )
-    """A table that comes in: a DataFrame of pandas, polars or another library, a dictionary of columns, or a list of dictionaries."""
+    """A table as an argument: a DataFrame of pandas, polars or another library, a dictionary of columns, or a list of dictionaries."""
 else:
-    # pandas takes long to import, and need not be there.
+    # pandas takes long to import and may not be installed.
     Table = Any
     TableLike = ArrowTable | InterchangeTable | Mapping[str, Iterable[object]] | Iterable[Mapping[str, object]]

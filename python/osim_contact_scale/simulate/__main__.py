@@ -35,10 +35,10 @@ results could not be written, 130 stopped by Ctrl-C, 143 by the system
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Does what the command line says, and gives the exit status."""
+    """Runs the simulations of a command line and returns the exit status."""
     options = _parser().parse_args(arguments)
     _log_to_terminal()
-    # Ctrl-C as well: Python ends itself by the signal where a KeyboardInterrupt came up in code that was compiled from a text.
+    # Ctrl-C is handled here, too: Python ends itself by the signal if a KeyboardInterrupt is raised in code compiled from a text.
     for number in (signal.SIGTERM, signal.SIGINT):
         signal.signal(number, _stop)
     try:
@@ -68,7 +68,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _log_to_terminal() -> None:
-    """What this package says, and nothing of Dask's own log."""
+    """Prints the log of this package, and nothing of Dask's log."""
     log = logging.getLogger("osim_contact_scale")
     log.addHandler(logging.StreamHandler())
     log.setLevel(logging.INFO)
@@ -111,7 +111,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _task(text: str, settings: dict[str, Any]) -> Any:
-    """What `--task` and `--set` mean.
+    """The task that `--task` and `--set` describe.
 
     Raises
     ------
@@ -134,7 +134,7 @@ def _task(text: str, settings: dict[str, Any]) -> Any:
 def _function(file: Path, name: str) -> Callable[..., Any]:
     if not file.is_file():
         raise RequestError("usage", f"--task: there is no file {printable(str(file))}")
-    # By its file, because Python may have a module of this name; modules beside it are found as if a program beside it imported it.
+    # The module is loaded from its file, because another module may have its name. It can import modules of its folder.
     sys.path.insert(0, str(file.resolve().parent))
     module_name = file.stem if file.stem not in sys.modules else f"{file.stem}_of_task"
     spec = importlib.util.spec_from_file_location(module_name, file)
@@ -155,7 +155,7 @@ def _function(file: Path, name: str) -> Callable[..., Any]:
 
 
 def _settings(items: Sequence[str]) -> dict[str, Any]:
-    """`NAME=VALUE`: a number, true or false where it is one, else a text."""
+    """The settings of `NAME=VALUE` arguments; a value is a number, true, false or null if JSON reads it as one, else a text."""
     settings: dict[str, Any] = {}
     for item in items:
         name, equals, text = item.partition("=")
@@ -170,7 +170,7 @@ def _settings(items: Sequence[str]) -> dict[str, Any]:
     return settings
 
 
-#: How Python spells what JSON has in small letters.
+#: Words of Python and their spelling in JSON.
 _PYTHON_LITERALS = {"True": "true", "False": "false", "None": "null"}
 
 
@@ -186,7 +186,7 @@ def _print_error(what: object, status: int) -> int:
 
 
 class _StoppedError(BaseException):
-    """A signal asked for the end."""
+    """A signal stopped the program."""
 
     def __init__(self, number: int) -> None:
         self.number = number

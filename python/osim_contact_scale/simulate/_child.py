@@ -1,4 +1,4 @@
-"""What is done in the process of one model."""
+"""Runs the task of one model in the process of that model."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ._values import to_value
 
 
 def simulate(job: Job, loaded: Loaded, folder: str) -> Outcome:
-    """Runs the task on the model."""
+    """Runs the task on the model of a job."""
     refusal = _refusal(job, loaded)
     if refusal is not None:
         return Outcome(job.key, "refused", refusal)
@@ -35,7 +35,7 @@ def simulate(job: Job, loaded: Loaded, folder: str) -> Outcome:
 
 
 def _refusal(job: Job, loaded: Loaded) -> str | None:
-    """Why the result would not be the one that belongs to the key."""
+    """Why the job must not run here: its result would not belong to its key."""
     if loaded.versions != job.versions:
         here, there = loaded.versions, job.versions
         return (
@@ -50,12 +50,12 @@ def _refusal(job: Job, loaded: Loaded) -> str | None:
 
 
 def _numbers_and_series(returned: Any) -> tuple[dict[str, Value], dict[str, list[float]]]:
-    """Numbers and series of what a task returned.
+    """The numbers and series that a task returned.
 
     Raises
     ------
     TypeError, ValueError
-        It is not what a task returns.
+        The task returned something else.
     """
     expectation = "a task returns a dictionary of numbers, or that and a dictionary of series"
     numbers, series = returned if isinstance(returned, tuple) and len(returned) == 2 else (returned, {})

@@ -17,27 +17,27 @@ _SOCKETS = ("sphere", "half_space")
 
 @dataclass(frozen=True)
 class Contact:
-    """A contact force that applies, and what meets in it."""
+    """A contact force that applies, and the spheres and half-spaces that it acts between."""
 
     force: Any
     spheres: tuple[Any, ...]
     floors: tuple[Any, ...]
     places: tuple[int, ...]
-    """Where its record has the forces on the bodies of its spheres, each body once."""
+    """Indices in its record of the forces on the bodies of its spheres, each body once."""
 
     def force_n(self, state: Any, up: Sequence[float]) -> float:
-        """Its force on the bodies of its spheres, along a direction, in N. The state must be realized to dynamics."""
+        """The force on the bodies of its spheres, along a direction, in N. The state must be realized to dynamics."""
         values = self.force.getRecordValues(state)
         return float(sum(values.get(place + axis) * up[axis] for place in self.places for axis in range(3)))
 
 
 def selected_contacts(opensim: Any, model: Any, select: Sequence[str]) -> list[Contact]:
-    """Contact forces that apply, of those whose names fit one of the patterns; without patterns, of all.
+    """The contact forces that apply and whose names fit one of the patterns; without patterns, all that apply.
 
     Raises
     ------
     ModelError
-        There are none, or one of their spheres has no radius.
+        There is no such force, or one of the spheres has no radius.
     """
     contacts = [contact for force in _contact_forces(opensim, model) if (contact := _contact(opensim, model, force))]
     if not contacts:
@@ -51,7 +51,7 @@ def selected_contacts(opensim: Any, model: Any, select: Sequence[str]) -> list[C
     contacts = [one for one in contacts if one.force.get_appliesForce()]
     if not contacts:
         raise model_error(f"the contact forces are switched off (appliesForce is false): {names}")
-    # OpenSim's system never comes to an end of making such a sphere.
+    # OpenSim would never finish the system of a model with such a sphere.
     for sphere in (sphere for contact in contacts for sphere in contact.spheres):
         if not 0 < sphere.getRadius() < math.inf:
             raise model_error(f"the sphere {sphere.getName()} has a radius of {sphere.getRadius():g} m")
@@ -59,23 +59,23 @@ def selected_contacts(opensim: Any, model: Any, select: Sequence[str]) -> list[C
 
 
 def forces_without_constant(contacts: Sequence[Contact]) -> list[str]:
-    """Names of smooth forces with a constant_contact_force of 0, which are not a number where a sphere does not slip."""
+    """Names of smooth forces with a constant_contact_force of 0: their value is NaN while a sphere does not slip."""
     smooth = [one.force for one in contacts if one.force.getConcreteClassName() == SMOOTH]
     return [str(force.getName()) for force in smooth if force.get_constant_contact_force() == 0]
 
 
 def base_frame(geometry: Any) -> Any:
-    """The body, or ground, that a contact geometry is on."""
+    """The body, or ground, that carries a contact geometry."""
     return geometry.getFrame().findBaseFrame()
 
 
 def model_error(message: str) -> ModelError:
-    """An error about the model, in which the name of its file is still missing."""
+    """An error about the model; `model_errors` adds the name of its file."""
     return ModelError("simulation", message)
 
 
 def force_geometry(opensim: Any, model: Any, force: Any) -> list[Any]:
-    """What meets in a force, in the order of its record."""
+    """The contact geometry of a force, in the order of its record."""
     if force.getConcreteClassName() == SMOOTH:
         return [opensim.ContactGeometry.safeDownCast(force.getConnectee(socket)) for socket in _SOCKETS]
     geometries = [
@@ -86,7 +86,7 @@ def force_geometry(opensim: Any, model: Any, force: Any) -> list[Any]:
 
 
 def set_geometry_names(opensim: Any, force: Any, names: Sequence[str]) -> None:
-    """Lets a force that is not yet connected be about other geometry, of these names in a set of contact geometry."""
+    """Makes a force that is not yet connected use the contact geometry with these names."""
     if force.getConcreteClassName() == SMOOTH:
         for socket, name in zip(_SOCKETS, names):
             force.updSocket(socket).setConnecteePath(f"/contactgeometryset/{name}")
@@ -96,7 +96,7 @@ def set_geometry_names(opensim: Any, force: Any, names: Sequence[str]) -> None:
 
 
 def _geometry_names(force: Any) -> Iterator[tuple[Any, int]]:
-    """The names of geometry in a HuntCrossleyForce, over all of its materials: property, and number in it."""
+    """The places of the geometry's names in all materials of a HuntCrossleyForce: the property, and an index in it."""
     materials = force.updPropertyByName("contact_parameters").updValueAsObject().updPropertyByName("objects")
     for place in range(materials.size()):
         names = materials.updValueAsObject(place).updPropertyByName("geometry")
@@ -113,7 +113,7 @@ def _contact_forces(opensim: Any, model: Any) -> Iterator[Any]:
 
 
 def _contact(opensim: Any, model: Any, force: Any) -> Contact | None:
-    """The sphere and the half-space that meet in a force; None if other shapes do."""
+    """A force between spheres and half-spaces as a `Contact`; None if it acts between other shapes."""
     geometry = force_geometry(opensim, model, force)
     spheres = [one for one in map(opensim.ContactSphere.safeDownCast, geometry) if one is not None]
     floors = [one for one in map(opensim.ContactHalfSpace.safeDownCast, geometry) if one is not None]
@@ -123,7 +123,7 @@ def _contact(opensim: Any, model: Any, force: Any) -> Contact | None:
 
 
 def _find_geometry(opensim: Any, model: Any, name: str) -> Any:
-    """The geometry that OpenSim means by a name: a path in the model, or a name in its set of geometry."""
+    """The geometry that OpenSim finds by a name: a path in the model, or a name in its set of geometry."""
     for path in (name, f"contactgeometryset/{name}"):
         try:
             component = opensim.ContactGeometry.safeDownCast(model.getComponent(path))
@@ -135,7 +135,8 @@ def _find_geometry(opensim: Any, model: Any, name: str) -> Any:
 
 
 def _record_places(geometry: Sequence[Any], spheres: Sequence[Any]) -> Iterator[int]:
-    """Each geometry has six values, the force and the torque on its body: of a body with two spheres, the same twice."""
+    """Indices of the forces in a record. Each geometry has six values, the force and the torque on its body, so that a body with
+    two spheres has equal values twice."""
     sphere_paths = {sphere.getAbsolutePathString() for sphere in spheres}
     body_paths = set()
     for number, one in enumerate(geometry):

@@ -15,9 +15,9 @@ from ._rigid import rigid_copy
 from ._scene import Scene, model_errors, open_model, quiet_opensim
 from ._settings import as_patterns, check_choice, parse_multiple
 
-#: Stops of the integrator are at most this many times √(x/g) apart, x the indentation at rest: there are 60 in one swing on the contacts.
+#: Longest step between two stops, in units of √(x/g) with the indentation x at rest: 60 stops in one period on the contacts.
 _MAX_STEP = 0.1
-#: The least indentation for that, in R.
+#: Least indentation for the step, in R.
 _MIN_INDENTATION = 1e-3
 
 
@@ -25,27 +25,27 @@ _MIN_INDENTATION = 1e-3
 class Drop:
     """A whole model falls on its contact spheres, in OpenSim: the drop of van Bijlert (2026), Table 1 and Fig. 4.
 
-    It begins at rest in its default pose, the lowest point of its spheres at a height above the ground.
+    The model begins at rest in its default pose, with the lowest point of its spheres at a height above the ground.
 
-    With joints locked it moves up and down only, as in `ocs.drop_test`: M ẍ = M g − Σ F(x, ẋ), where nothing acts but gravity
-    and contact. With joints free, every coordinate moves that the model leaves free, and all of its forces act; nobody commands its
-    actuators: controllers are switched off, muscles have no excitation and begin in equilibrium.
+    With locked joints it only moves up and down, as in `ocs.drop_test`: M ẍ = M g − Σ F(x, ẋ), with gravity and contact as the only
+    forces. With free joints, every coordinate that the model leaves free moves, and all of its forces act, but its actuators get no
+    command: controllers are switched off, muscles have no excitation and begin in equilibrium.
 
     Parameters
     ----------
     height : float or str
-        At the start: in m, or in radii, such as "0.25R" (or "x0.25"). R = √(Σ R²/n) of the spheres.
+        Height at the start: in m, or in radii, such as "0.25R" (or "x0.25"). R = √(Σ R²/n) of the spheres.
     duration : float or str
-        In s, or in units of √(R/g), such as "35T".
+        Duration in s, or in units of √(R/g), such as "35T".
     joints : "locked" or "free"
     select : str or tuple of str
-        Names of contact forces that act, with `*` and `?`; without, all do. Others are switched off.
+        Names of the contact forces that act, with `*` and `?`; the others are switched off. By default all act.
     actuators : "rest" or "off"
-        With free joints, whether muscles and other actuators act without command, or not at all.
+        With free joints: muscles and other actuators act without a command ("rest"), or not at all ("off").
     samples : int
-        Points of the series.
+        Number of points of the series.
     accuracy : float
-        Relative, of OpenSim's integrator (Runge-Kutta-Merson).
+        Relative accuracy of OpenSim's integrator (Runge-Kutta-Merson).
 
     Raises
     ------
@@ -76,17 +76,17 @@ class Drop:
         object.__setattr__(self, "select", as_patterns(self.select))
 
     def __call__(self, path: str) -> tuple[dict[str, float | None], dict[str, list[float]]]:
-        """Lets the model of a file fall: its figures and its series.
+        """Lets the model of a file fall and returns its figures and series.
 
         Figures have the names that `ocs.drop_test` gives them. Times in s, heights in m above the ground, speeds in m/s upwards,
         forces in N, or in body weights (`bw`). In the series `height_m` is that of the lowest point of all spheres, below 0 in the ground,
-        and `speed_m_s` is that of the centre of mass; with free joints its height is `com_height_m`. What is absent is None.
+        and `speed_m_s` is that of the centre of mass; with free joints its height is `com_height_m`. A figure without a value is None.
 
         Raises
         ------
         ModelError
-            OpenSim cannot read the model or not follow it, or it cannot fall: no contacts, no level ground, no gravity, no coordinate that
-            moves it up and down, contact forces that are not a number.
+            OpenSim cannot read or simulate the model, or the model cannot fall: it has no contacts, no level ground, no gravity, or no
+            coordinate that moves it up and down, or its contact forces are NaN.
         """
         opensim = quiet_opensim()
         with model_errors(path, "let this model fall"):

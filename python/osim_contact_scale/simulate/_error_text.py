@@ -1,4 +1,4 @@
-"""What the row of a model says where its task raised an error: the message, and the line of yours that it came from."""
+"""The text of an error that a task raised: its message, and the line of the user's code that it came from."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ from types import FrameType
 from .._text import clipped, printable
 from ._source import installed_folders
 
-#: Letters of an error that are looked at: a message may have millions.
+#: Most characters of a message that are searched: a message may have millions.
 _MAX_LENGTH = 20_000
 
-#: Where there is no file: prompts and cells of a notebook.
+#: Names in place of a file: prompts and cells of a notebook.
 _PROMPTS = ("<stdin>", "<ipython-input", "<python-input", "<doctest")
 
-#: How cloudpickle names the file of all code that it sends.
+#: The file name that cloudpickle gives to all code that it sends.
 _CLOUDPICKLE_FILE = "<dynamic-code>"
 
-#: What OpenSim, Simbody and SWIG say of themselves around what is wrong.
+#: Parts of a message in which OpenSim, Simbody and SWIG name their own source.
 _OPENSIM_NOISE = re.compile(
     r"\A(?:std::exception in '.*?': )+"
     r"|SimTK Exception thrown at \S+:\d+:\s*"
@@ -30,7 +30,7 @@ _OPENSIM_NOISE = re.compile(
 
 
 def describe_error(error: BaseException, folder: str | None = None) -> str:
-    """An error with its place in the task: the same text in whatever folder it happened."""
+    """The text of an error with its place in the task. It does not depend on the folder of the job."""
     text = _kind_and_message(error)
     for name in (os.path.realpath(folder), folder) if folder else ():
         text = text.replace(name, ".")
@@ -42,20 +42,20 @@ def _kind_and_message(error: BaseException) -> str:
     try:
         message = _in_one_line(str(error))
     except Exception:
-        # An exception of yours that cannot be shown is shown by its kind.
+        # If an exception of yours cannot be converted to text, only its type is shown.
         message = ""
     return f"{kind}: {message}" if message else kind
 
 
 def _in_one_line(message: str) -> str:
-    """The lines of a message as one, without those that are about OpenSim's own source."""
+    """A message as one line, without the parts about OpenSim's source."""
     text = message if len(message) <= _MAX_LENGTH else clipped(message, _MAX_LENGTH)
     lines = _OPENSIM_NOISE.sub("", text).splitlines()
     return " ".join(line.strip() for line in lines if line.strip())
 
 
 def _place(error: BaseException) -> str:
-    """The innermost line of yours that led to the error; nothing where there is none, as in a task of this package."""
+    """The innermost line of your code that led to the error; empty if there is none, as in a task of this package."""
     places = [
         (_frame_file(frame), line, frame.f_code.co_name) for frame, line in traceback.walk_tb(error.__traceback__)
     ]
@@ -68,7 +68,7 @@ def _place(error: BaseException) -> str:
 
 
 def _frame_file(frame: FrameType) -> str:
-    """The file of a line. Code that travelled has no name of one, but its globals have."""
+    """The file of a frame. Code that cloudpickle sent does not name its file, but its globals do."""
     file = frame.f_code.co_filename
     return str(frame.f_globals.get("__file__") or _PROMPTS[0]) if file == _CLOUDPICKLE_FILE else file
 
@@ -80,5 +80,5 @@ def _is_yours(file: str) -> bool:
 
 
 def _is_prompt(file: str) -> bool:
-    # The names that notebooks give to files of their cells are numbers, other ones each time.
+    # Notebooks give the files of their cells new numbers each time.
     return file.startswith("<") or os.path.basename(os.path.dirname(file)).startswith("ipykernel_")

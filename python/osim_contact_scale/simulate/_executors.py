@@ -1,4 +1,4 @@
-"""Who does the work: Dask here or on a cluster, any executor of `concurrent.futures`, or threads of this program."""
+"""Opens the executor of a run: Dask on this machine or a cluster, any executor of `concurrent.futures`, or threads of this program."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from ._worker import close_servers, end_servers
 
 log = logging.getLogger("osim_contact_scale")
 
-#: How `scheduler` says that this program does it with threads, without Dask.
+#: The value of `scheduler` for threads of this program, without Dask.
 HERE = "here"
 
 
 @contextmanager
 def open_executor(scheduler: Any, workers: int | None, run: str) -> Iterator[Executor]:
-    """An executor, while it lasts.
+    """A context with an executor.
 
     Raises
     ------
     RequestError
-        It is none of the things that `run` takes, or Dask is not installed.
+        `scheduler` is of a kind that `run` does not take, or Dask is not installed.
     OSError
         No scheduler answers at this address.
     """
@@ -45,7 +45,7 @@ def open_executor(scheduler: Any, workers: int | None, run: str) -> Iterator[Exe
                     yield threads
                 finally:
                     threads.shutdown(wait=False, cancel_futures=True)
-                    # Threads that wait for a model end with its process: after Ctrl-C, too.
+                    # A thread that waits for a model ends with the model's process, also after Ctrl-C.
                     end_servers(run)
         finally:
             close_servers(run)
@@ -59,7 +59,7 @@ def _client(scheduler: Any, workers: int | None) -> Iterator[Any]:
     if importlib.util.find_spec("distributed") is None:
         message = 'Dask is not installed: pip install "dask[distributed]", or say scheduler="here" to do without'
         raise RequestError("usage", message, keywords=("scheduler",))
-    # Its functions have no types.
+    # Dask's functions have no types.
     distributed: Any = importlib.import_module("distributed")
     if isinstance(scheduler, distributed.Client):
         _refuse_workers(workers)
@@ -94,7 +94,7 @@ def _unknown_scheduler(scheduler: Any) -> RequestError:
 
 
 def _core_count() -> int:
-    """How many this program may use: a job on a cluster often has few of many."""
+    """The number of cores that this program may use: a job on a cluster often may use only a few."""
     return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
 
 
@@ -106,6 +106,6 @@ def _refuse_workers(workers: int | None) -> None:
 
 
 def _log_dashboard(client: Any) -> None:
-    """The dashboard's address; Dask has one where bokeh is installed."""
+    """Logs the address of Dask's dashboard, which exists if bokeh is installed."""
     if importlib.util.find_spec("bokeh") is not None:
         log.info("Dask's dashboard: %s", client.dashboard_link)

@@ -1,4 +1,4 @@
-"""Programs that start processes must say which part of them is the program, and which part each process may import."""
+"""Refuses calls of `run` that each worker process would repeat when it imports the program."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ _MESSAGE = (
     "because each worker imports the file and would run it again"
 )
 
-#: When this program imported the package, in s.
+#: The time at which this program imported the package, in s.
 _IMPORT_TIME = time.time()
 
-#: In the environment of a process in which models run, and of all that it starts.
+#: A variable in the environment of processes that simulate models, and of all processes that they start.
 RUN_VARIABLE = "OSIM_CONTACT_SCALE_WITHIN_A_RUN"
 
 
 def refuse_nested_run() -> None:
-    """Refuses a run that a task begins, or a module that a task imports: each of its models would begin another one.
+    """Refuses a run that a task or a module of a task starts: each of its models would start another run.
 
     Raises
     ------
     RequestError
-        It is one.
+        A task called `run`.
     """
     if RUN_VARIABLE in os.environ:
         message = (
@@ -44,10 +44,10 @@ def refuse_unguarded() -> None:
     Raises
     ------
     SystemExit
-        With one line.
+        The message is one line.
     """
     if getattr(multiprocessing.current_process(), "_inheriting", False):
-        # A worker that imports the program: its calls are not for it.
+        # This process is a worker that imports the program: it must not run the calls.
         raise SystemExit(1)
     main = sys.modules.get("__main__")
     file = getattr(main, "__file__", None)

@@ -1,4 +1,4 @@
-"""One model to simulate, and its outcome: what goes to a worker and back."""
+"""One model to simulate and its outcome, as messages to and from a worker."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import Any, Literal, NamedTuple
 
 #: How a run of a model ended.
 #:
-#: `done`: the task returned. `failed`: it raised an error, or returned something that is no row. `crashed`: its process died. `time limit`:
-#: its process was ended. `lost`: the worker died with it, again and again. `refused`: it was not started.
+#: `done`: the task returned. `failed`: it raised an error, or returned something that cannot be a row. `crashed`: its process died.
+#: `time limit`: its process was ended. `lost`: each worker that tried it died. `refused`: it was not started.
 Status = Literal["done", "failed", "crashed", "time limit", "lost", "refused"]
 
-#: Columns of a table of results beside those of its points and the numbers of the task.
+#: Columns of a table of results that come neither from the points nor from the task.
 RESULT_COLUMNS = ("key", "status", "error")
 
 Value = float | int | str | bool | None
@@ -20,7 +20,7 @@ Value = float | int | str | bool | None
 
 @dataclass(frozen=True)
 class Versions:
-    """Of what results depend on."""
+    """Versions of the programs that results depend on."""
 
     opensim: str
     package: str
@@ -28,13 +28,13 @@ class Versions:
 
 @dataclass(frozen=True)
 class Job:
-    """One model and what is done with it."""
+    """One model and the task to run on it."""
 
-    #: Of the run that it is part of: processes are not shared by runs, because the second one may have another version of a module.
+    #: The run that it belongs to. Runs do not share processes, because the second run may have another version of a module.
     run: str
     key: str
     path: str
-    #: SHA-256 of the model's bytes, as they were when the key was made.
+    #: SHA-256 of the model's bytes at the time when the key was made.
     digest: str
     values: Mapping[str, Any]
     #: The task by cloudpickle, and where Python looks for its modules.
@@ -46,7 +46,7 @@ class Job:
 
 
 class RowStatus(NamedTuple):
-    """The outcome of a row in this run or an earlier one."""
+    """The status of a row in this run or an earlier one."""
 
     status: Status
     time_limit: float | None
@@ -61,7 +61,7 @@ class Outcome:
     error: str | None = None
     numbers: dict[str, Value] = field(default_factory=dict)
     series: dict[str, list[float]] = field(default_factory=dict)
-    #: Of the task alone, and of its process from its start to its end; in s.
+    #: Duration of the task alone, and of its process from its start to its end; in s.
     task_seconds: float | None = None
     process_seconds: float | None = None
     #: The most memory that the process had; in MB.

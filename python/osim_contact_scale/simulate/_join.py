@@ -1,4 +1,4 @@
-"""The tables at the end of a run: every point with its outcome."""
+"""Makes the tables at the end of a run: every point with its outcome."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _RUN_COLUMNS = ("key", "status", "task_seconds", "process_seconds", "memory_mb",
 def join_outcomes(points: Sequence[Point], keys: Mapping[int, str], rows: Mapping[str, Outcome]) -> pd.DataFrame:
     """A row for each point in their order: its columns, key, status, error, and the task's numbers. Points without a row have no status.
 
-    A number that is called like a column of the points has `_result` added to its name.
+    If a number has the name of a column of the points, `_result` is added to its name.
     """
     outcomes = [rows.get(keys.get(point.row, "")) for point in points]
     point_columns = {name: None for point in points for name in point.columns}
@@ -48,20 +48,20 @@ def _unused_name(name: str, used: set[str]) -> str:
 def _record(point: Point, key: str | None, row: Outcome | None, numbers: Mapping[str, str]) -> dict[str, Any]:
     record = {**point.columns, "key": key}
     if row is not None:
-        # The name of the model is not in the parts: models of other names with the same bytes share an outcome.
+        # The parts do not have the name of the model, because models of equal bytes share an outcome.
         error = None if row.error is None else point.with_file_name(row.error)
         record.update(status=row.status, error=error, **{numbers[name]: value for name, value in row.numbers.items()})
     return record
 
 
 def run_table(rows: Mapping[str, Outcome]) -> pd.DataFrame:
-    """How long each run of a model took, where, and with how much memory: what differs from time to time."""
+    """Duration, machine and memory of each simulation: the values that differ if a run is repeated."""
     records = [{name: getattr(row, name) for name in _RUN_COLUMNS} for row in rows.values()]
     return pd.DataFrame(records, columns=list(_RUN_COLUMNS))
 
 
 def write_tables(folder: Path, table: pd.DataFrame, runs: pd.DataFrame) -> None:
-    """`table.csv` and `table.parquet`, the same bytes however often the run was interrupted, and `runs.csv`.
+    """Writes `runs.csv`, and `table.csv` and `table.parquet`, whose bytes do not depend on interruptions of the run.
 
     Raises
     ------
@@ -83,7 +83,7 @@ def _cell(value: Any) -> Any:
 
 
 def _plain_types(table: pd.DataFrame) -> pd.DataFrame:
-    """Parquet has one type in a column: where numbers and texts meet, all are texts."""
+    """A table for Parquet, in which a column has one type: a column with numbers and texts becomes texts."""
     mixed = {
         name: table[name].map(lambda value: None if pd.isna(value) else str(value))
         for name in table.columns

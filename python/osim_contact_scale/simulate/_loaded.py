@@ -1,4 +1,4 @@
-"""What a server has loaded: OpenSim, and the task of its jobs."""
+"""Loads OpenSim and the task of the jobs in a server."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ._job import Job, Versions
 
 
 class Loaded:
-    """OpenSim, if it is there, and the last task."""
+    """OpenSim, if it is installed, and the last task."""
 
     def __init__(self) -> None:
         self.versions = Versions(_opensim_version(), _native.VERSION)
@@ -37,12 +37,12 @@ class Loaded:
 
 
 def _opensim_version() -> str:
-    """OpenSim's version; empty where it is not installed: a task may need none."""
+    """OpenSim's version; empty if it is not installed, because not every task needs it."""
     try:
         import opensim
     except ImportError:
         return ""
-    # Else it writes opensim.log into each folder that a task is run in.
+    # Otherwise OpenSim writes opensim.log into the folder of each task.
     opensim.Logger.removeFileSink()
     opensim.Logger.setLevelString("Error")
     return str(opensim.GetVersion())
@@ -51,7 +51,7 @@ def _opensim_version() -> str:
 def _load_task(job: Job) -> Callable[..., Any]:
     import cloudpickle
 
-    # Modules beside the program that asked for the run: found here as there, after those of the library.
+    # Modules of the program that started the run are found here, too, after those of the library.
     sys.path.extend(folder for folder in job.modules if folder not in sys.path)
     task: Callable[..., Any] = cloudpickle.loads(job.task)
     return task

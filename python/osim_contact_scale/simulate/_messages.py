@@ -1,4 +1,4 @@
-"""Messages between a worker and the process that it has its models simulated in: a length of eight bytes, then a pickle."""
+"""Messages between a worker and the process that simulates its models: a length of eight bytes, then a pickle."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 _LENGTH = struct.Struct("<Q")
 
-#: Where it can, a system copies a process that has OpenSim already; elsewhere each model waits for OpenSim's start.
+#: Whether the system can copy a process that has loaded OpenSim already; otherwise OpenSim starts again for each model.
 CAN_FORK = hasattr(os, "fork")
 
 
@@ -25,7 +25,7 @@ def send(descriptor: int, message: Any) -> None:
     Raises
     ------
     OSError
-        Nobody reads it any more.
+        The other side has closed the pipe.
     """
     remaining = memoryview(encode(message))
     while remaining:
@@ -38,7 +38,7 @@ def receive(descriptor: int) -> Any:
     Raises
     ------
     EOFError
-        The other side has ended before the message was whole.
+        The other side ended before the message was complete.
     """
     (length,) = _LENGTH.unpack(_read_exactly(descriptor, _LENGTH.size))
     return pickle.loads(_read_exactly(descriptor, length))
@@ -55,21 +55,21 @@ def _read_exactly(descriptor: int, length: int) -> bytes:
 
 
 class MessageBuffer:
-    """Messages that arrive in pieces, for those who cannot wait for them."""
+    """Collects messages that arrive in pieces, without blocking."""
 
     def __init__(self, first: bytes = b"") -> None:
         self._bytes = bytearray(first)
 
     def add(self, piece: bytes) -> None:
-        """What was read."""
+        """Adds bytes that were read."""
         self._bytes += piece
 
     def is_complete(self) -> bool:
-        """Whether a message is there."""
+        """Whether the buffer has a complete message."""
         return len(self._bytes) >= _LENGTH.size and len(self._bytes) >= self._end()
 
     def take_message(self) -> Any:
-        """Takes the first message out, once it is whole."""
+        """Removes the first message, which must be complete, and returns it."""
         end = self._end()
         message = pickle.loads(self._bytes[_LENGTH.size : end])
         del self._bytes[:end]

@@ -1,4 +1,4 @@
-"""The motion of a falling body, followed by OpenSim's integrator."""
+"""Integrates the motion of a falling body with OpenSim."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 from ._root import root
 from ._scene import Scene
 
-#: Into how many parts the time around the largest force is divided, and how often.
+#: The time around the largest force is divided into so many parts, so many times.
 _PARTS, _TIMES = 16, 3
 #: Share of R within which a height is 0.
 _HEIGHT_TOLERANCE = 1e-13
@@ -17,7 +17,7 @@ _HEIGHT_TOLERANCE = 1e-13
 
 @dataclass(frozen=True)
 class Moment:
-    """What is needed to go on from a state."""
+    """A time and state that the integration can continue from."""
 
     time_s: float
     values: Any
@@ -33,7 +33,7 @@ class Event:
 
 @dataclass
 class Record:
-    """What was seen of a motion."""
+    """The recorded series and events of a motion."""
 
     series: dict[str, list[float]] = field(default_factory=dict)
     peak_force_n: float = 0.0
@@ -52,11 +52,11 @@ class Motion:
         self.start = self.moment(scene.state)
 
     def moment(self, state: Any) -> Moment:
-        """A moment that the motion can begin again from."""
+        """The moment of a state, for `begin`."""
         return Moment(state.getTime(), self._scene.opensim.Vector(state.getY()))
 
     def begin(self, moment: Moment) -> Any:
-        """Goes on from there; states that it has given before are no longer valid."""
+        """Starts the integration from a moment; states that it returned before are no longer valid."""
         opensim, state = self._scene.opensim, self._state
         state.setTime(moment.time_s)
         state.setY(moment.values)
@@ -70,22 +70,22 @@ class Motion:
         return state
 
     def to(self, time_s: float) -> Any:
-        """The state at a later time; valid until the next one."""
+        """The state at a later time; valid until the next call."""
         return self._manager.integrate(time_s)
 
     def state_at(self, moment: Moment, time_s: float) -> Any:
-        """The state at a time, from an earlier moment."""
+        """The state at a time, integrated from an earlier moment."""
         state = self.begin(moment)
         return self.to(time_s) if time_s > moment.time_s else state
 
 
 class Observer:
-    """Follows a motion from stop to stop: fills series, finds where the ground is touched and left, and the largest force.
+    """Follows a motion from stop to stop: records series, and finds touch-down, lift-off and the largest force.
 
     Parameters
     ----------
     columns : dict
-        What is recorded: names of series, and functions of a state.
+        The series to record: their names, and functions of a state.
     """
 
     def __init__(self, scene: Scene, motion: Motion, columns: Mapping[str, Callable[[Any], float]]) -> None:
@@ -133,7 +133,7 @@ class Observer:
             return self._scene.lowest_m(self._motion.state_at(before, at))
 
         time, close = until, _HEIGHT_TOLERANCE * self._scene.reference_radius_m
-        # With a last step of another length, it may be on the other side still, by rounding.
+        # The last step has another length, so that rounding may leave the body on the first side.
         if (height(until) > 0) == upward:
             time = root(height, before.time_s, until, close=close)
         event = Event(time, self._scene.speed_m_s(self._motion.state_at(before, time)))
@@ -143,7 +143,7 @@ class Observer:
             self.record.lift_off = event
 
     def _refine_peak(self, before: Moment, until: float) -> None:
-        """The largest force is between stops."""
+        """Finds the largest force between two stops."""
         for _ in range(_TIMES):
             moments, forces = [before], [self._scene.force_n(self._motion.begin(before))]
             for number in range(1, _PARTS + 1):

@@ -1,4 +1,4 @@
-"""A model that nobody commands."""
+"""Makes a model passive: its actuators get no commands."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from ._contacts import Contact
 def make_passive(opensim: Any, model: Any, contacts: Sequence[Contact], *, acting: bool) -> None:
     """Switches controllers off, and contact forces that were not chosen; without `acting` also muscles and other actuators.
 
-    Springs, limits, ligaments and bushings go on acting. Without a controller the control of an actuator is 0, and muscles take the
-    least activation that they have.
+    Springs, limits, ligaments and bushings still act. Without a controller the control of an actuator is 0, and muscles have their
+    least activation.
     """
     selected = {contact.force.getAbsolutePathString() for contact in contacts}
     kinds = ("HuntCrossleyForce", "SmoothSphereHalfSpaceForce")

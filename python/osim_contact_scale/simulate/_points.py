@@ -1,4 +1,4 @@
-"""The models of a run: a row of a table for each."""
+"""Reads the table of a run, which has a row for each model."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from ._values import to_value
 
 @dataclass(frozen=True)
 class Point:
-    """One model and what is known of it."""
+    """One model and its row of the table."""
 
     #: Row of the table, from 1.
     row: int
-    #: The model's file, as a whole path.
+    #: The absolute path of the model's file.
     path: str
-    #: Its row, without the path.
+    #: The row without the path.
     values: Mapping[str, Any]
-    #: Its row in the table of results: with the path as it was given.
+    #: The row for the table of results, with the path as in the given table.
     columns: Mapping[str, Any]
 
     def with_file_name(self, error: str) -> str:
-        """What is wrong with it, with the name of its file."""
+        """An error with the name of the model's file before it."""
         return f"{printable(os.path.basename(self.path))}: {error}"
 
 
@@ -90,12 +90,12 @@ def _table_value(value: Any, place: str) -> Value:
 
 
 def select_shard(points: list[Point], shard: str | None) -> list[Point]:
-    """Those of one share: `"2/8"` is the second of eight, every eighth point from the second on.
+    """The points of one share: `"2/8"` is the second of eight shares, every eighth point from the second on.
 
     Raises
     ------
     RequestError
-        It is not of this kind.
+        `shard` does not have this form.
     """
     if shard is None:
         return points

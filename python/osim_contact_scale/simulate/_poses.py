@@ -1,4 +1,4 @@
-"""Where frames and spheres of an `opensim.Model` are, as arrays of NumPy."""
+"""Poses of frames and places of spheres of an `opensim.Model`, as NumPy arrays."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def angles(rotation: Array) -> Array:
 
 
 def along(axis: Array) -> Array:
-    """A rotation whose X is this axis."""
+    """A rotation matrix whose X direction is this axis."""
     other = np.eye(3)[int(np.argmin(np.abs(axis)))]
     third = np.cross(axis, other)
     third /= np.linalg.norm(third)
@@ -43,27 +43,27 @@ def along(axis: Array) -> Array:
 
 @dataclass(frozen=True)
 class Pose:
-    """Place and direction of a frame."""
+    """Position and orientation of a frame."""
 
     origin_m: Array
     rotation: Array
 
     @classmethod
     def of(cls, transform: Any) -> Pose:
-        """Of a `Transform`."""
+        """The pose of a `Transform`."""
         return cls(vector(transform.p()), matrix(transform.R()))
 
     @classmethod
     def in_ground(cls, frame: Any, state: Any) -> Pose:
-        """Of a frame of a model; the state must be realized to position."""
+        """The pose of a model's frame in ground; the state must be realized to position."""
         return cls.of(frame.getTransformInGround(state))
 
     def then(self, inner: Pose) -> Pose:
-        """Of a frame that is given in this one, where this one is given."""
+        """The pose of `inner`, which is given in this frame, in the frame in which this pose is given."""
         return Pose(self.origin_m + self.rotation @ inner.origin_m, self.rotation @ inner.rotation)
 
     def seen_from(self, other: Pose) -> Pose:
-        """This frame as seen from another."""
+        """This pose, given in the frame `other`."""
         back = other.rotation.T
         return Pose(back @ (self.origin_m - other.origin_m), back @ self.rotation)
 
@@ -82,9 +82,9 @@ class Ball:
         self.level_m = float(self.normal @ plane.origin_m)
 
     def centre_m(self, state: Any) -> Array:
-        """Its centre in ground, m. The state must be realized to position."""
+        """The centre in ground, m. The state must be realized to position."""
         return vector(self._frame.getTransformInGround(state).shiftFrameStationToBase(self._centre))
 
     def height_m(self, state: Any) -> float:
-        """Of its lowest point above the plane, m; below 0 it is pressed in."""
+        """Height of the lowest point above the plane, m; negative if the sphere is pressed in."""
         return float(self.normal @ self.centre_m(state)) - self.level_m - self.radius_m

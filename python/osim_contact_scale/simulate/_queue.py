@@ -1,4 +1,4 @@
-"""Gives models to the workers and takes what comes back."""
+"""Sends models to the workers and stores their outcomes."""
 
 from __future__ import annotations
 
@@ -22,26 +22,26 @@ from ._task import Task, base_key, row_key
 
 log = logging.getLogger("osim_contact_scale")
 
-#: Models that are given to the workers ahead of their results: enough for thousands of workers, and no more memory for a million models.
+#: Models that are sent to the workers ahead of their results: enough for thousands of workers, and a limit of memory.
 AHEAD = 4000
 
-#: What Dask says where a scheduler is gone.
+#: Names of Dask's exceptions if the scheduler is lost.
 _LOST_ERRORS = {"CommClosedError", "FutureCancelledError", "CancelledError"}
 
 
-#: What we say where Dask writes about its own tasks and addresses.
+#: Messages instead of Dask's messages, which are about its tasks and addresses.
 _DASK_MESSAGES = {
     "KilledWorker": "the workers that had this model died one after the other: out of memory, or ended from outside"
 }
 
 
 class WorkersLost(ContactScaleError):
-    """The scheduler or the pool of workers ended before the run did. What was done is kept: run again with `resume`."""
+    """The scheduler or the workers ended before the run did. Finished rows are kept: run again with `resume`."""
 
 
 @dataclass(frozen=True)
 class RerunRule:
-    """Which rows of an earlier run are done again."""
+    """Says which rows of an earlier run are simulated again."""
 
     failed: bool
     time_limit: float | None
@@ -55,7 +55,7 @@ class RerunRule:
 
 
 class Queue:
-    """One run."""
+    """The models of one run that wait, run or are finished."""
 
     def __init__(
         self,
@@ -82,19 +82,19 @@ class Queue:
         self._done_keys: set[str] = set()
 
     def simulate(self, points: Iterable[Point]) -> None:
-        """Has every point simulated that is not known.
+        """Simulates every point that has no outcome yet.
 
         Raises
         ------
         WorkersLost
             The workers ended.
         OutputError
-            What came cannot be written.
+            Outcomes cannot be written.
         """
         try:
             self._simulate(points)
         except BaseException:
-            # What was given to the workers and has not begun is not begun.
+            # Jobs that no worker has begun are cancelled.
             for future in list(self._pending):
                 future.cancel()
             raise
@@ -112,14 +112,14 @@ class Queue:
             self._take_ready(wait=True)
 
     def _versions(self) -> Versions:
-        """Asked of a worker: this program may be without OpenSim."""
+        """The versions at a worker, because this program may not have OpenSim."""
         try:
             return self._executor.submit(_worker.versions, self.run).result()
         except Exception as error:
             raise _workers_lost(error) from error
 
     def _job(self, point: Point, base: str, versions: Versions, blob: bytes, modules: tuple[str, ...]) -> Job | None:
-        """What is to do; None where the row is known, or coming."""
+        """The job of a point; None if its row has an outcome or is running."""
         values = self._task.arguments(point.values)
         try:
             digest = hashlib.sha256(Path(point.path).read_bytes()).hexdigest()
@@ -149,7 +149,7 @@ class Queue:
         future.add_done_callback(self._ready.put)
 
     def _take_ready(self, wait: bool) -> None:
-        """Takes what is ready; waits for a moment where there is nothing else to do."""
+        """Stores an outcome that is ready; with `wait`, waits a moment for one."""
         try:
             future = self._ready.get(timeout=FLUSH_SECONDS if wait else 0)
         except queue.Empty:
@@ -172,12 +172,12 @@ class Queue:
 
 
 def _future_outcome(future: Future[Outcome], key: str, time_limit: float | None) -> Outcome:
-    """What came.
+    """The outcome of a future.
 
     Raises
     ------
     WorkersLost
-        It comes no more, and neither will the others.
+        The workers are gone, so that no outcome will come.
     """
     try:
         return future.result()

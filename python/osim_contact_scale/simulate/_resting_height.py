@@ -1,4 +1,4 @@
-"""The height at which contacts carry a body at rest."""
+"""Finds the height at which contacts carry a body at rest."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from ._scene import Scene
 
 #: Share of the body weight within which a force equals it.
 _FORCE_TOLERANCE = 1e-12
-#: Radii that a body may sink in.
+#: Greatest indentation that is tried, in radii.
 _MAX_DEPTH = 1e6
 
 
 def resting_height(scene: Scene, state: Any) -> float:
-    """Height of the lowest sphere's lowest point above the ground at which ΣF = M g at speed 0, m; below 0 it is pressed in.
+    """Height of the lowest sphere's lowest point above the ground at which ΣF = M g at speed 0, m; negative if it is pressed in.
 
     The state is left at that height.
 

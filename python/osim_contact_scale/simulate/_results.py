@@ -1,4 +1,4 @@
-"""What a run gives back."""
+"""The results of a run."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ._store import read_series
 
 
 class Results:
-    """The outcome of a run.
+    """The results of a run.
 
     Attributes
     ----------
@@ -21,9 +21,9 @@ class Results:
         A row for each point: its columns, `key`, `status` (`done`, `failed`, `crashed`, `time limit`, `lost`, `refused`; missing where
         it was not run), `error`, and the numbers of the task, with their units in their names.
     runs : pandas.DataFrame
-        Of each run of a model: seconds of the task and of its process, memory in MB, and the machine.
+        A row for each simulation: seconds of the task and of its process, memory in MB, and the machine.
     folder : pathlib.Path
-        Where `table.csv`, `table.parquet`, `runs.csv` and the parts are.
+        The folder with `table.csv`, `table.parquet`, `runs.csv` and the parts.
     """
 
     def __init__(self, folder: Path, table: pd.DataFrame, runs: pd.DataFrame) -> None:
@@ -33,7 +33,7 @@ class Results:
 
     @property
     def failures(self) -> pd.DataFrame:
-        """The rows that are not done."""
+        """The rows whose status is not `done`."""
         return self.table[self.table["status"] != "done"]
 
     def series(self, row: int | str) -> pd.DataFrame:
@@ -42,12 +42,12 @@ class Results:
         Parameters
         ----------
         row : int or str
-            Its place in `table`, from 0, or its key.
+            The index of the row in `table`, from 0, or its key.
 
         Raises
         ------
         RequestError
-            It has none.
+            The row has no series.
         """
         key = row if isinstance(row, str) else self._key(row)
         series = read_series(self.folder, key)

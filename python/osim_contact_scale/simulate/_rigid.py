@@ -1,4 +1,4 @@
-"""A body that moves up and down only: a model with its joints locked.
+"""Copies a model as one rigid body that only moves up and down: the model with locked joints.
 
 OpenSim locks a coordinate by a constraint, which is solved for in each step: with 30 of them a drop takes four times as long, and more
 where the contacts are stiff. So the same bodies, spheres and forces are put into a model in which one body slides along the vertical,
@@ -73,7 +73,7 @@ def _add_slider(opensim: Any, copy: Any, bodies: dict[str, Any], first: Any, sta
 
 
 def _copy_geometry(opensim: Any, copy: Any, geometry: Any, name: str, bodies: dict[str, Any], state: Any) -> Any:
-    """The same sphere or half-space on a copy of its body, or on ground where that does not move."""
+    """A copy of a sphere or half-space, on the copy of its body, or on ground if the body does not move."""
     body, place = bodies.get(base_frame(geometry).getAbsolutePathString()), Pose.of(geometry.getTransform())
     if body is None:
         body, place = copy.getGround(), Pose.in_ground(geometry.getFrame(), state).then(place)

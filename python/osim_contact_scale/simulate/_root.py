@@ -1,4 +1,4 @@
-"""Where a function crosses 0."""
+"""Finds a place where a function crosses 0."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A run: every point of a table through a task."""
+"""Runs a task on every point of a table."""
 
 from __future__ import annotations
 
@@ -40,10 +40,10 @@ def run(
     Parameters
     ----------
     points : Sweep, path, DataFrame or list of dict
-        What `ocs.sweep` gave, a table in CSV such as its manifest, or rows with a column `path`. In a file the column may be called `file`;
-        paths are relative to the table's folder.
+        The result of `ocs.sweep`, a table in CSV such as its manifest, or rows with a column `path`. In a file the column may also be
+        `file`, and paths are relative to the table's folder.
     task : Drop, Stand, Function or callable
-        What is done with each model. See `Function` for functions of yours.
+        The task for each model. See `Function` for functions of yours.
     results : path
         The folder for parts and tables.
     scheduler : optional
@@ -52,30 +52,30 @@ def run(
     workers : int, optional
         How many models are simulated at the same time on this machine; all cores by default.
     resume : bool, optional
-        Go on in a folder that has results: rows whose key is there are kept.
+        Continue in a folder that has results: rows whose key is there are kept.
     retry_failed : bool, optional
-        With `resume`, do rows again that failed or crashed. Those that were lost or refused, or that had a shorter time limit, are
-        always done again.
+        With `resume`, simulate rows that failed or crashed again. Rows that were lost or refused, or that had a shorter time limit, are
+        always simulated again.
     time_limit : float, optional
-        Seconds that one model may take; then its process is ended.
+        Seconds after which the process of a model is ended.
     shard : str, optional
-        `"2/8"`: only the second share of eight, for job arrays. Tables are written when no shard is named.
+        `"2/8"`: only the second share of eight, for job arrays. Tables are only written by a call without `shard`.
     progress : bool or callable, optional
-        Show a bar (where tqdm is there), or call this with 1 and whether it failed for each model.
+        Show a bar (if tqdm is installed), or call this function for each model with 1 and whether it failed.
 
     Returns
     -------
     Results
-        A row for each point. What went wrong with a model is in its row.
+        A row for each point. If a model fails, its row has the error.
 
     Raises
     ------
     RequestError
-        The call is wrong: found before anything is simulated.
+        The call is wrong. Nothing was simulated.
     WorkersLost
-        The scheduler or the pool ended. What was done is kept.
+        The scheduler or the workers ended. Finished rows are kept.
     OutputError
-        Results cannot be written. What was written is kept.
+        Results cannot be written. Rows that are in parts already are kept.
     """
     refuse_nested_run()
     _refuse_numbers(time_limit, workers)

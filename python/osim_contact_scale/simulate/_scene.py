@@ -13,19 +13,19 @@ from .._errors import ContactScaleError, ModelError
 from ._contacts import Contact, base_frame, forces_without_constant, model_error
 from ._poses import Array, Ball, Pose, vector
 
-#: How far a coordinate is moved to see what it does; in m, or in rad.
+#: Change of a coordinate that is tried to see which bodies move; in m, or in rad.
 _TRIAL_STEP = 0.1
-#: Differences of places in m, and of directions, that are none.
+#: Smaller differences of places in m, and of directions, count as 0.
 _TOLERANCE = 1e-9
-#: How far a half-space may be from level, in rad. A right angle is written as 1.5708 in some models.
+#: Greatest slope of a half-space, in rad. Some models have 1.5708 for a right angle.
 _MAX_SLOPE = 1e-3
 
 
 def quiet_opensim() -> Any:
-    """OpenSim, from now on without messages and without its log file in this process."""
+    """Imports OpenSim and switches off its messages and its log file in this process."""
     import opensim
 
-    # With its first message it makes opensim.log, in the folder that the process is in.
+    # OpenSim would create opensim.log in the current folder with its first message.
     opensim.Logger.removeFileSink()
     opensim.Logger.setLevelString("Off")
     return opensim
@@ -33,7 +33,7 @@ def quiet_opensim() -> Any:
 
 @contextmanager
 def model_errors(path: str, doing: str) -> Iterator[None]:
-    """Names the file in errors about it; OpenSim's exceptions are of many kinds."""
+    """Turns exceptions into a `ModelError` that names the file: OpenSim raises many kinds of them."""
     try:
         yield
     except ContactScaleError as error:
@@ -46,12 +46,12 @@ def model_errors(path: str, doing: str) -> Iterator[None]:
 
 
 def open_model(opensim: Any, path: str) -> Any:
-    """The model of a file.
+    """Reads the model of a file.
 
     Raises
     ------
     ModelError
-        OpenSim cannot read it, or not connect its parts.
+        OpenSim cannot read the model or connect its parts.
     """
     with model_errors(path, "read this model"):
         model = opensim.Model(os.path.abspath(path))
@@ -60,7 +60,7 @@ def open_model(opensim: Any, path: str) -> Any:
 
 
 class Scene:
-    """A model at its default pose that can be lifted, and what its contacts do.
+    """A model at its default pose that can be lifted, and the forces of its contacts.
 
     Lengths in m, forces in N, masses in kg. Methods realize the states that they are given as far as they need it.
 
@@ -89,30 +89,30 @@ class Scene:
 
     @property
     def reference_radius_m(self) -> float:
-        """R = √(Σ R²/n), which lengths are divided by."""
+        """R = √(Σ R²/n), the unit of dimensionless lengths."""
         return float(np.sqrt(np.mean([ball.radius_m**2 for ball in self.balls])))
 
     @property
     def reference_time_s(self) -> float:
-        """√(R/g), which times are divided by."""
+        """√(R/g), the unit of dimensionless times."""
         return float(np.sqrt(self.reference_radius_m / self.gravity_m_s2))
 
     def heights_m(self, state: Any) -> list[float]:
-        """Of the lowest point of each sphere above the ground."""
+        """Heights of each sphere's lowest point above the ground."""
         self.model.realizePosition(state)
         return [ball.height_m(state) for ball in self.balls]
 
     def lowest_m(self, state: Any) -> float:
-        """Of the lowest of these points."""
+        """Height of the lowest point of all spheres above the ground."""
         return min(self.heights_m(state))
 
     def force_n(self, state: Any) -> float:
-        """Of all contacts on the body, upwards.
+        """Force of all contacts on the body, upwards.
 
         Raises
         ------
         ModelError
-            It is not a number.
+            The force is NaN or infinite.
         """
         self.model.realizeDynamics(state)
         total = sum(contact.force_n(state, self._up) for contact in self.contacts)
@@ -123,12 +123,12 @@ class Scene:
         return total
 
     def speed_m_s(self, state: Any) -> float:
-        """Of the centre of mass, upwards."""
+        """Speed of the centre of mass, upwards."""
         self.model.realizeVelocity(state)
         return self._mean(lambda body: body.findStationVelocityInGround(state, body.getMassCenter()))
 
     def com_height_m(self, state: Any) -> float:
-        """Of the centre of mass above the ground."""
+        """Height of the centre of mass above the ground."""
         self.model.realizePosition(state)
         return (
             self._mean(lambda body: body.findStationLocationInGround(state, body.getMassCenter()))
@@ -136,16 +136,16 @@ class Scene:
         )
 
     def _mean(self, body_vector: Callable[[Any], Any]) -> float:
-        """Of a vector of each body, upwards, weighted by mass."""
+        """The upward component of a vector of each body, averaged by mass."""
         parts = (body.getMass() * float(vector(body_vector(body)) @ self.up) for body in self.moving)
         return float(sum(parts)) / self.mass_kg
 
     def place(self, state: Any, height_m: float) -> None:
-        """Puts the lowest point of the lowest sphere at a height above the ground; the pose stays."""
+        """Lifts the body until the lowest point of all spheres is at this height above the ground; the pose does not change."""
         self.lift.setLocked(state, False)
         distance = height_m - self.lowest_m(state)
         self.lift.setValue(state, self.lift.getValue(state) + distance * self.per_metre, False)
-        # A copy of a state that is not realized may keep where frames were before.
+        # A copy of a state that is not realized may have the old positions of frames.
         self.model.realizePosition(state)
 
     def _find_lift(self) -> tuple[Any, float, list[Any]]:
@@ -168,7 +168,7 @@ class Scene:
         raise model_error(f"no coordinate lifts the contact spheres straight against gravity: {expected}")
 
     def _poses_after_trial(self, coordinate: Any, bodies: Sequence[Any]) -> list[Pose]:
-        """Where bodies are with this coordinate changed."""
+        """Poses of bodies after a change of this coordinate."""
         trial = self.opensim.State(self.state)
         coordinate.setLocked(trial, False)
         coordinate.setValue(trial, coordinate.getValue(trial) + _TRIAL_STEP, False)
@@ -176,7 +176,7 @@ class Scene:
         return [Pose.in_ground(body, trial) for body in bodies]
 
     def _find_balls(self) -> list[Ball]:
-        """The spheres, each once, above ground that does not move."""
+        """The spheres, each once, above half-spaces that do not move."""
         moving = {body.getAbsolutePathString() for body in self.moving}
         balls: dict[str, Ball] = {}
         for contact in self.contacts:
@@ -205,7 +205,7 @@ class Scene:
 
 
 def _gravity_and_up(model: Any) -> tuple[float, Array]:
-    """g, and the direction against it."""
+    """The size of gravity, and the direction against it."""
     gravity = vector(model.get_gravity())
     size = float(np.linalg.norm(gravity))
     if not size > 0:
@@ -214,7 +214,7 @@ def _gravity_and_up(model: Any) -> tuple[float, Array]:
 
 
 def _all_bodies(opensim: Any, model: Any) -> list[Any]:
-    """All bodies; of a loop, OpenSim divides one, and its parts are within it."""
+    """All bodies. OpenSim divides one body of a loop; the parts belong to that body and are left out."""
     bodies = [body for body in map(opensim.Body.safeDownCast, list(model.getComponentsList())) if body is not None]
     return [body for body in bodies if body.getOwner().getConcreteClassName() != "Body"]
 
@@ -225,7 +225,7 @@ def _is_moved(before: Pose, after: Pose) -> bool:
 
 
 def _risen(poses: Sequence[tuple[Pose, Pose]], up: Array) -> float | None:
-    """How far they have risen, all alike; None where one was turned, or moved in another way."""
+    """The distance that all bodies have risen; None if one turned or moved otherwise."""
     moves = np.array([after.origin_m - before.origin_m for before, after in poses])
     turned = max(float(np.abs(after.rotation - before.rotation).max()) for before, after in poses)
     risen = float(moves[0] @ up)

@@ -1,10 +1,10 @@
-"""The process in which a worker has its models simulated: `python -m osim_contact_scale.simulate._server`
+"""The process that simulates the models of a worker: `python -m osim_contact_scale.simulate._server`
 
-It imports OpenSim once, and copies itself for each job (fork): a model never meets what another one left in OpenSim, and a crash takes
-only its own copy along. Jobs come as messages on the standard input, outcomes leave on the standard output. With the end of the input
-it ends, and takes a running job along: nothing stays when a worker is killed.
+It imports OpenSim once, and copies itself for each job (fork), so that a model cannot change OpenSim's state for the next one, and a
+crash only ends its own copy. It reads jobs from the standard input and writes outcomes to the standard output. At the end of the input
+it ends itself and a running job, so that nothing keeps running when a worker is killed.
 
-With `--once` it does one job itself and ends: for systems that cannot copy a process.
+With `--once` it does one job itself and ends, for systems that cannot copy a process.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ from ._job import Job, Outcome
 from ._loaded import Loaded
 from ._messages import MessageBuffer, receive, send
 
-#: Seconds after which it is looked whether a process has died whose pipe another one keeps open.
+#: Seconds between two looks whether a process has died whose pipe another process keeps open.
 _POLL_SECONDS = 0.2
 
 
 def main(arguments: list[str]) -> None:
-    """Serves until the input ends."""
-    # What it has begun it ends in order, and leaves no folder.
+    """Does jobs until the input ends."""
+    # After SIGTERM a running job is ended and its folder removed.
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(0))
     requests, answers = _take_pipes()
     loaded = Loaded()
@@ -46,7 +46,7 @@ def main(arguments: list[str]) -> None:
 
 
 def _take_pipes() -> tuple[int, int]:
-    """The two pipes under other numbers, so that nothing that a library prints gets between the messages."""
+    """Moves the two pipes to other descriptors, so that the output of a library does not mix with the messages."""
     requests, answers = os.dup(0), os.dup(1)
     nothing = os.open(os.devnull, os.O_RDWR)
     os.dup2(nothing, 0)
@@ -58,7 +58,7 @@ def _take_pipes() -> tuple[int, int]:
 def _once(requests: int, answers: int, loaded: Loaded) -> None:
     job: Job = receive(requests)
     begin = time.perf_counter()
-    # The folder is removed by the worker, who made it: this process is in it, or was ended.
+    # The worker removes the folder, because this process is in it or may be ended.
     outcome = simulate(job, loaded, folder=os.getcwd())
     outcome.process_seconds = time.perf_counter() - begin
     send(answers, outcome)
@@ -66,7 +66,7 @@ def _once(requests: int, answers: int, loaded: Loaded) -> None:
 
 def _run_in_copy(job: Job, loaded: Loaded, requests: int, answers: int) -> Outcome:
     """Does a job in a copy of this process."""
-    # The task is loaded here: copies have it, and its modules, already.
+    # The task is loaded here, so that every copy has it and its modules already.
     loaded.task(job)
     try:
         folder = tempfile.mkdtemp(prefix="osim-contact-scale-")
@@ -88,14 +88,14 @@ def _run_watched(job: Job, loaded: Loaded, folder: str, requests: int, answers: 
     if child == 0:
         _run_as_copy(job, loaded, folder, (requests, reading, answers), writing, parent)
     os.close(writing)
-    # Here as there: which of the two comes first is not known, and both come before it is ended.
+    # The copy makes this call, too. One of the two calls comes first, and both come before the copy is ended.
     with suppress(OSError):
         os.setpgid(child, child)
     try:
         pieces, ended_by = _wait_for_outcome(child, reading, requests, job.time_limit)
     finally:
         os.close(reading)
-        # Its whole group: programs that it started, too. Where the child is dead already, its group may still be there.
+        # The whole group is ended, with programs that the task started. The group may outlive the child.
         for end in (os.killpg, os.kill):
             with suppress(ProcessLookupError, PermissionError):
                 end(child, signal.SIGKILL)
@@ -123,7 +123,7 @@ def _read_outcome(job: Job, pieces: MessageBuffer) -> Outcome:
 
 
 def _wait_for_outcome(child: int, reading: int, requests: int, limit: float | None) -> tuple[MessageBuffer, str]:
-    """Until there is an outcome, or none will come: which of `outcome`, `death`, `time limit`, `input` it was."""
+    """Waits for the outcome or the end of a child, and says which came: `outcome`, `death`, `time limit` or `input`."""
     pieces = MessageBuffer()
     until = None if limit is None else time.monotonic() + limit
     with selectors.DefaultSelector() as selector:
@@ -140,7 +140,7 @@ def _wait_for_outcome(child: int, reading: int, requests: int, limit: float | No
                 if not piece:
                     return pieces, "death"
             elif requests in ready:
-                # A worker asks for nothing before it has its answer: this is the end of its pipe.
+                # A worker sends no job before it has an answer: its pipe was closed.
                 return pieces, "input"
             elif os.waitid(os.P_PID, child, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None:
                 return pieces, _read_remaining(selector, reading, pieces)
@@ -149,7 +149,7 @@ def _wait_for_outcome(child: int, reading: int, requests: int, limit: float | No
 
 
 def _read_remaining(selector: selectors.BaseSelector, reading: int, pieces: MessageBuffer) -> str:
-    """What a copy that has ended left in its pipe, as far as it is there: another process may keep the pipe open."""
+    """Reads what a copy that has ended left in its pipe, without waiting: another process may keep the pipe open."""
     while reading in {key.fd for key, _ in selector.select(0)}:
         piece = os.read(reading, 1 << 20)
         pieces.add(piece)
@@ -179,16 +179,16 @@ def _run_as_copy(job: Job, loaded: Loaded, folder: str, others: tuple[int, ...],
         with suppress(OSError):
             send(writing, Outcome(job.key, "failed", describe_error(error, folder)))
     finally:
-        # Not sys.exit(): what the server registered for its end is not the copy's.
+        # sys.exit() would run what the server registered for its own end.
         os._exit(0)
 
 
-#: What a job prints, beside its own folder.
+#: The file with the printed output of a job, beside the job's folder.
 _PRINTED = "printed.txt"
 
 
 def _die_with_parent(parent: int) -> None:
-    """Linux ends the copy with its server, also if the server is killed; elsewhere the copy runs to its own end."""
+    """Asks Linux to end the copy with its server, also if the server is killed; other systems let the copy finish."""
     if sys.platform == "linux":
         import ctypes
 
@@ -209,7 +209,7 @@ def _exit_text(status: int) -> str:
 
 
 def _last_line(folder: str) -> str:
-    """The last line that it printed."""
+    """The last line that a job printed."""
     try:
         with open(os.path.join(folder, _PRINTED), errors="replace") as file:
             lines = [line.strip() for line in file.read()[-4096:].splitlines() if line.strip()]

@@ -1,4 +1,4 @@
-"""Heights and times that the tasks are given, in metres and seconds or as multiples of a model's size."""
+"""Reads settings of tasks: heights and times in m and s or as multiples of the model's size, choices, and patterns of names."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from .._errors import RequestError
 
 
 def parse_multiple(value: float | str, unit: str, keyword: str) -> tuple[float, bool]:
-    """A number, and whether it counts in the unit of the model: `0.01` does not, `"0.25R"` and `"x0.25"` do.
+    """A number, and whether it is a multiple of the model's unit: `0.01` is not, `"0.25R"` and `"x0.25"` are.
 
     Raises
     ------
     RequestError
-        It is something else, below 0, or not finite.
+        The value is something else, negative, or not finite.
     """
     text = str(value).strip()
     is_in_units = text.endswith(unit) or text.startswith("x")
@@ -30,12 +30,12 @@ def parse_multiple(value: float | str, unit: str, keyword: str) -> tuple[float, 
 
 
 def check_choice(value: str, expected: tuple[str, ...], keyword: str) -> None:
-    """Refuses a word that is not among those expected."""
+    """Refuses a word that is not one of those expected."""
     if value not in expected:
         words = " or ".join(map(repr, expected))
         raise RequestError("usage", f"{keyword}={value!r}: expected {words}", keywords=(keyword,))
 
 
 def as_patterns(select: str | tuple[str, ...] | list[str]) -> tuple[str, ...]:
-    """Names of forces, one or several, as a tuple."""
+    """One or several patterns of names as a tuple."""
     return (select,) if isinstance(select, str) else tuple(select)

@@ -1,7 +1,7 @@
-"""The part of a key that is about a function: its code, and everything of yours that it uses.
+"""Describes a function for the key of a row: its code, and all of the user's code that it uses.
 
-Comments and blanks make no difference. Functions, classes and constants are followed through your modules, as far as they are
-named. What is installed has a version, and is not followed.
+Comments and blanks make no difference. Functions, classes and constants are followed through your modules, if the code names them.
+Installed packages are not followed, because they have versions.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ from typing import Any
 from .._errors import RequestError
 from ._values import describe_value
 
-#: What says where a module is, and nothing of what it does.
+#: Attributes that say where a module is and nothing about its code.
 _MODULE_ATTRIBUTES = {"__builtins__", "__file__", "__name__", "__package__", "__spec__"}
 
-#: What the standard library notes about a class under a name of one underscore.
+#: Attributes with one underscore that the standard library adds to classes.
 _NOTES = {"_abc_impl", "_field_defaults", "_fields"}
 
 
@@ -37,19 +37,19 @@ class Source:
     digest : str
         SHA-256 of it.
     modules : list of str
-        Modules of yours that it uses: they travel with it.
+        Modules of yours that it uses, which are sent to the workers with it.
     """
 
     def __init__(self, call: Any) -> None:
         self._numbers_by_id: dict[int, int] = {}
-        # Objects that are made on the way must live as long as their numbers are remembered.
+        # Temporary objects must live as long as this object, so that their ids stay unique.
         self._kept_alive: list[Any] = []
         self.modules: list[str] = []
         text = json.dumps(self._describe(call, "the task"), sort_keys=True)
         self.digest = hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
 
     def _describe(self, value: Any, name: str) -> Any:
-        """A nested list of texts that is the same for the same thing in every process."""
+        """A nested list of texts that is equal for equal values in every process."""
         plain = describe_value(value)
         if plain is not None:
             return plain
@@ -110,7 +110,7 @@ class Source:
         return [code.co_code.hex(), list(code.co_names), constants]
 
     def _global(self, value: Any, name: str, attributes: Iterable[str]) -> Any:
-        """Of a module of yours, what is named; of all else, what it is."""
+        """Describes the named members of a module of yours, or any other value."""
         if isinstance(value, types.ModuleType) and self._is_yours(value):
             members = vars(value)
             return [[used, self._describe(members[used], used)] for used in sorted(attributes) if used in members]
@@ -123,7 +123,7 @@ class Source:
 
     def _object(self, value: Any, name: str) -> Any:
         try:
-            # What pickle would take of it.
+            # The state that pickle would save.
             state = value.__reduce_ex__(2)
         except Exception:
             state = None
@@ -132,7 +132,7 @@ class Source:
         return ["object", self._describe(type(value), name), self._describe(list(state[1:3]), name)]
 
     def _is_yours(self, value: Any) -> bool:
-        """Whether it is of a module that is neither installed nor Python's."""
+        """Whether a value belongs to a module that is neither installed nor part of Python."""
         name = value.__name__ if isinstance(value, types.ModuleType) else getattr(value, "__module__", None)
         module = sys.modules.get(name or "")
         if name is None or module is None:
@@ -148,7 +148,7 @@ class Source:
 
 @functools.cache
 def installed_folders() -> tuple[str, ...]:
-    """Folders of Python and of what was installed, and of this package."""
+    """Folders of Python, of installed packages and of this package."""
     package = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     names = ("stdlib", "platstdlib", "purelib", "platlib")
     folders = [
@@ -161,7 +161,7 @@ def installed_folders() -> tuple[str, ...]:
 
 
 def _instructions(code: types.CodeType) -> Iterator[dis.Instruction]:
-    """Those of a function and of all that are made within it."""
+    """Instructions of a function and of all functions inside it."""
     yield from dis.get_instructions(code)
     for constant in code.co_consts:
         if isinstance(constant, types.CodeType):
@@ -169,13 +169,13 @@ def _instructions(code: types.CodeType) -> Iterator[dis.Instruction]:
 
 
 def _is_generated(member: str, value: Any) -> bool:
-    """Whether Python or a decorator such as `dataclass` made it of what the class has otherwise."""
+    """Whether Python or a decorator such as `dataclass` generated a member from the rest of the class."""
     if isinstance(value, types.FunctionType):
         is_generated: bool = inspect.unwrap(value).__code__.co_filename == "<string>"
         return is_generated
     if isinstance(value, (types.MemberDescriptorType, types.GetSetDescriptorType)):
         return True
-    # Notes that Python keeps about a class; some come only when it is used.
+    # Python adds attributes to a class, some only when the class is used.
     return member.startswith("_") and not _is_code(value) and (member in _NOTES or member.startswith("__"))
 
 

@@ -1,4 +1,4 @@
-"""The task Stand: a whole model is placed where its contact spheres carry its weight."""
+"""The task Stand: places a whole model where its contact spheres carry its weight."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from ._settings import as_patterns
 
 @dataclass(frozen=True)
 class Stand:
-    """A whole model is placed where its contact spheres carry its weight at rest, in OpenSim.
+    """Places a whole model where its contact spheres carry its weight at rest, in OpenSim.
 
-    All joints stay as they are at the default pose; the body is moved up or down until ΣF = M g at speed 0. Nothing is integrated, and
-    balance is not examined: the body cannot tip over. Each sphere is as deep as its own height says. Of the forces of one limb,
-    `inspect` gives the same as `relative_indentation_model_law_standing`.
+    All joints keep the default pose; the body is moved up or down until ΣF = M g at speed 0. Nothing is integrated, and balance is not
+    examined: the body cannot tip over. The indentation of each sphere follows from its height. For the forces of one limb, `inspect`
+    computes the same number as `relative_indentation_model_law_standing`.
 
     Parameters
     ----------
     select : str or tuple of str
-        Names of contact forces that carry the body, with `*` and `?`, such as those of one foot; without, all do.
+        Names of the contact forces that carry the body, with `*` and `?`, such as those of one foot. By default all do.
     """
 
     select: str | tuple[str, ...] = ()
@@ -31,17 +31,17 @@ class Stand:
         object.__setattr__(self, "select", as_patterns(self.select))
 
     def __call__(self, path: str) -> tuple[dict[str, float | None], dict[str, list[float]]]:
-        """Places the model of a file: figures, and lists with one value for each sphere, in the order of the forces.
+        """Places the model of a file and returns figures, and lists with one value for each sphere, in the order of the forces.
 
-        `height_m` is that of the lowest point of all spheres above the ground, `lift_m` how far the body was moved up from its default
-        pose, `residual_force_n` ΣF − M g. Each sphere has its `indentation_m` and its relative indentation x/R, below 0 where it does not
-        touch; among the figures these have the name of the sphere after them.
+        `height_m` is the height of the lowest point of all spheres above the ground, `lift_m` the distance that the body was moved up from
+        its default pose, `residual_force_n` is ΣF − M g. Each sphere has its `indentation_m` and its relative indentation x/R, negative if
+        it does not touch; the names of these figures end with the name of the sphere.
 
         Raises
         ------
         ModelError
-            OpenSim cannot read the model, or it cannot stand: no contacts, no level ground, no gravity, no coordinate that moves it up and
-            down, contact forces that are not a number or never carry the weight.
+            OpenSim cannot read the model, or the model cannot stand: it has no contacts, no level ground, no gravity, or no coordinate that
+            moves it up and down, or its contact forces are NaN or never carry the weight.
         """
         opensim = quiet_opensim()
         with model_errors(path, "place this model"):
@@ -78,7 +78,7 @@ def _stand_figures(scene: Scene) -> tuple[dict[str, float | None], dict[str, lis
 
 
 def _names(scene: Scene) -> list[str]:
-    """Names of the spheres as parts of columns' names: each once, in letters, digits and _."""
+    """Unique names of the spheres for names of columns, in letters, digits and _."""
     names: list[str] = []
     for ball in scene.balls:
         name = re.sub(r"\W", "_", ball.name)

@@ -1,7 +1,7 @@
-"""The folder of results: whole part files while a run goes on, and tables at its end.
+"""Writes and reads the folder of results: part files while a run goes on, and tables at its end.
 
-A part has the rows that came since the last one. It gets its name when all of it is on the disk, so who reads along meets whole parts
-only, and a kill loses what came within the last moment, never a file.
+A part has the rows that came since the last part. It gets its name when it is completely on the disk, so that readers see only complete
+parts, and a kill loses the rows of the last moment, but never a file.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ log = logging.getLogger("osim_contact_scale")
 
 #: Seconds after which rows go to the disk.
 FLUSH_SECONDS = 1.0
-#: Rows that are never kept back.
+#: Number of rows that go to the disk at once.
 FLUSH_ROWS = 1000
 
 PARTS = "parts"
@@ -43,7 +43,7 @@ _ROW_SCHEMA = pa.schema(
         ("key", pa.string()),
         ("status", pa.string()),
         ("error", pa.string()),
-        # A JSON object: tasks have numbers of any name, and parts must go together whatever is in them.
+        # A JSON object, because tasks name their numbers freely, and parts with other numbers must fit together.
         ("numbers", pa.string()),
         ("task_seconds", pa.float64()),
         ("process_seconds", pa.float64()),
@@ -72,7 +72,7 @@ class Store:
         self._since = 0.0
 
     def add(self, outcome: Outcome) -> None:
-        """Takes a row; it is on the disk after `SOON`."""
+        """Adds a row, which is on the disk after `FLUSH_SECONDS`."""
         if not self._waiting:
             self._since = time.monotonic()
         self._waiting.append(outcome)
@@ -80,16 +80,16 @@ class Store:
             self.flush()
 
     def is_due(self) -> bool:
-        """Whether rows wait for long enough."""
+        """Whether rows have waited for `FLUSH_SECONDS`."""
         return bool(self._waiting) and time.monotonic() - self._since >= FLUSH_SECONDS
 
     def flush(self) -> None:
-        """Writes what waits, as a whole part.
+        """Writes the waiting rows as a part.
 
         Raises
         ------
         OutputError
-            It cannot be written. Parts that are there stay whole.
+            The part cannot be written. Existing parts stay complete.
         """
         if not self._waiting:
             return
@@ -98,29 +98,29 @@ class Store:
         name = f"{self._run}-{self._count:06d}"
         try:
             series = _series_table(rows)
-            # Series first: a row that is there has its series.
+            # Series come first, so that every row has its series.
             if series is not None:
                 self._write(name + _SERIES, series)
             self._write(name + _ROWS, pa.Table.from_pylist([_record(row) for row in rows], schema=_ROW_SCHEMA))
         except BaseException:
-            # Stopped in the middle of it, by Ctrl-C or a full disk: the end of the run tries again.
+            # Ctrl-C or a full disk stopped the writing: the end of the run tries again.
             self._waiting = rows + self._waiting
             raise
 
     def merge(self) -> None:
-        """Makes one part of those that this run wrote: a long run has thousands.
+        """Joins all parts of this run to one: a long run has thousands.
 
         Raises
         ------
         OutputError
-            It cannot be written. Parts that are there stay whole.
+            The part cannot be written. Existing parts stay complete.
         """
         names = [f"{self._run}-{count:06d}" for count in range(1, self._count + 1)]
         for kind in (_SERIES, _ROWS):
             paths = [path for name in names if (path := self.parts / (name + kind)).exists()]
             if len(paths) > 1:
                 merged = pa.concat_tables([pq.read_table(path) for path in paths], promote_options="default")
-                # For a moment both files have the rows; there is no moment without them.
+                # For a moment both the old parts and the new one have the rows; they are never missing.
                 self._write(self._run + kind, merged.unify_dictionaries())
                 for path in paths:
                     path.unlink()
@@ -130,12 +130,12 @@ class Store:
 
 
 def replace(path: Path, write: Callable[[Path], Any]) -> None:
-    """Writes a file that gets its name when it is whole.
+    """Writes a file that gets its name when it is complete.
 
     Raises
     ------
     OutputError
-        It cannot be written; nothing is left of it.
+        The file cannot be written. No part of it stays on the disk.
     """
     partial = path.with_name(f".{path.name}.{uuid.uuid4().hex[:12]}.partial")
     try:
@@ -153,7 +153,7 @@ def replace(path: Path, write: Callable[[Path], Any]) -> None:
 
 
 def _sync_folder(folder: Path) -> None:
-    """Names are on the disk, too. Windows has no way to ask for it, and some network file systems neither."""
+    """Asks the system to write the names of files to the disk. Windows and some network file systems cannot do this."""
     if os.name == "posix":
         descriptor = os.open(folder, os.O_RDONLY)
         try:
@@ -176,7 +176,7 @@ def _record(outcome: Outcome) -> dict[str, Any]:
 
 
 def _series_table(rows: Iterable[Outcome]) -> pa.Table | None:
-    """All series below each other, with the key of their row."""
+    """A table of all series one after the other, with the key of their row."""
     tables = [
         pa.table({"key": pa.array([row.key] * length).dictionary_encode(), **row.series})
         for row in rows
@@ -186,9 +186,9 @@ def _series_table(rows: Iterable[Outcome]) -> pa.Table | None:
 
 
 def read_statuses(folder: Path) -> dict[str, RowStatus]:
-    """The outcomes of the rows that are there, by their keys; of two with one key the better one.
+    """The statuses of the rows in a folder, by their keys; if two rows have one key, the better status.
 
-    Without their numbers: each job of an array asks, and there may be millions.
+    Numbers are not read, because each job of an array calls this, and there may be millions of rows.
     """
     statuses: dict[str, RowStatus] = {}
     for table in _part_tables(folder, _ROWS, columns=["key", "status", "time_limit"]):
@@ -199,7 +199,7 @@ def read_statuses(folder: Path) -> dict[str, RowStatus]:
 
 
 def read_outcomes(folder: Path, keys: Container[str]) -> dict[str, Outcome]:
-    """The rows with these keys; of two with one key the better one."""
+    """The rows with these keys; if two rows have one key, the better one."""
     outcomes: dict[str, Outcome] = {}
     for table in _part_tables(folder, _ROWS, schema=_ROW_SCHEMA):
         for batch in table.to_batches(FLUSH_ROWS):
@@ -214,7 +214,7 @@ def read_series(folder: Path, key: str) -> pd.DataFrame | None:
     """The series of one row; None if it has none."""
     for table in _part_tables(folder, _SERIES, filters=[("key", "=", key)]):
         if table.num_rows:
-            # Other rows of this part may have other series. A series that is not a number has values all the same: they are no nulls.
+            # Other rows of this part may have other series, which are null here. A series of NaN is not null.
             names = [name for name in table.column_names if name != "key" and table[name].null_count < table.num_rows]
             frame: pd.DataFrame = table.select(names).to_pandas()
             return frame
@@ -222,7 +222,7 @@ def read_series(folder: Path, key: str) -> pd.DataFrame | None:
 
 
 def _part_tables(folder: Path, kind: str, **options: Any) -> Iterator[pa.Table]:
-    """What is in the parts, while other runs may write and merge theirs."""
+    """Tables of the parts; other runs may write and merge parts at the same time."""
     read_paths: set[Path] = set()
     while True:
         paths = set((folder / PARTS).glob(f"*{kind}")) - read_paths
@@ -233,7 +233,7 @@ def _part_tables(folder: Path, kind: str, **options: Any) -> Iterator[pa.Table]:
             try:
                 table = pq.read_table(path, **options)
             except FileNotFoundError:
-                continue  # It was merged since, and the next round finds where to.
+                continue  # The part was merged since; the next round finds the merged part.
             except (pa.ArrowException, OSError) as error:
                 reason = printable(str(error).splitlines()[0])
                 log.warning("%s is left out, its rows are simulated again: %s", printable(str(path)), reason)

@@ -1,4 +1,4 @@
-"""A table of points in a file of CSV."""
+"""Reads a table of points from a CSV file."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from .._errors import RequestError
 from .._sweep import number_or_text
 from .._text import printable
 
-#: A whole number as it is written; what begins with 0 is the name of a subject, and what is longer would lose digits as a float.
+#: A whole number. Digits that begin with 0 are the name of a subject, and a longer number would lose digits as a float.
 _WHOLE_NUMBER = re.compile(r"-?(0|[1-9]\d{0,17})")
 _LOOKS_WHOLE = re.compile(r"[-+]?\d+")
 
 
 def read_rows(path: Path) -> list[dict[str, Any]]:
-    """The rows of a file of CSV: numbers, true and false, texts, and None where a cell is empty.
+    """The rows of a CSV file: numbers, true and false, texts, and None for an empty cell.
 
     Raises
     ------
     RequestError
-        It is no CSV in UTF-8, or a row has more cells than the table has columns.
+        The file is not CSV in UTF-8, or a row has more cells than the table has columns.
     OSError
-        It cannot be read.
+        The file cannot be read.
     """
     printed_name = printable(str(path))
     try:
@@ -51,7 +51,7 @@ def read_rows(path: Path) -> list[dict[str, Any]]:
 
 
 def parse_cell(text: str) -> Any:
-    """What a cell says."""
+    """The value of a cell."""
     if _WHOLE_NUMBER.fullmatch(text):
         return int(text)
     if _LOOKS_WHOLE.fullmatch(text):

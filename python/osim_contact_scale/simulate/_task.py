@@ -1,4 +1,4 @@
-"""What is done with each model, and what its results depend on."""
+"""The task of a run, and the key of a row: what its results depend on."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ class Function:
         `**values` all of them). It returns a dictionary of numbers, with their units in the names, or a tuple of that and a dictionary of
         equally long series.
     settings : dict, optional
-        Further keywords, the same for all models: numbers, texts, lists and dictionaries of them. They are part of the key of a row.
+        Further keyword arguments, equal for all models: numbers, texts, lists and dictionaries of them. They are part of a row's key.
     version : str or int, optional
         The part of a row's key that is about the function. By default it is the function's code, with that of everything
-        that it uses: another source computes all rows again. Say a version where results depend on more than that, such as another
-        file, and change it with them.
+        that it uses: after a change of the code, all rows are computed again. Give a version if results depend on more than code, such as
+        a file, and change the version with it.
     """
 
     def __init__(
@@ -46,32 +46,32 @@ class Function:
 
 @dataclasses.dataclass(frozen=True)
 class Task:
-    """A callable, what it is given, and its part of the key of a row."""
+    """A callable, its arguments, and its part of the key of a row."""
 
     call: Callable[..., Any]
     settings: Mapping[str, Any]
     identity: Mapping[str, Any]
-    #: Names of columns that it takes; None for all.
+    #: Names of the columns that it takes; None for all.
     columns: frozenset[str] | None
-    #: Names that its parameter for the path must leave to it.
+    #: The name of its parameter for the path, which no column may fill.
     reserved: frozenset[str]
-    #: Columns that it cannot do without.
+    #: Columns that it requires.
     needed: frozenset[str]
-    #: Modules of yours that travel with it.
+    #: Modules of yours that are sent with it.
     modules: tuple[str, ...]
 
     def arguments(self, row: Mapping[str, Any]) -> dict[str, Any]:
-        """What it is called with for this row."""
+        """The keyword arguments for a row."""
         values = row if self.columns is None else {name: row[name] for name in self.columns if name in row}
         return {**{name: value for name, value in values.items() if name not in self.reserved}, **self.settings}
 
     def check_columns(self, columns: Iterable[str]) -> None:
-        """Refuses a table without the columns that it needs, or with one that a setting is called like.
+        """Refuses a table without a column that the task requires, or with a column that has the name of a setting.
 
         Raises
         ------
         RequestError
-            There is such a column.
+            A column is missing, or has the name of a setting.
         """
         missing = sorted(self.needed - set(columns))
         if missing:
@@ -84,17 +84,17 @@ class Task:
             raise RequestError("usage", message, keywords=("points", "settings"))
 
     def pickled(self) -> tuple[bytes, tuple[str, ...]]:
-        """The callable for another process, and where Python looks for its modules.
+        """The callable as a pickle for another process, and the folders in which Python looks for its modules.
 
         Raises
         ------
         RequestError
-            It cannot be sent.
+            The callable cannot be pickled.
         """
         import cloudpickle
 
         folders = (os.getcwd() if not folder else os.path.abspath(folder) for folder in sys.path)
-        # What the key was made of is what travels: a worker may find another file under the same name, or an older one in its memory.
+        # The modules in the key are sent by value: a worker may find another file of that name, or have an older module in memory.
         yours = [sys.modules[name] for name in self.modules if name in sys.modules and name != "__main__"]
         yours = [module for module in yours if module.__name__ not in cloudpickle.list_registry_pickle_by_value()]
         for module in yours:
@@ -111,12 +111,12 @@ class Task:
 
 
 def prepare_task(task: Any) -> Task:
-    """The task that was meant.
+    """Prepares a task: reads its parameters and its part of the key.
 
     Raises
     ------
     RequestError
-        It cannot be called with a path, its settings are no plain values, or its source is unknown and no version was given.
+        It cannot be called with a path, a setting is not a plain value, or its source is unknown and no version was given.
     """
     function = task if isinstance(task, Function) else Function(task)
     call = function.function
@@ -131,7 +131,7 @@ def prepare_task(task: Any) -> Task:
 
 
 def task_name(call: Any) -> str:
-    """What a task is called."""
+    """The name of a task for messages."""
     return str(getattr(call, "__qualname__", None) or type(call).__name__)
 
 
@@ -142,7 +142,7 @@ def _identity(function: Function) -> tuple[dict[str, Any], tuple[str, ...]]:
         and not isinstance(call, type)
         and type(call).__module__.startswith(f"{__package__}.")
     ):
-        # A task of this package: its version is the package's.
+        # A task of this package has the version of the package.
         return {"task": type(call).__name__, "settings": {**dataclasses.asdict(call), **function.settings}}, ()
     if function.version is not None:
         return {"task": task_name(call), "settings": function.settings, "version": str(function.version)}, ()
@@ -184,14 +184,14 @@ def _parameters(
 
 
 def base_key(identity: Mapping[str, Any], versions: Any) -> str:
-    """SHA-256 of what all rows of a run depend on.
+    """SHA-256 of everything that all rows of a run depend on.
 
     Parameters
     ----------
     identity : dict
         Task, settings, and source or version.
     versions : Versions
-        Of opensim and of this package.
+        Versions of opensim and of this package.
     """
     return _digest({**identity, **dataclasses.asdict(versions)})
 
@@ -204,9 +204,9 @@ def row_key(digest: str, base: str, values: Mapping[str, Any]) -> str:
     digest : str
         SHA-256 of the model's bytes.
     base : str
-        What all rows of the run depend on.
+        SHA-256 of everything that all rows of the run depend on.
     values : dict
-        What the task is given of the model's row.
+        The arguments of the task from the model's row.
     """
     return _digest({"model": digest, "base": base, "values": values})
 
@@ -216,7 +216,7 @@ def _digest(identity: Mapping[str, Any]) -> str:
 
 
 def _normalized(value: Any) -> Any:
-    """Numbers in one form: what is 2 in a file may be 2.0 in a DataFrame."""
+    """A value with every number in one form: 2 in a file may be 2.0 in a DataFrame."""
     if isinstance(value, Mapping):
         return {str(name): _normalized(item) for name, item in value.items()}
     if isinstance(value, (list, tuple)):

@@ -1,4 +1,4 @@
-"""Values: what a cell of a table can hold, and how a value is written into the key of a row."""
+"""Converts values to cells of a table, and describes values for the key of a row."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from typing import Any
 
 from ._job import Value
 
-#: Whole numbers that a column can hold.
+#: Limit of the whole numbers that a column can hold.
 _INT64_LIMIT = 2**63
 
 
 def to_value(value: Any) -> Value:
-    """A value as a table has it: a number, a text, true or false, or nothing.
+    """A value for a cell of a table: a number, a text, true or false, or None.
 
     Raises
     ------
     TypeError
-        A value of another kind.
+        The value is of another type.
     ValueError
-        A number that is too long, or a text that is none.
+        The number is too long, or the text is not Unicode.
     """
     if hasattr(value, "tolist"):  # NumPy's numbers.
         value = value.tolist()
@@ -38,7 +38,7 @@ def to_value(value: Any) -> Value:
             raise ValueError(f"{value} is longer than 64 bits, which a table cannot hold")
         return int(value)
     if isinstance(value, float):
-        # What is not a number is missing: a table has one way to say so.
+        # NaN becomes a missing value: a table has only one of the two.
         return None if value != value else float(value)
     if isinstance(value, str):
         try:
@@ -50,7 +50,7 @@ def to_value(value: Any) -> Value:
 
 
 def describe_value(value: Any) -> list[Any] | None:
-    """A nested list of texts for values that have no parts of yours in them; None for all others."""
+    """A nested list of texts for a value without objects of your classes; None for all others."""
     if isinstance(value, enum.Enum):
         return ["enum", type(value).__qualname__, value.name]
     if value is None or type(value) in (bool, int, float, complex, str, bytes, range, slice, type(...)):

@@ -1,7 +1,7 @@
-"""What a worker does with a job: it gives it to a process of its own.
+"""Passes the jobs of a worker to a separate process.
 
-Workers of Dask may not have children of `multiprocessing`, and start by importing the user's program again: so their process is a plain
-program that they talk to (`_server`). Each thread of a worker has its own.
+Workers of Dask may not have children of `multiprocessing`, which would also import the user's program again. The process is therefore
+a plain program (`_server`). Each thread of a worker has one.
 """
 
 from __future__ import annotations
@@ -23,18 +23,18 @@ from ._messages import encode, receive, send
 
 _thread_local = threading.local()
 
-#: Servers of this process, for those who end a run.
+#: Servers of this process, for the end of a run.
 _servers: set[Server] = set()
 #: Runs that have ended.
 _ended: set[str] = set()
 _lock = threading.Lock()
 
-#: One model, one thread: models are what is done at the same time.
+#: Each model has one thread, because many models run at the same time.
 _ONE_THREAD = dict.fromkeys(
     ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1"
 )
 
-#: Seconds that a server has to end what it does.
+#: Seconds that a server has to end its job.
 _END_SECONDS = 5.0
 
 #: Seconds that OpenSim may take to be imported, beyond the time limit of a job.
@@ -50,12 +50,12 @@ def work(job: Job) -> Outcome:
 
 
 def versions(run: str) -> Versions:
-    """Of what is installed where this worker is; for this run.
+    """The versions that are installed at this worker.
 
     Raises
     ------
     RuntimeError
-        The process for models does not start here.
+        The process that simulates models does not start here.
     """
     if _messages.CAN_FORK:
         return _server_of_thread(run).versions
@@ -71,7 +71,7 @@ class Server:
 
     def __init__(self, run: str) -> None:
         self.run = run
-        # Known before it has started: where the run ends meanwhile, it ends, too.
+        # The lock lasts until the process is registered, so that it ends with the run.
         with _lock:
             if run in _ended:
                 raise RuntimeError("the run was stopped")
@@ -89,34 +89,34 @@ class Server:
             ) from None
 
     def run_job(self, job: Job) -> Outcome:
-        """Has one model simulated."""
+        """Simulates one model in the process."""
         try:
             send(self._to, job)
             outcome: Outcome = receive(self._from)
         except (EOFError, OSError):
-            # The server itself was killed, and its copy with it: the next job gets a new one.
+            # The server itself was killed, and its copy with it: the next job gets a new server.
             self.close()
             return Outcome(job.key, "lost", "the process that runs models was ended from outside")
         return outcome
 
     @property
     def is_alive(self) -> bool:
-        """Whether it can take a job."""
+        """Whether the process runs."""
         return self._process.poll() is None
 
     def end(self) -> None:
-        """Ends it, and with it what it does just now: what waits for that is given up."""
+        """Ends the process and its job, without waiting for the outcome."""
         self._process.terminate()
 
     def close(self) -> None:
-        """Ends it, and lets go of its pipes."""
+        """Ends the process and closes its pipes."""
         for pipe in (self._process.stdin, self._process.stdout):
             if pipe is not None:
                 with suppress(OSError):
                     pipe.close()
         with _lock:
             _servers.discard(self)
-        # It ends with its input; what hangs is killed.
+        # The process ends with its input, and is killed if it does not.
         with suppress(subprocess.TimeoutExpired):
             self._process.wait(_END_SECONDS)
         self._process.kill()
@@ -124,7 +124,7 @@ class Server:
 
 
 def _server_of_thread(run: str) -> Server:
-    """The one of this thread for this run."""
+    """The server of this thread for this run."""
     server: Server | None = getattr(_thread_local, "server", None)
     if server is not None and (server.run != run or not server.is_alive):
         server.close()
@@ -135,7 +135,7 @@ def _server_of_thread(run: str) -> Server:
 
 
 def end_servers(run: str) -> None:
-    """Ends the servers that threads of this process have for a run, which gets no others."""
+    """Ends all servers of a run in this process; the run can start no others."""
     with _lock:
         _ended.add(run)
         for server in list(_servers):
@@ -144,7 +144,7 @@ def end_servers(run: str) -> None:
 
 
 def close_servers(run: str) -> None:
-    """Lets go of the servers of a run that has ended, when no thread waits for them any more."""
+    """Closes the servers of a run that has ended, after all threads have stopped waiting for them."""
     for server in [server for server in _servers if server.run == run]:
         server.close()
 
@@ -158,13 +158,13 @@ def _start_server(*arguments: str, cwd: str | None) -> subprocess.Popen[bytes]:
         bufsize=0,
         cwd=cwd,
         env={**os.environ, **_ONE_THREAD, RUN_VARIABLE: "1"},
-        # Ctrl-C is for the program that waits; this one ends with its input.
+        # Ctrl-C reaches only the program that waits; this process ends with its input.
         start_new_session=_messages.CAN_FORK,
     )
 
 
 def _run_once(job: Job) -> Outcome:
-    """Where a process cannot be copied: a new one, which imports OpenSim by itself."""
+    """Simulates one model in a new process, which imports OpenSim: for systems that cannot copy a process."""
     folder = tempfile.mkdtemp(prefix="osim-contact-scale-")
     begin = time.perf_counter()
     limit = None if job.time_limit is None else job.time_limit + _START_SECONDS
@@ -177,7 +177,7 @@ def _run_once(job: Job) -> Outcome:
                 return Outcome(job.key, "time limit", f"it did not end within {job.time_limit:g} s")
             pieces = _messages.MessageBuffer(out)
             if pieces.is_complete():
-                pieces.take_message()  # Its versions.
+                pieces.take_message()  # The first message has the versions.
             if pieces.is_complete():
                 outcome: Outcome = pieces.take_message()
             else:
