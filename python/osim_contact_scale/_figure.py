@@ -13,7 +13,7 @@ from . import _native
 from ._errors import RequestError
 from ._frames import require, to_frame
 from ._named_values import NamedValues, clipped, repr_line
-from ._request import at_home
+from ._request import expand_home
 from ._text import printable
 from .types import Table
 
@@ -201,7 +201,7 @@ class Figure(NamedValues):
         OutputError
             The file exists already and `force` is not given.
         """
-        path = Path(at_home(output))
+        path = Path(expand_home(output))
         makers: dict[str, Callable[[], bytes]] = {
             ".svg": lambda: self.svg.encode("utf-8"),
             ".pdf": self.to_pdf,

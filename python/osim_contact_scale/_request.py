@@ -1,4 +1,4 @@
-"""From keywords to the fields of a request."""
+"""Makes the fields of a request from keywords."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from ._options import PATHS
 from ._text import printable
 from .types import Source
 
-#: How a model is called that has no file.
+#: The name of a model without a file.
 UNNAMED = "model.osim"
 
-#: Keywords that are models, too.
+#: Keywords whose values are models.
 MODELS = ("from", "geometry", "model", "compare")
 
-#: No system has longer paths than Windows.
+#: The length of the longest path on Windows; no other system has longer ones.
 LONGEST_PATH = 32_767
 
 
 class Memory(dict[str, bytes]):
-    """Models without a file of their own, by the names that they have in a request.
+    """Models that are in no file, by their names in a request.
 
-    A result has the name of the model that it was made from. Where that file is in the same request, one of the two gets another
-    name: else both would be read from memory, and a model would be compared with itself.
+    A result has the name of the model that it was made from. If that file is in the same request, one of the two gets another name:
+    otherwise both would be read from memory, and a model would be compared with itself.
     """
 
     def __init__(self) -> None:
@@ -38,36 +38,36 @@ class Memory(dict[str, bytes]):
         self.files: set[PurePath] = set()
 
 
-def fields_of(verb: str, keywords: Mapping[str, Any], memory: Memory | None = None) -> dict[str, Any]:
+def to_fields(verb: str, keywords: Mapping[str, Any], memory: Memory | None = None) -> dict[str, Any]:
     """The fields of a request for `verb`. Keywords that are None are left out.
 
     Raises
     ------
     RequestError
-        A value that no request can hold, such as NaN.
+        A request cannot hold a value, such as NaN.
     """
     fields: dict[str, Any] = {"verb": verb}
     for keyword, value in keywords.items():
         name = keyword.rstrip("_")
         if value is not None and memory is not None and name in MODELS:
-            fields[name] = model_of(value, memory)
+            fields[name] = to_model(value, memory)
         elif isinstance(value, str) and name in PATHS:  # `~` is the home folder.
-            fields[name] = path_of(value)
+            fields[name] = to_path(value)
         elif value is not None:
-            # Messages name what the caller wrote: `class_`, where the field is `class`.
-            fields[name] = _plain(value, f"{name}_" if iskeyword(name) else name)
+            # Messages have the keyword of the caller: `class_` for the field `class`.
+            fields[name] = _plain_value(value, f"{name}_" if iskeyword(name) else name)
     return fields
 
 
-def path_of(path: Any) -> Any:
-    """A name of a file as a request has it; `~` is the home folder.
+def to_path(path: Any) -> Any:
+    """The path of a file for a request; `~` is the home folder.
 
     Raises
     ------
     TypeError
-        Neither a text nor a path.
+        It is neither a text nor a path.
     """
-    path = at_home(path)
+    path = expand_home(path)
     try:
         path.encode("utf-8")
     except UnicodeEncodeError:
@@ -79,80 +79,80 @@ def path_of(path: Any) -> Any:
     return path
 
 
-def at_home(path: str | bytes | os.PathLike[str] | os.PathLike[bytes]) -> str:
+def expand_home(path: str | bytes | os.PathLike[str] | os.PathLike[bytes]) -> str:
     """A path as text, with the home folder for `~`.
 
     Raises
     ------
     RequestError
-        The text of a model, or `~` of a user whom this computer does not know: as the name of a folder it is hardly meant.
+        It is the text of a model, or begins with `~` and a user whom this computer does not know.
     TypeError
-        Neither a text nor a path.
+        It is neither a text nor a path.
     """
     text = os.fsdecode(path)
     _refuse_content(text)
-    whole = os.path.expanduser(text)
-    user = re.match(r"~[^/\\]+", whole)
-    if user is not None and user[0] != whole and not os.path.isdir(user[0]):
-        message = f"{printable(whole)}: there is no user {printable(user[0][1:])} here; if it is a folder, write ./{printable(whole)}"
+    expanded = os.path.expanduser(text)
+    user = re.match(r"~[^/\\]+", expanded)
+    if user is not None and user[0] != expanded and not os.path.isdir(user[0]):
+        message = f"{printable(expanded)}: there is no user {printable(user[0][1:])} here; if it is a folder, write ./{printable(expanded)}"
         raise RequestError("usage", message)
-    return whole
+    return expanded
 
 
 def _refuse_content(text: str) -> None:
-    """Refuses what is in a file in place of its path. The message does not repeat it: it may be long."""
+    """Refuses the content of a file in place of its path. The message does not repeat the content, which may be long."""
     if re.match(r"[\ufeff\s]*<[^>]*>", text):
         raise RequestError("usage", "this is the text of a model: give its path, or bytes")
     if len(text) > LONGEST_PATH:
         raise RequestError("usage", f"a text of {len(text)} characters is no path: give the path of a file, or bytes")
 
 
-def models_of(sources: Sequence[Source], memory: Memory) -> list[Any]:
-    """Several models as a request names them. Files and folders keep their names."""
-    named = {index: model_of(source, memory) for index, source in enumerate(sources) if is_path(source)}
-    return [named[index] if index in named else model_of(source, memory) for index, source in enumerate(sources)]
+def to_models(sources: Sequence[Source], memory: Memory) -> list[Any]:
+    """Names of several models in a request. Files and folders keep their names."""
+    names = {index: to_model(source, memory) for index, source in enumerate(sources) if is_path(source)}
+    return [names[index] if index in names else to_model(source, memory) for index, source in enumerate(sources)]
 
 
 def is_path(source: Any) -> TypeGuard[str | os.PathLike[str]]:
-    """Whether it names a file or folder."""
+    """Whether a value is the path of a file or folder."""
     return isinstance(source, (str, os.PathLike))
 
 
-def model_of(source: Source, memory: Memory) -> Any:
-    """A model as a request names it; what has no file of its own goes into `memory`, by its name.
+def to_model(source: Source, memory: Memory) -> Any:
+    """The name of a model in a request. A model that is in no file goes into `memory` under that name.
 
     Raises
     ------
     TypeError
-        Something that is no model.
+        It is not a model.
     """
     if isinstance(source, (bytes, bytearray, memoryview)):
-        return _remembered(UNNAMED, bytes(source), memory)
-    if hasattr(source, "to_bytes") and hasattr(source, "path"):  # A result: its new model.
-        return _remembered(source.path, source.to_bytes(), memory)
+        return _remember(UNNAMED, bytes(source), memory)
+    if hasattr(source, "to_bytes") and hasattr(source, "path"):  # A result is used as its new model.
+        return _remember(source.path, source.to_bytes(), memory)
     if is_path(source):
         if os.fspath(source) == "-":
             message = "a Python program has no model on its standard input: give a path, bytes or an opensim.Model"
             raise RequestError("usage", message)
-        return _of_disk(path_of(source), memory)
+        return _file_name(to_path(source), memory)
     if _live.is_model(source):
         name, data = _live.to_bytes(source)
-        return _remembered(name or UNNAMED, data, memory)
+        return _remember(name or UNNAMED, data, memory)
     raise TypeError(
         f"expected the path of a model, its bytes, a Result or an opensim.Model, not {type(source).__name__}"
     )
 
 
-def with_own_files(source: Source | None, keywords: Mapping[str, Any], memory: Memory) -> dict[str, Any]:
-    """The keywords of a call about `source`, and the other files of its model where it is a result of a ForceSet by itself.
+def with_companions(source: Source | None, keywords: Mapping[str, Any], memory: Memory) -> dict[str, Any]:
+    """The keywords of a call about `source`, with the other files of its model if it is the result of a standalone ForceSet.
 
-    Its new geometry belongs to it, also where the old file of that name is given.
+    The new geometry of the result is used even if the caller names the old file.
     """
     keywords = dict(keywords)
-    own = getattr(source, "_companions", None)
-    for name, (path, data) in (own() if own is not None else {}).items():
-        given = keywords.get(name)
-        if given is None or (is_path(given) and PurePath(at_home(given)) == PurePath(path)):
+    companions = getattr(source, "_companions", None)
+    for name, (path, data) in (companions() if companions is not None else {}).items():
+        keyword_value = keywords.get(name)
+        if keyword_value is None or (is_path(keyword_value) and PurePath(expand_home(keyword_value)) == PurePath(path)):
             keywords[name] = InMemory(path, data)
     return keywords
 
@@ -168,21 +168,21 @@ class InMemory:
         return self._data
 
 
-def _of_disk(path: Any, memory: Memory) -> Any:
-    """A file as a request names it: under another name where a model in memory has its name already."""
+def _file_name(path: Any, memory: Memory) -> Any:
+    """The name of a file in a request: another name if a model in memory has its name already."""
     if not isinstance(path, str):
         return path
     if PurePath(path) in map(PurePath, memory):
         try:
-            return _remembered(path, Path(path).read_bytes(), memory)
+            return _remember(path, Path(path).read_bytes(), memory)
         except OSError as error:
             raise ModelError("unreadable", f"cannot be read: {error.strerror}", path=path) from error
     memory.files.add(PurePath(path))
     return path
 
 
-def _remembered(name: str, data: bytes, memory: Memory) -> str:
-    """A name for `data` that nothing else of the request has: no model in memory, no file, and none in a folder of it."""
+def _remember(name: str, data: bytes, memory: Memory) -> str:
+    """Puts `data` into memory under a name that no other model, file or file of a folder in the request has."""
 
     def is_taken(name: str) -> bool:
         folders = memory.files.intersection(PurePath(name).parents)
@@ -198,24 +198,24 @@ def _remembered(name: str, data: bytes, memory: Memory) -> str:
     return name
 
 
-def _plain(value: Any, keyword: str) -> Any:
-    """A value as JSON would have it."""
+def _plain_value(value: Any, keyword: str) -> Any:
+    """A value as plain Python types, as in JSON."""
     if isinstance(value, os.PathLike):
-        return path_of(value)
+        return to_path(value)
     if isinstance(value, str):
         return value
     if isinstance(value, Mapping):
-        # Each property that is set is a keyword of its own.
-        return {str(key): _plain(item, str(key) if keyword == "set" else keyword) for key, item in value.items()}
+        # Each property of `set` is a keyword in Python.
+        return {str(key): _plain_value(item, str(key) if keyword == "set" else keyword) for key, item in value.items()}
     if hasattr(value, "tolist"):  # NumPy's numbers and arrays, and pandas' columns.
         item = value.tolist()
         if item is None:
             message = f"{keyword}: the value is missing (masked, or None in an array): leave the keyword out where nothing is known"
             raise RequestError("usage", message, keywords=(keyword,))
-        # Numbers with more digits than a float give themselves.
-        return _plain(float(item) if type(item) is type(value) else item, keyword)
+        # `tolist` of a number with more digits than a float returns that number itself.
+        return _plain_value(float(item) if type(item) is type(value) else item, keyword)
     if isinstance(value, (list, tuple, set, frozenset)):
-        return [_plain(item, keyword) for item in value]
+        return [_plain_value(item, keyword) for item in value]
     if isinstance(value, bool) or value is None:
         return value
     if isinstance(value, int):

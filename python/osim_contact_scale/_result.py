@@ -18,7 +18,7 @@ from ._errors import RequestError
 from ._frames import to_frame
 from ._html import heading, html_table, paragraph, preformatted
 from ._named_values import NamedValues, clipped, repr_line, repr_lines
-from ._request import MODELS, Memory, at_home, fields_of, is_path, model_of, with_own_files
+from ._request import MODELS, Memory, expand_home, is_path, to_fields, to_model, with_companions
 from ._tables import table
 from ._text import printable
 from .types import LiveModel, Source, Table
@@ -49,8 +49,8 @@ def plan(verb: str, source: Source, keywords: Mapping[str, Any], tables: Mapping
     """
     memory = Memory()
     memory.update(tables or {})
-    model = model_of(source, memory)
-    fields = fields_of(verb, with_own_files(source, keywords, memory), memory)
+    model = to_model(source, memory)
+    fields = to_fields(verb, with_companions(source, keywords, memory), memory)
     fields[_MODEL.get(verb, "models")] = model
     is_whole = not isinstance(model, str) or model in memory or os.path.isabs(model)
     planned = Result(fields, _native.plan(fields, memory, True), None if is_whole else os.getcwd())
@@ -236,7 +236,7 @@ class Result(NamedValues):
             "geometry_output": geometry_output,
         }
         self._stay_in_folder(output, output_dir)
-        fields = fields_of(self.verb, {name: value for name, value in options.items() if value is not False})
+        fields = to_fields(self.verb, {name: value for name, value in options.items() if value is not False})
         del fields["verb"]
         paths, backups, remarks = self._planned.write(fields)
         for path in backups:
@@ -249,7 +249,7 @@ class Result(NamedValues):
         """Raises an error if the model has a relative path and the current folder is another one now."""
         if self._folder is None or self._folder == os.getcwd():
             return
-        if not any(output is not None and os.path.isabs(at_home(output)) for output in outputs):
+        if not any(output is not None and os.path.isabs(expand_home(output)) for output in outputs):
             message = f"{self.path} was named in the folder {self._folder}, which is no longer the current one"
             raise RequestError("usage", f"{message}: write to a whole path, or go back to that folder")
 
@@ -273,7 +273,7 @@ class Result(NamedValues):
         OutputError
             The file exists already and `force` is not given.
         """
-        path = Path(at_home(output))
+        path = Path(expand_home(output))
         _native.write_file(path, self.html().encode("utf-8"), force)
         return path
 
@@ -398,7 +398,7 @@ class Remedy(NamedValues):
             steps = steps[-1:]
         else:
             source = self._source if self._source is not None else model_names[0]
-        if is_path(source) and self._folder not in (None, os.getcwd()) and not os.path.isabs(at_home(source)):
+        if is_path(source) and self._folder not in (None, os.getcwd()) and not os.path.isabs(expand_home(source)):
             message = f"{printable(os.fsdecode(source))} was named in the folder {self._folder}, which is no longer the current one"
             raise RequestError("usage", f"{message}: go back to that folder, or check it by its whole path")
         result = self._plan_step(steps[0], source)

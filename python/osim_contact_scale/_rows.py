@@ -1,4 +1,4 @@
-"""Tables that come in: rows of whatever kind, and the CSV of them that the Rust half reads."""
+"""Reads tables of all supported kinds, and writes them as CSV for the Rust half."""
 
 from __future__ import annotations
 
@@ -13,25 +13,25 @@ from typing import Any
 from ._cells import is_control_character, to_cell
 from ._errors import RequestError
 from ._options import PATHS, ROW_OPTIONS
-from ._request import at_home
+from ._request import expand_home
 
 
-def rows_of(data: Any) -> list[dict[str, Any]]:
-    """The rows of a DataFrame, of a dictionary of columns, or of a list of dictionaries.
+def to_rows(data: Any) -> list[dict[str, Any]]:
+    """The rows of a DataFrame, a dictionary of columns, or a list of dictionaries.
 
     Raises
     ------
     TypeError
-        It is none of these.
+        It is not a table.
     RequestError
         Two columns have one name.
     """
-    data = as_known(data)
+    data = to_known_table(data)
     if hasattr(data, "to_dict") and hasattr(data, "columns"):
         _refuse_same_names([str(name) for name in data.columns])
         rows = data.to_dicts() if hasattr(data, "to_dicts") else data.to_dict("records")
     elif isinstance(data, Mapping):
-        columns = {name: _column(name, values) for name, values in data.items()}
+        columns = {name: _column_values(name, values) for name, values in data.items()}
         count = max((len(column) for column in columns.values()), default=0)
         if any(len(column) != count for column in columns.values()):
             raise ValueError("the columns of this table are not equally long")
@@ -47,8 +47,8 @@ def rows_of(data: Any) -> list[dict[str, Any]]:
     return [{str(key): value for key, value in row.items()} for row in rows]
 
 
-def as_known(data: Any) -> Any:
-    """A table of a library that is neither pandas nor polars as a DataFrame of pandas; everything else as it is.
+def to_known_table(data: Any) -> Any:
+    """Converts a table of a library other than pandas and polars to a DataFrame of pandas; everything else is returned unchanged.
 
     Raises
     ------
@@ -73,25 +73,25 @@ def as_known(data: Any) -> Any:
     import pandas as pd
 
     with warnings.catch_warnings():
-        # pandas says that Arrow is the way of the future; the library of this table has not gone it yet.
+        # pandas warns that Arrow should be used, but the library of this table does not have it.
         warnings.simplefilter("ignore")
         return pd.api.interchange.from_dataframe(data)
 
 
 def _readers(data: Any) -> tuple[str, ...]:
-    """What reads a table of another library."""
+    """The libraries that read a table of another library."""
     return ("pandas", "pyarrow") if hasattr(data, "__arrow_c_stream__") else ("pandas",)
 
 
 def _is_foreign(data: Any) -> bool:
-    """Whether it is a table that other libraries can read, of none that is known here."""
-    # A column alone has the interface of Arrow, too: it has one type, which a table has not.
+    """Whether it is a table of a library other than pandas and polars."""
+    # A column also has the interface of Arrow, and a type, which a table does not have.
     is_arrow = hasattr(data, "__arrow_c_stream__") and not (hasattr(data, "dtype") or hasattr(data, "type"))
     can_be_read = is_arrow or hasattr(data, "__dataframe__")
     return can_be_read and not (hasattr(data, "to_dict") and hasattr(data, "columns"))
 
 
-def _column(name: Any, values: Any) -> list[Any]:
+def _column_values(name: Any, values: Any) -> list[Any]:
     if isinstance(values, (str, bytes, os.PathLike, Mapping)) or not isinstance(values, Iterable):
         raise TypeError(
             f"column {str(name)!r}: expected a list with a value for each row; a single row is a list with one dictionary"
@@ -101,13 +101,13 @@ def _column(name: Any, values: Any) -> list[Any]:
 
 def _refuse_same_names(names: Sequence[str]) -> None:
     if len(set(names)) < len(names):
-        twice = next(name for name in names if names.count(name) > 1)
-        raise RequestError("usage", f"the column {twice!r} appears twice, expected one")
+        repeated = next(name for name in names if names.count(name) > 1)
+        raise RequestError("usage", f"the column {repeated!r} appears twice, expected one")
 
 
 def is_missing(value: Any) -> bool:
-    """Whether there is nothing in a cell."""
-    # NaN, NaT and pandas.NA are all unlike themselves, or not to be compared.
+    """Whether a cell is empty."""
+    # NaN, NaT and pandas.NA are not equal to themselves, or cannot be compared.
     try:
         return value is None or bool(value != value)
     except (TypeError, ValueError):
@@ -115,21 +115,21 @@ def is_missing(value: Any) -> bool:
 
 
 def is_blank(row: Mapping[str, Any]) -> bool:
-    """Whether all of a row is missing."""
+    """Whether all cells of a row are empty."""
     return all(map(is_missing, row.values()))
 
 
-def csv_of(rows: Sequence[Mapping[str, Any]], text_of: Callable[[str, Any], str] | None = None) -> bytes:
-    """Rows as CSV: numbers in full, texts as Rust reads them back, one line for each row.
+def to_csv(rows: Sequence[Mapping[str, Any]], value_to_text: Callable[[str, Any], str] | None = None) -> bytes:
+    """Rows as CSV that Rust reads: numbers with all digits, one line for each row.
 
-    `text_of` says how a value is written in the column of that name. Missing values are empty cells; a column of them is left out.
+    `value_to_text` converts a value in the column of a name. Missing values are empty cells; a column without values is left out.
 
     Raises
     ------
     RequestError
-        A name or a value that a table cannot hold.
+        A table cannot hold a name or a value.
     TypeError
-        A value that is neither a number nor a text.
+        A value is neither a number nor a text.
     """
     import csv
     import io
@@ -138,13 +138,13 @@ def csv_of(rows: Sequence[Mapping[str, Any]], text_of: Callable[[str, Any], str]
     for row in rows:
         names.update(dict.fromkeys(name for name, value in row.items() if not is_missing(value)))
     for name in names:
-        # The first line shows what separates the cells, and it has no other meaning for these characters.
+        # Rust finds the separator in the first line, so that names must not contain these characters.
         if any(letter in ";\t" or is_control_character(letter) for letter in name):
             raise RequestError(
                 "usage", f"the column {name!r}: its name must not contain a semicolon, a tab or a line end"
             )
     text = io.StringIO()
-    # All cells are quoted: whatever they hold, the first one of a line ends only where the next one begins.
+    # All cells are quoted, so that no content of a cell is read as a separator.
     writer = csv.writer(text, lineterminator="\n", quoting=csv.QUOTE_ALL)
     writer.writerow(names)
     # Rows are counted as in a spreadsheet, and as Rust does: the names of the columns are row 1.
@@ -153,7 +153,7 @@ def csv_of(rows: Sequence[Mapping[str, Any]], text_of: Callable[[str, Any], str]
         for name in names:
             value = row.get(name)
             try:
-                cells.append("" if is_missing(value) else to_cell((text_of or _plain_text)(name, value)))
+                cells.append("" if is_missing(value) else to_cell((value_to_text or _plain_text)(name, value)))
             except (RequestError, TypeError) as error:
                 message = f"table: row {number}, column {name!r}: {error}"
                 raise (
@@ -166,19 +166,19 @@ def csv_of(rows: Sequence[Mapping[str, Any]], text_of: Callable[[str, Any], str]
         raise RequestError("usage", "a table takes texts in Unicode only: this one has other bytes in a name") from None
 
 
-def storage_of(data: Any, what: str) -> bytes:
-    """A table over time as OpenSim's `.sto` has it: a column `time`, and numbers in rad, m and N.
+def to_storage(data: Any, what: str) -> bytes:
+    """A table over time as a `.sto` file of OpenSim: a column `time`, and numbers in rad, m and N.
 
-    Where the index of a DataFrame is called `time`, it is the column.
+    If the index of a DataFrame is called `time`, it becomes that column.
 
     Raises
     ------
     RequestError
-        No column `time`, or a cell that is not a number.
+        There is no column `time`, or a cell is not a number.
     """
     if hasattr(data, "reset_index") and getattr(getattr(data, "index", None), "name", None) == "time":
         data = data.reset_index()
-    rows = rows_of(data)
+    rows = to_rows(data)
     names = list(rows[0]) if rows else []
     if "time" not in names:
         raise RequestError(
@@ -195,19 +195,19 @@ def storage_of(data: Any, what: str) -> bytes:
 
 
 def _plain_text(name: str, value: Any) -> str:
-    return text_of_value(value)
+    return value_text(value)
 
 
-def text_of_value(value: Any) -> str:
-    """A number or a text as a cell has it.
+def value_text(value: Any) -> str:
+    """A number or a text as the text of a cell.
 
-    Whole numbers have no decimal point: where a column has a gap, pandas makes floats of 1 and of True, and both are `1` here. A number
+    Whole numbers have no decimal point: if a column has a gap, pandas makes floats of 1 and True, and both become `1` here. A number
     with three decimals gets a fourth one, because `1.125` may be 1125 in tables of some countries.
 
     Raises
     ------
     TypeError
-        It is neither.
+        The value is neither a number nor a text.
     """
     if hasattr(value, "tolist"):  # NumPy's numbers.
         value = value.tolist()
@@ -225,7 +225,7 @@ def text_of_value(value: Any) -> str:
     raise TypeError(f"expected a number or a text, not {type(value).__name__}")
 
 
-#: What separates the items of a list in a cell of these columns; a semicolon in all others (docs/libraries.md).
+#: Separators of the items of a list in the cells of these columns; all others have a semicolon (docs/libraries.md).
 _SEPARATORS = {"only": ",", "keep": ",", "set": " "}
 
 
@@ -235,72 +235,72 @@ def models_csv(rows: Sequence[Mapping[str, Any]]) -> bytes:
     Raises
     ------
     RequestError
-        A name or a value that a table cannot hold.
+        A table cannot hold a name or a value.
     TypeError
-        A value that is not of a kind that tables have.
+        A value has a type that tables do not have.
     """
     renamed = []
     for row in rows:
         names = [name if name.startswith("#") else name.rstrip("_") for name in row]
         _refuse_same_names(names)
         renamed.append(dict(zip(names, row.values())))
-    return csv_of(renamed, _text_in_column)
+    return to_csv(renamed, _text_in_column)
 
 
-def option_of(name: str) -> str:
-    """The option that a column would be: it may be written as in the command, or like a keyword."""
+def option_name(name: str) -> str:
+    """The option that has the name of a column, which may be written as in the command or like a keyword."""
     return name.strip().rstrip("_").lower().replace("-", "_").lstrip("_")
 
 
 def _text_in_column(name: str, value: Any) -> str:
-    """A value as a cell has it in a table of models."""
-    field = option_of(name)
+    """The text of a cell in a table of models."""
+    field = option_name(name)
     if field not in ROW_OPTIONS:
-        # A remark; or a column that is refused by its name, whatever it has.
+        # The column is a remark, or Rust refuses it by its name.
         return str(value)
     if field in PATHS:
         return _path_in_cell(value)
     if isinstance(value, Mapping):
-        return _joined([_named(key, item) for key, item in value.items()], _SEPARATORS.get(field, ";"))
+        return _join_items([_assignment(key, item) for key, item in value.items()], _SEPARATORS.get(field, ";"))
     if hasattr(value, "tolist"):
         value = value.tolist()
     if isinstance(value, (list, tuple, set, frozenset)):
-        return _joined([_item(item) for item in value], _SEPARATORS.get(field, ";"))
-    return text_of_value(value)
+        return _join_items([_item_text(item) for item in value], _SEPARATORS.get(field, ";"))
+    return value_text(value)
 
 
 def _path_in_cell(value: Any) -> str:
     if not isinstance(value, (str, os.PathLike)):
         raise TypeError(f"a table takes paths of files, not {type(value).__name__}: write it to a file first")
-    path = at_home(value)
+    path = expand_home(value)
     if path != path.strip():
         raise RequestError("usage", f"{path!r}: a path in a table must not begin or end with a blank")
     return path
 
 
-def _item(value: Any) -> str:
+def _item_text(value: Any) -> str:
     if is_missing(value):
         raise RequestError("usage", "an item of the list is missing")
-    return text_of_value(value)
+    return value_text(value)
 
 
-def _named(name: Any, value: Any) -> str:
-    """`BODY=f`, or `BODY=x,y,z` of a list."""
+def _assignment(name: Any, value: Any) -> str:
+    """`BODY=f`, or `BODY=x,y,z` if the value is a list."""
     if "=" in str(name):
         raise RequestError("usage", f"{name!r}: a name in a table must not contain =")
     if hasattr(value, "tolist"):
         value = value.tolist()
     items = value if isinstance(value, (list, tuple)) else [value]
-    return f"{name}={_joined([_item(item) for item in items], ',')}"
+    return f"{name}={_join_items([_item_text(item) for item in items], ',')}"
 
 
-def _joined(items: Sequence[str], separator: str) -> str:
-    """Items that can be separated again.
+def _join_items(items: Sequence[str], separator: str) -> str:
+    """A text of items from which Rust can read each item again.
 
     Raises
     ------
     RequestError
-        An item that cannot.
+        An item contains the separator, or begins or ends with a blank.
     """
     for item in items:
         if separator in item or not item or item != item.strip():

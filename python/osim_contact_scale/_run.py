@@ -11,9 +11,9 @@ from typing import Any
 from . import _native, _survey, _sweep
 from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
 from ._figure import Figure
-from ._request import Memory, fields_of, model_of, models_of, path_of, with_own_files
+from ._request import Memory, to_fields, to_model, to_models, to_path, with_companions
 from ._result import Result, plan
-from ._rows import csv_of, rows_of, storage_of
+from ._rows import to_csv, to_rows, to_storage
 from .types import Progress, Source
 
 log = logging.getLogger("osim_contact_scale")
@@ -37,14 +37,14 @@ def design(source: Source | None, keywords: Mapping[str, Any]) -> Any:
     """A plan for a model; without a model, a design sheet."""
     if source is not None:
         return plan("design", source, keywords)
-    record, text = _native.calculate(fields_of("design", keywords))
+    record, text = _native.calculate(to_fields("design", keywords))
     return DesignSheet(record, text)
 
 
 def drop_test(subject: Source | None, keywords: Mapping[str, Any]) -> DropTest:
     memory = Memory()
-    model = None if subject is None else model_of(subject, memory)
-    fields = fields_of("drop-test", with_own_files(subject, keywords, memory), memory)
+    model = None if subject is None else to_model(subject, memory)
+    fields = to_fields("drop-test", with_companions(subject, keywords, memory), memory)
     if model is not None:
         fields["subject"] = model
     record, text, remarks = _native.drop_test(fields, memory)
@@ -57,14 +57,14 @@ def motion(source: Source, recording: Any, keywords: Mapping[str, Any]) -> Motio
     memory = Memory()
     keywords = dict(keywords)
     tables = {"motion": recording, "plates": keywords.pop("plates", None)}
-    fields = fields_of("motion", with_own_files(source, keywords, memory), memory)
-    fields["subject"] = model_of(source, memory)
+    fields = to_fields("motion", with_companions(source, keywords, memory), memory)
+    fields["subject"] = to_model(source, memory)
     for field, recording_or_plates in tables.items():
         if isinstance(recording_or_plates, (str, os.PathLike)):
-            fields[field] = path_of(recording_or_plates)
+            fields[field] = to_path(recording_or_plates)
         elif recording_or_plates is not None:
             fields[field] = f"{field} table.sto"
-            memory[f"{field} table.sto"] = storage_of(recording_or_plates, field)
+            memory[f"{field} table.sto"] = to_storage(recording_or_plates, field)
     record, text, columns = _native.motion(fields, memory)
     return Motion(record, text, columns)
 
@@ -82,11 +82,11 @@ def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit | Result:
         }
         return plan("fit", measured, {**keywords, **tables_by_name}, tables)
     memory = Memory()
-    fields = fields_of("fit", keywords)
+    fields = to_fields("fit", keywords)
     if isinstance(measured, (str, os.PathLike)):
-        fields["file"] = model_of(measured, memory)
+        fields["file"] = to_model(measured, memory)
     else:
-        memory[_TABLE] = csv_of(rows_of(measured))
+        memory[_TABLE] = to_csv(to_rows(measured))
         fields["file"] = _TABLE
     record, text = _native.fit(fields, memory)
     return Fit(record, text)
@@ -102,10 +102,10 @@ def _recordings(field: str, recordings: Any, tables: dict[str, bytes]) -> list[A
     names = []
     for number, one in enumerate(several, 1):
         if isinstance(one, (str, os.PathLike)):
-            names.append(path_of(one))
+            names.append(to_path(one))
         else:
             name = f"{field} table {number}.sto"
-            tables[name] = storage_of(one, field)
+            tables[name] = to_storage(one, field)
             names.append(name)
     return names
 
@@ -114,13 +114,13 @@ def plot(kind: str, models: tuple[Source, ...], keywords: Mapping[str, Any]) -> 
     memory = Memory()
     keywords = dict(keywords)
     data = keywords.pop("table", None)
-    model_names = models_of(models, memory)
-    fields = fields_of("plot", keywords, memory)
+    model_names = to_models(models, memory)
+    fields = to_fields("plot", keywords, memory)
     fields.update(kind=kind, output="-", models=model_names)
     if isinstance(data, (str, os.PathLike)):
-        fields["table"] = model_of(data, memory)
+        fields["table"] = to_model(data, memory)
     elif data is not None:
-        memory[_TABLE] = csv_of(rows_of(data))
+        memory[_TABLE] = to_csv(to_rows(data))
         fields["table"] = _TABLE
     figure = Figure(_native.plot(fields, memory))
     log.info("%s", figure.remarks.strip())
@@ -128,7 +128,7 @@ def plot(kind: str, models: tuple[Source, ...], keywords: Mapping[str, Any]) -> 
 
 
 def presets(name: str | None, keywords: Mapping[str, Any]) -> Presets:
-    fields = fields_of("presets", {"name": name, **keywords})
+    fields = to_fields("presets", {"name": name, **keywords})
     return Presets(Preset(record, text) for record, text in _native.presets(fields))
 
 
@@ -149,7 +149,7 @@ def explain(topics: tuple[str, ...], keywords: Mapping[str, Any]) -> list[Explan
 
 def _explain_records(topics: tuple[str, ...], keywords: Mapping[str, Any]) -> tuple[str, list[dict[str, Any]]]:
     """The text and the records of these topics."""
-    text, lines = _native.explain(fields_of("explain", {"topics": list(topics), **keywords}))
+    text, lines = _native.explain(to_fields("explain", {"topics": list(topics), **keywords}))
     return text, [json.loads(line) for line in lines.splitlines()]
 
 

@@ -13,7 +13,7 @@ from ._frames import to_frame
 from ._html import heading, html_table, paragraph
 from ._named_values import NamedValues, repr_line
 from ._progress import progress_callback
-from ._request import MODELS, InMemory, Memory, at_home, fields_of, is_path, models_of, with_own_files
+from ._request import MODELS, InMemory, Memory, expand_home, is_path, to_fields, to_models, with_companions
 from ._result import COLUMNS, Findings
 from ._similarity import Similarity
 from ._tables import all_columns, table
@@ -52,13 +52,13 @@ def survey(verb: str, sources: Sources, keywords: Mapping[str, Any], jobs: int |
     count = thread_count(jobs)
     memory = Memory()
     source_list = as_list(sources)
-    models = models_of(source_list, memory)
+    models = to_models(source_list, memory)
     if len(source_list) == 1:
-        keywords = with_own_files(source_list[0], keywords, memory)
-    fields = fields_of(verb, keywords, memory)
+        keywords = with_companions(source_list[0], keywords, memory)
+    fields = to_fields(verb, keywords, memory)
     fields["models"] = models
     call = f"ocs.{verb}(...)"
-    has_folder = any(os.path.isdir(at_home(source)) for source in source_list if is_path(source))
+    has_folder = any(os.path.isdir(expand_home(source)) for source in source_list if is_path(source))
     # The number of models in a folder is not known before the end.
     with progress_callback(progress, verb, None if has_folder else len(models)) as callback:
         rows, remarks, text = _native.survey(fields, memory, count, call, callback)

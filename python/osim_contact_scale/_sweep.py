@@ -14,7 +14,7 @@ from ._frames import to_frame
 from ._html import heading, html_table
 from ._named_values import NamedValues, repr_line
 from ._progress import progress_callback
-from ._request import fields_of, is_path, path_of
+from ._request import is_path, to_fields, to_path
 from ._tables import table
 from ._threads import thread_count
 from .types import Progress, Source, Table
@@ -35,8 +35,8 @@ def sweep(source: Source, keywords: Mapping[str, Any], progress: Progress) -> Sw
     """
     if not is_path(source):
         raise TypeError("a sweep makes files beside a file: name the file of a model")
-    fields = fields_of("sweep", {**keywords, "jobs": thread_count(keywords.get("jobs"))})
-    fields["model"] = path_of(source)
+    fields = to_fields("sweep", {**keywords, "jobs": thread_count(keywords.get("jobs"))})
+    fields["model"] = to_path(source)
     with progress_callback(progress, "sweep") as callback:
         record, manifest, failures = _native.sweep(fields, callback)
     for failure in failures:

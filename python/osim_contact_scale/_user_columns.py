@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 from ._errors import RequestError
 from ._kinds import kind_of
 from ._options import ROW_OPTIONS, RUN_OPTIONS
-from ._rows import option_of
+from ._rows import option_name
 from ._tables import all_columns, polars_table, table
 from ._text import printable
 
@@ -50,7 +50,7 @@ def user_columns(names: Sequence[str], keep: Any) -> UserColumns:
             raise _keep_error(f"the result has a column {name!r} itself: rename yours, or let its name begin with #")
     remarks = {name for name in names if name.startswith("#")}
     return UserColumns(
-        frozenset(kept | remarks), frozenset(name for name in kept - remarks if option_of(name) not in ROW_OPTIONS)
+        frozenset(kept | remarks), frozenset(name for name in kept - remarks if option_name(name) not in ROW_OPTIONS)
     )
 
 
@@ -59,7 +59,7 @@ def _columns_to_keep(names: Sequence[str], keep: Any) -> set[str]:
         return set()
     if keep is True:
         user_names = {
-            name for name in names if not name.startswith("#") and option_of(name) not in ROW_OPTIONS | RUN_OPTIONS
+            name for name in names if not name.startswith("#") and option_name(name) not in ROW_OPTIONS | RUN_OPTIONS
         }
         for name in sorted(user_names):
             _warn_if_misspelt(name)
@@ -85,7 +85,7 @@ def _suggestion(name: str, names: Iterable[str]) -> str:
 
 def _warn_if_misspelt(name: str) -> None:
     """Logs a warning if the name of a user's column is nearly that of an option: it may be misspelt."""
-    suggestion = _suggestion(option_of(name), ROW_OPTIONS)
+    suggestion = _suggestion(option_name(name), ROW_OPTIONS)
     if suggestion:
         log.warning("the column %s is kept as yours, because it is not an option%s", repr(printable(name)), suggestion)
 

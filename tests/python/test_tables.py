@@ -194,7 +194,7 @@ def test_the_summary_has_texts_that_look_like_formulas(tmp_path):
 
 
 def test_rows_are_one_line_each():
-    written = _rows.csv_of([{"a": "x\ry", "b": 1.0}, {"a": "x\n", "b": True}])
+    written = _rows.to_csv([{"a": "x\ry", "b": 1.0}, {"a": "x\n", "b": True}])
     assert list(csv.reader(io.StringIO(written.decode()))) == [["a", "b"], [r"x\u{d}y", "1"], [r"x\u{a}", "true"]]
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from .._errors import RequestError
-from .._rows import rows_of
+from .._rows import to_rows
 from .._sweep import Sweep
 from .._text import printable
 from ._job import RESULT_COLUMNS, Value
@@ -54,7 +54,7 @@ def read_points(source: Any) -> list[Point]:
     if isinstance(source, (str, os.PathLike)):
         table = Path(source)
         return _points(read_rows(table), table.parent, printed_name=printable(str(table)))
-    return _points(rows_of(source), Path.cwd(), printed_name="points")
+    return _points(to_rows(source), Path.cwd(), printed_name="points")
 
 
 def _points(rows: Sequence[Mapping[str, Any]], folder: Path, printed_name: str) -> list[Point]:
