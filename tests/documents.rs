@@ -1,7 +1,7 @@
 //! Every ```` ```console ```` example of README.md and docs/ is run from the top of the repository and compared.
 //!
 //! "The top of the repository" is a temporary folder with all of `fixtures/` at its place, so that examples may write; nothing is
-//! put elsewhere to make an example pass. A command that names a fixture stands in such a block: one in a block that is not
+//! put elsewhere to make an example pass. A command with a fixture must be in such a block: one in a block that is not
 //! run may be wrong for years. To take over what the command prints now: `TRYCMD=overwrite cargo test --test documents`, then
 //! read the difference.
 
@@ -13,13 +13,13 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
 }
 
-fn copy(from: &Path, to: &Path) {
+fn copy_fixtures(from: &Path, to: &Path) {
     std::fs::create_dir_all(to).unwrap();
     for entry in std::fs::read_dir(from).unwrap() {
         let entry = entry.unwrap();
         let target = to.join(entry.file_name());
         if entry.path().is_dir() {
-            copy(&entry.path(), &target);
+            copy_fixtures(&entry.path(), &target);
         } else if !is_result(&target) {
             // What a reader's commands wrote stays behind: the examples start from the fixtures alone.
             std::fs::copy(entry.path(), target).unwrap();
@@ -31,12 +31,14 @@ fn copy(from: &Path, to: &Path) {
 fn is_result(path: &Path) -> bool {
     path.to_string_lossy().ends_with(".scaled.osim")
         || path.parent().is_some_and(|folder| {
-            ["libraries/table1", "walks/subjects"].iter().any(|made| folder.ends_with(made))
+            ["libraries/table1", "walks/subjects"]
+                .iter()
+                .any(|folder_of_results| folder.ends_with(folder_of_results))
         })
 }
 
-/// Commands that name a fixture and stand in a block that is not run.
-fn not_run(document: &Path) -> Vec<String> {
+/// Commands with a fixture in a block that is not run.
+fn commands_that_are_not_run(document: &Path) -> Vec<String> {
     let text = std::fs::read_to_string(document).unwrap();
     let blocks = text.split("\n```").skip(1).step_by(2).filter(|block| !block.starts_with("console"));
     let lines =
@@ -62,7 +64,7 @@ fn documents() -> Vec<PathBuf> {
 }
 
 #[test]
-fn pages_in_folders_of_docs_are_looked_at() {
+fn pages_in_folders_of_docs_are_included() {
     let documents = documents();
     for page in ["README.md", "docs/check.md", "docs/reference/errors.md"] {
         assert!(documents.contains(&root().join(page)), "{page}");
@@ -70,22 +72,22 @@ fn pages_in_folders_of_docs_are_looked_at() {
 }
 
 #[test]
-fn commands_with_fixtures_stand_where_they_are_run() {
+fn commands_with_fixtures_are_in_blocks_that_are_run() {
     for document in documents() {
-        let left = not_run(&document);
-        assert!(left.is_empty(), "{}: {left:#?}", document.display());
+        let not_run = commands_that_are_not_run(&document);
+        assert!(not_run.is_empty(), "{}: {not_run:#?}", document.display());
     }
 }
 
 // One test for all pages: they share the process's working folder.
 #[test]
-fn examples_in_the_documents_are_true() {
+fn examples_in_the_documents_match_the_output() {
     let documents = documents();
     assert!(!documents.is_empty(), "neither README.md nor docs/ holds a ```console example");
     for document in documents {
         // Each page starts with untouched fixtures.
         let folder = tempfile::tempdir().unwrap();
-        copy(&root().join("fixtures"), &folder.path().join("fixtures"));
+        copy_fixtures(&root().join("fixtures"), &folder.path().join("fixtures"));
         std::env::set_current_dir(folder.path()).unwrap();
         let cases = trycmd::TestCases::new();
         cases.register_bin("osim-contact-scale", Path::new(env!("CARGO_BIN_EXE_osim-contact-scale")));

@@ -10,225 +10,243 @@
     clippy::panic,
     clippy::print_stderr,
     dead_code,
-    reason = "a test fails by panicking; the shared bench has more than this file uses"
+    reason = "a test fails by panicking; the shared support has more than this file uses"
 )]
 
-#[path = "follow/different.rs"]
-mod different;
-#[path = "follow/matched.rs"]
-mod matched;
+#[path = "follow/different_models.rs"]
+mod different_models;
+#[path = "follow/matching_spheres.rs"]
+mod matching_spheres;
 #[path = "command/support.rs"]
 mod support;
 
 use serde_json::Value;
-use support::{Bench, Ran};
+use support::{CommandRun, TestDir};
 
 const TOLERANCE: f64 = 1e-12;
 const CALL: &str = "transfer scaled.osim --from generic.osim --follow-bodies";
 
-/// The fixture's pair of one class.
-fn bench(kind: &str) -> Bench {
-    Bench::with(&[
+/// The generic and the scaled model of the fixtures, with contacts of one class.
+fn generic_and_scaled(kind: &str) -> TestDir {
+    TestDir::with(&[
         (&format!("scale_tool/generic_{kind}.osim"), "generic.osim"),
         (&format!("scale_tool/scaled_{kind}.osim"), "scaled.osim"),
         ("scale_tool/applied_scale_set.xml", "applied.xml"),
     ])
 }
 
-/// Replaces every `from` in a file of the bench; there must be one.
+/// Replaces every `from` in a file of the folder; there must be one.
 #[track_caller]
-fn edit(bench: &Bench, name: &str, from: &str, to: &str) {
-    let text = bench.text(name);
+fn replace_in_file(dir: &TestDir, name: &str, from: &str, to: &str) {
+    let text = dir.text(name);
     assert!(text.contains(from), "{name} has no {from}");
-    bench.write(name, text.replace(from, to));
+    dir.write(name, text.replace(from, to));
 }
 
 /// Changes the scale factors of one body's mesh.
 #[track_caller]
-fn set_mesh(bench: &Bench, name: &str, body: &str, factors: &str) {
-    let text = bench.text(name);
+fn set_mesh_factors(dir: &TestDir, name: &str, body: &str, factors: &str) {
+    let text = dir.text(name);
     let mesh = text.find(&format!("<Mesh name=\"{body}_geom_1\">")).expect("the body has a mesh");
     let start = mesh + text[mesh..].find("<scale_factors>").unwrap() + "<scale_factors>".len();
     let end = start + text[start..].find('<').unwrap();
-    bench.write(name, format!("{}{factors}{}", &text[..start], &text[end..]));
+    dir.write(name, format!("{}{factors}{}", &text[..start], &text[end..]));
 }
 
 /// Takes the meshes and their factors out of both models.
-fn without_meshes(bench: &Bench) {
+fn remove_meshes(dir: &TestDir) {
     for name in ["generic.osim", "scaled.osim"] {
-        edit(bench, name, "<Mesh name=", "<Brick name=");
-        edit(bench, name, "</Mesh>", "</Brick>");
+        replace_in_file(dir, name, "<Mesh name=", "<Brick name=");
+        replace_in_file(dir, name, "</Mesh>", "</Brick>");
     }
 }
 
 /// A refusal that says each of `words` and leaves nothing behind.
 #[track_caller]
-fn refuses(bench: &Bench, call: &str, words: &[&str]) {
-    let ran = bench.run(call).failed();
-    assert!(ran.changed.is_empty(), "written: {:?}", ran.changed);
+fn assert_refused(dir: &TestDir, call: &str, words: &[&str]) {
+    let run = dir.run(call).failed();
+    assert!(run.changed.is_empty(), "written: {:?}", run.changed);
     let (codes, words): (Vec<&str>, Vec<&str>) = words.iter().partition(|word| word.starts_with('['));
-    says(&ran, &words);
+    assert_stderr_has(&run, &words);
     for code in codes {
-        let report = json(&bench.run(&format!("{call} --format json")).failed());
+        let report = parse_json(&dir.run(&format!("{call} --format json")).failed());
         assert_eq!(format!("[{}]", report["error"]["code"].as_str().unwrap()), code);
     }
 }
 
 #[track_caller]
-fn says(ran: &Ran, words: &[&str]) {
+fn assert_stderr_has(run: &CommandRun, words: &[&str]) {
     for word in words {
-        assert!(ran.err().contains(word), "no '{word}' in {}", ran.err());
+        assert!(run.err().contains(word), "no '{word}' in {}", run.err());
     }
 }
 
-fn json(ran: &Ran) -> Value {
-    serde_json::from_str(&ran.out()).unwrap()
+fn parse_json(run: &CommandRun) -> Value {
+    serde_json::from_str(&run.out()).unwrap()
 }
 
 /// What a dry run plans for `property` of the force or sphere whose path ends with `name`.
 #[track_caller]
-fn planned(report: &Value, name: &str, property: &str) -> Value {
+fn planned_value(report: &Value, name: &str, property: &str) -> Value {
     let changes = report["changes"].as_array().unwrap();
-    let found = changes.iter().find(|change| {
+    let change = changes.iter().find(|change| {
         change["property"] == property && change["path"].as_str().unwrap().ends_with(&format!("/{name}"))
     });
-    found.unwrap_or_else(|| panic!("no {property} of {name}"))["to"].clone()
+    change.unwrap_or_else(|| panic!("no {property} of {name}"))["to"].clone()
 }
 
 #[track_caller]
-fn close(value: &Value, expected: f64) {
+fn assert_close(value: &Value, expected: f64) {
     let value = value.as_f64().unwrap();
     assert!((value - expected).abs() <= TOLERANCE * expected.abs(), "{value} is not {expected}");
 }
 
 #[track_caller]
-fn close_place(value: &Value, expected: [f64; 3]) {
+fn assert_close_place(value: &Value, expected: [f64; 3]) {
     for (value, expected) in value.as_array().unwrap().iter().zip(expected) {
         assert!((value.as_f64().unwrap() - expected).abs() <= 1e-15, "{value} is not {expected}");
     }
 }
 
 /// The plan of a dry run with further options.
-fn plan(bench: &Bench, more: &str) -> Value {
-    json(&bench.run(&format!("{CALL} --dry-run --format json {more}")).done())
+fn dry_run_plan(dir: &TestDir, options: &str) -> Value {
+    parse_json(&dir.run(&format!("{CALL} --dry-run --format json {options}")).succeeded())
 }
 
-fn codes(report: &Value) -> Vec<&str> {
+fn warning_codes(report: &Value) -> Vec<&str> {
     report["warnings"].as_array().unwrap().iter().map(|warning| warning["code"].as_str().unwrap()).collect()
 }
 
 // Factors.
 
 #[test]
-fn factors_that_are_no_sizes_are_refused() {
+fn factors_that_are_not_positive_numbers_are_refused() {
     for bad in ["0", "-1", "nan", "inf"] {
-        let bench = bench("smooth");
-        let ran = bench.run(&format!("{CALL} --body-scale calcn_r=1,{bad},1")).usage();
-        assert!(ran.changed.is_empty());
-        says(&ran, &["--body-scale", "calcn_r"]);
+        let dir = generic_and_scaled("smooth");
+        let run = dir.run(&format!("{CALL} --body-scale calcn_r=1,{bad},1")).usage_error();
+        assert!(run.changed.is_empty());
+        assert_stderr_has(&run, &["--body-scale", "calcn_r"]);
     }
     for bad in ["0", "-0.9", "NaN", "inf", "1e400"] {
-        let file = bench("smooth");
-        edit(&file, "applied.xml", " 1.02 0.9 0.95", &format!(" 1.02 {bad} 0.95"));
-        refuses(&file, &format!("{CALL} --body-scale-file applied.xml"), &["calcn_r"]);
-        let mesh = bench("smooth");
-        set_mesh(&mesh, "scaled.osim", "calcn_r", &format!("1.02 {bad} 0.95"));
-        refuses(&mesh, CALL, &["calcn_r"]);
-        let generic = bench("smooth");
+        let file = generic_and_scaled("smooth");
+        replace_in_file(&file, "applied.xml", " 1.02 0.9 0.95", &format!(" 1.02 {bad} 0.95"));
+        assert_refused(&file, &format!("{CALL} --body-scale-file applied.xml"), &["calcn_r"]);
+        let mesh = generic_and_scaled("smooth");
+        set_mesh_factors(&mesh, "scaled.osim", "calcn_r", &format!("1.02 {bad} 0.95"));
+        assert_refused(&mesh, CALL, &["calcn_r"]);
+        let generic = generic_and_scaled("smooth");
         if bad != "0" {
-            set_mesh(&generic, "generic.osim", "calcn_r", &format!("1 {bad} 1"));
-            refuses(&generic, CALL, &["calcn_r"]);
+            set_mesh_factors(&generic, "generic.osim", "calcn_r", &format!("1 {bad} 1"));
+            assert_refused(&generic, CALL, &["calcn_r"]);
         }
     }
-    let bench = bench("smooth");
-    refuses(&bench, &format!("{CALL} --body-scale hoof=1,1,1"), &["hoof"]);
-    refuses(&bench, &format!("{CALL} --body-scale-file generic.osim"), &["generic.osim", "ScaleSet"]);
+    let dir = generic_and_scaled("smooth");
+    assert_refused(&dir, &format!("{CALL} --body-scale hoof=1,1,1"), &["hoof"]);
+    assert_refused(&dir, &format!("{CALL} --body-scale-file generic.osim"), &["generic.osim", "ScaleSet"]);
 }
 
 #[test]
-fn an_undetermined_axis_is_asked_for_and_never_1() {
-    let bench = bench("smooth");
-    without_meshes(&bench);
-    // The toes end in no joint: nothing says how they were scaled.
-    refuses(&bench, CALL, &["toes_r", "x, y and z", "--body-scale toes_r=x,y,z", "[body-scale]"]);
-    let seen = json(&bench.run("inspect scaled.osim --from generic.osim --format json").done());
-    let toes = seen["body_factors"].as_array().unwrap().iter().find(|body| body["body"] == "toes_r").unwrap();
+fn an_undetermined_factor_must_be_given() {
+    let dir = generic_and_scaled("smooth");
+    remove_meshes(&dir);
+    // No joint follows the toes, so nothing gives their factors.
+    assert_refused(&dir, CALL, &["toes_r", "x, y and z", "--body-scale toes_r=x,y,z", "[body-scale]"]);
+    let inspection =
+        parse_json(&dir.run("inspect scaled.osim --from generic.osim --format json").succeeded());
+    let toes =
+        inspection["body_factors"].as_array().unwrap().iter().find(|body| body["body"] == "toes_r").unwrap();
     assert_eq!(toes["factors"], serde_json::json!([null, null, null]));
-    // Offsets below a micrometre say nothing.
-    edit(&bench, "generic.osim", "0.12 -0.01 0.01<", "0.12 -0.01 0.0000001<");
-    edit(&bench, "generic.osim", "-0.012 0.002<", "-0.012 0.0000005<");
-    edit(&bench, "scaled.osim", "-0.010800000000000001 0.0019<", "-0.010800000000000001 0.000000475<");
+    // Offsets below a micrometre give no factor.
+    replace_in_file(&dir, "generic.osim", "0.12 -0.01 0.01<", "0.12 -0.01 0.0000001<");
+    replace_in_file(&dir, "generic.osim", "-0.012 0.002<", "-0.012 0.0000005<");
+    replace_in_file(
+        &dir,
+        "scaled.osim",
+        "-0.010800000000000001 0.0019<",
+        "-0.010800000000000001 0.000000475<",
+    );
     let with_toes = format!("{CALL} --body-scale toes_r=1.02,0.9,0.95 --body-scale toes_l=1.02,0.9,0.95");
-    refuses(&bench, &with_toes, &["calcn_r", "along z"]);
-    let told = "--body-scale toes_r=1.02,0.9,0.95 --body-scale toes_l=1.02,0.9,0.95 --body-scale calcn_r=1.02,0.9,0.95";
-    close_place(&planned(&plan(&bench, told), "heel_r", "location"), [-0.0102, -0.036, 0.00475]);
+    assert_refused(&dir, &with_toes, &["calcn_r", "along z"]);
+    let options = "--body-scale toes_r=1.02,0.9,0.95 --body-scale toes_l=1.02,0.9,0.95 --body-scale calcn_r=1.02,0.9,0.95";
+    assert_close_place(
+        &planned_value(&dry_run_plan(&dir, options), "heel_r", "location"),
+        [-0.0102, -0.036, 0.00475],
+    );
 }
 
 #[test]
-fn the_first_source_counts_and_a_disagreement_is_said() {
-    let bench = bench("smooth");
-    set_mesh(&bench, "scaled.osim", "calcn_r", "1.02 0.95 0.95");
-    let report = plan(&bench, "--body-scale-file applied.xml");
-    assert!(codes(&report).contains(&"factors-disagree"));
-    close_place(&planned(&report, "heel_r", "location"), [-0.0102, -0.036, 0.00475]);
+fn the_first_source_of_factors_is_used_and_disagreement_is_reported() {
+    let dir = generic_and_scaled("smooth");
+    set_mesh_factors(&dir, "scaled.osim", "calcn_r", "1.02 0.95 0.95");
+    let report = dry_run_plan(&dir, "--body-scale-file applied.xml");
+    assert!(warning_codes(&report).contains(&"factors-disagree"));
+    assert_close_place(&planned_value(&report, "heel_r", "location"), [-0.0102, -0.036, 0.00475]);
     // Without the file, no factor explains mesh and joint.
-    set_mesh(&bench, "scaled.osim", "calcn_l", "1.02 0.95 0.95");
-    assert!(codes(&plan(&bench, "")).contains(&"not-a-scaled-copy"));
-    let seen = json(&bench.run("inspect scaled.osim --from generic.osim --format json").done());
-    assert!(codes(&seen).contains(&"not-a-scaled-copy"));
-    // In a scaled copy, one per cent is no disagreement: a file of two digits, and what the caller says.
-    let copy = self::bench("smooth");
-    assert!(!codes(&plan(&copy, "--body-scale calcn_r=1.02,0.908,0.95")).contains(&"factors-disagree"));
-    let report = plan(&copy, "--body-scale calcn_r=1.02,0.91,0.95");
-    assert!(codes(&report).contains(&"factors-disagree"), "1.1 %");
-    close_place(&planned(&report, "heel_r", "location"), [-0.0102, -0.0364, 0.00475]);
+    set_mesh_factors(&dir, "scaled.osim", "calcn_l", "1.02 0.95 0.95");
+    assert!(warning_codes(&dry_run_plan(&dir, "")).contains(&"not-a-scaled-copy"));
+    let inspection =
+        parse_json(&dir.run("inspect scaled.osim --from generic.osim --format json").succeeded());
+    assert!(warning_codes(&inspection).contains(&"not-a-scaled-copy"));
+    // In a scaled copy, sources that differ by 1 % do not disagree: files may have two digits.
+    let scaled_copy = generic_and_scaled("smooth");
+    assert!(
+        !warning_codes(&dry_run_plan(&scaled_copy, "--body-scale calcn_r=1.02,0.908,0.95"))
+            .contains(&"factors-disagree")
+    );
+    let report = dry_run_plan(&scaled_copy, "--body-scale calcn_r=1.02,0.91,0.95");
+    assert!(warning_codes(&report).contains(&"factors-disagree"), "1.1 %");
+    assert_close_place(&planned_value(&report, "heel_r", "location"), [-0.0102, -0.0364, 0.00475]);
     for body in ["calcn_r", "calcn_l"] {
-        set_mesh(&bench, "scaled.osim", body, "1.0302 0.905 0.969");
+        set_mesh_factors(&dir, "scaled.osim", body, "1.0302 0.905 0.969");
     }
-    assert!(!codes(&plan(&bench, "")).contains(&"factors-disagree"));
+    assert!(!warning_codes(&dry_run_plan(&dir, "")).contains(&"factors-disagree"));
 }
 
 // Spheres that were moved before.
 
 #[test]
-fn moved_or_resized_spheres_are_refused_kept_or_replaced() {
+fn moved_or_resized_spheres_need_keep_or_replace() {
     for (from, to) in [
         ("-0.01 -0.040000000000000001 0.0050000000000000001", "-0.012 -0.04 0.005"),
         ("<radius>0.032", "<radius>0.03"),
     ] {
-        let bench = bench("smooth");
-        edit(&bench, "scaled.osim", from, to);
-        refuses(
-            &bench,
+        let dir = generic_and_scaled("smooth");
+        replace_in_file(&dir, "scaled.osim", from, to);
+        assert_refused(
+            &dir,
             CALL,
             &["heel_r", "--moved-spheres keep", "--moved-spheres replace", "[moved-spheres]"],
         );
-        let replaced = plan(&bench, "--moved-spheres replace");
-        close_place(&planned(&replaced, "heel_r", "location"), [-0.0102, -0.036, 0.00475]);
-        close(&planned(&replaced, "heel_r", "radius"), 0.030_573_048_163_784_02);
-        let kept = plan(&bench, "--moved-spheres keep");
-        let touched = kept["changes"].as_array().unwrap().iter().any(|change| change["sphere"] == "heel_r");
+        let replaced = dry_run_plan(&dir, "--moved-spheres replace");
+        assert_close_place(&planned_value(&replaced, "heel_r", "location"), [-0.0102, -0.036, 0.00475]);
+        assert_close(&planned_value(&replaced, "heel_r", "radius"), 0.030_573_048_163_784_02);
+        let plan_with_kept = dry_run_plan(&dir, "--moved-spheres keep");
+        let touched =
+            plan_with_kept["changes"].as_array().unwrap().iter().any(|change| change["sphere"] == "heel_r");
         assert!(!touched, "heel_r stays as it is");
     }
     // A kept radius counts: (10) with the 0.03 m that stay in the file.
-    let bench = bench("smooth");
-    edit(&bench, "scaled.osim", "<radius>0.032", "<radius>0.03");
+    let dir = generic_and_scaled("smooth");
+    replace_in_file(&dir, "scaled.osim", "<radius>0.032", "<radius>0.03");
     let expected = 2e6 * (52.0 / 62.0) * (0.032 / 0.03) * (0.032 / 0.03);
-    close(&planned(&plan(&bench, "--moved-spheres keep"), "contact_heel_r", "stiffness"), expected);
+    assert_close(
+        &planned_value(&dry_run_plan(&dir, "--moved-spheres keep"), "contact_heel_r", "stiffness"),
+        expected,
+    );
 }
 
 #[test]
-fn a_followed_model_is_recognised() {
-    let bench = bench("smooth");
-    bench.run(&format!("{CALL} -o done.osim")).done();
-    refuses(&bench, &CALL.replace("scaled.osim", "done.osim"), &["[moved-spheres]"]);
+fn a_model_after_follow_bodies_is_recognised() {
+    let dir = generic_and_scaled("smooth");
+    dir.run(&format!("{CALL} -o done.osim")).succeeded();
+    assert_refused(&dir, &CALL.replace("scaled.osim", "done.osim"), &["[moved-spheres]"]);
 }
 
 // Numbers.
 
 #[test]
-fn parameters_follow_the_paper() {
-    let report = plan(&bench("smooth"), "");
+fn parameters_agree_with_the_paper() {
+    let report = dry_run_plan(&generic_and_scaled("smooth"), "");
     for (property, expected) in [
         ("stiffness", 1_837_655.613_115_876_4),
         ("dissipation", 2.046_141_267_854_657_6),
@@ -236,18 +254,18 @@ fn parameters_follow_the_paper() {
         ("hertz_smoothing", 314.002_056_601_339_86),
         ("hunt_crossley_smoothing", 51.153_531_696_366_436),
     ] {
-        close(&planned(&report, "contact_ball_r", property), expected);
+        assert_close(&planned_value(&report, "contact_ball_r", property), expected);
     }
-    close_place(
-        &planned(&report, "ball_r", "location"),
+    assert_close_place(
+        &planned_value(&report, "ball_r", "location"),
         [0.011_190_745_890_090_035, -0.027_914_656_364_983_893, 0.018_338_133_644_451_395],
     );
 }
 
 #[test]
-fn bottoms_stay_on_the_scaled_sole() {
-    let bench = bench("smooth");
-    for (more, heel, ball, toe) in [
+fn level_keeps_the_lowest_points_on_the_scaled_sole() {
+    let dir = generic_and_scaled("smooth");
+    for (options, heel, ball, toe) in [
         (
             "--level",
             [-0.0102, -0.034_226_951_836_215_99, 0.00475],
@@ -261,37 +279,40 @@ fn bottoms_stay_on_the_scaled_sole() {
             [0.0306, -0.0252, -0.003_626_951_836_215_981_7],
         ),
     ] {
-        let report = plan(&bench, more);
+        let report = dry_run_plan(&dir, options);
         for (name, place) in [("heel_r", heel), ("ball_r", ball), ("toe_r", toe)] {
-            close_place(&planned(&report, name, "location"), place);
+            assert_close_place(&planned_value(&report, name, "location"), place);
         }
     }
-    let alone = bench.run("transfer scaled.osim --from generic.osim --level").usage();
-    says(&alone, &["--level says nothing here: radii stay", "--radius isometric", "--follow-bodies"]);
+    let run_without_follow = dir.run("transfer scaled.osim --from generic.osim --level").usage_error();
+    assert_stderr_has(
+        &run_without_follow,
+        &["--level says nothing here: radii stay", "--radius isometric", "--follow-bodies"],
+    );
 }
 
 #[test]
-fn a_frame_lying_on_its_side_is_levelled_along_what_is_up() {
+fn level_uses_the_vertical_axis_of_a_rotated_frame() {
     // A quarter turn about z: the frame's x points up, and the offset across the sole is along its -y.
-    let bench = bench("smooth");
+    let dir = generic_and_scaled("smooth");
     for name in ["generic.osim", "scaled.osim"] {
-        let text = bench.text(name);
+        let text = dir.text(name);
         let turned = text.match_indices("<orientation>0.").map(|(at, _)| at).collect::<Vec<_>>();
         let mut text = text.clone();
         for at in turned.into_iter().rev() {
             let end = at + text[at..].find("</orientation>").unwrap();
             text.replace_range(at..end, "<orientation>0 0 1.5707963267948966");
         }
-        bench.write(name, text);
+        dir.write(name, text);
     }
     // x: 0.9 (0.01 - 0.032) + R'; y: 1.02 (-0.03); z: 0.95 (0.02).
-    let place = planned(&plan(&bench, "--level"), "ball_r", "location");
-    close_place(&place, [0.010_773_048_163_784_02, -0.0306, 0.019]);
+    let place = planned_value(&dry_run_plan(&dir, "--level"), "ball_r", "location");
+    assert_close_place(&place, [0.010_773_048_163_784_02, -0.0306, 0.019]);
 }
 
 #[test]
-fn radii_follow_the_axis_that_is_asked_for() {
-    let bench = bench("smooth");
+fn radii_follow_the_given_axis() {
+    let dir = generic_and_scaled("smooth");
     for (axis, radius) in [
         ("x", 0.03264),
         ("y", 0.0288),
@@ -300,27 +321,32 @@ fn radii_follow_the_axis_that_is_asked_for() {
         ("max", 0.03264),
         ("geomean", 0.030_573_048_163_784_02),
     ] {
-        let report = plan(&bench, &format!("--radius-axis {axis}"));
-        close(&planned(&report, "toe_l", "radius"), radius);
+        let report = dry_run_plan(&dir, &format!("--radius-axis {axis}"));
+        assert_close(&planned_value(&report, "toe_l", "radius"), radius);
         let ratio: f64 = radius / 0.032;
-        close(&planned(&report, "contact_toe_l", "stiffness"), 2e6 * (52.0 / 62.0) / (ratio * ratio));
+        assert_close(
+            &planned_value(&report, "contact_toe_l", "stiffness"),
+            2e6 * (52.0 / 62.0) / (ratio * ratio),
+        );
     }
-    let kept = plan(&bench, "--keep radius --level");
-    assert!(!kept["changes"].as_array().unwrap().iter().any(|change| change["property"] == "radius"));
-    close(&planned(&kept, "contact_toe_l", "stiffness"), 2e6 * (52.0 / 62.0));
-    // The bottom of the sphere as it is: 0.9 (-0.028 - 0.032) + 0.032.
-    close_place(&planned(&kept, "toe_r", "location"), [0.0306, -0.022, -0.0038]);
+    let plan_with_kept = dry_run_plan(&dir, "--keep radius --level");
+    assert!(
+        !plan_with_kept["changes"].as_array().unwrap().iter().any(|change| change["property"] == "radius")
+    );
+    assert_close(&planned_value(&plan_with_kept, "contact_toe_l", "stiffness"), 2e6 * (52.0 / 62.0));
+    // The lowest point of the unchanged sphere: 0.9 (-0.028 - 0.032) + 0.032.
+    assert_close_place(&planned_value(&plan_with_kept, "toe_r", "location"), [0.0306, -0.022, -0.0038]);
 }
 
 #[test]
-fn predsim_scales_otherwise() {
-    let bench = bench("smooth");
-    let report = plan(&bench, "--rule predsim");
-    close(&planned(&report, "contact_toe_l", "stiffness"), 1_837_655.613_115_876_4);
-    close(&planned(&report, "contact_toe_l", "dissipation"), 2.093_347_044_008_932_6);
-    let report = plan(&bench, "--rule predsim --height-ratio 0.93");
-    close(&planned(&report, "contact_toe_l", "stiffness"), 1_939_437.339_390_345_2);
-    close(&planned(&report, "contact_toe_l", "dissipation"), 2.150_537_634_408_602);
+fn the_predsim_rule_scales_stiffness_and_dissipation() {
+    let dir = generic_and_scaled("smooth");
+    let report = dry_run_plan(&dir, "--rule predsim");
+    assert_close(&planned_value(&report, "contact_toe_l", "stiffness"), 1_837_655.613_115_876_4);
+    assert_close(&planned_value(&report, "contact_toe_l", "dissipation"), 2.093_347_044_008_932_6);
+    let report = dry_run_plan(&dir, "--rule predsim --height-ratio 0.93");
+    assert_close(&planned_value(&report, "contact_toe_l", "stiffness"), 1_939_437.339_390_345_2);
+    assert_close(&planned_value(&report, "contact_toe_l", "dissipation"), 2.150_537_634_408_602);
     let smoothing =
         report["changes"].as_array().unwrap().iter().any(|change| change["property"] == "hertz_smoothing");
     assert!(!smoothing, "PredSim leaves the smoothing");
@@ -328,70 +354,70 @@ fn predsim_scales_otherwise() {
     for number in ["0.3533", "0.3408", "0.5494", "0.5363"] {
         assert!(remarks.contains(number), "{number}: {remarks}");
     }
-    let alone = bench.run("transfer scaled.osim --from generic.osim --rule predsim").failed();
-    says(&alone, &["--height-ratio"]);
+    let run_without_follow = dir.run("transfer scaled.osim --from generic.osim --rule predsim").failed();
+    assert_stderr_has(&run_without_follow, &["--height-ratio"]);
     // The paper's rule has no heights.
-    says(&bench.run(&format!("{CALL} --height-ratio 0.93")).usage(), &["--rule"]);
+    assert_stderr_has(&dir.run(&format!("{CALL} --height-ratio 0.93")).usage_error(), &["--rule"]);
 }
 
 #[test]
-fn one_modulus_for_bodies_of_different_factors() {
-    let bench = bench("hunt_crossley");
-    let more = "--body-scale toes_r=1.1,1.1,1.1";
-    let report = plan(&bench, more);
-    assert!(codes(&report).contains(&"factor-spread"));
-    close(&planned(&report, "toe_r", "radius"), 0.0352);
-    close(&planned(&report, "contact_foot_r", "stiffness"), 1_657_743.073_435_748_5);
-    close(&planned(&report, "contact_foot_r", "dissipation"), 1.994_108_977_545_730_6);
-    close(&planned(&report, "contact_foot_l", "stiffness"), 1_837_655.613_115_876_4);
-    refuses(&bench, &format!("{CALL} {more} --strict"), &["contact_foot_r", "15.1 %", "--strict"]);
-    let even = plan(&bench, "--strict");
-    assert!(!codes(&even).contains(&"factor-spread"));
-    // Spheres with a force each: every one follows its own body, there is nothing to mix.
-    let apart = Bench::with(&[
+fn one_force_over_bodies_of_different_factors_gets_one_modulus() {
+    let dir = generic_and_scaled("hunt_crossley");
+    let options = "--body-scale toes_r=1.1,1.1,1.1";
+    let report = dry_run_plan(&dir, options);
+    assert!(warning_codes(&report).contains(&"factor-spread"));
+    assert_close(&planned_value(&report, "toe_r", "radius"), 0.0352);
+    assert_close(&planned_value(&report, "contact_foot_r", "stiffness"), 1_657_743.073_435_748_5);
+    assert_close(&planned_value(&report, "contact_foot_r", "dissipation"), 1.994_108_977_545_730_6);
+    assert_close(&planned_value(&report, "contact_foot_l", "stiffness"), 1_837_655.613_115_876_4);
+    assert_refused(&dir, &format!("{CALL} {options} --strict"), &["contact_foot_r", "15.1 %", "--strict"]);
+    let strict_plan = dry_run_plan(&dir, "--strict");
+    assert!(!warning_codes(&strict_plan).contains(&"factor-spread"));
+    // If each sphere has a force, each force follows one body.
+    let one_force_each = TestDir::with(&[
         ("scale_tool/generic_smooth.osim", "generic.osim"),
         ("scale_tool/scaled_smooth.osim", "scaled.osim"),
     ]);
-    assert!(!codes(&plan(&apart, more)).contains(&"factor-spread"));
+    assert!(!warning_codes(&dry_run_plan(&one_force_each, options)).contains(&"factor-spread"));
 }
 
 #[test]
-fn spheres_of_several_materials_keep_what_tells_them_apart() {
-    let bench = Bench::with(&[
+fn spheres_of_several_materials_keep_their_ratios() {
+    let dir = TestDir::with(&[
         ("format/three_materials.osim", "generic.osim"),
         ("format/three_materials.osim", "scaled.osim"),
     ]);
-    let text = bench.text("scaled.osim");
+    let text = dir.text("scaled.osim");
     let bodies: Vec<&str> = ["calcn_r", "calcn_l", "toes_r", "toes_l"]
         .into_iter()
         .filter(|name| text.contains(&format!("<Body name=\"{name}\">")))
         .collect();
-    let told: String = bodies.iter().map(|body| format!(" --body-scale {body}=2,2,2")).collect();
-    let report = plan(&bench, &told);
-    let of = |property: &str| {
+    let options: String = bodies.iter().map(|body| format!(" --body-scale {body}=2,2,2")).collect();
+    let report = dry_run_plan(&dir, &options);
+    let changes_of = |property: &str| {
         let changes = report["changes"].as_array().unwrap().iter();
         changes.filter(|change| change["property"] == property).cloned().collect::<Vec<_>>()
     };
     // The same mass on twice the radius: a quarter of the modulus, for floor, heel and toe alike.
-    assert!(of("stiffness").len() >= 3);
-    for change in of("stiffness") {
-        close(&change["to"], change["from"].as_f64().unwrap() / 4.0);
+    assert!(changes_of("stiffness").len() >= 3);
+    for change in changes_of("stiffness") {
+        assert_close(&change["to"], change["from"].as_f64().unwrap() / 4.0);
     }
-    assert!(!of("dissipation").is_empty());
-    for change in of("dissipation") {
-        close(&change["to"], change["from"].as_f64().unwrap() * 0.5_f64.sqrt());
+    assert!(!changes_of("dissipation").is_empty());
+    for change in changes_of("dissipation") {
+        assert_close(&change["to"], change["from"].as_f64().unwrap() * 0.5_f64.sqrt());
     }
-    // A floor made harder since then: heel and toe would need different factors.
+    // If the floor was made harder, heel and toe would need different factors.
     let moduli = text.match_indices("<stiffness>").map(|(at, tag)| at + tag.len()).collect::<Vec<_>>();
     let end = moduli[0] + text[moduli[0]..].find('<').unwrap();
-    bench.write("scaled.osim", format!("{}9e6{}", &text[..moduli[0]], &text[end..]));
-    refuses(&bench, &format!("{CALL}{told}"), &["stiffness", "materials"]);
+    dir.write("scaled.osim", format!("{}9e6{}", &text[..moduli[0]], &text[end..]));
+    assert_refused(&dir, &format!("{CALL}{options}"), &["stiffness", "materials"]);
 }
 
 // Documents of version 3.
 
 /// A foot of a version 3 document: joints inside bodies, `VisibleObject` factors.
-fn old(foot_scale: &str, offset: &str, location: &str) -> String {
+fn version_3_model(foot_scale: &str, offset: &str, location: &str) -> String {
     let body = |name: &str, inner: &str, scale: &str| {
         format!(
             "<Body name=\"{name}\"><mass>5</mass><mass_center>0 0 0</mass_center>{inner}<VisibleObject name=\"\"><GeometrySet><objects>\
@@ -421,31 +447,32 @@ fn old(foot_scale: &str, offset: &str, location: &str) -> String {
 }
 
 #[test]
-fn version_3_says_factors_in_visible_objects_and_joints() {
-    let bench = Bench::new();
-    bench.write("generic.osim", old("1 1 1", "0.1 0.05 0.02", "0.01 -0.02 0.03"));
-    bench.write("scaled.osim", old("2 1.5 1", "0.2 0.075 0.02", "0.01 -0.02 0.03"));
-    let seen = json(&bench.run("inspect scaled.osim --from generic.osim --format json").done());
+fn version_3_models_have_factors_in_visible_objects_and_joints() {
+    let dir = TestDir::new();
+    dir.write("generic.osim", version_3_model("1 1 1", "0.1 0.05 0.02", "0.01 -0.02 0.03"));
+    dir.write("scaled.osim", version_3_model("2 1.5 1", "0.2 0.075 0.02", "0.01 -0.02 0.03"));
+    let inspection =
+        parse_json(&dir.run("inspect scaled.osim --from generic.osim --format json").succeeded());
     let foot =
-        seen["body_factors"].as_array().unwrap().iter().find(|body| body["body"] == "calcn_r").unwrap();
+        inspection["body_factors"].as_array().unwrap().iter().find(|body| body["body"] == "calcn_r").unwrap();
     assert_eq!(foot["by_source"]["mesh"], serde_json::json!([2.0, 1.5, 1.0]));
-    for (said, expected) in foot["by_source"]["joint offset"].as_array().unwrap().iter().zip([2.0, 1.5, 1.0])
+    for (value, expected) in foot["by_source"]["joint offset"].as_array().unwrap().iter().zip([2.0, 1.5, 1.0])
     {
-        close(said, expected);
+        assert_close(value, expected);
     }
-    let report = plan(&bench, "--spheres 1 --reference-spheres 1");
-    close_place(&planned(&report, "heel", "location"), [0.02, -0.03, 0.03]);
-    close(&planned(&report, "heel", "radius"), 0.04 * 3.0_f64.cbrt());
+    let report = dry_run_plan(&dir, "--spheres 1 --reference-spheres 1");
+    assert_close_place(&planned_value(&report, "heel", "location"), [0.02, -0.03, 0.03]);
+    assert_close(&planned_value(&report, "heel", "radius"), 0.04 * 3.0_f64.cbrt());
 }
 
-// What it looks like.
+// Output.
 
 #[test]
-fn tables_and_json() {
-    let bench = bench("smooth");
-    bench.run(&format!("{CALL} --level --dry-run")).done().looks_like("follow");
-    bench.run(&format!("{CALL} --rule predsim --dry-run")).done().looks_like("follow_predsim");
-    bench.run("inspect scaled.osim --from generic.osim").done().looks_like("follow_inspect");
+fn follow_bodies_output_matches_its_snapshots() {
+    let dir = generic_and_scaled("smooth");
+    dir.run(&format!("{CALL} --level --dry-run")).succeeded().matches_snapshot("follow");
+    dir.run(&format!("{CALL} --rule predsim --dry-run")).succeeded().matches_snapshot("follow_predsim");
+    dir.run("inspect scaled.osim --from generic.osim").succeeded().matches_snapshot("follow_inspect");
     let call = format!("{CALL} --level --body-scale-file applied.xml --dry-run --format json");
-    bench.run(&call).done().looks_like("follow_json");
+    dir.run(&call).succeeded().matches_snapshot("follow_json");
 }

@@ -35,13 +35,13 @@ impl Dialect for Markdown {
     }
 }
 
-/// In Markdown outside of code, with what would be read as marks kept as it is.
-fn spelled(phrase: &Phrase) -> String {
-    marked(&phrase.spelled(&Markdown))
+/// A phrase as Markdown, with options and calls marked as code.
+fn phrase_as_markdown(phrase: &Phrase) -> String {
+    as_markdown(&phrase.spelled(&Markdown))
 }
 
-/// In Markdown: code stays as it is, and a page of docs/ is a link, from the project's top.
-fn marked(text: &str) -> String {
+/// Text as Markdown: characters outside of code are escaped, and a page of docs/ becomes a link.
+fn as_markdown(text: &str) -> String {
     let pieces = text.split('`').enumerate().map(|(index, piece)| match index % 2 {
         0 => piece.replace('*', "\\*").replace('<', "\\<").replace('|', "\\|"),
         _ => format!("`{}`", piece.replace('|', "\\|")),
@@ -56,10 +56,10 @@ fn marked(text: &str) -> String {
     words.collect::<Vec<_>>().join(" ")
 }
 
-/// How links to other pages begin until it is known which page has them.
+/// The start of links to other pages, which `generated_parts_of_the_docs_are_up_to_date` replaces by a relative path.
 const DOCS: &str = "docs:";
 
-/// No blanks beside the bars: they would count as words.
+/// A table in Markdown, without blanks beside the bars, which would count as words.
 fn table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let mut text = format!("|{}|\n|{}\n", header.join("|"), "---|".repeat(header.len()));
     for row in rows {
@@ -68,8 +68,8 @@ fn table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     text
 }
 
-/// Up to its first full stop, semicolon, colon, remark in brackets or clause after it: `explain` has the rest.
-fn short(text: &str) -> String {
+/// The text up to its first full stop, semicolon, colon, remark in brackets or subordinate clause; `explain` has all of it.
+fn first_clause(text: &str) -> String {
     let is_number = |at: usize| text[at..].starts_with(|c: char| !c.is_ascii_lowercase());
     let bracket = text.match_indices(" (").map(|(at, _)| at).find(|at| !is_number(at + 2));
     let ends =
@@ -77,28 +77,28 @@ fn short(text: &str) -> String {
     text[..ends.chain(bracket).min().unwrap_or(text.len())].trim_end_matches('.').to_owned()
 }
 
-/// Where it is nothing, what to do otherwise comes in the next one.
+/// The first sentence; two if the first one begins with "Nothing".
 fn first_sentence(text: &str) -> String {
     let end = text.find(". ").filter(|_| !text.starts_with("Nothing"));
     text[..end.unwrap_or(text.len())].to_owned()
 }
 
 /// docs/reference/findings.md: the codes of a severity, in the order in which they are looked for.
-fn findings(severity: Severity) -> String {
+fn findings_table(severity: Severity) -> String {
     let rows = rules::all().iter().filter(|rule| rule.severity == severity).map(|rule| {
         let check = match rule.repair {
             Repair::OnlyInChange(_) => "no",
             Repair::Command(_) => "command",
             Repair::NotPossible(_) => "yes",
         };
-        let [what, advice] = [rule.what(), rule.advice()].map(|text| spelled(&text));
-        vec![format!("`{}`", rule.code), short(&what), first_sentence(&advice), check.to_owned()]
+        let [what, advice] = [rule.what(), rule.advice()].map(|text| phrase_as_markdown(&text));
+        vec![format!("`{}`", rule.code), first_clause(&what), first_sentence(&advice), check.to_owned()]
     });
     table(&["code", "what it is", "what to do", "`check`"], rows)
 }
 
 /// docs/check.md: on how many published models each rule fires; `None` without them.
-fn published() -> Option<String> {
+fn published_models_table() -> Option<String> {
     let Some(folder) = std::env::var_os("OSIM_CORPUS").map(PathBuf::from) else {
         // Straight to the terminal: what a passing test prints is kept.
         let line = "skipped: how often each rule fires: OSIM_CORPUS is not set\n";
@@ -109,29 +109,32 @@ fn published() -> Option<String> {
         std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     names.retain(|path| path.extension().is_some_and(|extension| extension == "osim"));
     names.sort();
-    let mut counted: BTreeMap<(Reverse<Severity>, FindingCode), Vec<String>> = BTreeMap::new();
-    let checked: Vec<CheckResult> = names.iter().filter_map(|path| checked(path)).collect();
-    for found in &checked {
-        let name = found.model.trim_end_matches(".osim").to_owned();
+    let mut models_by_code: BTreeMap<(Reverse<Severity>, FindingCode), Vec<String>> = BTreeMap::new();
+    let checked: Vec<CheckResult> = names.iter().filter_map(|path| check_published(path)).collect();
+    for result in &checked {
+        let name = result.model.trim_end_matches(".osim").to_owned();
         let kinds: BTreeSet<_> =
-            found.findings.iter().map(|one| (Reverse(one.severity), one.code())).collect();
-        kinds.into_iter().for_each(|kind| counted.entry(kind).or_default().push(name.clone()));
+            result.findings.iter().map(|one| (Reverse(one.severity), one.code())).collect();
+        kinds.into_iter().for_each(|kind| models_by_code.entry(kind).or_default().push(name.clone()));
     }
-    let rows = counted.into_iter().map(|((severity, code), models)| {
-        let named = if models.len() <= NAMED { models.join(", ") } else { String::new() };
-        vec![format!("`{code}`"), severity.0.as_str().to_owned(), models.len().to_string(), named]
+    let rows = models_by_code.into_iter().map(|((severity, code), models)| {
+        let names_of_few = if models.len() <= MOST_NAMED { models.join(", ") } else { String::new() };
+        vec![format!("`{code}`"), severity.0.as_str().to_owned(), models.len().to_string(), names_of_few]
     });
-    let warned = checked.iter().filter(|found| found.counts.error + found.counts.warning > 0).count();
+    let with_warnings =
+        checked.iter().filter(|result| result.counts.error + result.counts.warning > 0).count();
     let all = checked.len();
     let table = table(&["code", "severity", "models", "which, where they are few"], rows);
-    Some(format!("Of {all} published models with contacts {warned} have an error or a warning.\n\n{table}"))
+    Some(format!(
+        "Of {all} published models with contacts {with_warnings} have an error or a warning.\n\n{table}"
+    ))
 }
 
-/// Models that a row names at most.
-const NAMED: usize = 3;
+/// The largest number of models that a row names.
+const MOST_NAMED: usize = 3;
 
-/// What is found in a published model; `None` if it has no contacts.
-fn checked(path: &Path) -> Option<CheckResult> {
+/// The findings of a published model; `None` if it has no contacts.
+fn check_published(path: &Path) -> Option<CheckResult> {
     let name = Path::new(path.file_name().unwrap());
     let bytes = std::fs::read(path).unwrap();
     let files = ModelFiles::read(name, bytes, CompanionPaths::default(), &InMemory::default()).ok()?;
@@ -142,14 +145,15 @@ fn checked(path: &Path) -> Option<CheckResult> {
     Some(inspector.check(&opened.model, &inspected, None, &InMemory::default()))
 }
 
-fn limits() -> String {
-    let rows =
-        limits::ALL.iter().map(|limit| vec![marked(limit.what), limit.in_words(), marked(limit.source)]);
+fn limits_table() -> String {
+    let rows = limits::ALL
+        .iter()
+        .map(|limit| vec![as_markdown(limit.what), limit.in_words(), as_markdown(limit.source)]);
     table(&["figure", "limit", "source"], rows)
 }
 
 /// docs/reference/json.md: the figures of a sphere.
-fn figures() -> String {
+fn figures_table() -> String {
     let rows = Figure::ALL.iter().map(|figure| {
         let info = figure.info();
         let limit = info.limit.map(limits::Limit::in_words).unwrap_or_default();
@@ -161,7 +165,7 @@ fn figures() -> String {
 }
 
 /// docs/reference/json.md: what a design without a model finds.
-fn design_figures() -> String {
+fn design_figures_table() -> String {
     let rows = DesignQuantity::ALL.iter().map(|quantity| {
         let info = quantity.info();
         vec![format!("`{}`", info.name), info.unit.to_owned(), info.equation.to_owned()]
@@ -169,12 +173,12 @@ fn design_figures() -> String {
     table(&["`name`", "unit", "equation"], rows)
 }
 
-/// The first of several.
-fn way_out(text: &str) -> String {
+/// The first of several ways out.
+fn first_way_out(text: &str) -> String {
     text.split(", or ").next().unwrap_or_default().to_owned()
 }
 
-fn errors(group: ErrorGroup) -> String {
+fn errors_table(group: ErrorGroup) -> String {
     let header = match group {
         ErrorGroup::Question => ["code", "question", "answer"],
         _ => ["code", "means", "way out"],
@@ -182,15 +186,15 @@ fn errors(group: ErrorGroup) -> String {
     let rows = group.errors().iter().map(|error| {
         [
             format!("`{}`", error.code),
-            short(&spelled(&error.means())),
-            way_out(&short(&spelled(&error.way_out()))),
+            first_clause(&phrase_as_markdown(&error.means())),
+            first_way_out(&first_clause(&phrase_as_markdown(&error.way_out()))),
         ]
     });
     table(&header, rows.map(Vec::from))
 }
 
 /// docs/reference/errors.md: what the exit status says.
-fn exit_statuses() -> String {
+fn exit_statuses_table() -> String {
     let row = |status: &ExitStatus| vec![status.code().to_string(), status.meaning().to_owned()];
     table(&["status", "means"], ExitStatus::ALL.iter().map(row))
 }
@@ -200,30 +204,30 @@ fn parts() -> Vec<(&'static str, &'static str, String)> {
     const FINDINGS: &str = "reference/findings.md";
     const ERRORS: &str = "reference/errors.md";
     const JSON: &str = "reference/json.md";
-    let published = published().map(|text| ("check.md", "published", text));
+    let published = published_models_table().map(|text| ("check.md", "published", text));
     let others = vec![
-        (FINDINGS, "findings-error", findings(Severity::Error)),
-        (FINDINGS, "findings-warning", findings(Severity::Warning)),
-        (FINDINGS, "findings-remark", findings(Severity::Remark)),
-        ("check.md", "limits", limits()),
-        (JSON, "figures", figures()),
-        (JSON, "design-figures", design_figures()),
-        (ERRORS, "exit-statuses", exit_statuses()),
-        (ERRORS, "errors-file", errors(ErrorGroup::File)),
-        (ERRORS, "errors-model", errors(ErrorGroup::Model)),
-        (ERRORS, "errors-question", errors(ErrorGroup::Question)),
-        (ERRORS, "errors-request", errors(ErrorGroup::Request)),
+        (FINDINGS, "findings-error", findings_table(Severity::Error)),
+        (FINDINGS, "findings-warning", findings_table(Severity::Warning)),
+        (FINDINGS, "findings-remark", findings_table(Severity::Remark)),
+        ("check.md", "limits", limits_table()),
+        (JSON, "figures", figures_table()),
+        (JSON, "design-figures", design_figures_table()),
+        (ERRORS, "exit-statuses", exit_statuses_table()),
+        (ERRORS, "errors-file", errors_table(ErrorGroup::File)),
+        (ERRORS, "errors-model", errors_table(ErrorGroup::Model)),
+        (ERRORS, "errors-question", errors_table(ErrorGroup::Question)),
+        (ERRORS, "errors-request", errors_table(ErrorGroup::Request)),
     ];
     let records = records::PARTS.iter().map(|(part, schemas)| (JSON, *part, records::table(schemas)));
     others.into_iter().chain(records).chain(published).collect()
 }
 
-fn page(name: &str) -> PathBuf {
+fn page_path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name)
 }
 
 /// The page with `text` between the marks of the part.
-fn replaced(page: &str, name: &str, text: &str) -> Option<String> {
+fn with_part_replaced(page: &str, name: &str, text: &str) -> Option<String> {
     let (begin, end) = (format!("<!-- begin {name} -->\n"), format!("<!-- end {name} -->"));
     let (before, rest) = page.split_once(&begin)?;
     let (_, after) = rest.split_once(&end)?;
@@ -231,18 +235,19 @@ fn replaced(page: &str, name: &str, text: &str) -> Option<String> {
 }
 
 #[test]
-fn the_documents_say_what_the_registers_say() {
+fn generated_parts_of_the_docs_are_up_to_date() {
     let update = std::env::var_os("UPDATE_DOCS").is_some();
     let mut differ = Vec::new();
     for (name, part, text) in parts() {
-        let path = page(name);
-        let now = std::fs::read_to_string(&path).unwrap();
-        let up = "../".repeat(name.matches('/').count());
-        let new = replaced(&now, part, &text.replace(&format!("]({DOCS}"), &format!("]({up}")))
-            .unwrap_or_else(|| panic!("{name} has no marks of {part}"));
-        if update && new != now {
+        let path = page_path(name);
+        let current = std::fs::read_to_string(&path).unwrap();
+        let to_docs = "../".repeat(name.matches('/').count());
+        let new =
+            with_part_replaced(&current, part, &text.replace(&format!("]({DOCS}"), &format!("]({to_docs}")))
+                .unwrap_or_else(|| panic!("{name} has no marks of {part}"));
+        if update && new != current {
             std::fs::write(&path, new).unwrap();
-        } else if new != now {
+        } else if new != current {
             differ.push(format!("docs/{name}, part {part}"));
         }
     }
@@ -254,12 +259,12 @@ fn the_documents_say_what_the_registers_say() {
 }
 
 #[test]
-fn a_changed_text_is_noticed() {
+fn a_changed_part_is_detected() {
     let page = "before\n<!-- begin x -->\n\nold\n<!-- end x -->\nafter\n";
     assert_eq!(
-        replaced(page, "x", "old").as_deref(),
+        with_part_replaced(page, "x", "old").as_deref(),
         Some("before\n<!-- begin x -->\n\nold\n<!-- end x -->\nafter\n")
     );
-    assert_ne!(replaced(page, "x", "new").as_deref(), Some(page));
-    assert_eq!(replaced(page, "y", "new"), None);
+    assert_ne!(with_part_replaced(page, "x", "new").as_deref(), Some(page));
+    assert_eq!(with_part_replaced(page, "y", "new"), None);
 }

@@ -34,19 +34,19 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use support::Ran;
+use support::CommandRun;
 
 /// The one JSON object that a run prints.
 #[track_caller]
-fn object(ran: &Ran) -> Value {
-    let text = ran.out();
+fn json_object(run: &CommandRun) -> Value {
+    let text = run.out();
     assert_eq!(text.lines().count(), 1, "{text}");
     serde_json::from_str(&text).unwrap_or_else(|error| panic!("{error}: {text}"))
 }
 
 /// A number of a JSON object.
 #[track_caller]
-fn figure(object: &Value, name: &str) -> f64 {
+fn number(object: &Value, name: &str) -> f64 {
     object[name].as_f64().unwrap_or_else(|| panic!("no number '{name}' in {object}"))
 }
 
@@ -58,16 +58,16 @@ fn assert_close(seen: f64, expected: f64, within: f64, what: &str) {
 
 /// What a run of a changing verb, with `--format json`, changes: property to `(from, to)`, equal for all that have it.
 #[track_caller]
-fn changes(ran: &Ran) -> BTreeMap<String, (f64, f64)> {
-    let plan = object(ran);
-    let mut seen: BTreeMap<String, (f64, f64)> = BTreeMap::new();
+fn changes(run: &CommandRun) -> BTreeMap<String, (f64, f64)> {
+    let plan = json_object(run);
+    let mut by_property: BTreeMap<String, (f64, f64)> = BTreeMap::new();
     for change in plan["changes"].as_array().unwrap() {
         let name = change["property"].as_str().unwrap().to_owned();
-        let values = (figure(change, "from"), figure(change, "to"));
-        let first = *seen.entry(name.clone()).or_insert(values);
+        let values = (number(change, "from"), number(change, "to"));
+        let first = *by_property.entry(name.clone()).or_insert(values);
         assert_eq!(values, first, "{name} is not the same everywhere");
     }
-    seen
+    by_property
 }
 
 /// Lines that differ between two texts of the same number of lines, without notes: `(before, after)`, trimmed.

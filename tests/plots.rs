@@ -1,4 +1,4 @@
-//! `plot`, from outside: what it writes, what stands in the figures, what it refuses.
+//! `plot`, from outside: the files that it writes, the content of figures, and refusals.
 //!
 //! Expected numbers are those of `tests/plots/reference.py` (mpmath 1.3.0, and a Runge–Kutta method of its own).
 
@@ -14,18 +14,16 @@
 #[path = "../crates/contact-plots/tests/plots/document/mod.rs"]
 #[allow(dead_code, reason = "the tests of contact-plots have it, too")]
 mod document;
-#[path = "plots/documented.rs"]
-mod documented;
+#[path = "plots/documentation.rs"]
+mod documentation;
+#[path = "plots/exports.rs"]
+mod exports;
 #[path = "plots/feet.rs"]
 mod feet;
 #[path = "plots/figures.rs"]
 mod figures;
 #[path = "plots/files.rs"]
 mod files;
-#[path = "plots/printing.rs"]
-mod printing;
-#[path = "plots/shown.rs"]
-mod shown;
 #[path = "command/support.rs"]
 #[allow(dead_code, reason = "shared with the tests of the command, which use all of it")]
 mod support;

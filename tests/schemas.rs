@@ -1,4 +1,4 @@
-//! `schemas/` holds what the types say. To write it anew: `UPDATE_SCHEMAS=1 cargo test --test schemas`.
+//! `schemas/` holds the schemas of the types. To write them again: `UPDATE_SCHEMAS=1 cargo test --test schemas`.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -25,40 +25,43 @@ const WIDTH: usize = 140;
 fn schemas() -> BTreeMap<String, String> {
     let requests = Verb::ALL.iter().map(|&verb| {
         let title = format!("A request: {}", verb.name());
-        (format!("requests/{}", verb.name()), titled(schema_of(verb), &title))
+        (format!("requests/{}", verb.name()), with_title(schema_of(verb), &title))
     });
     let others = [
-        ("failure", printed::<FailureRecord>("A model that failed, on standard output of any verb")),
-        ("finding", printed::<FindingRecord>("One finding: of a model, of a check, of a change")),
-        ("results/change", printed::<PlanRecord>("The result of rescale, transfer, design, set and batch")),
-        ("results/check", printed::<CheckResult>("The result of check")),
-        ("results/design", printed::<DesignSheet>("The result of design without a model")),
-        ("results/drop-test", printed::<DropRecord>("The result of drop-test")),
-        ("results/explanation", printed::<TopicRecord>("The result of explain")),
-        ("results/fit", printed::<FitRecord>("The result of fit")),
-        ("results/inspection", printed::<Inspection>("The result of inspect")),
-        ("results/motion", printed::<MotionRecord>("The result of motion")),
-        ("results/preset", printed::<PresetRecord>("The result of presets")),
-        ("results/reproduction", printed::<ReproductionRecord>("The result of reproduce")),
-        ("results/summary-line", printed::<JsonRecord>("A line of a summary (NDJSON)")),
-        ("results/sweep", printed::<SweepRecord>("The result of sweep")),
+        ("failure", schema_of_output::<FailureRecord>("A model that failed, on standard output of any verb")),
+        ("finding", schema_of_output::<FindingRecord>("One finding: of a model, of a check, of a change")),
+        (
+            "results/change",
+            schema_of_output::<PlanRecord>("The result of rescale, transfer, design, set and batch"),
+        ),
+        ("results/check", schema_of_output::<CheckResult>("The result of check")),
+        ("results/design", schema_of_output::<DesignSheet>("The result of design without a model")),
+        ("results/drop-test", schema_of_output::<DropRecord>("The result of drop-test")),
+        ("results/explanation", schema_of_output::<TopicRecord>("The result of explain")),
+        ("results/fit", schema_of_output::<FitRecord>("The result of fit")),
+        ("results/inspection", schema_of_output::<Inspection>("The result of inspect")),
+        ("results/motion", schema_of_output::<MotionRecord>("The result of motion")),
+        ("results/preset", schema_of_output::<PresetRecord>("The result of presets")),
+        ("results/reproduction", schema_of_output::<ReproductionRecord>("The result of reproduce")),
+        ("results/summary-line", schema_of_output::<JsonRecord>("A line of a summary (NDJSON)")),
+        ("results/sweep", schema_of_output::<SweepRecord>("The result of sweep")),
     ];
     let others = others.into_iter().map(|(name, schema)| (name.to_owned(), schema));
     requests
         .chain(others)
         .map(|(name, schema)| {
-            let text = text(&serde_json::to_value(schema).unwrap(), 0, WIDTH);
+            let text = json_text(&serde_json::to_value(schema).unwrap(), 0, WIDTH);
             (format!("{name}.schema.json"), format!("{text}\n"))
         })
         .collect()
 }
 
 /// A value as JSON: on one line where there is room for it, else a line for each of its parts.
-fn text(value: &Value, indent: usize, room: usize) -> String {
+fn json_text(value: &Value, indent: usize, room: usize) -> String {
     let (ends, parts): (_, Vec<(String, &Value)>) = match value {
         Value::Object(fields) => {
-            let named = |(name, part)| (format!("{}: ", Value::from(name)), part);
-            ("{}", fields.iter().map(|(name, part)| (name.as_str(), part)).map(named).collect())
+            let with_name = |(name, part)| (format!("{}: ", Value::from(name)), part);
+            ("{}", fields.iter().map(|(name, part)| (name.as_str(), part)).map(with_name).collect())
         }
         Value::Array(items) => ("[]", items.iter().map(|item| (String::new(), item)).collect()),
         simple => return simple.to_string(),
@@ -67,40 +70,40 @@ fn text(value: &Value, indent: usize, room: usize) -> String {
     let joined = |between: &str, written: &dyn Fn(&str, &Value) -> String| {
         parts.iter().map(|(name, part)| written(name, part)).collect::<Vec<_>>().join(between)
     };
-    let line = joined(", ", &|name, part| format!("{name}{}", text(part, 0, usize::MAX)));
+    let line = joined(", ", &|name, part| format!("{name}{}", json_text(part, 0, usize::MAX)));
     if line.len() + 2 <= room {
         return format!("{begin}{line}{end}");
     }
     let inner = indent + 2;
     let lines = joined(",\n", &|name, part| {
         let room = WIDTH.saturating_sub(inner + name.len() + 1);
-        format!("{:inner$}{name}{}", "", text(part, inner, room))
+        format!("{:inner$}{name}{}", "", json_text(part, inner, room))
     });
     format!("{begin}\n{lines}\n{:indent$}{end}", "")
 }
 
 /// The schema of what the program prints as a `T`.
-fn printed<T: JsonSchema>(title: &str) -> Schema {
+fn schema_of_output<T: JsonSchema>(title: &str) -> Schema {
     let generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
-    titled(generator.into_root_schema_for::<T>(), title)
+    with_title(generator.into_root_schema_for::<T>(), title)
 }
 
-fn titled(mut schema: Schema, title: &str) -> Schema {
+fn with_title(mut schema: Schema, title: &str) -> Schema {
     schema.insert("title".to_owned(), Value::from(title));
     schema
 }
 
-fn folder() -> PathBuf {
+fn schemas_folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../schemas")
 }
 
-fn names(folder: &Path, prefix: &str) -> Vec<String> {
+fn schema_names(folder: &Path, prefix: &str) -> Vec<String> {
     let mut names = Vec::new();
     for entry in std::fs::read_dir(folder).unwrap() {
         let entry = entry.unwrap();
         let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
         if entry.path().is_dir() {
-            names.extend(self::names(&entry.path(), &format!("{name}/")));
+            names.extend(schema_names(&entry.path(), &format!("{name}/")));
         } else if name.ends_with(".json") {
             names.push(name);
         }
@@ -110,8 +113,8 @@ fn names(folder: &Path, prefix: &str) -> Vec<String> {
 }
 
 #[test]
-fn the_folder_holds_what_the_types_say() {
-    let (schemas, folder) = (schemas(), folder());
+fn schemas_are_up_to_date() {
+    let (schemas, folder) = (schemas(), schemas_folder());
     if std::env::var_os("UPDATE_SCHEMAS").is_some() {
         for (name, text) in &schemas {
             std::fs::create_dir_all(folder.join(name).parent().unwrap()).unwrap();
@@ -119,13 +122,13 @@ fn the_folder_holds_what_the_types_say() {
         }
     }
     for (name, text) in &schemas {
-        let kept = std::fs::read_to_string(folder.join(name)).unwrap_or_default();
+        let committed = std::fs::read_to_string(folder.join(name)).unwrap_or_default();
         assert!(
-            kept == *text,
-            "schemas/{name} is not what the types say: UPDATE_SCHEMAS=1 cargo test --test schemas"
+            committed == *text,
+            "schemas/{name} is out of date: UPDATE_SCHEMAS=1 cargo test --test schemas"
         );
     }
-    assert_eq!(names(&folder, ""), schemas.into_keys().collect::<Vec<_>>());
+    assert_eq!(schema_names(&folder, ""), schemas.into_keys().collect::<Vec<_>>());
 }
 
 /// What a reader of the schemas relies on: every object of a result is closed, and every field is described.
@@ -140,14 +143,15 @@ fn results_are_closed_and_described() {
             if object.get("type").is_none() {
                 return;
             }
-            let closed = ["additionalProperties", "unevaluatedProperties"];
+            let closing_rules = ["additionalProperties", "unevaluatedProperties"];
             assert!(
-                closed.iter().any(|rule| object.get(rule) == Some(&Value::Bool(false))),
+                closing_rules.iter().any(|rule| object.get(rule) == Some(&Value::Bool(false))),
                 "{name}: {object}"
             );
             for (field, schema) in properties {
-                let described = ["description", "const", "$ref"].iter().any(|key| schema.get(key).is_some());
-                assert!(described || field == "bytes", "{name}: {field} has no description");
+                let is_described =
+                    ["description", "const", "$ref"].iter().any(|key| schema.get(key).is_some());
+                assert!(is_described || field == "bytes", "{name}: {field} has no description");
             }
         });
     }

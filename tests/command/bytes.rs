@@ -2,31 +2,31 @@
 
 use similar::{ChangeTag, TextDiff};
 
-use crate::support::{Bench, fixture};
+use crate::support::{TestDir, fixture};
 
 /// Changed and inserted lines between two files: `(removed, added)`, trimmed.
 pub(crate) fn line_changes(old: &[u8], new: &[u8]) -> (Vec<String>, Vec<String>) {
     let (old, new) = (String::from_utf8_lossy(old), String::from_utf8_lossy(new));
     let diff = TextDiff::from_lines(old.as_ref(), new.as_ref());
-    let of = |tag: ChangeTag| -> Vec<String> {
+    let lines_with = |tag: ChangeTag| -> Vec<String> {
         let changes = diff.iter_all_changes().filter(|change| change.tag() == tag);
         changes.map(|change| change.value().trim().to_owned()).collect()
     };
-    let (mut removed, mut added) = (of(ChangeTag::Delete), of(ChangeTag::Insert));
-    // The note is at the end of the credits, which stay; where there were none, they are the note's.
+    let (mut removed, mut added) = (lines_with(ChangeTag::Delete), lines_with(ChangeTag::Insert));
+    // The note is at the end of the credits, which otherwise stay; without credits the note adds them.
     let credits = |lines: &mut Vec<String>| {
         lines.iter().position(|line| line.starts_with("<credits>")).map(|at| lines.remove(at))
     };
     if let Some(with_note) = credits(&mut added) {
-        let without = without_note(&with_note);
-        let before = credits(&mut removed).map(|before| without_note(&before));
+        let without = line_without_note(&with_note);
+        let before = credits(&mut removed).map(|before| line_without_note(&before));
         assert_eq!(before.unwrap_or_else(|| "<credits></credits>".to_owned()), without);
     }
     (removed, added)
 }
 
-/// A line without the note.
-fn without_note(line: &str) -> String {
+/// The line without the note of this program.
+fn line_without_note(line: &str) -> String {
     let Some((before, rest)) = line.split_once("[contacts made for ") else { return line.to_owned() };
     let (_, after) = rest.split_once(")]").unwrap();
     format!("{}{after}", before.strip_suffix("; ").unwrap_or(before))
@@ -40,7 +40,7 @@ pub(crate) fn number(line: &str) -> f64 {
 }
 
 /// Lines of one element.
-pub(crate) fn of<'l>(lines: &'l [String], tag: &str) -> Vec<&'l str> {
+pub(crate) fn lines_of_element<'l>(lines: &'l [String], tag: &str) -> Vec<&'l str> {
     let open = format!("<{tag}>");
     lines.iter().map(String::as_str).filter(|line| line.starts_with(&open)).collect()
 }
@@ -49,16 +49,16 @@ pub(crate) fn of<'l>(lines: &'l [String], tag: &str) -> Vec<&'l str> {
 pub(crate) const LAST_BITS: f64 = 1e-15 * 4.0;
 
 #[track_caller]
-pub(crate) fn assert_close(seen: f64, expected: f64, within: f64, what: &str) {
-    assert!((seen - expected).abs() <= within * expected.abs(), "{what}: {seen:?}, expected {expected:?}");
+pub(crate) fn assert_close(value: f64, expected: f64, within: f64, what: &str) {
+    assert!((value - expected).abs() <= within * expected.abs(), "{what}: {value:?}, expected {expected:?}");
 }
 
 #[test]
-fn the_human_becomes_a_giraffe_of_1190_kg() {
-    let bench = Bench::human();
-    bench.run("human.osim --target-mass 1190").done().wrote(&["human.scaled.osim"]);
+fn a_human_scaled_to_1190_kg_gets_the_numbers_of_the_equations() {
+    let dir = TestDir::with_human();
+    dir.run("human.osim --target-mass 1190").succeeded().wrote(&["human.scaled.osim"]);
     let (removed, added) =
-        line_changes(&fixture("table1/human_62kg_smooth_sphere.osim"), &bench.read("human.scaled.osim"));
+        line_changes(&fixture("table1/human_62kg_smooth_sphere.osim"), &dir.read("human.scaled.osim"));
     // 12 spheres and 12 forces: radius, stiffness and dissipation change, the three smoothing parameters are inserted.
     assert_eq!((removed.len(), added.len()), (36, 36 + 36));
     // Python 3, decimal, 60 digits: μ = 1190/62, ρ = μ^(1/3); E₁* × μ/ρ², α × ρ^(-1/2), cf × ρ², bd / ρ, bv × ρ^(-1/2).
@@ -70,25 +70,25 @@ fn the_human_becomes_a_giraffe_of_1190_kg() {
         ("hertz_smoothing", 112.047_670_212_170_36),
         ("hunt_crossley_smoothing", 30.557_005_499_580_94),
     ] {
-        let lines = of(&added, tag);
+        let lines = lines_of_element(&added, tag);
         assert_eq!(lines.len(), 12, "{tag}");
         for line in lines {
             assert_close(number(line), expected, LAST_BITS, tag);
         }
     }
-    assert_eq!(bench.text("human.scaled.osim").matches("[contacts made for 1190 kg at ").count(), 1);
+    assert_eq!(dir.text("human.scaled.osim").matches("[contacts made for 1190 kg at ").count(), 1);
 }
 
 #[test]
-fn the_smallest_and_the_largest_animal_are_the_same_contact() {
+fn mouse_contacts_scale_to_giraffe_contacts() {
     // Mouse → giraffe: the forces' numbers follow from the formulas alone, ρ = (1190/0.0209)^(1/3) = 38.46965...
-    let bench = Bench::with(&[("table1/mouse_hunt_crossley.osim", "mouse.osim")]);
-    bench.run("mouse.osim --target-mass 1190 --no-note --yes implausible-radius").done();
+    let dir = TestDir::with(&[("table1/mouse_hunt_crossley.osim", "mouse.osim")]);
+    dir.run("mouse.osim --target-mass 1190 --no-note --yes implausible-radius").succeeded();
     let (removed, added) =
-        line_changes(&fixture("table1/mouse_hunt_crossley.osim"), &bench.read("mouse.scaled.osim"));
+        line_changes(&fixture("table1/mouse_hunt_crossley.osim"), &dir.read("mouse.scaled.osim"));
     let ratio: f64 = 1190.0 / 0.0209;
     for (tag, exponent) in [("radius", 1.0 / 3.0), ("stiffness", 1.0 / 3.0), ("dissipation", -1.0 / 6.0)] {
-        let (before, after) = (of(&removed, tag), of(&added, tag));
+        let (before, after) = (lines_of_element(&removed, tag), lines_of_element(&added, tag));
         assert_eq!((before.len(), after.len()), (4, 4), "{tag}");
         for (before, after) in before.iter().zip(&after) {
             assert_close(number(after) / number(before), ratio.powf(exponent), 1e-14, tag);
@@ -98,11 +98,11 @@ fn the_smallest_and_the_largest_animal_are_the_same_contact() {
 }
 
 #[test]
-fn there_and_back_gives_the_numbers_back() {
-    let bench = Bench::with(&[("table1/giraffe_smooth_sphere.osim", "giraffe.osim")]);
-    bench.run("giraffe.osim --target-mass 0.0209 -o small.osim").done();
-    bench.run("small.osim --target-mass 1190 -o back.osim").done();
-    let (removed, added) = line_changes(&bench.read("giraffe.osim"), &bench.read("back.osim"));
+fn scaling_there_and_back_restores_the_numbers() {
+    let dir = TestDir::with(&[("table1/giraffe_smooth_sphere.osim", "giraffe.osim")]);
+    dir.run("giraffe.osim --target-mass 0.0209 -o small.osim").succeeded();
+    dir.run("small.osim --target-mass 1190 -o back.osim").succeeded();
+    let (removed, added) = line_changes(&dir.read("giraffe.osim"), &dir.read("back.osim"));
     let added: Vec<_> = added.iter().filter(|line| !line.starts_with("<!--")).collect();
     assert_eq!(removed.len(), added.len());
     for (before, after) in removed.iter().zip(added) {
@@ -111,53 +111,54 @@ fn there_and_back_gives_the_numbers_back() {
 }
 
 #[test]
-fn two_runs_equal_one() {
-    let bench = Bench::human();
-    bench.run("human.osim --target-mass 3.7 -o a.osim").done();
-    bench.run("a.osim --target-mass 1190 -o two.osim").done();
-    bench.run("human.osim --target-mass 1190 -o one.osim").done();
-    let (one, two) = line_changes(&bench.read("one.osim"), &bench.read("two.osim"));
+fn two_rescalings_equal_one() {
+    let dir = TestDir::with_human();
+    dir.run("human.osim --target-mass 3.7 -o a.osim").succeeded();
+    dir.run("a.osim --target-mass 1190 -o two.osim").succeeded();
+    dir.run("human.osim --target-mass 1190 -o one.osim").succeeded();
+    let (one, two) = line_changes(&dir.read("one.osim"), &dir.read("two.osim"));
     for (one, two) in one.iter().zip(&two) {
         assert_close(number(two), number(one), 1e-14, one);
     }
 }
 
 #[test]
-fn line_ends_and_byte_order_mark_stay() {
+fn line_ends_and_byte_order_mark_are_preserved() {
     for (name, mark, crlf) in
         [("bytes_crlf", false, true), ("bytes_bom", true, false), ("bytes_mixed_ends", false, true)]
     {
-        let bench = Bench::with(&[(&format!("format/{name}.osim"), "model.osim")]);
-        bench.run("model.osim --target-mass 492").done();
-        let (before, after) = (bench.read("model.osim"), bench.read("model.scaled.osim"));
+        let dir = TestDir::with(&[(&format!("format/{name}.osim"), "model.osim")]);
+        dir.run("model.osim --target-mass 492").succeeded();
+        let (before, after) = (dir.read("model.osim"), dir.read("model.scaled.osim"));
         assert_eq!(after.starts_with(b"\xEF\xBB\xBF"), mark, "{name}");
-        let bare = |bytes: &[u8]| bytes.windows(2).filter(|two| two[1] == b'\n' && two[0] != b'\r').count();
-        let both = |bytes: &[u8]| bytes.windows(2).filter(|two| two == b"\r\n").count();
-        assert_eq!(both(&before) > 0, crlf, "{name}");
+        let bare_count =
+            |bytes: &[u8]| bytes.windows(2).filter(|two| two[1] == b'\n' && two[0] != b'\r').count();
+        let crlf_count = |bytes: &[u8]| bytes.windows(2).filter(|two| two == b"\r\n").count();
+        assert_eq!(crlf_count(&before) > 0, crlf, "{name}");
         if name == "bytes_crlf" {
             // One note and one hertz_smoothing were inserted, with the file's own line ends.
-            assert_eq!((bare(&after), both(&after)), (0, both(&before) + 2));
+            assert_eq!((bare_count(&after), crlf_count(&after)), (0, crlf_count(&before) + 2));
         }
     }
 }
 
 #[test]
-fn bytes_that_are_no_text_stay() {
+fn bytes_that_are_not_text_are_preserved() {
     for (name, byte) in [("bytes_stray_0x96", 0x96), ("bytes_stray_in_name", 0xF6)] {
-        let bench = Bench::with(&[(&format!("format/{name}.osim"), "model.osim")]);
-        bench.run("model.osim --target-mass 492 --no-note").done();
-        let after = bench.read("model.scaled.osim");
-        assert_eq!(after.iter().filter(|&&seen| seen == byte).count(), 1, "{name}");
-        let (removed, added) = line_changes(&bench.read("model.osim"), &after);
+        let dir = TestDir::with(&[(&format!("format/{name}.osim"), "model.osim")]);
+        dir.run("model.osim --target-mass 492 --no-note").succeeded();
+        let after = dir.read("model.scaled.osim");
+        assert_eq!(after.iter().filter(|&&value| value == byte).count(), 1, "{name}");
+        let (removed, added) = line_changes(&dir.read("model.osim"), &after);
         assert_eq!((removed.len(), added.len()), (6, 6), "{name}: {added:?}");
     }
 }
 
 #[test]
-fn inserted_elements_stand_as_their_siblings_do() {
-    let bench = Bench::with(&[("format/left_out_smoothing.osim", "model.osim")]);
-    bench.run("model.osim --target-mass 492").done();
-    let text = bench.text("model.scaled.osim");
+fn inserted_elements_are_indented_like_their_siblings() {
+    let dir = TestDir::with(&[("format/left_out_smoothing.osim", "model.osim")]);
+    dir.run("model.osim --target-mass 492").succeeded();
+    let text = dir.text("model.scaled.osim");
     // ρ = 2 exactly: cf 1e-5 × 4, bd 300 / 2, bv 50/√2.
     let (before, rest) = text
         .split_once(
@@ -178,12 +179,12 @@ fn inserted_elements_stand_as_their_siblings_do() {
 
 #[test]
 fn the_same_input_gives_the_same_bytes() {
-    let bench = Bench::human();
-    bench.run("human.osim --target-mass 1190 -o a.osim").done();
-    bench.run("human.osim --target-mass 1190 -o b.osim").done();
-    assert_eq!(bench.read("a.osim"), bench.read("b.osim"));
+    let dir = TestDir::with_human();
+    dir.run("human.osim --target-mass 1190 -o a.osim").succeeded();
+    dir.run("human.osim --target-mass 1190 -o b.osim").succeeded();
+    assert_eq!(dir.read("a.osim"), dir.read("b.osim"));
     // No path, no time and no `--` in the note.
-    let text = bench.text("a.osim");
+    let text = dir.text("a.osim");
     let note = text.lines().find(|line| line.contains("osim-contact-scale")).unwrap().trim();
     let inside = note.trim_start_matches("<!--").trim_end_matches("-->");
     assert!(!inside.contains("--") && !inside.contains("a.osim"), "{note}");

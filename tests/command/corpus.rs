@@ -1,32 +1,32 @@
-//! Real models by other people; they stand beside the project, in the folder that OSIM_CORPUS names.
+//! Published models, in the folder that OSIM_CORPUS names.
 
 use std::path::Path;
 
 use serde_json::Value;
 
-use crate::bytes::{assert_close, line_changes, number, of};
-use crate::support::{Bench, corpus};
+use crate::bytes::{assert_close, line_changes, lines_of_element, number};
+use crate::support::{TestDir, corpus_folder};
 
-fn bench(folder: &Path, model: &str) -> Bench {
-    let bench = Bench::new();
-    bench.write(
+fn dir_with_model(folder: &Path, model: &str) -> TestDir {
+    let dir = TestDir::new();
+    dir.write(
         "model.osim",
         std::fs::read(folder.join(model)).unwrap_or_else(|error| panic!("{model}: {error}")),
     );
-    bench
+    dir
 }
 
-fn inspected(folder: &Path, model: &str) -> Value {
-    let ran = bench(folder, model).run("inspect model.osim --format json").done();
-    serde_json::from_slice(&ran.stdout).unwrap()
+fn inspect_model(folder: &Path, model: &str) -> Value {
+    let run = dir_with_model(folder, model).run("inspect model.osim --format json").succeeded();
+    serde_json::from_slice(&run.stdout).unwrap()
 }
 
 #[test]
-fn the_falisse_model_at_500_kg() {
-    let Some(folder) = corpus("the_falisse_model_at_500_kg") else { return };
-    let bench = bench(&folder, "v40000_falisse_2022_human.osim");
-    bench.run("model.osim --target-mass 500").done().wrote(&["model.scaled.osim"]);
-    let (removed, added) = line_changes(&bench.read("model.osim"), &bench.read("model.scaled.osim"));
+fn the_falisse_model_scales_to_500_kg() {
+    let Some(folder) = corpus_folder("the_falisse_model_scales_to_500_kg") else { return };
+    let dir = dir_with_model(&folder, "v40000_falisse_2022_human.osim");
+    dir.run("model.osim --target-mass 500").succeeded().wrote(&["model.scaled.osim"]);
+    let (removed, added) = line_changes(&dir.read("model.osim"), &dir.read("model.scaled.osim"));
     // From (8), (10), (14), (C.2), (C.5), (C.10) with μ = 500/62; all printed digits.
     for (tag, printed, digits, inserted) in [
         ("radius", 0.064_171_582_6, 5e-11, false),
@@ -36,7 +36,7 @@ fn the_falisse_model_at_500_kg() {
         ("hertz_smoothing", 149.598_93, 5e-6, true),
         ("hunt_crossley_smoothing", 35.308_041, 5e-7, true),
     ] {
-        let (before, after) = (of(&removed, tag), of(&added, tag));
+        let (before, after) = (lines_of_element(&removed, tag), lines_of_element(&added, tag));
         assert_eq!((before.len(), after.len()), (if inserted { 0 } else { 12 }, 12), "{tag}");
         for line in after {
             assert!((number(line) - printed).abs() <= digits, "{line}, expected {printed}");
@@ -46,8 +46,8 @@ fn the_falisse_model_at_500_kg() {
 }
 
 #[test]
-fn limbs_of_real_models() {
-    let Some(folder) = corpus("limbs_of_real_models") else { return };
+fn limbs_of_published_models_are_found() {
+    let Some(folder) = corpus_folder("limbs_of_published_models_are_found") else { return };
     for (model, limbs, spheres) in [
         ("v40000_falisse_2022_human", 2, 6),
         ("v40000_dhondt_2024_3seg_human", 2, 5),
@@ -59,25 +59,29 @@ fn limbs_of_real_models() {
         ("v40000_scone_h0914m", 2, 2),
         ("v40000_toy_landing", 2, 3),
     ] {
-        let seen = inspected(&folder, &format!("{model}.osim"));
-        let counts: Vec<usize> = seen["limbs"]
+        let inspection = inspect_model(&folder, &format!("{model}.osim"));
+        let counts: Vec<usize> = inspection["limbs"]
             .as_array()
             .unwrap_or_else(|| panic!("{model}: limbs are not known"))
             .iter()
             .map(|limb| limb["spheres"].as_array().unwrap().len())
             .collect();
         assert_eq!(counts, vec![spheres; limbs], "{model}");
-        let mut sides: Vec<_> =
-            seen["limbs"].as_array().unwrap().iter().map(|limb| limb["side"].as_str().unwrap()).collect();
+        let mut sides: Vec<_> = inspection["limbs"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|limb| limb["side"].as_str().unwrap())
+            .collect();
         sides.sort_unstable();
         assert_eq!(sides, ["left", "right"], "{model}");
-        assert_eq!(seen["spheres_per_limb"], spheres, "{model}");
+        assert_eq!(inspection["spheres_per_limb"], spheres, "{model}");
     }
 }
 
 #[test]
-fn where_limbs_cannot_be_told_it_asks() {
-    let Some(folder) = corpus("where_limbs_cannot_be_told_it_asks") else { return };
+fn transfer_asks_if_limbs_are_unclear() {
+    let Some(folder) = corpus_folder("transfer_asks_if_limbs_are_unclear") else { return };
     for model in [
         "v40000_walker_terrain_46_spheres_crlf",
         "v40000_soccer_kick_sphere_pairs",
@@ -85,16 +89,18 @@ fn where_limbs_cannot_be_told_it_asks() {
         "v20001_bouncing_ball_hunt_crossley",
     ] {
         let file = format!("{model}.osim");
-        assert!(inspected(&folder, &file)["limbs"].is_null(), "{model}");
-        let ran =
-            bench(&folder, &file).run("transfer model.osim --from falisse2022").failed().wrote_nothing();
-        assert!(ran.err().contains("--spheres") || ran.err().contains("--select"), "{model}: {}", ran.err());
+        assert!(inspect_model(&folder, &file)["limbs"].is_null(), "{model}");
+        let run = dir_with_model(&folder, &file)
+            .run("transfer model.osim --from falisse2022")
+            .failed()
+            .wrote_nothing();
+        assert!(run.err().contains("--spheres") || run.err().contains("--select"), "{model}: {}", run.err());
     }
 }
 
 #[test]
-fn every_real_model_is_rescaled_there_and_back_or_refused_with_a_reason() {
-    let Some(folder) = corpus("every_real_model_is_rescaled_there_and_back_or_refused_with_a_reason") else {
+fn every_published_model_is_rescaled_there_and_back_or_refused() {
+    let Some(folder) = corpus_folder("every_published_model_is_rescaled_there_and_back_or_refused") else {
         return;
     };
     let mut models: Vec<_> = std::fs::read_dir(&folder)
@@ -105,16 +111,16 @@ fn every_real_model_is_rescaled_there_and_back_or_refused_with_a_reason() {
     models.sort();
     let (mut rescaled, mut refused) = (Vec::new(), Vec::new());
     for model in &models {
-        let bench = bench(&folder, model);
-        let there = bench.run("model.osim --contacts-mass 70 --target-mass 7.3 -o there.osim");
+        let dir = dir_with_model(&folder, model);
+        let there = dir.run("model.osim --contacts-mass 70 --target-mass 7.3 -o there.osim");
         if there.status != Some(0) {
             assert!(there.err().starts_with("error: model.osim"), "{model}: {}", there.err());
             there.failed().wrote_nothing();
             refused.push(model.clone());
             continue;
         }
-        bench.run("there.osim --target-mass 70 --no-note -o back.osim").done();
-        let (removed, added) = line_changes(&bench.read("model.osim"), &bench.read("back.osim"));
+        dir.run("there.osim --target-mass 70 --no-note -o back.osim").succeeded();
+        let (removed, added) = line_changes(&dir.read("model.osim"), &dir.read("back.osim"));
         for line in &removed {
             // A stray byte makes two lines of one, and an old spelling may hold a comment.
             if !line.starts_with('<') || line.matches('<').count() != 2 {
@@ -135,13 +141,15 @@ fn every_real_model_is_rescaled_there_and_back_or_refused_with_a_reason() {
 }
 
 #[test]
-fn a_transfer_reproduces_the_models_own_contacts() {
-    let Some(folder) = corpus("a_transfer_reproduces_the_models_own_contacts") else { return };
+fn a_transfer_from_the_preset_reproduces_the_published_contacts() {
+    let Some(folder) = corpus_folder("a_transfer_from_the_preset_reproduces_the_published_contacts") else {
+        return;
+    };
     // The preset was taken from this very model, so nothing may change beyond the last bits; what OpenSim's defaults
     // already say is not written.
-    let bench = bench(&folder, "v40000_falisse_2022_human.osim");
-    let ran = bench.run("transfer model.osim --from falisse2022 --format json --dry-run").done();
-    let json: Value = serde_json::from_slice(&ran.stdout).unwrap();
+    let dir = dir_with_model(&folder, "v40000_falisse_2022_human.osim");
+    let run = dir.run("transfer model.osim --from falisse2022 --format json --dry-run").succeeded();
+    let json: Value = serde_json::from_slice(&run.stdout).unwrap();
     for change in json["changes"].as_array().unwrap() {
         assert_close(
             change["to"].as_f64().unwrap(),

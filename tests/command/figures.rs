@@ -4,47 +4,49 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::support::{Bench, corpus};
+use crate::support::{TestDir, corpus_folder};
 
-fn inspected(bench: &Bench, arguments: &str) -> Value {
-    let ran = bench.run(&format!("inspect model.osim --format json {arguments}")).done().wrote_nothing();
-    serde_json::from_slice(&ran.stdout).unwrap()
+fn inspect_model(dir: &TestDir, arguments: &str) -> Value {
+    let run = dir.run(&format!("inspect model.osim --format json {arguments}")).succeeded().wrote_nothing();
+    serde_json::from_slice(&run.stdout).unwrap()
 }
 
-fn of_fixture(name: &str, arguments: &str) -> Value {
-    inspected(&Bench::with(&[(name, "model.osim")]), arguments)
+fn inspect_fixture(name: &str, arguments: &str) -> Value {
+    inspect_model(&TestDir::with(&[(name, "model.osim")]), arguments)
 }
 
-fn of_corpus(folder: &Path, model: &str) -> Value {
-    let bench = Bench::new();
-    bench.write("model.osim", std::fs::read(folder.join(format!("{model}.osim"))).unwrap());
-    inspected(&bench, "")
+fn inspect_published(folder: &Path, model: &str) -> Value {
+    let dir = TestDir::new();
+    dir.write("model.osim", std::fs::read(folder.join(format!("{model}.osim"))).unwrap());
+    inspect_model(&dir, "")
 }
 
 /// The figures of one sphere.
 #[track_caller]
-fn sphere<'v>(seen: &'v Value, name: &str) -> &'v Value {
-    let limbs = seen["figures"]["limbs"].as_array().unwrap();
+fn sphere_figures<'v>(inspection: &'v Value, name: &str) -> &'v Value {
+    let limbs = inspection["figures"]["limbs"].as_array().unwrap();
     let mut spheres = limbs.iter().flat_map(|limb| limb["spheres"].as_array().unwrap());
-    spheres.find(|sphere| sphere["sphere"] == name).unwrap_or_else(|| panic!("no sphere {name}: {seen}"))
+    spheres
+        .find(|sphere| sphere["sphere"] == name)
+        .unwrap_or_else(|| panic!("no sphere {name}: {inspection}"))
 }
 
 #[track_caller]
-fn near(value: &Value, expected: f64, within: f64, what: &str) {
+fn assert_near(value: &Value, expected: f64, within: f64, what: &str) {
     let value = value.as_f64().unwrap_or_else(|| panic!("{what} is {value}"));
     assert!((value - expected).abs() <= within, "{what}: {value}, expected {expected}");
 }
 
 /// Whether the figure is within its limit.
 #[track_caller]
-fn within(sphere: &Value, figure: &str) -> bool {
+fn is_within_limit(sphere: &Value, figure: &str) -> bool {
     let limits = sphere["limits"].as_array().unwrap();
     let check = limits.iter().find(|check| check["figure"] == figure);
     check.unwrap_or_else(|| panic!("no limit of {figure}"))["within_limit"].as_bool().unwrap()
 }
 
 #[test]
-fn the_animals_of_table_1() {
+fn figures_of_the_animals_agree_with_table_1() {
     // Spheres that share the weight, k in kN/m as printed, and half a unit of its last digit.
     for (model, spheres, k, digit) in [
         ("human_62kg", 6, 13.45, 5e-3),
@@ -56,19 +58,20 @@ fn the_animals_of_table_1() {
         ("giraffe", 8, 207.0, 0.5),
     ] {
         for class in ["hunt_crossley", "smooth_sphere"] {
-            let seen = of_fixture(&format!("table1/{model}_{class}.osim"), &format!("--spheres {spheres}"));
-            let figures = seen["figures"]["limbs"][0]["spheres"].as_array().unwrap();
+            let inspection =
+                inspect_fixture(&format!("table1/{model}_{class}.osim"), &format!("--spheres {spheres}"));
+            let figures = inspection["figures"]["limbs"][0]["spheres"].as_array().unwrap();
             for sphere in figures {
-                near(&sphere["relative_indentation_hertz"], 0.353, 5e-4, model);
-                near(&sphere["relative_indentation_hertz_level"], 0.353, 5e-4, model);
-                near(&sphere["contact_stiffness_n_m"], k * 1e3, digit * 1e3, model);
+                assert_near(&sphere["relative_indentation_hertz"], 0.353, 5e-4, model);
+                assert_near(&sphere["relative_indentation_hertz_level"], 0.353, 5e-4, model);
+                assert_near(&sphere["contact_stiffness_n_m"], k * 1e3, digit * 1e3, model);
                 // The real OpenSim gives 4.246 in all seven, and 0.3396 for the smoothed law.
-                near(&sphere["dimensionless_stiffness"], 4.246, 5e-4, model);
+                assert_near(&sphere["dimensionless_stiffness"], 4.246, 5e-4, model);
                 let at_rest = if class == "smooth_sphere" { 0.3396 } else { 0.3533 };
-                near(&sphere["relative_indentation_model_law"], at_rest, 5e-5, model);
+                assert_near(&sphere["relative_indentation_model_law"], at_rest, 5e-5, model);
                 assert!(
-                    !within(sphere, "relative_indentation_hertz")
-                        && !within(sphere, "restitution_approximate")
+                    !is_within_limit(sphere, "relative_indentation_hertz")
+                        && !is_within_limit(sphere, "restitution_approximate")
                 );
             }
         }
@@ -76,10 +79,10 @@ fn the_animals_of_table_1() {
 }
 
 #[test]
-fn one_human_figure_by_figure() {
+fn each_figure_of_the_human_agrees_with_the_equations() {
     // mpmath 1.4.1, 30 digits, from (11), (C.3), (B.2), (B.4), (15), (C.2), (C.7) with M = 62, n = 6, g = 9.81.
-    let seen = of_fixture("table1/human_62kg_smooth_sphere.osim", "");
-    let sphere = sphere(&seen, "s3_l");
+    let inspection = inspect_fixture("table1/human_62kg_smooth_sphere.osim", "");
+    let sphere = sphere_figures(&inspection, "s3_l");
     for (name, expected) in [
         ("contact_stiffness_n_m", 13_449.523_437_277_24),
         ("natural_frequency_hz", 5.741_870_060_573_218),
@@ -89,7 +92,7 @@ fn one_human_figure_by_figure() {
         ("force_just_touching_n", 7.497_884_335_871_322),
         ("touching_share", 0.073_965_515_792_357_91),
     ] {
-        near(&sphere[name], expected, 1e-10 * expected, name);
+        assert_near(&sphere[name], expected, 1e-10 * expected, name);
     }
     for (name, expected) in [
         ("relative_indentation_hertz", 0.353_300_157_597_401_94),
@@ -97,97 +100,107 @@ fn one_human_figure_by_figure() {
         ("relative_indentation_hertz_at_two", 0.560_829_041_830_646_5),
         ("relative_indentation_model_law_at_two", 0.552_063_440_448_445_4),
     ] {
-        near(&sphere[name], expected, 1e-12, name);
+        assert_near(&sphere[name], expected, 1e-12, name);
     }
     // Section 4.2: c_r of 0.2 at about 0.4 m/s; the law itself gives 0.55.
-    near(&seen["figures"]["impact_speed_m_s"], 0.4, 5e-3, "impact speed");
-    near(&sphere["restitution_approximate"], 0.2, 0.01, "(13)");
-    near(&sphere["restitution_exact"], 0.55, 5e-3, "exact");
+    assert_near(&inspection["figures"]["impact_speed_m_s"], 0.4, 5e-3, "impact speed");
+    assert_near(&sphere["restitution_approximate"], 0.2, 0.01, "(13)");
+    assert_near(&sphere["restitution_exact"], 0.55, 5e-3, "exact");
     for (figure, expected) in [
         ("constant_indentation", true),
         ("transition_width", true),
         ("touching_share", true),
         ("relative_indentation_model_law", false),
     ] {
-        assert_eq!(within(sphere, figure), expected, "{figure}");
+        assert_eq!(is_within_limit(sphere, figure), expected, "{figure}");
     }
 }
 
 #[test]
-fn spheres_of_two_sizes_share_a_load_or_stand_level() {
-    let seen = of_fixture("format/mixed_radii.osim", "");
+fn spheres_of_two_sizes_share_the_load_equally_or_at_one_level() {
+    let inspection = inspect_fixture("format/mixed_radii.osim", "");
     // mpmath 1.4.1: each with half the weight, x^(3/2) = F / (4/3 sqrt(R) E*); level, with the sum of the roots.
     for (name, equal, level) in [
         ("heel_r", 0.317_232_340_953_637_3, 0.352_552_388_612_290_5),
         ("toe_r", 0.799_375_408_149_830_2, 0.705_104_777_224_580_9),
     ] {
-        let sphere = sphere(&seen, name);
-        near(&sphere["relative_indentation_hertz"], equal, 1e-12, name);
-        near(&sphere["relative_indentation_hertz_level"], level, 1e-12, name);
+        let sphere = sphere_figures(&inspection, name);
+        assert_near(&sphere["relative_indentation_hertz"], equal, 1e-12, name);
+        assert_near(&sphere["relative_indentation_hertz_level"], level, 1e-12, name);
     }
-    near(&seen["figures"]["impact_speed_m_s"], 0.440_326_184_821_063_96, 1e-12, "impact speed");
+    assert_near(&inspection["figures"]["impact_speed_m_s"], 0.440_326_184_821_063_96, 1e-12, "impact speed");
 }
 
 #[test]
-fn what_is_asked_for_is_used() {
+fn impact_speed_and_stance_limbs_are_used() {
     let human = "table1/human_62kg_hunt_crossley.osim";
-    let seen = of_fixture(human, "--impact-speed 0.1 --stance-limbs 2");
-    let one = sphere(&seen, "s1_r");
-    near(&one["restitution_approximate"], 0.8, 1e-15, "1 - 2 s/m * 0.1 m/s");
-    assert!(within(one, "restitution_approximate"));
-    assert_eq!(seen["figures"]["limbs"][0]["sphere_count"], 12.0);
-    near(&one["load_n"], 62.0 * 9.81 / 12.0, 1e-12, "half of the weight on each limb");
-    assert!(one["constant_indentation"].is_null() && one["force_just_touching_n"].is_null());
+    let inspection = inspect_fixture(human, "--impact-speed 0.1 --stance-limbs 2");
+    let figures = sphere_figures(&inspection, "s1_r");
+    assert_near(&figures["restitution_approximate"], 0.8, 1e-15, "1 - 2 s/m * 0.1 m/s");
+    assert!(is_within_limit(figures, "restitution_approximate"));
+    assert_eq!(inspection["figures"]["limbs"][0]["sphere_count"], 12.0);
+    assert_near(&figures["load_n"], 62.0 * 9.81 / 12.0, 1e-12, "half of the weight on each limb");
+    assert!(figures["constant_indentation"].is_null() && figures["force_just_touching_n"].is_null());
 }
 
 #[test]
-fn where_the_count_or_gravity_is_missing_figures_that_need_it_are_absent() {
-    let seen = of_fixture("format/no_sides.osim", "");
-    assert!(seen["figures"]["why_no_body_weight"].as_str().unwrap().contains("--spheres N"));
-    let one = sphere(&seen, "heel_a");
-    assert!(one["load_n"].is_null() && one["relative_indentation_hertz"].is_null());
-    assert!(one["contact_stiffness_n_m"].is_null() && one["force_just_touching_n"].is_number());
-    let told = of_fixture("format/no_sides.osim", "--spheres 2");
-    assert!(told["figures"]["why_no_body_weight"].is_null());
-    near(&sphere(&told, "heel_a")["load_n"], 53.0 * 9.81 / 2.0, 1e-12, "half of the weight");
+fn figures_without_sphere_count_or_gravity_are_absent() {
+    let inspection = inspect_fixture("format/no_sides.osim", "");
+    assert!(inspection["figures"]["why_no_body_weight"].as_str().unwrap().contains("--spheres N"));
+    let figures = sphere_figures(&inspection, "heel_a");
+    assert!(figures["load_n"].is_null() && figures["relative_indentation_hertz"].is_null());
+    assert!(figures["contact_stiffness_n_m"].is_null() && figures["force_just_touching_n"].is_number());
+    let with_count = inspect_fixture("format/no_sides.osim", "--spheres 2");
+    assert!(with_count["figures"]["why_no_body_weight"].is_null());
+    assert_near(
+        &sphere_figures(&with_count, "heel_a")["load_n"],
+        53.0 * 9.81 / 2.0,
+        1e-12,
+        "half of the weight",
+    );
 
-    let floating = of_fixture("format/no_gravity.osim", "");
+    let floating = inspect_fixture("format/no_gravity.osim", "");
     assert!(floating["figures"]["why_no_body_weight"].as_str().unwrap().contains("gravity"));
     assert!(floating["figures"]["impact_speed_m_s"].is_null());
 }
 
 #[test]
-fn published_models() {
-    let Some(folder) = corpus("published_models") else { return };
-    let falisse = of_corpus(&folder, "v40000_falisse_2022_human");
+fn figures_of_published_models_agree_with_the_paper() {
+    let Some(folder) = corpus_folder("figures_of_published_models_agree_with_the_paper") else { return };
+    let falisse = inspect_published(&folder, "v40000_falisse_2022_human");
     for name in ["s1_r", "s6_l"] {
-        let one = sphere(&falisse, name);
-        near(&one["relative_indentation_hertz"], 0.353, 5e-4, "Falisse: Hertz");
+        let figures = sphere_figures(&falisse, name);
+        assert_near(&figures["relative_indentation_hertz"], 0.353, 5e-4, "Falisse: Hertz");
         // The smoothed force rests at 0.3396 under 9.81 m/s2 (real OpenSim); the model has 9.80665.
-        near(&one["relative_indentation_model_law"], 0.3396, 2e-4, "Falisse: the law of the file");
-        near(&one["dimensionless_stiffness"], 4.246, 1e-3, "Falisse: k R n/F");
-        near(&one["force_just_touching_n"], 7.5, 0.05, "Falisse: just touching");
+        assert_near(&figures["relative_indentation_model_law"], 0.3396, 2e-4, "Falisse: the law of the file");
+        assert_near(&figures["dimensionless_stiffness"], 4.246, 1e-3, "Falisse: k R n/F");
+        assert_near(&figures["force_just_touching_n"], 7.5, 0.05, "Falisse: just touching");
         assert!(
-            within(one, "touching_share")
-                && within(one, "constant_indentation")
-                && !within(one, "relative_indentation_hertz")
+            is_within_limit(figures, "touching_share")
+                && is_within_limit(figures, "constant_indentation")
+                && !is_within_limit(figures, "relative_indentation_hertz")
         );
     }
-    let dhondt = of_corpus(&folder, "v40000_dhondt_2024_3seg_human");
-    let hallux = sphere(&dhondt, "hallux_r");
+    let dhondt = inspect_published(&folder, "v40000_dhondt_2024_3seg_human");
+    let hallux = sphere_figures(&dhondt, "hallux_r");
     assert_eq!(hallux["radius_m"], 0.016);
-    near(&hallux["force_just_touching_n"], 53.0, 0.5, "D'Hondt's 16 mm sphere just touching");
-    assert!(!within(hallux, "touching_share") && !within(hallux, "constant_indentation"));
-    let gait = of_corpus(&folder, "v40000_moco_2d_gait");
-    near(
-        &sphere(&gait, "front_r")["relative_indentation_hertz"],
+    assert_near(&hallux["force_just_touching_n"], 53.0, 0.5, "D'Hondt's 16 mm sphere just touching");
+    assert!(!is_within_limit(hallux, "touching_share") && !is_within_limit(hallux, "constant_indentation"));
+    let gait = inspect_published(&folder, "v40000_moco_2d_gait");
+    assert_near(
+        &sphere_figures(&gait, "front_r")["relative_indentation_hertz"],
         0.956,
         5e-4,
         "Moco's 2D gait, front sphere",
     );
-    near(&sphere(&gait, "heel_l")["force_just_touching_n"], 24.0, 0.5, "Moco's 2D gait, heel just touching");
-    near(
-        &sphere(&of_corpus(&folder, "v40000_opencap_lai_arnold_crlf"), "s1_r")["relative_indentation_hertz"],
+    assert_near(
+        &sphere_figures(&gait, "heel_l")["force_just_touching_n"],
+        24.0,
+        0.5,
+        "Moco's 2D gait, heel just touching",
+    );
+    assert_near(
+        &sphere_figures(&inspect_published(&folder, "v40000_opencap_lai_arnold_crlf"), "s1_r")["relative_indentation_hertz"],
         0.412,
         5e-4,
         "OpenCap",
@@ -196,30 +209,30 @@ fn published_models() {
 
 #[test]
 fn tables_fit_80_columns_and_have_no_colour_in_a_file() {
-    let bench = Bench::with(&[
+    let dir = TestDir::with(&[
         ("table1/human_62kg_smooth_sphere.osim", "human.osim"),
         ("format/mixed_radii.osim", "mixed.osim"),
         ("format/three_materials.osim", "materials.osim"),
     ]);
-    let texts =
-        ["human", "mixed", "materials"].map(|model| bench.run(&format!("inspect {model}.osim")).done().out());
+    let texts = ["human", "mixed", "materials"]
+        .map(|model| dir.run(&format!("inspect {model}.osim")).succeeded().out());
     let text = texts.concat();
-    let found = |line: &&str| {
+    let is_finding = |line: &&str| {
         ["error: line", "warning: line", "remark: line"].iter().any(|head| line.starts_with(head))
     };
-    for line in text.lines().filter(|line| !found(line)) {
+    for line in text.lines().filter(|line| !is_finding(line)) {
         assert!(line.chars().count() <= 80, "{line}");
     }
     assert!(!text.contains('\u{1b}'));
 }
 
 #[test]
-fn a_drop_and_a_check_judge_restitution_alike() {
+fn drop_test_and_check_judge_restitution_alike() {
     // (13): 1 - 0.53 s/m x 0.39 m/s = 0.79, below 0.8; the exact law gives back more, 0.82.
-    let bench = Bench::human();
-    bench.run("set human.osim dissipation=0.53 -o soft.osim").done();
-    let drop = bench.run("drop-test soft.osim").done().out();
+    let dir = TestDir::with_human();
+    dir.run("set human.osim dissipation=0.53 -o soft.osim").succeeded();
+    let drop = dir.run("drop-test soft.osim").succeeded().out();
     assert!(drop.contains("restitution by (13) is outside the Hunt-Crossley law (at least 0.8)"), "{drop}");
-    let check = bench.run("check soft.osim").out();
+    let check = dir.run("check soft.osim").out();
     assert!(check.contains("remark beyond-hunt-crossley"), "{check}");
 }

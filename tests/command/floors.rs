@@ -1,12 +1,12 @@
-//! `check`: whether a floor is a floor, and gravity points into it.
+//! `check`: whether the floor is level, and whether gravity points into it.
 
 use std::collections::BTreeSet;
 
 use serde_json::Value;
 
-use crate::support::{Bench, HUMAN, corpus, fixture, root};
+use crate::support::{HUMAN, TestDir, corpus_folder, fixture, root};
 
-/// What is said of floors and gravity.
+/// The codes of findings about floors and gravity.
 const CODES: [&str; 8] = [
     "angle-in-degrees",
     "gravity-too-large",
@@ -21,7 +21,7 @@ const LEVEL: &str = "<orientation>0 0 -1.5707963267948966</orientation>";
 const FRAME: &str = "<socket_frame>/ground</socket_frame>";
 const GRAVITY: &str = "<gravity>0 -9.8100000000000005 0</gravity>";
 
-fn edited(text: &str, edits: &[(&str, &str)]) -> String {
+fn with_edits(text: &str, edits: &[(&str, &str)]) -> String {
     edits.iter().fold(text.to_owned(), |text, (old, new)| {
         assert!(text.contains(old), "the model has no {old}");
         text.replacen(old, new, 1)
@@ -29,42 +29,42 @@ fn edited(text: &str, edits: &[(&str, &str)]) -> String {
 }
 
 /// The findings about floors and gravity in a model.
-fn found(text: &str) -> Vec<Value> {
-    let bench = Bench::new();
-    bench.write("model.osim", text);
-    let out = bench.run("check model.osim --format json").wrote_nothing().out();
+fn floor_findings(text: &str) -> Vec<Value> {
+    let dir = TestDir::new();
+    dir.write("model.osim", text);
+    let out = dir.run("check model.osim --format json").wrote_nothing().out();
     let report: Value = serde_json::from_str(&out).unwrap_or_else(|error| panic!("{error}: {out}"));
-    let all = report["findings"].as_array().unwrap().iter();
-    all.filter(|finding| CODES.contains(&finding["code"].as_str().unwrap())).cloned().collect()
+    let findings = report["findings"].as_array().unwrap().iter();
+    findings.filter(|finding| CODES.contains(&finding["code"].as_str().unwrap())).cloned().collect()
 }
 
-fn codes(found: &[Value]) -> BTreeSet<&str> {
-    found.iter().map(|finding| finding["code"].as_str().unwrap()).collect()
+fn codes_of(findings: &[Value]) -> BTreeSet<&str> {
+    findings.iter().map(|finding| finding["code"].as_str().unwrap()).collect()
 }
 
-fn human() -> String {
+fn human_text() -> String {
     String::from_utf8(fixture(HUMAN.0)).unwrap()
 }
 
-/// The model with what its finding says to write, on the line that it names.
-fn mended(text: &str, finding: &Value) -> Option<String> {
+/// The model with the line that the finding proposes, at the line number that it names.
+fn corrected_text(text: &str, finding: &Value) -> Option<String> {
     let message = finding["message"].as_str().unwrap();
     let (_, written) = message.split_once("write <")?;
     let (tag, rest) = written.split_once('>').unwrap();
     let (value, _) = rest.split_once("</").unwrap();
     let line = usize::try_from(finding["line"].as_u64().unwrap()).unwrap() - 1;
-    let lines = text.lines().enumerate().map(|(index, own)| {
+    let lines = text.lines().enumerate().map(|(index, line_text)| {
         if index != line {
-            return own.to_owned();
+            return line_text.to_owned();
         }
-        assert!(own.contains(&format!("<{tag}>")), "line {}: {own}, expected <{tag}>", line + 1);
+        assert!(line_text.contains(&format!("<{tag}>")), "line {}: {line_text}, expected <{tag}>", line + 1);
         format!("<{tag}>{value}</{tag}>")
     });
     Some(lines.collect::<Vec<_>>().join("\n"))
 }
 
 #[test]
-fn each_damage_is_named_and_what_is_said_mends_it() {
+fn each_floor_error_is_named_and_its_proposal_corrects_it() {
     for (old, new, code, says) in [
         (LEVEL, "<orientation>0 0 0</orientation>", "floor-upright", "90 degrees away from up"),
         (
@@ -93,17 +93,17 @@ fn each_damage_is_named_and_what_is_said_mends_it() {
         (GRAVITY, "<gravity>0 -981 0</gravity>", "gravity-too-large", "<gravity>0 -9.81 0</gravity>"),
         (GRAVITY, "<gravity>0 0 0</gravity>", "no-gravity", "has no gravity"),
     ] {
-        let damaged = edited(&human(), &[(old, new)]);
-        let seen = found(&damaged);
-        assert_eq!(codes(&seen), BTreeSet::from([code]), "{new}: {seen:#?}");
-        let [finding] = seen.as_slice() else { panic!("{new}: {seen:#?}") };
+        let damaged = with_edits(&human_text(), &[(old, new)]);
+        let findings = floor_findings(&damaged);
+        assert_eq!(codes_of(&findings), BTreeSet::from([code]), "{new}: {findings:#?}");
+        let [finding] = findings.as_slice() else { panic!("{new}: {findings:#?}") };
         assert_eq!(finding["severity"], "error", "{new}");
         let message = finding["message"].as_str().unwrap();
         assert!(message.contains(says), "{new}: {message}");
-        // Without gravity only its owner knows which is meant.
-        if let Some(mended) = mended(&damaged, finding) {
-            let left = found(&mended);
-            assert!(left.is_empty(), "{message}: {left:#?}");
+        // For a model without gravity there is no proposal.
+        if let Some(corrected) = corrected_text(&damaged, finding) {
+            let remaining = floor_findings(&corrected);
+            assert!(remaining.is_empty(), "{message}: {remaining:#?}");
         } else {
             assert_eq!(code, "no-gravity");
         }
@@ -111,51 +111,51 @@ fn each_damage_is_named_and_what_is_said_mends_it() {
 }
 
 #[test]
-fn a_slope_is_a_remark_and_carries_a_part_of_the_weight() {
+fn a_slope_is_a_remark_and_carries_part_of_the_weight() {
     // 80 degrees from x, 10 from y; cos 10° = 0.984808.
-    let slope = edited(&human(), &[(LEVEL, "<orientation>0 0 -1.3962634015954636</orientation>")]);
-    let seen = found(&slope);
-    assert_eq!(codes(&seen), BTreeSet::from(["floor-slopes"]), "{seen:#?}");
-    assert_eq!(seen[0]["severity"], "remark");
-    assert_eq!(seen[0]["message"], "floor leans by 10 degrees: 0.9848 of the weight presses on it");
+    let slope = with_edits(&human_text(), &[(LEVEL, "<orientation>0 0 -1.3962634015954636</orientation>")]);
+    let findings = floor_findings(&slope);
+    assert_eq!(codes_of(&findings), BTreeSet::from(["floor-slopes"]), "{findings:#?}");
+    assert_eq!(findings[0]["severity"], "remark");
+    assert_eq!(findings[0]["message"], "floor leans by 10 degrees: 0.9848 of the weight presses on it");
     let load = |text: &str| {
-        let bench = Bench::new();
-        bench.write("model.osim", text);
-        let out = bench.run("inspect model.osim --format json").done().out();
+        let dir = TestDir::new();
+        dir.write("model.osim", text);
+        let out = dir.run("inspect model.osim --format json").succeeded().out();
         let inspected: Value = serde_json::from_str(&out).unwrap();
         inspected["figures"]["limbs"][0]["spheres"][0]["load_n"].as_f64().unwrap()
     };
-    let share = load(&slope) / load(&human());
+    let share = load(&slope) / load(&human_text());
     assert!((share - 10.0_f64.to_radians().cos()).abs() < 1e-12, "{share}");
     // Half a degree is level.
-    let level = edited(&human(), &[(LEVEL, "<orientation>0 0 -1.5620696805349398</orientation>")]);
-    assert_eq!((found(&level).len(), load(&level)), (0, load(&human())));
+    let level = with_edits(&human_text(), &[(LEVEL, "<orientation>0 0 -1.5620696805349398</orientation>")]);
+    assert_eq!((floor_findings(&level).len(), load(&level)), (0, load(&human_text())));
 }
 
 #[test]
-fn a_design_on_a_slope_is_for_the_part_of_the_weight_that_presses() {
-    let bench = Bench::new();
-    bench.write(
+fn a_design_on_a_slope_uses_the_weight_that_presses_on_it() {
+    let dir = TestDir::new();
+    dir.write(
         "model.osim",
-        edited(&human(), &[(LEVEL, "<orientation>0 0 -1.1344640137963142</orientation>")]),
+        with_edits(&human_text(), &[(LEVEL, "<orientation>0 0 -1.1344640137963142</orientation>")]),
     );
-    bench.run("design model.osim --indentation 0.1 -o designed.osim").done();
-    let out = bench.run("inspect designed.osim --format json").done().out();
+    dir.run("design model.osim --indentation 0.1 -o designed.osim").succeeded();
+    let out = dir.run("inspect designed.osim --format json").succeeded().out();
     let inspected: Value = serde_json::from_str(&out).unwrap();
     let x = inspected["figures"]["limbs"][0]["spheres"][0]["relative_indentation_hertz"].as_f64().unwrap();
     assert!((x - 0.1).abs() < 1e-12, "{x}");
 }
 
 #[test]
-fn a_body_falls_on_a_slope_by_the_part_of_gravity_along_its_normal() {
-    let bench = Bench::new();
-    bench.write(
+fn a_drop_test_on_a_slope_uses_gravity_along_its_normal() {
+    let dir = TestDir::new();
+    dir.write(
         "slope.osim",
-        edited(&human(), &[(LEVEL, "<orientation>0 0 -1.3962634015954636</orientation>")]),
+        with_edits(&human_text(), &[(LEVEL, "<orientation>0 0 -1.3962634015954636</orientation>")]),
     );
-    bench.write("level.osim", human());
+    dir.write("level.osim", human_text());
     let gravity = |model: &str| {
-        let out = bench.run(&format!("drop-test {model} --format json")).done().out();
+        let out = dir.run(&format!("drop-test {model} --format json")).succeeded().out();
         serde_json::from_str::<Value>(&out).unwrap()["gravity_m_s2"].as_f64().unwrap()
     };
     let share = gravity("slope.osim") / gravity("level.osim");
@@ -167,7 +167,7 @@ const NET: &str = "<ContactHalfSpace name=\"net\"><socket_frame>/ground</socket_
 const HAND: &str = "<ContactSphere name=\"palm_r\"><socket_frame>/bodyset/hand_r</socket_frame><location>0 0 0</location>\
                     <radius>0.03</radius></ContactSphere>";
 
-fn force(name: &str, sphere: &str, plane: &str) -> String {
+fn force_element(name: &str, sphere: &str, plane: &str) -> String {
     format!(
         "<SmoothSphereHalfSpaceForce name=\"{name}\"><socket_sphere>/contactgeometryset/{sphere}</socket_sphere>\
          <socket_half_space>/contactgeometryset/{plane}</socket_half_space><stiffness>1e6</stiffness>\
@@ -176,8 +176,8 @@ fn force(name: &str, sphere: &str, plane: &str) -> String {
 }
 
 /// Adds objects to the sets of a model: bodies, joints, forces and geometry.
-fn with(text: &str, [bodies, joints, forces, geometry]: [&str; 4]) -> String {
-    edited(
+fn with_objects(text: &str, [bodies, joints, forces, geometry]: [&str; 4]) -> String {
+    with_edits(
         text,
         &[
             ("<Body name=\"ball\">", &format!("{bodies}<Body name=\"ball\">")),
@@ -188,16 +188,16 @@ fn with(text: &str, [bodies, joints, forces, geometry]: [&str; 4]) -> String {
     )
 }
 
-fn player() -> String {
+fn player_text() -> String {
     String::from_utf8(fixture("format/player_and_ball.osim")).unwrap()
 }
 
-fn body(name: &str) -> String {
+fn body_element(name: &str) -> String {
     format!("<Body name=\"{name}\"><mass>1</mass></Body>")
 }
 
 /// A joint of `class` above `child`, which is at `place` on `parent`; its coordinate has this `inside`.
-fn joint(class: &str, (parent, place): (&str, &str), child: &str, inside: &str) -> String {
+fn joint_element(class: &str, (parent, place): (&str, &str), child: &str, inside: &str) -> String {
     format!(
         "<{class} name=\"{child}_joint\"><socket_parent_frame>p</socket_parent_frame><socket_child_frame>/bodyset/{child}\
          </socket_child_frame><coordinates><Coordinate name=\"{child}_q\">{inside}</Coordinate></coordinates><frames>\
@@ -207,33 +207,46 @@ fn joint(class: &str, (parent, place): (&str, &str), child: &str, inside: &str) 
 }
 
 #[test]
-fn walls_and_platforms_are_what_they_should_be() {
+fn walls_and_platforms_cause_no_floor_errors() {
     let free = "<default_value>0</default_value>";
     let platform = |class, inside| {
-        let moved = edited(&player(), &[(FRAME, "<socket_frame>/bodyset/platform</socket_frame>")]);
-        with(&moved, [&body("platform"), &joint(class, ("/ground", "0 0 0"), "platform", inside), "", ""])
+        let moved = with_edits(&player_text(), &[(FRAME, "<socket_frame>/bodyset/platform</socket_frame>")]);
+        with_objects(
+            &moved,
+            [
+                &body_element("platform"),
+                &joint_element(class, ("/ground", "0 0 0"), "platform", inside),
+                "",
+                "",
+            ],
+        )
     };
-    let net = with(&player(), ["", "", &force("ball_net", "ball", "net"), NET]);
-    let hand_joint = joint("PinJoint", ("/bodyset/pelvis", "0.4 0.3 0.2"), "hand_r", free);
-    let hand = [&body("hand_r"), &hand_joint, &force("palm_wall", "palm_r", "net"), &format!("{NET}{HAND}")];
+    let net = with_objects(&player_text(), ["", "", &force_element("ball_net", "ball", "net"), NET]);
+    let hand_joint = joint_element("PinJoint", ("/bodyset/pelvis", "0.4 0.3 0.2"), "hand_r", free);
+    let hand = [
+        &body_element("hand_r"),
+        &hand_joint,
+        &force_element("palm_wall", "palm_r", "net"),
+        &format!("{NET}{HAND}"),
+    ];
     // A rock on the platform does not move in ground while both are locked, nor against the platform's plane.
     let locked = format!("{free}<locked>true</locked>");
     let rock = HAND.replace("palm_r", "rock").replace("hand_r", "rock");
-    let rocky = with(
+    let rocky = with_objects(
         &platform("SliderJoint", &locked),
         [
-            &body("rock"),
-            &joint("PinJoint", ("/bodyset/platform", "1 0 0"), "rock", &locked),
-            &force("rock_floor", "rock", "floor"),
+            &body_element("rock"),
+            &joint_element("PinJoint", ("/bodyset/platform", "1 0 0"), "rock", &locked),
+            &force_element("rock_floor", "rock", "floor"),
             &rock,
         ],
     );
     for (what, text) in [
-        ("a player and a ball", player()),
+        ("a player and a ball", player_text()),
         ("a net that a ball meets", net.clone()),
         (
             "a net and a ball that never touches the floor",
-            edited(
+            with_edits(
                 &net,
                 &[(
                     "<socket_half_space>/contactgeometryset/floor</socket_half_space>\n\t\t\t\t\t<stiffness>50000<",
@@ -241,38 +254,38 @@ fn walls_and_platforms_are_what_they_should_be() {
                 )],
             ),
         ),
-        ("a wall for a hand", with(&player(), hand.map(String::as_str))),
+        ("a wall for a hand", with_objects(&player_text(), hand.map(String::as_str))),
         ("a platform that slides", platform("SliderJoint", free)),
         ("a rock on the platform", rocky),
     ] {
-        let seen = found(&text);
-        assert!(seen.is_empty(), "{what}: {seen:#?}");
+        let findings = floor_findings(&text);
+        assert!(findings.is_empty(), "{what}: {findings:#?}");
     }
     // A platform that tilts about z by 0.2 rad, 11.46 degrees, is a slope.
-    let tilted = found(&platform("PinJoint", "<default_value>0.2</default_value>"));
-    assert_eq!(codes(&tilted), BTreeSet::from(["floor-slopes"]));
+    let tilted = floor_findings(&platform("PinJoint", "<default_value>0.2</default_value>"));
+    assert_eq!(codes_of(&tilted), BTreeSet::from(["floor-slopes"]));
     assert!(tilted[0]["message"].as_str().unwrap().contains("11.5 degrees"), "{tilted:#?}");
 }
 
 #[test]
-fn floors_of_fixtures_are_floors() {
-    let mut seen = BTreeSet::new();
+fn only_the_expected_fixtures_have_floor_findings() {
+    let mut findings = BTreeSet::new();
     let mut models = 0;
     for folder in ["check", "format", "table1", "scale_tool", "drawn_feet", "feet", "walks"] {
         for entry in std::fs::read_dir(root().join("fixtures").join(folder)).unwrap() {
             let name = entry.unwrap().file_name().into_string().unwrap();
-            let bench = Bench::new();
+            let dir = TestDir::new();
             if !name.ends_with(".osim") {
                 continue;
             }
-            bench.write("model.osim", fixture(&format!("{folder}/{name}")));
-            let out = bench.run("check model.osim --format json").out();
+            dir.write("model.osim", fixture(&format!("{folder}/{name}")));
+            let out = dir.run("check model.osim --format json").out();
             // Some cannot be read alone, or have no contacts.
             let Ok(report) = serde_json::from_str::<Value>(&out) else { continue };
             models += 1;
             let codes =
                 report["findings"].as_array().into_iter().flatten().map(|one| one["code"].as_str().unwrap());
-            seen.extend(
+            findings.extend(
                 codes.filter(|code| CODES.contains(code)).map(|code| format!("{folder}/{name} {code}")),
             );
         }
@@ -292,12 +305,12 @@ fn floors_of_fixtures_are_floors() {
         "format/no_gravity.osim no-gravity",
         "format/only_wall.osim floor-on-limb",
     ];
-    assert_eq!(seen, expected.map(str::to_owned).into());
+    assert_eq!(findings, expected.map(str::to_owned).into());
 }
 
 #[test]
-fn no_real_model_has_a_floor_that_is_none() {
-    let Some(folder) = corpus("no_real_model_has_a_floor_that_is_none") else { return };
+fn no_published_model_has_a_floor_error() {
+    let Some(folder) = corpus_folder("no_published_model_has_a_floor_error") else { return };
     let mut models = 0;
     let mut slopes = BTreeSet::new();
     for entry in std::fs::read_dir(folder).unwrap() {
@@ -305,9 +318,9 @@ fn no_real_model_has_a_floor_that_is_none() {
         if path.extension().is_none_or(|end| end != "osim") {
             continue;
         }
-        let bench = Bench::new();
-        bench.write("model.osim", std::fs::read(&path).unwrap());
-        let out = bench.run("check model.osim --format json").out();
+        let dir = TestDir::new();
+        dir.write("model.osim", std::fs::read(&path).unwrap());
+        let out = dir.run("check model.osim --format json").out();
         let report: Value = serde_json::from_str(&out).unwrap_or(Value::Null);
         for finding in report["findings"].as_array().into_iter().flatten() {
             let code = finding["code"].as_str().unwrap();
@@ -318,7 +331,7 @@ fn no_real_model_has_a_floor_that_is_none() {
             }
         }
         let findings = report["findings"].as_array();
-        let has_contacts = |all: &Vec<Value>| all.iter().all(|one| one["code"] != "bare-model");
+        let has_contacts = |findings: &Vec<Value>| findings.iter().all(|one| one["code"] != "bare-model");
         models += usize::from(findings.is_some_and(has_contacts));
     }
     // Of 26 models nine have no contacts, so there is nothing to judge. Two platforms are turned: by a coordinate of 0.349066 rad, which
@@ -331,9 +344,9 @@ fn no_real_model_has_a_floor_that_is_none() {
     assert_eq!(slopes, expected.map(str::to_owned).into());
 }
 
-/// A ball alone: it has no limb, but nothing else has a floor either.
+/// A ball without limbs, as the only body.
 #[test]
-fn a_ball_without_any_floor_falls_for_ever() {
+fn a_ball_without_a_level_floor_is_an_error() {
     let ball = String::from_utf8(fixture("check/within_limits.osim")).unwrap();
     let ball = ball
         .replace("calcn_r", "ball")
@@ -345,13 +358,13 @@ fn a_ball_without_any_floor_falls_for_ever() {
         (LEVEL, "<orientation>0 0 1.5707963267948966</orientation>", Some("floor-upside-down")),
         ("<gravity>0 -9.81 0</gravity>", "<gravity>0 9.81 0</gravity>", Some("gravity-not-down")),
     ] {
-        let seen = found(&edited(&ball, &[(old, new)]));
-        assert_eq!(codes(&seen), expected.into_iter().collect(), "{new}: {seen:#?}");
+        let findings = floor_findings(&with_edits(&ball, &[(old, new)]));
+        assert_eq!(codes_of(&findings), expected.into_iter().collect(), "{new}: {findings:#?}");
     }
 }
 
-/// `text` with what is between the first `<tag>` after `from` and its end replaced; `None` where there is none.
-fn replaced(text: &str, from: &str, tag: &str, value: &str) -> Option<String> {
+/// `text` with another value in the first element `tag` after `from`; `None` if there is none.
+fn with_element_replaced(text: &str, from: &str, tag: &str, value: &str) -> Option<String> {
     let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));
     let begin = text.find(from)?;
     let start = begin + text[begin..].find(&open)? + open.len();
@@ -360,8 +373,8 @@ fn replaced(text: &str, from: &str, tag: &str, value: &str) -> Option<String> {
 }
 
 #[test]
-fn each_damage_of_a_real_model_is_named() {
-    let Some(folder) = corpus("each_damage_of_a_real_model_is_named") else { return };
+fn each_floor_error_in_a_published_model_is_named() {
+    let Some(folder) = corpus_folder("each_floor_error_in_a_published_model_is_named") else { return };
     let mut damaged = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -372,16 +385,16 @@ fn each_damage_of_a_real_model_is_named() {
         if !is_model || !has_contacts {
             continue;
         }
-        let own = found(&text);
+        let unchanged = floor_findings(&text);
         let plane = "<ContactHalfSpace name";
-        let turned = |angles| replaced(&text, plane, "orientation", angles);
-        let gravity = |vector| replaced(&text, "<Model", "gravity", vector);
+        let turned = |angles| with_element_replaced(&text, plane, "orientation", angles);
+        let gravity = |vector| with_element_replaced(&text, "<Model", "gravity", vector);
         let on_pelvis = || {
             text.contains("<Body name=\"pelvis\">").then_some(())?;
             let old = text[text.find(plane)?..].split("</ContactHalfSpace>").next()?.contains("<body_name>");
             let (tag, value) =
                 if old { ("body_name", "pelvis") } else { ("socket_frame", "/bodyset/pelvis") };
-            replaced(&text, plane, tag, value)
+            with_element_replaced(&text, plane, tag, value)
         };
         for (what, model, code) in [
             ("upright", turned("0 0 0"), "floor-upright"),
@@ -397,12 +410,17 @@ fn each_damage_of_a_real_model_is_named() {
             ("no gravity", gravity("0 0 0"), "no-gravity"),
         ] {
             let Some(model) = model else { continue };
-            let mut seen = found(&model);
-            // Two platforms are slopes as they are.
-            seen.retain(|finding| {
-                finding["code"] == code || !codes(&own).contains(finding["code"].as_str().unwrap())
+            let mut findings = floor_findings(&model);
+            // Two platforms have slopes without these errors.
+            findings.retain(|finding| {
+                finding["code"] == code || !codes_of(&unchanged).contains(finding["code"].as_str().unwrap())
             });
-            assert_eq!(codes(&seen), BTreeSet::from([code]), "{}, {what}: {seen:#?}", path.display());
+            assert_eq!(
+                codes_of(&findings),
+                BTreeSet::from([code]),
+                "{}, {what}: {findings:#?}",
+                path.display()
+            );
             damaged += 1;
         }
     }

@@ -1,4 +1,4 @@
-//! A page as a tree of its own: what a browser would find in it, without one.
+//! Reads an HTML page as a browser would, and checks its structure.
 
 use std::collections::BTreeSet;
 
@@ -7,7 +7,7 @@ use quick_xml::events::{BytesStart, Event};
 
 /// Elements without an end.
 const VOID: [&str; 3] = ["meta", "br", "wbr"];
-/// Elements that begin a line of their own.
+/// Elements that begin a new line.
 const BLOCKS: [&str; 18] = [
     "h1",
     "h2",
@@ -29,10 +29,10 @@ const BLOCKS: [&str; 18] = [
     "title",
 ];
 
-/// What a page says and how it is built.
+/// The text of a page and the parts of it that tests count.
 #[derive(Debug, Default)]
 pub(crate) struct Html {
-    /// Its text, a line for each block; a plot is its title in brackets.
+    /// Its text, a line for each block, with the title of a plot in brackets.
     pub(crate) text: String,
     /// Levels of its headings.
     pub(crate) headings: Vec<u8>,
@@ -44,9 +44,9 @@ pub(crate) struct Html {
 }
 
 impl Html {
-    /// Reads a page and fails where a browser would have to guess, or where it would load something.
+    /// Reads a page and fails if it is not well formed, or if a browser would load something.
     #[track_caller]
-    pub(crate) fn sound(page: &str) -> Self {
+    pub(crate) fn parse_and_check(page: &str) -> Self {
         let mut html = Self::default();
         let mut open: Vec<String> = Vec::new();
         let mut reader = Reader::from_str(page);
@@ -55,13 +55,13 @@ impl Html {
         loop {
             match reader.read_event().expect("the page can be read") {
                 Event::Start(tag) => {
-                    let name = html.begin(&tag, &open);
+                    let name = html.begin_element(&tag, &open);
                     if !VOID.contains(&name.as_str()) {
                         open.push(name);
                     }
                 }
                 Event::Empty(tag) => {
-                    html.begin(&tag, &open);
+                    html.begin_element(&tag, &open);
                 }
                 Event::End(tag) => {
                     let name = tag.name().into_inner().to_owned();
@@ -73,7 +73,7 @@ impl Html {
                         html.text.push_str(" | ");
                     }
                 }
-                Event::Text(text) => html.say(&text, &open),
+                Event::Text(text) => html.add_text(&text, &open),
                 Event::GeneralRef(name) => {
                     let letter = match &*name {
                         "amp" => "&",
@@ -82,24 +82,24 @@ impl Html {
                         "quot" => "\"",
                         other => panic!("&{other};"),
                     };
-                    html.say(letter, &open);
+                    html.add_text(letter, &open);
                 }
                 Event::Eof => break,
                 _ => {}
             }
         }
         assert!(open.is_empty(), "left open: {open:?}");
-        html.check();
+        html.check_structure();
         html
     }
 
-    fn begin(&mut self, tag: &BytesStart<'_>, open: &[String]) -> String {
+    fn begin_element(&mut self, tag: &BytesStart<'_>, open: &[String]) -> String {
         let name = tag.name().into_inner().to_owned();
-        let mut named = BTreeSet::new();
+        let mut attribute_names = BTreeSet::new();
         for attribute in tag.html_attributes() {
             let attribute = attribute.expect("attributes are well formed");
             let (key, value) = (attribute.key.into_inner(), attribute.value.to_string());
-            named.insert(key.to_owned());
+            attribute_names.insert(key.to_owned());
             match key {
                 "id" => assert!(self.ids.insert(value.clone()), "the id {value} is there twice"),
                 "href" if name == "a" => self.links.push(value),
@@ -113,10 +113,10 @@ impl Html {
             "there is a <{name}>"
         );
         if name == "th" {
-            assert!(named.contains("scope"), "a header of a table without scope");
+            assert!(attribute_names.contains("scope"), "a header of a table without scope");
         }
         if name == "html" {
-            assert!(named.contains("lang"));
+            assert!(attribute_names.contains("lang"));
         }
         if let Some(level) = name.strip_prefix('h').and_then(|level| level.parse().ok()) {
             self.headings.push(level);
@@ -133,7 +133,7 @@ impl Html {
         name
     }
 
-    fn say(&mut self, text: &str, open: &[String]) {
+    fn add_text(&mut self, text: &str, open: &[String]) {
         let inside = |name: &str| open.iter().any(|outer| outer == name);
         if inside("style") || (inside("svg") && open.last().is_none_or(|name| name != "title")) {
             return;
@@ -141,7 +141,7 @@ impl Html {
         self.text.push_str(text);
     }
 
-    fn check(&mut self) {
+    fn check_structure(&mut self) {
         assert_eq!(self.headings.iter().filter(|level| **level == 1).count(), 1, "one h1");
         for pair in self.headings.windows(2) {
             assert!(pair[1] <= pair[0] + 1, "a heading is left out: {:?}", self.headings);

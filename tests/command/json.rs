@@ -3,13 +3,13 @@
 use serde_json::Value;
 
 use crate::bytes::assert_close;
-use crate::contract::{Failure, Inspection, Plan, SphereFigures};
-use crate::support::{Bench, HUMAN, Ran};
+use crate::json_types::{Failure, Inspection, Plan, SphereFigures};
+use crate::support::{CommandRun, HUMAN, TestDir};
 
 /// The objects of a run, one a line and nothing else on standard output.
 #[track_caller]
-pub(crate) fn lines<T: serde::de::DeserializeOwned>(ran: &Ran) -> Vec<T> {
-    let out = ran.out();
+pub(crate) fn json_lines<T: serde::de::DeserializeOwned>(run: &CommandRun) -> Vec<T> {
+    let out = run.out();
     assert!(out.ends_with('\n'), "{out}");
     out.lines()
         .map(|line| serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}")))
@@ -30,13 +30,13 @@ const SMOOTH: [&str; 9] = [
 
 /// Six level spheres of the 62 kg human rest at x/R 0.3396 (the real OpenSim, Falisse's smoothing).
 #[test]
-fn inspect_says_where_the_model_stands() {
-    let bench = Bench::human();
-    let ran = bench.run("inspect human.osim --format json").done().wrote_nothing();
-    let [seen]: [Inspection; 1] = lines(&ran).try_into().unwrap();
-    let [body] = &seen.standing[..] else { panic!("one body: {:?}", seen.standing) };
+fn inspect_reports_the_standing_pose() {
+    let dir = TestDir::with_human();
+    let run = dir.run("inspect human.osim --format json").succeeded().wrote_nothing();
+    let [inspection]: [Inspection; 1] = json_lines(&run).try_into().unwrap();
+    let [body] = &inspection.standing[..] else { panic!("one body: {:?}", inspection.standing) };
     assert_eq!((body.body.as_str(), body.coordinate.as_deref()), ("pelvis", Some("pelvis_ty")));
-    assert_eq!((seen.why_no_standing, &body.why_no_coordinate), (None, &None));
+    assert_eq!((inspection.why_no_standing, &body.why_no_coordinate), (None, &None));
     assert!(body.joint.is_some());
     let (mass, weight) = (body.mass_kg.unwrap(), body.weight_n.unwrap());
     assert!((mass - 62.0).abs() < 1e-9 && (weight - 62.0 * 9.81).abs() < 1e-6);
@@ -60,35 +60,41 @@ fn inspect_says_where_the_model_stands() {
 }
 
 #[test]
-fn inspect_says_what_the_model_holds() {
-    let bench = Bench::human();
-    let ran = bench.run("inspect human.osim --format json").done().wrote_nothing();
-    let [seen]: [Inspection; 1] = lines(&ran).try_into().unwrap();
-    assert_eq!((seen.schema_version, seen.model.as_str(), seen.document_version), (1, "human.osim", 40000));
-    assert_eq!((seen.name.as_str(), seen.mass_kg, seen.gravity_m_s2), ("human_62kg", Some(62.0), Some(9.81)));
-    let known = seen.known_contacts.unwrap();
-    assert_eq!((known.name.as_str(), known.made_for_kg), ("falisse2022", 62.0));
-    assert!(known.title == "Falisse et al. (2022)" && known.source.contains("PLoS ONE"));
-    let mass = seen.contacts_mass_kg.unwrap();
+fn inspect_reports_spheres_forces_and_bodies() {
+    let dir = TestDir::with_human();
+    let run = dir.run("inspect human.osim --format json").succeeded().wrote_nothing();
+    let [inspection]: [Inspection; 1] = json_lines(&run).try_into().unwrap();
+    assert_eq!(
+        (inspection.schema_version, inspection.model.as_str(), inspection.document_version),
+        (1, "human.osim", 40000)
+    );
+    assert_eq!(
+        (inspection.name.as_str(), inspection.mass_kg, inspection.gravity_m_s2),
+        ("human_62kg", Some(62.0), Some(9.81))
+    );
+    let known_contacts = inspection.known_contacts.unwrap();
+    assert_eq!((known_contacts.name.as_str(), known_contacts.made_for_kg), ("falisse2022", 62.0));
+    assert!(known_contacts.title == "Falisse et al. (2022)" && known_contacts.source.contains("PLoS ONE"));
+    let mass = inspection.contacts_mass_kg.unwrap();
     assert_eq!((mass.value, mass.source.as_str()), (62.0, "bodies"));
-    let limbs = seen.limbs.unwrap();
+    let limbs = inspection.limbs.unwrap();
     let sides: Vec<_> =
         limbs.iter().map(|limb| (limb.name.as_str(), limb.side.as_str(), limb.spheres.len())).collect();
     assert_eq!(sides, [("femur_r", "right", 6), ("femur_l", "left", 6)]);
-    assert_eq!((seen.spheres_per_limb, seen.limbs_unknown), (Some(6), None));
-    assert_eq!(seen.stance_limbs, 1.0);
-    assert!(seen.note.is_none());
-    assert_eq!((seen.spheres.len(), seen.forces.len(), seen.bodies.len()), (12, 12, 9));
-    let text = bench.text("human.osim");
+    assert_eq!((inspection.spheres_per_limb, inspection.limbs_unknown), (Some(6), None));
+    assert_eq!(inspection.stance_limbs, 1.0);
+    assert!(inspection.note.is_none());
+    assert_eq!((inspection.spheres.len(), inspection.forces.len(), inspection.bodies.len()), (12, 12, 9));
+    let text = dir.text("human.osim");
     let line = |number: usize| text.lines().nth(number - 1).unwrap();
-    for sphere in &seen.spheres {
+    for sphere in &inspection.spheres {
         assert_eq!(sphere.radius_m, Some(0.032));
         assert_eq!(sphere.path, format!("/contactgeometryset/{}", sphere.name));
         assert_eq!(sphere.frame, format!("/bodyset/{}", sphere.body.as_deref().unwrap()));
         assert!(sphere.location_m.iter().all(|x| x.is_finite()));
         assert!(line(sphere.line).contains(&format!("<ContactSphere name=\"{}\">", sphere.name)));
     }
-    for force in &seen.forces {
+    for force in &inspection.forces {
         assert_eq!(
             (force.kind.as_str(), force.set, force.applies, force.selected),
             ("SmoothSphereHalfSpaceForce", None, true, true)
@@ -99,44 +105,44 @@ fn inspect_says_what_the_model_holds() {
         assert_eq!(force.parameters.keys().collect::<Vec<_>>(), SMOOTH);
         assert_eq!(force.origin.keys().collect::<Vec<_>>(), SMOOTH);
         // The real OpenSim rests at 0.3533 with these numbers (Table 1 prints 0.353).
-        let pure = force.dimensionless.as_ref().unwrap();
-        assert!((pure["relative_indentation"].unwrap() - 0.3533).abs() < 5e-5);
+        let dimensionless = force.dimensionless.as_ref().unwrap();
+        assert!((dimensionless["relative_indentation"].unwrap() - 0.3533).abs() < 5e-5);
         let value = |name: &str| (force.parameters[name], force.origin[name].as_str());
         assert_eq!(value("stiffness"), (Some(1e6), "element"));
         assert_eq!(value("constant_contact_force"), (Some(1e-5), "class default"));
         assert_eq!(value("hertz_smoothing"), (Some(300.0), "class default"));
     }
-    let weight: f64 = seen.bodies.iter().map(|body| body.mass_kg.unwrap()).sum();
+    let weight: f64 = inspection.bodies.iter().map(|body| body.mass_kg.unwrap()).sum();
     assert_eq!(weight, 62.0);
-    assert!(seen.bodies.iter().all(|body| body.path == format!("/bodyset/{}", body.name)));
-    assert!(seen.warnings.is_empty(), "{:?}", seen.warnings);
+    assert!(inspection.bodies.iter().all(|body| body.path == format!("/bodyset/{}", body.name)));
+    assert!(inspection.warnings.is_empty(), "{:?}", inspection.warnings);
 }
 
 #[test]
-fn the_figures_of_inspect_belong_to_what_it_holds() {
+fn figures_refer_to_the_spheres_and_forces_of_the_model() {
     for model in ["table1/human_62kg_smooth_sphere.osim", "format/mixed_radii.osim", "format/no_sides.osim"] {
-        let bench = Bench::with(&[(model, "model.osim")]);
-        let [seen]: [Inspection; 1] =
-            lines(&bench.run("inspect model.osim --format json --impact-speed 0.3").done())
+        let dir = TestDir::with(&[(model, "model.osim")]);
+        let [inspection]: [Inspection; 1] =
+            json_lines(&dir.run("inspect model.osim --format json --impact-speed 0.3").succeeded())
                 .try_into()
                 .unwrap();
-        let figures = seen.figures;
+        let figures = inspection.figures;
         assert_eq!(
             (figures.mass_kg, figures.gravity_m_s2, figures.impact_speed_m_s),
-            (seen.mass_kg, Some(9.81), Some(0.3))
+            (inspection.mass_kg, Some(9.81), Some(0.3))
         );
-        assert_eq!(figures.why_no_body_weight.is_some(), seen.limbs.is_none(), "{model}");
+        assert_eq!(figures.why_no_body_weight.is_some(), inspection.limbs.is_none(), "{model}");
         for limb in figures.limbs {
             assert_eq!(limb.limb.is_some(), limb.side.is_some());
-            assert_eq!(limb.sphere_count, seen.spheres_per_limb.map(|count| count as f64));
+            assert_eq!(limb.sphere_count, inspection.spheres_per_limb.map(|count| count as f64));
             for one in limb.spheres {
-                let sphere = seen.spheres.iter().find(|sphere| sphere.path == one.path).unwrap();
+                let sphere = inspection.spheres.iter().find(|sphere| sphere.path == one.path).unwrap();
                 assert_eq!((&sphere.name, sphere.radius_m), (&one.sphere, Some(one.radius_m)));
                 assert_eq!(sphere.limb, limb.limb);
-                // These feet stand upright, their frames are the bodies'.
+                // These feet are level, and the frames are those of the bodies.
                 let [x, y, z] = sphere.location_m;
                 assert_eq!(sphere.lowest_point_m, Some([x, y - one.radius_m, z]));
-                let force = seen.forces.iter().find(|force| force.name == one.forces[0]).unwrap();
+                let force = inspection.forces.iter().find(|force| force.name == one.forces[0]).unwrap();
                 assert!(force.spheres.contains(&one.sphere));
                 assert_eq!(force.composite_modulus_n_m2, Some(one.composite_modulus_n_m2));
                 assert_eq!(one.dissipation_s_m, force.parameters["dissipation"]);
@@ -150,7 +156,9 @@ fn the_figures_of_inspect_belong_to_what_it_holds() {
 /// the paper and judged by its value.
 #[track_caller]
 fn check_figures(sphere: &SphereFigures, weight: bool) {
-    let all = |values: &[Option<f64>], known: bool| values.iter().all(|value| value.is_some() == known);
+    let all = |values: &[Option<f64>], known_contacts: bool| {
+        values.iter().all(|value| value.is_some() == known_contacts)
+    };
     assert!(all(
         &[
             sphere.contact_stiffness_n_m,
@@ -199,10 +207,10 @@ fn check_figures(sphere: &SphereFigures, weight: bool) {
 
 #[test]
 fn a_hunt_crossley_force_has_an_entry_for_each_parameter_set() {
-    let bench = Bench::with(&[("format/three_materials.osim", "model.osim")]);
-    let [seen]: [Inspection; 1] =
-        lines(&bench.run("inspect model.osim --format json").done()).try_into().unwrap();
-    let entries: Vec<_> = seen
+    let dir = TestDir::with(&[("format/three_materials.osim", "model.osim")]);
+    let [inspection]: [Inspection; 1] =
+        json_lines(&dir.run("inspect model.osim --format json").succeeded()).try_into().unwrap();
+    let entries: Vec<_> = inspection
         .forces
         .iter()
         .map(|force| (force.name.as_str(), force.set, force.parameters["stiffness"], force.spheres.clone()))
@@ -219,7 +227,7 @@ fn a_hunt_crossley_force_has_an_entry_for_each_parameter_set() {
         })
         .collect();
     assert_eq!(entries, expected);
-    for force in &seen.forces {
+    for force in &inspection.forces {
         assert_eq!(force.kind, "HuntCrossleyForce");
         assert_eq!(
             force.parameters.keys().collect::<Vec<_>>(),
@@ -237,10 +245,11 @@ fn a_hunt_crossley_force_has_an_entry_for_each_parameter_set() {
 }
 
 #[test]
-fn a_rescaling_lists_every_change() {
-    let bench = Bench::human();
-    let ran = bench.run("human.osim --target-mass 1190 --format json").done().wrote(&["human.scaled.osim"]);
-    let [plan]: [Plan; 1] = lines(&ran).try_into().unwrap();
+fn rescale_lists_every_change() {
+    let dir = TestDir::with_human();
+    let run =
+        dir.run("human.osim --target-mass 1190 --format json").succeeded().wrote(&["human.scaled.osim"]);
+    let [plan]: [Plan; 1] = json_lines(&run).try_into().unwrap();
     assert_eq!(
         (plan.schema_version, plan.model.as_str(), plan.output.as_deref()),
         (1, "human.osim", Some("human.scaled.osim"))
@@ -259,7 +268,7 @@ fn a_rescaling_lists_every_change() {
         ("hunt_crossley_smoothing", "C.10", 50.0, 0.611_140_109_991_618_7, true),
     ];
     assert_eq!(plan.changes.len(), 72);
-    let (before, after) = (bench.text("human.osim"), bench.text("human.scaled.osim"));
+    let (before, after) = (dir.text("human.osim"), dir.text("human.scaled.osim"));
     for change in &plan.changes {
         let (_, equation, from, factor, inserted) = *expected
             .iter()
@@ -293,10 +302,10 @@ fn a_rescaling_lists_every_change() {
 }
 
 #[test]
-fn outputs_and_their_absence_are_named() {
-    let bench = Bench::human();
+fn json_names_the_output_or_null() {
+    let dir = TestDir::with_human();
     let plan = |arguments: &str| -> Plan {
-        let [plan]: [Plan; 1] = lines(&bench.run(arguments).done()).try_into().unwrap();
+        let [plan]: [Plan; 1] = json_lines(&dir.run(arguments).succeeded()).try_into().unwrap();
         plan
     };
     assert_eq!(plan("human.osim --target-mass 5 --format json --dry-run").output, None);
@@ -325,15 +334,14 @@ fn outputs_and_their_absence_are_named() {
 }
 
 #[test]
-fn json_has_one_object_a_line_for_each_model_failures_too() {
-    let bench = Bench::with(&[
+fn json_has_one_line_for_each_model_also_for_failures() {
+    let dir = TestDir::with(&[
         HUMAN,
         ("bad/number_decimal_comma.osim", "comma.osim"),
         ("format/v40000.osim", "feet.osim"),
     ]);
-    let ran =
-        bench.run("human.osim comma.osim feet.osim nowhere.osim --target-mass 5 --format json").failed();
-    let values: Vec<Value> = lines(&ran);
+    let run = dir.run("human.osim comma.osim feet.osim nowhere.osim --target-mass 5 --format json").failed();
+    let values: Vec<Value> = json_lines(&run);
     let models: Vec<_> = values.iter().map(|value| value["model"].as_str().unwrap()).collect();
     assert_eq!(models, ["human.osim", "comma.osim", "feet.osim", "nowhere.osim"]);
     let failure = |index: usize| -> Failure { serde_json::from_value(values[index].clone()).unwrap() };
@@ -343,7 +351,7 @@ fn json_has_one_object_a_line_for_each_model_failures_too() {
         (1, "comma.osim", "not-a-number")
     );
     assert!(comma.error.message.contains("1,5e6"));
-    let text = bench.text("comma.osim");
+    let text = dir.text("comma.osim");
     let line = text.lines().nth(comma.error.line.unwrap() - 1).unwrap();
     assert_eq!(&line[comma.error.column.unwrap() - 1..][..5], "1,5e6");
     let nowhere = failure(3);
@@ -358,68 +366,69 @@ fn numbers_that_are_not_finite_are_null_with_a_warning() {
     for (fixture, code) in
         [("bad/number_nan", "not-finite"), ("bad/number_inf", "not-finite"), ("bad/mass_nan", "not-finite")]
     {
-        let bench = Bench::with(&[(&format!("{fixture}.osim"), "model.osim")]);
-        let [seen]: [Inspection; 1] =
-            lines(&bench.run("inspect model.osim --format json").done()).try_into().unwrap();
-        let nulls = seen
+        let dir = TestDir::with(&[(&format!("{fixture}.osim"), "model.osim")]);
+        let [inspection]: [Inspection; 1] =
+            json_lines(&dir.run("inspect model.osim --format json").succeeded()).try_into().unwrap();
+        let nulls = inspection
             .forces
             .iter()
             .flat_map(|force| force.parameters.values())
             .filter(|value| value.is_none())
             .count()
-            + seen.bodies.iter().filter(|body| body.mass_kg.is_none()).count();
+            + inspection.bodies.iter().filter(|body| body.mass_kg.is_none()).count();
         assert_eq!(nulls, 1, "{fixture}");
         assert!(
-            seen.warnings.iter().any(|warning| warning.code == code && warning.line.is_some()),
+            inspection.warnings.iter().any(|warning| warning.code == code && warning.line.is_some()),
             "{fixture}: {:?}",
-            seen.warnings
+            inspection.warnings
         );
     }
 }
 
 #[test]
-fn json_and_table_show_the_same_run() {
-    let bench = Bench::human();
-    bench.run("human.osim --target-mass 1190 -o table.osim").done();
-    bench.run("human.osim --target-mass 1190 --format json -o json.osim").done();
-    assert_eq!(bench.read("table.osim"), bench.read("json.osim"));
+fn json_and_table_give_the_same_model() {
+    let dir = TestDir::with_human();
+    dir.run("human.osim --target-mass 1190 -o table.osim").succeeded();
+    dir.run("human.osim --target-mass 1190 --format json -o json.osim").succeeded();
+    assert_eq!(dir.read("table.osim"), dir.read("json.osim"));
     // A diff goes beside JSON, not into it.
-    let ran = bench.run("human.osim --target-mass 1190 --format json --diff --dry-run").done();
-    let plans: Vec<Plan> = lines(&ran);
+    let run = dir.run("human.osim --target-mass 1190 --format json --diff --dry-run").succeeded();
+    let plans: Vec<Plan> = json_lines(&run);
     assert_eq!(plans.len(), 1);
-    assert!(ran.err().contains("@@"));
+    assert!(run.err().contains("@@"));
 }
 
 #[test]
-fn objects_that_come_and_go_are_named_with_their_bodies() {
-    let bench = Bench::with(&[("feet/human_40000.osim", "bare.osim"), ("contact_tables/own.csv", "own.csv")]);
-    let added = bench
+fn added_and_removed_objects_are_listed_with_their_bodies() {
+    let dir = TestDir::with(&[("feet/human_40000.osim", "bare.osim"), ("contact_tables/own.csv", "own.csv")]);
+    let added = dir
         .run("add bare.osim --from falisse2022 --contacts own.csv -o with.osim --format json")
-        .done()
+        .succeeded()
         .wrote(&["with.osim"]);
-    let [plan]: [Plan; 1] = lines(&added).try_into().unwrap();
-    let of = |change: &str, class: &str| -> Vec<(String, Option<String>)> {
-        let mine = plan.objects.iter().filter(|object| object.change == change && object.class == class);
-        mine.map(|object| (object.name.clone(), object.body.clone())).collect()
+    let [plan]: [Plan; 1] = json_lines(&added).try_into().unwrap();
+    let objects_of = |change: &str, class: &str| -> Vec<(String, Option<String>)> {
+        let objects = plan.objects.iter().filter(|object| object.change == change && object.class == class);
+        objects.map(|object| (object.name.clone(), object.body.clone())).collect()
     };
     // The rows of own.csv.
     let expected =
         [("heel_r", "calcn_r"), ("ball_r", "calcn_r"), ("heel_l", "calcn_l"), ("ball_l", "calcn_l")];
     let spheres = expected.map(|(name, body)| (name.to_owned(), Some(body.to_owned())));
-    assert_eq!(of("added", "ContactSphere"), spheres);
-    assert_eq!(of("added", "ContactHalfSpace"), [("floor".to_owned(), None)]);
-    assert_eq!(of("added", "SmoothSphereHalfSpaceForce").len(), 4);
+    assert_eq!(objects_of("added", "ContactSphere"), spheres);
+    assert_eq!(objects_of("added", "ContactHalfSpace"), [("floor".to_owned(), None)]);
+    assert_eq!(objects_of("added", "SmoothSphereHalfSpaceForce").len(), 4);
     assert_eq!(plan.objects.len(), 9);
     // Numbers of what is added are changes.
     assert!(plan.objects.iter().all(|object| object.parameters.is_none()));
     let heel = plan.objects.iter().find(|object| object.path == "/contactgeometryset/heel_r").unwrap();
     assert_eq!((heel.location_m, heel.radius_m), (Some([0.02, 0.01, -0.005]), Some(0.03)));
-    let placed =
+    let with_places =
         plan.objects.iter().filter(|object| object.location_m.is_some() || object.radius_m.is_some());
-    assert_eq!(placed.count(), 4);
+    assert_eq!(with_places.count(), 4);
 
-    let removed = bench.run("remove with.osim -o without.osim --format json").done().wrote(&["without.osim"]);
-    let [plan]: [Plan; 1] = lines(&removed).try_into().unwrap();
+    let removed =
+        dir.run("remove with.osim -o without.osim --format json").succeeded().wrote(&["without.osim"]);
+    let [plan]: [Plan; 1] = json_lines(&removed).try_into().unwrap();
     assert_eq!(plan.objects.len(), 9);
     assert!(plan.objects.iter().all(|object| object.change == "removed"));
 }

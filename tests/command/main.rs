@@ -12,49 +12,49 @@
     reason = "a test fails by panicking and says aloud what it skips"
 )]
 
-mod add_slips;
-mod added;
-mod advised;
-mod afterwards;
+mod add;
+mod add_feet;
+mod add_questions;
+mod add_table;
+mod advice;
 mod bad_input;
 mod batch;
 mod bytes;
-mod checked;
-mod checked_sides;
-mod contract;
-mod converted;
+mod check;
+mod check_sides;
+mod convert;
 mod corpus;
-mod explained;
+mod data_loss;
+mod explain;
 mod figures;
 mod files;
 mod floors;
-mod followed_size;
 mod html;
-mod inspected;
+mod implausible_numbers;
+mod inspect_folder;
 mod json;
-mod laid;
+mod json_types;
 #[cfg(unix)]
-mod lines;
+mod line_breaks;
 mod masses;
-mod meant;
-mod never_lost;
-mod outside_text;
-mod pages;
-mod placed;
-mod received;
-mod reproduced;
-mod requested;
+mod note_changes;
+mod note_history;
+mod output;
+mod report_pages;
+mod reproduce;
+mod request;
+mod result_check;
 mod scaled_bodies;
 mod schemas;
-#[cfg(unix)]
-mod screen;
 mod shells;
-mod shown;
-mod slips;
+mod similarity;
+mod suggestions;
 mod summaries;
 mod support;
 mod sweep;
-mod traced;
-mod transfers;
+#[cfg(unix)]
+mod terminal;
+mod transfer;
+mod untrusted_text;
 mod workbooks;
-mod zero_constant;
+mod zero_constant_contact_force;

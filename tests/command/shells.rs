@@ -2,27 +2,27 @@
 
 use std::process::{Command, Stdio};
 
-use crate::support::{Bench, skipped};
+use crate::support::{TestDir, report_skip};
 
 const SHELLS: [&str; 5] = ["bash", "zsh", "fish", "powershell", "elvish"];
 
-/// A run of another program on files of `bench`; `None`, said aloud, where the program is not there.
-fn run(bench: &Bench, test: &str, program: &str, arguments: &[&str]) -> Option<(String, String)> {
+/// Runs another program on files of `dir`; reports a skipped test and returns `None` if the program is missing.
+fn run_program(dir: &TestDir, test: &str, program: &str, arguments: &[&str]) -> Option<(String, String)> {
     if cfg!(windows) && program == "bash" {
-        // There it may be the door to another system, which sees other paths.
-        skipped(test, "not on Windows");
+        // On Windows, bash may start another system, which has other paths.
+        report_skip(test, "not on Windows");
         return None;
     }
     let output = Command::new(program)
         .args(arguments)
-        .current_dir(bench.path(""))
+        .current_dir(dir.path(""))
         .env("LC_ALL", "C.UTF-8")
         .stdin(Stdio::null())
         .output();
     let output = match output {
         Ok(output) => output,
         Err(error) => {
-            skipped(test, &format!("{program}: {error}"));
+            report_skip(test, &format!("{program}: {error}"));
             return None;
         }
     };
@@ -33,18 +33,18 @@ fn run(bench: &Bench, test: &str, program: &str, arguments: &[&str]) -> Option<(
 }
 
 /// A folder with `completions.SHELL` for each shell.
-fn scripts() -> Bench {
-    let bench = Bench::new();
+fn completion_scripts() -> TestDir {
+    let dir = TestDir::new();
     for shell in SHELLS {
-        let script = bench.run(&format!("completions {shell}")).done().wrote_nothing().stdout;
-        bench.write(&format!("completions.{shell}"), script);
+        let script = dir.run(&format!("completions {shell}")).succeeded().wrote_nothing().stdout;
+        dir.write(&format!("completions.{shell}"), script);
     }
-    bench
+    dir
 }
 
 #[test]
 fn bash_completes_verbs_options_and_values() {
-    let bench = scripts();
+    let dir = completion_scripts();
     let complete = |line: &[&str]| {
         let script = format!(
             "source completions.bash; COMP_WORDS=({}); COMP_CWORD={}; COMPREPLY=(); {}; echo \"${{COMPREPLY[@]}}\"",
@@ -54,9 +54,9 @@ fn bash_completes_verbs_options_and_values() {
             "f=$(complete -p osim-contact-scale | sed 's/.*-F \\([^ ]*\\).*/\\1/'); \
              $f osim-contact-scale \"${COMP_WORDS[COMP_CWORD]}\" \"${COMP_WORDS[COMP_CWORD-1]}\"",
         );
-        run(&bench, "bash's completion", "bash", &["-c", &script]).map(|(out, _)| out.trim().to_owned())
+        run_program(&dir, "bash's completion", "bash", &["-c", &script]).map(|(out, _)| out.trim().to_owned())
     };
-    if run(&bench, "bash's completion", "bash", &["-n", "completions.bash"]).is_none() {
+    if run_program(&dir, "bash's completion", "bash", &["-n", "completions.bash"]).is_none() {
         return;
     }
     assert_eq!(complete(&["osim-contact-scale", "tran"]).unwrap(), "transfer");
@@ -67,18 +67,18 @@ fn bash_completes_verbs_options_and_values() {
 }
 
 #[test]
-fn other_shells_can_read_theirs() {
-    let bench = scripts();
-    run(&bench, "zsh's completion", "zsh", &["-n", "completions.zsh"]);
-    run(&bench, "fish's completion", "fish", &["--no-execute", "completions.fish"]);
+fn zsh_fish_powershell_and_elvish_read_their_scripts() {
+    let dir = completion_scripts();
+    run_program(&dir, "zsh's completion", "zsh", &["-n", "completions.zsh"]);
+    run_program(&dir, "fish's completion", "fish", &["--no-execute", "completions.fish"]);
     let powershell = "$e=$null; [void][System.Management.Automation.Language.Parser]::ParseFile(\
                       (Resolve-Path completions.powershell), [ref]$null, [ref]$e); exit $e.Count";
-    run(&bench, "PowerShell's completion", "pwsh", &["-NoProfile", "-Command", powershell]);
-    // What elvish has only while somebody types; it chooses among the words by itself.
+    run_program(&dir, "PowerShell's completion", "pwsh", &["-NoProfile", "-Command", powershell]);
+    // elvish has this module only while somebody types, and it filters the words by itself.
     let elvish = "var edit: = (ns [&completion:=(ns [&arg-completer=[&]]) &complex-candidate~={|word &display=''| put $word }])
                   eval &ns=(ns [&edit:=$edit:]) (slurp < completions.elvish)
                   $edit:completion:arg-completer[osim-contact-scale] osim-contact-scale tran | each $echo~";
-    if let Some((out, _)) = run(&bench, "elvish's completion", "elvish", &["-norc", "-c", elvish]) {
+    if let Some((out, _)) = run_program(&dir, "elvish's completion", "elvish", &["-norc", "-c", elvish]) {
         let words: Vec<&str> = out.lines().collect();
         assert!(words.contains(&"transfer") && words.contains(&"--target-mass"), "{out}");
     }
@@ -86,12 +86,12 @@ fn other_shells_can_read_theirs() {
 
 #[test]
 fn fish_completes_verbs_options_values_and_files() {
-    let bench = scripts();
-    bench.write("model.osim", "");
-    bench.write("library/other.osim", "");
+    let dir = completion_scripts();
+    dir.write("model.osim", "");
+    dir.write("library/other.osim", "");
     let complete = |line: &str| {
         let script = format!("source completions.fish; complete -C 'osim-contact-scale {line}'");
-        let (out, _) = run(&bench, "fish's completion", "fish", &["--no-config", "-c", &script])?;
+        let (out, _) = run_program(&dir, "fish's completion", "fish", &["--no-config", "-c", &script])?;
         // A tab, and what it is, come after each word.
         Some(
             out.lines()
@@ -117,7 +117,7 @@ fn fish_completes_verbs_options_values_and_files() {
     assert_eq!(complete("model.osim --target-m"), ["--target-mass"]);
     assert_eq!(complete("model.osim --target-mass 80 --dry"), ["--dry-run"]);
     assert_eq!(complete("drop-test --compare-s"), ["--compare-spheres"]);
-    // What a verb does not take.
+    // An option that the verb does not have.
     assert!(complete("inspect model.osim --target-g").is_empty());
     assert_eq!(complete("inspect --format j"), ["json"]);
     assert_eq!(complete("help drop"), ["drop-test"]);
@@ -126,16 +126,16 @@ fn fish_completes_verbs_options_values_and_files() {
 }
 
 #[test]
-fn every_verb_has_a_page_that_groff_can_set() {
-    let bench = Bench::new();
-    bench.run("man -d pages").done();
-    let pages: Vec<String> = bench.files().into_keys().collect();
-    let help = bench.run("-h").done().out();
+fn groff_formats_the_manual_page_of_every_verb() {
+    let dir = TestDir::new();
+    dir.run("man -d pages").succeeded();
+    let pages: Vec<String> = dir.files().into_keys().collect();
+    let help = dir.run("-h").succeeded().out();
     let (groups, _) = help.split_once("\nArguments:").unwrap();
     let (_, groups) = groups.split_once("\nChange models:\n").unwrap();
     let verbs: Vec<&str> = groups
         .lines()
-        // A long description goes on in the next line, further in; groups have headings.
+        // A long description continues in the next line, indented further; groups have headings.
         .filter(|line| line.starts_with("  ") && !line.starts_with("   "))
         .map(|line| line.split_whitespace().next().unwrap())
         .collect();
@@ -147,13 +147,13 @@ fn every_verb_has_a_page_that_groff_can_set() {
     assert_eq!(pages, expected);
     for page in &pages {
         let groff = ["-man", "-Tutf8", "-Kutf8", "-ww", "-P-cbou", page.as_str()];
-        let Some((text, warnings)) = run(&bench, "the manual", "groff", &groff) else { return };
+        let Some((text, warnings)) = run_program(&dir, "the manual", "groff", &groff) else { return };
         assert!(warnings.is_empty(), "{page}: {warnings}");
         assert!(text.contains("NAME") && text.contains("SYNOPSIS"), "{page}\n{text}");
     }
     let rescale = ["-man", "-Tascii", "-P-cbou", "pages/osim-contact-scale-rescale.1"];
-    let (text, _) = run(&bench, "the manual", "groff", &rescale).unwrap();
-    // Also what the short help leaves out.
+    let (text, _) = run_program(&dir, "the manual", "groff", &rescale).unwrap();
+    // Also options that the short help leaves out.
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     for words in ["Mass the contacts should be made for, kg", "Leave these bodies out of the sum"] {
         assert!(text.contains(words), "{words}\n{text}");
@@ -161,14 +161,14 @@ fn every_verb_has_a_page_that_groff_can_set() {
 }
 
 #[test]
-fn one_page_is_printed_and_nothing_is_replaced() {
-    let bench = Bench::new();
-    let page = bench.run("man transfer").done().wrote_nothing().out();
+fn man_prints_one_page_and_replaces_files_only_with_force() {
+    let dir = TestDir::new();
+    let page = dir.run("man transfer").succeeded().wrote_nothing().out();
     assert!(page.contains("osim\\-contact\\-scale\\-transfer"), "{page}");
-    assert!(bench.run("man").done().out().contains("SUBCOMMANDS"));
-    bench.run("man xyzzy").usage().says(&["invalid value 'xyzzy'", "transfer"]);
-    bench.run("man tranfer").usage().says(&["'tranfer': did you mean 'transfer'?"]);
-    bench.run("man -d pages").done();
-    bench.run("man -d pages").failed().wrote_nothing().says(&["--force"]);
-    bench.run("man -d pages --force").done();
+    assert!(dir.run("man").succeeded().out().contains("SUBCOMMANDS"));
+    dir.run("man xyzzy").usage_error().says(&["invalid value 'xyzzy'", "transfer"]);
+    dir.run("man tranfer").usage_error().says(&["'tranfer': did you mean 'transfer'?"]);
+    dir.run("man -d pages").succeeded();
+    dir.run("man -d pages").failed().wrote_nothing().says(&["--force"]);
+    dir.run("man -d pages --force").succeeded();
 }

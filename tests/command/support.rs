@@ -1,4 +1,4 @@
-//! A folder with models, the command run in it, and what came of it.
+//! A folder with models, in which a test runs the command, and the result of such a run.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -6,10 +6,10 @@ use std::process::Stdio;
 
 use tempfile::TempDir;
 
-#[path = "validation.rs"]
-pub(crate) mod validation;
+#[path = "schema_validation.rs"]
+pub(crate) mod schema_validation;
 
-/// The smooth human of 62 kg, under the name most tests use.
+/// The human of 62 kg with smoothed contacts, under the name that most tests use.
 pub(crate) const HUMAN: (&str, &str) = ("table1/human_62kg_smooth_sphere.osim", "human.osim");
 
 /// The top of the repository.
@@ -22,44 +22,44 @@ pub(crate) fn fixture(name: &str) -> Vec<u8> {
         .unwrap_or_else(|error| panic!("fixtures/{name}: {error}"))
 }
 
-/// The folder of real models, or `None` after saying that the test was skipped.
-pub(crate) fn corpus(test: &str) -> Option<PathBuf> {
+/// The folder of published models, or `None` after reporting that the test is skipped.
+pub(crate) fn corpus_folder(test: &str) -> Option<PathBuf> {
     let folder = std::env::var_os("OSIM_CORPUS").map(PathBuf::from).filter(|folder| folder.is_dir());
     if folder.is_none() {
-        skipped(test, "OSIM_CORPUS is not set to the folder of real models");
+        report_skip(test, "OSIM_CORPUS is not set to the folder of real models");
     }
     folder
 }
 
-/// Says that `test`, or a part of it, was skipped. `.ci/run` compares what it sees with `tests/skips.txt`.
-pub(crate) fn skipped(test: &str, why: &str) {
+/// Reports that `test`, or a part of it, is skipped. `.ci/run` compares such lines with `tests/skips.txt`.
+pub(crate) fn report_skip(test: &str, why: &str) {
     let line = format!("skipped: {test}: {why}\n");
-    // Straight to the terminal: the test harness keeps what a passing test prints to itself.
+    // Straight to the terminal: the test harness does not show what a passing test prints.
     let _ = std::io::Write::write_all(&mut std::io::stderr(), line.as_bytes());
 }
 
-/// A folder of its own for one test.
-pub(crate) struct Bench {
+/// A temporary folder for one test.
+pub(crate) struct TestDir {
     dir: TempDir,
 }
 
 type Files = BTreeMap<String, Vec<u8>>;
 
-impl Bench {
+impl TestDir {
     pub(crate) fn new() -> Self {
         Self { dir: tempfile::tempdir().unwrap() }
     }
 
     /// With copies of fixtures, each `(fixture, name here)`.
     pub(crate) fn with(fixtures: &[(&str, &str)]) -> Self {
-        let bench = Self::new();
+        let dir = Self::new();
         for (from, to) in fixtures {
-            bench.write(to, fixture(from));
+            dir.write(to, fixture(from));
         }
-        bench
+        dir
     }
 
-    pub(crate) fn human() -> Self {
+    pub(crate) fn with_human() -> Self {
         Self::with(&[HUMAN])
     }
 
@@ -105,13 +105,13 @@ impl Bench {
         files
     }
 
-    /// Runs the command with `arguments`, parted at blanks.
-    pub(crate) fn run(&self, arguments: &str) -> Ran {
-        self.run_with(arguments, b"")
+    /// Runs the command with `arguments`, split at blanks.
+    pub(crate) fn run(&self, arguments: &str) -> CommandRun {
+        self.run_with_stdin(arguments, b"")
     }
 
-    /// The same with something on standard input.
-    pub(crate) fn run_with(&self, arguments: &str, stdin: &[u8]) -> Ran {
+    /// Runs the command with bytes on standard input.
+    pub(crate) fn run_with_stdin(&self, arguments: &str, stdin: &[u8]) -> CommandRun {
         let before = self.files();
         let output = assert_cmd::Command::from(self.command(arguments)).write_stdin(stdin).output().unwrap();
         let mut changed: Vec<String> = Vec::new();
@@ -119,17 +119,17 @@ impl Bench {
         for (name, bytes) in &after {
             if before.get(name) != Some(bytes) {
                 changed.push(name.clone());
-                validation::written(name, bytes);
+                schema_validation::validate_file(name, bytes);
             }
         }
-        // What was done so far goes when the whole is there, also what runs did that each made a part.
+        // Partial tables, and those of parts of a sweep, may disappear when the whole table is written.
         let is_part =
             |name: &str| name.ends_with(".csv") && (name.contains(".point-") || name.contains(".shard-"));
         let stays = |name: &&String| !name.ends_with(".partial") && !is_part(name);
         let lost: Vec<_> = before.keys().filter(stays).filter(|name| !after.contains_key(*name)).collect();
         assert!(lost.is_empty(), "files are gone: {lost:?}");
-        validation::printed(arguments, &output.stdout);
-        Ran {
+        schema_validation::validate_stdout(arguments, &output.stdout);
+        CommandRun {
             call: format!("osim-contact-scale {arguments}"),
             folder: self.dir.path().canonicalize().unwrap(),
             status: output.status.code(),
@@ -139,12 +139,12 @@ impl Bench {
         }
     }
 
-    /// The same with arguments that hold blanks.
+    /// Runs the command with arguments that may contain blanks.
     pub(crate) fn run_words(&self, words: &[&str]) -> std::process::Output {
         let mut command = self.command("");
         command.args(words);
         let output = command.output().unwrap();
-        validation::printed(&words.join(" "), &output.stdout);
+        schema_validation::validate_stdout(&words.join(" "), &output.stdout);
         output
     }
 
@@ -152,7 +152,7 @@ impl Bench {
     pub(crate) fn command(&self, arguments: &str) -> std::process::Command {
         let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_osim-contact-scale"));
         command
-            .args(words(arguments))
+            .args(split_arguments(arguments))
             .current_dir(self.dir.path())
             .stdin(Stdio::null())
             .env_remove("COLUMNS")
@@ -164,8 +164,8 @@ impl Bench {
     }
 }
 
-/// Words as a shell has them where some are quoted; else as they are, for paths of Windows have backslashes.
-fn words(arguments: &str) -> Vec<String> {
+/// Splits arguments as a shell does if some are quoted, and else at blanks, because paths of Windows have backslashes.
+fn split_arguments(arguments: &str) -> Vec<String> {
     if arguments.contains('"') {
         shlex::split(arguments).unwrap()
     } else {
@@ -173,8 +173,8 @@ fn words(arguments: &str) -> Vec<String> {
     }
 }
 
-/// What a run did.
-pub(crate) struct Ran {
+/// The result of a run.
+pub(crate) struct CommandRun {
     call: String,
     folder: PathBuf,
     pub(crate) status: Option<i32>,
@@ -184,7 +184,7 @@ pub(crate) struct Ran {
     pub(crate) changed: Vec<String>,
 }
 
-impl Ran {
+impl CommandRun {
     pub(crate) fn out(&self) -> String {
         String::from_utf8(self.stdout.clone()).expect("standard output is UTF-8")
     }
@@ -194,27 +194,27 @@ impl Ran {
     }
 
     #[track_caller]
-    pub(crate) fn ends_with(self, status: i32) -> Self {
+    pub(crate) fn exited_with(self, status: i32) -> Self {
         assert_eq!(self.status, Some(status), "{}\n{}{}", self.call, self.out(), self.err());
         self
     }
 
     /// Exit status 0.
     #[track_caller]
-    pub(crate) fn done(self) -> Self {
-        self.ends_with(0)
+    pub(crate) fn succeeded(self) -> Self {
+        self.exited_with(0)
     }
 
     /// Exit status 1: a model failed.
     #[track_caller]
     pub(crate) fn failed(self) -> Self {
-        self.ends_with(1)
+        self.exited_with(1)
     }
 
     /// Exit status 2: wrong usage.
     #[track_caller]
-    pub(crate) fn usage(self) -> Self {
-        self.ends_with(2)
+    pub(crate) fn usage_error(self) -> Self {
+        self.exited_with(2)
     }
 
     /// Exactly these files are new or have other bytes.
@@ -275,15 +275,15 @@ impl Ran {
 
     /// Compares the run with `tests/snapshots/NAME.snap`.
     #[track_caller]
-    pub(crate) fn looks_like(self, name: &str) -> Self {
-        looks_like(name, &self.transcript());
+    pub(crate) fn matches_snapshot(self, name: &str) -> Self {
+        assert_snapshot(name, &self.transcript());
         self
     }
 }
 
 /// Compares a text with `tests/snapshots/NAME.snap`.
 #[track_caller]
-pub(crate) fn looks_like(name: &str, text: &str) {
+pub(crate) fn assert_snapshot(name: &str, text: &str) {
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(root().join("tests/snapshots"));
     settings.set_prepend_module_to_snapshot(false);

@@ -4,30 +4,30 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use crate::support::{Bench, fixture};
+use crate::support::{TestDir, fixture};
 
 const EMU: (&str, &str) = ("table1/emu_10_spheres_smooth_sphere.osim", "emu.osim");
 
 /// Rows of a manifest, as column to cell.
-fn rows(bench: &Bench, name: &str) -> Vec<BTreeMap<String, String>> {
-    let bytes = bench.read(name);
+fn manifest_rows(dir: &TestDir, name: &str) -> Vec<BTreeMap<String, String>> {
+    let bytes = dir.read(name);
     let mut reader = csv::Reader::from_reader(bytes.as_slice());
     reader.deserialize().collect::<Result<_, _>>().unwrap()
 }
 
 /// A value that all forces (or spheres) of a model have.
-fn common(bench: &Bench, model: &str, property: &str) -> f64 {
-    let seen: Value =
-        serde_json::from_str(&bench.run(&format!("inspect {model} --format json")).done().out()).unwrap();
+fn common_value(dir: &TestDir, model: &str, property: &str) -> f64 {
+    let inspection: Value =
+        serde_json::from_str(&dir.run(&format!("inspect {model} --format json")).succeeded().out()).unwrap();
     let values: Vec<f64> = if property == "radius" {
-        seen["spheres"]
+        inspection["spheres"]
             .as_array()
             .unwrap()
             .iter()
             .map(|sphere| sphere["radius_m"].as_f64().unwrap())
             .collect()
     } else {
-        let forces = seen["forces"].as_array().unwrap().iter();
+        let forces = inspection["forces"].as_array().unwrap().iter();
         forces.map(|force| force["parameters"][property].as_f64().unwrap()).collect()
     };
     assert!(values.iter().all(|value| *value == values[0]), "{values:?}");
@@ -35,74 +35,72 @@ fn common(bench: &Bench, model: &str, property: &str) -> f64 {
 }
 
 #[test]
-fn a_grid_has_one_file_per_point_and_the_manifest_says_what_is_in_it() {
-    let bench = Bench::with(&[EMU]);
-    let ran = bench.run("sweep emu.osim --grid stiffness=x0.1,x1,x10 --grid dissipation=0.5,1,2").done();
-    assert_eq!(ran.changed.len(), 10);
-    let rows = rows(&bench, "emu.sweep/emu_sweep.csv");
+fn a_grid_has_one_file_per_point_and_the_manifest_lists_its_values() {
+    let dir = TestDir::with(&[EMU]);
+    let run = dir.run("sweep emu.osim --grid stiffness=x0.1,x1,x10 --grid dissipation=0.5,1,2").succeeded();
+    assert_eq!(run.changed.len(), 10);
+    let rows = manifest_rows(&dir, "emu.sweep/emu_sweep.csv");
     assert_eq!(rows.len(), 9);
-    let now = common(&bench, "emu.osim", "stiffness");
+    let stiffness_before = common_value(&dir, "emu.osim", "stiffness");
     for row in &rows {
         let file = format!("emu.sweep/{}", row["file"]);
         for property in ["radius", "stiffness", "dissipation", "constant_contact_force", "hertz_smoothing"] {
-            assert_eq!(row[property].parse::<f64>().unwrap(), common(&bench, &file, property), "{file}");
+            assert_eq!(row[property].parse::<f64>().unwrap(), common_value(&dir, &file, property), "{file}");
         }
         let factor: f64 = row["grid_stiffness"].trim_start_matches('x').parse().unwrap();
-        assert_eq!(row["stiffness"].parse::<f64>().unwrap(), now * factor, "{file}");
+        assert_eq!(row["stiffness"].parse::<f64>().unwrap(), stiffness_before * factor, "{file}");
         assert_eq!(row["dissipation"], row["grid_dissipation"], "{file}");
         let point =
             format!("by sweep stiffness={} dissipation={};", row["grid_stiffness"], row["grid_dissipation"]);
-        assert!(bench.text(&file).contains(&point), "{file}");
+        assert!(dir.text(&file).contains(&point), "{file}");
     }
     // The point x1 with the model's own α changes nothing but the note.
-    let own = common(&bench, "emu.osim", "dissipation");
-    bench
-        .run(&format!("sweep emu.osim --grid stiffness=x1 --grid dissipation={own} -d own --no-note"))
-        .done();
-    let file = format!("own/emu_1_stiffness-x1_dissipation-{own}.osim");
-    assert_eq!(bench.read(&file), fixture(EMU.0));
+    let own_value = common_value(&dir, "emu.osim", "dissipation");
+    dir.run(&format!("sweep emu.osim --grid stiffness=x1 --grid dissipation={own_value} -d own --no-note"))
+        .succeeded();
+    let file = format!("own/emu_1_stiffness-x1_dissipation-{own_value}.osim");
+    assert_eq!(dir.read(&file), fixture(EMU.0));
 }
 
 #[test]
-fn a_grid_of_indentations_is_what_design_makes_of_each() {
-    let bench = Bench::with(&[EMU]);
-    bench
-        .run("sweep emu.osim --grid indentation=0.05,0.16 --grid restitution=0.8,0.9 -d out --no-note")
-        .done();
+fn a_grid_of_indentations_equals_a_design_for_each() {
+    let dir = TestDir::with(&[EMU]);
+    dir.run("sweep emu.osim --grid indentation=0.05,0.16 --grid restitution=0.8,0.9 -d out --no-note")
+        .succeeded();
     for (index, x, restitution) in
         [(1, "0.05", "0.8"), (2, "0.05", "0.9"), (3, "0.16", "0.8"), (4, "0.16", "0.9")]
     {
         let design = format!(
             "design emu.osim --indentation {x} --restitution {restitution} --no-note -o one.osim --force"
         );
-        bench.run(&design).done();
+        dir.run(&design).succeeded();
         let file = format!("out/emu_{index}_indentation-{x}_restitution-{restitution}.osim");
-        assert_eq!(bench.read(&file), bench.read("one.osim"), "{file}");
+        assert_eq!(dir.read(&file), dir.read("one.osim"), "{file}");
     }
-    for row in rows(&bench, "out/emu_sweep.csv") {
-        let (wanted, found) =
+    for row in manifest_rows(&dir, "out/emu_sweep.csv") {
+        let (wanted, computed) =
             (row["grid_indentation"].parse::<f64>(), row["relative_indentation_hertz"].parse::<f64>());
-        assert!((found.unwrap() / wanted.unwrap() - 1.0).abs() < 1e-14);
+        assert!((computed.unwrap() / wanted.unwrap() - 1.0).abs() < 1e-14);
     }
 }
 
 #[test]
-fn masses_properties_and_designs_go_together() {
-    let bench = Bench::with(&[EMU]);
-    bench.run("sweep emu.osim --grid target-mass=5,500 --no-note -d out").done();
-    bench.run("emu.osim --target-mass 500 --no-note -o one.osim").done();
-    assert_eq!(bench.read("out/emu_2_target-mass-500.osim"), bench.read("one.osim"));
+fn a_grid_may_combine_masses_properties_and_designs() {
+    let dir = TestDir::with(&[EMU]);
+    dir.run("sweep emu.osim --grid target-mass=5,500 --no-note -d out").succeeded();
+    dir.run("emu.osim --target-mass 500 --no-note -o one.osim").succeeded();
+    assert_eq!(dir.read("out/emu_2_target-mass-500.osim"), dir.read("one.osim"));
     let of_grid: Vec<String> =
-        rows(&bench, "out/emu_sweep.csv").iter().map(|row| row["grid_target_mass"].clone()).collect();
+        manifest_rows(&dir, "out/emu_sweep.csv").iter().map(|row| row["grid_target_mass"].clone()).collect();
     assert_eq!(of_grid, ["5", "500"]);
-    // Similar contacts sink in alike under the weight that they stand for.
-    let found: Vec<f64> = rows(&bench, "out/emu_sweep.csv")
+    // Similar contacts have equal relative indentations under the weight that they are made for.
+    let computed: Vec<f64> = manifest_rows(&dir, "out/emu_sweep.csv")
         .iter()
         .map(|row| row["relative_indentation_hertz"].parse().unwrap())
         .collect();
-    assert!((found[0] / found[1] - 1.0).abs() < 1e-12, "{found:?}");
-    bench.run("sweep emu.osim --grid radius=x2 --grid indentation=0.16 -d mixed").done();
-    let row = &rows(&bench, "mixed/emu_sweep.csv")[0];
+    assert!((computed[0] / computed[1] - 1.0).abs() < 1e-12, "{computed:?}");
+    dir.run("sweep emu.osim --grid radius=x2 --grid indentation=0.16 -d mixed").succeeded();
+    let row = &manifest_rows(&dir, "mixed/emu_sweep.csv")[0];
     assert_eq!(row["radius"], "0.03");
     assert!((row["relative_indentation_hertz"].parse::<f64>().unwrap() / 0.16 - 1.0).abs() < 1e-14);
 }
@@ -110,16 +108,16 @@ fn masses_properties_and_designs_go_together() {
 /// Indentations at rest by the law of the class, where (C.9) without speed carries a tenth of 37.8 kg * 9.81 m/s2: by bisection outside
 /// of this project. The last is with OpenSim's own smoothing.
 #[test]
-fn a_ladder_says_by_which_law_a_sphere_rests() {
-    let bench = Bench::with(&[EMU]);
-    bench.run("set emu.osim constant_contact_force=1e-5 hertz_smoothing=300 hunt_crossley_smoothing=50 -o default.osim").done();
+fn a_ladder_lists_indentations_by_both_laws() {
+    let dir = TestDir::with(&[EMU]);
+    dir.run("set emu.osim constant_contact_force=1e-5 hertz_smoothing=300 hunt_crossley_smoothing=50 -o default.osim").succeeded();
     for (model, expected) in [
         ("emu", [1.246_087_627_370_075, 0.436_229_094_854_055_8, 0.135_612_394_666_728_9]),
         ("default", [1.232_106_890_389_454_3, 0.403_310_169_022_839_2, 0.057_491_293_418_233_52]),
     ] {
-        let ran = bench.run(&format!("sweep {model}.osim --ladder 3 --indentation 0.16 -d out"));
-        ran.done().says(&["steps are equal in k R n/F by the Hertz law (B.3)"]);
-        for (row, expected) in rows(&bench, &format!("out/{model}_ladder.csv")).iter().zip(expected) {
+        let run = dir.run(&format!("sweep {model}.osim --ladder 3 --indentation 0.16 -d out"));
+        run.succeeded().says(&["steps are equal in k R n/F by the Hertz law (B.3)"]);
+        for (row, expected) in manifest_rows(&dir, &format!("out/{model}_ladder.csv")).iter().zip(expected) {
             let number = |column: &str| row[column].parse::<f64>().unwrap();
             assert!((number("relative_indentation_model_law") / expected - 1.0).abs() < 1e-8, "{row:?}");
             // (B.3) by the Hertz law: 3/(2 x/R).
@@ -131,21 +129,21 @@ fn a_ladder_says_by_which_law_a_sphere_rests() {
 
 /// (11) of the emu is 0.3533 at its own stiffness, and 100^(2/3) times that at a hundredth: a whole radius and more.
 #[test]
-fn what_is_wrong_with_a_point_is_in_the_manifest_and_counted() {
-    let bench = Bench::with(&[EMU]);
-    let ran = bench.run("sweep emu.osim --grid stiffness=x0.001,x0.01,x1 -d out").done();
-    ran.says(&["2 of 3 models have errors or warnings that the model itself has not"]);
+fn new_faults_of_a_point_are_in_the_manifest_and_counted() {
+    let dir = TestDir::with(&[EMU]);
+    let run = dir.run("sweep emu.osim --grid stiffness=x0.001,x0.01,x1 -d out").succeeded();
+    run.says(&["2 of 3 models have errors or warnings that the model itself has not"]);
     let worse: Vec<String> =
-        rows(&bench, "out/emu_sweep.csv").iter().map(|row| row["worse"].clone()).collect();
+        manifest_rows(&dir, "out/emu_sweep.csv").iter().map(|row| row["worse"].clone()).collect();
     assert_eq!(worse, ["sunk-in", "sunk-in", ""]);
 }
 
-/// Of different spheres each kind is called by its first; a class that smooths nothing rests where the Hertz law says.
+/// Each kind of sphere has the name of its first; a class without smoothing rests where the Hertz law says.
 #[test]
-fn kinds_of_spheres_are_told_apart() {
-    let bench = Bench::with(&[("format/mixed_radii.osim", "two.osim")]);
-    bench.run("sweep two.osim --grid stiffness=x1,x2 -d out").done();
-    for row in rows(&bench, "out/two_sweep.csv") {
+fn spheres_of_several_kinds_have_a_value_each() {
+    let dir = TestDir::with(&[("format/mixed_radii.osim", "two.osim")]);
+    dir.run("sweep two.osim --grid stiffness=x1,x2 -d out").succeeded();
+    for row in manifest_rows(&dir, "out/two_sweep.csv") {
         let cell = &row["relative_indentation_hertz"];
         let names: Vec<&str> = cell.split(' ').filter_map(|one| Some(one.split_once('=')?.0)).collect();
         assert_eq!(names, ["heel_r", "toe_r"]);
@@ -154,83 +152,80 @@ fn kinds_of_spheres_are_told_apart() {
 }
 
 #[test]
-fn the_largest_counts_are_taken_and_more_is_refused() {
-    let bench = Bench::with(&[EMU]);
+fn the_largest_counts_are_accepted_and_larger_ones_refused() {
+    let dir = TestDir::with(&[EMU]);
     let ladder = |steps: &str| format!("sweep emu.osim --ladder {steps} --indentation 0.16 --dry-run");
-    bench.run(&ladder("100000")).done().says(&["100000 models"]);
+    dir.run(&ladder("100000")).succeeded().says(&["100000 models"]);
     for steps in ["1", "100001", "1e9", "1000000000", "99999999999999999999"] {
-        bench.run(&ladder(steps)).usage().says(&["expected a whole number from 2 to 100000"]);
+        dir.run(&ladder(steps)).usage_error().says(&["expected a whole number from 2 to 100000"]);
     }
     let grid = |count: u32| {
         let grid = format!("--grid stiffness=x0.1..x10/1000 --grid dissipation=1..2/{count}");
         format!("sweep emu.osim {grid} --yes many-models -d out")
     };
-    bench.run(&format!("{} --point 1000000", grid(1000))).done().says(&["point 1000000 of 1000000"]);
-    bench.run(&format!("{} --point 1000001", grid(1000))).usage();
-    bench.run(&grid(1001)).usage().says(&["1001000 models", "1,000,000, the most that one sweep makes"]);
-    bench.run("sweep emu.osim --grid stiffness=x1 --jobs 4096 -d one").done();
-    bench.run("sweep emu.osim --grid stiffness=x1 --jobs 4097 -d one").usage().says(&["from 1 to 4096"]);
-    bench.run("inspect emu.osim --spheres 1000000").done();
-    bench.run("inspect emu.osim --spheres 1000001").usage().says(&["from 1 to 1000000"]);
-    bench.run("drop-test emu.osim --samples 1000000 --duration 0.01 --format json").done();
-    bench.run("drop-test emu.osim --samples 1000001").usage().says(&["from 2 to 1000000"]);
+    dir.run(&format!("{} --point 1000000", grid(1000))).succeeded().says(&["point 1000000 of 1000000"]);
+    dir.run(&format!("{} --point 1000001", grid(1000))).usage_error();
+    dir.run(&grid(1001)).usage_error().says(&["1001000 models", "1,000,000, the most that one sweep makes"]);
+    dir.run("sweep emu.osim --grid stiffness=x1 --jobs 4096 -d one").succeeded();
+    dir.run("sweep emu.osim --grid stiffness=x1 --jobs 4097 -d one").usage_error().says(&["from 1 to 4096"]);
+    dir.run("inspect emu.osim --spheres 1000000").succeeded();
+    dir.run("inspect emu.osim --spheres 1000001").usage_error().says(&["from 1 to 1000000"]);
+    dir.run("drop-test emu.osim --samples 1000000 --duration 0.01 --format json").succeeded();
+    dir.run("drop-test emu.osim --samples 1000001").usage_error().says(&["from 2 to 1000000"]);
 }
 
 #[test]
-fn a_ladder_climbs_from_soft_to_what_design_makes() {
-    let bench = Bench::with(&[EMU]);
+fn a_ladder_goes_from_soft_to_the_designed_contact() {
+    let dir = TestDir::with(&[EMU]);
     let call = "sweep emu.osim --ladder 4 --indentation 0.16 --restitution 0.9 -d out";
-    bench.run(call).done().wrote(&[
+    dir.run(call).succeeded().wrote(&[
         "out/emu_ladder-1-of-4.osim",
         "out/emu_ladder-2-of-4.osim",
         "out/emu_ladder-3-of-4.osim",
         "out/emu_ladder-4-of-4.osim",
         "out/emu_ladder.csv",
     ]);
-    bench.run("design emu.osim --indentation 0.16 --restitution 0.9 -o end.osim").done();
-    let rows = rows(&bench, "out/emu_ladder.csv");
+    dir.run("design emu.osim --indentation 0.16 --restitution 0.9 -o end.osim").succeeded();
+    let rows = manifest_rows(&dir, "out/emu_ladder.csv");
     let column = |name: &str| -> Vec<f64> { rows.iter().map(|row| row[name].parse().unwrap()).collect() };
     let (stiffness, dissipation, k) =
         (column("stiffness"), column("dissipation"), column("dimensionless_stiffness"));
     assert!(stiffness.is_sorted() && dissipation.is_sorted_by(|a, b| a > b), "{stiffness:?} {dissipation:?}");
     // The paper's softest contact; 9.375 is 3/(2 · 0.16), and the steps between are 7.8125^(1/3) apart (mpmath).
-    for (found, expected) in k.iter().zip([1.2, 2.381_101_577_952_3, 4.724_703_937_105_8, 9.375]) {
-        assert!((found / expected - 1.0).abs() < 1e-12, "{k:?}");
+    for (computed, expected) in k.iter().zip([1.2, 2.381_101_577_952_3, 4.724_703_937_105_8, 9.375]) {
+        assert!((computed / expected - 1.0).abs() < 1e-12, "{k:?}");
     }
-    assert_eq!(dissipation[0], common(&bench, "emu.osim", "dissipation"));
+    assert_eq!(dissipation[0], common_value(&dir, "emu.osim", "dissipation"));
     for property in ["stiffness", "dissipation", "radius"] {
-        assert_eq!(rows[3][property].parse::<f64>().unwrap(), common(&bench, "end.osim", property));
+        assert_eq!(rows[3][property].parse::<f64>().unwrap(), common_value(&dir, "end.osim", property));
     }
-    assert!(bench.text("out/emu_ladder-2-of-4.osim").contains("by ladder step 2 of 4;"));
+    assert!(dir.text("out/emu_ladder-2-of-4.osim").contains("by ladder step 2 of 4;"));
 }
 
 #[test]
-fn count_and_size_come_first_and_many_models_ask_for_yes() {
-    let bench = Bench::with(&[EMU]);
+fn a_sweep_reports_its_size_first_and_many_models_need_yes() {
+    let dir = TestDir::with(&[EMU]);
     let many = "sweep emu.osim --grid stiffness=x0.1..x10/101 --grid dissipation=0.1..10/100";
-    bench.run(many).usage().wrote_nothing().says(&["more than 10,000", "--yes"]);
-    bench
-        .run("sweep emu.osim --grid stiffness=x0.1..x10/9 --dry-run")
-        .done()
+    dir.run(many).usage_error().wrote_nothing().says(&["more than 10,000", "--yes"]);
+    dir.run("sweep emu.osim --grid stiffness=x0.1..x10/9 --dry-run")
+        .succeeded()
         .wrote_nothing()
         .says(&["9 models of"]);
     let huge = "sweep emu.osim --grid stiffness=1..9/1000 --grid dissipation=1..9/1000 --grid radius=0.01..0.09/1000 --dry-run";
-    bench.run(huge).done().wrote_nothing().says(&["1000000000 models of"]);
-    bench.run("sweep emu.osim --grid stiffness=x1,x2 -d out").done().looks_like("sweep");
-    bench
-        .run("sweep emu.osim --grid stiffness=x1,x2 -d out")
-        .usage()
+    dir.run(huge).succeeded().wrote_nothing().says(&["1000000000 models of"]);
+    dir.run("sweep emu.osim --grid stiffness=x1,x2 -d out").succeeded().matches_snapshot("sweep");
+    dir.run("sweep emu.osim --grid stiffness=x1,x2 -d out")
+        .usage_error()
         .wrote_nothing()
         .says(&["3 of these files exist"]);
-    bench
-        .run("sweep emu.osim --grid stiffness=x1,x2 -d out --force --format json")
-        .done()
-        .looks_like("sweep_json");
+    dir.run("sweep emu.osim --grid stiffness=x1,x2 -d out --force --format json")
+        .succeeded()
+        .matches_snapshot("sweep_json");
 }
 
 #[test]
-fn what_makes_no_sense_is_refused_before_anything_is_written() {
-    let bench = Bench::with(&[EMU, ("bad/no_contacts.osim", "bare.osim")]);
+fn wrong_calls_are_refused_before_anything_is_written() {
+    let dir = TestDir::with(&[EMU, ("bad/no_contacts.osim", "bare.osim")]);
     for (arguments, says) in [
         ("emu.osim", "--grid"),
         ("emu.osim --grid stifness=x2", "there is no property"),
@@ -245,54 +240,53 @@ fn what_makes_no_sense_is_refused_before_anything_is_written() {
         ("emu.osim --ladder 3", "--indentation"),
         ("- --grid stiffness=x2", "one model"),
     ] {
-        bench.run(&format!("sweep {arguments}")).usage().wrote_nothing().says(&[says]);
+        dir.run(&format!("sweep {arguments}")).usage_error().wrote_nothing().says(&[says]);
     }
-    bench.run("sweep nowhere.osim --grid stiffness=x2").failed().says(&["no such file"]);
-    bench.run("sweep bare.osim --grid stiffness=x2").failed().wrote_nothing().says(&["bare.osim"]);
+    dir.run("sweep nowhere.osim --grid stiffness=x2").failed().says(&["no such file"]);
+    dir.run("sweep bare.osim --grid stiffness=x2").failed().wrote_nothing().says(&["bare.osim"]);
     // A value that cannot be shows before the first file, in a dry run, too.
     for grid in ["indentation=0.1,2", "stiffness=1e5,0,x2", "dissipation=1,2 --grid restitution=1.5"] {
         for dry in ["", " --dry-run"] {
             let call = format!("sweep emu.osim --grid {grid} -d out{dry}");
-            bench.run(&call).usage().wrote_nothing();
+            dir.run(&call).usage_error().wrote_nothing();
         }
     }
-    bench.run("sweep emu.osim --grid indentation=0.1,2 -d out").usage().says(&["indentation=2"]);
+    dir.run("sweep emu.osim --grid indentation=0.1,2 -d out").usage_error().says(&["indentation=2"]);
     let many = "sweep emu.osim --grid stiffness=x0.1..x10/200 --grid dissipation=0.1..2/200 -d out --dry-run";
-    bench.run(many).done().wrote_nothing().says(&["--yes"]);
+    dir.run(many).succeeded().wrote_nothing().says(&["--yes"]);
 }
 
 #[test]
-fn walks_over_folders_pass_sweeps_over_aloud() {
-    let bench = Bench::with(&[(EMU.0, "lib/emu.osim")]);
-    bench.run("sweep lib/emu.osim --grid stiffness=x1,x2").done();
-    let ran =
-        bench.run("lib --target-mass 5 -d out").done().says(&["folders of sweeps (*.sweep) skipped: 1"]);
-    assert_eq!(ran.changed, ["out/emu.osim"]);
+fn folders_of_sweeps_are_skipped_with_a_remark() {
+    let dir = TestDir::with(&[(EMU.0, "lib/emu.osim")]);
+    dir.run("sweep lib/emu.osim --grid stiffness=x1,x2").succeeded();
+    let run =
+        dir.run("lib --target-mass 5 -d out").succeeded().says(&["folders of sweeps (*.sweep) skipped: 1"]);
+    assert_eq!(run.changed, ["out/emu.osim"]);
 }
 
 #[test]
-fn a_model_is_not_written_where_the_files_it_includes_are_missing() {
-    let bench = Bench::with(&[
+fn a_model_is_not_written_where_its_included_files_are_missing() {
+    let dir = TestDir::with(&[
         ("format/file_forceset.osim", "in/file_forceset.osim"),
         ("format/standalone_ForceSet.xml", "in/standalone_ForceSet.xml"),
     ]);
-    bench
-        .run("in/file_forceset.osim --target-mass 5 --only radius -d out")
+    dir.run("in/file_forceset.osim --target-mass 5 --only radius -d out")
         .failed()
         .says(&["includes file=", "copy it there"]);
-    bench
-        .run("sweep in/file_forceset.osim --grid radius=x2 -d out")
+    dir.run("sweep in/file_forceset.osim --grid radius=x2 -d out")
         .failed()
         .says(&["includes file=", "no model was made"]);
-    assert!(!bench.has("out/file_forceset.osim") && !bench.has("out/file_forceset_sweep.csv"));
-    bench.run("in/file_forceset.osim --target-mass 5 --only radius").done();
+    assert!(!dir.has("out/file_forceset.osim") && !dir.has("out/file_forceset_sweep.csv"));
+    dir.run("in/file_forceset.osim --target-mass 5 --only radius").succeeded();
 }
 
 #[test]
-fn names_sort_as_the_points_do() {
-    let bench = Bench::with(&[EMU]);
-    bench.run("sweep emu.osim --grid stiffness=x10,x9 --grid dissipation=0.1..5/6 -d out --no-note").done();
-    let rows = rows(&bench, "out/emu_sweep.csv");
+fn file_names_sort_in_the_order_of_the_points() {
+    let dir = TestDir::with(&[EMU]);
+    dir.run("sweep emu.osim --grid stiffness=x10,x9 --grid dissipation=0.1..5/6 -d out --no-note")
+        .succeeded();
+    let rows = manifest_rows(&dir, "out/emu_sweep.csv");
     let names: Vec<&str> = rows.iter().map(|row| row["file"].as_str()).collect();
     assert!(names.is_sorted() && names.len() == 12, "{names:?}");
     assert!(names[0].starts_with("emu_01_stiffness-x10_dissipation-0.1."), "{names:?}");
@@ -302,38 +296,45 @@ fn names_sort_as_the_points_do() {
 }
 
 #[test]
-fn a_point_is_one_model_and_its_row() {
-    let bench = Bench::with(&[EMU]);
+fn a_point_writes_one_model_and_its_row() {
+    let dir = TestDir::with(&[EMU]);
     let call = "sweep emu.osim --grid stiffness=x1,x2 --grid dissipation=1..2/6 -d out";
     let json = |words: &str| -> Value {
-        serde_json::from_str(&bench.run(&format!("{call} {words} --format json")).done().out()).unwrap()
+        serde_json::from_str(&dir.run(&format!("{call} {words} --format json")).succeeded().out()).unwrap()
     };
     let planned = json("--point 7 --dry-run");
     assert_eq!((&planned["points"], &planned["models"]), (&12.into(), &1.into()), "{planned}");
     let file = "emu_07_stiffness-x2_dissipation-1.osim";
     assert_eq!(planned["file"], file);
-    bench.run(&format!("{call} --point 7")).done().looks_like("sweep_point");
-    let again = json("--point 7 --resume");
-    assert_eq!((&again["file"], &again["done_before"]), (&file.into(), &1.into()), "{again}");
-    assert_eq!(again["manifest"], "out/emu_sweep.point-7.csv");
-    let rows = rows(&bench, "out/emu_sweep.point-7.csv");
+    dir.run(&format!("{call} --point 7")).succeeded().matches_snapshot("sweep_point");
+    let resumed = json("--point 7 --resume");
+    assert_eq!((&resumed["file"], &resumed["done_before"]), (&file.into(), &1.into()), "{resumed}");
+    assert_eq!(resumed["manifest"], "out/emu_sweep.point-7.csv");
+    let rows = manifest_rows(&dir, "out/emu_sweep.point-7.csv");
     assert_eq!(rows.len(), 1);
     assert_eq!((rows[0]["index"].as_str(), rows[0]["file"].as_str()), ("7", file));
     assert_eq!(
         rows[0]["stiffness"].parse::<f64>().unwrap(),
-        common(&bench, &format!("out/{file}"), "stiffness")
+        common_value(&dir, &format!("out/{file}"), "stiffness")
     );
-    bench.run(&format!("{call} --shard 3/5")).done().looks_like("sweep_share");
-    bench.run(&format!("{call} --shard 3/5 --resume --format json")).done().looks_like("sweep_share_json");
-    // 12 points are no more than what is made without a question; of one point alone, more are not, either.
+    dir.run(&format!("{call} --shard 3/5")).succeeded().matches_snapshot("sweep_share");
+    dir.run(&format!("{call} --shard 3/5 --resume --format json"))
+        .succeeded()
+        .matches_snapshot("sweep_share_json");
+    // Many models need a yes, but one point alone does not.
     let many = "sweep emu.osim --grid stiffness=x0.1..x10/101 --grid dissipation=0.1..10/100 -d many";
-    bench.run(&format!("{many} --point 10100")).done().says(&["emu_10100_stiffness-x10_dissipation-10.osim"]);
-    bench.run(&format!("{many} --shard 1/5000")).usage().wrote_nothing().says(&["more than 10,000", "--yes"]);
+    dir.run(&format!("{many} --point 10100"))
+        .succeeded()
+        .says(&["emu_10100_stiffness-x10_dissipation-10.osim"]);
+    dir.run(&format!("{many} --shard 1/5000"))
+        .usage_error()
+        .wrote_nothing()
+        .says(&["more than 10,000", "--yes"]);
 }
 
 #[test]
-fn points_and_shares_that_are_not_there_are_refused() {
-    let bench = Bench::with(&[EMU]);
+fn points_and_shares_out_of_range_are_refused() {
+    let dir = TestDir::with(&[EMU]);
     let call = "sweep emu.osim --grid stiffness=x1,x2,x3 --grid dissipation=1,2 -d out";
     for (words, says) in [
         ("--point 0", "--point 0: the points of the grid are counted from 1 to 6"),
@@ -346,41 +347,42 @@ fn points_and_shares_that_are_not_there_are_refused() {
         ("--shard 0/2", "expected i/n with i from 1 to n"),
         ("--shard 3/2", "expected i/n with i from 1 to n"),
     ] {
-        bench.run(&format!("{call} {words}")).usage().wrote_nothing().says(&[says]);
+        dir.run(&format!("{call} {words}")).usage_error().wrote_nothing().says(&[says]);
     }
     let ladder = "sweep emu.osim --ladder 3 --indentation 0.16 --point 4 -d out";
-    bench
-        .run(ladder)
-        .usage()
+    dir.run(ladder)
+        .usage_error()
         .wrote_nothing()
         .says(&["--point 4: the steps of the ladder are counted from 1 to 3"]);
 }
 
-/// x1 of a stiffness and that stiffness are one contact: the table has both, and nobody would see it.
+/// A factor of x1 and the stiffness itself give the same contact twice: a remark says so.
 #[test]
 fn points_with_the_same_contacts_are_named() {
-    let bench = Bench::with(&[EMU]);
-    let own = common(&bench, "emu.osim", "stiffness");
-    let call = format!("sweep emu.osim --grid stiffness=x1,{own},x2 -d out");
-    bench.run(&call).done().says(&["remark: 1 of 3 models has the same contacts as an earlier one: 2 and 1"]);
-    let ran = bench.run("sweep emu.osim --grid stiffness=x1,x2 -d other").done();
-    assert!(!ran.err().contains("same contacts"), "{}", ran.err());
+    let dir = TestDir::with(&[EMU]);
+    let own_value = common_value(&dir, "emu.osim", "stiffness");
+    let call = format!("sweep emu.osim --grid stiffness=x1,{own_value},x2 -d out");
+    dir.run(&call)
+        .succeeded()
+        .says(&["remark: 1 of 3 models has the same contacts as an earlier one: 2 and 1"]);
+    let run = dir.run("sweep emu.osim --grid stiffness=x1,x2 -d other").succeeded();
+    assert!(!run.err().contains("same contacts"), "{}", run.err());
 }
 
-/// A folder keeps models of a sweep with other points, which a loop over its files would run, too.
+/// Models of an earlier sweep stay in the folder, and a loop over its files would use them, too.
 #[test]
 fn models_of_another_sweep_in_the_folder_are_named() {
-    let bench = Bench::with(&[EMU]);
-    let said = |call: &str| bench.run(call).done().err();
-    assert!(!said("sweep emu.osim --grid stiffness=x1,x2 -d out").contains("another sweep"));
-    let err = said("sweep emu.osim --grid stiffness=x1,x3 -d out --force");
+    let dir = TestDir::with(&[EMU]);
+    let errors_of = |call: &str| dir.run(call).succeeded().err();
+    assert!(!errors_of("sweep emu.osim --grid stiffness=x1,x2 -d out").contains("another sweep"));
+    let err = errors_of("sweep emu.osim --grid stiffness=x1,x3 -d out --force");
     let expected =
         "remark: out has a model of another sweep, which the manifest does not list: emu_2_stiffness-x2.osim";
     assert!(err.contains(expected), "{err}");
-    // A ladder has a table of its own, and what is no model of a sweep is none of its business.
-    bench.write("out/emu_walks.osim", "mine");
-    let err = said("sweep emu.osim --ladder 3 --indentation 0.16 -d out");
+    // A ladder has another table, and other files in the folder do not matter.
+    dir.write("out/emu_walks.osim", "mine");
+    let err = errors_of("sweep emu.osim --ladder 3 --indentation 0.16 -d out");
     assert!(!err.contains("another sweep"), "{err}");
-    let err = said("sweep emu.osim --ladder 2 --indentation 0.16 -d out --force");
+    let err = errors_of("sweep emu.osim --ladder 2 --indentation 0.16 -d out --force");
     assert!(err.contains("remark: out has 3 models of another sweep"), "{err}");
 }

@@ -28,23 +28,23 @@ const SHOWN_ONCE: &[(&str, &str)] = &[("SizeList", "results/inspection")];
 pub(crate) fn table(schemas: &[&str]) -> String {
     let mut text = "|record|fields|\n|---|---|\n".to_owned();
     for name in schemas {
-        let schema = read(name);
-        let elsewhere = SHOWN_ONCE.iter().filter(|(_, by)| by != name).map(|(record, _)| *record);
+        let schema = read_schema(name);
+        let shown_elsewhere = SHOWN_ONCE.iter().filter(|(_, by)| by != name).map(|(record, _)| *record);
         let mut rows =
-            Rows { definitions: &schema["$defs"], shown: elsewhere.collect(), text: String::new() };
+            Rows { definitions: &schema["$defs"], listed: shown_elsewhere.collect(), text: String::new() };
         for variant in variants(&schema) {
             let title = name.rsplit('/').next().unwrap();
             let kind =
                 variant["properties"]["kind"]["const"].as_str().map(|kind| format!(" of kind `{kind}`"));
             let kind = kind.unwrap_or_default();
-            rows.record(&format!("[`{title}`](../../schemas/{name}.schema.json){kind}"), "", variant);
+            rows.add_record(&format!("[`{title}`](../../schemas/{name}.schema.json){kind}"), "", variant);
         }
         text.push_str(&rows.text);
     }
     text
 }
 
-fn read(name: &str) -> Value {
+fn read_schema(name: &str) -> Value {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../schemas/{name}.schema.json"));
     serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
 }
@@ -56,17 +56,17 @@ fn variants(schema: &Value) -> Vec<&Value> {
 
 struct Rows<'s> {
     definitions: &'s Value,
-    shown: Vec<&'s str>,
+    listed: Vec<&'s str>,
     text: String,
 }
 
 impl<'s> Rows<'s> {
     /// The row of one record, then those of the records in it.
-    fn record(&mut self, label: &str, path: &str, schema: &'s Value) {
+    fn add_record(&mut self, label: &str, path: &str, schema: &'s Value) {
         let fields = schema["properties"].as_object().unwrap();
-        let shown = fields.iter().filter(|(name, _)| is_shown(name, fields));
+        let listed = fields.iter().filter(|(name, _)| is_listed(name, fields));
         let mut inner = Vec::new();
-        let names = shown.map(|(name, schema)| {
+        let names = listed.map(|(name, schema)| {
             let of_type = Type::of(schema);
             let record = of_type.record.filter(|record| self.definitions[record]["properties"].is_object());
             let shared =
@@ -78,23 +78,23 @@ impl<'s> Rows<'s> {
                 (Some((_, name)), _) => format!(":{name}"),
                 (None, Some(_)) if of_type.list.is_empty() => "{}".to_owned(),
                 (None, Some(_)) => String::new(),
-                (None, None) => of_type.kind(self.definitions, schema),
+                (None, None) => of_type.kind_of_value(self.definitions, schema),
             };
             format!("`{name}{kind}{}{}`", of_type.list, if of_type.is_nullable { "?" } else { "" })
         });
         let names = names.collect::<Vec<_>>().join(", ");
         self.text.push_str(&format!("|{label}|{names}|\n"));
         for (path, name) in inner {
-            if !self.shown.contains(&name) {
-                self.shown.push(name);
-                self.record(&format!("`{path}`"), &format!("{path}."), &self.definitions[name]);
+            if !self.listed.contains(&name) {
+                self.listed.push(name);
+                self.add_record(&format!("`{path}`"), &format!("{path}."), &self.definitions[name]);
             }
         }
     }
 }
 
-/// Left out is what all records have, what another table has, and what is alike for every property.
-fn is_shown(name: &str, fields: &Map<String, Value>) -> bool {
+/// Whether a row lists the field. Fields of all records, of another table, and those that repeat for each property are not listed.
+fn is_listed(name: &str, fields: &Map<String, Value>) -> bool {
     let is_everywhere = ["schema_version", "model"].contains(&name) || name.ends_with("_bytes");
     let is_figure =
         fields.contains_key("touching_share") && Figure::ALL.iter().any(|figure| figure.info().name == name);
@@ -116,41 +116,44 @@ impl<'s> Type<'s> {
         let kinds = |schema: &'s Value| {
             schema["anyOf"].as_array().map_or_else(Vec::new, |kinds| kinds.iter().collect())
         };
-        let is_of = |kind: &str| {
+        let has_type = |kind: &str| {
             schema["type"] == kind
                 || schema["type"].as_array().is_some_and(|kinds| kinds.iter().any(|one| one == kind))
         };
-        let either: Vec<&Value> = kinds(schema);
+        let alternatives: Vec<&Value> = kinds(schema);
         let reference = |schema: &'s Value| schema["$ref"].as_str().and_then(|path| path.rsplit('/').next());
         Self {
-            list: if is_of("array") { "[]" } else { "" },
-            is_nullable: is_of("null") || either.iter().any(|kind| is_null(kind)),
+            list: if has_type("array") { "[]" } else { "" },
+            is_nullable: has_type("null") || alternatives.iter().any(|kind| is_null(kind)),
             record: reference(schema)
                 .or_else(|| reference(&schema["items"]))
-                .or_else(|| either.into_iter().find_map(reference)),
+                .or_else(|| alternatives.into_iter().find_map(reference)),
         }
     }
 
     /// Nothing for a number, which is the rule.
-    fn kind(&self, definitions: &Value, schema: &Value) -> String {
-        let holds = match self.record {
+    fn kind_of_value(&self, definitions: &Value, schema: &Value) -> String {
+        let value_schema = match self.record {
             Some(name) => &definitions[name],
             None if self.list.is_empty() => schema,
             None => &schema["items"],
         };
-        let written = holds.to_string();
-        let is_of = |kind: &str| {
-            holds["type"] == kind
-                || holds["type"].as_array().is_some_and(|kinds| kinds.iter().any(|one| one == kind))
+        let text = value_schema.to_string();
+        let has_type = |kind: &str| {
+            value_schema["type"] == kind
+                || value_schema["type"].as_array().is_some_and(|kinds| kinds.iter().any(|one| one == kind))
         };
-        if is_of("string") || holds["oneOf"][0]["type"] == "string" || holds.get("const").is_some() {
+        if has_type("string")
+            || value_schema["oneOf"][0]["type"] == "string"
+            || value_schema.get("const").is_some()
+        {
             ":text".to_owned()
-        } else if is_of("boolean") {
+        } else if has_type("boolean") {
             ":bool".to_owned()
-        } else if is_of("object") {
+        } else if has_type("object") {
             "{}".to_owned()
         } else {
-            assert!(["number", "integer"].iter().any(|kind| written.contains(kind)), "{written}");
+            assert!(["number", "integer"].iter().any(|kind| text.contains(kind)), "{text}");
             String::new()
         }
     }

@@ -1,4 +1,4 @@
-//! A model before and after a change: nothing is patched for it again, and nothing is said that `check` would not say.
+//! A model before and after a change: the plan is not computed again, and the findings are those of `check`.
 
 use std::cell::Cell;
 use std::path::{Path, PathBuf};
@@ -9,17 +9,17 @@ use osim_planning::{BeforeAfter, PreparedChange, changeable, check_with_remedies
 use osim_requests::spell::CommandLine;
 use serde_json::json;
 
-use crate::front_end::{Changed, read};
+use crate::front_end::{Changed, request_from_json};
 use crate::support::root;
 
-fn found(options: &InspectOptions, opened: &OpenModel) -> serde_json::Value {
+fn check_json(options: &InspectOptions, opened: &OpenModel) -> serde_json::Value {
     let inspected = options.inspect(opened.name(), &opened.model, None);
-    let mut found = check_with_remedies(options, &opened.model, &inspected, &[]);
-    found.spell(&CommandLine);
-    serde_json::to_value(found).unwrap()
+    let mut check = check_with_remedies(options, &opened.model, &inspected, &[]);
+    check.spell(&CommandLine);
+    serde_json::to_value(check).unwrap()
 }
 
-fn models() -> Vec<PathBuf> {
+fn fixture_models() -> Vec<PathBuf> {
     let folders = ["table1", "check", "format", "quirks"].map(|folder| root().join("fixtures").join(folder));
     let files = folders.iter().flat_map(|folder| std::fs::read_dir(folder).unwrap());
     let mut models: Vec<PathBuf> = files.map(|file| file.unwrap().path()).collect();
@@ -29,9 +29,9 @@ fn models() -> Vec<PathBuf> {
 }
 
 #[test]
-fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
+fn before_and_after_of_a_plan_agree_with_check() {
     let mut compared = 0;
-    for path in models() {
+    for path in fixture_models() {
         let bytes = std::fs::read(&path).unwrap();
         let files = InMemory::from_iter([("model.osim", bytes.as_slice())]);
         for request in [
@@ -40,29 +40,34 @@ fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
             json!({"verb": "set", "models": "model.osim", "set": {"stiffness": "x2"}}),
             json!({"verb": "design", "models": "model.osim", "restitution": 0.9, "impact_speed": 0.1}),
         ] {
-            let change: PreparedChange = prepare(read(&request), &files).unwrap();
+            let change: PreparedChange = prepare(request_from_json(&request), &files).unwrap();
             let Ok(changed) = Changed::new(&change, Path::new("model.osim"), &files) else { continue };
-            let asked = Cell::new(0);
-            let beside = change.set_files.companion_paths();
+            let reads_of_new_files = Cell::new(0);
+            let companions = change.set_files.companion_paths();
             let new_files = || {
-                asked.set(asked.get() + 1);
+                reads_of_new_files.set(reads_of_new_files.get() + 1);
                 changed.as_files(
-                    &ModelFiles::read(Path::new("model.osim"), bytes.clone(), beside, &files).unwrap(),
+                    &ModelFiles::read(Path::new("model.osim"), bytes.clone(), companions, &files).unwrap(),
                 )
             };
-            let before = found(&change.options, &changed.opened);
-            let both =
+            let before = check_json(&change.options, &changed.opened);
+            let before_after =
                 BeforeAfter::of_plan(&change, &changed.opened, &changed.plan, new_files, &CommandLine, false)
                     .unwrap();
             assert_eq!(
-                serde_json::to_value(&both.before.1).unwrap(),
+                serde_json::to_value(&before_after.before.1).unwrap(),
                 before,
                 "{}: {request}",
                 path.display()
             );
-            assert_eq!(asked.get(), usize::from(!changed.plan.is_empty()), "{}: {request}", path.display());
-            if let Some((_, after)) = &both.after {
-                // The remedies of the new model: by a trial of its own, they would be the same.
+            assert_eq!(
+                reads_of_new_files.get(),
+                usize::from(!changed.plan.is_empty()),
+                "{}: {request}",
+                path.display()
+            );
+            if let Some((_, after)) = &before_after.after {
+                // Remedies of the new model are tried only if the request can change it.
                 let written = ModelFiles::read(
                     Path::new("model.osim"),
                     changed.results[0].bytes.clone(),
@@ -76,9 +81,9 @@ fn a_plan_at_hand_is_enough_and_says_the_same_as_check() {
                     let findings = value["findings"].as_array().unwrap();
                     findings.iter().map(|finding| !finding["command"].is_null()).collect()
                 };
-                let tried = changeable(&change.options, &written.model).numbers;
+                let can_be_tried = changeable(&change.options, &written.model).numbers;
                 let after = serde_json::to_value(after).unwrap();
-                assert!(tried || !remedies(&after).contains(&true), "{}: {request}", path.display());
+                assert!(can_be_tried || !remedies(&after).contains(&true), "{}: {request}", path.display());
             }
             compared += 1;
         }

@@ -1,4 +1,4 @@
-//! What is wrong with a model, and its remedy, which is data: applied, and gone.
+//! Findings of a model, and remedies as data that remove them.
 
 use std::path::Path;
 
@@ -14,84 +14,87 @@ use osim_view::report::json::line;
 use osim_view::report::layout::Colour;
 use serde_json::json;
 
-use crate::front_end::{Changed, files_of, request};
-use crate::support::{Bench, HUMAN};
+use crate::front_end::{Changed, files_in_memory, request};
+use crate::support::{HUMAN, TestDir};
 
-/// What is found in a model, spelled.
-fn checked(request: &CheckRequest, path: &Path, files: &InMemory) -> CheckResult {
+/// The findings of a model, spelled for the command line.
+fn check_and_spell(request: &CheckRequest, path: &Path, files: &InMemory) -> CheckResult {
     let inspector = Inspector::for_check(request, files);
     let opened = open_with(path, inspector.set_files().companion_paths(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     inspector.refuse_without_contacts(&opened, &inspected).unwrap();
-    let mut found = inspector.check(&opened.model, &inspected, None, files);
-    found.spell(&CommandLine);
-    found
+    let mut result = inspector.check(&opened.model, &inspected, None, files);
+    result.spell(&CommandLine);
+    result
 }
 
-fn check_of(model: &str) -> CheckRequest {
+fn check_request(model: &str) -> CheckRequest {
     request!(Check, {"verb": "check", "models": [model]})
 }
 
 #[test]
-fn check() {
-    let bench = Bench::with(&[HUMAN, ("format/unequal_stiffness.osim", "unequal.osim")]);
-    let files = files_of(&bench);
+fn check_in_memory_equals_the_command() {
+    let dir = TestDir::with(&[HUMAN, ("format/unequal_stiffness.osim", "unequal.osim")]);
+    let files = files_in_memory(&dir);
     for model in ["human.osim", "unequal.osim"] {
-        let found = checked(&check_of(model), Path::new(model), &files);
-        let said = |more: &str| bench.run(&format!("check {model}{more}")).out();
+        let result = check_and_spell(&check_request(model), Path::new(model), &files);
+        let printed = |more: &str| dir.run(&format!("check {model}{more}")).out();
         for (extent, option) in [(Extent::Brief, ""), (Extent::Full, " --full")] {
-            assert_eq!(text(&found, CommandLine.prompt(), Colour::Plain, extent), said(option));
+            assert_eq!(text(&result, CommandLine.prompt(), Colour::Plain, extent), printed(option));
         }
-        assert_eq!(line(&found), said(" --format json"));
-        assert_eq!(csv_rows(&found, true).unwrap(), said(" --format csv"));
+        assert_eq!(line(&result), printed(" --format json"));
+        assert_eq!(csv_rows(&result, true).unwrap(), printed(" --format csv"));
     }
 }
 
 #[test]
-fn check_of_several_models() {
-    let bench = Bench::with(&[HUMAN, ("check/floats.osim", "floats.osim")]);
-    let files = files_of(&bench);
+fn check_of_several_models_equals_the_command() {
+    let dir = TestDir::with(&[HUMAN, ("check/floats.osim", "floats.osim")]);
+    let files = files_in_memory(&dir);
     let request =
         request!(Check, {"verb": "check", "models": ["human.osim", "floats.osim"], "deny": "warning"});
     let mut table = LibraryTable::default();
     let mut denied = false;
     for path in &request.models {
-        let found = checked(&request, path, &files);
-        table.add(&found);
-        denied |= found.reaches(request.deny.severity());
+        let result = check_and_spell(&request, path, &files);
+        table.add(&result);
+        denied |= result.reaches(request.deny.severity());
     }
-    let ran = bench.run("check human.osim floats.osim --deny warning");
-    assert_eq!(ran.status, Some(i32::from(denied)));
-    assert_eq!(table.text(true, &CommandLine, Colour::Plain, true), ran.out());
+    let run = dir.run("check human.osim floats.osim --deny warning");
+    assert_eq!(run.status, Some(i32::from(denied)));
+    assert_eq!(table.text(true, &CommandLine, Colour::Plain, true), run.out());
 }
 
 /// Applies the remedy of `code`, as data in memory and as the command that is proposed: both give the same file, and in it
 /// the finding is gone.
 #[track_caller]
-fn put_right(bench: &Bench, model: &str, code: FindingCode) {
-    let mut files = files_of(bench);
-    let found = checked(&check_of(model), Path::new(model), &files);
-    let finding = found.findings.iter().find(|finding| finding.code() == code).unwrap();
+fn assert_remedy_removes(dir: &TestDir, model: &str, code: FindingCode) {
+    let mut files = files_in_memory(dir);
+    let result = check_and_spell(&check_request(model), Path::new(model), &files);
+    let finding = result.findings.iter().find(|finding| finding.code() == code).unwrap();
 
-    let mut last = model.to_owned();
-    for (remedy, command) in found.steps_to(finding).iter().zip(&found.commands) {
+    let mut last_model = model.to_owned();
+    for (remedy, command) in result.steps_to(finding).iter().zip(&result.commands) {
         // A dictionary can be kept, sent and changed before it is run.
         let remedy = Request::from_json(remedy.to_json().as_bytes()).unwrap();
         let change = prepare(remedy, &files).unwrap();
         let changed = Changed::new(&change, &change.models[0], &files).unwrap();
-        bench.run(command.strip_prefix("osim-contact-scale ").unwrap()).done();
-        for made in changed.results {
-            last = made.name.to_string_lossy().into_owned();
-            assert!(bench.read(&last) == made.bytes, "{command}");
-            files.add(made.name, made.bytes);
+        dir.run(command.strip_prefix("osim-contact-scale ").unwrap()).succeeded();
+        for file in changed.results {
+            last_model = file.name.to_string_lossy().into_owned();
+            assert!(dir.read(&last_model) == file.bytes, "{command}");
+            files.add(file.name, file.bytes);
         }
     }
-    let left = checked(&check_of(&last), Path::new(&last), &files);
-    assert!(last != model && left.findings.iter().all(|finding| finding.code() != code), "{left:?}");
+    let remaining = check_and_spell(&check_request(&last_model), Path::new(&last_model), &files);
+    assert!(
+        last_model != model && remaining.findings.iter().all(|finding| finding.code() != code),
+        "{remaining:?}"
+    );
 }
 
 #[test]
-fn remedies() {
+fn remedies_remove_their_findings() {
     for (fixture, code) in [
         ("check/sunk_in.osim", FindingCode::SunkIn),
         ("check/floats.osim", FindingCode::Floats),
@@ -99,20 +102,20 @@ fn remedies() {
         ("check/wide_transition.osim", FindingCode::WideTransition),
         ("format/left_out_stiffness.osim", FindingCode::DefaultStiffness),
     ] {
-        put_right(&Bench::with(&[(fixture, "model.osim")]), "model.osim", code);
+        assert_remedy_removes(&TestDir::with(&[(fixture, "model.osim")]), "model.osim", code);
     }
 }
 
 #[test]
-fn a_remedy_in_the_words_of_requests_is_a_request() {
-    let bench = Bench::human();
-    let inspector = Inspector::for_check(&check_of("human.osim"), &files_of(&bench));
+fn remedies_spelled_as_requests_equal_the_command() {
+    let dir = TestDir::with_human();
+    let inspector = Inspector::for_check(&check_request("human.osim"), &files_in_memory(&dir));
     let opened =
-        open_with(Path::new("human.osim"), inspector.set_files().companion_paths(), &files_of(&bench))
+        open_with(Path::new("human.osim"), inspector.set_files().companion_paths(), &files_in_memory(&dir))
             .unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
-    let mut found = inspector.check(&opened.model, &inspected, None, &files_of(&bench));
-    found.spell(&osim_requests::spell::JsonRequest);
-    let asked = json!({"verb": "check", "models": ["human.osim"], "format": "json"}).to_string();
-    assert_eq!(line(&found), bench.run_with("request -", asked.as_bytes()).out());
+    let mut result = inspector.check(&opened.model, &inspected, None, &files_in_memory(&dir));
+    result.spell(&osim_requests::spell::JsonRequest);
+    let check_request = json!({"verb": "check", "models": ["human.osim"], "format": "json"}).to_string();
+    assert_eq!(line(&result), dir.run_with_stdin("request -", check_request.as_bytes()).out());
 }

@@ -1,4 +1,4 @@
-//! What a front end without a disk does with a request that changes a model.
+//! A front end without a disk: it changes models in memory.
 
 use std::path::{Path, PathBuf};
 
@@ -13,12 +13,12 @@ use osim_view::report::json::{FailureRecord, PlanRecord, line};
 use osim_view::report::plan;
 use serde_json::Value;
 
-use crate::support::Bench;
+use crate::support::TestDir;
 
 /// The request of a dictionary, which has to be one for the verb that is named first.
 macro_rules! request {
     ($verb:ident, $($json:tt)+) => {
-        match $crate::front_end::read(&serde_json::json!($($json)+)) {
+        match $crate::front_end::request_from_json(&serde_json::json!($($json)+)) {
             osim_requests::Request::$verb(request) => *request,
             other => panic!("{other:?}"),
         }
@@ -27,7 +27,7 @@ macro_rules! request {
 pub(crate) use request;
 
 #[track_caller]
-pub(crate) fn read(json: &Value) -> Request {
+pub(crate) fn request_from_json(json: &Value) -> Request {
     Request::from_json(json.to_string().as_bytes()).unwrap()
 }
 
@@ -35,8 +35,8 @@ pub(crate) fn read(json: &Value) -> Request {
 /// The date of the command's runs.
 pub(crate) const TODAY: &str = "2025-11-26";
 
-pub(crate) fn files_of(bench: &Bench) -> InMemory {
-    let mut files = InMemory::from_iter(bench.files());
+pub(crate) fn files_in_memory(dir: &TestDir) -> InMemory {
+    let mut files = InMemory::from_iter(dir.files());
     files.set_today(TODAY);
     files
 }
@@ -46,11 +46,11 @@ pub(crate) struct Changed {
     pub(crate) opened: OpenModel,
     /// Spelled in the words of the command.
     pub(crate) plan: Plan,
-    /// What comes of each of its files that change: the model first.
+    /// The new bytes of each changed file, the model first.
     pub(crate) results: Vec<NewFile>,
 }
 
-/// A file that was made.
+/// A file with its new bytes.
 pub(crate) struct NewFile {
     /// The file that it comes from.
     from: FileId,
@@ -68,86 +68,86 @@ impl Changed {
         let output = change.output.output.clone().unwrap_or_else(|| OutputOptions::beside(path));
         let geometry = change.set_files.geometry.as_deref().map(|path| change.output.of_geometry(path));
         let names = std::iter::once(output).chain(geometry);
-        let made = |(from, name)| {
+        let file = |(from, name)| {
             let bytes = plan.patched(model, from).map_err(|fault| opened.failure(fault))?;
             Ok(NewFile { from, name, bytes })
         };
-        let results = plan.files(model).zip(names).map(made).collect::<Result<_, Failure>>()?;
+        let results = plan.files(model).zip(names).map(file).collect::<Result<_, Failure>>()?;
         Ok(Self { opened, plan, results })
     }
 
-    /// Names of the files that were made.
+    /// Names of the changed files.
     pub(crate) fn names(&self) -> Vec<String> {
-        self.results.iter().map(|made| made.name.display().to_string()).collect()
+        self.results.iter().map(|file| file.name.display().to_string()).collect()
     }
 
     /// The files of the model after the change, from those before it.
     pub(crate) fn as_files(&self, before: &ModelFiles) -> ModelFiles {
         let mut after = before.clone();
-        for made in &self.results {
-            match made.from {
+        for file in &self.results {
+            match file.from {
                 FileId::MAIN => {
-                    after = after.with_bytes(made.bytes.clone()).with_name(made.name.display().to_string());
+                    after = after.with_bytes(file.bytes.clone()).with_name(file.name.display().to_string());
                 }
-                other => after.replace_companion(other, made.bytes.clone()),
+                other => after.replace_companion(other, file.bytes.clone()),
             }
         }
         after
     }
 
-    /// The table.
+    /// The table that the command prints.
     fn table(&self) -> String {
         plan::text(&self.plan, self.opened.name(), &format!("written: {}", self.names().join(", ")))
     }
 
-    /// What changes, line by line.
+    /// The diff that the command prints.
     fn diff(&self) -> String {
-        let each = self.results.iter().map(|made| {
-            let old = self.opened.model.file(made.from).bytes();
-            let old_name = self.opened.name_of(made.from);
-            let new_name = made.name.display().to_string();
-            let new_name = if made.from == FileId::MAIN { &new_name } else { old_name };
-            plan::unified_diff(old, &made.bytes, old_name, new_name)
+        let each = self.results.iter().map(|file| {
+            let old = self.opened.model.file(file.from).bytes();
+            let old_name = self.opened.name_of(file.from);
+            let new_name = file.name.display().to_string();
+            let new_name = if file.from == FileId::MAIN { &new_name } else { old_name };
+            plan::unified_diff(old, &file.bytes, old_name, new_name)
         });
         each.collect()
     }
 }
 
-/// Does the change of `json` in memory, and that of `words` by the command: both give the same table, JSON, diff and files.
+/// Makes the change of `json` in memory, and that of `words` by the command: table, JSON, diff and files must be equal.
 #[track_caller]
-pub(crate) fn same_change(bench: &Bench, words: &str, json: &Value) -> Changed {
-    let files = files_of(bench);
-    let change = prepare(read(json), &files).unwrap();
+pub(crate) fn assert_same_change(dir: &TestDir, words: &str, json: &Value) -> Changed {
+    let files = files_in_memory(dir);
+    let change = prepare(request_from_json(json), &files).unwrap();
     let [path] = change.models.as_slice() else { panic!("not one model: {json}") };
     let changed = Changed::new(&change, path, &files).unwrap();
 
-    let shown = bench.run(&format!("{words} --dry-run --format json")).done();
+    let run = dir.run(&format!("{words} --dry-run --format json")).succeeded();
     assert_eq!(
         line(&PlanRecord::new(&changed.plan, &changed.opened.model, path, None, None)),
-        shown.out(),
+        run.out(),
         "{words}"
     );
-    let shown = bench.run(&format!("{words} --dry-run --quiet --diff")).done();
-    assert_eq!(changed.diff(), shown.out(), "{words}");
+    let run = dir.run(&format!("{words} --dry-run --quiet --diff")).succeeded();
+    assert_eq!(changed.diff(), run.out(), "{words}");
 
     let mut names = changed.names();
     names.sort();
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    let ran = bench.run(words).done().wrote(&names);
-    assert_eq!(changed.table(), ran.out(), "{words}");
-    for made in &changed.results {
-        assert!(bench.read(&made.name.to_string_lossy()) == made.bytes, "{words}: {}", made.name.display());
+    let run = dir.run(words).succeeded().wrote(&names);
+    assert_eq!(changed.table(), run.out(), "{words}");
+    for file in &changed.results {
+        assert!(dir.read(&file.name.to_string_lossy()) == file.bytes, "{words}: {}", file.name.display());
     }
     changed
 }
 
-/// A model that cannot be changed fails in memory as the command has it.
+/// A model that cannot be changed gives the same failure in memory as by the command.
 #[track_caller]
-pub(crate) fn same_failure(bench: &Bench, words: &str, json: &Value) {
-    let files = files_of(bench);
-    let change = prepare(read(json), &files).unwrap();
+pub(crate) fn assert_same_failure(dir: &TestDir, words: &str, json: &Value) {
+    let files = files_in_memory(dir);
+    let change = prepare(request_from_json(json), &files).unwrap();
     let failed = change.models.iter().filter_map(|path| Changed::new(&change, path, &files).err());
     let records = failed.map(|failure| line(&FailureRecord::new(&failure, &CommandLine)));
-    let ran = bench.run(&format!("{words} --format json")).failed().wrote_nothing();
-    assert_eq!(records.collect::<String>(), ran.out(), "{words}");
+    let run = dir.run(&format!("{words} --format json")).failed().wrote_nothing();
+    assert_eq!(records.collect::<String>(), run.out(), "{words}");
 }

@@ -1,4 +1,4 @@
-//! What is in a model: as text, JSON and CSV.
+//! `inspect` in memory gives the text, JSON and CSV of the command.
 
 use osim_inspect::Inspection;
 use osim_model::files::InMemory;
@@ -11,53 +11,53 @@ use osim_view::report::json::line;
 use osim_view::report::layout::Colour;
 use serde_json::{Value, json};
 
-use crate::front_end::{files_of, request};
-use crate::support::{Bench, HUMAN};
+use crate::front_end::{files_in_memory, request};
+use crate::support::{HUMAN, TestDir};
 
 /// All models of a request, inspected and spelled.
 fn inspected(request: &InspectRequest, files: &InMemory) -> Vec<Inspection> {
     let inspector = Inspector::for_inspect(request, files);
-    let one = |path| {
+    let inspect_one = |path| {
         let opened = open_with(path, inspector.set_files().companion_paths(), files).unwrap();
         let mut inspected = inspector.inspect(&opened).unwrap();
         inspected.spell(&CommandLine);
         inspected
     };
-    request.models.iter().map(|path| one(path.as_path())).collect()
+    request.models.iter().map(|path| inspect_one(path.as_path())).collect()
 }
 
 #[track_caller]
-fn same(bench: &Bench, words: &str, json: &Value) {
-    let all = inspected(&request!(Inspect, json), &files_of(bench));
+fn assert_same_output(dir: &TestDir, words: &str, json: &Value) {
+    let all = inspected(&request!(Inspect, json), &files_in_memory(dir));
     let extent = Extent::new(words.ends_with("--full"));
     let texts: Vec<String> =
         all.iter().map(|model| text(model, &CommandLine, Colour::Plain, extent)).collect();
-    assert_eq!(texts.join("\n"), bench.run(words).done().out());
+    assert_eq!(texts.join("\n"), dir.run(words).succeeded().out());
     let lines: String = all.iter().map(line).collect();
-    assert_eq!(lines, bench.run(&format!("{words} --format json")).done().out());
+    assert_eq!(lines, dir.run(&format!("{words} --format json")).succeeded().out());
     let rows = all.iter().enumerate().map(|(index, model)| csv_rows(model, index == 0).unwrap());
-    assert_eq!(rows.collect::<String>(), bench.run(&format!("{words} --format csv")).done().out());
+    assert_eq!(rows.collect::<String>(), dir.run(&format!("{words} --format csv")).succeeded().out());
 }
 
 #[test]
-fn inspect() {
-    let bench = Bench::with(&[HUMAN, ("table1/horse_hunt_crossley.osim", "horse.osim")]);
-    same(
-        &bench,
+fn inspect_equals_the_command() {
+    let dir = TestDir::with(&[HUMAN, ("table1/horse_hunt_crossley.osim", "horse.osim")]);
+    assert_same_output(
+        &dir,
         "inspect human.osim horse.osim --mass 70 --stance-limbs 2 --full",
         &json!({"verb": "inspect", "models": ["human.osim", "horse.osim"], "mass": 70, "stance_limbs": 2}),
     );
 }
 
 #[test]
-fn inspect_a_scaled_model_from_its_generic_one() {
-    let bench = Bench::with(&[
+fn inspect_of_a_scaled_model_equals_the_command() {
+    let dir = TestDir::with(&[
         ("scale_tool/generic_smooth.osim", "generic.osim"),
         ("scale_tool/scaled_smooth.osim", "scaled.osim"),
         ("scale_tool/applied_scale_set.xml", "applied.xml"),
     ]);
-    same(
-        &bench,
+    assert_same_output(
+        &dir,
         "inspect scaled.osim --from generic.osim --body-scale-file applied.xml",
         &json!({
             "verb": "inspect",

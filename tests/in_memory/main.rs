@@ -1,23 +1,23 @@
 //! Every verb without a disk and without a terminal, as a page in a browser does it: a request in JSON, files in a map, and
-//! the libraries. What comes of it is what the command prints and writes for the same files.
+//! the libraries. The result is what the command prints and writes for the same files.
 //!
 //! Only `osim-model`, `osim-patch`, `osim-inspect`, `osim-requests`, `osim-view` and `contact-plots` are used here. Each
-//! expected value is the command's: both are to be one logic behind two front ends.
+//! expected value is that of the command, because both front ends use the same libraries.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+mod batch;
 mod before_after;
+mod calculations;
 mod changes;
 mod engine;
 mod findings;
 mod front_end;
 mod inspections;
-mod pages;
-mod pictures;
-mod results;
-mod rows;
+mod plots;
+mod report_pages;
 #[path = "../command/support.rs"]
 #[allow(dead_code, reason = "shared with the tests of the command, which use all of it")]
 mod support;
-mod variants;
+mod sweep;

@@ -6,21 +6,21 @@ use std::os::unix::process::ExitStatusExt;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
-use crate::library::{Files, below, is_temporary, library, name, shell_command};
-use crate::support::{Bench, skipped};
+use crate::model_folder::{Files, files_below, folder_with_models, is_temporary, model_name, shell_command};
+use crate::support::{TestDir, report_skip};
 
-/// A run that is killed again and again.
+/// A run that is killed repeatedly.
 struct Run {
     call: &'static str,
     models: usize,
-    /// Its models are changed themselves.
+    /// Whether the models are changed in place.
     in_place: bool,
-    /// What ran before.
+    /// Calls that run before.
     before: &'static [&'static str],
 }
 
-/// Longer than any run takes.
-const CALM: Duration = Duration::from_secs(600);
+/// A delay that is longer than any run takes.
+const NO_KILL: Duration = Duration::from_secs(600);
 
 const INTO_FOLDER: Run = Run {
     call: "lib --target-mass 500 -d out --summary done.csv --jobs 2",
@@ -28,7 +28,7 @@ const INTO_FOLDER: Run = Run {
     in_place: false,
     before: &[],
 };
-/// A row for each model, each with a mass of its own.
+/// A table with a row and a mass for each model.
 const BATCH: Run = Run {
     call: "batch masses.csv --summary notes/done.ndjson --format json --jobs 2",
     models: 40,
@@ -42,7 +42,7 @@ const IN_PLACE: Run = Run {
     before: &[],
 };
 
-/// Variants of one model, and the table of them.
+/// Variants of one model, and their table.
 const SWEEP: Run = Run {
     call: "sweep lib/odd/model01.osim --grid stiffness=x0.1..x10/20 --grid dissipation=1,2 -d out --jobs 2",
     models: 40,
@@ -50,14 +50,14 @@ const SWEEP: Run = Run {
     before: &[],
 };
 
-/// A part of the same.
+/// The second of two shares of this sweep.
 const SHARE: Run = Run {
     call: "sweep lib/odd/model01.osim --grid stiffness=x0.1..x10/20 --grid dissipation=1,2 -d out --jobs 2 --shard 2/2",
     models: 20,
     ..SWEEP
 };
 
-/// The whole of which a part is done.
+/// The call that finishes the sweep after one of its shares.
 const END_OF_SHARES: Run = Run {
     call: "sweep lib/odd/model01.osim --grid stiffness=x0.1..x10/20 --grid dissipation=1,2 -d out --jobs 2 --resume",
     before: &[SHARE.call],
@@ -65,17 +65,17 @@ const END_OF_SHARES: Run = Run {
 };
 
 #[test]
-fn killed_in_a_sweep() {
+fn killed_during_a_sweep() {
     SWEEP.kill(15);
 }
 
 #[test]
-fn killed_in_a_share_of_a_sweep() {
+fn killed_during_a_share_of_a_sweep() {
     SHARE.kill(10);
 }
 
 #[test]
-fn killed_where_shares_of_a_sweep_become_the_whole() {
+fn killed_while_shares_become_the_whole_sweep() {
     END_OF_SHARES.kill(10);
 }
 
@@ -85,7 +85,7 @@ fn killed_while_writing_into_a_folder() {
 }
 
 #[test]
-fn killed_in_a_batch_with_a_summary_of_json_lines() {
+fn killed_during_a_batch_with_a_json_summary() {
     BATCH.kill(15);
 }
 
@@ -106,61 +106,67 @@ fn killed_a_thousand_times() {
 }
 
 /// System calls by which a run changes the disk, by what they do.
-const CALLS: [(&str, &[&str]); 4] = [
+const SYSTEM_CALLS: [(&str, &[&str]); 4] = [
     ("write", &["write", "writev"]),
     ("sync", &["fsync", "fdatasync"]),
     ("rename", &["rename", "renameat", "renameat2", "link", "linkat"]),
     ("remove", &["unlink", "unlinkat", "ftruncate"]),
 ];
 
-/// strace kills the run where a system call begins: nothing that is between two calls is left out. `KILLS=2000` for more.
+/// strace kills the run at the start of a system call, so that every step on the disk is reached. `KILLS=2000` for more.
 #[test]
 #[ignore = "slow, dev/thorough has it: cargo test --test library -- --ignored"]
 fn killed_at_each_kind_of_system_call() {
     kill_at_calls(std::env::var("KILLS").map_or(300, |kills| kills.parse().unwrap()));
 }
 
-/// A few of them after every change.
+/// A few of these kills, for every change.
 #[test]
 fn killed_at_some_system_calls() {
     kill_at_calls(20);
 }
 
 fn kill_at_calls(wanted: usize) {
-    let mut hit: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut kills_by_kind: BTreeMap<&str, usize> = BTreeMap::new();
     // Only in place are old files replaced, and put on the disk first.
     for (run, share) in
         [(IN_PLACE, 3), (INTO_FOLDER, 1), (BATCH, 1), (SWEEP, 1), (SHARE, 1), (END_OF_SHARES, 1)]
     {
-        let Some(counted) = run.calls() else {
-            return skipped("killed at each kind of system call", "strace is missing or may not trace here");
+        let Some(calls_by_name) = run.system_calls() else {
+            return report_skip(
+                "killed at each kind of system call",
+                "strace is missing or may not trace here",
+            );
         };
-        run.kill_at(wanted * share / 5, &counted, &mut hit);
+        run.kill_at_system_calls(wanted * share / 5, &calls_by_name, &mut kills_by_kind);
     }
-    eprintln!("kills by what was about to be done: {hit:?}, {} in all", hit.values().sum::<usize>());
+    eprintln!(
+        "kills by what was about to be done: {kills_by_kind:?}, {} in all",
+        kills_by_kind.values().sum::<usize>()
+    );
     for kind in ["write", "sync", "rename"] {
-        assert!(hit[kind] >= 50.min(wanted / 6), "{hit:?}");
+        assert!(kills_by_kind[kind] >= 50.min(wanted / 6), "{kills_by_kind:?}");
     }
 }
 
 /// Words that run the command under strace, which does `how`.
-fn straced(how: &str, call: &str) -> String {
-    format!("exec strace -f -qq -o trace {how} \"$COMMAND\" {call}")
+fn strace_command(strace_options: &str, call: &str) -> String {
+    format!("exec strace -f -qq -o trace {strace_options} \"$COMMAND\" {call}")
 }
 
 impl Run {
-    /// How often a thread of an undisturbed run makes each system call that changes the disk; `None` where nothing can be traced.
-    fn calls(&self) -> Option<BTreeMap<(&'static str, &'static str), usize>> {
-        let bench = self.bench();
-        let all: Vec<&str> = CALLS.iter().flat_map(|(_, calls)| *calls).copied().collect();
-        let script = straced(&format!("-e trace={}", all.join(",")), self.call);
-        let output = shell_command(&bench, &["sh", "-c", &script]).output().unwrap();
+    /// How often a thread of an undisturbed run makes each system call that changes the disk; `None` if strace does not work.
+    fn system_calls(&self) -> Option<BTreeMap<(&'static str, &'static str), usize>> {
+        let dir = self.prepare();
+        let all: Vec<&str> = SYSTEM_CALLS.iter().flat_map(|(_, calls)| *calls).copied().collect();
+        let script = strace_command(&format!("-e trace={}", all.join(",")), self.call);
+        let output = shell_command(&dir, &["sh", "-c", &script]).output().unwrap();
         if !output.status.success() {
             return None;
         }
-        let trace = bench.text("trace");
-        let mut most = BTreeMap::new();
-        for (kind, calls) in CALLS {
+        let trace = dir.text("trace");
+        let mut largest = BTreeMap::new();
+        for (kind, calls) in SYSTEM_CALLS {
             for call in calls {
                 let mut by_thread: BTreeMap<&str, usize> = BTreeMap::new();
                 for line in trace.lines() {
@@ -169,14 +175,14 @@ impl Run {
                         *by_thread.entry(thread).or_default() += 1;
                     }
                 }
-                most.extend(by_thread.into_values().max().map(|most| ((kind, *call), most)));
+                largest.extend(by_thread.into_values().max().map(|largest| ((kind, *call), largest)));
             }
         }
-        Some(most)
+        Some(largest)
     }
 
-    /// The call that goes on.
-    fn again(&self) -> String {
+    /// The call with `--resume`.
+    fn resuming_call(&self) -> String {
         if self.call.ends_with(" --resume") {
             self.call.to_owned()
         } else {
@@ -184,115 +190,125 @@ impl Run {
         }
     }
 
-    /// Kills runs where they make a system call for the n-th time, until `wanted` were hit.
-    fn kill_at(
+    /// Kills runs at the n-th use of a system call, until `wanted` runs were killed.
+    fn kill_at_system_calls(
         &self,
         wanted: usize,
-        counted: &BTreeMap<(&'static str, &'static str), usize>,
-        hit: &mut BTreeMap<&'static str, usize>,
+        calls_by_name: &BTreeMap<(&'static str, &'static str), usize>,
+        kills_by_kind: &mut BTreeMap<&'static str, usize>,
     ) {
-        let (calm, _) = self.undisturbed();
-        let mut dice = Dice::new();
-        eprintln!("seed {}, system calls of a thread: {counted:?}", dice.seed);
+        let (undisturbed, _) = self.undisturbed();
+        let mut random = RandomNumbers::new();
+        eprintln!("seed {}, system calls of a thread: {calls_by_name:?}", random.seed);
         let mut kills = 0;
         while kills < wanted {
-            let bench = self.bench();
-            let before = bench.files();
+            let dir = self.prepare();
+            let before = dir.files();
             let mut call = self.call.to_owned();
             loop {
-                // The kind that was hit least so far; of removals there are few, and they matter least.
-                let rank = |kind: &str| hit.get(kind).unwrap_or(&0) * if kind == "remove" { 8 } else { 1 };
-                let least = counted.keys().map(|(kind, _)| *kind).min_by_key(|kind| rank(kind)).unwrap();
-                let places: Vec<_> = counted.iter().filter(|((kind, _), _)| *kind == least).collect();
-                let (&(kind, name), &most) = places[dice.below(places.len())];
-                let how =
-                    format!("-e trace={name} -e inject={name}:signal=KILL:when={}", 1 + dice.below(most));
-                let output = shell_command(&bench, &["sh", "-c", &straced(&how, &call)]).output().unwrap();
-                std::fs::remove_file(bench.path("trace")).unwrap();
+                // The kind with the fewest kills so far; removals are few and matter least.
+                let rank =
+                    |kind: &str| kills_by_kind.get(kind).unwrap_or(&0) * if kind == "remove" { 8 } else { 1 };
+                let least =
+                    calls_by_name.keys().map(|(kind, _)| *kind).min_by_key(|kind| rank(kind)).unwrap();
+                let places: Vec<_> = calls_by_name.iter().filter(|((kind, _), _)| *kind == least).collect();
+                let (&(kind, name), &largest) = places[random.index_below(places.len())];
+                let strace_options = format!(
+                    "-e trace={name} -e inject={name}:signal=KILL:when={}",
+                    1 + random.index_below(largest)
+                );
+                let output = shell_command(&dir, &["sh", "-c", &strace_command(&strace_options, &call)])
+                    .output()
+                    .unwrap();
+                std::fs::remove_file(dir.path("trace")).unwrap();
                 if output.status.signal() != Some(9) {
                     assert!(output.status.success(), "{call}: {}", String::from_utf8_lossy(&output.stderr));
                     break;
                 }
                 kills += 1;
-                *hit.entry(kind).or_default() += 1;
-                self.check(&before, &bench.files(), &calm);
-                call = self.again();
+                *kills_by_kind.entry(kind).or_default() += 1;
+                self.check_files(&before, &dir.files(), &undisturbed);
+                call = self.resuming_call();
             }
-            assert_same(&bench.files(), &calm);
+            assert_same_files(&dir.files(), &undisturbed);
         }
     }
 
-    /// Kills runs until `wanted` were hit, each going on where the one before was killed.
+    /// Kills runs until `wanted` runs were killed; each resumes the killed one.
     fn kill(&self, wanted: usize) {
-        let (calm, mut duration) = self.undisturbed();
-        let mut dice = Dice::new();
-        eprintln!("seed {}, an undisturbed run takes {duration:?}", dice.seed);
+        let (undisturbed, mut duration) = self.undisturbed();
+        let mut random = RandomNumbers::new();
+        eprintln!("seed {}, an undisturbed run takes {duration:?}", random.seed);
         let (mut kills, mut in_the_middle) = (0, 0);
-        // Beside other work a run may need much longer than the one that was timed: kills come later where they come before anything
-        // was written, and sooner where runs end before them, until enough of them hit.
+        // On a busy machine a run may take much longer than the timed one: kills come later if nothing was written before them,
+        // and sooner if runs end before them, until enough kills hit a run in the middle.
         while kills < wanted || (in_the_middle * 4 <= kills && kills < 20 * wanted) {
-            let bench = self.bench();
-            let before = bench.files();
+            let dir = self.prepare();
+            let before = dir.files();
             let mut call = self.call.to_owned();
-            // Then it may end, however slow the machine has become since an undisturbed run was timed.
-            let mut most = 20.min(wanted);
+            // After so many kills the run may end, however slow the machine is now.
+            let mut largest = 20.min(wanted);
             loop {
-                if !self.is_killed(&bench, &call, if most > 0 { dice.up_to(duration) } else { CALM }) {
+                if !self.is_killed(
+                    &dir,
+                    &call,
+                    if largest > 0 { random.random_duration(duration) } else { NO_KILL },
+                ) {
                     duration = duration * 4 / 5;
                     break;
                 }
                 kills += 1;
-                most -= 1;
-                let after = bench.files();
-                let done = self.check(&before, &after, &calm);
+                largest -= 1;
+                let after = dir.files();
+                let done = self.check_files(&before, &after, &undisturbed);
                 in_the_middle += usize::from(0 < done && done < self.models);
                 if done == 0 {
                     duration = duration * 5 / 4;
                 }
-                call = self.again();
+                call = self.resuming_call();
             }
-            // The last one came to its end: all is as if nothing had happened.
-            assert_same(&bench.files(), &calm);
+            // After the last run the files are those of an undisturbed run.
+            assert_same_files(&dir.files(), &undisturbed);
         }
         eprintln!("{kills} kills, {in_the_middle} of them in the middle");
         assert!(in_the_middle * 4 > kills, "only {in_the_middle} of {kills} kills hit a run in the middle");
     }
 
-    fn bench(&self) -> Bench {
-        let bench = library(self.models);
-        let row = |number| format!("lib/{0},{1},out/{0}\n", name(number), 200 + number);
+    fn prepare(&self) -> TestDir {
+        let dir = folder_with_models(self.models);
+        let row = |number| format!("lib/{0},{1},out/{0}\n", model_name(number), 200 + number);
         let rows: String = (0..self.models).map(row).collect();
-        bench.write("masses.csv", format!("model,target-mass,output\n{rows}"));
+        dir.write("masses.csv", format!("model,target-mass,output\n{rows}"));
         for call in self.before {
             assert!(
-                bench.command(call).stdout(Stdio::null()).stderr(Stdio::null()).status().unwrap().success()
+                dir.command(call).stdout(Stdio::null()).stderr(Stdio::null()).status().unwrap().success()
             );
         }
-        bench
+        dir
     }
 
     /// All files after an undisturbed run, and how long it takes.
     fn undisturbed(&self) -> (Files, Duration) {
         let mut runs: Vec<(Duration, Files)> = (0..3)
             .map(|_| {
-                let bench = self.bench();
+                let dir = self.prepare();
                 let begin = Instant::now();
-                assert!(!self.is_killed(&bench, self.call, CALM));
-                (begin.elapsed(), bench.files())
+                assert!(!self.is_killed(&dir, self.call, NO_KILL));
+                (begin.elapsed(), dir.files())
             })
             .collect();
         runs.sort_by_key(|(duration, _)| *duration);
-        assert_same(&runs[0].1, &runs[1].1);
+        assert_same_files(&runs[0].1, &runs[1].1);
         let (duration, files) = runs.swap_remove(1);
         let backups = files.keys().filter(|name| name.ends_with(".bak")).count();
-        let done = if self.in_place { backups } else { outputs(&files) };
+        let done = if self.in_place { backups } else { count_outputs(&files) };
         assert_eq!(done, self.models, "{:?}", files.keys());
         (files, duration)
     }
 
-    /// Whether the run had to be killed after `delay`; else it must have done all.
-    fn is_killed(&self, bench: &Bench, call: &str, delay: Duration) -> bool {
-        let mut child = bench.command(call).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    /// Whether the run had to be killed after `delay`; otherwise it must have succeeded.
+    fn is_killed(&self, dir: &TestDir, call: &str, delay: Duration) -> bool {
+        let mut child = dir.command(call).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
         let end = Instant::now() + delay;
         while Instant::now() < end {
             if child.try_wait().unwrap().is_some() {
@@ -309,29 +325,32 @@ impl Run {
         false
     }
 
-    /// Nothing is torn or lost; how many models are done.
-    fn check(&self, before: &Files, after: &Files, calm: &Files) -> usize {
+    /// Asserts that no file is incomplete or lost; returns how many models are done.
+    fn check_files(&self, before: &Files, after: &Files, undisturbed: &Files) -> usize {
         for (name, bytes) in after {
             let is_new = !before.contains_key(name);
             if let Some((model, _)) = name.split_once(".replaced-") {
-                let whole = [before.get(model), calm.get(model)].contains(&Some(bytes));
-                assert!(whole, "{name} is torn");
+                let is_complete = [before.get(model), undisturbed.get(model)].contains(&Some(bytes));
+                assert!(is_complete, "{name} is torn");
             }
             if is_new && (is_temporary(name) || name.ends_with(".partial")) {
                 continue;
             }
-            let whole = calm.get(name) == Some(bytes);
-            // Another run may have ended before: an input is as it was, or, in place, what it is to become.
+            let is_complete = undisturbed.get(name) == Some(bytes);
+            // After an earlier run, an input is unchanged or, in place, has its new bytes.
             let untouched = before.get(name) == Some(bytes);
-            assert!(if is_new { whole } else { untouched || (self.in_place && whole) }, "{name} is torn");
+            assert!(
+                if is_new { is_complete } else { untouched || (self.in_place && is_complete) },
+                "{name} is torn"
+            );
         }
         for name in before.keys().filter(|name| !after.contains_key(*name)) {
             // The table of a part goes when the whole is there, which the loop above compared.
-            let is_part = name.contains(".shard-") && !calm.contains_key(name);
+            let is_part = name.contains(".shard-") && !undisturbed.contains_key(name);
             assert!(is_part && after.contains_key("out/model01_sweep.csv"), "{name} is gone");
         }
         if !self.in_place {
-            return outputs(after);
+            return count_outputs(after);
         }
         let changed = before.iter().filter(|(name, bytes)| after.get(*name) != Some(bytes));
         changed
@@ -341,42 +360,42 @@ impl Run {
 }
 
 /// How many models are in the folder of the outputs.
-fn outputs(files: &Files) -> usize {
-    below(files, "out/").keys().filter(|name| name.ends_with(".osim") && !is_temporary(name)).count()
+fn count_outputs(files: &Files) -> usize {
+    files_below(files, "out/").keys().filter(|name| name.ends_with(".osim") && !is_temporary(name)).count()
 }
 
-/// Compares the names first: what differs is told shortly.
+/// Compares the names first, for a short message.
 #[track_caller]
-fn assert_same(files: &Files, calm: &Files) {
-    assert_eq!(files.keys().collect::<Vec<_>>(), calm.keys().collect::<Vec<_>>());
+fn assert_same_files(files: &Files, undisturbed: &Files) {
+    assert_eq!(files.keys().collect::<Vec<_>>(), undisturbed.keys().collect::<Vec<_>>());
     for (name, bytes) in files {
-        assert!(calm.get(name) == Some(bytes), "{name} differs from that of an undisturbed run");
+        assert!(undisturbed.get(name) == Some(bytes), "{name} differs from that of an undisturbed run");
     }
 }
 
-/// Random numbers that a seed repeats (SplitMix64): `KILL_SEED` from a failed run rolls the same moments again.
-struct Dice {
+/// Random numbers from a seed (SplitMix64): `KILL_SEED` from a failed run repeats its moments.
+struct RandomNumbers {
     seed: u64,
     state: u64,
 }
 
-impl Dice {
+impl RandomNumbers {
     fn new() -> Self {
         let now = || std::time::UNIX_EPOCH.elapsed().unwrap().as_nanos() as u64;
         let seed = std::env::var("KILL_SEED").map_or_else(|_| now(), |seed| seed.parse().unwrap());
         Self { seed, state: seed }
     }
 
-    fn up_to(&mut self, duration: Duration) -> Duration {
-        duration.mul_f64(self.roll() as f64 / u64::MAX as f64)
+    fn random_duration(&mut self, duration: Duration) -> Duration {
+        duration.mul_f64(self.next_u64() as f64 / u64::MAX as f64)
     }
 
     /// One of the numbers below `end`.
-    fn below(&mut self, end: usize) -> usize {
-        usize::try_from(self.roll() % end as u64).unwrap()
+    fn index_below(&mut self, end: usize) -> usize {
+        usize::try_from(self.next_u64() % end as u64).unwrap()
     }
 
-    fn roll(&mut self) -> u64 {
+    fn next_u64(&mut self) -> u64 {
         self.state = self.state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.state;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -1,6 +1,6 @@
-//! Many models in one run: nothing is torn, nothing is lost, nothing is done twice.
+//! Many models in one run: no file is incomplete or lost, and no change is applied twice.
 //!
-//! `killed.rs` ends runs at any moment; the others meet full disks, odd files, Ctrl-C, leftovers and earlier runs.
+//! `killed.rs` kills runs at any moment; the others test full disks, odd files, Ctrl-C, leftovers and earlier runs.
 
 #![cfg(unix)]
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
@@ -12,19 +12,19 @@
     reason = "a test fails by panicking and says aloud what it skips"
 )]
 
+mod concurrent_saves;
 mod file_access;
-mod full;
+mod full_disk;
+mod interrupted;
 mod killed;
-mod left_over;
-mod library;
+mod leftovers;
 mod memory;
+mod model_folder;
 mod odd_files;
-mod resumed;
-mod saved_and_killed;
+mod resume;
 mod shares;
-mod stopped;
 #[path = "../command/support.rs"]
 #[allow(dead_code, reason = "shared with the tests of the command, which use all of it")]
 mod support;
-mod sweeps;
-mod sweeps_in_parts;
+mod sweep_parts;
+mod sweep_resume;

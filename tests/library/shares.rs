@@ -1,25 +1,25 @@
-//! `--shard` and `--jobs`: the same work, parted.
+//! `--shard` and `--jobs`: the work in shares and in threads.
 
 use std::collections::BTreeSet;
 
-use crate::library::{below, library, model};
-use crate::support::Bench;
+use crate::model_folder::{files_below, folder_with_models, model_bytes};
+use crate::support::TestDir;
 
 /// Names below `out/` that share `index` of `count` writes.
-fn share(bench: &Bench, index: usize, count: usize) -> BTreeSet<String> {
-    let ran = bench
+fn outputs_of_share(dir: &TestDir, index: usize, count: usize) -> BTreeSet<String> {
+    let run = dir
         .run(&format!("lib --target-mass 500 -d out --shard {index}/{count} --summary {index}.csv"))
-        .done();
-    let outputs = ran.changed.iter().filter_map(|name| name.strip_prefix("out/"));
+        .succeeded();
+    let outputs = run.changed.iter().filter_map(|name| name.strip_prefix("out/"));
     outputs.map(str::to_owned).collect()
 }
 
 #[test]
 fn shares_are_disjoint_and_complete() {
     for count in [1, 3, 7] {
-        let bench = library(30);
-        let shares: Vec<_> = (1..=count).map(|index| share(&bench, index, count)).collect();
-        let all: BTreeSet<_> = below(&bench.files(), "lib/").into_keys().collect();
+        let dir = folder_with_models(30);
+        let shares: Vec<_> = (1..=count).map(|index| outputs_of_share(&dir, index, count)).collect();
+        let all: BTreeSet<_> = files_below(&dir.files(), "lib/").into_keys().collect();
         assert_eq!(shares.iter().map(BTreeSet::len).sum::<usize>(), all.len(), "no model twice");
         assert_eq!(shares.iter().flatten().cloned().collect::<BTreeSet<_>>(), all);
         let smallest = shares.iter().map(BTreeSet::len).min().unwrap();
@@ -28,48 +28,48 @@ fn shares_are_disjoint_and_complete() {
 }
 
 #[test]
-fn a_model_stays_in_its_share_when_others_come() {
-    let (few, many) = (library(20), library(40));
-    many.write("lib/a_new_one.osim", model(77));
+fn a_model_stays_in_its_share_if_models_are_added() {
+    let (few, many_jobs) = (folder_with_models(20), folder_with_models(40));
+    many_jobs.write("lib/a_new_one.osim", model_bytes(77));
     for index in 1..=4 {
-        let (few, many) = (share(&few, index, 4), share(&many, index, 4));
-        assert!(few.is_subset(&many), "{index}");
+        let (few, many_jobs) = (outputs_of_share(&few, index, 4), outputs_of_share(&many_jobs, index, 4));
+        assert!(few.is_subset(&many_jobs), "{index}");
     }
 }
 
 #[test]
-fn a_share_that_is_none_is_refused() {
-    let bench = library(1);
+fn an_invalid_share_is_refused() {
+    let dir = folder_with_models(1);
     for wrong in ["0/4", "5/4", "1", "1/0", "one/two"] {
-        bench.run(&format!("lib --target-mass 500 -d out --shard {wrong}")).usage().wrote_nothing();
+        dir.run(&format!("lib --target-mass 500 -d out --shard {wrong}")).usage_error().wrote_nothing();
     }
 }
 
-/// Some models that fail or have no contacts among them.
-fn mixed() -> Bench {
-    let bench = library(30);
-    bench.write("lib/even/broken.osim", "<OpenSimDocument>");
-    bench.write("lib/odd/none.osim", crate::support::fixture("bad/no_contacts.osim"));
-    bench
+/// A folder in which some models fail or have no contacts.
+fn folder_with_failing_models() -> TestDir {
+    let dir = folder_with_models(30);
+    dir.write("lib/even/broken.osim", "<OpenSimDocument>");
+    dir.write("lib/odd/none.osim", crate::support::fixture("bad/no_contacts.osim"));
+    dir
 }
 
 #[test]
-fn the_number_of_jobs_changes_nothing_but_the_time() {
+fn the_number_of_jobs_does_not_change_the_result() {
     for format in ["table", "lines", "json"] {
         let run = |jobs: usize| {
-            let bench = mixed();
+            let dir = folder_with_failing_models();
             let call =
                 format!("lib --target-mass 500 -d out --format {format} --summary s.csv --jobs {jobs}");
-            let ran = bench.run(&call).failed();
-            (ran.stdout, ran.stderr, bench.files())
+            let run = dir.run(&call).failed();
+            (run.stdout, run.stderr, dir.files())
         };
-        let alone = run(1);
-        assert!(alone.0.len() > 1000);
+        let one_job = run(1);
+        assert!(one_job.0.len() > 1000);
         for jobs in [2, 8] {
-            let many = run(jobs);
-            assert!(alone.0 == many.0, "{format}, {jobs} jobs: standard output differs");
-            assert_eq!(alone.1, many.1, "{format}, {jobs} jobs");
-            assert!(alone.2 == many.2, "{format}, {jobs} jobs: a file differs");
+            let many_jobs = run(jobs);
+            assert!(one_job.0 == many_jobs.0, "{format}, {jobs} jobs: standard output differs");
+            assert_eq!(one_job.1, many_jobs.1, "{format}, {jobs} jobs");
+            assert!(one_job.2 == many_jobs.2, "{format}, {jobs} jobs: a file differs");
         }
     }
 }

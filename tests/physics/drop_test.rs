@@ -2,8 +2,8 @@
 
 use serde::Deserialize;
 
-use crate::support::{Bench, HUMAN, Ran, fixture};
-use crate::{assert_close, figure, object};
+use crate::support::{CommandRun, HUMAN, TestDir, fixture};
+use crate::{assert_close, json_object, number};
 
 /// Rows of Table 1: fixture, stance limbs, M, n, R, and k in kN/m as OpenSim 4.6 has it (theory.md; the paper prints
 /// three digits of these: 13.4, 54.5, 0.218, 10.5, 26.2, 151, 207).
@@ -67,72 +67,72 @@ struct Series {
 }
 
 #[track_caller]
-fn drop(bench: &Bench, arguments: &str) -> Drop {
-    let ran = bench.run(&format!("drop-test {arguments} --format json")).done().wrote_nothing();
-    serde_json::from_value(object(&ran)).unwrap()
+fn drop_test(dir: &TestDir, arguments: &str) -> Drop {
+    let run = dir.run(&format!("drop-test {arguments} --format json")).succeeded().wrote_nothing();
+    serde_json::from_value(json_object(&run)).unwrap()
 }
 
-fn animals(class: &str) -> Bench {
-    let bench = Bench::new();
+fn table_1_animals(class: &str) -> TestDir {
+    let dir = TestDir::new();
     for (name, ..) in TABLE_1 {
-        bench.write(&format!("{name}.osim"), fixture(&format!("table1/{name}_{class}.osim")));
+        dir.write(&format!("{name}.osim"), fixture(&format!("table1/{name}_{class}.osim")));
     }
-    bench
+    dir
 }
 
 #[test]
-fn table_1_comes_out_of_every_animal() {
-    let bench = animals("hunt_crossley");
+fn every_animal_gives_the_numbers_of_table_1() {
+    let dir = table_1_animals("hunt_crossley");
     for (name, limbs, mass, count, radius, stiffness) in TABLE_1 {
-        let seen = drop(&bench, &format!("{name}.osim --stance-limbs {limbs}"));
-        assert_eq!((seen.schema_version, &seen.model), (1, &format!("{name}.osim")));
-        assert_eq!((seen.mass_kg, seen.sphere_count, seen.gravity_m_s2), (mass, count, 9.81), "{name}");
-        assert_close(seen.reference_radius_m, radius, 1e-15, name);
-        assert_close(seen.reference_time_s, (radius / 9.81_f64).sqrt(), 1e-14, name);
-        assert_close(seen.height_m, 0.25 * radius, 1e-14, name);
-        assert_eq!(seen.duration_s, 2.0);
+        let drop = drop_test(&dir, &format!("{name}.osim --stance-limbs {limbs}"));
+        assert_eq!((drop.schema_version, &drop.model), (1, &format!("{name}.osim")));
+        assert_eq!((drop.mass_kg, drop.sphere_count, drop.gravity_m_s2), (mass, count, 9.81), "{name}");
+        assert_close(drop.reference_radius_m, radius, 1e-15, name);
+        assert_close(drop.reference_time_s, (radius / 9.81_f64).sqrt(), 1e-14, name);
+        assert_close(drop.height_m, 0.25 * radius, 1e-14, name);
+        assert_eq!(drop.duration_s, 2.0);
         // mpmath, from E1* = 1 MPa exactly; the paper prints 0.353.
-        assert_close(seen.relative_indentation_hertz, 0.353_300_157_597_401_94, 1e-12, name);
-        assert_close(seen.relative_indentation_model_law, seen.relative_indentation_hertz, 1e-12, name);
-        assert_close(seen.final_relative_indentation, 0.3533, 1e-4, name);
+        assert_close(drop.relative_indentation_hertz, 0.353_300_157_597_401_94, 1e-12, name);
+        assert_close(drop.relative_indentation_model_law, drop.relative_indentation_hertz, 1e-12, name);
+        assert_close(drop.final_relative_indentation, 0.3533, 1e-4, name);
         // Three decimals of a kN/m.
-        assert!((seen.equilibrium_stiffness_n_m / 1e3 - stiffness).abs() <= 5.01e-4, "{name}: {seen:?}");
-        assert_close(seen.hertz_stiffness_n_m, seen.equilibrium_stiffness_n_m, 1e-12, name);
+        assert!((drop.equilibrium_stiffness_n_m / 1e3 - stiffness).abs() <= 5.01e-4, "{name}: {drop:?}");
+        assert_close(drop.hertz_stiffness_n_m, drop.equilibrium_stiffness_n_m, 1e-12, name);
         // (B.3): k̂ = k R n/(M g), 4.246 for all.
-        let pure = seen.equilibrium_stiffness_n_m * radius * count / (mass * 9.81);
-        assert!((pure - 4.2457).abs() < 1e-4, "{name}: {pure}");
+        let dimensionless_stiffness = drop.equilibrium_stiffness_n_m * radius * count / (mass * 9.81);
+        assert!((dimensionless_stiffness - 4.2457).abs() < 1e-4, "{name}: {dimensionless_stiffness}");
         // α ẋ⁻ = 2 √(9.81 · 0.032/2) for all: theory.md says c_r ≈ 0.2 by (13) and 0.55 by the law itself.
-        let speed = seen.impact_speed_m_s.unwrap();
+        let speed = drop.impact_speed_m_s.unwrap();
         assert_close(speed, (9.81 * radius / 2.0_f64).sqrt(), 1e-9, name);
-        assert!((seen.restitution_approximate.unwrap() - 0.208).abs() < 1e-3);
-        assert!((seen.restitution_exact.unwrap() - 0.550).abs() < 1e-3);
+        assert!((drop.restitution_approximate.unwrap() - 0.208).abs() < 1e-3);
+        assert!((drop.restitution_exact.unwrap() - 0.550).abs() < 1e-3);
         // None of these drops leaves the ground again.
-        assert_eq!((seen.contact_time_s, seen.rebound_speed_m_s), (None, None), "{name}");
+        assert_eq!((drop.contact_time_s, drop.rebound_speed_m_s), (None, None), "{name}");
     }
 }
 
 #[test]
-fn smoothed_contacts_rest_higher_than_the_hertz_law_says() {
-    let bench = animals("smooth_sphere");
+fn smoothed_contacts_rest_higher_than_by_the_hertz_law() {
+    let dir = table_1_animals("smooth_sphere");
     for (name, limbs, ..) in TABLE_1 {
-        let seen = drop(&bench, &format!("{name}.osim --stance-limbs {limbs}"));
+        let drop = drop_test(&dir, &format!("{name}.osim --stance-limbs {limbs}"));
         // theory.md: the real OpenSim rests at 0.3396 in all seven.
-        assert!((seen.final_relative_indentation - 0.3396).abs() < 1e-4, "{name}: {seen:?}");
-        assert!((seen.relative_indentation_model_law - 0.3396).abs() < 1e-4, "{name}: {seen:?}");
-        assert_close(seen.relative_indentation_hertz, 0.353_300_157_597_401_94, 1e-12, name);
+        assert!((drop.final_relative_indentation - 0.3396).abs() < 1e-4, "{name}: {drop:?}");
+        assert!((drop.relative_indentation_model_law - 0.3396).abs() < 1e-4, "{name}: {drop:?}");
+        assert_close(drop.relative_indentation_hertz, 0.353_300_157_597_401_94, 1e-12, name);
     }
 }
 
 #[test]
-fn scaled_animals_fall_alike_and_an_unscaled_one_does_not() {
+fn scaled_animals_fall_alike_but_an_unscaled_one_does_not() {
     for class in ["hunt_crossley", "smooth_sphere"] {
-        let bench = animals(class);
+        let dir = table_1_animals(class);
         // As a preset, which has its own sphere count: two mouse limbs against one human foot.
         let smoothing = match class {
             "hunt_crossley" => "",
             _ => "constant_contact_force = 1e-5\nhertz_smoothing = 300\nhunt_crossley_smoothing = 50\n",
         };
-        bench.write(
+        dir.write(
             "human.toml",
             format!(
                 "[[preset]]\nname = \"human\"\nsource = \"Table 1\"\nmass_kg = 62\nspheres = 6\nradius_m = 0.032\n\
@@ -142,7 +142,7 @@ fn scaled_animals_fall_alike_and_an_unscaled_one_does_not() {
         for (name, limbs, ..) in TABLE_1 {
             let arguments =
                 format!("{name}.osim --stance-limbs {limbs} --presets human.toml --compare human");
-            let compare = drop(&bench, &arguments).compare.unwrap();
+            let compare = drop_test(&dir, &arguments).compare.unwrap();
             assert_eq!(compare.other, "human");
             // 2 s in units of √(R/g), the shorter of the two.
             let until = 2.0 * (9.81_f64 / 0.0637).sqrt();
@@ -150,49 +150,51 @@ fn scaled_animals_fall_alike_and_an_unscaled_one_does_not() {
             assert!(compare.height_over_radius < 1e-6 && compare.force_bw < 1e-6, "{name}: {compare:?}");
         }
         // Fig. 4: with the human's α = 2 s/m the mouse is underdamped.
-        bench.run("set mouse.osim dissipation=2 -o unscaled.osim").done();
-        let unscaled = drop(&bench, "unscaled.osim --stance-limbs 2 --compare mouse.osim");
+        dir.run("set mouse.osim dissipation=2 -o unscaled.osim").succeeded();
+        let unscaled = drop_test(&dir, "unscaled.osim --stance-limbs 2 --compare mouse.osim");
         let compare = unscaled.compare.as_ref().unwrap();
         assert!(compare.height_over_radius > 0.05 && compare.force_bw > 0.1, "{compare:?}");
-        assert!(unscaled.peak_force_bw > drop(&bench, "mouse.osim --stance-limbs 2").peak_force_bw);
+        assert!(unscaled.peak_force_bw > drop_test(&dir, "mouse.osim --stance-limbs 2").peak_force_bw);
     }
 }
 
 #[test]
 fn an_elastic_bounce_keeps_its_energy() {
     let numbers = "--mass 62 --spheres 6 --radius 0.032 --stiffness 1e6 --dissipation 0";
-    let seen = drop(&Bench::new(), numbers);
-    assert_eq!((seen.gravity_m_s2, seen.height_m), (9.80665, 0.008));
+    let drop = drop_test(&TestDir::new(), numbers);
+    assert_eq!((drop.gravity_m_s2, drop.height_m), (9.80665, 0.008));
     // mpmath: ẋ² = 2gh + 2gx − 4K/(5M) x^(5/2), K = 6 · 4/3 √R E*; the deepest point by its root, the time by quadrature.
-    assert_close(seen.impact_speed_m_s.unwrap(), 0.396_114_124_969_054_85, 1e-9, "impact speed");
-    assert_close(seen.rebound_speed_m_s.unwrap(), 0.396_114_124_969_054_85, 1e-7, "rebound speed");
-    assert_close(seen.contact_time_s.unwrap(), 0.125_173_603_632_114_33, 1e-7, "contact time");
-    assert_close(seen.peak_force_n, 2_005.543_807_073_966, 1e-6, "peak force");
-    assert_close(seen.peak_force_bw, 3.298_525_057_920_647_7, 1e-6, "peak force in body weights");
-    assert_eq!((seen.restitution_exact, seen.restitution_approximate), (Some(1.0), Some(1.0)));
+    assert_close(drop.impact_speed_m_s.unwrap(), 0.396_114_124_969_054_85, 1e-9, "impact speed");
+    assert_close(drop.rebound_speed_m_s.unwrap(), 0.396_114_124_969_054_85, 1e-7, "rebound speed");
+    assert_close(drop.contact_time_s.unwrap(), 0.125_173_603_632_114_33, 1e-7, "contact time");
+    assert_close(drop.peak_force_n, 2_005.543_807_073_966, 1e-6, "peak force");
+    assert_close(drop.peak_force_bw, 3.298_525_057_920_647_7, 1e-6, "peak force in body weights");
+    assert_eq!((drop.restitution_exact, drop.restitution_approximate), (Some(1.0), Some(1.0)));
 }
 
 #[test]
-fn height_duration_samples_and_gravity_are_ones_own() {
-    let bench = Bench::human();
-    let seen = drop(&bench, "human.osim --height 0.05 --duration 0.5 --samples 11 --gravity 1.62");
-    assert_eq!((seen.height_m, seen.duration_s, seen.gravity_m_s2), (0.05, 0.5, 1.62));
-    assert_eq!(seen.series.time_s.len(), 11);
+fn height_duration_samples_and_gravity_can_be_given() {
+    let dir = TestDir::with_human();
+    let drop = drop_test(&dir, "human.osim --height 0.05 --duration 0.5 --samples 11 --gravity 1.62");
+    assert_eq!((drop.height_m, drop.duration_s, drop.gravity_m_s2), (0.05, 0.5, 1.62));
+    assert_eq!(drop.series.time_s.len(), 11);
     // Free fall as long as it falls freely: 0.05 − 1.62/2 · 0.05².
-    assert_eq!(seen.series.time_s[1], 0.05);
-    assert_close(seen.series.height_m[1], 0.05 - 0.81 * 0.0025, 1e-6, "height");
-    assert_close(seen.series.speed_m_s[1], -1.62 * 0.05, 1e-6, "speed");
-    assert_eq!(drop(&bench, "human.osim --height x0.5 --samples 2").height_m, 0.016);
-    // Never there: nothing is made up.
-    let seen = drop(&bench, "human.osim --height 10 --duration 0.5 --samples 2");
-    assert_eq!((seen.impact_speed_m_s, seen.restitution_exact, seen.contact_time_s), (None, None, None));
-    bench.run("drop-test human.osim --height 10 --duration 0.5").done().says(&["does not reach the ground"]);
+    assert_eq!(drop.series.time_s[1], 0.05);
+    assert_close(drop.series.height_m[1], 0.05 - 0.81 * 0.0025, 1e-6, "height");
+    assert_close(drop.series.speed_m_s[1], -1.62 * 0.05, 1e-6, "speed");
+    assert_eq!(drop_test(&dir, "human.osim --height x0.5 --samples 2").height_m, 0.016);
+    // Without an impact these numbers are absent.
+    let drop = drop_test(&dir, "human.osim --height 10 --duration 0.5 --samples 2");
+    assert_eq!((drop.impact_speed_m_s, drop.restitution_exact, drop.contact_time_s), (None, None, None));
+    dir.run("drop-test human.osim --height 10 --duration 0.5")
+        .succeeded()
+        .says(&["does not reach the ground"]);
 }
 
 #[test]
 fn the_series_is_the_same_in_csv_and_json() {
-    let bench = Bench::human();
-    let text = bench.run("drop-test human.osim --samples 101 --format csv").done().wrote_nothing().out();
+    let dir = TestDir::with_human();
+    let text = dir.run("drop-test human.osim --samples 101 --format csv").succeeded().wrote_nothing().out();
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     assert_eq!(
         reader.headers().unwrap().iter().collect::<Vec<_>>(),
@@ -200,7 +202,7 @@ fn the_series_is_the_same_in_csv_and_json() {
     );
     let rows: Vec<[f64; 6]> = reader.deserialize().map(Result::unwrap).collect();
     assert_eq!(rows.len(), 101);
-    let series = drop(&bench, "human.osim --samples 101").series;
+    let series = drop_test(&dir, "human.osim --samples 101").series;
     let columns = [
         &series.time_s,
         &series.height_m,
@@ -222,31 +224,32 @@ fn the_series_is_the_same_in_csv_and_json() {
     }
     assert_eq!((rows[0][0], rows[0][1], rows[100][0]), (0.0, 0.008, 2.0));
     // Default: 1001 rows and a header.
-    assert_eq!(bench.run("drop-test human.osim --format csv").done().out().lines().count(), 1002);
+    assert_eq!(dir.run("drop-test human.osim --format csv").succeeded().out().lines().count(), 1002);
 }
 
 #[test]
-fn the_keys_that_scripts_rely_on_are_there() {
-    let bench = Bench::human();
-    let object = object(&bench.run("drop-test human.osim --format json").done());
+fn the_json_has_the_keys_that_scripts_use() {
+    let dir = TestDir::with_human();
+    let json = json_object(&dir.run("drop-test human.osim --format json").succeeded());
     for key in [
         "final_relative_indentation",
         "relative_indentation_hertz",
         "peak_force_bw",
         "equilibrium_stiffness_n_m",
     ] {
-        assert!(figure(&object, key).is_finite());
+        assert!(number(&json, key).is_finite());
     }
     for key in ["time_s", "height_m", "speed_m_s", "force_n"] {
-        assert_eq!(object["series"][key].as_array().unwrap().len(), 1001, "{key}");
+        assert_eq!(json["series"][key].as_array().unwrap().len(), 1001, "{key}");
     }
 }
 
 #[test]
-fn what_is_missing_or_too_much_is_named() {
-    let bench = Bench::human();
-    let usage =
-        |arguments: &str| -> Ran { bench.run(&format!("drop-test {arguments}")).usage().wrote_nothing() };
+fn missing_and_superfluous_options_are_named() {
+    let dir = TestDir::with_human();
+    let usage = |arguments: &str| -> CommandRun {
+        dir.run(&format!("drop-test {arguments}")).usage_error().wrote_nothing()
+    };
     usage("").says(&["missing: --mass, --spheres, --radius, --stiffness, --dissipation"]);
     usage("--mass 62 --spheres 6 --radius 0.032 --dissipation 2").says(&["missing: --stiffness"]);
     usage("--mass 62 --spheres 6 --radius 0.032 --stiffness 1e6 --dissipation 2 --hertz-smoothing 300")
@@ -260,43 +263,41 @@ fn what_is_missing_or_too_much_is_named() {
 
 #[test]
 fn a_model_that_cannot_fall_says_why() {
-    let bench = Bench::with(&[
+    let dir = TestDir::with(&[
         HUMAN,
         ("format/player_and_ball.osim", "ball.osim"),
         ("format/no_gravity.osim", "no_gravity.osim"),
         ("bad/no_contacts.osim", "none.osim"),
     ]);
-    // A ball alone has neither left nor right: how many of it share its weight has to be said.
-    bench.run("drop-test ball.osim --select ball_floor").failed().says(&["--spheres N"]);
-    bench.run("drop-test ball.osim --select ball_floor --spheres 1").done();
-    bench.run("drop-test ball.osim").failed().says(&["--select GLOB"]);
-    bench.run("drop-test no_gravity.osim").failed().says(&["--gravity G"]);
-    bench.run("drop-test no_gravity.osim --gravity 9.81").done();
-    bench.run("drop-test none.osim").failed().says(&["no contacts"]);
-    bench.run("drop-test nowhere.osim").failed().says(&["no such file"]);
-    let ran = bench.run("drop-test ball.osim --format json").failed();
-    assert_eq!(object(&ran)["error"]["code"], "several-trees");
+    // A ball has no left and right, so the number of spheres that share its weight must be given.
+    dir.run("drop-test ball.osim --select ball_floor").failed().says(&["--spheres N"]);
+    dir.run("drop-test ball.osim --select ball_floor --spheres 1").succeeded();
+    dir.run("drop-test ball.osim").failed().says(&["--select GLOB"]);
+    dir.run("drop-test no_gravity.osim").failed().says(&["--gravity G"]);
+    dir.run("drop-test no_gravity.osim --gravity 9.81").succeeded();
+    dir.run("drop-test none.osim").failed().says(&["no contacts"]);
+    dir.run("drop-test nowhere.osim").failed().says(&["no such file"]);
+    let run = dir.run("drop-test ball.osim --format json").failed();
+    assert_eq!(json_object(&run)["error"]["code"], "several-trees");
 }
 
 #[test]
-fn how_it_looks() {
-    let bench = animals("hunt_crossley");
-    bench.write("human.osim", fixture("table1/human_62kg_smooth_sphere.osim"));
-    bench.run("drop-test human.osim").looks_like("physics_drop_test");
-    bench
-        .run("drop-test --mass 62 --spheres 6 --radius 0.032 --stiffness 1e6 --dissipation 0.1")
-        .looks_like("physics_drop_test_bounce");
-    bench
-        .run("drop-test human_62kg.osim --height 1 --duration 0.1 --samples 5 --format csv")
-        .looks_like("physics_drop_test_csv");
-    bench.run("drop-test").looks_like("physics_drop_test_nothing");
+fn drop_test_output_matches_its_snapshots() {
+    let dir = table_1_animals("hunt_crossley");
+    dir.write("human.osim", fixture("table1/human_62kg_smooth_sphere.osim"));
+    dir.run("drop-test human.osim").matches_snapshot("physics_drop_test");
+    dir.run("drop-test --mass 62 --spheres 6 --radius 0.032 --stiffness 1e6 --dissipation 0.1")
+        .matches_snapshot("physics_drop_test_bounce");
+    dir.run("drop-test human_62kg.osim --height 1 --duration 0.1 --samples 5 --format csv")
+        .matches_snapshot("physics_drop_test_csv");
+    dir.run("drop-test").matches_snapshot("physics_drop_test_nothing");
 }
 
 /// A duration over sqrt(R/g) that is more than a double holds was one step of the integration, which met no contact.
 #[test]
-fn a_duration_beyond_all_measure_is_refused() {
+fn a_duration_near_the_largest_double_is_refused() {
     let drop =
         "drop-test --mass 53 --spheres 2 --radius 0.0325 --stiffness 1e6 --dissipation 2 --duration 1.7e308";
-    let ran = Bench::with(&[]).run(drop).wrote_nothing().says(&["expected a shorter duration"]);
-    assert_eq!(ran.status, Some(1));
+    let run = TestDir::with(&[]).run(drop).wrote_nothing().says(&["expected a shorter duration"]);
+    assert_eq!(run.status, Some(1));
 }

@@ -1,9 +1,9 @@
-//! `fit`: a measured curve gives back what made it, whatever spreadsheet it went through.
+//! `fit`: a measured curve gives the parameters that made it, from the file of any spreadsheet.
 
-use crate::support::{Bench, Ran};
-use crate::{assert_close, figure, object};
+use crate::support::{CommandRun, TestDir};
+use crate::{assert_close, json_object, number};
 
-/// What made the curve: n, R, E*, α and the onset.
+/// The parameters of the curve: n, R, E*, α and the onset.
 const COUNT: f64 = 6.0;
 const RADIUS: f64 = 0.032;
 const MODULUS: f64 = 4e5;
@@ -11,7 +11,7 @@ const DISSIPATION: f64 = 0.8;
 const ONSET: f64 = 0.0005;
 
 /// Time, indentation, speed and force by (1) with (12), in SI units: in and out again within 0.2 s.
-fn curve() -> Vec<[f64; 4]> {
+fn measured_curve() -> Vec<[f64; 4]> {
     let half = std::f64::consts::PI / 0.2;
     (0..=40)
         .map(|step| {
@@ -26,9 +26,9 @@ fn curve() -> Vec<[f64; 4]> {
 }
 
 /// The curve as CSV text: columns in other units, cells joined by `between`, `decimal` for the point.
-fn csv(header: &str, units: [f64; 4], between: &str, decimal: &str) -> String {
+fn curve_as_csv(header: &str, units: [f64; 4], between: &str, decimal: &str) -> String {
     let mut text = format!("{}\n", header.replace(',', between));
-    for row in curve() {
+    for row in measured_curve() {
         let cells =
             row.iter().zip(units).map(|(value, unit)| format!("{:?}", value / unit).replace('.', decimal));
         text.push_str(&format!("{}\n", cells.collect::<Vec<_>>().join(between)));
@@ -39,28 +39,28 @@ fn csv(header: &str, units: [f64; 4], between: &str, decimal: &str) -> String {
 const HEADER: &str = "time,indentation,speed,force";
 const SI: [f64; 4] = [1.0; 4];
 
-fn plain() -> Bench {
-    let bench = Bench::new();
-    bench.write("curve.csv", csv(HEADER, SI, ",", "."));
-    bench
+fn dir_with_curve() -> TestDir {
+    let dir = TestDir::new();
+    dir.write("curve.csv", curve_as_csv(HEADER, SI, ",", "."));
+    dir
 }
 
 #[track_caller]
-fn is_the_truth(ran: &Ran) {
-    let fit = object(ran);
-    let value = |name: &str| figure(&fit[name], "value");
+fn assert_true_parameters(run: &CommandRun) {
+    let fit = json_object(run);
+    let value = |name: &str| number(&fit[name], "value");
     assert_close(value("composite_modulus_n_m2"), MODULUS, 1e-9, "E*");
     // (A.4): 2^(3/2) · 4e5 = 8e5 √2.
     assert_close(value("stiffness"), 8e5 * std::f64::consts::SQRT_2, 1e-9, "E1*");
     assert_close(value("dissipation"), DISSIPATION, 1e-8, "dissipation");
     assert_close(value("onset_m"), ONSET, 1e-8, "onset");
-    assert_close(figure(&fit, "r_squared"), 1.0, 1e-12, "R²");
+    assert_close(number(&fit, "r_squared"), 1.0, 1e-12, "R²");
     // The deepest row: (0.0047 − 0.0005)/0.032; the fastest: 0.0045 π/0.2.
-    assert_close(figure(&fit, "largest_relative_indentation"), 0.131_25, 1e-7, "x̂");
-    assert_close(figure(&fit, "largest_speed_m_s"), 0.0045 * std::f64::consts::PI / 0.2, 1e-9, "speed");
+    assert_close(number(&fit, "largest_relative_indentation"), 0.131_25, 1e-7, "x̂");
+    assert_close(number(&fit, "largest_speed_m_s"), 0.0045 * std::f64::consts::PI / 0.2, 1e-9, "speed");
     // (13): 1 − α ẋ.
     assert_close(
-        figure(&fit, "restitution"),
+        number(&fit, "restitution"),
         1.0 - DISSIPATION * 0.0045 * std::f64::consts::PI / 0.2,
         1e-8,
         "c_r",
@@ -71,17 +71,17 @@ fn is_the_truth(ran: &Ran) {
     );
 }
 
-const ALL: &str = "--radius 0.032 --spheres 6 --onset fit --speed-column speed --format json";
+const OPTIONS: &str = "--radius 0.032 --spheres 6 --onset fit --speed-column speed --format json";
 
 #[test]
-fn a_curve_gives_back_what_made_it() {
-    let bench = plain();
-    let ran = bench.run(&format!("fit curve.csv {ALL}")).done().wrote_nothing();
-    is_the_truth(&ran);
-    let fit = object(&ran);
+fn fit_recovers_the_parameters_of_a_curve() {
+    let dir = dir_with_curve();
+    let run = dir.run(&format!("fit curve.csv {OPTIONS}")).succeeded().wrote_nothing();
+    assert_true_parameters(&run);
+    let fit = json_object(&run);
     assert_eq!(fit["schema_version"], 1);
     assert_eq!(fit["file"], "curve.csv");
-    assert_eq!((figure(&fit, "sphere_count"), figure(&fit, "radius_m")), (COUNT, RADIUS));
+    assert_eq!((number(&fit, "sphere_count"), number(&fit, "radius_m")), (COUNT, RADIUS));
     assert_eq!(fit["parameters"], serde_json::json!(["composite_modulus_n_m2", "dissipation", "onset_m"]));
     assert_eq!(fit["degrees_of_freedom"], 38);
     let covariance = fit["covariance"].as_array().unwrap();
@@ -90,49 +90,52 @@ fn a_curve_gives_back_what_made_it() {
         fit["residuals"]["line"].as_array().unwrap().iter().map(|l| l.as_u64().unwrap()).collect();
     assert_eq!(lines, (2..=42).collect::<Vec<_>>());
     // From standard input too.
-    is_the_truth(
-        &bench.run_with(&format!("fit - {ALL}"), &std::fs::read(bench.path("curve.csv")).unwrap()).done(),
+    assert_true_parameters(
+        &dir.run_with_stdin(&format!("fit - {OPTIONS}"), &std::fs::read(dir.path("curve.csv")).unwrap())
+            .succeeded(),
     );
 }
 
 #[test]
 fn units_delimiters_and_decimal_commas_change_nothing() {
-    let bench = Bench::new();
+    let dir = TestDir::new();
     // A spreadsheet of continental Europe: a byte order mark, ; between cells, decimal commas, CRLF, mm, kN, ms.
     let names = "Zeit,Eindringtiefe,Geschwindigkeit,Kraft";
     let columns = "--indentation-column eindringtiefe --force-column KRAFT --speed-column Geschwindigkeit \
                    --indentation-unit mm --force-unit kN --speed-unit mm/s --radius 0.032 --spheres 6 --onset fit --format json";
-    let text = csv(names, [1e-3, 1e-3, 1e-3, 1e3], ";", ",").replace('\n', "\r\n");
-    bench.write("eu.csv", [b"\xEF\xBB\xBF".as_slice(), text.as_bytes()].concat());
-    is_the_truth(&bench.run(&format!("fit eu.csv {columns}")).done());
-    bench.write("tabs.tsv", csv(HEADER, SI, "\t", "."));
-    is_the_truth(&bench.run(&format!("fit tabs.tsv {ALL}")).done());
-    bench.write("comma_tabs.tsv", csv(HEADER, SI, "\t", ","));
-    is_the_truth(&bench.run(&format!("fit comma_tabs.tsv {ALL}")).done());
-    bench.write("micro.csv", csv(HEADER, [1.0, 1e-6, 1.0, 1e-3], ",", "."));
-    is_the_truth(&bench.run(&format!("fit micro.csv {ALL} --indentation-unit um --force-unit mN")).done());
+    let text = curve_as_csv(names, [1e-3, 1e-3, 1e-3, 1e3], ";", ",").replace('\n', "\r\n");
+    dir.write("eu.csv", [b"\xEF\xBB\xBF".as_slice(), text.as_bytes()].concat());
+    assert_true_parameters(&dir.run(&format!("fit eu.csv {columns}")).succeeded());
+    dir.write("tabs.tsv", curve_as_csv(HEADER, SI, "\t", "."));
+    assert_true_parameters(&dir.run(&format!("fit tabs.tsv {OPTIONS}")).succeeded());
+    dir.write("comma_tabs.tsv", curve_as_csv(HEADER, SI, "\t", ","));
+    assert_true_parameters(&dir.run(&format!("fit comma_tabs.tsv {OPTIONS}")).succeeded());
+    dir.write("micro.csv", curve_as_csv(HEADER, [1.0, 1e-6, 1.0, 1e-3], ",", "."));
+    assert_true_parameters(
+        &dir.run(&format!("fit micro.csv {OPTIONS} --indentation-unit um --force-unit mN")).succeeded(),
+    );
 }
 
 #[test]
-fn a_time_stands_in_for_a_speed() {
-    let bench = Bench::new();
-    bench.write("curve.csv", csv(HEADER, [1e-3, 1.0, 1.0, 1.0], ",", "."));
+fn fit_derives_speed_from_time() {
+    let dir = TestDir::new();
+    dir.write("curve.csv", curve_as_csv(HEADER, [1e-3, 1.0, 1.0, 1.0], ",", "."));
     let options = "--radius 0.032 --spheres 6 --onset 0.0005 --time-column time --time-unit ms --format json";
-    let fit = object(&bench.run(&format!("fit curve.csv {options}")).done());
+    let fit = json_object(&dir.run(&format!("fit curve.csv {options}")).succeeded());
     // Differences of 5 ms: sin(2π/40)/(2π/40) = 0.9959 of the speed, so α comes out 0.4 % high.
-    assert_close(figure(&fit["dissipation"], "value"), DISSIPATION, 6e-3, "dissipation");
-    assert_close(figure(&fit["composite_modulus_n_m2"], "value"), MODULUS, 1e-3, "E*");
+    assert_close(number(&fit["dissipation"], "value"), DISSIPATION, 6e-3, "dissipation");
+    assert_close(number(&fit["composite_modulus_n_m2"], "value"), MODULUS, 1e-3, "E*");
     assert!(fit["onset_m"].is_null(), "it was given");
 }
 
 #[test]
-fn without_a_rate_the_branches_lie_on_either_side() {
-    let bench = plain();
+fn without_speed_the_branches_give_bounds_of_the_modulus() {
+    let dir = dir_with_curve();
     let fit = |branch: &str| {
         let options = "--radius 0.032 --spheres 6 --onset 0.0005 --format json";
-        object(&bench.run(&format!("fit curve.csv {options} --branch {branch}")).done())
+        json_object(&dir.run(&format!("fit curve.csv {options} --branch {branch}")).succeeded())
     };
-    let modulus = |branch: &str| figure(&fit(branch)["composite_modulus_n_m2"], "value");
+    let modulus = |branch: &str| number(&fit(branch)["composite_modulus_n_m2"], "value");
     // Going in, dissipation adds to the force; coming out it takes away.
     assert!(modulus("loading") > MODULUS && MODULUS > modulus("unloading"));
     let both = fit("both");
@@ -146,22 +149,20 @@ fn without_a_rate_the_branches_lie_on_either_side() {
 }
 
 #[test]
-fn limits_are_told() {
-    let bench = plain();
+fn fit_reports_the_limits_of_the_laws() {
+    let dir = dir_with_curve();
     // The same curve on a sphere of 10 mm: x̂ = 0.42.
-    bench
-        .run("fit curve.csv --radius 0.01 --onset 0.0005")
-        .done()
+    dir.run("fit curve.csv --radius 0.01 --onset 0.0005")
+        .succeeded()
         .says(&["outside the Hertz law (at most 0.16)"]);
-    bench
-        .run("fit curve.csv --radius 0.032 --onset 0.0005")
-        .done()
+    dir.run("fit curve.csv --radius 0.032 --onset 0.0005")
+        .succeeded()
         .says(&["within the Hertz law", "no speed is known"]);
 }
 
 #[test]
-fn bad_tables_name_the_place() {
-    let bench = Bench::new();
+fn bad_tables_are_refused_with_the_place() {
+    let dir = TestDir::new();
     for (text, words) in [
         ("indentation,force\n0.001,1\n0.002,abc\n", ["line 3, column 'force'", "'abc' is not a number"]),
         ("indentation,force\n0.001,1\n0.002,\n", ["line 3, column 'force'", "is empty"]),
@@ -178,35 +179,31 @@ fn bad_tables_name_the_place() {
             ["composite modulus", "rises with the indentation"],
         ),
     ] {
-        bench.write("bad.csv", text);
-        bench.run("fit bad.csv --radius 0.032").failed().says(&["bad.csv: "]).says(&words);
+        dir.write("bad.csv", text);
+        dir.run("fit bad.csv --radius 0.032").failed().says(&["bad.csv: "]).says(&words);
     }
-    bench.write("bad.csv", "time,indentation,force\n0,0.001,1\n1,0.002,3\n1,0.003,5\n2,0.003,5\n");
-    bench
-        .run("fit bad.csv --radius 0.032 --time-column time")
-        .failed()
-        .says(&["line 3", "time does not rise"]);
+    dir.write("bad.csv", "time,indentation,force\n0,0.001,1\n1,0.002,3\n1,0.003,5\n2,0.003,5\n");
+    dir.run("fit bad.csv --radius 0.032 --time-column time").failed().says(&["line 3", "time does not rise"]);
     let utf16: Vec<u8> = "indentation,force\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
-    bench.write("wide.csv", [b"\xFF\xFE".as_slice(), &utf16].concat());
-    bench.run("fit wide.csv --radius 0.032").failed().says(&["UTF-16", "UTF-8"]);
-    bench.run("fit nowhere.csv --radius 0.032").failed().says(&["no such file"]);
+    dir.write("wide.csv", [b"\xFF\xFE".as_slice(), &utf16].concat());
+    dir.run("fit wide.csv --radius 0.032").failed().says(&["UTF-16", "UTF-8"]);
+    dir.run("fit nowhere.csv --radius 0.032").failed().says(&["no such file"]);
 }
 
 #[test]
-fn wrong_usage_is_wrong_usage() {
-    let bench = plain();
-    bench.run("fit curve.csv").usage().says(&["--radius"]);
-    bench.run("fit curve.csv --radius 0.032 --onset late").usage().says(&["--onset 'late'"]);
-    bench
-        .run("fit curve.csv --radius 0.032 --speed-column speed --time-column time")
-        .usage()
+fn wrong_options_are_refused() {
+    let dir = dir_with_curve();
+    dir.run("fit curve.csv").usage_error().says(&["--radius"]);
+    dir.run("fit curve.csv --radius 0.032 --onset late").usage_error().says(&["--onset 'late'"]);
+    dir.run("fit curve.csv --radius 0.032 --speed-column speed --time-column time")
+        .usage_error()
         .says(&["--time-column"]);
-    bench.run("fit curve.csv --radius 0.032 --force-unit lbf").usage().says(&["--force-unit"]);
+    dir.run("fit curve.csv --radius 0.032 --force-unit lbf").usage_error().says(&["--force-unit"]);
 }
 
 #[test]
-fn how_it_looks() {
-    let bench = Bench::new();
+fn fit_output_matches_its_snapshots() {
+    let dir = TestDir::new();
     // Measured numbers with scatter.
     let scatter = [0.4, -0.3, 0.1, -0.5, 0.6, -0.2, 0.3, -0.4, 0.0, 0.2];
     let mut text = "depth_mm;force_N\n".to_owned();
@@ -215,12 +212,11 @@ fn how_it_looks() {
         let force = 6.0 * 4.0 / 3.0 * RADIUS.sqrt() * MODULUS * (depth * 1e-3).powf(1.5) + error;
         text.push_str(&format!("{depth:.1};{force:.2}\n").replace('.', ","));
     }
-    bench.write("heel.csv", text);
+    dir.write("heel.csv", text);
     let columns = "--indentation-column depth_mm --indentation-unit mm --force-column force_N";
-    bench.run(&format!("fit heel.csv --radius 0.032 --spheres 6 {columns}")).looks_like("physics_fit");
-    bench
-        .run(&format!("fit heel.csv --radius 0.032 --spheres 6 {columns} --onset fit"))
-        .looks_like("physics_fit_onset");
-    bench.write("bad.csv", "indentation,force\n0.001,1\n0.002,abc\n");
-    bench.run("fit bad.csv --radius 0.032 --format json").looks_like("physics_fit_bad_cell");
+    dir.run(&format!("fit heel.csv --radius 0.032 --spheres 6 {columns}")).matches_snapshot("physics_fit");
+    dir.run(&format!("fit heel.csv --radius 0.032 --spheres 6 {columns} --onset fit"))
+        .matches_snapshot("physics_fit_onset");
+    dir.write("bad.csv", "indentation,force\n0.001,1\n0.002,abc\n");
+    dir.run("fit bad.csv --radius 0.032 --format json").matches_snapshot("physics_fit_bad_cell");
 }

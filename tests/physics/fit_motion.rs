@@ -1,9 +1,9 @@
-//! `fit` of a model to a recording: contacts that are known are found again.
+//! `fit` of a model to a recording recovers known contacts.
 
 use serde_json::Value;
 
-use crate::support::{Bench, corpus};
-use crate::{assert_close, object};
+use crate::support::{TestDir, corpus_folder};
+use crate::{assert_close, json_object};
 
 const FILES: [(&str, &str); 4] = [
     ("motion/walker.osim", "walker.osim"),
@@ -13,9 +13,9 @@ const FILES: [(&str, &str); 4] = [
 ];
 const FIT: &str = "fit walker.osim --motion walk.mot --plates plates.sto --loads plates.xml";
 
-/// The folder of a public recording, or `None` after saying that the test was skipped.
-fn trial(test: &str, name: &str) -> Option<std::path::PathBuf> {
-    Some(corpus(test)?.join("../trials").join(name))
+/// The folder of a public recording, or `None` after reporting that the test is skipped.
+fn trial_folder(test: &str, name: &str) -> Option<std::path::PathBuf> {
+    Some(corpus_folder(test)?.join("../trials").join(name))
 }
 
 /// The new value of a property, equal in all changes of it.
@@ -37,10 +37,11 @@ fn floor_up(plan: &Value) -> f64 {
 
 /// What `make_motion.py` gave the plates: E1* 4e6 N/m2 (8e6 in the model), 1.5 s/m (0.5), a floor 11 mm lower.
 #[test]
-fn contacts_that_are_known_are_found_again() {
-    let bench = Bench::with(&FILES);
-    let plan =
-        object(&bench.run(&format!("{FIT} -o fitted.osim --format json")).done().wrote(&["fitted.osim"]));
+fn fit_recovers_known_contacts_from_a_recording() {
+    let dir = TestDir::with(&FILES);
+    let plan = json_object(
+        &dir.run(&format!("{FIT} -o fitted.osim --format json")).succeeded().wrote(&["fitted.osim"]),
+    );
     assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, "E1*");
     assert_close(new_value(&plan, "dissipation"), 1.5, 0.05, "dissipation");
     assert!((floor_up(&plan) + 0.011).abs() < 1e-4, "{plan}");
@@ -51,12 +52,13 @@ fn contacts_that_are_known_are_found_again() {
     assert!(errors["held_out_vertical_rms_bw"].as_f64().unwrap() < 1e-3, "{errors}");
     assert!(errors["cop_rms_m"].as_f64().unwrap() < 1e-3, "{errors}");
     // The model that was written agrees with its plates, and a second fit changes nothing that counts.
-    let seen = object(
-        &bench.run("motion fitted.osim walk.mot --plates plates.sto --loads plates.xml --format json").done(),
+    let motion = json_object(
+        &dir.run("motion fitted.osim walk.mot --plates plates.sto --loads plates.xml --format json")
+            .succeeded(),
     );
-    assert!(seen["comparison"]["vertical_rms_bw"].as_f64().unwrap() < 1e-3, "{seen}");
-    // What was fitted to a body of 70 kg is made for it.
-    let scaled = object(&bench.run("fitted.osim --target-mass 560 --dry-run --format json").done());
+    assert!(motion["comparison"]["vertical_rms_bw"].as_f64().unwrap() < 1e-3, "{motion}");
+    // The fitted contacts are made for the mass of the body, 70 kg.
+    let scaled = json_object(&dir.run("fitted.osim --target-mass 560 --dry-run --format json").succeeded());
     assert_close(
         scaled["contacts_mass_kg"]["value"].as_f64().unwrap(),
         70.0,
@@ -65,18 +67,18 @@ fn contacts_that_are_known_are_found_again() {
     );
     insta::assert_snapshot!(
         "fit_motion",
-        bench.run(&format!("{FIT} --dry-run")).done().wrote_nothing().out()
+        dir.run(&format!("{FIT} --dry-run")).succeeded().wrote_nothing().out()
     );
 }
 
 /// A start that is wrong by ten times, either way, in stiffness and dissipation.
 #[test]
 fn a_start_that_is_wrong_by_ten_times_changes_nothing() {
-    let bench = Bench::with(&FILES);
+    let dir = TestDir::with(&FILES);
     for factor in ["x10", "x0.1"] {
-        bench.run(&format!("set walker.osim stiffness={factor} dissipation={factor} -o wrong.osim --force --yes wrong-afterwards")).done();
+        dir.run(&format!("set walker.osim stiffness={factor} dissipation={factor} -o wrong.osim --force --yes wrong-afterwards")).succeeded();
         let call = FIT.replace("walker.osim", "wrong.osim");
-        let plan = object(&bench.run(&format!("{call} --dry-run --format json")).done());
+        let plan = json_object(&dir.run(&format!("{call} --dry-run --format json")).succeeded());
         assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, factor);
         assert_close(new_value(&plan, "dissipation"), 1.5, 0.05, factor);
         assert!((floor_up(&plan) + 0.011).abs() < 1e-4, "{plan}");
@@ -84,9 +86,9 @@ fn a_start_that_is_wrong_by_ten_times_changes_nothing() {
 }
 
 #[test]
-fn only_what_is_named_is_fitted() {
-    let bench = Bench::with(&FILES);
-    let plan = object(&bench.run(&format!("{FIT} --fit height --dry-run --format json")).done());
+fn only_the_named_quantities_are_fitted() {
+    let dir = TestDir::with(&FILES);
+    let plan = json_object(&dir.run(&format!("{FIT} --fit height --dry-run --format json")).succeeded());
     let properties: Vec<&str> = plan["changes"]
         .as_array()
         .unwrap()
@@ -94,8 +96,8 @@ fn only_what_is_named_is_fitted() {
         .map(|change| change["property"].as_str().unwrap())
         .collect();
     assert_eq!(properties, ["location"]);
-    let plan = object(
-        &bench.run(&format!("{FIT} --fit stiffness --fit dissipation --dry-run --format json")).done(),
+    let plan = json_object(
+        &dir.run(&format!("{FIT} --fit stiffness --fit dissipation --dry-run --format json")).succeeded(),
     );
     assert!(plan["changes"].as_array().unwrap().iter().all(|change| change["property"] != "location"));
     assert!(plan["floor_up_m"].is_null(), "{plan}");
@@ -103,20 +105,20 @@ fn only_what_is_named_is_fitted() {
 
 /// Spheres with dissipations of their own keep them while the floor alone is fitted.
 #[test]
-fn what_is_not_fitted_stays_with_each_sphere() {
-    let bench = Bench::with(&FILES);
-    let own = bench.text("walker.osim").replacen("<dissipation>0.5", "<dissipation>4", 1);
-    bench.write("own.osim", &own);
-    bench.run("motion own.osim walk.mot -o own.sto").done().wrote(&["own.sto", "own.xml"]);
-    let lower = own.replacen(
+fn quantities_that_are_not_fitted_stay_unequal() {
+    let dir = TestDir::with(&FILES);
+    let unequal = dir.text("walker.osim").replacen("<dissipation>0.5", "<dissipation>4", 1);
+    dir.write("own.osim", &unequal);
+    dir.run("motion own.osim walk.mot -o own.sto").succeeded().wrote(&["own.sto", "own.xml"]);
+    let lower = unequal.replacen(
         "<location>0 0 0</location><orientation>",
         "<location>0 -0.005 0</location><orientation>",
         1,
     );
-    assert_ne!(own, lower);
-    bench.write("lower.osim", lower);
+    assert_ne!(unequal, lower);
+    dir.write("lower.osim", lower);
     let call = "fit lower.osim --motion walk.mot --plates own.sto --loads own.xml --unbounded --fit height";
-    let plan = object(&bench.run(&format!("{call} --dry-run --format json")).done());
+    let plan = json_object(&dir.run(&format!("{call} --dry-run --format json")).succeeded());
     assert!((floor_up(&plan) - 0.005).abs() < 2e-6, "{plan}");
     assert!(plan["errors"]["vertical_rms_bw"].as_f64().unwrap() < 1e-3, "{plan}");
 }
@@ -134,13 +136,14 @@ fn new_centre(plan: &Value, sphere: &str) -> [f64; 3] {
     std::array::from_fn(|axis| moved["to"][axis].as_f64().unwrap())
 }
 
-/// The height in the spheres: the floor stays, and they go up in the feet by what the floor would go down.
+/// With `--height-in spheres` the floor stays, and the spheres go up in the feet by as much as the floor would go down.
 #[test]
-fn a_height_may_be_in_the_spheres() {
-    let bench = Bench::with(&FILES);
+fn the_height_can_be_fitted_by_moving_the_spheres() {
+    let dir = TestDir::with(&FILES);
     let call = format!("{FIT} --height-in spheres");
-    let plan =
-        object(&bench.run(&format!("{call} -o fitted.osim --format json")).done().wrote(&["fitted.osim"]));
+    let plan = json_object(
+        &dir.run(&format!("{call} -o fitted.osim --format json")).succeeded().wrote(&["fitted.osim"]),
+    );
     for sphere in ["heel_r", "ball_r", "heel_l", "ball_l"] {
         let [_, y, _] = new_centre(&plan, sphere);
         assert!((y - (-0.02 + 0.011)).abs() < 2e-4, "{sphere}: {y}");
@@ -154,11 +157,11 @@ fn a_height_may_be_in_the_spheres() {
     assert!(plan["errors"]["vertical_rms_bw"].as_f64().unwrap() < 0.01, "{plan}");
 }
 
-/// Where the floor is farther away than spheres may go, they end where they may go.
+/// If the floor is too far away, the spheres move by the largest allowed distance.
 #[test]
 fn spheres_go_down_by_a_quarter_of_a_metre_at_most() {
-    let bench = Bench::with(&FILES);
-    let text = bench.text("walk.mot");
+    let dir = TestDir::with(&FILES);
+    let text = dir.text("walk.mot");
     let (head, rows) = text.split_once("endheader\n").unwrap();
     let (names, rows) = rows.split_once('\n').unwrap();
     let height = names.split('\t').position(|name| name == "pelvis_ty").unwrap();
@@ -168,8 +171,9 @@ fn spheres_go_down_by_a_quarter_of_a_metre_at_most() {
         cells.join("\t")
     };
     let rows: Vec<String> = rows.lines().map(raised).collect();
-    bench.write("walk.mot", format!("{head}endheader\n{names}\n{}\n", rows.join("\n")));
-    let plan = object(&bench.run(&format!("{FIT} --height-in spheres --dry-run --format json")).done());
+    dir.write("walk.mot", format!("{head}endheader\n{names}\n{}\n", rows.join("\n")));
+    let plan =
+        json_object(&dir.run(&format!("{FIT} --height-in spheres --dry-run --format json")).succeeded());
     let [_, y, _] = new_centre(&plan, "heel_r");
     assert!((y - (-0.02 - 0.25)).abs() < 1e-3, "{y}");
 }
@@ -177,42 +181,41 @@ fn spheres_go_down_by_a_quarter_of_a_metre_at_most() {
 /// Slip against a belt, at which alone the horizontal error looks: feet with friction that step in place slip over one.
 #[test]
 fn a_belt_counts_in_a_fit() {
-    let bench = Bench::with(&FILES);
-    bench
-        .run("set walker.osim static_friction=0.8 dynamic_friction=0.8 -o rough.osim --yes wrong-afterwards")
-        .done();
-    let error = |more: &str| {
+    let dir = TestDir::with(&FILES);
+    dir.run("set walker.osim static_friction=0.8 dynamic_friction=0.8 -o rough.osim --yes wrong-afterwards")
+        .succeeded();
+    let error = |options: &str| {
         let call = FIT.replace("walker.osim", "rough.osim");
-        let plan = object(&bench.run(&format!("{call} {more} --dry-run --format json")).done());
+        let plan = json_object(&dir.run(&format!("{call} {options} --dry-run --format json")).succeeded());
         plan["errors"]["horizontal_rms_bw"].as_f64().unwrap()
     };
     assert!(error("--belt 1.25") > error("") + 0.1);
     // The same belt from a column of the motion.
-    let text = bench.text("walk.mot");
+    let text = dir.text("walk.mot");
     let (head, rows) = text.split_once("endheader\n").unwrap();
     let (names, rows) = rows.split_once('\n').unwrap();
     let with_belt: String = rows.lines().map(|row| format!("{row}\t1.25\n")).collect();
-    bench.write("walk.mot", format!("{head}endheader\n{names}\tbelt\n{with_belt}"));
+    dir.write("walk.mot", format!("{head}endheader\n{names}\tbelt\n{with_belt}"));
     assert_eq!(error("--belt-column belt"), error("--belt 1.25"));
-    bench.run(&format!("{FIT} --belt-column other --dry-run")).says(&["no column 'other'"]);
-    let seen = bench.run("motion rough.osim walk.mot --belt-column belt --format csv").done().out();
-    assert_eq!(seen, bench.run("motion rough.osim walk.mot --belt 1.25 --format csv").done().out());
+    dir.run(&format!("{FIT} --belt-column other --dry-run")).says(&["no column 'other'"]);
+    let motion = dir.run("motion rough.osim walk.mot --belt-column belt --format csv").succeeded().out();
+    assert_eq!(motion, dir.run("motion rough.osim walk.mot --belt 1.25 --format csv").succeeded().out());
 }
 
-/// Two recordings of one body: contacts are shared, and the walk's second half is a trial of its own.
+/// Two recordings of one body share their contacts; the second recording is the second half of the walk.
 #[test]
 fn several_trials_share_their_contacts() {
-    let bench = Bench::with(&FILES);
-    let text = bench.text("walk.mot");
+    let dir = TestDir::with(&FILES);
+    let text = dir.text("walk.mot");
     let (head, rows) = text
         .split_once("pelvis_tilt")
         .map(|(head, rest)| (format!("{head}pelvis_tilt"), rest.to_owned()))
         .unwrap();
     let (names, rows) = rows.split_once('\n').unwrap();
     let half: Vec<&str> = rows.lines().skip(120).collect();
-    bench.write("second.mot", format!("{head}{names}\n{}\n", half.join("\n")));
+    dir.write("second.mot", format!("{head}{names}\n{}\n", half.join("\n")));
     let call = "fit walker.osim --motion walk.mot --motion second.mot --plates plates.sto --plates plates.sto --loads plates.xml";
-    let plan = object(&bench.run(&format!("{call} --dry-run --format json")).done());
+    let plan = json_object(&dir.run(&format!("{call} --dry-run --format json")).succeeded());
     assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, "E1*");
     let remarks: Vec<&str> =
         plan["remarks"].as_array().unwrap().iter().map(|remark| remark.as_str().unwrap()).collect();
@@ -220,34 +223,34 @@ fn several_trials_share_their_contacts() {
         remarks.iter().any(|remark| remark.starts_with("the floor of trial 2 goes down by 11.0 mm")),
         "{remarks:?}"
     );
-    bench
-        .run("fit walker.osim --motion walk.mot --motion second.mot --plates plates.sto")
-        .usage()
+    dir.run("fit walker.osim --motion walk.mot --motion second.mot --plates plates.sto")
+        .usage_error()
         .says(&["2 motions, 1 tables"]);
 }
 
 #[test]
-fn a_curve_and_a_recording_are_two_things() {
-    let bench = Bench::with(&FILES);
-    bench.run(&format!("{FIT} --radius 0.01")).usage().says(&["--radius"]);
-    bench.run("fit walker.osim --motion walk.mot").usage().says(&["--plates"]);
-    bench.run("fit walker.osim --plates plates.sto --radius 0.01").usage().says(&["--motion"]);
-    bench.run("fit measured.csv --radius 0.01 -o other.csv").usage().says(&["--motion"]);
-    bench.run("fit measured.csv --radius 0.01 --unbounded").usage().says(&["--motion"]);
+fn options_of_a_curve_and_of_a_recording_are_not_mixed() {
+    let dir = TestDir::with(&FILES);
+    dir.run(&format!("{FIT} --radius 0.01")).usage_error().says(&["--radius"]);
+    dir.run("fit walker.osim --motion walk.mot").usage_error().says(&["--plates"]);
+    dir.run("fit walker.osim --plates plates.sto --radius 0.01").usage_error().says(&["--motion"]);
+    dir.run("fit measured.csv --radius 0.01 -o other.csv").usage_error().says(&["--motion"]);
+    dir.run("fit measured.csv --radius 0.01 --unbounded").usage_error().says(&["--motion"]);
 }
 
 /// A published simulation whose ground reactions come from its own contacts: E1* within 1 %, α within 5 %, height within 0.1 mm.
 #[test]
-fn a_simulated_gait_gives_its_own_contacts_back() {
-    let Some(folder) = trial("a_simulated_gait_gives_its_own_contacts_back", "example2DWalking") else {
+fn fit_recovers_the_contacts_of_a_simulated_gait() {
+    let Some(folder) = trial_folder("fit_recovers_the_contacts_of_a_simulated_gait", "example2DWalking")
+    else {
         return;
     };
-    let bench = Bench::new();
+    let dir = TestDir::new();
     for name in ["2D_gait.osim", "referenceCoordinates.sto", "referenceGRF.sto", "referenceGRF.xml"] {
-        bench.write(name, std::fs::read(folder.join(name)).unwrap());
+        dir.write(name, std::fs::read(folder.join(name)).unwrap());
     }
     let call = "fit 2D_gait.osim --motion referenceCoordinates.sto --plates referenceGRF.sto --loads referenceGRF.xml --unbounded";
-    let plan = object(&bench.run(&format!("{call} --dry-run --format json")).done());
+    let plan = json_object(&dir.run(&format!("{call} --dry-run --format json")).succeeded());
     let stiffness =
         plan["changes"].as_array().unwrap().iter().find(|change| change["property"] == "stiffness").unwrap();
     assert_close(stiffness["to"].as_f64().unwrap(), stiffness["from"].as_f64().unwrap(), 0.01, "E1*");
@@ -257,32 +260,36 @@ fn a_simulated_gait_gives_its_own_contacts_back() {
 
 /// A measured gait: with no bound, 0.2 body weights per foot, and 0.3 on the foot that was not fitted.
 #[test]
-fn a_measured_gait_is_fitted_as_well_as_can_be() {
-    let Some(folder) = trial("a_measured_gait_is_fitted_as_well_as_can_be", "subject01_walk_id") else {
+fn fit_of_a_measured_gait_reaches_the_documented_error() {
+    let Some(folder) =
+        trial_folder("fit_of_a_measured_gait_reaches_the_documented_error", "subject01_walk_id")
+    else {
         return;
     };
-    let bench = Bench::new();
+    let dir = TestDir::new();
     for name in
         ["subject01.osim", "subject01_walk1_ik.mot", "subject01_walk1_grf.mot", "subject01_walk1_grf.xml"]
     {
-        bench.write(name, std::fs::read(folder.join(name)).unwrap());
+        dir.write(name, std::fs::read(folder.join(name)).unwrap());
     }
-    bench.run("add subject01.osim --from falisse2022 -o with.osim").done();
+    dir.run("add subject01.osim --from falisse2022 -o with.osim").succeeded();
     let call = "fit with.osim --motion subject01_walk1_ik.mot --plates subject01_walk1_grf.mot --loads subject01_walk1_grf.xml";
-    let of = |more: &str| {
-        let plan = object(&bench.run(&format!("{call} {more} --dry-run --format json")).done());
+    let fit_errors = |options: &str| {
+        let plan = json_object(&dir.run(&format!("{call} {options} --dry-run --format json")).succeeded());
         (
             plan["errors"]["vertical_rms_bw"].as_f64().unwrap(),
             plan["errors"]["held_out_vertical_rms_bw"].as_f64().unwrap(),
             plan,
         )
     };
-    let (free, held_out, plan) = of("--unbounded");
-    assert!(free < 0.2 && held_out < 0.3, "{free} {held_out}");
+    let (unbounded, held_out, plan) = fit_errors("--unbounded");
+    assert!(unbounded < 0.2 && held_out < 0.3, "{unbounded} {held_out}");
     assert!(plan["errors"]["largest_relative_indentation"].as_f64().unwrap() > 1.0);
     // Bounded, it says what that costs.
-    let (bounded, _, plan) = of("");
-    assert!(bounded > free && plan["errors"]["largest_relative_indentation"].as_f64().unwrap() <= 1.0 + 1e-6);
+    let (bounded, _, plan) = fit_errors("");
+    assert!(
+        bounded > unbounded && plan["errors"]["largest_relative_indentation"].as_f64().unwrap() <= 1.0 + 1e-6
+    );
     let remarks = plan["remarks"].to_string();
     assert!(
         remarks.contains("scatters by 36 mm, more than R (34 mm): stiffness is not determined"),
@@ -294,33 +301,34 @@ fn a_measured_gait_is_fitted_as_well_as_can_be() {
 /// A table of models: one row is a body with its recording.
 #[test]
 fn a_table_has_a_recording_for_each_model() {
-    let bench = Bench::with(&FILES);
-    bench.write(
+    let dir = TestDir::with(&FILES);
+    dir.write(
         "table.csv",
         "model,verb,motion,plates,loads,fit,output\n\
          walker.osim,fit,walk.mot,plates.sto,plates.xml,,all.osim\n\
          walker.osim,fit,walk.mot,plates.sto,plates.xml,height,height.osim\n",
     );
-    bench.run("batch table.csv").done().wrote(&["all.osim", "height.osim"]);
-    bench.run(&format!("{FIT} -o alone.osim")).done();
-    assert_eq!(bench.text("all.osim"), bench.text("alone.osim"));
-    assert!(bench.text("height.osim").contains("<stiffness>8e+06"));
-    bench.write("table.csv", "model,verb,output\nwalker.osim,fit,other.osim\n");
-    bench.run("batch table.csv").says(&["motion"]);
+    dir.run("batch table.csv").succeeded().wrote(&["all.osim", "height.osim"]);
+    dir.run(&format!("{FIT} -o alone.osim")).succeeded();
+    assert_eq!(dir.text("all.osim"), dir.text("alone.osim"));
+    assert!(dir.text("height.osim").contains("<stiffness>8e+06"));
+    dir.write("table.csv", "model,verb,output\nwalker.osim,fit,other.osim\n");
+    dir.run("batch table.csv").says(&["motion"]);
 }
 
-/// What the default pose of an ankle is does not count: down is where the floor is while the foot stands.
+/// The default pose of an ankle does not matter: down is the direction to the floor while the foot stands.
 #[test]
-fn the_default_pose_of_an_ankle_does_not_count() {
-    let bench = Bench::with(&FILES);
-    let text = bench.text("walker.osim");
+fn the_default_pose_of_an_ankle_does_not_matter() {
+    let dir = TestDir::with(&FILES);
+    let text = dir.text("walker.osim");
     let at = text.find("name=\"ankle_r\"").or_else(|| text.find("ankle_r")).unwrap();
     let turned =
         format!("{}{}", &text[..at], text[at..].replacen("<default_value>0<", "<default_value>0.5<", 1));
     assert_ne!(turned, text);
-    bench.write("turned.osim", turned);
+    dir.write("turned.osim", turned);
     let call = FIT.replace("walker.osim", "turned.osim");
-    let plan = object(&bench.run(&format!("{call} --height-in spheres --dry-run --format json")).done());
+    let plan =
+        json_object(&dir.run(&format!("{call} --height-in spheres --dry-run --format json")).succeeded());
     for sphere in ["heel_r", "ball_r", "heel_l", "ball_l"] {
         let [_, y, _] = new_centre(&plan, sphere);
         assert!((y - (-0.02 + 0.011)).abs() < 2e-4, "{sphere}: {y}");
@@ -330,8 +338,8 @@ fn the_default_pose_of_an_ankle_does_not_count() {
 /// Two trials of one body whose floors differ by 20 mm: contacts are shared, floors are not, in whatever the height is.
 #[test]
 fn each_trial_has_a_floor_of_its_own() {
-    let bench = Bench::with(&FILES);
-    let text = bench.text("walk.mot");
+    let dir = TestDir::with(&FILES);
+    let text = dir.text("walk.mot");
     let (head, rows) = text.split_once("endheader\n").unwrap();
     let (names, rows) = rows.split_once('\n').unwrap();
     let place = names.split_ascii_whitespace().position(|name| name.ends_with("pelvis_ty")).unwrap();
@@ -340,17 +348,18 @@ fn each_trial_has_a_floor_of_its_own() {
         cells[place] += 0.02;
         cells.iter().map(f64::to_string).collect::<Vec<String>>().join("\t") + "\n"
     });
-    bench.write("raised.mot", format!("{head}endheader\n{names}\n{}", raised.collect::<String>()));
-    for more in ["", "--height-in spheres"] {
+    dir.write("raised.mot", format!("{head}endheader\n{names}\n{}", raised.collect::<String>()));
+    for options in ["", "--height-in spheres"] {
         let call = FIT.replace("--plates", "--motion raised.mot --plates plates.sto --plates");
-        let plan = object(&bench.run(&format!("{call} {more} --dry-run --format json")).done());
-        assert!(plan["errors"]["vertical_rms_bw"].as_f64().unwrap() < 0.02, "{more}: {plan}");
+        let plan = json_object(&dir.run(&format!("{call} {options} --dry-run --format json")).succeeded());
+        assert!(plan["errors"]["vertical_rms_bw"].as_f64().unwrap() < 0.02, "{options}: {plan}");
         assert_close(new_value(&plan, "stiffness"), 4e6, 0.02, "E1*");
         let floors: Vec<f64> =
             plan["floor_up_m"].as_array().unwrap().iter().map(|up| up.as_f64().unwrap()).collect();
-        assert!(floors.len() == 2 && (floors[1] - floors[0] - 0.02).abs() < 2e-4, "{more}: {floors:?}");
+        assert!(floors.len() == 2 && (floors[1] - floors[0] - 0.02).abs() < 2e-4, "{options}: {floors:?}");
         let remarks = plan["remarks"].to_string();
-        let floor = if more.is_empty() { "trial 2 goes up by 9.0 mm" } else { "trial 2 goes up by 20.0 mm" };
+        let floor =
+            if options.is_empty() { "trial 2 goes up by 9.0 mm" } else { "trial 2 goes up by 20.0 mm" };
         assert!(
             remarks.contains(floor) && remarks.contains("trial 2: the error of all its feet"),
             "{remarks}"
@@ -358,11 +367,11 @@ fn each_trial_has_a_floor_of_its_own() {
     }
 }
 
-/// The plates knew nothing of the right foot: it is left out, and said; the left one gives the contacts.
+/// No plate measured the right foot: it is left out with a remark, and the left foot gives the contacts.
 #[test]
 fn a_foot_that_no_plate_measured_is_left_out() {
-    let bench = Bench::with(&FILES);
-    let text = bench.text("plates.sto");
+    let dir = TestDir::with(&FILES);
+    let text = dir.text("plates.sto");
     let (head, rows) = text.split_once("endheader\n").unwrap();
     let (names, rows) = rows.split_once('\n').unwrap();
     let is_right: Vec<bool> = names.split_ascii_whitespace().map(|name| name.contains("_r_")).collect();
@@ -371,8 +380,8 @@ fn a_foot_that_no_plate_measured_is_left_out() {
         let cells = row.split_ascii_whitespace().zip(&is_right);
         cells.map(|(cell, &is)| if is { "0" } else { cell }).collect::<Vec<&str>>().join("\t") + "\n"
     });
-    bench.write("plates.sto", format!("{head}endheader\n{names}\n{}", emptied.collect::<String>()));
-    let plan = object(&bench.run(&format!("{FIT} --dry-run --format json")).done());
+    dir.write("plates.sto", format!("{head}endheader\n{names}\n{}", emptied.collect::<String>()));
+    let plan = json_object(&dir.run(&format!("{FIT} --dry-run --format json")).succeeded());
     assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, "E1*");
     let remarks = plan["remarks"].to_string();
     assert!(
@@ -383,20 +392,20 @@ fn a_foot_that_no_plate_measured_is_left_out() {
 }
 
 #[test]
-fn what_a_floor_does_to_others_is_said() {
-    let bench = Bench::with(&FILES);
-    let plan = object(&bench.run(&format!("{FIT} --select contact_heel_r --dry-run --format json")).done());
+fn a_moved_floor_of_other_spheres_is_reported() {
+    let dir = TestDir::with(&FILES);
+    let plan =
+        json_object(&dir.run(&format!("{FIT} --select contact_heel_r --dry-run --format json")).succeeded());
     let remarks = plan["remarks"].to_string();
     assert!(remarks.contains("the floor is also that of"), "{remarks}");
 }
 
 #[test]
-fn words_that_mean_nothing_are_refused() {
-    let bench = Bench::with(&FILES);
-    bench
-        .run(&format!("{FIT} --fit stiffness --height-in spheres"))
-        .usage()
+fn options_without_effect_are_refused() {
+    let dir = TestDir::with(&FILES);
+    dir.run(&format!("{FIT} --fit stiffness --height-in spheres"))
+        .usage_error()
         .says(&["no height is fitted", "--height-in"]);
-    bench.run(&format!("{FIT} --branch loading")).usage().says(&["--branch"]);
-    bench.run(&format!("{FIT} --force-unit kN")).usage().says(&["--force-unit"]);
+    dir.run(&format!("{FIT} --branch loading")).usage_error().says(&["--branch"]);
+    dir.run(&format!("{FIT} --force-unit kN")).usage_error().says(&["--force-unit"]);
 }

@@ -1,7 +1,7 @@
-//! `presets`, and presets of one's own.
+//! `presets`, and presets in a file of the user.
 
-use crate::support::{Bench, HUMAN};
-use crate::{assert_close, changes, figure, object};
+use crate::support::{HUMAN, TestDir};
+use crate::{assert_close, changes, json_object, number};
 
 const LAB: &str = "# Presets of the lab
 [[preset]]
@@ -15,14 +15,14 @@ stiffness = 1.5e6
 dissipation = 1.0
 ";
 
-fn lab(bench: &Bench) {
-    bench.write("lab.toml", LAB);
+fn write_lab_presets(dir: &TestDir) {
+    dir.write("lab.toml", LAB);
 }
 
 #[test]
-fn the_published_preset_is_what_was_published() {
-    let bench = Bench::new();
-    let preset = object(&bench.run("presets falisse2022 --format json").done().wrote_nothing());
+fn the_published_preset_has_the_published_numbers() {
+    let dir = TestDir::new();
+    let preset = json_object(&dir.run("presets falisse2022 --format json").succeeded().wrote_nothing());
     // Falisse et al. (2022) as in Table 1.
     for (name, value) in [
         ("mass_kg", 62.0),
@@ -35,7 +35,7 @@ fn the_published_preset_is_what_was_published() {
         ("hertz_smoothing", 300.0),
         ("hunt_crossley_smoothing", 50.0),
     ] {
-        assert_eq!(figure(&preset, name), value, "{name}");
+        assert_eq!(number(&preset, name), value, "{name}");
     }
     assert!(preset["source"].as_str().unwrap().contains("Falisse"));
     // mpmath, g = 9.80665: E* n R²/(M g), x̂ of (11), α √(gR), √cf/R, bd R, bv √(gR).
@@ -47,16 +47,16 @@ fn the_published_preset_is_what_was_published() {
         ("hertz_smoothing", 9.6),
         ("hunt_crossley_smoothing", 28.009_498_388_939_42),
     ] {
-        assert_close(figure(&preset["dimensionless"], name), value, 1e-14, name);
+        assert_close(number(&preset["dimensionless"], name), value, 1e-14, name);
     }
 }
 
 #[test]
-fn ones_own_stand_beside_it() {
-    let bench = Bench::new();
-    lab(&bench);
-    let ran = bench.run("presets --presets lab.toml --format json").done();
-    let names: Vec<String> = ran
+fn user_presets_are_listed_after_the_published_one() {
+    let dir = TestDir::new();
+    write_lab_presets(&dir);
+    let run = dir.run("presets --presets lab.toml --format json").succeeded();
+    let names: Vec<String> = run
         .out()
         .lines()
         .map(|line| {
@@ -64,76 +64,76 @@ fn ones_own_stand_beside_it() {
         })
         .collect();
     assert_eq!(names, ["falisse2022", "lab_heel"]);
-    let preset = object(&bench.run("presets lab_heel --presets lab.toml --format json").done());
-    assert_eq!((figure(&preset, "stiffness"), figure(&preset, "spheres")), (1.5e6, 4.0));
+    let preset = json_object(&dir.run("presets lab_heel --presets lab.toml --format json").succeeded());
+    assert_eq!((number(&preset, "stiffness"), number(&preset, "spheres")), (1.5e6, 4.0));
     assert!(preset["hertz_smoothing"].is_null() && preset["dimensionless"]["hertz_smoothing"].is_null());
-    bench
-        .run("presets lab_hell --presets lab.toml")
-        .usage()
+    dir.run("presets lab_hell --presets lab.toml")
+        .usage_error()
         .says(&["unknown preset 'lab_hell'", "falisse2022, lab_heel"]);
-    bench.run("presets lab_heel").usage().says(&["unknown preset 'lab_heel'"]);
+    dir.run("presets lab_heel").usage_error().says(&["unknown preset 'lab_heel'"]);
 }
 
 #[test]
-fn a_transfer_takes_ones_own() {
-    let bench = Bench::with(&[("format/v40000.osim", "feet.osim"), HUMAN]);
-    lab(&bench);
-    let seen = changes(
-        &bench.run("transfer feet.osim --from lab_heel --presets lab.toml --dry-run --format json").done(),
+fn transfer_accepts_a_user_preset() {
+    let dir = TestDir::with(&[("format/v40000.osim", "feet.osim"), HUMAN]);
+    write_lab_presets(&dir);
+    let changed = changes(
+        &dir.run("transfer feet.osim --from lab_heel --presets lab.toml --dry-run --format json").succeeded(),
     );
     // (10): 53/70 · 4/2 · (0.03/0.0325)² · 1.5e6; (14): √(0.03/0.0325). mpmath.
-    assert_close(seen["stiffness"].1, 1_935_418.427_726_12, 1e-14, "stiffness");
-    assert_close(seen["dissipation"].1, 0.960_768_922_830_522_8, 1e-14, "dissipation");
-    // It has no smoothing to give, which is said.
-    bench
-        .run("transfer human.osim --from lab_heel --presets lab.toml --dry-run")
-        .done()
+    assert_close(changed["stiffness"].1, 1_935_418.427_726_12, 1e-14, "stiffness");
+    assert_close(changed["dissipation"].1, 0.960_768_922_830_522_8, 1e-14, "dissipation");
+    // The preset has no smoothing, and a warning says so.
+    dir.run("transfer human.osim --from lab_heel --presets lab.toml --dry-run")
+        .succeeded()
         .says(&["reference-without-smoothing"]);
-    bench
-        .run("transfer feet.osim --from lab_hell --presets lab.toml")
-        .usage()
+    dir.run("transfer feet.osim --from lab_hell --presets lab.toml")
+        .usage_error()
         .wrote_nothing()
         .says(&["no such file and no such preset", "falisse2022, lab_heel"]);
-    let drop = object(&bench.run("drop-test lab_heel --presets lab.toml --format json").done());
-    assert_eq!((figure(&drop, "mass_kg"), figure(&drop, "sphere_count")), (70.0, 4.0));
+    let drop = json_object(&dir.run("drop-test lab_heel --presets lab.toml --format json").succeeded());
+    assert_eq!((number(&drop, "mass_kg"), number(&drop, "sphere_count")), (70.0, 4.0));
 }
 
 #[test]
-fn mistakes_in_the_file_are_shown_where_they_are() {
-    let bench = Bench::new();
-    let with = |from: &str, to: &str| {
+fn mistakes_in_a_preset_file_are_located() {
+    let dir = TestDir::new();
+    let lab_with = |from: &str, to: &str| {
         assert!(LAB.contains(from), "{from}");
         LAB.replacen(from, to, 1)
     };
     for (text, words) in [
-        (with("stiffness =", "stifness ="), ["lab.toml:9:1: ", "unknown field `stifness`"]),
-        (with("mass_kg = 70", "mass_kg = \"70 kg\""), ["lab.toml:5:11: ", "expected a number"]),
-        (with("name = \"lab_heel\"", "name = \"falisse2022\""), ["lab.toml:3:8: ", "'falisse2022' is taken"]),
+        (lab_with("stiffness =", "stifness ="), ["lab.toml:9:1: ", "unknown field `stifness`"]),
+        (lab_with("mass_kg = 70", "mass_kg = \"70 kg\""), ["lab.toml:5:11: ", "expected a number"]),
+        (
+            lab_with("name = \"lab_heel\"", "name = \"falisse2022\""),
+            ["lab.toml:3:8: ", "'falisse2022' is taken"],
+        ),
         (format!("{LAB}\n{LAB}"), ["lab.toml:14:8: ", "'lab_heel' is taken"]),
-        (with("1.5e6", "1,5e6"), ["lab.toml:9:14: ", "expected newline"]),
-        (with("mass_kg = 70\n", ""), ["lab.toml:2:1: ", "missing field `mass_kg`"]),
-        (with("mass_kg = 70", "mass_kg = -70"), ["lab.toml:3:8: preset 'lab_heel'", "mass is -70"]),
-        (with("spheres = 4", "spheres = 0"), ["lab.toml:3:8: preset 'lab_heel'", "sphere count is 0"]),
+        (lab_with("1.5e6", "1,5e6"), ["lab.toml:9:14: ", "expected newline"]),
+        (lab_with("mass_kg = 70\n", ""), ["lab.toml:2:1: ", "missing field `mass_kg`"]),
+        (lab_with("mass_kg = 70", "mass_kg = -70"), ["lab.toml:3:8: preset 'lab_heel'", "mass is -70"]),
+        (lab_with("spheres = 4", "spheres = 0"), ["lab.toml:3:8: preset 'lab_heel'", "sphere count is 0"]),
         (
             format!("{LAB}hertz_smoothing = 300\n"),
             ["lab.toml:3:8: preset 'lab_heel'", "come together or not at all"],
         ),
-        (with("[[preset]]", "[preset]"), ["lab.toml:2:1: ", "expected a sequence"]),
-        (with("[[preset]]", "[[presets]]"), ["lab.toml:2:", "unknown field `presets`"]),
+        (lab_with("[[preset]]", "[preset]"), ["lab.toml:2:1: ", "expected a sequence"]),
+        (lab_with("[[preset]]", "[[presets]]"), ["lab.toml:2:", "unknown field `presets`"]),
     ] {
-        bench.write("lab.toml", &text);
-        bench.run("presets --presets lab.toml").usage().wrote_nothing().says(&words);
+        dir.write("lab.toml", &text);
+        dir.run("presets --presets lab.toml").usage_error().wrote_nothing().says(&words);
     }
-    bench.write("lab.toml", b"\xFF\xFE");
-    bench.run("presets --presets lab.toml").usage().says(&["lab.toml: not UTF-8"]);
-    bench.run("presets --presets nowhere.toml").usage().says(&["nowhere.toml", "no such file"]);
+    dir.write("lab.toml", b"\xFF\xFE");
+    dir.run("presets --presets lab.toml").usage_error().says(&["lab.toml: not UTF-8"]);
+    dir.run("presets --presets nowhere.toml").usage_error().says(&["nowhere.toml", "no such file"]);
 }
 
 #[test]
-fn how_it_looks() {
-    let bench = Bench::new();
-    lab(&bench);
-    bench.run("presets --presets lab.toml").looks_like("physics_presets");
-    bench.write("bad.toml", LAB.replace("stiffness", "stifness"));
-    bench.run("presets --presets bad.toml").looks_like("physics_presets_unknown_key");
+fn presets_output_matches_its_snapshots() {
+    let dir = TestDir::new();
+    write_lab_presets(&dir);
+    dir.run("presets --presets lab.toml").matches_snapshot("physics_presets");
+    dir.write("bad.toml", LAB.replace("stiffness", "stifness"));
+    dir.run("presets --presets bad.toml").matches_snapshot("physics_presets_unknown_key");
 }

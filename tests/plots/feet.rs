@@ -1,23 +1,23 @@
-//! Feet: circles are where the spheres are, names do not touch, and what cannot be drawn is said.
+//! `plot feet`: circles are at the places of the spheres, and the program names what it cannot draw.
 
 use crate::document::Svg;
-use crate::support::Bench;
+use crate::support::TestDir;
 
 const SIX: (&str, &str) = ("drawn_feet/six_spheres.osim", "six.osim");
 const LEFT: (&str, &str) = ("drawn_feet/left_behind.osim", "left.osim");
-const NOW: &str = "#0072B2";
+const IN_PLACE: &str = "#0072B2";
 const MISPLACED: &str = "#D55E00";
 /// The legend's samples are smaller than any sphere here, in drawing units.
 const SAMPLE: f64 = 100.0;
 
 #[track_caller]
-fn drawn(bench: &Bench, arguments: &str) -> (Svg, String) {
+fn plot_feet(dir: &TestDir, arguments: &str) -> (Svg, String) {
     let call = format!("plot feet {arguments} -o feet.svg --force");
-    let ran = bench.run(&call).done().wrote(&["feet.svg"]);
-    (Svg::read(&bench.text("feet.svg")), ran.out().to_owned())
+    let run = dir.run(&call).succeeded().wrote(&["feet.svg"]);
+    (Svg::read(&dir.text("feet.svg")), run.out().to_owned())
 }
 
-fn spheres(svg: &Svg, colour: &str) -> usize {
+fn count_spheres(svg: &Svg, colour: &str) -> usize {
     svg.circles(colour).iter().filter(|circle| circle.radius > SAMPLE).count()
 }
 
@@ -32,12 +32,12 @@ const RIGHT: [(&str, f64, f64, f64); 6] = [
 ];
 
 #[test]
-fn circles_are_where_the_spheres_are() {
-    let bench = Bench::with(&[SIX]);
-    let (svg, said) = drawn(&bench, "six.osim --select *_r");
-    assert!(said.contains("six: 1 foot, 6 spheres, at the default pose"), "{said}");
+fn circles_are_at_the_places_of_the_spheres() {
+    let dir = TestDir::with(&[SIX]);
+    let (svg, output) = plot_feet(&dir, "six.osim --select *_r");
+    assert!(output.contains("six: 1 foot, 6 spheres, at the default pose"), "{output}");
     svg.says(&["calcn_r, right", "from the right", "from above", "heel_r", "toe_lat_r", "floor, y = 0 mm"]);
-    let circles = svg.circles(NOW);
+    let circles = svg.circles(IN_PLACE);
     let x = svg.scale_of_x();
     let (side, above) = circles[..12].split_at(6);
     for (index, (name, along, ..)) in RIGHT.iter().enumerate() {
@@ -55,72 +55,72 @@ fn circles_are_where_the_spheres_are() {
 }
 
 #[test]
-fn spheres_that_stayed_behind_stand_out() {
-    let bench = Bench::with(&[SIX, LEFT]);
-    let (svg, said) = drawn(&bench, "left.osim");
-    assert!(said.contains("left: spheres-left-behind: bodies were scaled after"), "{said}");
-    assert_eq!((spheres(&svg, NOW), spheres(&svg, MISPLACED)), (0, 24));
+fn spheres_left_behind_have_another_colour() {
+    let dir = TestDir::with(&[SIX, LEFT]);
+    let (svg, output) = plot_feet(&dir, "left.osim");
+    assert!(output.contains("left: spheres-left-behind: bodies were scaled after"), "{output}");
+    assert_eq!((count_spheres(&svg, IN_PLACE), count_spheres(&svg, MISPLACED)), (0, 24));
     svg.says(&["sphere that is where it should not be"]);
-    let (svg, _) = drawn(&bench, "six.osim");
-    assert_eq!((spheres(&svg, NOW), spheres(&svg, MISPLACED)), (24, 0));
+    let (svg, _) = plot_feet(&dir, "six.osim");
+    assert_eq!((count_spheres(&svg, IN_PLACE), count_spheres(&svg, MISPLACED)), (24, 0));
     // Both: the first dashed.
-    let (svg, _) = drawn(&bench, "six.osim left.osim");
+    let (svg, _) = plot_feet(&dir, "six.osim left.osim");
     svg.says(&["sphere, six", "sphere that is where it should not be"]);
 }
 
 #[test]
-fn a_target_mass_draws_the_spheres_that_follow_from_it() {
-    let bench = Bench::with(&[SIX]);
-    let (svg, said) = drawn(&bench, "six.osim --select *_r --target-mass 496");
-    assert!(said.contains("scaled to 496 kg: 1 foot, 6 spheres"), "{said}");
+fn a_target_mass_draws_the_scaled_spheres() {
+    let dir = TestDir::with(&[SIX]);
+    let (svg, output) = plot_feet(&dir, "six.osim --select *_r --target-mass 496");
+    assert!(output.contains("scaled to 496 kg: 1 foot, 6 spheres"), "{output}");
     // Eight times the mass: twice the radius.
     let x = svg.scale_of_x();
-    let radius = x.value(svg.circles(NOW)[0].radius) - x.value(0.0);
+    let radius = x.value(svg.circles(IN_PLACE)[0].radius) - x.value(0.0);
     assert!((radius - 50.0).abs() < 0.1, "{radius}");
 }
 
 #[test]
-fn models_of_all_kinds_are_drawn_or_refused_in_words() {
-    let bench = Bench::with(&[
+fn models_are_drawn_or_refused_with_a_reason() {
+    let dir = TestDir::with(&[
         ("feet/human_40000.osim", "human.osim"),
         ("table1/mouse_hunt_crossley.osim", "mouse.osim"),
         ("format/no_sides.osim", "no_sides.osim"),
         ("check/floats.osim", "floats.osim"),
         ("bad/no_contacts.osim", "none.osim"),
     ]);
-    let (svg, said) = drawn(&bench, "human.osim");
-    assert!(said.contains("no bones are drawn of") && said.contains("--geometry-dir DIR"), "{said}");
-    assert_eq!(spheres(&svg, NOW), 0);
-    drawn(&bench, "mouse.osim");
-    drawn(&bench, "no_sides.osim");
-    drawn(&bench, "floats.osim");
-    let refused = |arguments: &str, words: &[&str]| {
-        bench.run(&format!("plot feet {arguments} -o no.svg")).says(words).wrote_nothing();
+    let (svg, output) = plot_feet(&dir, "human.osim");
+    assert!(output.contains("no bones are drawn of") && output.contains("--geometry-dir DIR"), "{output}");
+    assert_eq!(count_spheres(&svg, IN_PLACE), 0);
+    plot_feet(&dir, "mouse.osim");
+    plot_feet(&dir, "no_sides.osim");
+    plot_feet(&dir, "floats.osim");
+    let assert_refused = |arguments: &str, words: &[&str]| {
+        dir.run(&format!("plot feet {arguments} -o no.svg")).says(words).wrote_nothing();
     };
-    refused("none.osim", &["there are no feet to draw"]);
-    refused("falisse2022", &["falisse2022 is a preset, which has no feet"]);
-    refused("mouse.osim human.osim floats.osim", &["one model, or two"]);
-    refused("mouse.osim --select nothing*", &["no contact force is left by --select"]);
+    assert_refused("none.osim", &["there are no feet to draw"]);
+    assert_refused("falisse2022", &["falisse2022 is a preset, which has no feet"]);
+    assert_refused("mouse.osim human.osim floats.osim", &["one model, or two"]);
+    assert_refused("mouse.osim --select nothing*", &["no contact force is left by --select"]);
 }
 
 #[test]
-fn names_from_outside_are_only_text() {
-    let bench = Bench::with(&[SIX]);
+fn names_with_markup_are_drawn_as_text() {
+    let dir = TestDir::with(&[SIX]);
     let odd = "&lt;b onclick=&quot;x&quot;&gt;&amp;";
-    let text = bench.text("six.osim").replace("heel_r", odd);
-    bench.write("odd.osim", text);
-    let (svg, _) = drawn(&bench, "odd.osim");
+    let text = dir.text("six.osim").replace("heel_r", odd);
+    dir.write("odd.osim", text);
+    let (svg, _) = plot_feet(&dir, "odd.osim");
     svg.says(&["<b onclick=\"x\">&"]);
-    let document = bench.text("feet.svg");
+    let document = dir.text("feet.svg");
     assert!(!document.contains("<b ") && !document.contains(" id="));
 }
 
 #[test]
 fn reports_show_the_feet() {
-    let bench = Bench::with(&[SIX]);
+    let dir = TestDir::with(&[SIX]);
     let page = |call: &str, page: &str| {
-        bench.run(&format!("{call} --report {page} --quiet"));
-        bench.text(page)
+        dir.run(&format!("{call} --report {page} --quiet"));
+        dir.text(page)
     };
     let changed = page("rescale six.osim --target-mass 80 -o out.osim", "changed.html");
     for words in
@@ -128,9 +128,9 @@ fn reports_show_the_feet() {
     {
         assert!(changed.contains(words), "{words}");
     }
-    bench.run("inspect six.osim --report inspected.html").done();
-    let inspected = bench.text("inspected.html");
+    dir.run("inspect six.osim --report inspected.html").succeeded();
+    let inspected = dir.text("inspected.html");
     assert!(inspected.contains("Feet from the side and from above") && !inspected.contains("sphere, before"));
-    bench.run("check six.osim --report checked.html");
-    assert!(bench.text("checked.html").contains("Feet from the side and from above"));
+    dir.run("check six.osim --report checked.html");
+    assert!(dir.text("checked.html").contains("Feet from the side and from above"));
 }

@@ -123,7 +123,7 @@ fn snippet(excerpt: &Excerpt) -> String {
 
 #[cfg(all(test, windows))]
 mod tests {
-    /// Elsewhere whole runs are stopped in `tests/library/stopped.rs`.
+    /// Elsewhere whole runs are stopped in `tests/library/interrupted.rs`.
     #[test]
     fn ctrl_c_is_a_wish() {
         super::listen();

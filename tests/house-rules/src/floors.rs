@@ -38,15 +38,15 @@ pub type Crates = BTreeMap<String, Vec<String>>;
 /// A manifest that cannot be read.
 pub fn crates(folder: &Path) -> Result<Crates, String> {
     let entries = fs::read_dir(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let mut found = Crates::new();
+    let mut crates = Crates::new();
     for entry in entries.flatten().filter(|entry| entry.path().join("Cargo.toml").is_file()) {
         let manifest = entry.path().join("Cargo.toml");
         let text =
             fs::read_to_string(&manifest).map_err(|error| format!("{}: {error}", manifest.display()))?;
         let table: toml::Table = text.parse().map_err(|error| format!("{}: {error}", manifest.display()))?;
-        found.insert(entry.file_name().to_string_lossy().into_owned(), dependencies(&table));
+        crates.insert(entry.file_name().to_string_lossy().into_owned(), dependencies(&table));
     }
-    Ok(found)
+    Ok(crates)
 }
 
 /// What a manifest, or the part of it about one system, depends on; of tests' dependencies those that have a version, without which
@@ -54,23 +54,23 @@ pub fn crates(folder: &Path) -> Result<Crates, String> {
 fn dependencies(table: &toml::Table) -> Vec<String> {
     let inner = |name: &str| table.get(name).and_then(toml::Value::as_table);
     let is_published = |value: &toml::Value| value.get("path").is_none() || value.get("version").is_some();
-    let mut found = Vec::new();
+    let mut names = Vec::new();
     let kinds = ["dependencies", "build-dependencies", "dev-dependencies"];
     for (name, value) in
         kinds.into_iter().filter_map(inner).flatten().filter(|(_, value)| is_published(value))
     {
-        found.push(value.get("package").and_then(toml::Value::as_str).unwrap_or(name).to_owned());
+        names.push(value.get("package").and_then(toml::Value::as_str).unwrap_or(name).to_owned());
     }
     let systems = inner("target").into_iter().flatten().filter_map(|(_, value)| value.as_table());
-    found.extend(systems.flat_map(dependencies));
-    found
+    names.extend(systems.flat_map(dependencies));
+    names
 }
 
 /// Arrows that do not point down, crates without a floor, and names without a crate.
 #[must_use]
 pub fn faults(floors: &[&[&str]], crates: &Crates) -> Vec<String> {
     let floor = |name: &str| floors.iter().position(|floor| floor.contains(&name));
-    let mut found: Vec<String> = floors
+    let mut faults: Vec<String> = floors
         .iter()
         .copied()
         .flatten()
@@ -78,14 +78,14 @@ pub fn faults(floors: &[&[&str]], crates: &Crates) -> Vec<String> {
         .map(|name| format!("the table of floors names {name}, which is not a crate"))
         .collect();
     for (from, dependencies) in crates {
-        let Some(own) = floor(from) else {
-            found.push(format!("{from} is missing from the table of floors"));
+        let Some(own_floor) = floor(from) else {
+            faults.push(format!("{from} is missing from the table of floors"));
             continue;
         };
-        let upwards = dependencies.iter().filter(|to| floor(to).is_some_and(|other| other >= own));
-        found.extend(upwards.map(|to| format!("{from} depends on {to}, which is not on a lower floor")));
+        let upwards = dependencies.iter().filter(|to| floor(to).is_some_and(|other| other >= own_floor));
+        faults.extend(upwards.map(|to| format!("{from} depends on {to}, which is not on a lower floor")));
     }
-    found
+    faults
 }
 
 /// Arrows between the modules of a crate that do not point down, and modules without a floor.
@@ -93,15 +93,15 @@ pub fn faults(floors: &[&[&str]], crates: &Crates) -> Vec<String> {
 pub fn faults_inside(floors: &[&[&str]], tree: &Tree) -> Vec<String> {
     let floor = |path: &[String]| floors.iter().position(|floor| floor.contains(&path[0].as_str()));
     let modules = tree.keys().filter(|path| path.len() == 1 && floor(path).is_none());
-    let mut found: Vec<String> =
+    let mut faults: Vec<String> =
         modules.map(|path| format!("{} is missing from the table of floors", path[0])).collect();
     for ((from, to), place) in uses(tree).iter().filter(|((from, to), _)| !from.is_empty() && !to.is_empty())
     {
         if from[0] != to[0] && floor(to) >= floor(from) {
-            found.push(format!("{} uses {}, which is not on a lower floor: {place}", from[0], to[0]));
+            faults.push(format!("{} uses {}, which is not on a lower floor: {place}", from[0], to[0]));
         }
     }
-    found
+    faults
 }
 
 #[cfg(test)]
@@ -115,9 +115,9 @@ mod tests {
     }
 
     #[test]
-    fn arrows_upwards_and_sideways_and_names_without_a_crate() {
+    fn upward_arrows_and_missing_crates_are_faults() {
         let floors: &[&[&str]] = &[&["a"], &["b", "c"], &["gone"]];
-        let found =
+        let found_faults =
             faults(floors, &crates(&[("a", &["c"]), ("b", &["a", "c"]), ("c", &["a"]), ("new", &[])]));
         let expected = [
             "the table of floors names gone, which is not a crate",
@@ -125,11 +125,11 @@ mod tests {
             "b depends on c, which is not on a lower floor",
             "new is missing from the table of floors",
         ];
-        assert_eq!(found, expected);
+        assert_eq!(found_faults, expected);
     }
 
     #[test]
-    fn dependencies_of_a_manifest() -> Result<(), toml::de::Error> {
+    fn dependencies_of_a_manifest_are_read() -> Result<(), toml::de::Error> {
         let manifest: toml::Table = "[dependencies]\na.workspace = true\nrenamed = { package = 'b' }\n\
             [target.'cfg(unix)'.dependencies]\nc = '1'\n[dev-dependencies]\nd = '1'\n\
             own = { path = '.' }\n"

@@ -18,18 +18,18 @@ pub type Sources = BTreeMap<String, String>;
 pub struct Import {
     /// The path as it is written.
     pub path: Vec<String>,
-    /// The name by which it is known here; `*` if that is all names.
+    /// Its name in this module; `*` if all names are imported.
     pub name: String,
-    /// Whether other modules see it.
+    /// Whether it is a `pub use`.
     pub is_passed_on: bool,
-    /// Where it is; 0 if nobody wrote it, but the root knows an exported macro so.
+    /// The line; 0 for an exported macro, which the root has without a `use`.
     pub line: usize,
 }
 
 /// A string, or doc comments that follow each other.
 #[derive(Debug)]
 pub struct Text {
-    /// What it says; escapes are blanks.
+    /// The text, with blanks instead of escapes.
     pub text: String,
     /// The line on which it begins, from 1.
     pub line: usize,
@@ -124,12 +124,12 @@ pub fn project(root: &Path) -> Result<BTreeMap<String, Vec<Tree>>, String> {
 /// # Errors
 /// A module without a file.
 pub fn trees(sources: &Sources) -> Result<Vec<Tree>, String> {
-    let mut found = Vec::new();
+    let mut trees = Vec::new();
     for root in ["src/lib.rs", "src/main.rs"].into_iter().filter(|root| sources.contains_key(*root)) {
         let mut tree = Tree::new();
-        let mut open = vec![(Vec::new(), root.to_owned(), "src".to_owned())];
+        let mut pending = vec![(Vec::new(), root.to_owned(), "src".to_owned())];
         let mut macros = Vec::new();
-        while let Some((path, file, folder)) = open.pop() {
+        while let Some((path, file, folder)) = pending.pop() {
             let module = module(path, &file, &sources[&file]);
             for name in &module.macros {
                 let path =
@@ -141,14 +141,14 @@ pub fn trees(sources: &Sources) -> Result<Vec<Tree>, String> {
                 let mut files = [format!("{inside}.rs"), format!("{inside}/mod.rs")].into_iter();
                 let file = files.find(|file| sources.contains_key(file));
                 let file = file.ok_or_else(|| format!("{}: no file for `mod {child}`", module.file))?;
-                open.push(([module.path.as_slice(), std::slice::from_ref(child)].concat(), file, inside));
+                pending.push(([module.path.as_slice(), std::slice::from_ref(child)].concat(), file, inside));
             }
             tree.insert(module.path.clone(), module);
         }
         tree.entry(Vec::new()).or_default().imports.append(&mut macros);
-        found.push(tree);
+        trees.push(tree);
     }
-    Ok(found)
+    Ok(trees)
 }
 
 /// Reads a module from the text of its file.
@@ -161,7 +161,7 @@ fn module(path: Vec<String>, file: &str, source: &str) -> Module {
     for test in TEST.find_iter(&code.clone()) {
         let is_for_more = ["not", "any"].iter().any(|word| test.as_str().contains(word));
         if !is_for_more && code[test.range()].starts_with('#') {
-            tests.push(test.start()..hide(&mut code, test.start(), test.end()));
+            tests.push(test.start()..blank_item(&mut code, test.start(), test.end()));
         }
     }
     for part in
@@ -171,36 +171,36 @@ fn module(path: Vec<String>, file: &str, source: &str) -> Module {
     }
     for (whole, name, sign) in MOD
         .captures_iter(&code.clone())
-        .map(|found| (found.get_match().range(), found[1].to_owned(), found[2].to_owned()))
+        .map(|captures| (captures.get_match().range(), captures[1].to_owned(), captures[2].to_owned()))
     {
         if sign == "{" {
-            hide(&mut code, whole.start, whole.end - 1);
+            blank_item(&mut code, whole.start, whole.end - 1);
         } else if code[whole].starts_with('m') {
             module.children.push(name);
         }
     }
-    for found in USE.captures_iter(&code) {
-        let (is_passed_on, line) = (found.get(1).is_some(), line(found.get_match().start()));
+    for captures in USE.captures_iter(&code) {
+        let (is_passed_on, line) = (captures.get(1).is_some(), line(captures.get_match().start()));
         let add = &mut |path, name| module.imports.push(Import { path, name, is_passed_on, line });
-        leaves(&found[2], &[], add);
+        import_leaves(&captures[2], &[], add);
     }
-    let code = USE.replace_all(&code, |found: &Captures<'_>| blank(&found[0]));
-    for found in ITEM.captures_iter(&code) {
-        module.items.insert(found[2].to_owned());
-        module.macros.extend((&found[1] == "macro_rules!").then(|| found[2].to_owned()));
+    let code = USE.replace_all(&code, |captures: &Captures<'_>| blank(&captures[0]));
+    for captures in ITEM.captures_iter(&code) {
+        module.items.insert(captures[2].to_owned());
+        module.macros.extend((&captures[1] == "macro_rules!").then(|| captures[2].to_owned()));
     }
-    for found in PATH.find_iter(&code).filter(|found| !found.as_str().starts_with("pub(")) {
-        // A path that goes on from a value, a variable of a macro or a type begins elsewhere.
-        let before = code[..found.start()].trim_end();
+    for captures in PATH.find_iter(&code).filter(|captures| !captures.as_str().starts_with("pub(")) {
+        // A path after a value, a variable of a macro or a type does not begin here.
+        let before = code[..captures.start()].trim_end();
         if !["::", ".", "$"].iter().any(|sign| before.ends_with(sign)) {
-            module.mentions.push((names(found.as_str()), line(found.start())));
+            module.mentions.push((path_names(captures.as_str()), line(captures.start())));
         }
     }
     module
 }
 
 impl Module {
-    /// Keeps what a string or a doc comment says. `before` is the code before it.
+    /// Adds the text of a string or a doc comment. `before` is the code before it.
     fn add_text(&mut self, part: &str, line: usize, before: &str) {
         let is_doc = part.starts_with("///") && !part.starts_with("////") || part.starts_with("//!");
         match self.texts.last_mut() {
@@ -214,8 +214,8 @@ impl Module {
             _ if part.ends_with(['"', '#']) && !part.starts_with('/') => {
                 let text = ESCAPE.replace_all(part, "  ").into_owned();
                 let key = before.trim_end().trim_end_matches('=').trim_end();
-                if text.contains("::") && KEYS.iter().any(|known| key.ends_with(known)) {
-                    self.mentions.push((names(text.trim_matches('"')), line));
+                if text.contains("::") && KEYS.iter().any(|key_of_path| key.ends_with(key_of_path)) {
+                    self.mentions.push((path_names(text.trim_matches('"')), line));
                 }
                 self.texts.push(Text { text, line, is_doc });
             }
@@ -224,13 +224,13 @@ impl Module {
     }
 }
 
-/// As many blanks; lines stay.
+/// As many blanks as the text has bytes; line ends stay.
 pub(crate) fn blank(text: &str) -> String {
     text.bytes().map(|byte| if byte == b'\n' { '\n' } else { ' ' }).collect()
 }
 
 /// Blanks in the place of an item that begins at `begin`; `at` is after its attribute or its name. Gives its end.
-fn hide(code: &mut String, begin: usize, at: usize) -> usize {
+fn blank_item(code: &mut String, begin: usize, at: usize) -> usize {
     let (mut depth, mut end) = (0_usize, code.len());
     for (place, sign) in code[at..].char_indices() {
         depth += usize::from("([{".contains(sign));
@@ -248,26 +248,26 @@ fn hide(code: &mut String, begin: usize, at: usize) -> usize {
     end
 }
 
-fn names(path: &str) -> Vec<String> {
+fn path_names(path: &str) -> Vec<String> {
     let names = path.trim_start_matches('$').split("::").map(str::trim);
     names.filter(|name| !name.is_empty()).map(str::to_owned).collect()
 }
 
 /// The leaves of a tree of imports: the path and the name of each.
-fn leaves(tree: &str, before: &[String], add: &mut impl FnMut(Vec<String>, String)) {
+fn import_leaves(tree: &str, before: &[String], add: &mut impl FnMut(Vec<String>, String)) {
     if let Some((begin, inside)) = tree.split_once('{') {
-        let path = [before, &names(begin)].concat();
+        let path = [before, &path_names(begin)].concat();
         let mut depth = 0_usize;
         let parts = inside[..inside.rfind('}').unwrap_or(inside.len())].split(|sign| {
             depth += usize::from(sign == '{');
             depth -= usize::from(sign == '}').min(depth);
             depth == 0 && sign == ','
         });
-        return parts.for_each(|part| leaves(part, &path, add));
+        return parts.for_each(|part| import_leaves(part, &path, add));
     }
     let (written, name) =
         tree.split_once(" as ").map_or((tree, None), |(path, name)| (path, Some(name.trim())));
-    let mut path = [before, &names(written)].concat();
+    let mut path = [before, &path_names(written)].concat();
     let last = path.last().cloned().unwrap_or_default();
     if last == "*" || last == "self" && path.len() > 1 {
         path.pop();

@@ -23,36 +23,36 @@ static OPTION: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"(?:^|[^\w!-])(--[a
 /// The options that the strings of a crate name, each with its place.
 #[must_use]
 pub fn options(tree: &Tree) -> Vec<String> {
-    let mut found = Vec::new();
+    let mut options = Vec::new();
     for module in tree.values() {
         for Text { text, line, .. } in module.texts.iter().filter(|text| !text.is_doc) {
-            found.extend(OPTION.captures_iter(text).filter_map(|option| option.get(1)).map(|option| {
+            options.extend(OPTION.captures_iter(text).filter_map(|option| option.get(1)).map(|option| {
                 let line = line + text[..option.start()].matches('\n').count();
                 format!("{}:{line}: {}", module.file, option.as_str())
             }));
         }
     }
-    found
+    options
 }
 
 /// Places at which a crate names something of [`OUTSIDE`].
 #[must_use]
 pub fn outside(tree: &Tree) -> Vec<String> {
-    let mut found = Vec::new();
+    let mut uses = Vec::new();
     for module in tree.values() {
-        let imports = module.imports.iter().map(|import| (full(module, &import.path), import.line));
-        let mentions = module.mentions.iter().map(|(path, line)| (full(module, path), *line));
+        let imports = module.imports.iter().map(|import| (full_path(module, &import.path), import.line));
+        let mentions = module.mentions.iter().map(|(path, line)| (full_path(module, path), *line));
         for (path, line) in imports.chain(mentions) {
             if OUTSIDE.iter().any(|banned| path == *banned || path.starts_with(&format!("{banned}::"))) {
-                found.push(format!("{}:{line}: {path}", module.file));
+                uses.push(format!("{}:{line}: {path}", module.file));
             }
         }
     }
-    found
+    uses
 }
 
 /// A path with the import that it begins with in the place of its first name.
-fn full(module: &Module, path: &[String]) -> String {
+fn full_path(module: &Module, path: &[String]) -> String {
     let import = module
         .imports
         .iter()

@@ -28,7 +28,7 @@ pub struct Word {
     pub not: Regex,
     /// What to write instead.
     pub say: String,
-    /// Where it may be written nevertheless, with what is around it.
+    /// Texts around the words in which they are allowed.
     #[serde(default, deserialize_with = "some_pattern")]
     pub unless: Option<Regex>,
     /// Texts that are refused.
@@ -55,20 +55,20 @@ impl Words {
     /// What must not be written in the strings and doc comments of a crate: names in `{}` and code in backticks aside.
     #[must_use]
     pub fn in_code(&self, tree: &Tree) -> Vec<String> {
-        let mut found = Vec::new();
+        let mut forbidden = Vec::new();
         for module in tree.values() {
             for text in &module.texts {
                 let blank_inside =
                     |name: &Captures<'_>| format!("{}{}{}", &name[1], blank(&name[2]), &name[3]);
-                let named = if text.is_doc { &CODE } else { &VALUE };
-                found.extend(self.in_text(
+                let code_pattern = if text.is_doc { &CODE } else { &VALUE };
+                forbidden.extend(self.in_text(
                     &module.file,
                     text.line,
-                    &named.replace_all(&text.text, blank_inside),
+                    &code_pattern.replace_all(&text.text, blank_inside),
                 ));
             }
         }
-        found
+        forbidden
     }
 }
 
@@ -80,16 +80,16 @@ impl Word {
     #[must_use]
     pub fn in_text(&self, file: &str, line: usize, text: &str) -> Vec<String> {
         let allowed: Vec<_> = self.unless.iter().flat_map(|unless| unless.find_iter(text)).collect();
-        let is_allowed = |found: &regex::Match<'_>| {
-            allowed.iter().any(|around| around.start() <= found.start() && found.end() <= around.end())
+        let is_allowed = |matched: &regex::Match<'_>| {
+            allowed.iter().any(|around| around.start() <= matched.start() && matched.end() <= around.end())
         };
-        let found = self.not.find_iter(text).filter(|found| !is_allowed(found));
-        let in_words = |found: regex::Match<'_>| {
-            let line = line + text[..found.start()].matches('\n').count();
-            let written = found.as_str().split_ascii_whitespace().collect::<Vec<_>>().join(" ");
+        let matched = self.not.find_iter(text).filter(|matched| !is_allowed(matched));
+        let in_words = |matched: regex::Match<'_>| {
+            let line = line + text[..matched.start()].matches('\n').count();
+            let written = matched.as_str().split_ascii_whitespace().collect::<Vec<_>>().join(" ");
             format!("{file}:{line}: not '{written}', but {}", self.say)
         };
-        found.map(in_words).collect()
+        matched.map(in_words).collect()
     }
 }
 

@@ -1,4 +1,4 @@
-//! The book is short: the words of its pages together, and of each sentence. Its map of the code leads somewhere.
+//! The book is short: all pages together, and each sentence. All paths in its map of the code exist.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -13,11 +13,11 @@ const WORDS: usize = 32_000;
 /// Pages that have an entry for each code or word of the program: they grow with it.
 const LOOKED_UP: [&str; 3] = ["docs/glossary.md", "docs/reference/errors.md", "docs/reference/findings.md"];
 /// Words of a sentence, on average of a page.
-const MEAN: usize = 22;
+const MEAN_SENTENCE: usize = 22;
 /// Words of the longest sentence: lists in a sentence are lists.
-const LONGEST: usize = 40;
+const LONGEST_SENTENCE: usize = 40;
 /// The map of the code.
-const MAP: &str = "docs/developers/architecture.md";
+const CODE_MAP: &str = "docs/developers/architecture.md";
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
@@ -27,11 +27,11 @@ fn pages() -> Vec<(String, String)> {
     let docs = WalkDir::new(root().join("docs")).sort_by_file_name().into_iter().map(Result::unwrap);
     let docs =
         docs.map(walkdir::DirEntry::into_path).filter(|path| path.extension().is_some_and(|end| end == "md"));
-    let named = |path: &Path| path.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/");
+    let relative_name = |path: &Path| path.strip_prefix(root()).unwrap().to_str().unwrap().replace('\\', "/");
     [root().join("README.md")]
         .into_iter()
         .chain(docs)
-        .map(|path| (named(&path), fs::read_to_string(path).unwrap()))
+        .map(|path| (relative_name(&path), fs::read_to_string(path).unwrap()))
         .collect()
 }
 
@@ -46,13 +46,13 @@ fn the_book_is_short() {
 
 /// Words of each sentence of the prose of a page. Code, tables and headings are no prose; a code span is one word.
 fn sentences(page: &str) -> Vec<usize> {
-    let replaced =
+    let replace_all =
         |text: &str, pattern: &str, by: &str| Regex::new(pattern).unwrap().replace_all(text, by).into_owned();
-    let prose = replaced(page, r"(?ms)^ *```.*?^ *```|^ *[|#<!][^\n]*", "\n");
-    let prose = replaced(&prose, r"`[^`]*`", "code");
+    let prose = replace_all(page, r"(?ms)^ *```.*?^ *```|^ *[|#<!][^\n]*", "\n");
+    let prose = replace_all(&prose, r"`[^`]*`", "code");
     // Addresses of links are no words; neither abbreviations nor initials end a sentence.
-    let prose = replaced(&prose, r"\]\([^)]*(?:\.md|://|#)[^)]*\)", "]");
-    let prose = replaced(&prose, r"\b(Figs?|e\.g|i\.e|al|Eq|No|[A-Z])\.", "$1");
+    let prose = replace_all(&prose, r"\]\([^)]*(?:\.md|://|#)[^)]*\)", "]");
+    let prose = replace_all(&prose, r"\b(Figs?|e\.g|i\.e|al|Eq|No|[A-Z])\.", "$1");
     let end = Regex::new(r#"(?m)[.!?][)*_"'\]]*(?:\s|$)|\n\s*\n|^\s*(?:[-*>]|\d+\.) "#).unwrap();
     let words = |sentence: &str| {
         sentence.split_whitespace().filter(|word| word.contains(char::is_alphanumeric)).count()
@@ -66,16 +66,19 @@ fn sentences_are_short() {
         let lengths = sentences(&text);
         let (sum, longest) = (lengths.iter().sum::<usize>(), lengths.iter().max().copied().unwrap_or(0));
         assert!(
-            sum <= MEAN * lengths.len(),
-            "{name}: {sum} words in {} sentences, at most {MEAN} each",
+            sum <= MEAN_SENTENCE * lengths.len(),
+            "{name}: {sum} words in {} sentences, at most {MEAN_SENTENCE} each",
             lengths.len()
         );
-        assert!(longest <= LONGEST, "{name}: a sentence of {longest} words, at most {LONGEST}");
+        assert!(
+            longest <= LONGEST_SENTENCE,
+            "{name}: a sentence of {longest} words, at most {LONGEST_SENTENCE}"
+        );
     }
 }
 
 #[test]
-fn what_a_sentence_is() {
+fn sentences_are_counted() {
     assert_eq!(sentences("One two. Three (four)? Five"), [2, 2, 1]);
     assert_eq!(sentences("One\ntwo.\n\nThree"), [2, 1]);
     assert_eq!(sentences("- one two\n- three\n  four\n1. five"), [2, 2, 1]);
@@ -87,8 +90,8 @@ fn what_a_sentence_is() {
 
 /// Code spans that begin with a folder of the project are paths in it, but for examples such as `docs/*.md`.
 #[test]
-fn the_map_leads_somewhere() {
-    let text = fs::read_to_string(root().join(MAP)).unwrap();
+fn every_path_in_the_code_map_exists() {
+    let text = fs::read_to_string(root().join(CODE_MAP)).unwrap();
     let folders: Vec<String> = fs::read_dir(root())
         .unwrap()
         .map(|entry| format!("{}/", entry.unwrap().file_name().to_string_lossy()))
@@ -96,11 +99,11 @@ fn the_map_leads_somewhere() {
     let spans = text.split('`').skip(1).step_by(2).filter(|span| !span.contains([' ', '*', '<', '{']));
     let paths: Vec<&str> =
         spans.filter(|span| folders.iter().any(|folder| span.starts_with(folder))).collect();
-    assert!(paths.len() > 10, "{MAP}: {} paths", paths.len());
-    let lost: Vec<_> = paths.into_iter().filter(|path| !root().join(path).exists()).collect();
-    assert!(lost.is_empty(), "{MAP} names paths that are not there: {lost:?}");
+    assert!(paths.len() > 10, "{CODE_MAP}: {} paths", paths.len());
+    let missing: Vec<_> = paths.into_iter().filter(|path| !root().join(path).exists()).collect();
+    assert!(missing.is_empty(), "{CODE_MAP} names paths that are not there: {missing:?}");
     for entry in fs::read_dir(root().join("crates")).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
-        assert!(text.contains(&format!("\n- `crates/{name}`: ")), "{MAP}: no paragraph on {name}");
+        assert!(text.contains(&format!("\n- `crates/{name}`: ")), "{CODE_MAP}: no paragraph on {name}");
     }
 }

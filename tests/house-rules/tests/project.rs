@@ -38,38 +38,38 @@ fn root() -> PathBuf {
 }
 
 /// What a rule finds in all crates but some, each once: a module of a library and a program is read for both.
-fn found(rule: impl Fn(&Tree) -> Vec<String>, but: &[&str]) -> Vec<String> {
-    let crates = PROJECT.iter().filter(|(name, _)| !but.contains(&name.as_str()));
-    let mut found: Vec<String> = crates.flat_map(|(_, trees)| trees).flat_map(rule).collect();
-    found.sort();
-    found.dedup();
-    found
+fn findings_of_rule(rule: impl Fn(&Tree) -> Vec<String>, except: &[&str]) -> Vec<String> {
+    let crates = PROJECT.iter().filter(|(name, _)| !except.contains(&name.as_str()));
+    let mut findings: Vec<String> = crates.flat_map(|(_, trees)| trees).flat_map(rule).collect();
+    findings.sort();
+    findings.dedup();
+    findings
 }
 
 #[track_caller]
-fn nothing(found: &[String], what: &str) {
-    assert!(found.is_empty(), "{} {what}:\n{}\n", found.len(), found.join("\n"));
+fn assert_none(findings: &[String], what: &str) {
+    assert!(findings.is_empty(), "{} {what}:\n{}\n", findings.len(), findings.join("\n"));
 }
 
 #[test]
-fn modules_go_round_in_no_circle() {
-    nothing(&found(circles::circles, &[]), "circles");
+fn modules_use_each_other_without_circles() {
+    assert_none(&findings_of_rule(circles::circles, &[]), "circles");
 }
 
 #[test]
-fn modules_point_downwards() {
+fn modules_use_only_lower_floors() {
     for (name, floors) in floors::INSIDE {
         let faults: Vec<String> =
             PROJECT[*name].iter().flat_map(|tree| floors::faults_inside(floors, tree)).collect();
-        nothing(&faults, &format!("faults in the arrows between modules of {name}"));
+        assert_none(&faults, &format!("faults in the arrows between modules of {name}"));
     }
 }
 
 #[test]
-fn crates_point_downwards() {
+fn crates_use_only_lower_floors() {
     let mut crates = floors::crates(&root().join("crates")).unwrap();
     crates.get_mut("osim-python").unwrap().retain(|name| name != BUILT_TOGETHER);
-    nothing(&floors::faults(FLOORS, &crates), "faults in the arrows between crates");
+    assert_none(&floors::faults(FLOORS, &crates), "faults in the arrows between crates");
     let of_python = PROJECT["osim-python"].iter().flat_map(BTreeMap::values);
     let calls = of_python.filter(|module| {
         let imports = module.imports.iter().map(|import| &import.path);
@@ -77,29 +77,29 @@ fn crates_point_downwards() {
             .chain(module.mentions.iter().map(|(path, _)| path))
             .any(|path| path[0] == "osim_contact_scale")
     });
-    nothing(
+    assert_none(
         &calls.map(|module| module.file.clone()).collect::<Vec<_>>(),
         "files of osim-python that call the command",
     );
 }
 
 #[test]
-fn options_are_spelled_by_the_front_ends() {
+fn only_front_ends_spell_options() {
     assert!(root().join(SPELLER).exists(), "{SPELLER}");
-    let mut named = found(texts::options, FLOORS.last().unwrap());
-    named.retain(|option| !option.starts_with(SPELLER));
-    nothing(&named, "options below the front ends");
+    let mut options = findings_of_rule(texts::options, FLOORS.last().unwrap());
+    options.retain(|option| !option.starts_with(SPELLER));
+    assert_none(&options, "options below the front ends");
 }
 
 #[test]
-fn only_the_library_and_the_command_know_the_system() {
-    nothing(&found(texts::outside, OUTSIDE), "uses of files, processes or streams");
+fn only_the_library_and_the_command_use_the_system() {
+    assert_none(&findings_of_rule(texts::outside, OUTSIDE), "uses of files, processes or streams");
 }
 
 /// Files in a folder of the project with this ending, with their texts.
 fn files(folder: &str, ending: &str) -> Vec<(String, String)> {
     let entries = WalkDir::new(root().join(folder)).sort_by_file_name().into_iter().map(Result::unwrap);
-    let files = entries.filter(|entry| entry.path().extension().is_some_and(|found| found == ending));
+    let files = entries.filter(|entry| entry.path().extension().is_some_and(|extension| extension == ending));
     files
         .map(|entry| {
             (
@@ -111,12 +111,12 @@ fn files(folder: &str, ending: &str) -> Vec<(String, String)> {
 }
 
 #[test]
-fn words_of_the_code() {
-    nothing(&found(|tree| WORDS.in_code(tree), &[]), "words that words.toml forbids");
+fn the_code_has_no_forbidden_words() {
+    assert_none(&findings_of_rule(|tree| WORDS.in_code(tree), &[]), "words that words.toml forbids");
 }
 
 #[test]
-fn words_of_the_docs() {
+fn the_docs_have_no_forbidden_words() {
     let mut pages = [files("docs", "md"), files("crates", "md")].concat();
     assert!(pages.len() > 20, "{}", pages.len());
     for name in ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"] {
@@ -126,25 +126,25 @@ fn words_of_the_docs() {
         pages.push((name.to_owned(), text[..end.map_or(text.len(), |end| begin + 1 + end)].to_owned()));
     }
     let is_of_the_book = |file: &str| file == "README.md" || file.starts_with("docs/");
-    let found = pages.iter().flat_map(|(file, text)| match is_of_the_book(file) {
+    let forbidden = pages.iter().flat_map(|(file, text)| match is_of_the_book(file) {
         true => WORDS.in_page(file, text),
         false => WORDS.in_text(file, 1, text),
     });
-    nothing(&found.collect::<Vec<_>>(), "words that words.toml forbids");
+    assert_none(&forbidden.collect::<Vec<_>>(), "words that words.toml forbids");
 }
 
 #[test]
-fn words_of_the_schemas() {
+fn the_schemas_have_no_forbidden_words() {
     let schemas = files("schemas", "json");
     assert!(schemas.len() > 20, "{}", schemas.len());
     // In names, `_` separates the words.
-    let found = schemas.iter().flat_map(|(file, text)| WORDS.in_text(file, 1, &text.replace('_', " ")));
-    nothing(&found.collect::<Vec<_>>(), "words that words.toml forbids");
+    let forbidden = schemas.iter().flat_map(|(file, text)| WORDS.in_text(file, 1, &text.replace('_', " ")));
+    assert_none(&forbidden.collect::<Vec<_>>(), "words that words.toml forbids");
 }
 
 /// Each word of the list is refused in its examples, and passes where the list says so.
 #[test]
-fn words_are_refused_in_their_examples() {
+fn each_forbidden_word_is_found_in_its_examples() {
     type Refused = fn(&str) -> Vec<String>;
     let kinds: [(_, Refused); 2] = [
         (&WORDS.word, |text| WORDS.in_text("file", 1, text)),
@@ -154,7 +154,7 @@ fn words_are_refused_in_their_examples() {
         for word in words {
             assert!(!word.wrong.is_empty(), "no example: {}", word.not);
             for text in &word.wrong {
-                assert!(refused(text).iter().any(|found| found.ends_with(&word.say)), "passes: {text}");
+                assert!(refused(text).iter().any(|message| message.ends_with(&word.say)), "passes: {text}");
             }
             for text in &word.right {
                 assert_eq!(refused(text), Vec::<String>::new());

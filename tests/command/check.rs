@@ -1,0 +1,495 @@
+//! `check`: every code has a case that triggers it, and every proposed command works.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::Deserialize;
+use serde_json::Value;
+
+use crate::json_types::Finding;
+use crate::support::{HUMAN, TestDir, corpus_folder, root};
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Report {
+    schema_version: u32,
+    model: String,
+    counts: BTreeMap<String, usize>,
+    verdicts: Vec<Value>,
+    pub(crate) findings: Vec<Finding>,
+    pub(crate) commands: Vec<String>,
+    similarity: Option<Value>,
+}
+
+/// The report of one model, whatever the exit status.
+#[track_caller]
+pub(crate) fn check_report(dir: &TestDir, arguments: &str) -> Report {
+    let run = dir.run(&format!("check {arguments} --format json")).wrote_nothing();
+    let report: Report = serde_json::from_str(&run.out())
+        .unwrap_or_else(|error| panic!("{error}: {}{}", run.out(), run.err()));
+    let on: Vec<&str> = report.verdicts.iter().filter_map(|verdict| verdict["on"].as_str()).collect();
+    assert_eq!(on, ["floor", "standing", "mass", "sides", "sizes", "solver"]);
+    assert_eq!(report.similarity.is_some(), arguments.contains("--from"), "{arguments}");
+    report
+}
+
+fn codes_of(report: &Report) -> BTreeSet<&str> {
+    report.findings.iter().map(|finding| finding.code.as_str()).collect()
+}
+
+/// A case for one code: fixtures, a command that runs before, and the arguments of `check`.
+struct Case {
+    code: &'static str,
+    fixtures: &'static [(&'static str, &'static str)],
+    before: &'static str,
+    check: &'static str,
+}
+
+const fn case(code: &'static str, fixture: &'static [(&'static str, &'static str)]) -> Case {
+    Case { code, fixtures: fixture, before: "", check: "model.osim" }
+}
+
+macro_rules! triggers {
+    ($($code:literal: $fixture:literal),+ $(,)?) => { &[$(case($code, &[($fixture, "model.osim")])),+] };
+}
+
+/// Codes that one unchanged fixture shows.
+const PLAIN: &[Case] = triggers! {
+    "bare-model": "bad/no_contacts.osim",
+    "beyond-hertz": "check/beyond_hertz.osim",
+    "beyond-hertz-at-two": "check/beyond_hertz_at_two.osim",
+    "sunk-in": "check/sunk_in.osim",
+    "beyond-hunt-crossley": "check/beyond_hunt_crossley.osim",
+    "large-constant-indentation": "check/large_constant_indentation.osim",
+    "wide-transition": "check/wide_transition.osim",
+    "force-before-contact": "check/force_before_contact.osim",
+    "floats": "check/floats.osim",
+    "contacts-of-another-mass": "check/contacts_of_another_mass.osim",
+    "uneven-bottoms": "check/uneven_bottoms.osim",
+    "unlevel-foot": "format/mixed_radii.osim",
+    "not-on-floor": "format/no_sides.osim",
+    "spheres-misplaced": "check/spheres_misplaced.osim",
+    "spheres-not-compared": "check/spheres_not_compared.osim",
+    "known-contacts": "check/known_contacts.osim",
+    "stale-note": "check/stale_note.osim",
+    "sphere-count-unknown": "format/no_sides.osim",
+    "no-gravity": "format/no_gravity.osim",
+    "angle-in-degrees": "check/angle_in_degrees.osim",
+    "gravity-too-large": "check/gravity_in_millimetres.osim",
+    "gravity-not-down": "check/gravity_up.osim",
+    "floor-upside-down": "check/floor_upside_down.osim",
+    "floor-upright": "check/floor_upright.osim",
+    "floor-on-limb": "check/floor_on_limb.osim",
+    "floor-slopes": "check/floor_slopes.osim",
+    "connectee-by-name": "format/connectee_bare.osim",
+    "loop-of-joints": "format/loop_of_joints.osim",
+    "misnamed-parameter-set": "format/parameters_misnamed.osim",
+    "default-stiffness": "format/left_out_stiffness.osim",
+    "zero-constant-contact-force": "format/zero_dissipation.osim",
+    "dead-derivative-smoothing": "format/dead_derivative_smoothing.osim",
+    "several-spheres-one-force": "format/one_force_for_all.osim",
+    "sphere-in-two-forces": "format/shared_sphere.osim",
+    "left-right-differ": "format/unequal_stiffness.osim",
+    "left-right-places": "check/left_right_places.osim",
+    "left-right-missing": "check/left_right_missing.osim",
+    "left-right-off": "check/left_right_off.osim",
+    "left-right-close": "check/left_right_close.osim",
+    "one-side-only": "check/one_side_only.osim",
+    "doubled-spheres": "check/doubled_spheres.osim",
+    "odd-radius": "check/odd_radius.osim",
+    "odd-place": "check/odd_place.osim",
+    "crowded-spheres": "check/crowded_spheres.osim",
+    "left-right-swapped": "check/left_right_swapped.osim",
+    "large-friction": "check/large_friction.osim",
+    "contact-defaults": "format/defaults_smooth.osim",
+    "not-hertz": "format/not_hertz.osim",
+    "mixed-radii": "format/mixed_radii.osim",
+    "several-parameter-sets": "format/three_materials.osim",
+    "terrain": "format/terrain_welded.osim",
+    "not-finite": "bad/number_inf.osim",
+    "odd-number": "bad/number_decimal_comma.osim",
+    "moco-dialect": "format/moco_sphere_in_force.osim",
+    "disabled-force": "format/applies_force_false.osim",
+    "unknown-class": "format/components_unknown_class.osim",
+    "duplicate-names": "format/same_force_name_twice.osim",
+    "refused-name": "bad/name_with_blank.osim",
+    "mass-unknown": "bad/mass_missing.osim",
+    "out-of-domain": "bad/dissipation_negative.osim",
+};
+
+/// Codes that need more than one file.
+const COMPOSED: &[Case] = &[
+    Case {
+        code: "spheres-left-behind",
+        fixtures: &[
+            ("scale_tool/generic_smooth.osim", "generic.osim"),
+            ("scale_tool/scaled_smooth.osim", "model.osim"),
+        ],
+        before: "",
+        check: "model.osim --from generic.osim",
+    },
+    Case {
+        code: "unmatched-pattern",
+        fixtures: &[("check/within_limits.osim", "model.osim")],
+        before: "",
+        check: "model.osim --exclude ball_*",
+    },
+    Case {
+        code: "mass-sources-disagree",
+        fixtures: &[("check/within_limits.osim", "model.osim")],
+        before: "",
+        check: "model.osim --contacts-mass 70",
+    },
+    Case {
+        code: "gravity-sources-disagree",
+        fixtures: &[("check/within_limits.osim", "made.osim")],
+        before: "made.osim --target-mass 70 --target-gravity 1.62 -o model.osim",
+        check: "model.osim --mass 70",
+    },
+    Case {
+        code: "compiled-model-beside",
+        // Only its name counts.
+        fixtures: &[("check/within_limits.osim", "model.osim"), ("bad/empty.osim", "F_model.so")],
+        before: "",
+        check: "model.osim",
+    },
+    Case {
+        code: "odd-mesh",
+        fixtures: &[
+            ("feet/human_in_millimetres.osim", "model.osim"),
+            ("feet/Geometry/r_human_foot.vtp", "r_human_foot.vtp"),
+        ],
+        before: "",
+        check: "model.osim",
+    },
+    Case {
+        code: "included-file",
+        fixtures: &[
+            ("format/file_forceset.osim", "model.osim"),
+            ("format/standalone_ForceSet.xml", "standalone_ForceSet.xml"),
+        ],
+        before: "",
+        check: "model.osim",
+    },
+    Case {
+        code: "mixed-pair",
+        fixtures: &[
+            ("format/standalone_ForceSet.xml", "forces.xml"),
+            ("format/standalone_ContactGeometrySet.xml", "geometry.xml"),
+            ("format/standalone_model_without_contacts.osim", "body.osim"),
+        ],
+        before: "forces.xml --geometry geometry.xml --model body.osim --target-mass 200 -d out",
+        check: "out/forces.xml --geometry geometry.xml --model body.osim",
+    },
+];
+
+fn cases() -> impl Iterator<Item = &'static Case> {
+    PLAIN.iter().chain(COMPOSED)
+}
+
+fn dir_of_case(case: &Case) -> TestDir {
+    let dir = TestDir::with(case.fixtures);
+    if !case.before.is_empty() {
+        dir.run(case.before).succeeded();
+    }
+    dir
+}
+
+/// The topics about findings in `explain`: each with its code, and whether `check` looks for it.
+fn finding_topics() -> Vec<Value> {
+    let out = TestDir::new().run("explain --format json").succeeded().out();
+    let topics = out.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+    topics.filter(|topic| topic["kind"] == "finding").collect()
+}
+
+#[test]
+fn every_code_has_a_case_that_triggers_it() {
+    let clean = check_report(&TestDir::with(&[("check/within_limits.osim", "model.osim")]), "model.osim");
+    assert!(clean.findings.is_empty(), "{:?}", clean.findings);
+    let checked: BTreeSet<String> = finding_topics()
+        .iter()
+        .filter(|topic| topic["checked"] == true)
+        .map(|topic| topic["code"].as_str().unwrap().to_owned())
+        .collect();
+    let tried: BTreeSet<String> = cases().map(|case| case.code.to_owned()).collect();
+    assert_eq!(tried, checked, "codes with a case, and codes of the register that check looks for");
+    for case in cases() {
+        let report = check_report(&dir_of_case(case), case.check);
+        assert!(codes_of(&report).contains(case.code), "{}: {:?}", case.code, report.findings);
+    }
+}
+
+#[test]
+fn findings_agree_with_their_topics_in_explain() {
+    let register = finding_topics();
+    for case in cases() {
+        let report = check_report(&dir_of_case(case), case.check);
+        assert_eq!(report.schema_version, 1);
+        assert!(report.model.ends_with(case.check.split(' ').next().unwrap()));
+        let mut counts = BTreeMap::from([("error".into(), 0), ("warning".into(), 0), ("remark".into(), 0)]);
+        let mut worst = 0;
+        let published = codes_of(&report).contains("known-contacts");
+        for finding in &report.findings {
+            let topic = register.iter().find(|topic| topic["code"] == finding.code.as_str()).unwrap();
+            // A fault that the published contacts have is only a remark.
+            let as_published = published && finding.severity == "remark";
+            assert!(as_published || topic["severity"] == finding.severity.as_str(), "{finding:?}");
+            assert_eq!(
+                (&topic["why"], &topic["advice"]),
+                (&finding.why.as_str().into(), &finding.advice.as_str().into())
+            );
+            assert!(!finding.message.is_empty() && finding.line != Some(0));
+            let about_spheres = !finding.spheres.is_empty();
+            assert!(!about_spheres || finding.place.is_some() && finding.line.is_some(), "{finding:?}");
+            assert!(finding.place.as_ref().is_none_or(|place| place.starts_with('/')), "{:?}", finding.place);
+            *counts.get_mut(&finding.severity).unwrap() += 1;
+            let rank =
+                ["error", "warning", "remark"].iter().position(|name| *name == finding.severity).unwrap();
+            assert!(rank >= worst, "the worst comes first");
+            worst = rank;
+        }
+        assert_eq!(report.counts, counts);
+    }
+}
+
+/// The models in three folders of fixtures.
+fn readable_fixtures() -> Vec<String> {
+    let mut readable = Vec::new();
+    for folder in ["check", "format", "table1"] {
+        for entry in std::fs::read_dir(root().join("fixtures").join(folder)).unwrap() {
+            let name = entry.unwrap().file_name().into_string().unwrap();
+            if name.ends_with(".osim") && !name.ends_with(".scaled.osim") {
+                readable.push(format!("{folder}/{name}"));
+            }
+        }
+    }
+    readable.sort();
+    readable
+}
+
+#[test]
+fn every_proposed_command_removes_its_finding() {
+    let mut fixed: BTreeMap<String, usize> = BTreeMap::new();
+    for fixture in readable_fixtures() {
+        let dir = TestDir::with(&[(fixture.as_str(), "model.osim")]);
+        let run = dir.run("check model.osim --format json");
+        let Ok(report) = serde_json::from_str::<Report>(&run.out()) else { continue };
+        // All commands in their order, in one folder.
+        let mut last_output = None;
+        for command in &report.commands {
+            let arguments = command.strip_prefix("osim-contact-scale ").unwrap();
+            dir.run(arguments).succeeded();
+            let output_name =
+                arguments.split_once(" --output ").map(|(_, name)| name.split(' ').next().unwrap());
+            last_output = Some(output_name.unwrap_or("model.scaled.osim").to_owned());
+        }
+        let Some(last_output) = last_output else { continue };
+        let after = check_report(&dir, &last_output);
+        assert_eq!(after.commands, Vec::<String>::new(), "{fixture}");
+        for finding in report.findings.iter().filter(|finding| finding.command.is_some()) {
+            let place = |finding: &Finding| (finding.code.clone(), finding.place.clone());
+            assert!(
+                !after.findings.iter().any(|left| place(left) == place(finding)),
+                "{fixture}: {finding:?}"
+            );
+            *fixed.entry(finding.code.clone()).or_default() += 1;
+        }
+    }
+    for code in [
+        "sunk-in",
+        "large-constant-indentation",
+        "wide-transition",
+        "force-before-contact",
+        "floats",
+        "contacts-of-another-mass",
+        "default-stiffness",
+        "zero-constant-contact-force",
+    ] {
+        assert!(fixed.contains_key(code), "nothing that {code} proposes was tried: {fixed:?}");
+    }
+}
+
+#[test]
+fn no_command_is_proposed_while_masses_disagree() {
+    let dir = TestDir::with_human();
+    dir.run("human.osim --target-mass 0.0209").succeeded();
+    let report_of = |model: &str| check_report(&dir, model);
+    let commands =
+        |report: &Report| report.findings.iter().filter_map(|finding| finding.command.clone()).count();
+    // The note and the bodies have different masses: a design for the body would undo the scaling.
+    let scaled = report_of("human.scaled.osim");
+    assert!(codes_of(&scaled).contains("mass-sources-disagree") && codes_of(&scaled).contains("sunk-in"));
+    assert_eq!(commands(&scaled), 0);
+    assert!(
+        scaled.findings.iter().any(|finding| finding.message.ends_with("for the others say --mass 0.0209"))
+    );
+    let settled = report_of("human.scaled.osim --mass 0.0209");
+    assert!(!codes_of(&settled).contains("sunk-in"));
+    // For contacts of a preset under another body, only the scaling is proposed.
+    dir.write("other.osim", crate::support::fixture("check/contacts_of_another_mass.osim"));
+    let other = report_of("other.osim");
+    let codes_with_command: Vec<_> = other
+        .findings
+        .iter()
+        .filter(|finding| finding.command.is_some())
+        .map(|finding| finding.code.as_str())
+        .collect();
+    assert_eq!(codes_with_command, ["contacts-of-another-mass"]);
+}
+
+#[test]
+fn drop_test_and_plot_report_contacts_for_another_mass() {
+    let dir = TestDir::with_human();
+    dir.run("human.osim --target-mass 0.0209").succeeded();
+    let expected = ["made for 0.0209 kg", "62 kg", "say --mass 0.0209"];
+    for call in ["drop-test human.scaled.osim", "plot force human.scaled.osim -o figure.svg --force"] {
+        dir.run(call).succeeded().says(&expected);
+        let run = dir.run(&format!("{call} --mass 0.0209")).succeeded();
+        assert!(!run.err().contains("mass-sources-disagree"), "{}", run.err());
+    }
+}
+
+#[test]
+fn check_says_why_figures_are_absent() {
+    for (fixture, option, why) in [
+        ("format/player_and_ball.osim", "--select contact_* --spheres 2", "--select GLOB"),
+        ("format/no_sides.osim", "--spheres 2", "left or right cannot be determined"),
+    ] {
+        let dir = TestDir::with(&[(fixture, "model.osim")]);
+        let before = check_report(&dir, "model.osim");
+        let finding = before.findings.iter().find(|finding| finding.code == "sphere-count-unknown").unwrap();
+        assert!(finding.message.contains(why), "{}", finding.message);
+        let after = check_report(&dir, &format!("model.osim {option}"));
+        assert!(!codes_of(&after).contains("sphere-count-unknown"), "{:?}", after.findings);
+        assert!(
+            codes_of(&after).contains("beyond-hertz") || codes_of(&after).contains("sunk-in"),
+            "{:?}",
+            after.findings
+        );
+    }
+}
+
+#[test]
+fn the_exit_status_is_that_of_the_worst_finding() {
+    let dir_with = |fixture: &str| TestDir::with(&[(fixture, "model.osim")]);
+    let (remark, warning, error) = (
+        dir_with("check/beyond_hertz_at_two.osim"),
+        dir_with("check/wide_transition.osim"),
+        dir_with("check/floats.osim"),
+    );
+    dir_with("check/within_limits.osim").run("check model.osim --deny warning").succeeded();
+    remark.run("check model.osim --deny warning").succeeded();
+    warning.run("check model.osim").succeeded();
+    warning.run("check model.osim --deny warning").failed();
+    error.run("check model.osim").failed();
+    error.run("check model.osim --deny sometimes").usage_error();
+}
+
+#[test]
+fn options_of_the_call_are_in_the_proposed_commands() {
+    let dir = TestDir::with(&[("format/no_sides.osim", "my model.osim")]);
+    let set = ["set", "my model.osim", "stiffness=x0.01", "--in-place", "--no-backup", "--no-note"];
+    assert!(dir.run_words(&set).status.success());
+    let call = r#"check "my model.osim" --spheres 2 --mass 80 --exclude contact_toe_* --format json"#;
+    let run = dir.run(call);
+    let report: Report = serde_json::from_slice(&run.stdout).unwrap();
+    let finding = report.findings.iter().find(|finding| finding.code == "sunk-in").unwrap();
+    let command = finding.command.as_deref().unwrap();
+    assert!(command.starts_with("osim-contact-scale design \"my model.osim\" "), "{command}");
+    for option in ["--indentation 0.16", "--mass 80", "--spheres 2", "--exclude"] {
+        assert!(command.contains(option), "{command}");
+    }
+    let from_stdin = dir.run_with_stdin("check - --spheres 2 --format json", &dir.read("my model.osim"));
+    let report: Report = serde_json::from_str(&from_stdin.out()).unwrap();
+    assert!(
+        report.findings.iter().all(|finding| finding.command.is_none()),
+        "standard input is gone by then"
+    );
+}
+
+#[test]
+fn check_prints_tables_json_and_csv() {
+    let dir = TestDir::with(&[
+        HUMAN,
+        ("check/within_limits.osim", "lib/good.osim"),
+        ("check/floats.osim", "lib/floats.osim"),
+        ("check/wide_transition.osim", "lib/wide.osim"),
+        ("bad/no_contacts.osim", "lib/bones.osim"),
+        ("bad/not_xml.osim", "lib/broken.osim"),
+    ]);
+    dir.run("check human.osim").succeeded().wrote_nothing().matches_snapshot("check");
+    dir.run("check human.osim --format json").succeeded().matches_snapshot("check_json");
+    dir.run("check lib").failed().wrote_nothing().matches_snapshot("check_folder");
+    dir.run("check lib --format csv").failed().matches_snapshot("check_csv");
+    dir.run("check lib --format json").failed().matches_snapshot("check_folder_json");
+    dir.run("check lib/good.osim --deny warning").succeeded().matches_snapshot("check_good");
+    dir.run("check lib/bones.osim").succeeded().matches_snapshot("check_no_contacts");
+}
+
+#[test]
+fn tables_fit_80_columns() {
+    for fixture in ["check/floats.osim", "format/mixed_radii.osim", "format/terrain_welded.osim"] {
+        let dir = TestDir::with(&[(fixture, "model.osim"), ("check/within_limits.osim", "other.osim")]);
+        for arguments in ["check model.osim", "check model.osim other.osim"] {
+            let text = dir.run(arguments).out();
+            assert!(!text.contains('\u{1b}'));
+            for line in text.lines().filter(|line| !line.trim_start().starts_with("$ ")) {
+                assert!(line.chars().count() <= 80, "{line}");
+            }
+        }
+    }
+}
+
+#[test]
+fn published_models_have_the_documented_findings() {
+    let Some(folder) = corpus_folder("published_models_have_the_documented_findings") else { return };
+    let report_of = |model: &str| {
+        let dir = TestDir::new();
+        dir.write("model.osim", std::fs::read(folder.join(format!("{model}.osim"))).unwrap());
+        check_report(&dir, "model.osim")
+            .findings
+            .into_iter()
+            .map(|finding| finding.code)
+            .collect::<BTreeSet<_>>()
+    };
+    // Falisse's smoothing "does not have the issue" of the paper's Fig. C.5; its indentation and damping are beyond both laws.
+    assert_eq!(
+        report_of("v40000_falisse_2022_human"),
+        BTreeSet::from(
+            ["beyond-hertz", "beyond-hunt-crossley", "known-contacts", "not-on-floor"].map(String::from)
+        )
+    );
+    // The same contacts under 78 kg.
+    assert!(report_of("v40000_opencap_lai_arnold_crlf").contains("contacts-of-another-mass"));
+    let dhondt = report_of("v40000_dhondt_2024_3seg_human");
+    assert!(dhondt.contains("force-before-contact") && dhondt.contains("large-constant-indentation"));
+    assert!(report_of("v40000_moco_2d_gait").contains("dead-derivative-smoothing"));
+    // None of them has a warning, and `check` says so in one line.
+    for model in [
+        "v40000_falisse_2022_human",
+        "v40000_dhondt_2024_3seg_human",
+        "v40000_human_12_hunt_crossley",
+        "v40000_opencap_lai_arnold_crlf",
+        "v40000_moco_2d_gait",
+        "v30000_osim_rl_gait9dof18musc_crlf",
+        "v30000_scone_h0914m",
+        "v40000_scone_h0914m",
+        "v40000_toy_landing",
+        "v20302_dynamic_jumper",
+        "v40000_dynamic_jumper",
+        "v20001_bouncing_ball_hunt_crossley",
+        "v40000_bouncing_ball_smooth",
+        "v30000_bouncing_block",
+        "v20303_bouncing_block",
+    ] {
+        let dir = TestDir::new();
+        dir.write("m.osim", std::fs::read(folder.join(format!("{model}.osim"))).unwrap());
+        let out = dir.run("check m.osim --deny warning").succeeded().out();
+        // Contacts that may be for another mass are not reported as right.
+        let certain = if model.contains("opencap") { " for certain" } else { "" };
+        let says = format!("m.osim: nothing is wrong{certain}; the contact parameters are those of");
+        let start = out.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(start.starts_with(&says), "{model}: {out}");
+    }
+    let landing = report_of("v40000_toy_landing");
+    assert!(landing.contains("mixed-radii") && !landing.contains("beyond-hertz"));
+}

@@ -1,0 +1,40 @@
+//! The program judges a change by the model that it would write.
+
+use crate::support::{HUMAN, TestDir};
+
+#[test]
+fn a_change_that_makes_the_model_wrong_needs_a_yes() {
+    let dir = TestDir::with_human();
+    // On the spheres of a mouse the smoothing of a human holds the body in the air.
+    let call = "human.osim --target-mass 0.02 --keep constant_contact_force,hertz_smoothing";
+    let refused = dir.run(call).failed().wrote_nothing().err();
+    let question = "the model would be wrong afterwards [floats]: body weight is carried ";
+    assert!(
+        refused.contains(question) && refused.contains("if it is meant, say --yes wrong-afterwards"),
+        "{refused}"
+    );
+    let out =
+        dir.run(&format!("{call} --yes wrong-afterwards")).succeeded().wrote(&["human.scaled.osim"]).out();
+    assert!(out.contains("error: in the new model: body weight is carried "), "{out}");
+    let check = dir.run("check human.scaled.osim --mass 0.02 --yes implausible-mass").out();
+    assert!(check.contains("error floats"), "{check}");
+}
+
+#[test]
+fn given_numbers_that_are_wrong_are_reported_and_written() {
+    let dir = TestDir::with_human();
+    // (11): x/R follows E*^(-2/3), 0.3533 becomes 1.64.
+    let out = dir.run("set human.osim stiffness=x0.1").succeeded().out();
+    let finding =
+        "error: in the new model: too soft: at body weight on one limb spheres sink 1.64 R into the floor";
+    assert!(out.contains(finding), "{out}");
+}
+
+#[test]
+fn a_fault_that_the_model_already_had_is_not_repeated() {
+    let dir = TestDir::with(&[HUMAN, ("check/sunk_in.osim", "deep.osim")]);
+    for model in ["human.osim", "deep.osim"] {
+        let out = dir.run(&format!("{model} --target-mass 200 --dry-run")).succeeded().out();
+        assert!(!out.contains("in the new model"), "{out}");
+    }
+}

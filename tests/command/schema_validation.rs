@@ -1,0 +1,124 @@
+//! Every JSON that a test sees is compared with `schemas/`.
+
+use std::collections::HashMap;
+use std::path::Path;
+use std::sync::OnceLock;
+
+use jsonschema::Validator;
+use serde_json::Value;
+
+use super::root;
+
+const FAILURE: &str = "failure";
+const CHANGE: &str = "results/change";
+const INSPECTION: &str = "results/inspection";
+const SUMMARY: &str = "results/summary-line";
+
+/// What each verb prints.
+const RESULTS: [(&str, &[&str]); 15] = [
+    ("rescale", &[CHANGE]),
+    ("transfer", &[CHANGE]),
+    ("design", &[CHANGE, "results/design"]),
+    ("set", &[CHANGE]),
+    ("batch", &[CHANGE]),
+    ("sweep", &["results/sweep"]),
+    ("inspect", &[INSPECTION]),
+    ("check", &["results/check"]),
+    ("drop-test", &["results/drop-test"]),
+    ("motion", &["results/motion"]),
+    ("plot", &[]),
+    ("fit", &[CHANGE, "results/fit"]),
+    ("reproduce", &["results/reproduction"]),
+    ("presets", &["results/preset"]),
+    ("explain", &["results/explanation"]),
+];
+
+/// Lines of standard output that are JSON objects, whole ones: a call that was stopped may leave half a line.
+#[track_caller]
+pub(crate) fn validate_stdout(arguments: &str, stdout: &[u8]) {
+    let verb = arguments.split_whitespace().find(|word| RESULTS.iter().any(|(verb, _)| verb == word));
+    let all: Vec<&str> = RESULTS.iter().flat_map(|(_, schemas)| *schemas).copied().collect();
+    let allowed: Vec<&str> = match verb {
+        Some(verb) => RESULTS
+            .iter()
+            .filter(|(name, _)| *name == verb)
+            .flat_map(|(_, schemas)| *schemas)
+            .copied()
+            .collect(),
+        None if arguments.starts_with("request") => all,
+        None => vec![CHANGE, INSPECTION],
+    };
+    // An object over several lines is an example in a text, and no result.
+    for line in json_lines(stdout).filter(|line| line.ends_with(b"}")) {
+        let value = parse_json(line);
+        match value.get("error") {
+            Some(_) => assert_matches_one_schema(&value, &[FAILURE]),
+            None => assert_matches_one_schema(&value, &allowed),
+        }
+    }
+}
+
+/// A file that was written: summaries for scripts are lines of JSON.
+#[track_caller]
+pub(crate) fn validate_file(name: &str, bytes: &[u8]) {
+    if name.ends_with(".ndjson") {
+        json_lines(bytes).for_each(|line| assert_matches_one_schema(&parse_json(line), &[SUMMARY]));
+    }
+}
+
+fn json_lines(bytes: &[u8]) -> impl Iterator<Item = &[u8]> {
+    let end = bytes.iter().rposition(|&byte| byte == b'\n').unwrap_or(0);
+    bytes[..end].split(|&byte| byte == b'\n').filter(|line| line.starts_with(b"{\""))
+}
+
+#[track_caller]
+fn parse_json(line: &[u8]) -> Value {
+    serde_json::from_slice(line).unwrap_or_else(|error| panic!("{error}: {}", String::from_utf8_lossy(line)))
+}
+
+#[track_caller]
+fn assert_matches_one_schema(value: &Value, schemas: &[&str]) {
+    let fulfilled = schemas.iter().any(|name| validator(name).is_valid(value));
+    let why = || {
+        let errors = |name: &&str| {
+            let schemas = validator(name).iter_errors(value);
+            schemas.map(|error| format!("{name}{}: {error}", error.instance_path())).collect::<Vec<_>>()
+        };
+        schemas.iter().flat_map(errors).collect::<Vec<_>>().join("\n")
+    };
+    assert!(fulfilled, "{value}\nfulfils none of {schemas:?}:\n{}", why());
+    assert_uniform_lists(value);
+}
+
+/// Objects in an array have the same fields: MATLAB makes one array of structures of them.
+#[track_caller]
+pub(crate) fn assert_uniform_lists(value: &Value) {
+    match value {
+        Value::Array(items) => {
+            let mut fields =
+                items.iter().filter_map(Value::as_object).map(|item| item.keys().collect::<Vec<_>>());
+            let first = fields.next();
+            fields.for_each(|fields| assert_eq!(Some(&fields), first.as_ref(), "{value}"));
+            items.iter().for_each(assert_uniform_lists);
+        }
+        Value::Object(fields) => fields.values().for_each(assert_uniform_lists),
+        _ => {}
+    }
+}
+
+fn validator(name: &str) -> &'static Validator {
+    static ALL: OnceLock<HashMap<String, Validator>> = OnceLock::new();
+    let all = ALL.get_or_init(|| {
+        let names = RESULTS.iter().flat_map(|(_, names)| *names).copied().chain([FAILURE, SUMMARY]);
+        names
+            .map(|name| (name.to_owned(), read_schema(&root().join(format!("schemas/{name}.schema.json")))))
+            .collect()
+    });
+    &all[name]
+}
+
+fn read_schema(path: &Path) -> Validator {
+    let schema =
+        parse_json(&std::fs::read(path).unwrap_or_else(|error| panic!("{}: {error}", path.display())));
+    jsonschema::validator_for(&schema).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
