@@ -1,6 +1,6 @@
 """The map of what changed on purpose: applied to what the old program left, printed, and counted.
 
-One entry a line, `KIND OLD -> NEW`; lines that begin with `#` are remarks:
+One entry a line, `KIND OLD -> NEW`; lines that begin with `#` are comments:
 
     field to_kg -> target_mass_kg      a field of JSON, at any depth; `finding.to_kg` only within `finding`
     field remedy ->                    the old program alone has it;  `field -> request`: the new one alone

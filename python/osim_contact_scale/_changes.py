@@ -96,7 +96,7 @@ def batch(models: Any, keep: Any, keywords: Mapping[str, Any], progress: Progres
     if places is None:
         return _text_table(records)
     for record in records:
-        record.pop("remarks", None)
+        record.pop("columns", None)
     return join_user_columns(source, user, rows, places, records)
 
 
@@ -113,7 +113,7 @@ def _change_rows(
 def _text_table(records: Sequence[dict[str, Any]]) -> Table:
     """A table of the records, with the user's columns (whose names begin with #) as texts."""
     for record in records:
-        record.update(record.pop("remarks", {}))
+        record.update(record.pop("columns", {}))
     return table(records, all_columns((), records))
 
 

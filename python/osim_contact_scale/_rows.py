@@ -256,7 +256,7 @@ def _text_in_column(name: str, value: Any) -> str:
     """The text of a cell in a table of models."""
     field = option_name(name)
     if field not in ROW_OPTIONS:
-        # The column is a remark, or Rust refuses it by its name.
+        # The column is the user's own, or Rust refuses it by its name.
         return str(value)
     if field in PATHS:
         return _path_in_cell(value)

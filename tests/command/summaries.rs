@@ -89,11 +89,11 @@ fn columns_of_the_user_are_in_the_summary() {
     assert_eq!(own_columns(&lines_of_summary[0]), ("S01".to_owned(), "f, adult".to_owned()));
     assert_eq!(own_columns(&lines_of_summary[1]), ("S02".to_owned(), String::new()));
     assert!(first.lines().next().unwrap().ends_with(",tool_version,folder,#subject,#sex"), "{first}");
-    // In JSON the user's columns are in `remarks`.
+    // In JSON the user's columns are in `columns`.
     dir.run("batch m.csv --summary s.ndjson --quiet --force").succeeded();
     let json: Value = serde_json::from_str(dir.text("s.ndjson").lines().next().unwrap()).unwrap();
-    assert_eq!(json["remarks"], json!({"#subject": "S01", "#sex": "f, adult"}));
-    // After a corrected remark no model is written again, but the summary of the resumed run has it.
+    assert_eq!(json["columns"], json!({"#subject": "S01", "#sex": "f, adult"}));
+    // After a correction in the user's columns no model is written again, but the summary of the resumed run has it.
     dir.write("m.csv", TABLE.replace("S02", "S03"));
     for summary in ["s.csv", "s.ndjson"] {
         dir.run(&format!("batch m.csv --summary {summary} --resume")).succeeded().wrote(&[summary]);

@@ -230,17 +230,17 @@ fn a_table_needs_no_file() {
     let options = RunOptions::default();
     let mut run = Run::new(rows, &options).unwrap();
     run.begin().unwrap();
-    let mut remarks = Vec::new();
+    let mut user_columns = Vec::new();
     let counts = run
         .do_tasks(&Watch::default(), |task, outcome| {
             assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
-            remarks.push((task.row, outcome.record.remarks));
+            user_columns.push((task.row, outcome.record.user_columns));
         })
         .unwrap();
     run.finish().unwrap();
     assert_eq!(counts.written, 2);
     let site = |text: &str| vec![("#site".to_owned(), text.to_owned())];
-    assert_eq!(remarks, [(Some(2), site("north")), (Some(3), site("south"))]);
+    assert_eq!(user_columns, [(Some(2), site("north")), (Some(3), site("south"))]);
     // (10) with radii that follow the masses' cube root: E* grows like M^(1/3); 10 kg had 1e6 N/m².
     for (name, mass) in [("a80.osim", 80.0_f64), ("c6.osim", 6.0)] {
         let expected = 1e6 * (mass / 10.0).cbrt();

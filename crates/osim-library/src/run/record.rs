@@ -60,9 +60,9 @@ pub struct Record {
     /// Its name in bytes, if it is not UTF-8; in NDJSON only.
     #[serde(skip)]
     pub model_bytes: Option<Vec<u8>>,
-    /// Columns of the user's own table, as they are there; in a table they come last.
+    /// The user's own columns of the table, as they are there; in a summary table they come last.
     #[serde(skip)]
-    pub remarks: Vec<(String, String)>,
+    pub user_columns: Vec<(String, String)>,
     /// The file that is written.
     pub output: Option<String>,
     /// Its name in bytes, if it is not UTF-8; in NDJSON only.
@@ -181,16 +181,16 @@ pub struct JsonRecord {
     /// `output` in bytes, if it is not UTF-8.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub output_bytes: Option<Vec<u8>>,
-    /// Columns of the user's own table whose names begin with #.
+    /// The columns of the table whose names begin with #: they are the user's own and are carried along.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub remarks: BTreeMap<String, String>,
+    pub columns: BTreeMap<String, String>,
 }
 
 impl From<Record> for JsonRecord {
     fn from(mut record: Record) -> Self {
         let (model_bytes, output_bytes) = (record.model_bytes.take(), record.output_bytes.take());
-        let remarks = std::mem::take(&mut record.remarks).into_iter().collect();
-        Self { record, model_bytes, output_bytes, remarks }
+        let columns = std::mem::take(&mut record.user_columns).into_iter().collect();
+        Self { record, model_bytes, output_bytes, columns }
     }
 }
 
@@ -199,7 +199,7 @@ impl From<JsonRecord> for Record {
         Self {
             model_bytes: line.model_bytes,
             output_bytes: line.output_bytes,
-            remarks: line.remarks.into_iter().collect(),
+            user_columns: line.columns.into_iter().collect(),
             ..line.record
         }
     }
@@ -215,7 +215,7 @@ impl Record {
             model_bytes,
             output,
             output_bytes: output_bytes.flatten(),
-            remarks: task.remarks.clone(),
+            user_columns: task.user_columns.clone(),
             tool_version: env!("CARGO_PKG_VERSION").to_owned(),
             ..Self::default()
         }
@@ -306,7 +306,7 @@ impl Record {
             row: current.row,
             model: current.model.clone(),
             model_bytes: current.model_bytes.clone(),
-            remarks: current.remarks.clone(),
+            user_columns: current.user_columns.clone(),
             output: current.output.clone(),
             output_bytes: current.output_bytes.clone(),
             folder: current.folder.clone(),

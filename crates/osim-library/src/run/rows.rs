@@ -116,7 +116,7 @@ impl TableRows<'_> {
         }
         let settings = self.settings(row, shared)?;
         let task =
-            Task::new(Source::in_table(&row.model), &row.output, settings).with_remarks(row.remarks.clone());
+            Task::new(Source::in_table(&row.model), &row.output, settings).with_user_columns(row.user_columns.clone());
         let checked = self
             .writable_folder
             .as_ref()

@@ -54,7 +54,7 @@ impl<'r> Run<'r> {
     pub fn read_previous(&mut self) -> Result<(), LibraryFault> {
         // All rows of a table have the same columns. They are not known if the shard has no row.
         let column_names =
-            |task: &Task| task.remarks.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+            |task: &Task| task.user_columns.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
         let column_names = self.request.tasks.first().map(column_names);
         self.context.previous = PreviousRun::read(self.context.run, column_names.as_deref())?;
         Ok(())

@@ -32,16 +32,16 @@ pub(super) struct SummaryWriter {
 struct OrderedLines {
     file: PendingFile,
     /// Names of the user's own columns; `None` before the first line.
-    remarks: Option<Vec<String>>,
+    user_columns: Option<Vec<String>>,
     /// Why a line could not be written; no line is added after that.
     fault: Option<LibraryFault>,
 }
 
 impl OrderedLines {
     fn add(&mut self, format: SummaryFormat, record: &Record) -> Result<(), LibraryFault> {
-        let line = format.record_line(record, self.remarks.is_none())?;
-        let names = || record.remarks.iter().map(|(name, _)| name.clone()).collect();
-        self.remarks.get_or_insert_with(names);
+        let line = format.record_line(record, self.user_columns.is_none())?;
+        let names = || record.user_columns.iter().map(|(name, _)| name.clone()).collect();
+        self.user_columns.get_or_insert_with(names);
         self.file.add_bytes(&line)
     }
 }
@@ -68,7 +68,7 @@ impl SummaryWriter {
         }
         let mode = if replace { WriteMode::Replace } else { WriteMode::New };
         let summary =
-            OrderedLines { file: PendingFile::begin(path, None, mode)?, remarks: None, fault: None };
+            OrderedLines { file: PendingFile::begin(path, None, mode)?, user_columns: None, fault: None };
         let way_out = "give each run a summary of its own".into();
         let partial = Mutex::new(PartialFile::open(path, options.resume, &way_out)?);
         let folder = relative_path(&resolved(folder_of(path)), &resolved(Path::new(".")));
@@ -105,11 +105,12 @@ impl SummaryWriter {
         let mut summary = self.summary.lock().map_err(|_| LibraryFault::new("a thread ended early"))?;
         // The number of its row is that of another table; and every line of a table has the same columns.
         let mut kept = Record { row: None, ..record };
-        if let Some(names) = summary.remarks.as_ref().filter(|_| self.format == SummaryFormat::Csv) {
+        if let Some(names) = summary.user_columns.as_ref().filter(|_| self.format == SummaryFormat::Csv) {
             let text = |name: &String| {
-                kept.remarks.iter().find(|(other, _)| other == name).map(|(_, text)| text.clone())
+                kept.user_columns.iter().find(|(other, _)| other == name).map(|(_, text)| text.clone())
             };
-            kept.remarks = names.iter().map(|name| (name.clone(), text(name).unwrap_or_default())).collect();
+            kept.user_columns =
+                names.iter().map(|name| (name.clone(), text(name).unwrap_or_default())).collect();
         }
         summary.add(self.format, &kept)
     }

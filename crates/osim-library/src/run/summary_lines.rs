@@ -60,7 +60,7 @@ fn header_line<'c>(user_columns: impl Iterator<Item = &'c str>) -> Result<Vec<u8
 
 /// Appends the user's own columns to the cells of a record, and of the header if `lines` has it.
 fn with_user_columns(lines: Vec<u8>, record: &Record) -> Result<Vec<u8>, LibraryFault> {
-    if record.remarks.is_empty() {
+    if record.user_columns.is_empty() {
         return Ok(lines);
     }
     let mut reader = csv::ReaderBuilder::new().has_headers(false).from_reader(lines.as_slice());
@@ -70,8 +70,8 @@ fn with_user_columns(lines: Vec<u8>, record: &Record) -> Result<Vec<u8>, Library
     let last = rows.len().saturating_sub(1);
     let mut csv = csv::WriterBuilder::new().from_writer(Vec::new());
     for (index, row) in rows.iter_mut().enumerate() {
-        let remarks = record.remarks.iter();
-        row.extend(remarks.map(|(name, text)| if index == last { cell(text) } else { cell(name) }));
+        let user_columns = record.user_columns.iter();
+        row.extend(user_columns.map(|(name, text)| if index == last { cell(text) } else { cell(name) }));
         csv.write_record(&*row).map_err(fault_of_error)?;
     }
     csv.into_inner().map_err(fault_of_error)
@@ -148,9 +148,9 @@ impl PreviousLines {
             .map_err(fault_of_error)?;
         let record: Record = row.deserialize(Some(&self.header)).map_err(fault_of_error)?;
         let cells = self.header.iter().zip(&row).map(|(name, text)| (from_cell(name), from_cell(text)));
-        let remarks = cells.filter(|(name, _)| name.starts_with('#'));
-        let remarks = remarks.map(|(name, text)| (name.into_owned(), text.into_owned())).collect();
-        Ok(Record { remarks, ..record.with_texts_from_cells() })
+        let user_columns = cells.filter(|(name, _)| name.starts_with('#'));
+        let user_columns = user_columns.map(|(name, text)| (name.into_owned(), text.into_owned())).collect();
+        Ok(Record { user_columns, ..record.with_texts_from_cells() })
     }
 }
 

@@ -29,7 +29,7 @@ pub struct Task {
     /// Row of the manifest, from 1.
     pub row: Option<usize>,
     /// The user's own columns of the manifest: name and text.
-    pub remarks: Vec<(String, String)>,
+    pub user_columns: Vec<(String, String)>,
 }
 
 impl Task {
@@ -42,7 +42,7 @@ impl Task {
             source,
             settings,
             row: None,
-            remarks: Vec::new(),
+            user_columns: Vec::new(),
         }
     }
 
@@ -51,8 +51,8 @@ impl Task {
     }
 
     /// The task with columns of the user's own, which a summary copies.
-    pub(super) fn with_remarks(self, remarks: Vec<(String, String)>) -> Self {
-        Self { remarks, ..self }
+    pub(super) fn with_user_columns(self, user_columns: Vec<(String, String)>) -> Self {
+        Self { user_columns, ..self }
     }
 
     /// The file that is written.

@@ -193,8 +193,8 @@ enum ColumnMeaning {
     Local(usize),
     /// A coordinate in MuSkeMo's global frame.
     Global(usize),
-    /// A column that is not used, such as a remark of the user.
-    Remark,
+    /// A column that is not used, such as one whose name begins with #.
+    Ignored,
 }
 
 /// Names of columns without their unit, in small letters: those for tables of users, then those of MuSkeMo's export.
@@ -213,9 +213,10 @@ const MEANINGS: [(&str, ColumnMeaning); 15] = [
     ("pos_x_in_local", ColumnMeaning::Local(0)),
     ("pos_y_in_local", ColumnMeaning::Local(1)),
     ("pos_z_in_local", ColumnMeaning::Local(2)),
-    ("parent_frame_name", ColumnMeaning::Remark),
+    ("parent_frame_name", ColumnMeaning::Ignored),
 ];
-const EXPECTED_COLUMNS: &str = "name, body, x, y, z and radius (remarks begin with #), or MuSkeMo's own";
+const EXPECTED_COLUMNS: &str =
+    "name, body, x, y, z and radius (columns whose names begin with # are ignored), or MuSkeMo's own";
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Columns {
@@ -235,7 +236,7 @@ impl Columns {
         for (index, header) in sheet.header.iter().enumerate() {
             let column_meaning =
                 column_meaning(header).map_err(|message| TableFault::of_header(index, message))?;
-            if column_meaning == ColumnMeaning::Remark {
+            if column_meaning == ColumnMeaning::Ignored {
                 continue;
             }
             if let Some((_, first)) = used_columns.iter().find(|(known, _)| *known == column_meaning) {
@@ -288,7 +289,7 @@ impl Columns {
 
 fn column_meaning(header: &str) -> Result<ColumnMeaning, String> {
     if header.is_empty() || header.starts_with('#') {
-        return Ok(ColumnMeaning::Remark);
+        return Ok(ColumnMeaning::Ignored);
     }
     let lower = header.to_ascii_lowercase();
     let (name, unit) = without_unit(&lower);

@@ -64,7 +64,7 @@ impl Cells {
             fields: Map::new(),
         };
         for (column, cell) in filled(row, columns) {
-            if column.kind != Kind::Remark && is_broken_formula(cell) {
+            if column.kind != Kind::UserColumn && is_broken_formula(cell) {
                 return Err(RowFault::of(&column.header, format!("'{cell}' {BROKEN_FORMULA}")));
             }
             match column.kind {
@@ -86,7 +86,7 @@ impl Cells {
                 }
                 Kind::Flag if is_yes(cell, column)? => cells.say(&column.field, true),
                 Kind::Set => cells.say("set", cell),
-                Kind::Flag | Kind::Verb | Kind::Remark => {}
+                Kind::Flag | Kind::Verb | Kind::UserColumn => {}
             }
         }
         if cells.model.as_os_str().is_empty() {

@@ -28,7 +28,7 @@ pub(super) enum Kind {
     /// Several paths.
     Paths,
     Flag,
-    Remark,
+    UserColumn,
 }
 
 /// The field of a verb that names its model.
@@ -61,7 +61,7 @@ impl Columns {
         for cell in header {
             let twice = |one: &Column, other: &Column| match one.kind {
                 // Columns without a name are ignored.
-                Kind::Remark => !one.header.is_empty() && one.header == other.header,
+                Kind::UserColumn => !one.header.is_empty() && one.header == other.header,
                 _ => (&one.field, one.kind) == (&other.field, other.kind),
             };
             match column(cell, &known) {
@@ -83,9 +83,9 @@ impl Columns {
     }
 
     /// The user's own columns of a row: name and text. Columns without a name are ignored.
-    pub(super) fn remarks(&self, cells: &[String]) -> Vec<(String, String)> {
+    pub(super) fn user_columns(&self, cells: &[String]) -> Vec<(String, String)> {
         let own = self.columns.iter().enumerate();
-        let own = own.filter(|(_, column)| column.kind == Kind::Remark && !column.header.is_empty());
+        let own = own.filter(|(_, column)| column.kind == Kind::UserColumn && !column.header.is_empty());
         own.map(|(at, column)| (column.header.clone(), cells.get(at).cloned().unwrap_or_default())).collect()
     }
 
@@ -109,7 +109,7 @@ fn column(cell: &str, known: &BTreeMap<String, Option<Kind>>) -> Result<Column, 
     };
     let field = name.to_ascii_lowercase().replace('-', "_");
     let kind = match field.as_str() {
-        _ if cell.is_empty() || cell.starts_with('#') => Kind::Remark,
+        _ if cell.is_empty() || cell.starts_with('#') => Kind::UserColumn,
         "model" if !dashes => Kind::Model,
         "verb" if !dashes => Kind::Verb,
         "set" if !dashes => Kind::Set,
@@ -118,7 +118,7 @@ fn column(cell: &str, known: &BTreeMap<String, Option<Kind>>) -> Result<Column, 
             Some(None) => return Err(of_the_run(cell, name)),
             None => {
                 return Err(format!(
-                    "the column '{cell}' is not an option of {} (remarks begin with #){}",
+                    "the column '{cell}' is not an option of {} (a column whose name begins with # is carried along){}",
                     changing_verbs(),
                     nearest(cell, name, known)
                 )
@@ -193,7 +193,7 @@ mod tests {
     }
 
     #[test]
-    fn remarks_of_one_name_are_refused_and_nameless_columns_are_not() {
+    fn user_columns_of_one_name_are_refused_and_nameless_columns_are_not() {
         let columns =
             |header: &[&str]| Columns::of(&header.iter().map(|&cell| cell.to_owned()).collect::<Vec<_>>());
         let message = columns(&["model", "#sex", "mass", "#sex"]).unwrap_err().to_string();

@@ -39,7 +39,7 @@ pub struct RowRequest {
     /// Where its result goes: as the row says, else as the call says.
     pub output: OutputOptions,
     /// Columns of the user's own, whose names begin with #: name and text, empty where the cell is.
-    pub remarks: Vec<(String, String)>,
+    pub user_columns: Vec<(String, String)>,
     fields: Map<String, Value>,
 }
 
@@ -83,8 +83,8 @@ impl Table {
         let cells = Cells::read(row, &self.columns, &self.sheet, &self.folder, files)?;
         let output = output(&cells, call)?;
         let Cells { verb, model, fields, .. } = cells;
-        let remarks = self.columns.remarks(&row.cells);
-        Ok(RowRequest { line: row.line, verb, model, output, remarks, fields })
+        let user_columns = self.columns.user_columns(&row.cells);
+        Ok(RowRequest { line: row.line, verb, model, output, user_columns, fields })
     }
 
     /// Checks what a row asks for and prepares it.
