@@ -113,8 +113,8 @@ fn dry_run_plan(dir: &TestDir, options: &str) -> Value {
     parse_json(&dir.run(&format!("{CALL} --dry-run --format json {options}")).succeeded())
 }
 
-fn warning_codes(report: &Value) -> Vec<&str> {
-    report["warnings"].as_array().unwrap().iter().map(|warning| warning["code"].as_str().unwrap()).collect()
+fn finding_codes(report: &Value) -> Vec<&str> {
+    report["findings"].as_array().unwrap().iter().map(|finding| finding["code"].as_str().unwrap()).collect()
 }
 
 // Factors.
@@ -179,27 +179,27 @@ fn the_first_source_of_factors_is_used_and_disagreement_is_reported() {
     let dir = generic_and_scaled("smooth");
     set_mesh_factors(&dir, "scaled.osim", "calcn_r", "1.02 0.95 0.95");
     let report = dry_run_plan(&dir, "--body-scale-file applied.xml");
-    assert!(warning_codes(&report).contains(&"factors-disagree"));
+    assert!(finding_codes(&report).contains(&"factors-disagree"));
     assert_close_place(&planned_value(&report, "heel_r", "location"), [-0.0102, -0.036, 0.00475]);
     // Without the file, no factor explains mesh and joint.
     set_mesh_factors(&dir, "scaled.osim", "calcn_l", "1.02 0.95 0.95");
-    assert!(warning_codes(&dry_run_plan(&dir, "")).contains(&"not-a-scaled-copy"));
+    assert!(finding_codes(&dry_run_plan(&dir, "")).contains(&"not-a-scaled-copy"));
     let inspection =
         parse_json(&dir.run("inspect scaled.osim --from generic.osim --format json").succeeded());
-    assert!(warning_codes(&inspection).contains(&"not-a-scaled-copy"));
+    assert!(finding_codes(&inspection).contains(&"not-a-scaled-copy"));
     // In a scaled copy, sources that differ by 1 % do not disagree: files may have two digits.
     let scaled_copy = generic_and_scaled("smooth");
     assert!(
-        !warning_codes(&dry_run_plan(&scaled_copy, "--body-scale calcn_r=1.02,0.908,0.95"))
+        !finding_codes(&dry_run_plan(&scaled_copy, "--body-scale calcn_r=1.02,0.908,0.95"))
             .contains(&"factors-disagree")
     );
     let report = dry_run_plan(&scaled_copy, "--body-scale calcn_r=1.02,0.91,0.95");
-    assert!(warning_codes(&report).contains(&"factors-disagree"), "1.1 %");
+    assert!(finding_codes(&report).contains(&"factors-disagree"), "1.1 %");
     assert_close_place(&planned_value(&report, "heel_r", "location"), [-0.0102, -0.0364, 0.00475]);
     for body in ["calcn_r", "calcn_l"] {
         set_mesh_factors(&dir, "scaled.osim", body, "1.0302 0.905 0.969");
     }
-    assert!(!warning_codes(&dry_run_plan(&dir, "")).contains(&"factors-disagree"));
+    assert!(!finding_codes(&dry_run_plan(&dir, "")).contains(&"factors-disagree"));
 }
 
 // Spheres that were moved before.
@@ -365,20 +365,20 @@ fn one_force_over_bodies_of_different_factors_gets_one_modulus() {
     let dir = generic_and_scaled("hunt_crossley");
     let options = "--body-scale toes_r=1.1,1.1,1.1";
     let report = dry_run_plan(&dir, options);
-    assert!(warning_codes(&report).contains(&"factor-spread"));
+    assert!(finding_codes(&report).contains(&"factor-spread"));
     assert_close(&planned_value(&report, "toe_r", "radius"), 0.0352);
     assert_close(&planned_value(&report, "contact_foot_r", "stiffness"), 1_657_743.073_435_748_5);
     assert_close(&planned_value(&report, "contact_foot_r", "dissipation"), 1.994_108_977_545_730_6);
     assert_close(&planned_value(&report, "contact_foot_l", "stiffness"), 1_837_655.613_115_876_4);
     assert_refused(&dir, &format!("{CALL} {options} --strict"), &["contact_foot_r", "15.1 %", "--strict"]);
     let strict_plan = dry_run_plan(&dir, "--strict");
-    assert!(!warning_codes(&strict_plan).contains(&"factor-spread"));
+    assert!(!finding_codes(&strict_plan).contains(&"factor-spread"));
     // If each sphere has a force, each force follows one body.
     let one_force_each = TestDir::with(&[
         ("scale_tool/generic_smooth.osim", "generic.osim"),
         ("scale_tool/scaled_smooth.osim", "scaled.osim"),
     ]);
-    assert!(!warning_codes(&dry_run_plan(&one_force_each, options)).contains(&"factor-spread"));
+    assert!(!finding_codes(&dry_run_plan(&one_force_each, options)).contains(&"factor-spread"));
 }
 
 #[test]

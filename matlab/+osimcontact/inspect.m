@@ -40,7 +40,7 @@ function results = inspect(varargin)
 %
 %   RESULTS: an array of structs with the fields model, document_version, name, mass_kg, gravity_m_s2,
 %   contacts_mass_kg, note, limbs, stance_limbs, spheres_per_limb, limbs_unknown, spheres, forces,
-%   warnings, bodies, body_factors, known_contacts, similarity, figures, standing, why_no_standing.
+%   findings, bodies, body_factors, known_contacts, similarity, figures, standing, why_no_standing.
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:

@@ -56,7 +56,7 @@ def plan(verb: str, source: Source, keywords: Mapping[str, Any], tables: Mapping
     planned = Result(fields, _native.plan(fields, memory, True), None if is_whole else os.getcwd())
     for remark in planned.remarks:
         log.info("%s: %s", printable(planned.path), remark)
-    for finding in planned.warnings:
+    for finding in planned.findings:
         level = logging.INFO if finding.severity == "remark" else logging.WARNING
         log.log(level, "%s: %s", printable(planned.path), finding.message)
     return planned
@@ -79,12 +79,12 @@ class Result(NamedValues):
         The mass that the contacts were made for before: its `value` and its `source`; None if it is not known.
     target_mass_kg : float or None
         The mass that the contacts are made for afterwards.
-    warnings : Findings
-        What the user should know about this change.
-    remarks : tuple of str
-        Other remarks.
     findings : Findings
-        The warnings, and what `check` finds in the new model.
+        What the user should know about this change, as `findings` of the command's JSON.
+    findings_before, findings_after : Findings
+        What `check` finds in the model as it is, and in the new model.
+    remarks : tuple of str
+        Remarks on every change of this kind.
     record : dict
         The whole plan, as in the command's JSON.
     """
@@ -143,17 +143,16 @@ class Result(NamedValues):
         return tuple(self.record["remarks"])
 
     @property
-    def warnings(self) -> Findings:
-        return Findings._from_records(self.record["warnings"], (), None)
-
-    @property
     def findings(self) -> Findings:
-        return Findings((*self.warnings, *self._check()[1]))
+        return Findings._from_records(self.record["findings"], (), None)
 
     @property
     def findings_before(self) -> Findings:
-        """What `check` finds in the model before the change."""
         return self._check()[0]
+
+    @property
+    def findings_after(self) -> Findings:
+        return self._check()[1]
 
     def _check(self) -> tuple[Findings, Findings]:
         if self._checked is None:
@@ -321,7 +320,9 @@ class Result(NamedValues):
         parts += _section("Spheres that move", _plan_tables.MOVES[:8], moves, ".moves")
         parts += _section("Objects", _plan_tables.OBJECTS[:5], record["objects"], ".objects")
         parts += _section("Verdicts, as it is and after the change", _VERDICTS, self._verdicts(), ".report(path)")
-        parts.append(self.findings._html_table("Findings of the new model"))
+        findings = Findings((*self.findings, *self.findings_after))
+        where = ".findings and .findings_after have all"
+        parts.append(findings._html_table("Findings of the change and of the new model", where))
         parts += [paragraph(remark) for remark in self.remarks[:5]]
         parts.append(paragraph("The whole page, with figures: .report(path). To write the new model: .write()"))
         return "".join(parts)
@@ -542,13 +543,16 @@ class Findings(tuple[Finding, ...], NamedValues):
     def _repr_html_(self) -> str:
         return self._html_table("")
 
-    def _html_table(self, title: str) -> str:
-        """A table of the findings with their remedies, under a title; a sentence if there are none."""
+    def _html_table(self, title: str, where: str = ".findings.table has all") -> str:
+        """A table of the findings with their remedies, under a title; a sentence if there are none.
+
+        If not all have room, `where` says where all are.
+        """
         if not self:
             return paragraph(f"{title}: none" if title else "no findings")
         names = ("severity", "code", "message", "place", "remedy")
         rows = ([getattr(finding, name) for name in names] for finding in self)
-        return (heading(title) if title else "") + html_table(names, rows, ".findings.table has all")
+        return (heading(title) if title else "") + html_table(names, rows, where)
 
 
 class _ModelBefore:

@@ -19,7 +19,7 @@ log = logging.getLogger("osim_contact_scale")
 
 #: Names of columns that the result has itself.
 _RESULT = re.compile(
-    r"row|status|(contacts|target)_mass_kg|contacts_mass_source|objects|changes|unequal_factors|warnings|error|error_code|line|column|folder"
+    r"row|status|(contacts|target)_mass_kg|contacts_mass_source|objects|changes|unequal_factors|findings|error|error_code|line|column|folder"
     r"|tool_version|sha256_.*|(radius|stiffness|dissipation|\w+_friction|transition_velocity|constant_contact_force|\w+_smoothing)_"
     r"(from|to|factor)(_m)?"
 )

@@ -115,7 +115,7 @@ fn inspect_reports_spheres_forces_and_bodies() {
     let weight: f64 = inspection.bodies.iter().map(|body| body.mass_kg.unwrap()).sum();
     assert_eq!(weight, 62.0);
     assert!(inspection.bodies.iter().all(|body| body.path == format!("/bodyset/{}", body.name)));
-    assert!(inspection.warnings.is_empty(), "{:?}", inspection.warnings);
+    assert!(inspection.findings.is_empty(), "{:?}", inspection.findings);
 }
 
 #[test]
@@ -255,7 +255,7 @@ fn rescale_lists_every_change() {
         (1, "human.osim", Some("human.scaled.osim"))
     );
     assert_eq!(plan.masses(), (62.0, "bodies", 1190.0));
-    assert!(plan.geometry_output.is_none() && plan.warnings.is_empty() && !plan.remarks.is_empty());
+    assert!(plan.geometry_output.is_none() && plan.findings.is_empty() && !plan.remarks.is_empty());
     assert!(plan.objects.is_empty());
     assert!(plan.credits.unwrap().contains("[contacts made for 1190 kg at 9.81 m/s2 (osim-contact-scale "));
     // Python 3, decimal, 60 digits, from μ = 1190/62.
@@ -313,8 +313,8 @@ fn json_names_the_output_or_null() {
     assert_eq!((same.output.as_deref(), same.changes.len()), (None, 0));
     let (contacts_mass_kg, _, target_mass_kg) = same.masses();
     assert_eq!((contacts_mass_kg, target_mass_kg), (62.0, 62.0));
-    assert_eq!(same.warnings[0].code, "already-at-target");
-    assert!(same.warnings[0].line.is_none() && same.warnings[0].message.contains("--contacts-mass"));
+    assert_eq!(same.findings[0].code, "already-at-target");
+    assert!(same.findings[0].line.is_none() && same.findings[0].message.contains("--contacts-mass"));
     assert_eq!(
         plan("human.osim --target-mass 5 --format json -d out").output.as_deref(),
         Some("out/human.osim")
@@ -378,9 +378,9 @@ fn numbers_that_are_not_finite_are_null_with_a_warning() {
             + inspection.bodies.iter().filter(|body| body.mass_kg.is_none()).count();
         assert_eq!(nulls, 1, "{fixture}");
         assert!(
-            inspection.warnings.iter().any(|warning| warning.code == code && warning.line.is_some()),
+            inspection.findings.iter().any(|finding| finding.code == code && finding.line.is_some()),
             "{fixture}: {:?}",
-            inspection.warnings
+            inspection.findings
         );
     }
 }

@@ -16,7 +16,7 @@ pub(crate) struct Plan {
     pub(crate) target_mass_kg: Option<f64>,
     pub(crate) objects: Vec<Object>,
     pub(crate) changes: Vec<Change>,
-    pub(crate) warnings: Vec<Finding>,
+    pub(crate) findings: Vec<Finding>,
     pub(crate) remarks: Vec<String>,
     pub(crate) credits: Option<String>,
 }
@@ -115,7 +115,7 @@ pub(crate) struct Inspection {
     pub(crate) spheres_per_limb: Option<usize>,
     pub(crate) spheres: Vec<Sphere>,
     pub(crate) forces: Vec<Force>,
-    pub(crate) warnings: Vec<Finding>,
+    pub(crate) findings: Vec<Finding>,
     pub(crate) bodies: Vec<Body>,
     pub(crate) figures: Figures,
     pub(crate) standing: Vec<Standing>,

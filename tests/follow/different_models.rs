@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::{
     CALL, assert_close, assert_close_place, assert_refused, assert_stderr_has, dry_run_plan,
-    generic_and_scaled, parse_json, planned_value, replace_in_file, set_mesh_factors, warning_codes,
+    generic_and_scaled, parse_json, planned_value, replace_in_file, set_mesh_factors, finding_codes,
 };
 use crate::support::{TestDir, corpus_folder};
 
@@ -32,8 +32,8 @@ fn remarks(report: &Value) -> String {
     report["remarks"].to_string()
 }
 
-fn warnings(report: &Value) -> String {
-    report["warnings"].to_string()
+fn findings(report: &Value) -> String {
+    report["findings"].to_string()
 }
 
 fn body_factors(inspection: &Value, body: &str) -> Value {
@@ -45,15 +45,15 @@ fn body_factors(inspection: &Value, body: &str) -> Value {
 #[test]
 fn a_moved_joint_of_a_body_without_spheres_is_only_a_warning() {
     let dir = generic_and_scaled("smooth");
-    assert!(!warning_codes(&dry_run_plan(&dir, "")).contains(&"not-a-scaled-copy"));
+    assert!(!finding_codes(&dry_run_plan(&dir, "")).contains(&"not-a-scaled-copy"));
     // A factor of -0 along x: SCONE's femurs against Falisse's.
     move_knee(&dir);
     let report = dry_run_plan(&dir, "");
-    assert!(warning_codes(&report).contains(&"not-a-scaled-copy"), "{}", warnings(&report));
+    assert!(finding_codes(&report).contains(&"not-a-scaled-copy"), "{}", findings(&report));
     assert!(
-        warnings(&report).contains("joint tibia_r_joint is at x = 0.00000 m on femur_r"),
+        findings(&report).contains("joint tibia_r_joint is at x = 0.00000 m on femur_r"),
         "{}",
-        warnings(&report)
+        findings(&report)
     );
     // The meshes still give the factors of the feet.
     assert_close_place(&planned_value(&report, "heel_r", "location"), HEEL);
@@ -69,8 +69,8 @@ fn meshes_of_one_bone_match_under_other_names() {
     replace_in_file(&dir, "generic.osim", ">toes_l.vtp<", ">bones/toes.obj<");
     let report = dry_run_plan(&dir, "");
     assert!(
-        !warning_codes(&report).contains(&"not-a-scaled-copy")
-            && !warning_codes(&report).contains(&"factors-disagree")
+        !finding_codes(&report).contains(&"not-a-scaled-copy")
+            && !finding_codes(&report).contains(&"factors-disagree")
     );
     assert_close(&planned_value(&report, "toe_r", "radius"), 0.030_573_048_163_784_02);
     assert_close(&planned_value(&report, "toe_l", "radius"), 0.030_573_048_163_784_02);
@@ -198,7 +198,7 @@ fn different_factors_left_and_right_are_refused() {
         "0.1853 -0.0108 -0.0019",
     );
     let report = dry_run_plan(&scaled_copy, "");
-    assert!(!warning_codes(&report).contains(&"not-a-scaled-copy"), "{}", warnings(&report));
+    assert!(!finding_codes(&report).contains(&"not-a-scaled-copy"), "{}", findings(&report));
     assert_close_place(&planned_value(&report, "heel_l", "location"), [-0.0109, -0.036, -0.00475]);
     assert_close_place(&planned_value(&report, "heel_r", "location"), HEEL);
 }
@@ -212,7 +212,7 @@ fn disagreeing_sources_are_reported_with_both_values() {
         set_mesh_factors(&dir, "scaled.osim", body, "1.212 0.9 0.969");
     }
     let report = dry_run_plan(&dir, "");
-    let text = warnings(&report);
+    let text = findings(&report);
     for body in ["calcn_r", "calcn_l"] {
         assert!(text.contains(&format!("body {body}: mesh says 1.19")), "{text}");
     }
@@ -222,7 +222,7 @@ fn disagreeing_sources_are_reported_with_both_values() {
     for body in ["calcn_r", "calcn_l"] {
         set_mesh_factors(&dir, "scaled.osim", body, "1.0706 0.9 0.969");
     }
-    assert!(!warning_codes(&dry_run_plan(&dir, "")).contains(&"factors-disagree"));
+    assert!(!finding_codes(&dry_run_plan(&dir, "")).contains(&"factors-disagree"));
 }
 
 #[test]
@@ -239,7 +239,7 @@ fn a_mesh_of_another_animal_with_the_same_name_is_refused() {
         if asks {
             assert_refused(&dir, CALL, &words);
         } else {
-            assert!(warnings(&dry_run_plan(&dir, "")).contains("took the first"));
+            assert!(findings(&dry_run_plan(&dir, "")).contains("took the first"));
         }
     }
 }
@@ -296,7 +296,7 @@ fn published_models_that_are_not_copies_get_factors() {
         parse_json(&run)
     };
     let moco = inspection("v40600_moco_3d_walking_model_without_contacts");
-    assert!(warning_codes(&moco).contains(&"not-a-scaled-copy"));
+    assert!(finding_codes(&moco).contains(&"not-a-scaled-copy"));
     // Mesh factors of Moco's feet (r_foot.vtp, l_foot.vtp) over 0.913924 of Falisse's (foot.vtp, l_foot.vtp).
     let base = 0.913_924_377_931_762_4;
     for body in ["calcn_r", "calcn_l"] {
@@ -307,9 +307,9 @@ fn published_models_that_are_not_copies_get_factors() {
         assert_eq!(foot["sources"][0], "mesh");
         let remark = format!("body {body}: mesh says 1.264");
         assert!(
-            warnings(&moco).contains(&remark) && warnings(&moco).contains("1.094"),
+            findings(&moco).contains(&remark) && findings(&moco).contains("1.094"),
             "{}",
-            warnings(&moco)
+            findings(&moco)
         );
     }
     // SCONE's one-piece foot shows foot.vtp at its full size, among other bones.

@@ -105,11 +105,11 @@ function wrong_calls()
 end
 
 function said = what_is_said(call, m) %#ok<INUSD>
-    % The error, or the warning.
+    % The error, or the warning and what is printed.
     lastwarn('', '');
     try
-        evalc(['osimcontact.' call ';']);
-        said = lastwarn();
+        printed = evalc(['osimcontact.' call ';']);
+        said = [lastwarn() printed];
     catch problem
         must(strncmp(problem.identifier, 'osimcontact:', 12), '%s: [%s] %s', call, problem.identifier, problem.message);
         said = problem.message;

@@ -2,7 +2,7 @@ function tests = test_results()
 %TEST_RESULTS What comes back: the right values, and the same fields in every element.
     tests = {@rescaling_follows_the_paper, @all_elements_have_the_same_fields, @missing_numbers_are_nan, ...
         @some_models_fail, @explanations_of_all_kinds, @series_are_columns, @columns_of_results, @tables_are_made_of_columns, ...
-        @warnings_are_said_once, @tables_of_the_program, @texts_of_json, @real_models};
+        @findings_are_said_once, @tables_of_the_program, @texts_of_json, @real_models};
 end
 
 function rescaling_follows_the_paper()
@@ -90,14 +90,14 @@ function columns_of_results()
     must(isempty(columns.name) && isequal(size(columns.model), [0 1]), 'no forces differ');
     columns = osimcontact.internal.as_columns(none([]), shape, 'spheres');
     must(isempty(columns.radius_m) && isfield(columns, 'model'), 'no models differ');
-    % One model that failed, and two that have one warning each: a list of one is a list.
-    full = {osimcontact.internal.json_value('{"model":"a","warnings":[{"code":"floats"}]}'); ...
-        osimcontact.internal.json_value('{"model":"b","warnings":[{"code":"floats"}],"error":[{"code":"x","line":3}]}')};
+    % One model that failed, and two that have one finding each: a list of one is a list.
+    full = {osimcontact.internal.json_value('{"model":"a","findings":[{"code":"floats"}]}'); ...
+        osimcontact.internal.json_value('{"model":"b","findings":[{"code":"floats"}],"error":[{"code":"x","line":3}]}')};
     failure = osimcontact.internal.shapes('failure');
     shape = osimcontact.internal.shapes('change');
     shape.error = {failure.error};
     columns = osimcontact.internal.as_columns(osimcontact.internal.completed(full, {shape}), shape);
-    must(isequal(columns.warnings, [1; 1]) && isequal(columns.error_code, {''; 'x'}), 'warnings and errors differ');
+    must(isequal(columns.findings, [1; 1]) && isequal(columns.error_code, {''; 'x'}), 'findings and errors differ');
     must(isnan(columns.error_line(1)) && columns.error_line(2) == 3, 'lines differ');
 end
 
@@ -111,13 +111,17 @@ function tables_are_made_of_columns()
     must(isequal(seen.mass_kg, [62; 545]), 'it is not a struct of columns');
 end
 
-function warnings_are_said_once()
+function findings_are_said_once()
     lastwarn('', '');
-    % Both have two feet with one force for several spheres.
-    evalc('osimcontact.rescale({''one force.osim'', ''one force too.osim''}, ''target_mass'', 500, ''dry_run'', true);');
+    % Both are right for 53 kg already, which is a warning, and have two feet with one force for several spheres, which is a remark.
+    printed = evalc('osimcontact.rescale({''one force.osim'', ''one force too.osim''}, ''target_mass'', 53, ''dry_run'', true);');
     [message, identifier] = lastwarn();
-    must(strcmp(identifier, 'osimcontact:several_spheres_one_force') && ~isempty(strfind(message, '(and 3 more')), ...
+    must(strcmp(identifier, 'osimcontact:already_at_target') && ~isempty(strfind(message, '(and 1 more')), ...
         '%s: %s', identifier, message);
+    must(~isempty(regexp(printed, 'remark: one force.osim: [^\n]*\(and 3 more', 'once')), 'it printed: %s', printed);
+    lastwarn('', '');
+    evalc('osimcontact.rescale(''one force.osim'', ''target_mass'', 500, ''dry_run'', true);');
+    must(isempty(lastwarn()), 'a remark was raised: %s', lastwarn());
 end
 
 function tables_of_the_program()

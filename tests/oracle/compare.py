@@ -102,7 +102,7 @@ def model_equals(report, reading):
         body["path"]: finite(body["mass"]) for body in reading["bodies"]
     }
     if report["mass_kg"] is None:
-        said = {warning["code"] for warning in report["warnings"]}
+        said = {finding["code"] for finding in report["findings"]}
         assert said & {"mass-unknown", "loop-of-joints"}, "no mass, and not a word about it"
     else:
         mass_equals(report, reading)

@@ -243,7 +243,7 @@ def composites(tmp_path_factory):
 def test_surfaces_of_their_own_become_composites(path, kind, composites, tmp_path):
     """(A.3): the same force on the half-space where nothing moves, in as many forces as there are pairs; told, and refused on request."""
     outcome, there = composites[path][kind]
-    assert outcome.status == 0 and "composite-surfaces" in {warning["code"] for warning in outcome.report["warnings"]}, outcome
+    assert outcome.status == 0 and "composite-surfaces" in {finding["code"] for finding in outcome.report["findings"]}, outcome
     strict = command.run("convert", path, "--to", kind, "-o", tmp_path / "strict.osim", "--strict")
     assert strict.status == 1 and not (tmp_path / "strict.osim").exists()
     own = composites[path]["own"][1]

@@ -193,7 +193,7 @@ def test_sources_of_factors_agree(path, tmp_path, readings):
     for source, values in said.items():
         for body, axis, value in values:
             assert np.isclose(value, factors[body]["xyz".index(axis)], rtol=AGREEMENT, atol=0), (source, body, axis)
-    assert not [warning for warning in outcome.report["warnings"] if warning["code"] == "factors-disagree"]
+    assert not [finding for finding in outcome.report["findings"] if finding["code"] == "factors-disagree"]
 
 
 # OpenSim itself cannot: it scales no CoordinateCoupler by uneven factors, and a mesh of the last one is not there.
@@ -216,8 +216,8 @@ def test_what_opensim_scaled_is_a_scaled_copy_and_each_axis_exact(path, tmp_path
     output, _, _ = opensim_scales(path, tmp_path, factors, 0.8 * mass_of(readings[path]))
     outcome = command.inspect(output, "--from", path)
     assert outcome.status == 0, outcome
-    codes = {warning["code"] for warning in outcome.report["warnings"]}
-    assert not codes & {"not-a-scaled-copy", "factors-disagree"}, outcome.report["warnings"]
+    codes = {finding["code"] for finding in outcome.report["findings"]}
+    assert not codes & {"not-a-scaled-copy", "factors-disagree"}, outcome.report["findings"]
     for body in outcome.report["body_factors"]:
         for axis, value in zip("xyz", body["factors"]):
             if value is not None:

@@ -57,7 +57,7 @@ def test_scenery_is_what_opensim_holds_on_ground(seed, both):
     assert reading["builds"], reading
     compare.inspect_equals_opensim(report, reading)
     fixed = {sphere["name"] for sphere in reading["spheres"] if sphere["base"] in reading["fixed"]}
-    said = [finding for finding in report["warnings"] if finding["code"] == "terrain"]
+    said = [finding for finding in report["findings"] if finding["code"] == "terrain"]
     of_spheres = [finding for finding in said if finding.get("spheres")]
     assert len(of_spheres) == (1 if fixed else 0)
     assert {name for finding in of_spheres for name in finding["spheres"]} == fixed

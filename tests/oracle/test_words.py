@@ -56,7 +56,7 @@ def test_spelling(what, both):
     reading, status, report = both[what]
     same(reading, status, report)
     if status == 0 and not (reading["loads"] and reading["connects"]):
-        assert SAID & {warning["code"] for warning in report["warnings"]}, reading["error"]
+        assert SAID & {finding["code"] for finding in report["findings"]}, reading["error"]
 
 
 @pytest.mark.parametrize("what", [what for what in TABLE if what.startswith(words.VECTORS)])
@@ -66,7 +66,7 @@ def test_location_and_gravity_are_said_where_they_are_not_what_they_look_like(wh
         return
     of_gravity = what.startswith("gravity")
     read = [float.fromhex(value) for value in (reading["gravity"] if of_gravity else reading["spheres"][0]["location"])]
-    found = {warning["code"] for warning in report["warnings"]} & {"odd-number", "not-finite"}
+    found = {finding["code"] for finding in report["findings"]} & {"odd-number", "not-finite"}
     plain = words.as_it_looks(TABLE[what], "gravity" if of_gravity else "location")
     as_seen = plain == read and all(map(math.isfinite, read))
     assert bool(found) != as_seen, f"OpenSim reads {read}, a person {plain}; found: {found}"
@@ -81,7 +81,7 @@ def test_mutant(what, both):
 def test_naming(what, both):
     reading, status, report = both[what]
     if status == 0 and not reading.get("builds"):
-        assert SAID & {warning["code"] for warning in report["warnings"]}, reading
+        assert SAID & {finding["code"] for finding in report["findings"]}, reading
     else:
         same(with_names_of(report, reading), status, report)
 

@@ -57,8 +57,8 @@ def said(name, path, given):
         result = FUNCTIONS[name](path, **given)
     except ocs.ContactScaleError as error:
         return [(name, str(error))]
-    findings = [("check", str(one)) for one in getattr(result, "findings", [])]
-    return [(name, str(result)), *findings, *((name, str(one)) for one in getattr(result, "warnings", []))]
+    findings = [(name, str(one)) for one in getattr(result, "findings", [])]
+    return [(name, str(result)), *findings, *(("check", str(one)) for one in getattr(result, "findings_after", []))]
 
 
 @pytest.mark.parametrize(("name", "given"), CALLS)

@@ -215,7 +215,7 @@ pub fn entry_of_record(record: &Record, earlier: bool) -> Entry {
         stiffness_factor: record.stiffness_factor,
         dissipation_factor: record.dissipation_factor,
         unequal_factors: record.unequal_factors.split(' ').map(str::to_owned).collect(),
-        warnings: record.warnings.split_ascii_whitespace().count(),
+        findings: record.findings.split_ascii_whitespace().count(),
     };
     Entry::of_earlier_record(&row_of_record(record), &left)
 }

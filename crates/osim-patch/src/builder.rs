@@ -30,7 +30,7 @@ impl NewValue {
 pub(crate) struct PlanBuilder<'m> {
     pub(crate) model: &'m Model,
     pub(crate) changes: Vec<NumberChange>,
-    pub(crate) warnings: Vec<Finding>,
+    pub(crate) findings: Vec<Finding>,
     planned: HashSet<ValueKey>,
     pub(crate) moves: Vec<PlaceChange>,
     pub(crate) remarks: Vec<Phrase>,
@@ -41,7 +41,7 @@ impl<'m> PlanBuilder<'m> {
         Self {
             model,
             changes: Vec::new(),
-            warnings: Vec::new(),
+            findings: Vec::new(),
             planned: HashSet::new(),
             moves: Vec::new(),
             remarks: Vec::new(),

@@ -117,7 +117,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let properties = PropertySet::default();
     let rule = wanted.radius_rule()?;
     let radii = Radii::plan(&mut plan, &selected.forces, |_| rule, 1.0, &properties)?;
-    plan.warnings.extend(model.remarks_on(&selected.forces));
+    plan.findings.extend(model.remarks_on(&selected.forces));
     let mut rests = Vec::new();
     let shared = !model.spheres_in_several_forces().is_empty();
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
@@ -139,16 +139,16 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     let mut remarks: Vec<Phrase> = vec![PLACES_STAY.into()];
     remarks.extend(bottoms_remark(&radii));
     remarks.extend(rest_remark(&rests));
-    let PlanBuilder { changes, moves, mut warnings, .. } = plan;
+    let PlanBuilder { changes, moves, mut findings, .. } = plan;
     if changes.is_empty() {
-        warnings.push(rules::nothing_to_design());
+        findings.push(rules::nothing_to_design());
     }
     let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);
     let masses = wanted.target_mass.clone().map(Masses::unchanged);
     let made = wanted.mass_for_note(model, wanted.is_complete(smooth) && selected.complete);
     Ok(Plan::new(
         model,
-        PlanContents { changes, moves, masses, taken: wanted.describe(), warnings, remarks },
+        PlanContents { changes, moves, masses, taken: wanted.describe(), findings, remarks },
         &NoteFacts {
             followed: None,
             target_mass_kg: made.kg,

@@ -71,7 +71,7 @@ fn with_new_note(mut plan: Plan, model: &Model, stance_limbs: Option<f64>, same:
     plan.require_note();
     plan.note_stance_limbs(stance_limbs);
     if plan.note().zip(model.note.as_ref()).is_some_and(|(new, old)| has_same_content(new, old)) {
-        plan.warnings.push(same);
+        plan.findings.push(same);
         plan.keep_old_note();
     }
     plan

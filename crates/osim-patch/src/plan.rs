@@ -33,7 +33,7 @@ use crate::objects::{EarlierNote, ObjectChange, RebuiltModel};
 /// // What to show: every number that changes, and what the user should know.
 /// let rows = plan.changes.iter().map(|change| format!("{} {} -> {}", change.property, change.from, change.to));
 /// assert_eq!(rows.collect::<Vec<_>>()[..2], ["radius 0.03 -> 0.06", "stiffness 1000000 -> 2000000"]);
-/// assert!(plan.warnings.is_empty());
+/// assert!(plan.findings.is_empty());
 /// // The file will say what its contacts were made for.
 /// assert_eq!(plan.note().and_then(|note| note.contacts_mass_kg), Some(80.0));
 ///
@@ -53,7 +53,7 @@ pub struct Plan {
     /// The first line of every report: which masses or values the change starts from, and where they come from.
     pub taken: Phrase,
     /// Things the user should know.
-    pub warnings: Vec<Finding>,
+    pub findings: Vec<Finding>,
     /// Remarks about the whole change, such as what stays as it is.
     pub remarks: Vec<Phrase>,
     /// Errors of a fit to recordings.
@@ -123,7 +123,7 @@ pub(crate) struct PlanContents {
     pub(crate) moves: Vec<PlaceChange>,
     pub(crate) masses: Option<Masses>,
     pub(crate) taken: Phrase,
-    pub(crate) warnings: Vec<Finding>,
+    pub(crate) findings: Vec<Finding>,
     pub(crate) remarks: Vec<Phrase>,
 }
 
@@ -213,7 +213,7 @@ impl Plan {
     }
 
     pub(crate) fn new(model: &Model, contents: PlanContents, facts: &NoteFacts<'_>) -> Self {
-        let PlanContents { changes, moves, masses, taken, warnings, remarks } = contents;
+        let PlanContents { changes, moves, masses, taken, findings, remarks } = contents;
         let changed: BTreeMap<ValueKey, f64> = changes.iter().map(NumberChange::key_and_value).collect();
         let moved: HashMap<&str, [f64; 3]> =
             moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
@@ -245,7 +245,7 @@ impl Plan {
             moves,
             masses,
             taken,
-            warnings,
+            findings,
             remarks,
             errors: None,
             floor_up_m: Vec::new(),
@@ -278,7 +278,7 @@ impl Plan {
             moves: Vec::new(),
             masses: None,
             taken,
-            warnings: Vec::new(),
+            findings: Vec::new(),
             remarks: Vec::new(),
             errors: None,
             floor_up_m: Vec::new(),
@@ -335,7 +335,7 @@ impl Plan {
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         self.taken.spell(dialect);
         self.remarks.iter_mut().for_each(|remark| remark.spell(dialect));
-        self.warnings.iter_mut().for_each(|warning| warning.spell(dialect));
+        self.findings.iter_mut().for_each(|finding| finding.spell(dialect));
     }
 
     /// Whether the note needs an element `<credits>` that the model does not have.

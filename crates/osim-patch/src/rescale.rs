@@ -141,7 +141,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     let other_radius = matches!(wanted.radius, RadiusRule::Metres(_) | RadiusRule::Factor(_));
     let is_there = same_mass(target_mass_kg, contacts_mass_kg);
     if is_there && gravity == 1.0 && !other_radius && wanted.bodies.is_none() {
-        plan.warnings.push(rules::already_at_target(&wanted.contacts_mass));
+        plan.findings.push(rules::already_at_target(&wanted.contacts_mass));
         return Ok(finish(plan, wanted, selected, None, change));
     }
     // A mass within a thousandth is the same: numbers stay, and only spheres move.
@@ -168,7 +168,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         }
     }
     if plan.changes.is_empty() && plan.moves.is_empty() {
-        plan.warnings.push(rules::nothing_to_rescale());
+        plan.findings.push(rules::nothing_to_rescale());
     }
     Ok(finish(plan, wanted, selected, Some(&radii), change))
 }
@@ -209,7 +209,7 @@ fn finish(
     radii: Option<&Radii>,
     gravity: GravityChange,
 ) -> Plan {
-    let PlanBuilder { model, changes, moves, warnings, .. } = plan;
+    let PlanBuilder { model, changes, moves, findings, .. } = plan;
     let mut remarks: Vec<Phrase> = Vec::new();
     let nothing = changes.is_empty() && moves.is_empty();
     if !nothing {
@@ -237,7 +237,7 @@ fn finish(
     let masses = Some(Masses { contacts_mass, target_mass_kg });
     Plan::new(
         model,
-        PlanContents { changes, moves, masses, taken, warnings, remarks },
+        PlanContents { changes, moves, masses, taken, findings, remarks },
         &NoteFacts {
             followed: radii.filter(|_| wanted.bodies.is_some()).map(Radii::spheres).as_ref(),
             target_mass_kg: Some(wanted.target_mass_kg),

@@ -216,9 +216,9 @@ pub(crate) const LEVEL_FEET: &str = "spheres move down, along the normal of thei
 /// Says what is special about the chosen forces.
 pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], properties: &PropertySet) {
     let model = plan.model;
-    plan.warnings.extend(model.remarks_on(forces));
+    plan.findings.extend(model.remarks_on(forces));
     let chosen = forces.iter().filter_map(|&id| model.force(id));
-    plan.warnings.extend(friction_not_similar(chosen, properties));
+    plan.findings.extend(friction_not_similar(chosen, properties));
 }
 
 /// How far the soles move because radii change and centres do not.

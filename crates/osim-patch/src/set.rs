@@ -153,9 +153,9 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     for (plane, location_m) in &wanted.planes {
         plan.move_half_space(plane, *location_m, ChangedBy::Fit)?;
     }
-    let PlanBuilder { changes, moves, mut warnings, .. } = plan;
+    let PlanBuilder { changes, moves, mut findings, .. } = plan;
     if changes.is_empty() && moves.is_empty() {
-        warnings.push(rules::nothing_to_set());
+        findings.push(rules::nothing_to_set());
     }
     let mut taken = phrase![];
     if let Some(mass) = &wanted.contacts_mass {
@@ -171,7 +171,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     let kept = KeptMass::of(model, wanted.contacts_mass.as_ref());
     Ok(Plan::new(
         model,
-        PlanContents { changes, moves, masses, taken, warnings, remarks },
+        PlanContents { changes, moves, masses, taken, findings, remarks },
         &NoteFacts {
             followed: None,
             target_mass_kg: wanted.made_for_kg.or(kept.kg),

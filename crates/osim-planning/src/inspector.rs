@@ -244,7 +244,7 @@ impl Inspector {
         match self.options.selection.apply(&opened.model) {
             Err(fault)
                 if fault.code() == "no-contacts"
-                    && !inspected.warnings.iter().any(|warning| warning.severity == Severity::Error) =>
+                    && !inspected.findings.iter().any(|finding| finding.severity == Severity::Error) =>
             {
                 Err(opened.failure(fault))
             }

@@ -22,7 +22,7 @@ use crate::rules;
 const NO_REMEDIES: Changeable = Changeable { numbers: false, radii: false };
 
 impl PreparedChange {
-    /// Plans the change of a model that was [opened](Self::open). The plan has a note; its warnings name what is odd about the model
+    /// Plans the change of a model that was [opened](Self::open). The plan has a note; its findings name what is odd about the model
     /// itself, and what the change makes worse.
     ///
     /// # Errors
@@ -76,7 +76,7 @@ impl PreparedChange {
             plan.remarks.push(text.into());
         }
         let remaining = remaining_findings(&plan, model);
-        plan.warnings.splice(0..0, remaining);
+        plan.findings.splice(0..0, remaining);
         plan.remarks.extend(describe_unmatched_patterns(
             &self.options.selection,
             &self.options.masses,
@@ -85,7 +85,7 @@ impl PreparedChange {
         Ok(plan)
     }
 
-    /// Adds findings about what `plan` makes worse to its warnings.
+    /// Adds findings about what `plan` makes worse to its findings.
     fn add_worse_findings(
         &self,
         opened: &OpenModel,
@@ -94,7 +94,7 @@ impl PreparedChange {
     ) -> Result<(), Failure> {
         for mut finding in worse_findings(self, opened, plan, changed)? {
             self.keep_ways_out(&mut finding.message);
-            plan.warnings.push(finding);
+            plan.findings.push(finding);
         }
         Ok(())
     }
@@ -247,7 +247,7 @@ fn findings_that_became_worse(
 ) -> Vec<FindingWithRemedy> {
     let new_findings = changed.findings_without_remedies(after, opened, changed.model());
     let is_bad = |one: &&FindingWithRemedy| {
-        one.severity >= Severity::Warning && !says_bodies_are_unscaled(one) && !is_warned_by_plan(plan, one)
+        one.severity >= Severity::Warning && !says_bodies_are_unscaled(one) && !is_reported_by_plan(plan, one)
     };
     let bad: Vec<&FindingWithRemedy> = new_findings.iter().filter(is_bad).collect();
     if bad.is_empty() {
@@ -278,10 +278,10 @@ pub(crate) fn findings_without_remedies(
     check_model(options, model, &inspected, &[], NO_REMEDIES).findings
 }
 
-/// Whether the plan already warns of this finding, with advice of its own, as `convert` does of the smoothing of stiff spheres. Such
+/// Whether the plan already reports this finding, with advice of its own, as `convert` does of the smoothing of stiff spheres. Such
 /// a finding is neither repeated nor a reason to refuse.
-fn is_warned_by_plan(plan: &Plan, one: &FindingWithRemedy) -> bool {
-    plan.warnings.iter().any(|known| known.code() == one.code() && known.place == one.place)
+fn is_reported_by_plan(plan: &Plan, one: &FindingWithRemedy) -> bool {
+    plan.findings.iter().any(|known| known.code() == one.code() && known.place == one.place)
 }
 
 /// The finding for people who have only the old file: its line, which is one of the new file, is left out.

@@ -23,7 +23,7 @@ function results = run_verb(verb, arguments)
             result = declared.without{2};
         end
         [results, shape] = results_of(records, osimcontact.internal.shapes(result));
-        say_warnings(verb, results);
+        say_findings(verb, results);
     end
     if ~isequal(as_table, false)
         results = osimcontact.internal.table_of(results, shape, as_table);
@@ -41,19 +41,26 @@ function [results, shape] = results_of(records, shape)
     results = osimcontact.internal.completed(records(:), {shape});
 end
 
-function say_warnings(verb, results)
+function say_findings(verb, results)
     % What changes a model, or finds parameters, says what is to be known of it: once for each code, however many models.
-    % Findings of inspect and check are what was asked for.
-    if strcmp(verb, 'inspect') || ~isfield(results, 'warnings')
+    % A remark is printed; anything else is raised as a warning. Findings of inspect and check are what was asked for.
+    list = 'findings';
+    if isfield(results, 'warnings')
+        % Of a fitted curve: what the data do not determine, always warnings.
+        list = 'warnings';
+    end
+    if any(strcmp(verb, {'inspect', 'check'})) || ~isfield(results, list)
         return
     end
     codes = {};
     messages = {};
+    is_remark = logical([]);
     for i = 1:numel(results)
-        for j = 1:numel(results(i).warnings)
-            found = results(i).warnings(j);
+        for j = 1:numel(results(i).(list))
+            found = results(i).(list)(j);
             codes{end + 1} = found.code; %#ok<AGROW>
             messages{end + 1} = found.message; %#ok<AGROW>
+            is_remark(end + 1) = isfield(found, 'severity') && strcmp(found.severity, 'remark'); %#ok<AGROW>
             if isfield(results, 'model')
                 messages{end} = [results(i).model ': ' messages{end}];
             end
@@ -64,11 +71,16 @@ function say_warnings(verb, results)
     end
     % As a row: a loop takes each column, of a list without entries too, if it is one column.
     for code = reshape(unique(codes, 'stable'), 1, [])
-        of_code = messages(strcmp(codes, code{1}));
+        is_this = strcmp(codes, code{1});
+        of_code = messages(is_this);
         more = '';
         if numel(of_code) > 1
-            more = sprintf(' (and %d more: see the field warnings)', numel(of_code) - 1);
+            more = sprintf(' (and %d more: see the field %s)', numel(of_code) - 1, list);
         end
-        warning(osimcontact.internal.identifier(code{1}), '%s%s', of_code{1}, more);
+        if all(is_remark(is_this))
+            fprintf('remark: %s%s\n', of_code{1}, more);
+        else
+            warning(osimcontact.internal.identifier(code{1}), '%s%s', of_code{1}, more);
+        end
     end
 end

@@ -19,7 +19,7 @@ const TITLES: Readonly<Record<string, { title: string }>> = { changes: { title: 
 export class ResultView {
   readonly #section = byId("result");
   readonly #status = el("p", { class: "status", id: "result-status", tabindex: -1 });
-  readonly #warnings = el("ul", { class: "warnings" });
+  readonly #findings = el("ul", { class: "change-findings" });
   readonly #places = new Map<string, Place>(SECTIONS.map((id) => [id, place({ prefix: PREFIX, id, ...TITLES[id] })]));
   readonly #done = el("div", { class: "done", hidden: true });
   readonly #live = el("p", { class: "hidden", role: "status", "aria-live": "polite" });
@@ -32,7 +32,7 @@ export class ResultView {
     const context = contextOf(session, session.values, { prefix: "question", commit: "change", addFile });
     this.#failure = failureView(() => formOf(session.verb.value) ?? CALCULATOR, context, this.#status);
     this.#diff = diffView(session);
-    this.#done.append(this.#warnings, ...[...this.#places.values()].map(({ element }) => element), this.#diff.element);
+    this.#done.append(this.#findings, ...[...this.#places.values()].map(({ element }) => element), this.#diff.element);
     this.#section.append(
       el("h2", { id: "result-title" }, "What would change"), this.#status, this.#failure.element, this.#done, this.#live);
     session.files.watch(() => this.#failure.refresh());
@@ -65,9 +65,9 @@ export class ResultView {
       // A section that is being made again stays until it is there.
       if (sections.has(id) || preview.complete) show(sections.get(id));
     }
-    const { warnings } = preview.change.record;
-    this.#warnings.hidden = warnings.length === 0;
-    this.#warnings.replaceChildren(...warnings.map(({ severity, message }) => el("li", {}, el("span", { class: `tag ${severity}` }, severity), " ", message)));
+    const { findings } = preview.change.record;
+    this.#findings.hidden = findings.length === 0;
+    this.#findings.replaceChildren(...findings.map(({ severity, message }) => el("li", {}, el("span", { class: `tag ${severity}` }, severity), " ", message)));
     this.#diff.ask(preview.request);
   }
 

@@ -147,7 +147,7 @@ fn find_in_model(
         }
         FindingWithRemedy::new(finding.clone(), find_remedy(model, finding, remedies))
     };
-    let mut findings: Vec<FindingWithRemedy> = inspected.warnings.iter().map(with_remedy).collect();
+    let mut findings: Vec<FindingWithRemedy> = inspected.findings.iter().map(with_remedy).collect();
     let remarks = model.remarks_on(&forces_on_half_spaces(model));
     findings.extend(remarks.into_iter().map(FindingWithRemedy::from));
     if scope == Scope::Everything {

@@ -41,10 +41,10 @@ impl InspectOptions {
         factors: Option<&Factors>,
         rests: RestsToCompute,
     ) -> Inspection {
-        let mut warnings = model_findings(model).to_vec();
+        let mut findings = model_findings(model).to_vec();
         let mass = self.masses.model_mass(model);
         let contacts_mass = self.masses.contacts_mass(model).map(|(mass, disagreements)| {
-            warnings.extend(disagreements);
+            findings.extend(disagreements);
             mass
         });
         let (selected, no_choice) = match self.selection.apply(model) {
@@ -55,15 +55,15 @@ impl InspectOptions {
             Some(fault) => LoadSharing::unknown(fault.phrase()),
             None => LoadSharing::of(model, &selected.forces),
         };
-        warnings.extend(factors.iter().flat_map(|factors| factors.warnings.iter().cloned()));
+        findings.extend(factors.iter().flat_map(|factors| factors.findings.iter().cloned()));
         for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
-            let mut warning = contacts::stale_note(fault).unwrap_or_else(|| contacts::mass_unknown(fault));
-            warning.line = line_of(model, fault);
-            if !warnings.contains(&warning) {
-                warnings.push(warning);
+            let mut finding = contacts::stale_note(fault).unwrap_or_else(|| contacts::mass_unknown(fault));
+            finding.line = line_of(model, fault);
+            if !findings.contains(&finding) {
+                findings.push(finding);
             }
         }
-        warnings.extend(contacts::find_unmatched_patterns(&self.selection, &self.masses, model));
+        findings.extend(contacts::find_unmatched_patterns(&self.selection, &self.masses, model));
         let (mass, contacts_mass) = (mass.ok(), contacts_mass.ok());
         let weight = mass.as_ref().or(contacts_mass.as_ref());
         // If nobody chose among the forces of several bodies, all bodies count.
@@ -82,7 +82,7 @@ impl InspectOptions {
             contacts_mass: contacts_mass.as_ref(),
             selected: &selected,
             limbs: sharing.limbs(),
-            warnings: &warnings,
+            findings: &findings,
             contacts: &contacts,
             factors,
             known_contacts,
@@ -135,7 +135,7 @@ pub(super) struct InspectionParts<'f> {
     pub contacts_mass: Option<&'f Mass>,
     pub selected: &'f Selected,
     pub limbs: &'f Limbs,
-    pub warnings: &'f [Finding],
+    pub findings: &'f [Finding],
     pub contacts: &'f SetContacts,
     pub factors: Option<&'f Factors>,
     pub known_contacts: Option<KnownContacts>,
@@ -181,7 +181,7 @@ impl Inspection {
             limbs_unknown: parts.limbs.spheres_per_limb().err(),
             spheres: spheres(model, parts.limbs),
             forces: forces(model, &parts),
-            warnings: parts.warnings.to_vec(),
+            findings: parts.findings.to_vec(),
             bodies: model
                 .bodies()
                 .iter()

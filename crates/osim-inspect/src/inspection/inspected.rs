@@ -66,7 +66,7 @@ pub struct Inspection {
     /// Traps found while reading, and masses that disagree.
     #[serde(serialize_with = "records")]
     #[cfg_attr(feature = "schemas", schemars(with = "Vec<FindingRecord>"))]
-    pub warnings: Vec<Finding>,
+    pub findings: Vec<Finding>,
     /// Bodies without ground, in file order.
     pub bodies: Vec<InspectedBody>,
     /// Factors against the generic model, if one is given.
@@ -356,7 +356,7 @@ impl Inspection {
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         self.mass_source.spell(dialect);
         self.contacts_mass_kg.iter_mut().for_each(|mass| mass.description.spell(dialect));
-        self.warnings.iter_mut().for_each(|warning| warning.spell(dialect));
+        self.findings.iter_mut().for_each(|finding| finding.spell(dialect));
         self.limbs_unknown.iter_mut().for_each(|why| why.spell(dialect));
         self.figures.spell(dialect);
     }

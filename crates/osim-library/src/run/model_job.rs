@@ -257,9 +257,9 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         let mut plan = settings.change.plan(opened, &Disk)?;
         let compiled =
             self.task.output().and_then(|path| self.context.folders.compiled_model_beside_output(path));
-        plan.warnings.extend(compiled);
+        plan.findings.extend(compiled);
         let linked = self.task.output().filter(|_| settings.in_place).and_then(hard_link_finding);
-        plan.warnings.extend(linked);
+        plan.findings.extend(linked);
         plan.spell(self.front_end.dialect());
         record.add_plan(&plan);
         Ok(plan)

@@ -142,8 +142,8 @@ pub struct Record {
     pub hunt_crossley_smoothing_factor: Option<f64>,
     /// Properties whose factor is not the same everywhere.
     pub unequal_factors: String,
-    /// Codes of the warnings.
-    pub warnings: String,
+    /// Codes of the findings.
+    pub findings: String,
     /// Code of the error.
     pub error_code: Option<String>,
     /// The error, in words.
@@ -234,7 +234,7 @@ impl Record {
         record
     }
 
-    /// Adds the masses, changes and warnings of a plan.
+    /// Adds the masses, changes and findings of a plan.
     pub(super) fn add_plan(&mut self, plan: &Plan) {
         if let Some(masses) = &plan.masses {
             self.contacts_mass_kg = Some(masses.contacts_mass.kg);
@@ -254,9 +254,9 @@ impl Record {
             }
         }
         self.unequal_factors = unequal_factors.join(" ");
-        let mut codes: Vec<&str> = plan.warnings.iter().map(|warning| warning.code().as_str()).collect();
+        let mut codes: Vec<&str> = plan.findings.iter().map(|finding| finding.code().as_str()).collect();
         codes.dedup();
-        self.warnings = codes.join(" ");
+        self.findings = codes.join(" ");
     }
 
     /// The columns of a property: old value, new value and factor.

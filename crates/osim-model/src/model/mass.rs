@@ -28,10 +28,10 @@ const SAME_GRAVITY: f64 = 1e-3;
 ///
 /// // The contacts were made for another mass, and the user knows which.
 /// let request = MassRequest { contacts_mass_kg: Some(62.0), ..MassRequest::default() };
-/// let (mass, warnings) = request.contacts_mass(&model)?;
+/// let (mass, findings) = request.contacts_mass(&model)?;
 /// assert_eq!((mass.kg, mass.source), (62.0, MassSource::ContactsMass));
 /// // The bodies say something else, which may be a mistake.
-/// assert_eq!(warnings[0].code().as_str(), "mass-sources-disagree");
+/// assert_eq!(findings[0].code().as_str(), "mass-sources-disagree");
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -163,8 +163,8 @@ impl MassRequest {
         } else {
             self.model_mass(model)?
         };
-        let warnings = self.disagreements(model, &mass);
-        Ok((mass, warnings))
+        let findings = self.disagreements(model, &mass);
+        Ok((mass, findings))
     }
 
     /// A warning for each other source that disagrees with the mass that was `taken`.

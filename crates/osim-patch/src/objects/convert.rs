@@ -51,7 +51,7 @@ impl Convert {
 pub struct Converted {
     pub rebuilt: RebuiltModel,
     /// What the user should know.
-    pub warnings: Vec<Finding>,
+    pub findings: Vec<Finding>,
     /// Old and new names of forces that were divided.
     pub renamed: Vec<(String, Vec<String>)>,
     /// Paths of forces that hold no sphere that moves, and stay as they are.
@@ -73,7 +73,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
     let (mut names, list) = (TakenNames::of(model), NamesInList::of(model));
     let mut made = Converted {
         rebuilt: RebuiltModel::new(edited(model, Vec::new())?, Vec::new(), String::new()),
-        warnings: Vec::new(),
+        findings: Vec::new(),
         renamed: Vec::new(),
         without_sphere: Vec::new(),
     };
@@ -90,7 +90,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
             continue;
         }
         if let Some(pair) = pairs.iter().find(|pair| pair.is_composite) {
-            made.warnings.push(composite_finding(model, force, pair, wanted)?);
+            made.findings.push(composite_finding(model, force, pair, wanted)?);
         }
         let (edit, new) = divide_force(model, force, &pairs, wanted, (&mut names, &list, &mut inside))?;
         edits.push(edit);

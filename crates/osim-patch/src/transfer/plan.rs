@@ -99,7 +99,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     }
     let whole = !without_smoothing;
     if without_smoothing {
-        plan.warnings.push(rules::reference_without_smoothing(&reference.name));
+        plan.findings.push(rules::reference_without_smoothing(&reference.name));
     }
     Ok(finish(plan, wanted, selected.complete && whole, &radii, change))
 }
@@ -181,9 +181,9 @@ fn finish(
     radii: &Radii,
     gravity: GravityChange,
 ) -> Plan {
-    let PlanBuilder { model, changes, moves, mut warnings, mut remarks, .. } = plan;
+    let PlanBuilder { model, changes, moves, mut findings, mut remarks, .. } = plan;
     if changes.is_empty() {
-        warnings.push(rules::nothing_to_transfer());
+        findings.push(rules::nothing_to_transfer());
     } else if wanted.follow.is_some() {
         remarks.push("body masses stay as they are; spheres follow their bodies".into());
     } else if !moves.is_empty() {
@@ -218,7 +218,7 @@ fn finish(
     let all = complete && wanted.properties.is_complete();
     Plan::new(
         model,
-        PlanContents { changes, moves, masses, taken, warnings, remarks },
+        PlanContents { changes, moves, masses, taken, findings, remarks },
         &NoteFacts {
             followed: wanted.follow.as_ref().map(|_| radii.spheres()).as_ref(),
             target_mass_kg: Some(wanted.target_mass.kg),
@@ -252,7 +252,7 @@ fn check_spread(
         if wanted.strict {
             return Err(Fault::new(FaultKind::StrictlyRefused { text }).at_element(force.path.clone()));
         }
-        plan.warnings.push(rules::factor_spread(force, text));
+        plan.findings.push(rules::factor_spread(force, text));
     }
     Ok(())
 }

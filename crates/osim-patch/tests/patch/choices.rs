@@ -97,7 +97,7 @@ fn friction_follows_only_where_it_is_asked_for() {
         .with_friction()
         .rescaled_to(64.0)
         .produces(smoothing(foot(&text("4000000", "1", "0.25", "0.5"), "0.04")))
-        .warns("friction-not-similar");
+        .has_finding("friction-not-similar");
     given(before).rescaled_to(64.0).produces(smoothing(foot(&text("4000000", "1", "0.5", "0.25"), "0.04")));
 }
 
@@ -177,7 +177,7 @@ fn mixed_radii_use_the_mean_square_before_and_after() {
     let mixed = || given_fixture("format/mixed_radii.osim");
     // Isometric: all radii × 2, so E₁* × 2 as ever.
     let outcome = mixed().rescaled_to(8.0 * 53.0);
-    outcome.sets(Property::Stiffness, 2, 2_469_135.6).warns("mixed-radii");
+    outcome.sets(Property::Stiffness, 2, 2_469_135.6).has_finding("mixed-radii");
     let radii: Vec<f64> = outcome.changes_of(Property::Radius).iter().map(|change| change.to).collect();
     assert_eq!(radii, [0.1, 0.05, 0.1, 0.05]);
     // All become 0.05 m: mean R² was (0.05² + 0.025²)/2 = 0.0015625 and is 0.0025, so ρ² = 1.6.
@@ -214,7 +214,7 @@ fn spheres_that_no_ground_contact_uses_stay() {
 fn forces_that_are_switched_off_are_scaled_too() {
     let outcome = given_fixture("format/v30000_disabled.osim").rescaled_to(8.0 * 53.0);
     assert_eq!(outcome.changes_of(Property::Stiffness).len(), 2);
-    outcome.warns("disabled-force");
+    outcome.has_finding("disabled-force");
     let outcome = given_fixture("format/all_disabled.osim").rescaled_to(8.0 * 61.5);
     outcome.sets(Property::Stiffness, 1, 2_469_135.6).sets(Property::Radius, 1, 0.065);
 }

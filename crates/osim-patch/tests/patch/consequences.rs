@@ -31,7 +31,7 @@ fn rescaled(text: &str, change: impl FnOnce(&mut Rescale)) -> Plan {
 }
 
 fn codes(plan: &Plan) -> Vec<FindingCode> {
-    plan.warnings.iter().map(osim_model::Finding::code).collect()
+    plan.findings.iter().map(osim_model::Finding::code).collect()
 }
 
 fn change(plan: &Plan, property: Property) -> &osim_patch::NumberChange {

@@ -103,7 +103,7 @@ fn each_half_space_has_its_own_material() {
                 let found = value(other, property);
                 assert!((found / wanted - 1.0).abs() < 1e-7, "{to:?} {property}: {found}, expected {wanted}");
             }
-            assert_eq!(made.warnings.len(), 1);
+            assert_eq!(made.findings.len(), 1);
         }
     }
 }

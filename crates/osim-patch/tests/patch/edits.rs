@@ -161,7 +161,7 @@ fn all_materials_of_a_force_get_the_same_factor() {
     given(foot(&before, "0.01"))
         .rescaled_to(64.0)
         .produces(foot(&after, "0.04"))
-        .warns("several-parameter-sets");
+        .has_finding("several-parameter-sets");
 }
 
 #[test]

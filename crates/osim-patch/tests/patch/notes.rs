@@ -83,7 +83,7 @@ fn a_note_is_replaced_and_says_the_same_as_before() {
         assert_eq!((mass.kg, mass.source), (62.0, MassSource::Note), "{name}");
         // The same mass again: nothing to change.
         let again = note(&model, 62.0, Some(9.81), None).unwrap();
-        assert!(again.is_empty() && again.warnings.iter().any(|w| w.code().as_str() == "nothing-to-change"));
+        assert!(again.is_empty() && again.findings.iter().any(|w| w.code().as_str() == "nothing-to-change"));
         assert_eq!(patched(&again, &model), once, "{name}");
         // Another one: the note is replaced, and only that.
         let other = patched(&note(&model, 70.0, Some(9.81), None).unwrap(), &model);

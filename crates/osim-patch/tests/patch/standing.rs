@@ -41,7 +41,7 @@ fn the_note_is_in_the_credits_and_is_replaced_on_later_runs() {
     let text = String::from_utf8(second.bytes().to_vec()).unwrap();
     assert_eq!(text.matches("osim-contact-scale").count(), 1, "{text}");
     assert!(text.contains("[contacts made for 64 kg at "), "{text}");
-    second.warns("mass-sources-disagree");
+    second.has_finding("mass-sources-disagree");
     let direct = given(foot(&smooth("<stiffness>1000000</stiffness>"), "0.01")).rescaled_to(64.0);
     for (two, one) in second.plan().changes.iter().zip(&direct.plan().changes) {
         assert_eq!((two.property, &two.path), (one.property, &one.path));
@@ -72,7 +72,7 @@ fn already_at_the_target_nothing_changes_and_it_says_why() {
             .with_note()
             .rescaled_to(kg)
             .changes_nothing()
-            .warns("already-at-target");
+            .has_finding("already-at-target");
     }
     assert!(
         !given(foot(&smooth("<stiffness>1e6</stiffness>"), "0.01")).rescaled_to(1.0011).plan().is_empty()

@@ -74,8 +74,8 @@ fn smoothing_sentence(values: &[f64; 3], count: usize) -> Phrase {
     format!("smoothing of {count} {forces}: {}", all.join(", ")).into()
 }
 
-/// Warnings that `check` has about the smoothing of `model`: its body floats, or is carried before it touches.
-pub(crate) fn warnings_of_smoothing(model: &Model) -> Vec<Finding> {
+/// What `check` finds in the smoothing of `model`: its body floats, or is carried before it touches.
+pub(crate) fn findings_on_smoothing(model: &Model) -> Vec<Finding> {
     let options = InspectOptions::default();
     let inspection = options.inspect("", model, None);
     let findings = check_model(

@@ -14,8 +14,8 @@ pub(crate) use feet::{
     remarks_on_parts_of_feet,
 };
 pub(crate) use forces::{
-    remark_on_kept_friction, remark_on_old_document, remarks_on_dropped_pairs, remarks_on_missing_names,
-    remarks_on_smoothing, warnings_of_smoothing,
+    findings_on_smoothing, remark_on_kept_friction, remark_on_old_document, remarks_on_dropped_pairs,
+    remarks_on_missing_names, remarks_on_smoothing,
 };
 
 /// Refuses to apply a factor once more in place, if the note says that it was applied already and `may_repeat` is false.

@@ -8,8 +8,8 @@ use osim_requests::{ConvertRequest, Positive, RequestFault};
 
 use crate::prepared_change::{Planner, PreparedChange};
 use crate::remarks::{
-    refuse_geometry_output, remark_on_old_document, remarks_on_dropped_pairs, remarks_on_missing_names,
-    remarks_on_smoothing, warnings_of_smoothing,
+    findings_on_smoothing, refuse_geometry_output, remark_on_old_document, remarks_on_dropped_pairs,
+    remarks_on_missing_names, remarks_on_smoothing,
 };
 
 /// The remark if forces had their spheres inside themselves.
@@ -72,7 +72,7 @@ impl Planner for ConvertPlanner {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply_to_all(model)?;
         let dropped_pairs = remarks_on_dropped_pairs(model, &selected)?;
-        let Converted { rebuilt, warnings, renamed, without_sphere, .. } =
+        let Converted { rebuilt, findings, renamed, without_sphere, .. } =
             convert(model, &selected, &self.wanted)?;
         // Spheres and planes that forces had inside themselves are new objects, too.
         let is_force = |object: &&ObjectChange| !object.class.starts_with("Contact");
@@ -95,12 +95,12 @@ impl Planner for ConvertPlanner {
         let taken_out = rebuilt.objects.iter().any(|object| !is_force(&object));
         let missing_names = remarks_on_missing_names(&rebuilt);
         let is_smoothed = changes_class && self.wanted.to == ForceKind::SmoothSphereHalfSpace;
-        let smoothing_warnings =
-            if is_smoothed { warnings_of_smoothing(rebuilt.model()) } else { Vec::new() };
+        let smoothing_findings =
+            if is_smoothed { findings_on_smoothing(rebuilt.model()) } else { Vec::new() };
         let old_document = remark_on_old_document(&rebuilt);
         let note = kept_note(model, &rebuilt, "convert");
         let mut plan = Plan::from_objects(rebuilt, summary.into()).with_note(note);
-        plan.warnings.extend(warnings);
+        plan.findings.extend(findings);
         plan.remarks.extend(remarks_on_renamed_forces(&renamed));
         plan.remarks.extend(taken_out.then(|| GEOMETRY_TAKEN_OUT.into()));
         plan.remarks.extend(missing_names);
@@ -108,7 +108,7 @@ impl Planner for ConvertPlanner {
         if changes_class {
             plan.remarks.extend(remark_on_names_of_old_class(&plan, class));
             plan.remarks.extend(remarks_on_new_class(&plan, &self.wanted));
-            plan.warnings.extend(smoothing_warnings);
+            plan.findings.extend(smoothing_findings);
         }
         plan.remarks.extend(dropped_pairs);
         let stays = |path: &String| format!("{path} holds no sphere that moves, and stays as it is").into();

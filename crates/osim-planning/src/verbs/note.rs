@@ -70,7 +70,7 @@ impl Planner for NotePlanner {
         match self.noted {
             NewNote::Mass(kg, limbs) => {
                 let mut plan = note(model, kg, self.gravity_m_s2.or(model.gravity()), limbs)?;
-                plan.warnings.extend(self.masses.disagreement_with_note(model));
+                plan.findings.extend(self.masses.disagreement_with_note(model));
                 Ok(plan)
             }
             NewNote::StanceLimbs(limbs) => Ok(note_stance_limbs(model, limbs)),

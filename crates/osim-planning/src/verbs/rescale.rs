@@ -96,7 +96,7 @@ impl Planner for RescalePlanner {
         if matches!(radius, Some(RadiusRule::Factor(_))) {
             refuse_repetition(model, &operation, self.may_repeat)?;
         }
-        let (contacts_mass, mut warnings) = self.masses.contacts_mass(model)?;
+        let (contacts_mass, mut findings) = self.masses.contacts_mass(model)?;
         refuse_known_contacts_of_other_mass(model, &selected, &contacts_mass, Input::ContactsMass)?;
         let bodies = self.following.factors(model)?;
         if bodies.is_some() && !contacts_mass.source.is_about_contacts() {
@@ -108,7 +108,7 @@ impl Planner for RescalePlanner {
             }));
         }
         if bodies.is_none() {
-            warnings.extend(find_misplaced_spheres(model));
+            findings.extend(find_misplaced_spheres(model));
         }
         let mut wanted = Rescale::new(self.target_mass_kg, contacts_mass);
         wanted.radius = radius.unwrap_or(RadiusRule::Isometric);
@@ -120,7 +120,7 @@ impl Planner for RescalePlanner {
         wanted.bodies = bodies;
         let mut plan = rescale(model, &selected, &wanted)?;
         plan.name_operation(&operation);
-        plan.warnings.append(&mut warnings);
+        plan.findings.append(&mut findings);
         Ok(plan)
     }
 }

@@ -49,8 +49,8 @@ impl Planner for SetPlanner {
         // This change needs no mass; if one is known, the new note has it.
         let noted_mass =
             || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
-        let (contacts_mass, mut warnings) = match self.masses.contacts_mass(model) {
-            Ok((mass, warnings)) => (Some(mass), warnings),
+        let (contacts_mass, mut findings) = match self.masses.contacts_mass(model) {
+            Ok((mass, findings)) => (Some(mass), findings),
             Err(_) => (noted_mass(), Vec::new()),
         };
         let mut wanted = Set::new(self.assignments.as_slice().to_vec());
@@ -60,7 +60,7 @@ impl Planner for SetPlanner {
             wanted.level = Some(self.level_places(model, &selected, &wanted)?);
         }
         let mut plan = set(model, &selected, &wanted)?;
-        plan.warnings.append(&mut warnings);
+        plan.findings.append(&mut findings);
         Ok(plan)
     }
 }

@@ -243,10 +243,10 @@ impl TransferPlanner {
         reference: &Reference,
         generic: Option<&GenericModel>,
     ) -> Result<Plan, Fault> {
-        let (follow, mut warnings, mut remarks) = match generic {
+        let (follow, mut findings, mut remarks) = match generic {
             Some(generic) => {
                 let (follow, factors) = self.followed_spheres(model, selected, reference, generic)?;
-                (Some(follow), factors.warnings, factors.remarks)
+                (Some(follow), factors.findings, factors.remarks)
             }
             None => (None, Vec::new(), Vec::new()),
         };
@@ -258,7 +258,7 @@ impl TransferPlanner {
             refuse_repetition(model, &operation, self.may_repeat)?;
         }
         let target_mass = self.masses.model_mass(model)?;
-        warnings.extend(self.masses.weight_disagreements(model, &target_mass));
+        findings.extend(self.masses.weight_disagreements(model, &target_mass));
         let mut wanted = Transfer::new(reference.clone(), target_mass, counts.in_model);
         wanted.reference.sphere_count = counts.in_reference;
         wanted.counts_cancel = counts.only_ratio_known;
@@ -273,7 +273,7 @@ impl TransferPlanner {
         wanted.strict = self.follow.strict;
         let mut plan = transfer(model, selected, &wanted)?;
         plan.name_operation(&operation);
-        plan.warnings.append(&mut warnings);
+        plan.findings.append(&mut findings);
         plan.remarks.append(&mut remarks);
         plan.remarks.extend(remark_on_noted_limbs(&self.counts, model));
         Ok(plan)

@@ -150,7 +150,7 @@ fn compare(
     let is_worse = |one: &Finding| {
         one.severity >= Severity::Warning && one.message.to_string().starts_with("in the new model: ")
     };
-    compared.worse += plan.warnings.iter().filter(|one| is_worse(one)).count();
+    compared.worse += plan.findings.iter().filter(|one| is_worse(one)).count();
     if let (Some(renumbered), Some(changed)) = (plan.with_contact_numbers(&opened.model), changed) {
         assert_eq!(seen(&renumbered), seen(&changed), "{what}");
         compared.models += 1;
@@ -173,10 +173,10 @@ fn seen(model: &Model) -> String {
             force.sets.iter().map(|set| (set.number, set.spheres.clone(), set.inherited)).collect();
         (force.path.clone(), force.applies, sets, values.map(number).collect::<Vec<_>>())
     };
-    let warnings: Vec<Finding> =
+    let findings: Vec<Finding> =
         model_findings(model).iter().map(|one| one.clone().with_line(None)).collect();
     let spheres: Vec<_> = model.spheres().iter().map(sphere).collect();
     let forces: Vec<_> = model.forces().iter().map(force).collect();
     let of_note = (&model.note, model.doubt_about_note());
-    format!("{spheres:?} {forces:?} {warnings:?} {of_note:?} {:?}", model.gravity_m_s2)
+    format!("{spheres:?} {forces:?} {findings:?} {of_note:?} {:?}", model.gravity_m_s2)
 }

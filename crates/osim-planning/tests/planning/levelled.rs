@@ -65,8 +65,8 @@ fn is_level(text: &str) -> bool {
 /// What a change says about bottoms that it moves.
 fn moved(text: &str, fields: &Value) -> Vec<String> {
     let (_, plan) = planned(text, fields).unwrap();
-    let own = plan.warnings.iter().filter(|warning| warning.code() == FindingCode::BottomsMoved);
-    own.map(|warning| warning.message.to_string()).collect()
+    let own = plan.findings.iter().filter(|finding| finding.code() == FindingCode::BottomsMoved);
+    own.map(|finding| finding.message.to_string()).collect()
 }
 
 #[test]

@@ -120,10 +120,10 @@ fn said(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     let model: PathBuf = request.to_map()["models"][0].as_str().unwrap().into();
     let opened = open_with(&model, CompanionPaths::default(), files).unwrap();
     if let Request::Inspect(request) = &request {
-        return codes(&Inspector::for_inspect(request, files).inspect(&opened).unwrap().warnings);
+        return codes(&Inspector::for_inspect(request, files).inspect(&opened).unwrap().findings);
     }
     let plan = prepare(request, files).unwrap().plan(&opened, files).unwrap();
-    codes(&plan.warnings)
+    codes(&plan.findings)
 }
 
 /// What the good and the bad example raise; `None` where a test elsewhere makes the files.

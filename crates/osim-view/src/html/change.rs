@@ -199,13 +199,13 @@ pub(super) fn add_changes_section(fragment: &mut Fragment, plan: &Plan) {
     let changes = table_of_numbers(&mut fragment.topics, plan);
     let spheres = table_of_new_spheres(plan);
     let moves = table_of_moves(&mut fragment.topics, &moves_of_others(plan));
-    let warnings = list_of_warnings(&mut fragment.topics, plan);
+    let findings = list_of_findings(&mut fragment.topics, plan);
     let body = html! {
         p { (as_sentence(&plan.taken.to_string())) }
         @if plan.is_empty() { p.aside { "Nothing had to change." } }
         (objects) (changes) (spheres) (moves)
         @if !plan.remarks.is_empty() { ul { @for remark in &plan.remarks { li { (as_sentence(&remark.to_string())) } } } }
-        (warnings)
+        (findings)
     };
     fragment.add_section("changes", "What changed", &body);
 }
@@ -314,16 +314,16 @@ fn table_of_moves(topics: &mut Topics, moves: &[&PlaceChange]) -> Markup {
     table("Centres that move", caption, &headers, &rows)
 }
 
-fn list_of_warnings(topics: &mut Topics, plan: &Plan) -> Markup {
+fn list_of_findings(topics: &mut Topics, plan: &Plan) -> Markup {
     let items: Vec<Markup> = plan
-        .warnings
+        .findings
         .iter()
-        .map(|warning| {
+        .map(|finding| {
             html! {
                 li { p {
-                    (severity_tag(warning.severity)) " " (topics.link_to_finding(warning.code())) " "
-                    (warning.message.to_string()) "."
-                    @if let Some(line) = warning.line { " " span.quiet { "line " (line) } }
+                    (severity_tag(finding.severity)) " " (topics.link_to_finding(finding.code())) " "
+                    (finding.message.to_string()) "."
+                    @if let Some(line) = finding.line { " " span.quiet { "line " (line) } }
                 } }
             }
         })

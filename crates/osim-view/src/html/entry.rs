@@ -52,7 +52,7 @@ impl Entry {
         let mut cells = row.cells();
         cells.extend(PROPERTIES_SHOWN.map(|property| cell_of_property(plan, property)));
         cells.push(cell_of_indentation(facts.indentation));
-        cells.push(cell_of_count(plan.warnings.len()));
+        cells.push(cell_of_count(plan.findings.len()));
         let found = facts.counts.describe("no findings");
         cells.push(Cell::with_words(facts.counts.describe("–")));
         let summary = format!("{}; {found} in the new model", row.status);
@@ -113,7 +113,7 @@ impl Entry {
             factor(earlier.stiffness_factor, Property::Stiffness),
             factor(earlier.dissipation_factor, Property::Dissipation),
             Cell::default(),
-            cell_of_count(earlier.warnings),
+            cell_of_count(earlier.findings),
         ]);
         Self { cells, earlier: true, ..Self::with_outcome_only(&row.name(), row.status.clone()) }
     }
@@ -268,8 +268,8 @@ pub struct EarlierRun {
     pub dissipation_factor: Option<f64>,
     /// OpenSim's names of the properties whose factors differ.
     pub unequal_factors: Vec<String>,
-    /// Number of codes of warnings.
-    pub warnings: usize,
+    /// How many codes of findings there were.
+    pub findings: usize,
 }
 
 /// The error of a model that could not be done.

@@ -37,8 +37,8 @@ impl Columns {
                 "stiffness, N/m²",
                 "dissipation, s/m",
                 "x/R at 1 BW",
-                "warned",
-                " findings",
+                "findings of the change",
+                " findings in the new model",
             ],
             Self::Inspections => &[
                 " outcome",
@@ -63,7 +63,7 @@ impl Columns {
             Self::Changes => {
                 "Old → new. Made for: the body mass that the contacts are made for. ×: new over old; “unequal” where it is not \
                  the same everywhere. x/R at 1 BW: x̂ of the sphere that sinks in most under the body weight on one limb, by the \
-                 Hertz law; ! is outside the limit. Warned: warnings of the change. Findings: those in the new model."
+                 Hertz law; ! is outside the limit."
             }
             Self::Inspections => {
                 "x/R at 1 BW: x̂, indentation over radius of the sphere that sinks in most under the body weight on one limb, by \

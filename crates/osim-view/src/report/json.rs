@@ -136,7 +136,7 @@ pub struct PlanRecord {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub floor_up_m: Option<Vec<f64>>,
     /// Things the user should know.
-    pub warnings: Vec<FindingRecord>,
+    pub findings: Vec<FindingRecord>,
     /// Remarks on every change of this kind.
     pub remarks: Vec<String>,
     /// The credits of the new model as OpenSim reads them, with the note about its contacts; null where it has none. Set them, too,
@@ -272,7 +272,7 @@ impl PlanRecord {
             changes: numbers.chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
             errors: plan.errors.map(RecordingErrorsRecord::from),
             floor_up_m: (!plan.floor_up_m.is_empty()).then(|| plan.floor_up_m.clone()),
-            warnings: plan.warnings.iter().map(FindingRecord::from).collect(),
+            findings: plan.findings.iter().map(FindingRecord::from).collect(),
             remarks: plan.remarks.iter().map(Phrase::to_string).collect(),
             credits,
         }

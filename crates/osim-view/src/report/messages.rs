@@ -5,12 +5,12 @@ use osim_model::messages::{Dialect, one_line};
 use osim_model::{Finding, FindingCode};
 
 /// Findings, one line each: `warning: line 12: message [code]`.
-pub fn warnings(warnings: &[Finding]) -> String {
+pub fn finding_lines(findings: &[Finding]) -> String {
     let mut text = String::new();
-    for warning in warnings {
-        let line = warning.line.map(|line| format!("line {line}: ")).unwrap_or_default();
-        let severity = warning.severity.as_str();
-        text.push_str(&format!("{severity}: {line}{} [{}]\n", warning.message, warning.code()));
+    for finding in findings {
+        let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();
+        let severity = finding.severity.as_str();
+        text.push_str(&format!("{severity}: {line}{} [{}]\n", finding.message, finding.code()));
     }
     text
 }

@@ -9,7 +9,7 @@ use osim_model::messages::{listed, one_line, readable};
 use osim_patch::{ChangedBy, NumberChange, ObjectAction, ObjectChange, PlaceChange, Plan};
 
 use crate::report::layout::table;
-use crate::report::messages::warnings;
+use crate::report::messages::finding_lines;
 
 // A plan as a table: equal changes share a row.
 
@@ -29,7 +29,7 @@ pub fn text(plan: &Plan, model: &str, output: &str) -> String {
     for remark in &plan.remarks {
         text.push_str(&format!("remark: {}\n", one_line(remark.to_string())));
     }
-    text.push_str(&warnings(&plan.warnings));
+    text.push_str(&finding_lines(&plan.findings));
     text.push_str(&format!("{}\n", one_line(output.to_owned())));
     text
 }
@@ -39,16 +39,16 @@ pub fn line(plan: &Plan, model: &str, output: &str) -> String {
     let masses = plan.masses.as_ref().map(|masses| {
         format!("{} -> {} kg, ", readable(masses.contacts_mass.kg), readable(masses.target_mass_kg))
     });
-    let mut codes: Vec<&str> = plan.warnings.iter().map(|warning| warning.code().as_str()).collect();
+    let mut codes: Vec<&str> = plan.findings.iter().map(|finding| finding.code().as_str()).collect();
     codes.dedup();
-    let warnings = if codes.is_empty() { String::new() } else { format!(" [{}]", codes.join(", ")) };
+    let in_brackets = if codes.is_empty() { String::new() } else { format!(" [{}]", codes.join(", ")) };
     let numbers = plan.changes.len() + plan.moves.len();
     let changes = match (plan.objects().len(), numbers) {
         (0, _) => format!("{numbers} changes"),
         (objects, 0) => format!("{objects} objects"),
         (objects, _) => format!("{objects} objects and {numbers} changes"),
     };
-    let line = format!("{model}: {}{changes}; {output}{warnings}", masses.unwrap_or_default());
+    let line = format!("{model}: {}{changes}; {output}{in_brackets}", masses.unwrap_or_default());
     format!("{}\n", one_line(line))
 }
 

@@ -43,7 +43,7 @@ pub struct Factors {
     pub bodies: Vec<BodyFactors>,
     /// Where sources disagree on bodies that carry spheres: by more than 1 % in a scaled copy, 5 % between different models; and
     /// that the models are different.
-    pub warnings: Vec<Finding>,
+    pub findings: Vec<Finding>,
     /// Other decisions, such as factors that a body takes from its parent.
     pub remarks: Vec<Phrase>,
     /// What shows that the model is not a scaled copy of the reference; `None` where it is one.
@@ -79,7 +79,7 @@ impl Factors {
             .collect();
         let mut factors = Self {
             bodies: Vec::new(),
-            warnings: Vec::new(),
+            findings: Vec::new(),
             remarks: Vec::new(),
             difference,
             by_name: BodyIndex::default(),
@@ -95,7 +95,7 @@ impl Factors {
         }
         factors.by_name = BodyIndex::of(&factors.bodies);
         if let Some(difference) = &factors.difference {
-            factors.warnings.push(rules::not_a_scaled_copy(difference.phrase()));
+            factors.findings.push(rules::not_a_scaled_copy(difference.phrase()));
             factors.remarks =
                 sources::inherit_from_body_above(&mut factors.bodies, &factors.by_name, scaled, &carriers);
             sources::add_questions(&mut factors.bodies, &factors.by_name, &all_sources, scaled);
@@ -104,7 +104,7 @@ impl Factors {
         let carrying: HashSet<&str> = carriers.into_iter().collect();
         for sources in all_sources.iter().filter(|sources| carrying.contains(&sources.body)) {
             let messages = sources.disagreements(&factors.by_name.axes(&factors.bodies, sources.body));
-            factors.warnings.extend(messages.into_iter().map(rules::factors_disagree));
+            factors.findings.extend(messages.into_iter().map(rules::factors_disagree));
         }
         Ok(factors)
     }

@@ -238,14 +238,14 @@ impl Given {
     pub(crate) fn rescaled_to(self, target_mass_kg: f64) -> Outcome {
         self.outcome(|model, given| {
             let selected = given.selection.apply(model)?;
-            let (contacts_mass, warnings) = given.masses.contacts_mass(model)?;
+            let (contacts_mass, findings) = given.masses.contacts_mass(model)?;
             let mut wanted = Rescale::new(target_mass_kg, contacts_mass);
             wanted.radius = given.radius.unwrap_or(RadiusRule::Isometric);
             wanted.properties = given.properties();
             wanted.dissipation_by = given.by;
             wanted.target_gravity_m_s2 = given.gravity;
             let mut plan = rescale(model, &selected, &wanted)?;
-            plan.warnings.extend(warnings);
+            plan.findings.extend(findings);
             Ok(plan)
         })
     }
@@ -346,11 +346,11 @@ impl Outcome {
         self
     }
 
-    /// There is a warning with this code.
+    /// There is a finding with this code.
     #[track_caller]
-    pub(crate) fn warns(&self, code: &str) -> &Self {
-        let codes: Vec<_> = self.plan().warnings.iter().map(|warning| warning.code().as_str()).collect();
-        assert!(codes.contains(&code), "no warning {code} among {codes:?}");
+    pub(crate) fn has_finding(&self, code: &str) -> &Self {
+        let codes: Vec<_> = self.plan().findings.iter().map(|finding| finding.code().as_str()).collect();
+        assert!(codes.contains(&code), "no finding {code} among {codes:?}");
         self
     }
 

@@ -82,7 +82,7 @@ impl Adding {
         if base.forces().is_empty() {
             plan.forget_earlier_steps();
         }
-        plan.warnings.retain(|warning| warning.code() != FindingCode::NothingToChange);
+        plan.findings.retain(|finding| finding.code() != FindingCode::NothingToChange);
         plan.remarks.splice(0..0, remarks);
         let has_reference = !matches!(self.source, Source::OwnPlaces(_, Numbers::Designed(_)));
         if !self.friction && has_reference {

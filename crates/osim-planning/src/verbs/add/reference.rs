@@ -189,7 +189,7 @@ impl FromReference {
         let mut plan =
             self.transfer_planner.plan_with_reference(built, &selected, &reference, Some(&generic))?;
         // A reference for `add` usually is another model.
-        plan.warnings.retain(|warning| warning.code() != FindingCode::NotAScaledCopy);
+        plan.findings.retain(|finding| finding.code() != FindingCode::NotAScaledCopy);
         Ok((plan, rebuilt))
     }
 

@@ -43,7 +43,7 @@ impl Desk {
         Some(inspector.check(&opened.model, &inspected, None, &self.files))
     }
 
-    /// Runs a command as it is printed: the name of the new file, and the codes of its warnings. Nothing is overwritten.
+    /// Runs a command as it is printed: the name of the new file, and the codes of its findings. Nothing is overwritten.
     pub fn run(&mut self, request: &Request) -> Result<(String, BTreeSet<&'static str>), String> {
         // As somebody who copies the text.
         let request =
@@ -53,12 +53,12 @@ impl Desk {
         let opened = change.open(model, &self.files).map_err(|failure| failure.message.to_string())?;
         let plan = change.plan(&opened, &self.files).map_err(|failure| failure.message.to_string())?;
         let warned: BTreeSet<_> = plan
-            .warnings
+            .findings
             .iter()
-            .filter(|warning| warning.severity >= Severity::Warning)
+            .filter(|finding| finding.severity >= Severity::Warning)
             // What a verb's own numbers make worse is not what the remedy did.
-            .filter(|warning| !warning.message.to_string().starts_with("in the new model"))
-            .map(|warning| warning.code().as_str())
+            .filter(|finding| !finding.message.to_string().starts_with("in the new model"))
+            .map(|finding| finding.code().as_str())
             .collect();
         if plan.is_empty() {
             return Err("nothing to change".to_owned());

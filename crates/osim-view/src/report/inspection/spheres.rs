@@ -252,8 +252,8 @@ struct Place<'p> {
     limb: &'p LimbFigures,
     sphere: &'p SphereFigures,
     force: Option<&'p InspectedForce>,
-    /// The codes of the model's warnings.
-    warnings: &'p str,
+    /// The codes of the model's findings.
+    findings: &'p str,
 }
 
 fn number_text(value: Option<f64>) -> String {
@@ -294,8 +294,8 @@ const PARAMETERS: [Property; 9] = [
     Property::HuntCrossleySmoothing,
 ];
 
-/// After the figures: the columns of those that are beyond their limits, and the codes of warnings.
-const LAST: [&str; 2] = ["outside_limits", "warnings"];
+/// After the figures: the columns of those that are beyond their limits, and the codes of findings.
+const LAST: [&str; 2] = ["outside_limits", "findings"];
 
 /// The names of all columns. `docs/reference/json.md` explains them.
 fn header() -> Vec<String> {
@@ -311,15 +311,15 @@ fn cells(place: &Place<'_>) -> Vec<String> {
     let is_outside = |figure: &&Figure| place.sphere.is_within(**figure) == Some(false);
     let outside: Vec<String> =
         Figure::ALL.iter().filter(is_outside).map(|figure| figure.info().column()).collect();
-    let last = [outside.join(" "), place.warnings.to_owned()];
+    let last = [outside.join(" "), place.findings.to_owned()];
     let before = PLACE.iter().map(|(_, cell)| cell(place)).chain(PARAMETERS.map(parameter));
     before.chain(figures).chain(last).collect()
 }
 
-/// The codes of a model's warnings, each once: every row repeats them.
+/// The codes of a model's findings, each once: every row repeats them.
 fn codes(inspected: &Inspection) -> String {
     let mut seen = HashSet::new();
-    let codes = inspected.warnings.iter().map(|warning| warning.code().as_str());
+    let codes = inspected.findings.iter().map(|finding| finding.code().as_str());
     codes.filter(|code| seen.insert(*code)).collect::<Vec<_>>().join(" ")
 }
 
@@ -338,12 +338,12 @@ pub fn csv_rows(inspected: &Inspection, header: bool) -> Result<String, csv::Err
             pressing.entry((&force.name, sphere)).or_insert(at);
         }
     }
-    let warnings = codes(inspected);
+    let findings = codes(inspected);
     let rows = spheres.map(|(limb, sphere)| {
         let presses = |force: &String| pressing.get(&(force.as_str(), sphere.sphere.as_str())).copied();
         let first = sphere.forces.iter().filter_map(presses).min();
         let force = first.and_then(|at| inspected.forces.get(at));
-        cells(&Place { model: inspected, limb, sphere, force, warnings: &warnings })
+        cells(&Place { model: inspected, limb, sphere, force, findings: &findings })
     });
     csv_text(header.into_iter().chain(rows))
 }

@@ -9,7 +9,7 @@ use osim_model::messages::{Dialect, Phrase, four_significant, one_line, readable
 use crate::report::extent::Extent;
 use crate::report::inspection::spheres;
 use crate::report::layout::{Colour, painted, table, wrapped};
-use crate::report::messages::warnings;
+use crate::report::messages::finding_lines;
 use crate::report::similarity;
 
 /// Masses, limbs, spheres, forces, and what they do. What the inspection says is taken as it is spelled.
@@ -37,7 +37,7 @@ pub fn text(inspected: &Inspection, dialect: &dyn Dialect, colour: Colour, exten
         text.push('\n');
         text.push_str(&similarity::text(list, extent));
     }
-    text.push_str(&warnings(&inspected.warnings));
+    text.push_str(&finding_lines(&inspected.findings));
     text
 }
 
