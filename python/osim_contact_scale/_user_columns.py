@@ -48,9 +48,9 @@ def user_columns(names: Sequence[str], keep: Any) -> UserColumns:
     for name in kept:
         if _RESULT.fullmatch(name):
             raise _keep_error(f"the result has a column {name!r} itself: rename yours, or let its name begin with #")
-    remarks = {name for name in names if name.startswith("#")}
+    marked = {name for name in names if name.startswith("#")}
     return UserColumns(
-        frozenset(kept | remarks), frozenset(name for name in kept - remarks if option_name(name) not in ROW_OPTIONS)
+        frozenset(kept | marked), frozenset(name for name in kept - marked if option_name(name) not in ROW_OPTIONS)
     )
 
 

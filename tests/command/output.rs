@@ -141,7 +141,7 @@ fn inspect_prints_tables_json_and_csv() {
 
 #[test]
 fn csv_rows_have_each_code_once() {
-    // Four forces of several spheres: four warnings of one code, which each row would repeat.
+    // Four forces of several spheres: four findings of one code, which each row would repeat.
     let dir = TestDir::with(&[("table1/horse_hunt_crossley.osim", "horse.osim")]);
     let run = dir.run("inspect horse.osim --format csv").succeeded();
     let rows = String::from_utf8(run.stdout.clone()).unwrap();

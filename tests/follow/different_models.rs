@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 
 use super::{
-    CALL, assert_close, assert_close_place, assert_refused, assert_stderr_has, dry_run_plan,
-    generic_and_scaled, parse_json, planned_value, replace_in_file, set_mesh_factors, finding_codes,
+    CALL, assert_close, assert_close_place, assert_refused, assert_stderr_has, dry_run_plan, finding_codes,
+    generic_and_scaled, parse_json, planned_value, replace_in_file, set_mesh_factors,
 };
 use crate::support::{TestDir, corpus_folder};
 

@@ -11,7 +11,7 @@
 //! let bytes = include_bytes!("../../osim-model/tests/data/one_foot.osim");
 //! let model = Model::parse(bytes.as_slice())?;
 //! let selected = Selection::default().apply(&model)?;
-//! let (contacts_mass, _warnings) = MassRequest::default().contacts_mass(&model)?;
+//! let (contacts_mass, _findings) = MassRequest::default().contacts_mass(&model)?;
 //! let plan = rescale(&model, &selected, &Rescale::new(8.0 * contacts_mass.kg, contacts_mass))?;
 //! // Eight times the mass is twice the length, and twice the stiffness (10).
 //! assert_eq!(plan.changes[0].to, 2.0 * plan.changes[0].from);

@@ -115,8 +115,8 @@ impl TableRows<'_> {
             return Err(RowFault::of(column, message));
         }
         let settings = self.settings(row, shared)?;
-        let task =
-            Task::new(Source::in_table(&row.model), &row.output, settings).with_user_columns(row.user_columns.clone());
+        let task = Task::new(Source::in_table(&row.model), &row.output, settings)
+            .with_user_columns(row.user_columns.clone());
         let checked = self
             .writable_folder
             .as_ref()

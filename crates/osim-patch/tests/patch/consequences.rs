@@ -1,4 +1,4 @@
-//! What a change carries with it and says about itself: equations, factors, remarks, warnings, refusals.
+//! What a change carries with it and says about itself: equations, factors, remarks, findings, refusals.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
