@@ -1,19 +1,19 @@
-// Starts the page: checks the browser, starts the engine, and puts everything in its place.
+// Starts the page: checks the browser, starts the engine, and builds the views.
 
 import { redo, undo } from "./actions/apply";
-import { Live } from "./actions/live";
+import { LivePreview } from "./actions/live";
 import { openFiles, openRead } from "./actions/open";
 import { refreshPresets } from "./actions/presets";
 import { byId } from "./dom/element";
-import { wholePage } from "./dom/whole";
+import { pageLoaded } from "./dom/loaded";
 import { Client } from "./engine/client";
-import { failureOf } from "./engine/failure";
+import { toFailure } from "./engine/failure";
 import { packed, unpack, unpackedText } from "./engine/unpack";
 import { acceptDrops } from "./files/drop";
 import type { Source } from "./forms/declaration";
 import { Session } from "./state/session";
 import { missingSupport } from "./support";
-import { actsView } from "./views/acts";
+import { actionBar } from "./views/acts";
 import { wireAddress } from "./views/address";
 import { showBusy } from "./views/busy";
 import { calculatorView } from "./views/calculator";
@@ -32,31 +32,31 @@ import { ResultView } from "./views/result";
 import { StageView } from "./views/stage";
 import { showFalls } from "./views/start";
 
-const NEWER = "Please use a newer one. The end of the page lists those that work.";
+const BROWSER_ADVICE = "Please use a newer one. The end of the page lists those that work.";
 const EXAMPLE = "human_62kg_smooth_sphere.osim";
 
 function main(): void {
   const missing = missingSupport();
-  if (missing.length > 0) return cannot(`This browser lacks what the page needs: ${missing.join(", ")}. ${NEWER}`);
+  if (missing.length > 0) return showUnsupported(`This browser lacks what the page needs: ${missing.join(", ")}. ${BROWSER_ADVICE}`);
   const session = new Session(new Client(unpackedText("worker")));
   // The worker unpacks the engine while this thread makes the page.
-  const started = wholePage().then(async () => {
+  const started = pageLoaded().then(async () => {
     const engine = session.engine.start(packed("engine"));
-    const stage = wire(session);
+    const stage = buildPage(session);
     await engine;
     return stage;
   });
-  started.then((stage) => ready(session, stage), (error) => cannot(`The page could not start: ${failureOf(error).message}`));
+  started.then((stage) => ready(session, stage), (error) => showUnsupported(`The page could not start: ${toFailure(error).message}`));
 }
 
-function wire(session: Session): StageView {
-  const refuse = (why: string) => session.announce(`This could not be read: ${why}.`);
-  const open = (given: Parameters<typeof openFiles>[1]) => void openFiles(session, given).catch((error) => refuse(failureOf(error).message));
+function buildPage(session: Session): StageView {
+  const announceUnreadable = (why: string) => session.announce(`This could not be read: ${why}.`);
+  const open = (files: Parameters<typeof openFiles>[1]) => void openFiles(session, files).catch((error) => announceUnreadable(toFailure(error).message));
   const addFile = async (source: Source) => {
-    const given = await chooseOne(acceptedFor(source));
-    // A model to take contacts from is not one to be changed.
-    await openFiles(session, given, "at hand");
-    return given.map(({ name }) => name);
+    const files = await chooseOne(acceptedFor(source));
+    // A model that only gives its contacts is not opened for changes.
+    await openFiles(session, files, "keep");
+    return files.map(({ name }) => name);
   };
   showBusy(session.engine);
   showExplanations(session);
@@ -64,16 +64,16 @@ function wire(session: Session): StageView {
   const stage = new StageView(session);
   new ModelView(session, addFile, stage.works);
   new ResultView(session, addFile);
-  actsView(session);
+  actionBar(session);
   calculatorView(session, addFile);
   filesView(session);
   footerView();
   manualView();
   showWhatIsOpen(session);
   wireButtons(open);
-  acceptDrops(open, refuse);
+  acceptDrops(open, announceUnreadable);
   wireKeys(() => undo(session), () => redo(session));
-  // All of the zone is a button, but for what is one itself.
+  // A click anywhere in the start area opens the file chooser, except on buttons, links and pictures.
   byId("start").addEventListener("click", ({ target }) => {
     if (!(target instanceof Element && target.closest("button, a, svg"))) byId("choose-files").click();
   });
@@ -84,13 +84,13 @@ function wire(session: Session): StageView {
   });
   showAnnouncements(session);
   warnBeforeLeaving(session);
-  keepLive(session);
+  wireLivePreview(session);
   return stage;
 }
 
-/** The preview and the address follow the form. */
-function keepLive(session: Session): void {
-  const live = new Live(session);
+/** Keeps the preview and the address up to date with the form. */
+function wireLivePreview(session: Session): void {
+  const live = new LivePreview(session);
   live.onRest(wireAddress(session));
   session.values.watch(live.typed);
   session.calculation.watch(live.changed);
@@ -111,7 +111,7 @@ function showWhatIsOpen(session: Session): void {
 }
 
 async function openExample(session: Session): Promise<void> {
-  await wholePage();
+  await pageLoaded();
   performance.mark("open");
   const bytes = unpack(packed("example"));
   await openRead(session, [{ name: EXAMPLE, bytes, kind: "model" }]);
@@ -121,13 +121,13 @@ async function ready(session: Session, stage: StageView): Promise<void> {
   document.documentElement.dataset["ready"] = "true";
   performance.mark("ready");
   session.engine.warmUp(packed("example"));
-  // When the page is there.
+  // After the page was drawn.
   setTimeout(() => stage.warmUp(), 0);
   void showFalls(session);
   await refreshPresets(session);
 }
 
-function cannot(text: string): void {
+function showUnsupported(text: string): void {
   const box = byId("unsupported");
   box.textContent = text;
   box.hidden = false;

@@ -1,11 +1,11 @@
-// Whether this browser has what the page needs.
+// Checks whether this browser has all features that the page needs.
 
-/** What is missing, in plain words; nothing where all is there. */
+/** The names of missing features; empty if there are none. */
 export function missingSupport(): string[] {
   const needed: [boolean, string][] = [
     [typeof WebAssembly === "object", "WebAssembly"],
     [typeof Worker === "function", "workers"],
     [typeof HTMLDialogElement === "function", "dialogs"],
   ];
-  return needed.filter(([there]) => !there).map(([, name]) => name);
+  return needed.filter(([isPresent]) => !isPresent).map(([, name]) => name);
 }

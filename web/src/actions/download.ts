@@ -1,12 +1,12 @@
-// Saves what was made: the changed files, the model as it is now, the report.
+// Downloads changed files, the current model, or a report.
 
-import { failureOf } from "../engine/failure";
+import { toFailure } from "../engine/failure";
 import type { Failure, Request } from "../engine/types";
 import { save } from "../download/save";
-import { fileOf, type OpenModel, stepOf } from "../state/model";
+import { currentFile, type OpenModel, currentStep } from "../state/model";
 import type { Session } from "../state/session";
 
-/** Saves the files that `request` makes. */
+/** Downloads the files that result from `request`. */
 export async function downloadResult(session: Session, request: Request): Promise<Failure | undefined> {
   return attempt(async () => {
     const { change, files } = await session.engine.files(request);
@@ -16,9 +16,9 @@ export async function downloadResult(session: Session, request: Request): Promis
   });
 }
 
-/** Saves the model as it is now, with the files that were made along with it. */
+/** Downloads the current model, with the other files of its last step. */
 export async function downloadModel(session: Session, model: OpenModel): Promise<Failure | undefined> {
-  const names = stepOf(model)?.names ?? [fileOf(model)];
+  const names = currentStep(model)?.names ?? [currentFile(model)];
   return attempt(async () => {
     for (const name of names) {
       save(name, (await session.engine.file(name)).bytes, "application/xml");
@@ -28,7 +28,7 @@ export async function downloadModel(session: Session, model: OpenModel): Promise
   });
 }
 
-/** Saves the report about a change, or about a model. */
+/** Downloads the report about a change or a model. */
 export async function downloadReport(session: Session, request: Request): Promise<Failure | undefined> {
   return attempt(async () => {
     const { name, html } = await session.engine.report(request);
@@ -42,6 +42,6 @@ async function attempt(act: () => Promise<void>): Promise<Failure | undefined> {
     await act();
     return undefined;
   } catch (error) {
-    return failureOf(error);
+    return toFailure(error);
   }
 }

@@ -1,63 +1,63 @@
-// Keeps the preview up to date while the form changes: one question is in the air, and the newest one is next.
+// Keeps the preview up to date while the form changes: one request is sent at a time, then the newest one.
 
-import { failureOf } from "../engine/failure";
+import { toFailure } from "../engine/failure";
 import type { Change, Request, Section } from "../engine/types";
-import { formOf } from "../forms/all";
+import { findForm } from "../forms/all";
 import type { Form } from "../forms/declaration";
-import { isEmpty, problems, unsaid } from "../forms/request";
-import { fileOf } from "../state/model";
+import { isEmpty, problems, missingFields } from "../forms/request";
+import { currentFile } from "../state/model";
 import type { Preview, Session } from "../state/session";
 import { hasOwnMass, requestFor } from "./row";
 
-// What is asked for at once: what may be on the screen and is quick.
-const PLOTS = ["scene", "plots", "state"];
-const ALL = ["changes", "reference", ...PLOTS, "falls", "feet", "findings", "figures"];
+// Sections that are quick to compute and may be on the screen.
+const QUICK_SECTIONS = ["scene", "plots", "state"];
+const ALL_SECTIONS = ["changes", "reference", ...QUICK_SECTIONS, "falls", "feet", "findings", "figures"];
 const REST_MS = 150;
-/** The codes of a mass that may be in another unit. */
-const SLIPS = new Set(["implausible-mass", "mass-in-pounds"]);
+/** Codes of questions whether a mass is in another unit. */
+const UNIT_QUESTIONS = new Set(["implausible-mass", "mass-in-pounds"]);
 
 type Plan = { ask: Request } | { show: Preview };
 
-export class Live {
+export class LivePreview {
   #asking = false;
-  /** Which verb and which model the preview is of. */
-  #of = "";
-  #newer = false;
-  #since: number | undefined;
-  #rest: ReturnType<typeof setTimeout> | undefined;
-  #rested: () => void = () => undefined;
+  /** The verb and the model that the preview is about. */
+  #previewSubject = "";
+  #isOutdated = false;
+  #typedAt: number | undefined;
+  #restTimer: ReturnType<typeof setTimeout> | undefined;
+  #afterRest: () => void = () => undefined;
 
   constructor(readonly session: Session) {}
 
-  /** Calls `rested` when nothing was typed for a moment. */
+  /** Calls `rested` after the user has typed nothing for a moment. */
   onRest(rested: () => void): void {
-    this.#rested = rested;
+    this.#afterRest = rested;
   }
 
-  /** Something was typed, ticked or moved. */
+  /** Call this after the user has changed a field. */
   typed = (): void => {
-    this.#since ??= performance.now();
+    this.#typedAt ??= performance.now();
     this.changed();
   };
 
-  /** The preview may be of something else now. */
+  /** Call this when the preview may be outdated. */
   changed = (): void => {
-    this.#newer = true;
-    this.#forget();
-    clearTimeout(this.#rest);
-    this.#rest = setTimeout(() => this.#complete(), REST_MS);
+    this.#isOutdated = true;
+    this.#discardStale();
+    clearTimeout(this.#restTimer);
+    this.#restTimer = setTimeout(() => this.#refreshAll(), REST_MS);
     if (!this.#asking) void this.#ask();
   };
 
   async #ask(): Promise<void> {
     this.#asking = true;
-    // Whatever happens, the next change must be asked for.
+    // Also after an error, the next change must be requested.
     try {
-      while (this.#newer) {
-        this.#newer = false;
-        const since = this.#since;
-        this.#since = undefined;
-        await this.#show(this.#quick());
+      while (this.#isOutdated) {
+        this.#isOutdated = false;
+        const since = this.#typedAt;
+        this.#typedAt = undefined;
+        await this.#updatePreview(this.#quickSections());
         if (since !== undefined) measureStep(since);
       }
     } finally {
@@ -65,124 +65,124 @@ export class Live {
     }
   }
 
-  /** What is shown of another model, or of another verb, goes away at once: buttons under it would be about that one. */
-  #forget(): void {
+  /** Hides a preview of another model or verb at once, because its buttons would act on that one. */
+  #discardStale(): void {
     const { state } = this.session.preview.value;
-    if ((state === "done" || state === "failed") && this.#of !== subject(this.session)) this.session.preview.set({ state: "none" });
+    if ((state === "done" || state === "failed") && this.#previewSubject !== subject(this.session)) this.session.preview.set({ state: "none" });
   }
 
-  /** After a rest: what takes longer. */
-  #complete(): void {
-    // Browsers limit how often the address may change; that is no reason to stop here.
+  /** Requests the slow sections after the user has typed nothing for a moment. */
+  #refreshAll(): void {
+    // Browsers limit how often the address may change; the error does not matter here.
     try {
-      this.#rested();
+      this.#afterRest();
     } catch (error) {
       console.warn(error);
     }
     if (this.#asking || this.session.preview.value.state === "none") {
-      if (this.#asking) this.#rest = setTimeout(() => this.#complete(), REST_MS);
+      if (this.#asking) this.#restTimer = setTimeout(() => this.#refreshAll(), REST_MS);
       return;
     }
     this.#asking = true;
-    void this.#show(ALL).finally(() => {
+    void this.#updatePreview(ALL_SECTIONS).finally(() => {
       this.#asking = false;
-      if (this.#newer) void this.#ask();
+      if (this.#isOutdated) void this.#ask();
     });
   }
 
-  #quick(): string[] {
-    return ["changes", ...PLOTS.filter((id) => this.session.visible.has(id))];
+  #quickSections(): string[] {
+    return ["changes", ...QUICK_SECTIONS.filter((id) => this.session.visible.has(id))];
   }
 
-  async #show(parts: string[]): Promise<void> {
+  async #updatePreview(parts: string[]): Promise<void> {
     const { session } = this;
-    const of = subject(session);
-    const next = await this.#next(parts);
-    // Another model may have been chosen meanwhile; that is asked about next.
-    if (of !== subject(session)) return;
-    this.#of = of;
+    const subjectBefore = subject(session);
+    const next = await this.#nextPreview(parts);
+    // If another model was chosen meanwhile, the next request is about that one.
+    if (subjectBefore !== subject(session)) return;
+    this.#previewSubject = subjectBefore;
     session.preview.set(next);
   }
 
-  /** Asks for a change. A mass that was chosen by slider or button is meant as it is: pounds or grams are only typed by mistake. */
-  async #asked(request: Request, parts: string[]): Promise<{ change: Change; request: Request }> {
+  /** Requests a change. A mass from the slider or a button is confirmed at once: only typed numbers may be in pounds or grams. */
+  async #requestChange(request: Request, parts: string[]): Promise<{ change: Change; request: Request }> {
     const { engine, values } = this.session;
     try {
       return { change: await engine.change(request, parts), request };
     } catch (error) {
-      const { code } = failureOf(error);
-      if (!SLIPS.has(code) || !values.isChosen("target_mass")) throw error;
-      const meant = { ...request, yes: [...values.texts("yes"), code] };
-      return { change: await engine.change(meant, parts), request: meant };
+      const { code } = toFailure(error);
+      if (!UNIT_QUESTIONS.has(code) || !values.isChosen("target_mass")) throw error;
+      const confirmed = { ...request, yes: [...values.texts("yes"), code] };
+      return { change: await engine.change(confirmed, parts), request: confirmed };
     }
   }
 
-  async #next(parts: string[]): Promise<Preview> {
+  async #nextPreview(parts: string[]): Promise<Preview> {
     const { session } = this;
     try {
       const planned = plan(session);
       if ("show" in planned) return planned.show;
-      const { change, request } = await this.#asked(planned.ask, parts);
+      const { change, request } = await this.#requestChange(planned.ask, parts);
       session.remember(change.explained);
-      return done(session.preview.value, change, request, parts);
+      return donePreview(session.preview.value, change, request, parts);
     } catch (error) {
-      return { state: "failed", failure: failureOf(error) };
+      return { state: "failed", failure: toFailure(error) };
     }
   }
 }
 
-/** What a preview is of. */
+/** The verb and the model that a preview would be about. */
 function subject(session: Session): string {
   const model = session.model();
-  return `${session.verb.value} ${model ? `${model.id} ${fileOf(model)}` : ""}`;
+  return `${session.verb.value} ${model ? `${model.id} ${currentFile(model)}` : ""}`;
 }
 
-/** What the form asks for now. */
+/** The request of the form, or the preview to show without one. */
 function plan(session: Session): Plan {
   const model = session.model();
-  const form = formOf(session.verb.value);
+  const form = findForm(session.verb.value);
   if (!model?.inspected || !form) return { show: { state: "none" } };
   const { values } = session;
   const wrong = problems(form, values);
-  if (wrong.size > 0) return hint(correctFirst(form, wrong));
-  const missing = unsaid(form, values);
-  if (missing.length > 0) return hint(`Say this to see what would change: ${quoted(missing)}.`);
-  const says = !isEmpty(form, values) || hasOwnMass(session, form, model);
-  if (ASKS_SOMETHING.has(form.verb) && !says) return hint(EMPTY[form.verb] ?? "");
+  if (wrong.size > 0) return hintPlan(correctFirst(form, wrong));
+  const missing = missingFields(form, values);
+  if (missing.length > 0) return hintPlan(`Say this to see what would change: ${quotedLabels(missing)}.`);
+  const isFilled = !isEmpty(form, values) || hasOwnMass(session, form, model);
+  if (NEEDS_INPUT.has(form.verb) && !isFilled) return hintPlan(EMPTY_HINTS[form.verb] ?? "");
   return { ask: requestFor(session, form, model) };
 }
 
-// Forms that mean nothing while they are empty. The others have a meaning: take all contacts out, say.
-const EMPTY: Readonly<Record<string, string>> = {
+// Hints for forms that need a value. An empty form of another verb is a request: `remove` then removes all contacts.
+const EMPTY_HINTS: Readonly<Record<string, string>> = {
   rescale: "Give a target mass, or a radius, to see what would change.",
   design: "Say what you want, such as a relative indentation, to see what would change.",
 };
-const ASKS_SOMETHING = new Set(Object.keys(EMPTY));
+const NEEDS_INPUT = new Set(Object.keys(EMPTY_HINTS));
 
-function hint(text: string): Plan {
+function hintPlan(text: string): Plan {
   return { show: { state: "hint", text } };
 }
 
-/** Which fields have something wrong in them. */
+/** A hint that names the fields with problems. */
 function correctFirst(form: Form, wrong: ReadonlyMap<string, string>): string {
-  return `Correct this first: ${quoted(form.fields.filter(({ name }) => wrong.has(name)))}.`;
+  return `Correct this first: ${quotedLabels(form.fields.filter(({ name }) => wrong.has(name)))}.`;
 }
 
-function quoted(fields: readonly { label: string }[]): string {
+function quotedLabels(fields: readonly { label: string }[]): string {
   return fields.map(({ label }) => `“${label}”`).join(", ");
 }
 
-/** The new preview: sections of the same model that were not asked for stay until they are. */
-function done(before: Preview, change: Change, request: Request, parts: readonly string[]): Preview {
-  const complete = parts === ALL;
-  const same = before.state === "done" && before.request.verb === request.verb && before.request.models?.[0] === request.models?.[0];
-  const old: readonly Section[] = same && !complete ? before.sections : [];
-  const fresh = new Map(change.sections.map((section) => [section.id, section]));
-  const kept = old.filter(({ id }) => !parts.includes(id));
-  return { state: "done", change, request, sections: [...kept, ...fresh.values()], complete };
+/** The new preview. Sections of the same request that were not computed again stay. */
+function donePreview(before: Preview, change: Change, request: Request, parts: readonly string[]): Preview {
+  const complete = parts === ALL_SECTIONS;
+  const isSameRequest = before.state === "done" && before.request.verb === request.verb && before.request.models?.[0] === request.models?.[0];
+  const oldSections: readonly Section[] = isSameRequest && !complete ? before.sections : [];
+  const newSections = new Map(change.sections.map((section) => [section.id, section]));
+  const remaining = oldSections.filter(({ id }) => !parts.includes(id));
+  return { state: "done", change, request, sections: [...remaining, ...newSections.values()], complete };
 }
 
-/** How long it took from the first input to what is shown, for those who measure it. */
+/** Records the time from the first input to the new preview, for performance tests. */
 function measureStep(start: number): void {
   performance.measure("step", { start, end: performance.now() });
 }

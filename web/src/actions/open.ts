@@ -1,73 +1,73 @@
-// Opens files: hands them to the engine, and inspects the models among them.
+// Opens files: gives them to the engine, and inspects the models among them.
 
 import type { Failure } from "../engine/types";
 import { counted } from "../dom/number";
 import { isUseful } from "../files/kinds";
-import { type Given, read, type Read } from "../files/read";
-import { unzipped } from "../files/unzip";
+import { type GivenFile, readFile, type ReadFile } from "../files/read";
+import { expandArchives } from "../files/unzip";
 import { newModel, type OpenModel, uses } from "../state/model";
 import type { Session } from "../state/session";
 import { inspect, inspectAgain } from "./inspect";
 import { refreshPresets } from "./presets";
-import { putFile } from "./put";
-import { oldOnes, putBack, type Sorted, sortFiles } from "./replace";
+import { putFile } from "./file_list";
+import { replacedFiles, restoreFiles, type SortedFiles, sortFiles } from "./replace";
 
-/** What to do with models: open them, or keep them for others that need them. */
-type Models = "open" | "at hand";
+/** What to do with models: open them, or only keep their files for other models. */
+type Models = "open" | "keep";
 
-/** Opens what was dropped or chosen. */
-export async function openFiles(session: Session, given: readonly Given[], models: Models = "open"): Promise<void> {
-  if (given.length === 0) return;
+/** Opens files that were dropped or chosen. */
+export async function openFiles(session: Session, files: readonly GivenFile[], models: Models = "open"): Promise<void> {
+  if (files.length === 0) return;
   performance.mark("open");
-  const all = await unzipped(given);
+  const all = await expandArchives(files);
   const useful = all.filter(({ name }) => isUseful(name));
-  await openRead(session, await Promise.all(useful.map(read)), { models, leftOut: all.length - useful.length });
+  await openRead(session, await Promise.all(useful.map(readFile)), { models, leftOut: all.length - useful.length });
 }
 
-// One after the other: what comes next has to know what is open by then.
-let turn: Promise<void> = Promise.resolve();
+// Files are opened one group after the other, because each group depends on what is open.
+let queue: Promise<void> = Promise.resolve();
 
-/** Opens files that were read. */
-export function openRead(session: Session, files: readonly Read[], how: { models?: Models; leftOut?: number } = {}): Promise<void> {
-  const done = turn.then(() => openInTurn(session, files, how));
-  turn = done.catch(() => undefined);
+/** Opens files whose bytes were read. */
+export function openRead(session: Session, files: readonly ReadFile[], options: { models?: Models; leftOut?: number } = {}): Promise<void> {
+  const done = queue.then(() => openNow(session, files, options));
+  queue = done.catch(() => undefined);
   return done;
 }
 
-async function openInTurn(
-  session: Session, files: readonly Read[], { models = "open", leftOut = 0 }: { models?: Models; leftOut?: number },
+async function openNow(
+  session: Session, files: readonly ReadFile[], { models = "open", leftOut = 0 }: { models?: Models; leftOut?: number },
 ): Promise<void> {
   const sorted = await sortFiles(session, files);
-  const { taken } = sorted;
-  const old = await oldOnes(session, taken);
+  const { accepted } = sorted;
+  const old = await replacedFiles(session, accepted);
   const replaced = new Set(old.keys());
-  for (const { bytes, ...entry } of taken) await putFile(session, { ...entry, bytes: bytes.length }, bytes);
-  const failures = await putBack(session, old);
-  // What was put back is not there any more in `old`, and is open as before.
-  const names = models === "open" ? (await modelsAmong(session, taken)).filter((name) => !replaced.has(name) || old.has(name)) : [];
+  for (const { bytes, ...entry } of accepted) await putFile(session, { ...entry, bytes: bytes.length }, bytes);
+  const failures = await restoreFiles(session, old);
+  // `restoreFiles` removes from `old` the files that it restored; their models are open as before.
+  const names = models === "open" ? (await modelsToOpen(session, accepted)).filter((name) => !replaced.has(name) || old.has(name)) : [];
   const opened: number[] = [];
   for (const name of names) opened.push(await openModel(session, name));
-  const [first] = sorted.same;
+  const [first] = sorted.alreadyOpen;
   if (first && opened.length === 0) session.chosen.set(first.id);
-  const bad = taken.some(({ kind }) => kind === "presets") ? await refreshPresets(session) : [];
-  // Bones are drawn of meshes that are here, though a model does not name those that it lacks.
-  const all = taken.some(({ kind }) => kind === "mesh") || (opened.length === 0 && taken.length > 0);
-  const touched = (model: OpenModel) => all || !model.inspected || taken.some(({ name }) => uses(model, name));
-  await inspectAgain(session, session.models.value.filter((model) => touched(model) && !opened.includes(model.id) && !failures.has(model.id)));
-  session.announce(summary(session, sorted, opened, [...failures.values(), ...bad], leftOut));
+  const presetFailures = accepted.some(({ kind }) => kind === "presets") ? await refreshPresets(session) : [];
+  // A mesh may belong to any model: an inspection does not list missing meshes.
+  const all = accepted.some(({ kind }) => kind === "mesh") || (opened.length === 0 && accepted.length > 0);
+  const isAffected = (model: OpenModel) => all || !model.inspected || accepted.some(({ name }) => uses(model, name));
+  await inspectAgain(session, session.models.value.filter((model) => isAffected(model) && !opened.includes(model.id) && !failures.has(model.id)));
+  session.announce(summary(session, sorted, opened, [...failures.values(), ...presetFailures], leftOut));
 }
 
-/** Models, and a force set where it comes without one and none that is open includes it. */
-async function modelsAmong(session: Session, files: readonly Read[]): Promise<string[]> {
-  const named = (kind: string) => files.filter((file) => file.kind === kind).map(({ name }) => name);
-  const [models, forces] = [named("model"), named("forces")];
+/** The models among files; without models, force sets that no open model includes. */
+async function modelsToOpen(session: Session, files: readonly ReadFile[]): Promise<string[]> {
+  const namesOf = (kind: string) => files.filter((file) => file.kind === kind).map(({ name }) => name);
+  const [models, forces] = [namesOf("model"), namesOf("forces")];
   if (models.length > 0 || forces.length === 0) return models;
-  // One may have lacked just this file.
+  // A model that could not be read may have lacked this file.
   await inspectAgain(session, session.models.value.filter(({ inspected }) => !inspected));
   return forces.filter((name) => !session.models.value.some((model) => model.origin !== name && uses(model, name)));
 }
 
-/** Opens one model, in the place of one that was read from a file of this name. */
+/** Opens one model. It replaces an open model that was read from a file of this name. */
 async function openModel(session: Session, name: string): Promise<number> {
   const before = session.models.value.find(({ origin }) => origin === name);
   if (!before) return openAsModel(session, name, session.model()?.inspected == null);
@@ -78,7 +78,7 @@ async function openModel(session: Session, name: string): Promise<number> {
   return id;
 }
 
-/** Opens a file that is there already as a model: a force set, say. */
+/** Opens a file that the page has already, such as a force set, as a model. */
 export async function openAsModel(session: Session, name: string, choose = true): Promise<number> {
   const model = newModel(name);
   session.add(model);
@@ -87,20 +87,20 @@ export async function openAsModel(session: Session, name: string, choose = true)
   return model.id;
 }
 
-/** What happened, in a sentence. */
+/** A sentence about the files that were opened and refused. */
 function summary(
-  session: Session, { taken, same, refused }: Sorted, opened: readonly number[], notTaken: readonly Failure[], leftOut: number,
+  session: Session, { accepted, alreadyOpen, refused }: SortedFiles, opened: readonly number[], notAccepted: readonly Failure[], leftOut: number,
 ): string {
-  const failures = opened.flatMap((id) => session.modelOf(id)?.failure ?? []);
+  const failures = opened.flatMap((id) => session.findModel(id)?.failure ?? []);
   const messages = (all: readonly Failure[]) => all.map(({ message }) => message).join("; ");
-  const good = opened.length - failures.length;
-  const others = [...refused, ...notTaken];
+  const openedCount = opened.length - failures.length;
+  const rejected = [...refused, ...notAccepted];
   const parts = [
-    good > 0 && `${counted(good, "model")} opened`,
-    opened.length === 0 && taken.length > notTaken.length && `${counted(taken.length - notTaken.length, "file")} added`,
+    openedCount > 0 && `${counted(openedCount, "model")} opened`,
+    opened.length === 0 && accepted.length > notAccepted.length && `${counted(accepted.length - notAccepted.length, "file")} added`,
     failures.length > 0 && `${counted(failures.length, "model")} could not be opened: ${messages(failures)}`,
-    same.length > 0 && `open already: ${same.map(({ origin }) => origin).join(", ")}`,
-    others.length > 0 && `${counted(others.length, "file")} not taken: ${messages(others)}`,
+    alreadyOpen.length > 0 && `open already: ${alreadyOpen.map(({ origin }) => origin).join(", ")}`,
+    rejected.length > 0 && `${counted(rejected.length, "file")} not taken: ${messages(rejected)}`,
     leftOut > 0 && `${counted(leftOut, "file")} left out: the page has no use for files of these kinds`,
   ].filter((part) => part !== false);
   const text = parts.join("; ");

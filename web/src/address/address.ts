@@ -1,66 +1,66 @@
-// The request in the address, after #: so that it can be kept and sent. Never a file's name, never a name that is in one.
+// Writes the request into the address after #, so that it can be stored and sent. It never has names of files, or names from files.
 
 import type { Field, Form } from "../forms/declaration";
 import type { Value, Values } from "../forms/values";
 
-interface Addressed {
+interface AddressRequest {
   verb: string;
   values: Map<string, Value>;
 }
 
 /** `rescale?target_mass=500&only=radius&only=stiffness`; `isPreset` says which values name presets that every page has. */
-export function addressOf(form: Form, values: Values, isPreset: (name: string) => boolean): string {
-  const words = new URLSearchParams();
+export function toAddress(form: Form, values: Values, isPreset: (name: string) => boolean): string {
+  const parameters = new URLSearchParams();
   for (const field of form.fields) {
     const value = values.get(field.name);
     if (value === undefined || field.kind === "codes") continue;
-    for (const text of texts(value)) if (isPublic(field, text, isPreset)) words.append(field.name, text);
+    for (const text of valueTexts(value)) if (isPublic(field, text, isPreset)) parameters.append(field.name, text);
   }
-  const query = words.toString();
+  const query = parameters.toString();
   return query === "" ? form.verb : `${form.verb}?${query}`;
 }
 
-/** What an address asks for; nothing where it is not one of ours. */
-export function readAddress(hash: string, forms: readonly Form[]): Addressed | undefined {
+/** The request in an address; undefined if the address has none. */
+export function readAddress(hash: string, forms: readonly Form[]): AddressRequest | undefined {
   const [verb = "", query = ""] = hash.replace(/^#/, "").split(/\?(.*)/s);
   const form = forms.find((one) => one.verb === verb);
   if (!form) return undefined;
-  const words = new URLSearchParams(query);
+  const parameters = new URLSearchParams(query);
   const values = new Map<string, Value>();
   for (const field of form.fields) {
-    // A question about safety is for the user of this page, not for the one who made the link.
+    // The user of this page answers safety questions, not the author of the link.
     if (field.kind === "codes") continue;
-    const said = words.getAll(field.name);
-    if (said.length > 0) values.set(field.name, valueOf(field, said));
+    const valueTexts = parameters.getAll(field.name);
+    if (valueTexts.length > 0) values.set(field.name, parseValue(field, valueTexts));
   }
   return { verb, values };
 }
 
-/** Files have names of people, models have names of files: of these, only what the user typed as a pattern is in the address. */
+/** Whether a text may be in the address. Names from files may be private: of these, only patterns that the user typed are public. */
 function isPublic({ kind, source, choices = [] }: Field, text: string, isPreset: (name: string) => boolean): boolean {
   if (kind === "file") return isPreset(text) || choices.some(({ value }) => value === text);
   const isName = kind === "lines" || kind === "text" || source === "forces" || source === "bodies";
   return !isName || /[*?]/.test(text);
 }
 
-function texts(value: Value): readonly string[] {
+function valueTexts(value: Value): readonly string[] {
   if (typeof value === "string") return [value];
   if (typeof value === "boolean") return ["true"];
   if (Array.isArray(value)) return value as readonly string[];
   return Object.entries(value).map(([name, text]) => `${name}=${text}`);
 }
 
-function valueOf({ kind }: Field, said: string[]): Value {
+function parseValue({ kind }: Field, valueTexts: string[]): Value {
   switch (kind) {
-    case "flag": return said[0] === "true";
+    case "flag": return valueTexts[0] === "true";
     case "texts":
-    case "lines": return said;
-    case "map": return Object.fromEntries(said.map(entry).filter(([, text]) => text !== ""));
-    default: return said[0] ?? "";
+    case "lines": return valueTexts;
+    case "map": return Object.fromEntries(valueTexts.map(entry).filter(([, text]) => text !== ""));
+    default: return valueTexts[0] ?? "";
   }
 }
 
-/** `stiffness=x2`; programs that pass links on may have changed it. */
+/** Name and value of `stiffness=x2`. Programs that forward links may have added blanks. */
 function entry(text: string): [string, string] {
   const [name = "", value = ""] = text.split(/=(.*)/s);
   return [name, value.trim()];

@@ -1,9 +1,9 @@
-// Makes elements. Text is always text: nothing that comes from a file is ever read as markup here.
+// Creates elements. Text is always inserted as text: no content of a file is parsed as markup here.
 
 type Attributes = Readonly<Record<string, string | number | boolean | undefined>>;
 export type Child = Node | string;
 
-/** An element with attributes (`true` is one without a value, `undefined` and `false` leave it away) and content. */
+/** An element with attributes (`true` sets one without a value, `undefined` and `false` leave it out) and children. */
 export function el<K extends keyof HTMLElementTagNameMap>(
   tag: K,
   attributes: Attributes = {},
@@ -15,27 +15,27 @@ export function el<K extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** Sets an attribute, or takes it away. */
+/** Sets or removes an attribute. */
 export function setAttribute(element: Element, name: string, value: string | number | boolean | undefined): void {
   if (value === undefined || value === false) element.removeAttribute(name);
   else element.setAttribute(name, value === true ? "" : String(value));
 }
 
-/** A button that does something. */
+/** A button that calls `act`. */
 export function button(text: string, act: () => void, attributes: Attributes = {}): HTMLButtonElement {
-  const made = el("button", { type: "button", ...attributes }, text);
-  made.addEventListener("click", act);
-  return made;
+  const element = el("button", { type: "button", ...attributes }, text);
+  element.addEventListener("click", act);
+  return element;
 }
 
 /** The element of the page with this id. */
 export function byId(id: string): HTMLElement {
-  const found = document.getElementById(id);
-  if (!found) throw new Error(`the page has no element ${id}`);
-  return found;
+  const element = document.getElementById(id);
+  if (!element) throw new Error(`the page has no element ${id}`);
+  return element;
 }
 
-/** Sets text, if it is another one: screen readers repeat what is set. */
+/** Sets the text of an element only if it changes, because screen readers repeat every text that is set. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }

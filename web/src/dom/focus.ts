@@ -1,19 +1,19 @@
-// A reader's place in a box whose elements are made again.
+// Keeps the focus in a box whose elements are created again.
 
 const CONTROLS = "button:not(:disabled), input, select, summary, a[href], [tabindex='0']";
 
-/** Calls `change`, after which the focus is at the same control as before, at the one in its place, or at `otherwise`. */
+/** Calls `change`, then focuses the control with the same name, or the one at the same position, or `otherwise`. */
 export function keepingFocus(box: HTMLElement, otherwise: () => HTMLElement, change: () => void): void {
   const before = controls(box);
-  const at = before.findIndex((control) => control === document.activeElement);
-  const was = before[at];
-  const name = was && nameOf(was);
+  const index = before.findIndex((control) => control === document.activeElement);
+  const focused = before[index];
+  const name = focused && controlName(focused);
   change();
-  if (at < 0 || box.contains(document.activeElement)) return;
-  const now = controls(box);
-  const next = now.find((control) => nameOf(control) === name) ?? now[Math.min(at, now.length - 1)];
+  if (index < 0 || box.contains(document.activeElement)) return;
+  const after = controls(box);
+  const next = after.find((control) => controlName(control) === name) ?? after[Math.min(index, after.length - 1)];
   next?.focus();
-  const caret = was instanceof HTMLInputElement ? was.selectionStart : null;
+  const caret = focused instanceof HTMLInputElement ? focused.selectionStart : null;
   if (caret !== null && next instanceof HTMLInputElement && next.type === "text") next.setSelectionRange(caret, caret);
   if (!next || document.activeElement !== next) otherwise().focus();
 }
@@ -22,6 +22,6 @@ function controls(box: HTMLElement): HTMLElement[] {
   return [...box.querySelectorAll<HTMLElement>(CONTROLS)];
 }
 
-function nameOf(control: HTMLElement): string {
+function controlName(control: HTMLElement): string {
   return control.getAttribute("aria-label") ?? control.textContent ?? "";
 }

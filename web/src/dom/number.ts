@@ -1,6 +1,6 @@
-// Numbers as people read them.
+// Formats numbers for people.
 
-/** With so many significant digits, without a tail of zeros. */
+/** A number with `count` significant digits, without trailing zeros. */
 export function digits(value: number, count = 4): string {
   if (value === 0 || !Number.isFinite(value)) return String(value);
   const size = Math.abs(value);

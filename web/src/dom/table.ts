@@ -1,15 +1,15 @@
-// Tables in boxes that scroll where the page is too narrow, with a name for those who hear them.
+// Creates tables in boxes that scroll if the page is too narrow, with a name for screen readers.
 
 import { type Child, el } from "./element";
 
-/** A heading of a column: `words` of one above words instead of numbers; a hidden one is only heard. */
+/** A heading of a column: `words` if the column has words instead of numbers; `hidden` if it is only for screen readers. */
 export interface Head {
   text: string;
   words?: boolean;
   hidden?: boolean;
 }
 
-/** A table whose caption and headings are given; `head` and `body` are where its rows are. */
+/** A table in a box; `head` and `body` have its rows. */
 export function boxedTable(name: string, caption: string, head: HTMLTableRowElement, body: HTMLTableSectionElement): HTMLElement {
   const table = el("table", {}, el("caption", {}, el("span", {}, caption)), el("thead", {}, head), body);
   return el("div", { class: "wide", role: "group", "aria-label": name, tabindex: 0 }, table);

@@ -1,5 +1,5 @@
-// The one place where text becomes markup or the address of a script: the page's policy lets no other do that, in browsers
-// that know of it.
+// The only place where text becomes markup or the address of a script. In browsers that support trusted types, the page's policy
+// forbids all others.
 
 interface Rules {
   createHTML(text: string): string;
@@ -10,13 +10,13 @@ interface Factory {
   createPolicy(name: string, rules: Rules): Rules;
 }
 
-const asItIs: Rules = { createHTML: (text) => text, createScriptURL: (text) => text };
+const passThrough: Rules = { createHTML: (text) => text, createScriptURL: (text) => text };
 const { trustedTypes } = globalThis as { trustedTypes?: Factory };
-// Its name is in web/build/policy.mjs, too.
-const rules = trustedTypes?.createPolicy("osim", asItIs) ?? asItIs;
+// The name of the policy is also in web/build/policy.mjs.
+const rules = trustedTypes?.createPolicy("osim", passThrough) ?? passThrough;
 
-/** HTML of the engine's renderer, and of the manual, to be read as markup. */
+/** Marks HTML of the engine's renderer or of the manual as trusted. */
 export const engineHtml = (html: string): string => rules.createHTML(html);
 
-/** The address of the worker's script, which is in this page. */
+/** Marks the address of the worker's script, which is part of this page, as trusted. */
 export const workerAddress = (address: string): string => rules.createScriptURL(address);

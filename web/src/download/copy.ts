@@ -1,13 +1,13 @@
 // Copies text to the clipboard.
 
-/** Whether it worked; where the browser does not allow it, `shown` is selected so that the user can copy it. */
-export async function copy(text: string, shown: HTMLTextAreaElement): Promise<boolean> {
+/** Copies text and returns whether it worked. If the browser forbids it, `area` is selected, so that the user can copy it. */
+export async function copy(text: string, area: HTMLTextAreaElement): Promise<boolean> {
   try {
     await navigator.clipboard.writeText(text);
     return true;
   } catch {
-    shown.focus();
-    shown.select();
+    area.focus();
+    area.select();
     return document.execCommand("copy");
   }
 }

@@ -1,4 +1,4 @@
-// What wasm-bindgen makes of crates/osim-web, and what the build puts into scripts.
+// Types of the binding that wasm-bindgen generates for crates/osim-web.
 
 declare module "osim-engine" {
   export class Engine {
@@ -12,6 +12,6 @@ declare module "osim-engine" {
     call(question: string): string;
   }
   export function initSync(options: { module: BufferSource }): unknown;
-  /** A new instance of the module; what was made before belongs to the old one. */
+  /** Creates a new instance of the module; older objects belong to the old instance. */
   export function __wbg_reset_state(): void;
 }

@@ -1,9 +1,9 @@
-// The page's side of the worker: a promise for each task.
+// Sends tasks to the worker and returns a promise for each.
 
 import { workerAddress } from "../dom/trusted";
 import { EngineError } from "./failure";
-import { failed, type Files, type Reply, type Task, type Then } from "./messages";
-import type { AnimalFall, Bones, Played } from "./space";
+import { failed, type Files, type Reply, type Task, type ChangeThen } from "./messages";
+import type { AnimalFall, Bones, PlayedMotion } from "./space";
 import type { Change, Kept, Inspected, NamedBytes, Preset, Request, Sheet, Spelled } from "./types";
 
 interface Waiting {
@@ -11,15 +11,15 @@ interface Waiting {
   reject(error: EngineError): void;
 }
 
-type Busy = (count: number) => void;
+type BusyListener = (count: number) => void;
 
 export class Client {
   readonly #worker: Worker;
   readonly #waiting = new Map<number, Waiting>();
-  /** Tasks that were given before the engine was: they come after it. */
+  /** Tasks from before the start of the engine, which are sent after it. */
   #early: (() => void)[] | undefined = [];
   #last = 0;
-  #busy: Busy = () => undefined;
+  #busy: BusyListener = () => undefined;
 
   constructor(script: string) {
     const address = URL.createObjectURL(new Blob([script], { type: "text/javascript" }));
@@ -29,7 +29,7 @@ export class Client {
   }
 
   /** Calls `busy` whenever the number of unanswered tasks changes. */
-  onBusy(busy: Busy): void {
+  onBusy(busy: BusyListener): void {
     this.#busy = busy;
   }
 
@@ -39,21 +39,21 @@ export class Client {
   inspect = (model: string, fields: Record<string, unknown>, parts: string[]) => this.#ask<Inspected>({ do: "look", model, fields, parts });
   bones = (model: string, fields: Record<string, unknown>) => this.#ask<Bones>({ do: "bones", model, fields });
   change = (request: Request, parts: string[]) => this.#ask<Change>({ do: "change", request, parts });
-  keep = (request: Request, parts: string[]) => this.#send<Then<Kept>>({ do: "then", request, parts, next: "keep" });
-  diff = (request: Request) => this.#send<Then<{ text: string }>>({ do: "then", request, parts: ["changes"], next: "diff" });
+  keep = (request: Request, parts: string[]) => this.#send<ChangeThen<Kept>>({ do: "then", request, parts, next: "keep" });
+  diff = (request: Request) => this.#send<ChangeThen<{ text: string }>>({ do: "then", request, parts: ["changes"], next: "diff" });
   files = (request: Request) => this.#send<Files>({ do: "files", request });
   report = (request: Request) => this.#ask<{ name: string; html: string }>({ do: "report", request });
   calculate = (request: Request) => this.#ask<{ sheet: Sheet; text: string }>({ do: "calculate", request });
   spell = (request: Request) => this.#ask<Spelled>({ do: "spell", request });
   explain = (topic: string) => this.#ask<{ text: string }>({ do: "explain", topic });
-  play = (request: Record<string, unknown>) => this.#ask<Played>({ do: "play", request });
+  play = (request: Record<string, unknown>) => this.#ask<PlayedMotion>({ do: "play", request });
   animals = () => this.#ask<AnimalFall[]>({ do: "animals" });
   presets = (fields: Record<string, unknown> = {}) => this.#ask<Preset[]>({ do: "presets", fields });
   zipBegin = () => this.#send<null>({ do: "zip-begin" });
   zipAdd = (request: Request) => this.#send<Change>({ do: "zip-add", request });
   zipEnd = () => this.#send<Uint8Array>({ do: "zip-end" });
 
-  /** Starts the engine, and with it the tasks that waited for it. */
+  /** Starts the engine, then sends the tasks that waited for it. */
   start(engine: string): Promise<null> {
     const started = this.#send<null>({ do: "start", engine });
     const early = this.#early ?? [];
@@ -69,7 +69,7 @@ export class Client {
     return { name, bytes };
   }
 
-  /** Lets the worker try an example, so that the first model of the user opens as fast as the next one. Nobody waits for it. */
+  /** Lets the worker run an example, so that the first model of the user opens fast. There is no answer. */
   warmUp(example: string): void {
     this.#worker.postMessage({ id: 0, task: { do: "warm-up", example } satisfies Task });
   }
@@ -96,7 +96,7 @@ export class Client {
     else waiting?.resolve(answer.ok);
   }
 
-  /** The worker ended: nobody is left waiting. */
+  /** Rejects all waiting tasks after the worker has ended. */
   #end(message: string): void {
     const failure = { code: "internal", message: `the engine stopped: ${message}`, needs_answer: false, fields: [] };
     for (const { reject } of this.#waiting.values()) reject(new EngineError(failure));

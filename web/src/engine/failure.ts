@@ -1,4 +1,4 @@
-// A failure of the engine as an error that can be thrown.
+// Failures of the engine as errors that can be thrown.
 
 import type { Failure } from "./types";
 
@@ -9,8 +9,8 @@ export class EngineError extends Error {
   }
 }
 
-/** What went wrong, as the engine would say it. */
-export function failureOf(error: unknown): Failure {
+/** Any error as a failure, like those of the engine. */
+export function toFailure(error: unknown): Failure {
   if (error instanceof EngineError) return error.failure;
   const message = error instanceof Error ? error.message : String(error);
   return { code: "internal", message, needs_answer: false, fields: [] };

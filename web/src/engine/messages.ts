@@ -1,18 +1,18 @@
-// What page and worker say to each other. A task is one unit: nothing comes between its steps.
+// Messages between page and worker. No other task runs between the steps of a task.
 
 import type { Change, Failure, NamedBytes, Request } from "./types";
 
 export type Task =
   | { do: "start"; engine: string }
-  /** What makes the first use as fast as the next ones. */
+  /** Runs an example, so that the first model opens fast. */
   | { do: "warm-up"; example: string }
   | { do: "put"; name: string; bytes: Uint8Array }
   | { do: "remove"; name: string }
   | { do: "bytes"; name: string }
   | { do: "ask"; question: Record<string, unknown> }
-  /** A change, and at once the files that it makes. */
+  /** A change, and at once its result files. */
   | { do: "files"; request: Request }
-  /** A change, and at once what else is asked about it. */
+  /** A change, and at once a second question about it. */
   | { do: "then"; request: Request; parts: string[]; next: "keep" | "diff" }
   | { do: "zip-begin" }
   | { do: "zip-add"; request: Request }
@@ -35,7 +35,7 @@ export interface Files {
   files: NamedBytes[];
 }
 
-export interface Then<T> {
+export interface ChangeThen<T> {
   change: Change;
   next: T;
 }

@@ -1,4 +1,4 @@
-// A model in space, as the engine gives it (crates/osim-planning/src/scene). Lengths are metres, in ground.
+// Models in three dimensions, as the engine returns them (crates/osim-planning/src/scene). Lengths are in m, in ground.
 
 export type Vector = readonly [number, number, number];
 
@@ -9,7 +9,7 @@ export interface PlacedSphere {
   side: "right" | "left" | null;
   centre_m: Vector;
   radius_m: number;
-  /** What it carries at rest, in body weights; nothing where that is not known. */
+  /** The force that it carries at rest, in body weights; null if that is not known. */
   force_bw: number | null;
   relative_indentation: number | null;
 }
@@ -30,7 +30,7 @@ export interface Scene {
 export interface Bones {
   /** Points in hundredths of a millimetre, three numbers each; triangles by the places of their points. */
   surfaces: readonly { body: string; mesh: string; points: readonly number[]; triangles: readonly number[] }[];
-  /** Meshes that the model names and that are not here. */
+  /** Meshes that the model names and the page does not have. */
   missing: readonly string[];
   broken: readonly string[];
 }
@@ -44,29 +44,29 @@ export interface Fall {
   why_not: string | null;
 }
 
-/** A force in each frame, in body weights, and where it acts on the floor, m. */
+/** A force in each frame, in body weights, and its point on the floor, m. */
 export interface PlayedForce {
   forces_bw: readonly (Vector | null)[];
   points_m: readonly (Vector | null)[];
 }
 
 /** A model along a recording. */
-export interface Played {
+export interface PlayedMotion {
   time_s: readonly number[];
   bodies: readonly string[];
-  /** Of each body in each frame its axes and its origin, in hundred-thousandths. */
+  /** The axes and the origin of each body in each frame, in hundred-thousandths. */
   poses: readonly number[];
   feet: readonly { name: string; side: "right" | "left" | null; model: PlayedForce; plates: PlayedForce | null }[];
   remarks: readonly string[];
 }
 
-/** An animal that falls twice: heights of its spheres' bottoms in radii, at equal times in √(R/g). */
+/** Two falls of an animal: heights of its spheres' lowest points in radii, at equal times in √(R/g). */
 export interface AnimalFall {
   name: string;
   mass_kg: number;
-  /** On the contacts of a human. */
+  /** Heights on the contacts of a human. */
   left_behind: readonly number[];
-  /** On contacts that are scaled to it. */
+  /** Heights on contacts that are scaled to the animal. */
   scaled: readonly number[];
 }
 

@@ -1,8 +1,8 @@
-// What the engine answers, as crates/osim-web gives it.
+// Answers of the engine, as crates/osim-web writes them.
 
 import type { Fall, Scene } from "./space";
 
-/** What went wrong. */
+/** Why a request failed. */
 export interface Failure {
   code: string;
   message: string;
@@ -11,7 +11,7 @@ export interface Failure {
   column?: number | null;
   excerpt?: { before: string; marked: string; after: string } | null;
   needs_answer: boolean;
-  /** Fields that would answer, most likely first. */
+  /** Fields that would answer the question, most likely first. */
   fields: string[];
   /** The field whose value is wrong. */
   field?: string | null;
@@ -24,7 +24,7 @@ export interface Section {
   html: string;
 }
 
-/** What a link in a section leads to. */
+/** The explanation that a link in a section opens. */
 export interface Explained {
   id: string;
   html: string;
@@ -42,13 +42,13 @@ export interface Finding {
   remedy: { text: string; request: Request } | null;
 }
 
-/** What the page reads of an inspection; schemas/results/inspection.schema.json has all of it. */
+/** The fields of an inspection that the page reads; all are in schemas/results/inspection.schema.json. */
 export interface Inspection {
   name: string | null;
   mass_kg: number | null;
   gravity_m_s2: number | null;
   contacts_mass_kg: { value: number; source: string } | null;
-  /** Nothing where left and right cannot be distinguished. */
+  /** Null if left and right cannot be distinguished. */
   limbs: { name: string; side: string | null; spheres: string[] }[] | null;
   spheres: { name: string; radius_m: number | null }[];
   forces: { name: string; type: string; applies: boolean; parameters: Record<string, number | null> }[];
@@ -56,14 +56,14 @@ export interface Inspection {
   known_contacts?: { title: string; made_for_kg: number } | null;
 }
 
-/** A question about a model, answered. */
+/** A question about a model and its answer. */
 export interface Verdict {
   question: string;
   on: string;
   sign: "good" | "remark" | "warning" | "error" | "unknown";
   text: string;
   place: string | null;
-  /** Codes of the findings that are about it. */
+  /** Codes of the findings about this question. */
   codes: string[];
 }
 
@@ -74,12 +74,12 @@ export interface Inspected {
   sections: Section[];
   explained?: Explained[];
   files: string[];
-  /** Where it was asked for. */
+  /** Only if the request asks for it. */
   scene: Scene | null;
   falls: Fall[];
 }
 
-/** What the page reads of a change; schemas/results/change.schema.json has all of it. */
+/** The fields of a change that the page reads; all are in schemas/results/change.schema.json. */
 export interface ChangeRecord {
   contacts_mass_kg: { value: number; source: string } | null;
   target_mass_kg: number | null;
@@ -100,7 +100,7 @@ export interface Change {
   results: ResultFile[];
   sections: Section[];
   explained?: Explained[];
-  /** The new model in space, and falls on the contacts before and after, where they were asked for. */
+  /** The new model in three dimensions, and falls on the contacts before and after, if the request asks for them. */
   scene: Scene | null;
   falls: Fall[];
 }

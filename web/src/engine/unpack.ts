@@ -1,10 +1,10 @@
-// Unpacks what the build packed into an element: letters for bytes that Zstandard compressed (web/build/pack.mjs).
+// Unpacks data that the build stored in elements: bytes compressed by Zstandard, written as letters (web/build/pack.mjs).
 
 import { decompress } from "fzstd";
 
-/** The bytes in `text`. */
+/** The bytes that are packed in `text`. */
 export function unpack(text: string): Uint8Array<ArrayBuffer> {
-  return decompress(bytesOf(text)) as Uint8Array<ArrayBuffer>;
+  return decompress(decode(text)) as Uint8Array<ArrayBuffer>;
 }
 
 /** The packed text of the element with this id. */
@@ -12,18 +12,18 @@ export function packed(id: string): string {
   return document.getElementById(id)?.textContent ?? "";
 }
 
-/** What the element with this id holds, as text. */
+/** The unpacked text of the element with this id. */
 export function unpackedText(id: string): string {
   return new TextDecoder().decode(unpack(packed(id)));
 }
 
-/** Letters for so many bytes in a group, and how many letters there are. */
+/** Letters of a group, bytes of a group, and the number of different letters. */
 const [GROUP, BYTES, BASE] = [11, 9, 94];
-/** The last six letters of a group are below this; in parts of 24 bits. */
+/** Numbers are computed in parts of 24 bits: 94^6 has a part above and a part below. */
 const PART = 2 ** 24;
 const [ABOVE, BELOW] = [Math.floor(BASE ** 6 / PART), BASE ** 6 % PART];
 
-function bytesOf(text: string): Uint8Array {
+function decode(text: string): Uint8Array {
   const bytes = new Uint8Array(Math.floor((text.length * BYTES) / GROUP));
   let at = 0;
   for (let start = 0; start < text.length; start += GROUP) {
@@ -34,7 +34,7 @@ function bytesOf(text: string): Uint8Array {
   return bytes;
 }
 
-/** `high` times 94^6 and `low`, 72 bits in three parts: more than a number holds. */
+/** `high` times 94^6 plus `low`, in three parts of 24 bits, because a number cannot hold 72 bits. */
 function parts(high: number, low: number): [number, number, number] {
   const last = (high % PART) * BELOW + (low % PART);
   const middle = Math.floor(high / PART) * BELOW + (high % PART) * ABOVE + Math.floor(low / PART) + Math.floor(last / PART);
@@ -42,14 +42,14 @@ function parts(high: number, low: number): [number, number, number] {
   return [first, middle % PART, last % PART];
 }
 
-/** The number that `count` letters from `start` on are. */
+/** The number that is written by `count` letters from `start` on. */
 function number(text: string, start: number, count: number): number {
   let value = 0;
   for (let place = start; place < start + count; place += 1) value = value * BASE + digit(text, place);
   return value;
 }
 
-/** That of the letter at a place; behind the end the largest, so that what is cut off the last group does not matter. */
+/** The digit at a place; after the end the largest digit, so that a shortened last group is decoded correctly. */
 function digit(text: string, place: number): number {
   if (place >= text.length) return BASE - 1;
   const code = text.charCodeAt(place);

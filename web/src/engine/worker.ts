@@ -1,6 +1,6 @@
-// The worker: it owns the engine, so that what takes long happens here and the page stays alive.
+// The worker: it runs the engine, so that long tasks do not block the page.
 
-import { Keeper } from "./keeper";
+import { EngineHost } from "./host";
 import { type Answer, failed, type Files, type Message, type Reply, type Task } from "./messages";
 import type { Change, Failure, Request } from "./types";
 import { unpack } from "./unpack";
@@ -12,29 +12,29 @@ interface Scope {
 }
 
 const scope = globalThis as unknown as Scope;
-const keeper = new Keeper();
+const host = new EngineHost();
 let archive = new Archive();
 
 scope.onmessage = ({ data: { id, task } }) => {
-  const answer = answered(task);
-  scope.postMessage({ id, answer }, moved(answer));
+  const answer = handle(task);
+  scope.postMessage({ id, answer }, transferables(answer));
 };
 
-function answered(task: Task): Answer<unknown> {
+function handle(task: Task): Answer<unknown> {
   try {
-    return task.do === "start" ? start(task.engine) : done(task, keeper);
+    return task.do === "start" ? start(task.engine) : runTask(task, host);
   } catch (error) {
-    keeper.restart();
+    host.restart();
     return { error: task.do === "put" ? tooLarge(task.name) : defect(error) };
   }
 }
 
 function start(packed: string): Answer<null> {
-  keeper.start(unpack(packed));
+  host.start(unpack(packed));
   return { ok: null };
 }
 
-function done(task: Exclude<Task, { do: "start" }>, engine: Keeper): Answer<unknown> {
+function runTask(task: Exclude<Task, { do: "start" }>, engine: EngineHost): Answer<unknown> {
   switch (task.do) {
     case "warm-up": return { ok: engine.warmUp(unpack(task.example)) ?? null };
     case "put": return { ok: engine.put(task.name, task.bytes) ?? null };
@@ -49,37 +49,37 @@ function done(task: Exclude<Task, { do: "start" }>, engine: Keeper): Answer<unkn
   }
 }
 
-function ask<T>(engine: Keeper, question: Record<string, unknown>): Answer<T> {
+function ask<T>(engine: EngineHost, question: Record<string, unknown>): Answer<T> {
   return JSON.parse(engine.call(JSON.stringify(question))) as Answer<T>;
 }
 
-function changed(engine: Keeper, request: Request, parts: string[]): Answer<Change> {
+function requestChange(engine: EngineHost, request: Request, parts: string[]): Answer<Change> {
   return ask<Change>(engine, { do: "change", request, parts });
 }
 
-function files(engine: Keeper, request: Request): Answer<Files> {
-  const change = changed(engine, request, ["changes"]);
+function files(engine: EngineHost, request: Request): Answer<Files> {
+  const change = requestChange(engine, request, ["changes"]);
   if (failed(change)) return change;
-  const made = change.ok.results.map(({ name }, index) => ({ name, bytes: engine.result(index) ?? new Uint8Array() }));
-  return { ok: { change: change.ok, files: made } };
+  const results = change.ok.results.map(({ name }, index) => ({ name, bytes: engine.result(index) ?? new Uint8Array() }));
+  return { ok: { change: change.ok, files: results } };
 }
 
-function then(engine: Keeper, { request, parts, next }: Extract<Task, { do: "then" }>): Answer<unknown> {
-  const change = changed(engine, request, parts);
+function then(engine: EngineHost, { request, parts, next }: Extract<Task, { do: "then" }>): Answer<unknown> {
+  const change = requestChange(engine, request, parts);
   if (failed(change)) return change;
   const answer = ask<unknown>(engine, { do: next });
   if (failed(answer)) return answer;
-  if (next === "keep") engine.kept(change.ok.results.map(({ name }) => name));
+  if (next === "keep") engine.rememberFiles(change.ok.results.map(({ name }) => name));
   return { ok: { change: change.ok, next: answer.ok } };
 }
 
-function addToZip(engine: Keeper, request: Request): Answer<Change> {
-  const made = files(engine, request);
-  if (failed(made)) return made;
-  const twice = made.ok.files.find(({ name, bytes }) => archive.hasOther(name, bytes));
-  if (twice) return { error: nameTaken(twice.name) };
-  for (const { name, bytes } of made.ok.files) archive.add(name, bytes);
-  return { ok: made.ok.change };
+function addToZip(engine: EngineHost, request: Request): Answer<Change> {
+  const results = files(engine, request);
+  if (failed(results)) return results;
+  const conflict = results.ok.files.find(({ name, bytes }) => archive.hasOther(name, bytes));
+  if (conflict) return { error: nameTaken(conflict.name) };
+  for (const { name, bytes } of results.ok.files) archive.add(name, bytes);
+  return { ok: results.ok.change };
 }
 
 function nameTaken(name: string): Failure {
@@ -96,8 +96,8 @@ function defect(error: unknown): Failure {
   return { code: "internal", message: `this is a defect of the page, please report it: ${message}`, needs_answer: false, fields: [] };
 }
 
-/** Buffers that change hands instead of being copied. */
-function moved(answer: Answer<unknown>): Transferable[] {
+/** Buffers that are transferred instead of copied. */
+function transferables(answer: Answer<unknown>): Transferable[] {
   if (failed(answer)) return [];
   const { ok } = answer;
   if (ok instanceof Uint8Array) return [ok.buffer];

@@ -1,8 +1,8 @@
-// A ZIP that grows file by file, so that the results of many models are in memory once, compressed.
+// Builds a ZIP file by file, so that the results of many models are in memory only once and compressed.
 
 import { Zip, ZipDeflate, ZipPassThrough } from "fflate";
 
-// Results have no date of their own, and equal results should give equal archives.
+// All files have this date, so that equal results give equal archives.
 const DATE = new Date(1980, 0, 1);
 
 export class Archive {
@@ -13,13 +13,13 @@ export class Archive {
     this.#chunks.push(chunk);
   });
 
-  /** Whether another file of this name is there already. */
+  /** Whether the archive has a different file of this name. */
   hasOther(name: string, bytes: Uint8Array): boolean {
-    const there = this.#files.get(name);
-    return there !== undefined && there !== digest(name, bytes);
+    const existing = this.#files.get(name);
+    return existing !== undefined && existing !== digest(name, bytes);
   }
 
-  /** Adds a file; an equal one is there once. */
+  /** Adds a file, unless the archive has it already. */
   add(name: string, bytes: Uint8Array): void {
     if (this.#files.has(name)) return;
     this.#files.set(name, digest(name, bytes));
@@ -29,7 +29,7 @@ export class Archive {
     file.push(bytes, true);
   }
 
-  /** The whole archive. */
+  /** Ends the archive and returns its bytes. */
   end(): Uint8Array {
     this.#zip.end();
     const size = this.#chunks.reduce((sum, chunk) => sum + chunk.length, 0);
@@ -43,7 +43,7 @@ export class Archive {
   }
 }
 
-/** Size and CRC-32: what archives themselves compare contents by. Contents are not kept for a comparison. */
+/** Size and CRC-32 of a file, to compare files without storing their contents. */
 function digest(name: string, bytes: Uint8Array): string {
   const read = new ZipPassThrough(name);
   read.ondata = () => undefined;

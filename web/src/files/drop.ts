@@ -1,11 +1,11 @@
-// Files and folders that are dropped on the window.
+// Opens files and folders that are dropped on the window.
 
-import { failureOf } from "../engine/failure";
-import { type Dropped, inFolder } from "./folder";
-import type { Given } from "./read";
+import { toFailure } from "../engine/failure";
+import { type DroppedItem, filesInFolder } from "./folder";
+import type { GivenFile } from "./read";
 
-/** Calls `open` with what is dropped, or `refuse` with why it cannot be read; the document shows that something is held over it. */
-export function acceptDrops(open: (given: Given[]) => void, refuse: (why: string) => void): void {
+/** Calls `open` with the dropped files, or `refuse` with the reason if they cannot be read. The page looks different during the drag. */
+export function acceptDrops(open: (itemFiles: GivenFile[]) => void, refuse: (why: string) => void): void {
   let depth = 0;
   const show = (change: number) => {
     depth = Math.max(0, depth + change);
@@ -19,20 +19,20 @@ export function acceptDrops(open: (given: Given[]) => void, refuse: (why: string
     if (!holdsFiles(event)) return;
     event.preventDefault();
     show(-depth);
-    dropped(event.dataTransfer).then(open, (error) => refuse(failureOf(error).message));
+    droppedFiles(event.dataTransfer).then(open, (error) => refuse(toFailure(error).message));
   });
 }
 
-/** What was dropped can only be asked for until the event is over; what is made of it, later too. */
-function dropped(transfer: DataTransfer | null): Promise<Given[]> {
+/** The dropped files. The browser only allows access to the items until the event is over, so that this is called at once. */
+function droppedFiles(transfer: DataTransfer | null): Promise<GivenFile[]> {
   const items = [...(transfer?.items ?? [])].filter(({ kind }) => kind === "file");
-  return Promise.all(items.map(given)).then((all) => all.flat());
+  return Promise.all(items.map(itemFiles)).then((all) => all.flat());
 }
 
-/** A file as it is: on a page that was opened from a folder, Chromium gives no file that is asked for by its entry. */
-function given(item: DataTransferItem & Dropped): Promise<Given[]> {
+/** The files of an item. A single file is read directly: if the page is opened from a folder, Chromium cannot read it by its entry. */
+function itemFiles(item: DataTransferItem & DroppedItem): Promise<GivenFile[]> {
   const entry = item.webkitGetAsEntry();
-  if (entry?.isDirectory) return inFolder(item, entry as FileSystemDirectoryEntry);
+  if (entry?.isDirectory) return filesInFolder(item, entry as FileSystemDirectoryEntry);
   const file = item.getAsFile();
   return Promise.resolve(file ? [{ name: file.name, file }] : []);
 }

@@ -1,25 +1,25 @@
-// Reads files that were dropped or chosen. Bytes are handed over to the worker, not copied.
+// Reads files that were dropped or chosen.
 
-import { type FileKind, kindOf, LOOKED_AT } from "./kinds";
+import { type FileKind, kindOf, HEAD_BYTES } from "./kinds";
 
-/** A file with the name that it has here: with its folders, where a folder was given. */
-export interface Given {
+/** A file with its name on this page, which includes the folders if a folder was opened. */
+export interface GivenFile {
   name: string;
   file: File;
 }
 
-export interface Read {
+export interface ReadFile {
   name: string;
   bytes: Uint8Array;
   kind: FileKind;
 }
 
-export async function read({ name, file }: Given): Promise<Read> {
-  const head = await file.slice(0, LOOKED_AT).text();
+export async function readFile({ name, file }: GivenFile): Promise<ReadFile> {
+  const head = await file.slice(0, HEAD_BYTES).text();
   return { name, bytes: new Uint8Array(await file.arrayBuffer()), kind: kindOf(name, head) };
 }
 
-/** Files from an input; those of a folder have their path in it. */
-export function givenBy(list: FileList | null): Given[] {
+/** The files of an input; those of a folder have their path. */
+export function filesOfInput(list: FileList | null): GivenFile[] {
   return [...(list ?? [])].map((file) => ({ name: file.webkitRelativePath || file.name, file }));
 }

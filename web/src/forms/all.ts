@@ -9,12 +9,12 @@ export const CHANGES: readonly ChangeForm[] = forms.changes;
 export const CALCULATOR: Form = forms.calculator;
 export const QUESTIONS: Form = forms.questions;
 
-export function formOf(verb: string): ChangeForm | undefined {
+export function findForm(verb: string): ChangeForm | undefined {
   return CHANGES.find((form) => form.verb === verb);
 }
 
 /** The declaration of a field, by its name: that of the form, else that of any other. */
-export function fieldOf(name: string, form: Form): Field | undefined {
+export function findField(name: string, form: Form): Field | undefined {
   const forms = [form, QUESTIONS, ...CHANGES];
   return forms.flatMap(({ fields }) => fields).find((field) => field.name === name);
 }

@@ -14,7 +14,7 @@ export function numberIn(text: string): number | undefined {
 }
 
 /** What is wrong with a value, in a sentence. */
-export function problemOf(field: Field, value: Value): string | undefined {
+export function valueProblem(field: Field, value: Value): string | undefined {
   switch (field.kind) {
     case "number":
     case "integer":
@@ -62,11 +62,11 @@ function factorProblem(text: string): string | undefined {
 }
 
 function mapProblem(entries: Readonly<Record<string, string>>): string | undefined {
-  const found = Object.entries(entries).map(([name, text]) => {
+  const problems = Object.entries(entries).map(([name, text]) => {
     const problem = factorOrNumberProblem(text.trim());
     return problem && `${name}: ${problem}`;
   });
-  return found.find(Boolean);
+  return problems.find(Boolean);
 }
 
 function factorOrNumberProblem(text: string): string | undefined {

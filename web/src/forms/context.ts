@@ -10,7 +10,7 @@ export interface Option {
   /** Options with the same heading are together. */
   heading?: string;
   /** Fields that must be given with it. */
-  along?: Readonly<Record<string, string>>;
+  alsoSets?: Readonly<Record<string, string>>;
 }
 
 export interface Context {
@@ -26,7 +26,7 @@ export interface Context {
   /** The value of a property in the model, where it has one. */
   currentValue(property: string): string | undefined;
   /** What the model weighs, kg; where that is not known, what its contacts were made for. */
-  ownMass(): number | undefined;
+  modelMass(): number | undefined;
 }
 
 /** A field on the page. */

@@ -8,10 +8,10 @@ import { frame } from "./frame";
 export function fileControl(field: Field, context: Context): Control {
   const source = field.source ?? "models";
   const select = el("select", { name: field.name });
-  const along = (chosen: string) => context.options(source).find(({ value }) => value === chosen)?.along ?? {};
+  const alsoSet = (chosen: string) => context.options(source).find(({ value }) => value === chosen)?.alsoSets ?? {};
   select.addEventListener("change", () => {
-    const before = along(context.values.text(field.name));
-    const now = along(select.value);
+    const before = alsoSet(context.values.text(field.name));
+    const now = alsoSet(select.value);
     context.values.set(field.name, select.value);
     // What came along with the choice before goes with it.
     for (const [name, value] of Object.entries(before)) {
@@ -24,17 +24,17 @@ export function fileControl(field: Field, context: Context): Control {
   });
   add.append(el("span", { class: "hidden" }, ` for “${field.label}”`));
   const { element, check } = frame(field, context, select, el("div", { class: "box" }, select, add));
-  let shown = "";
+  let shownOptions = "";
   const refresh = (choices: boolean) => {
-    const said = context.values.text(field.name);
+    const value = context.values.text(field.name);
     if (choices) {
-      const options = withSaid(withPresets(context.options(source), field), said);
+      const options = withValue(withPresets(context.options(source), field), value);
       const key = JSON.stringify(options);
       const none = el("option", { value: "" }, options.length > 0 ? "not set" : "none here yet");
-      if (key !== shown) select.replaceChildren(none, ...grouped(options));
-      shown = key;
+      if (key !== shownOptions) select.replaceChildren(none, ...grouped(options));
+      shownOptions = key;
     }
-    select.value = said;
+    select.value = value;
     check();
   };
   return { element, refresh };
@@ -47,16 +47,16 @@ function withPresets(options: Option[], { choices = [] }: Field): Option[] {
 }
 
 /** The options, and the given value: it may name something that is not there any more, or not yet. */
-function withSaid(options: Option[], said: string): Option[] {
-  const known = said === "" || options.some(({ value }) => value === said);
-  return known ? options : [...options, { value: said, text: `${said} (not here)` }];
+function withValue(options: Option[], value: string): Option[] {
+  const isListed = value === "" || options.some(({ value }) => value === value);
+  return isListed ? options : [...options, { value, text: `${value} (not here)` }];
 }
 
 function grouped(options: readonly Option[]): HTMLElement[] {
   const headings = [...new Set(options.map(({ heading }) => heading ?? ""))];
   return headings.flatMap((heading) => {
-    const inside = options.filter((option) => (option.heading ?? "") === heading);
-    const made = inside.map(({ value, text }) => el("option", { value }, text));
-    return heading === "" ? made : [el("optgroup", { label: heading }, ...made)];
+    const members = options.filter((option) => (option.heading ?? "") === heading);
+    const elements = members.map(({ value, text }) => el("option", { value }, text));
+    return heading === "" ? elements : [el("optgroup", { label: heading }, ...elements)];
   });
 }

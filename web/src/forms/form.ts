@@ -5,7 +5,7 @@ import type { Context, Control } from "./context";
 import { control } from "./control";
 import type { Field, Form } from "./declaration";
 
-export interface ShownForm {
+export interface FormView {
   element: HTMLElement;
   /** What there is to choose from may have changed. */
   refresh(): void;
@@ -13,29 +13,29 @@ export interface ShownForm {
   end(): void;
 }
 
-export function showForm(form: Form, context: Context): ShownForm {
+export function showForm(form: Form, context: Context): FormView {
   const controls = new Map(form.fields.map((field) => [field.name, control(field, context)]));
-  const usual = form.fields.filter(({ group }) => group === "");
-  const others = form.fields.filter(({ group }) => group !== "");
+  const mainFields = form.fields.filter(({ group }) => group === "");
+  const groupedFields = form.fields.filter(({ group }) => group !== "");
   const count = el("span", { class: "quiet" });
   const more = el("details", { class: "more", id: `${context.prefix}-more` },
-    el("summary", {}, "More options ", count), ...groups(others, controls));
+    el("summary", {}, "More options ", count), ...groups(groupedFields, controls));
   const hint = el("p", { class: "relation", role: "status" });
-  const first = usual.map(({ name }) => elementOf(controls, name));
-  const element = el("div", { class: "form" }, ...first, hint, ...(others.length > 0 ? [more] : []));
+  const mainElements = mainFields.map(({ name }) => elementOf(controls, name));
+  const element = el("div", { class: "form" }, ...mainElements, hint, ...(groupedFields.length > 0 ? [more] : []));
   const update = (choices: boolean, name: string | null) => {
-    for (const [own, { refresh }] of controls) if (name === null || own === name) refresh(choices);
-    const said = others.filter((field) => context.values.get(field.name) !== undefined).length;
-    setText(count, said > 0 ? `(${said} set)` : "");
+    for (const [fieldName, { refresh }] of controls) if (name === null || fieldName === name) refresh(choices);
+    const setCount = groupedFields.filter((field) => context.values.get(field.name) !== undefined).length;
+    setText(count, setCount > 0 ? `(${setCount} set)` : "");
     setText(hint, relationHint(form, context));
-    return said;
+    return setCount;
   };
   /** The form is new, or all of it was replaced: what is set must be seen. */
-  const begin = (choices: boolean) => {
+  const showAll = (choices: boolean) => {
     if (update(choices, null) > 0) more.open = true;
   };
-  begin(true);
-  const end = context.values.watch((name) => void (name === null ? begin(false) : update(false, name)));
+  showAll(true);
+  const end = context.values.watch((name) => void (name === null ? showAll(false) : update(false, name)));
   return { element, refresh: () => void update(true, null), end };
 }
 
@@ -46,17 +46,17 @@ function elementOf(controls: ReadonlyMap<string, Control>, name: string): HTMLEl
 function groups(fields: readonly Field[], controls: ReadonlyMap<string, Control>): HTMLElement[] {
   const titles = [...new Set(fields.map(({ group }) => group))];
   return titles.map((title) => {
-    const inside = fields.filter(({ group }) => group === title).map(({ name }) => elementOf(controls, name));
-    return el("fieldset", { class: "group" }, el("legend", {}, title), ...inside);
+    const members = fields.filter(({ group }) => group === title).map(({ name }) => elementOf(controls, name));
+    return el("fieldset", { class: "group" }, el("legend", {}, title), ...members);
   });
 }
 
 /** What goes with what, where the form says otherwise. */
 function relationHint(form: Form, { values }: Pick<Context, "values">): string {
-  const said = (name: string) => values.get(name) !== undefined;
+  const isGiven = (name: string) => values.get(name) !== undefined;
   const label = (name: string) => `“${form.fields.find((field) => field.name === name)?.label ?? name}”`;
-  const excluded = form.excludes.find((pair) => pair.every(said));
+  const excluded = form.excludes.find((pair) => pair.every(isGiven));
   if (excluded) return `${excluded.map(label).join(" and ")} exclude each other.`;
-  const lacking = form.needs.find(([name, others]) => said(name) && !others.some(said));
-  return lacking ? `${label(lacking[0])} needs ${lacking[1].map(label).join(" or ")}.` : "";
+  const unmet = form.needs.find(([name, others]) => isGiven(name) && !others.some(isGiven));
+  return unmet ? `${label(unmet[0])} needs ${unmet[1].map(label).join(" or ")}.` : "";
 }

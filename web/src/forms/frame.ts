@@ -1,7 +1,7 @@
 // What is around every field: its label, its help, and what is wrong with what was typed.
 
 import { type Child, el, setAttribute, setText } from "../dom/element";
-import { problemOf } from "./check";
+import { valueProblem } from "./check";
 import type { Context } from "./context";
 import type { Field } from "./declaration";
 
@@ -12,7 +12,7 @@ interface Frame {
 }
 
 /** The id of a field's input. */
-export function idOf(field: Field, context: Context): string {
+export function inputId(field: Field, context: Context): string {
   return `${context.prefix}-${field.name}`;
 }
 
@@ -23,17 +23,17 @@ function labelText({ label, unit }: Field): Child[] {
 
 /** A field around `input`, which help and problem describe. */
 export function frame(field: Field, context: Context, input: HTMLElement, ...content: readonly Child[]): Frame {
-  const id = idOf(field, context);
+  const id = inputId(field, context);
   const help = el("p", { class: "help", id: `${id}-help` }, field.help);
   const problem = el("p", { class: "problem", id: `${id}-problem`, role: "alert" });
   input.id = id;
-  const described = [field.help && help.id, problem.id].filter(Boolean).join(" ");
-  input.setAttribute("aria-describedby", described);
+  const describedBy = [field.help && help.id, problem.id].filter(Boolean).join(" ");
+  input.setAttribute("aria-describedby", describedBy);
   const label = el("label", { for: id }, ...labelText(field));
   const element = el("div", { class: `field ${field.kind}` }, label, ...content, problem, ...(field.help ? [help] : []));
   const check = () => {
     const value = context.values.get(field.name);
-    const text = (value !== undefined && problemOf(field, value)) || "";
+    const text = (value !== undefined && valueProblem(field, value)) || "";
     setText(problem, text);
     setAttribute(input, "aria-invalid", text !== "" && "true");
   };

@@ -3,34 +3,34 @@
 import { el, setAttribute, setText } from "../dom/element";
 import type { Context, Control } from "./context";
 import type { Field } from "./declaration";
-import { problemOf } from "./check";
-import { idOf } from "./frame";
+import { valueProblem } from "./check";
+import { inputId } from "./frame";
 
 export function mapControl(field: Field, context: Context): Control {
-  const id = idOf(field, context);
+  const id = inputId(field, context);
   const rows = el("div", { class: "rows" });
   const problem = el("p", { class: "problem", id: `${id}-problem`, role: "alert" });
   const help = el("p", { class: "help", id: `${id}-help` }, field.help);
   const element = el("fieldset", { class: "field map", id }, el("legend", {}, field.label), rows, problem, help);
-  let shown = "";
+  let shownNames = "";
   const refresh = (choices: boolean) => {
     const entries = context.values.entries(field.name);
     const names = [...new Set([...context.options("properties").map(({ value }) => value), ...Object.keys(entries)])];
-    if (choices && shown !== names.join("\n")) {
-      shown = names.join("\n");
+    if (choices && shownNames !== names.join("\n")) {
+      shownNames = names.join("\n");
       rows.replaceChildren(...names.map((name) => row(field, context, id, name)));
     }
     for (const input of choices ? rows.querySelectorAll("input") : []) {
-      const now = context.currentValue(input.name);
-      input.placeholder = now === undefined ? "" : `now ${now}`;
+      const current = context.currentValue(input.name);
+      input.placeholder = current === undefined ? "" : `now ${current}`;
     }
     for (const input of rows.querySelectorAll("input")) {
       const text = entries[input.name] ?? "";
       if (input.value.trim() !== text) input.value = text;
-      const wrong = problemOf(field, { [input.name]: text || "0" });
-      setAttribute(input, "aria-invalid", wrong !== undefined && "true");
+      const rowProblem = valueProblem(field, { [input.name]: text || "0" });
+      setAttribute(input, "aria-invalid", rowProblem !== undefined && "true");
     }
-    setText(problem, problemOf(field, entries) ?? "");
+    setText(problem, valueProblem(field, entries) ?? "");
   };
   return { element, refresh };
 }

@@ -2,31 +2,31 @@
 
 import type { Request } from "../engine/types";
 import type { Field, Form } from "./declaration";
-import { numberIn, problemOf } from "./check";
+import { numberIn, valueProblem } from "./check";
 import type { Value, Values } from "./values";
 
 /** The fields that the form says, as a request has them. */
-export function fieldsOf(form: Form, values: Values): Record<string, unknown> {
-  const said = form.fields.flatMap((field): [string, unknown][] => {
+export function givenFields(form: Form, values: Values): Record<string, unknown> {
+  const entries = form.fields.flatMap((field): [string, unknown][] => {
     const value = values.get(field.name);
-    return value === undefined ? [] : [[field.name, asked(field, value)]];
+    return value === undefined ? [] : [[field.name, requestValue(field, value)]];
   });
-  return Object.fromEntries(said);
+  return Object.fromEntries(entries);
 }
 
 /** The request of a form about a model; what was answered about the model holds unless the form says otherwise. */
-export function requestOf(form: Form, values: Values, model: string, answered: Record<string, unknown>): Request {
-  return { verb: form.verb, models: [model], ...answered, ...fieldsOf(form, values) };
+export function buildRequest(form: Form, values: Values, model: string, answers: Record<string, unknown>): Request {
+  return { verb: form.verb, models: [model], ...answers, ...givenFields(form, values) };
 }
 
-function asked(field: Field, value: Value): unknown {
+function requestValue(field: Field, value: Value): unknown {
   switch (field.kind) {
     case "number":
     case "integer":
     case "rule":
       return typeof value === "string" ? numeric(value) : value;
     case "map":
-      return typeof value === "object" ? mapped(value as Readonly<Record<string, string>>) : value;
+      return typeof value === "object" ? numericEntries(value as Readonly<Record<string, string>>) : value;
     default:
       return value;
   }
@@ -37,26 +37,26 @@ export function numeric(text: string): number | string {
   return numberIn(text) ?? text.trim().replace(/^×/, "x");
 }
 
-function mapped(entries: Readonly<Record<string, string>>): Record<string, number | string> {
+function numericEntries(entries: Readonly<Record<string, string>>): Record<string, number | string> {
   return Object.fromEntries(Object.entries(entries).map(([name, text]) => [name, numeric(text)]));
 }
 
 /** Problems of what was typed, by field; empty where the request can be asked. */
 export function problems(form: Form, values: Values): Map<string, string> {
-  const found = form.fields.flatMap((field): [string, string][] => {
+  const entries = form.fields.flatMap((field): [string, string][] => {
     const value = values.get(field.name);
-    const problem = value === undefined ? undefined : problemOf(field, value);
+    const problem = value === undefined ? undefined : valueProblem(field, value);
     return problem ? [[field.name, problem]] : [];
   });
-  return new Map(found);
+  return new Map(entries);
 }
 
 /** Fields that must be given and are not; the first of two, if one or the other must be. */
-export function unsaid(form: Form, values: Values): Field[] {
-  const isSaid = (name: string): boolean => values.get(name) !== undefined;
-  const missing = form.either.filter((pair) => !pair.some(isSaid)).map(([first]) => first);
-  const wanted = [...form.required.filter((name) => !isSaid(name)), ...missing];
-  return form.fields.filter(({ name }) => wanted.includes(name));
+export function missingFields(form: Form, values: Values): Field[] {
+  const isGiven = (name: string): boolean => values.get(name) !== undefined;
+  const missing = form.either.filter((pair) => !pair.some(isGiven)).map(([first]) => first);
+  const names = [...form.required.filter((name) => !isGiven(name)), ...missing];
+  return form.fields.filter(({ name }) => names.includes(name));
 }
 
 /** Whether the form says anything at all. */

@@ -3,18 +3,18 @@
 import { el, setAttribute } from "../dom/element";
 import type { Context, Control } from "./context";
 import type { Field } from "./declaration";
-import { frame, idOf } from "./frame";
+import { frame, inputId } from "./frame";
 
 const NUMBER = "#number";
 const FACTOR = "#factor";
 
 export function ruleControl(field: Field, context: Context): Control {
-  const id = idOf(field, context);
+  const id = inputId(field, context);
   const select = el("select", { name: field.name }, ...options(field));
   const amount = el("input", { type: "text", inputmode: "decimal", autocomplete: "off", id: `${id}-amount`, hidden: true });
   const { element, check } = frame(field, context, select, el("div", { class: "box" }, select, amount));
   setAttribute(amount, "aria-describedby", select.getAttribute("aria-describedby") ?? undefined);
-  const said = () => {
+  const value = () => {
     const kind = select.value;
     if (kind !== NUMBER && kind !== FACTOR) return kind;
     const text = amount.value.trim();
@@ -26,32 +26,32 @@ export function ruleControl(field: Field, context: Context): Control {
   };
   select.addEventListener("change", () => {
     show(select.value);
-    context.values.set(field.name, said());
+    context.values.set(field.name, value());
     if (!amount.hidden) amount.focus();
   });
-  amount.addEventListener(context.commit, () => context.values.set(field.name, said()));
+  amount.addEventListener(context.commit, () => context.values.set(field.name, value()));
   const refresh = () => {
     const text = context.values.text(field.name);
     check();
     setAttribute(amount, "aria-invalid", select.getAttribute("aria-invalid") ?? undefined);
-    if (text === said()) return;
-    select.value = kindOf(field, text);
+    if (text === value()) return;
+    select.value = ruleKind(field, text);
     amount.value = select.value === FACTOR ? text.slice(1) : select.value === NUMBER ? text : "";
     show(select.value);
   };
   return { element, refresh };
 }
 
-function options({ choices = [], factor, default: usual }: Field): HTMLOptionElement[] {
+function options({ choices = [], factor, default: defaultText }: Field): HTMLOptionElement[] {
   const words = choices.map(({ value, text }) => el("option", { value }, text));
   const factors = factor ? [el("option", { value: FACTOR }, "a factor…")] : [];
   return [
-    el("option", { value: "" }, usual ? `default: ${usual}` : "default"), ...words,
+    el("option", { value: "" }, defaultText ? `default: ${defaultText}` : "default"), ...words,
     el("option", { value: NUMBER }, "a radius in metres…"), ...factors,
   ];
 }
 
-function kindOf({ choices = [], factor }: Field, text: string): string {
+function ruleKind({ choices = [], factor }: Field, text: string): string {
   if (text === "" || choices.some(({ value }) => value === text)) return text;
   return factor && /^[xX×]/.test(text) ? FACTOR : NUMBER;
 }

@@ -3,10 +3,10 @@
 import { el } from "../dom/element";
 import type { Context, Control } from "./context";
 import type { Field } from "./declaration";
-import { frame, idOf } from "./frame";
+import { frame, inputId } from "./frame";
 
 export function flagControl(field: Field, context: Context): Control {
-  const id = idOf(field, context);
+  const id = inputId(field, context);
   const input = el("input", { type: "checkbox", id, name: field.name });
   if (field.help) input.setAttribute("aria-describedby", `${id}-help`);
   input.addEventListener("change", () => context.values.set(field.name, input.checked));
@@ -16,9 +16,9 @@ export function flagControl(field: Field, context: Context): Control {
 }
 
 export function choiceControl(field: Field, context: Context): Control {
-  const unsaid = field.default ? `default: ${field.default}` : "not set";
+  const emptyText = field.default ? `default: ${field.default}` : "not set";
   const options = (field.choices ?? []).map(({ value, text }) => el("option", { value }, text));
-  const select = el("select", { name: field.name }, el("option", { value: "" }, unsaid), ...options);
+  const select = el("select", { name: field.name }, el("option", { value: "" }, emptyText), ...options);
   select.addEventListener("change", () => context.values.set(field.name, select.value));
   const { element, check } = frame(field, context, select, select);
   const refresh = () => {
@@ -41,16 +41,16 @@ export function textControl(field: Field, context: Context): Control {
 
 export function linesControl(field: Field, context: Context): Control {
   const input = el("textarea", { rows: 2, name: field.name, spellcheck: "false", placeholder: "one per line" });
-  input.addEventListener(context.commit, () => context.values.set(field.name, linesOf(input.value)));
+  input.addEventListener(context.commit, () => context.values.set(field.name, splitLines(input.value)));
   const { element } = frame(field, context, input, input);
   const refresh = () => {
     const lines = context.values.texts(field.name);
-    if (linesOf(input.value).join("\n") !== lines.join("\n")) input.value = lines.join("\n");
+    if (splitLines(input.value).join("\n") !== lines.join("\n")) input.value = lines.join("\n");
   };
   return { element, refresh };
 }
 
 /** The lines of a text that say something. */
-export function linesOf(text: string): string[] {
+export function splitLines(text: string): string[] {
   return text.split("\n").map((line) => line.trim()).filter(Boolean);
 }

@@ -7,7 +7,7 @@ import type { Context, Control } from "./context";
 import type { Field } from "./declaration";
 
 /** From a quarter of the model's mass to four times. Numbers that are typed reach further. */
-const REACH = Math.log10(4);
+const RANGE = Math.log10(4);
 const STEPS = 120;
 /** Animals of Table 1 of the paper, kg. */
 const ANIMALS: readonly [string, number][] = [["mouse", 0.0209], ["emu", 37.8], ["human", 62], ["horse", 545], ["giraffe", 1190]];
@@ -17,35 +17,35 @@ export function massSlider(field: Field, context: Context): Control {
   const marks = [0, 0.5, 1].map((share) => mark(share));
   const scale = el("div", { class: "scale", "aria-hidden": "true" }, ...marks);
   const set = (mass: number) => context.values.choose(field.name, digits(mass, 6));
-  const own = button("", () => set(context.ownMass() ?? 0), { class: "small" });
-  const double = button("×2", () => set(2 * (said(field, context) ?? context.ownMass() ?? 0)), { class: "small", "aria-label": "Twice the mass" });
-  const half = button("÷2", () => set((said(field, context) ?? context.ownMass() ?? 0) / 2), { class: "small", "aria-label": "Half the mass" });
+  const ownButton = button("", () => set(context.modelMass() ?? 0), { class: "small" });
+  const double = button("×2", () => set(2 * (typedMass(field, context) ?? context.modelMass() ?? 0)), { class: "small", "aria-label": "Twice the mass" });
+  const half = button("÷2", () => set((typedMass(field, context) ?? context.modelMass() ?? 0) / 2), { class: "small", "aria-label": "Half the mass" });
   const animals = ANIMALS.map(([name, mass]) => button(name, () => set(mass), { class: "small", title: massText(mass), "aria-label": `${name}, ${massText(mass)}` }));
-  const quick = el("div", { class: "quick", role: "group", "aria-label": "Masses to choose" }, own, half, double, ...animals);
+  const quick = el("div", { class: "quick", role: "group", "aria-label": "Masses to choose" }, ownButton, half, double, ...animals);
   slider.addEventListener("input", () => context.values.choose(field.name, massAt(slider.valueAsNumber)));
   let middle = 0;
   const refresh = () => {
-    const known = context.ownMass();
-    for (const one of [own, double, half]) one.hidden = known === undefined;
-    setText(own, `own mass: ${kilograms(known ?? 0)}`);
-    if (middle !== (known ?? 62)) {
-      middle = known ?? 62;
-      const [least, most] = [Math.log10(middle) - REACH, Math.log10(middle) + REACH];
-      Object.assign(slider, { min: String(least), max: String(most), step: String((2 * REACH) / STEPS) });
+    const modelMass = context.modelMass();
+    for (const one of [ownButton, double, half]) one.hidden = modelMass === undefined;
+    setText(ownButton, `own mass: ${kilograms(modelMass ?? 0)}`);
+    if (middle !== (modelMass ?? 62)) {
+      middle = modelMass ?? 62;
+      const [least, most] = [Math.log10(middle) - RANGE, Math.log10(middle) + RANGE];
+      Object.assign(slider, { min: String(least), max: String(most), step: String((2 * RANGE) / STEPS) });
       for (const [index, factor] of [0.25, 1, 4].entries()) setText(marks[index] ?? scale, massText(middle * factor));
     }
-    const given = said(field, context);
-    const mass = given ?? middle;
+    const typed = typedMass(field, context);
+    const mass = typed ?? middle;
     const place = Math.log10(mass);
     // Moving it to where the user just moved it would make it jump.
     if (massAt(slider.valueAsNumber) !== massAt(place)) slider.value = String(place);
-    slider.setAttribute("aria-valuetext", given === undefined ? `not set; ${massText(mass)} now` : massText(mass));
+    slider.setAttribute("aria-valuetext", typed === undefined ? `not set; ${massText(mass)} now` : massText(mass));
   };
   return { element: el("div", { class: "slide" }, slider, scale, quick), refresh };
 }
 
 /** The mass that is typed. */
-function said(field: Field, context: Context): number | undefined {
+function typedMass(field: Field, context: Context): number | undefined {
   const typed = numberIn(context.values.text(field.name)) ?? 0;
   return typed > 0 ? typed : undefined;
 }
@@ -61,7 +61,7 @@ function massText(mass: number): string {
 }
 
 function mark(share: number): HTMLElement {
-  const made = el("span");
-  made.style.left = `${share * 100}%`;
-  return made;
+  const element = el("span");
+  element.style.left = `${share * 100}%`;
+  return element;
 }

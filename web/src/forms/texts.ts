@@ -3,29 +3,29 @@
 import { el, setText } from "../dom/element";
 import type { Context, Control } from "./context";
 import type { Field } from "./declaration";
-import { idOf } from "./frame";
-import { linesOf } from "./simple";
+import { inputId } from "./frame";
+import { splitLines } from "./simple";
 
 export function textsControl(field: Field, context: Context): Control {
-  const id = idOf(field, context);
+  const id = inputId(field, context);
   const list = el("div", { class: "ticks" });
   const state = el("span", { class: "quiet" });
   const patterns = field.source === "properties" ? undefined : patternsBox(field, context, id);
   const help = field.help ? [el("p", { class: "help", id: `${id}-help` }, field.help)] : [];
-  const described = field.help ? `${id}-help` : undefined;
-  const group = el("fieldset", { "aria-describedby": described }, el("legend", { class: "hidden" }, field.label), list, ...(patterns ? [patterns.element] : []), ...help);
+  const describedBy = field.help ? `${id}-help` : undefined;
+  const group = el("fieldset", { "aria-describedby": describedBy }, el("legend", { class: "hidden" }, field.label), list, ...(patterns ? [patterns.element] : []), ...help);
   const details = el("details", { class: "field picker", id }, el("summary", {}, field.label, " ", state), group);
-  let shown = "";
+  let shownValues = "";
   const refresh = (choices: boolean) => {
-    const said = new Set(context.values.texts(field.name));
-    setText(state, said.size === 0 ? (field.default ?? "") : [...said].join(", "));
+    const chosen = new Set(context.values.texts(field.name));
+    setText(state, chosen.size === 0 ? (field.default ?? "") : [...chosen].join(", "));
     const values = (field.source ? context.options(field.source) : []).map(({ value }) => value);
-    if (choices && shown !== values.join("\n")) {
-      shown = values.join("\n");
+    if (choices && shownValues !== values.join("\n")) {
+      shownValues = values.join("\n");
       list.replaceChildren(...values.map((value) => tick(field, context, value)));
     }
-    for (const input of list.querySelectorAll("input")) input.checked = said.has(input.value);
-    patterns?.show([...said].filter((text) => !values.includes(text)));
+    for (const input of list.querySelectorAll("input")) input.checked = chosen.has(input.value);
+    patterns?.show([...chosen].filter((text) => !values.includes(text)));
   };
   return { element: details, refresh };
 }
@@ -44,11 +44,11 @@ function patternsBox(field: Field, context: Context, id: string): { element: HTM
   input.addEventListener(context.commit, () => {
     const names = new Set((field.source ? context.options(field.source) : []).map(({ value }) => value));
     const ticked = context.values.texts(field.name).filter((text) => names.has(text));
-    context.values.set(field.name, [...ticked, ...linesOf(input.value)]);
+    context.values.set(field.name, [...ticked, ...splitLines(input.value)]);
   });
   const label = el("label", { for: input.id }, "Names or patterns, one per line");
   const show = (lines: string[]) => {
-    if (linesOf(input.value).filter((line) => !lines.includes(line)).length > 0 || lines.some((line) => !input.value.includes(line))) {
+    if (splitLines(input.value).filter((line) => !lines.includes(line)).length > 0 || lines.some((line) => !input.value.includes(line))) {
       if (document.activeElement !== input) input.value = lines.join("\n");
     }
   };

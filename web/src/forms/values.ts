@@ -45,26 +45,26 @@ export class Values {
   /** Sets a field by a slider or a button. */
   choose(name: string, value: Value): void {
     this.#chosen.add(name);
-    this.#put(name, value);
+    this.#store(name, value);
   }
 
   /** Sets a field; an empty value removes it. */
   set(name: string, value: Value): void {
     this.#chosen.delete(name);
-    this.#put(name, value);
+    this.#store(name, value);
   }
 
-  #put(name: string, value: Value): void {
-    if (saysNothing(value)) this.#values.delete(name);
+  #store(name: string, value: Value): void {
+    if (isEmptyValue(value)) this.#values.delete(name);
     else this.#values.set(name, value);
     this.#notify(name);
   }
 
   /** Replaces all; with `between`, that is done before anybody hears of it. */
-  replace(values: ReadonlyMap<string, Value>, between: () => void = () => undefined): void {
+  replace(values: ReadonlyMap<string, Value>, beforeNotify: () => void = () => undefined): void {
     this.#chosen.clear();
-    this.#values = new Map([...values].filter(([, value]) => !saysNothing(value)));
-    between();
+    this.#values = new Map([...values].filter(([, value]) => !isEmptyValue(value)));
+    beforeNotify();
     this.#notify(null);
   }
 
@@ -83,7 +83,7 @@ export class Values {
   }
 }
 
-function saysNothing(value: Value): boolean {
+function isEmptyValue(value: Value): boolean {
   if (typeof value === "string") return value.trim() === "";
   if (typeof value === "boolean") return !value;
   return (Array.isArray(value) ? value : Object.keys(value)).length === 0;

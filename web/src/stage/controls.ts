@@ -7,20 +7,20 @@ import type { Stage } from "./world";
 const TURN = Math.PI / 24;
 const ZOOM = 1.15;
 
-export function steer(stage: Stage): OrbitControls {
+export function addControls(stage: Stage): OrbitControls {
   const { canvas } = stage;
   const controls = new OrbitControls(stage.camera, canvas);
   controls.target = stage.target;
   controls.addEventListener("change", () => stage.render());
   // The wheel scrolls the page until somebody works with the view.
   controls.enableZoom = false;
-  const wake = (awake: boolean) => (controls.enableZoom = awake);
-  canvas.addEventListener("focus", () => wake(true));
-  canvas.addEventListener("blur", () => wake(false));
+  const enableWheel = (awake: boolean) => (controls.enableZoom = awake);
+  canvas.addEventListener("focus", () => enableWheel(true));
+  canvas.addEventListener("blur", () => enableWheel(false));
   canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
   canvas.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    if (!moved(event.key, event.shiftKey, stage)) return;
+    if (!applyKey(event.key, event.shiftKey, stage)) return;
     event.preventDefault();
     stage.camera.lookAt(stage.target);
     controls.update();
@@ -30,7 +30,7 @@ export function steer(stage: Stage): OrbitControls {
 }
 
 /** Does what a key says; whether it says something. */
-function moved(key: string, shift: boolean, { camera, target }: Stage): boolean {
+function applyKey(key: string, shift: boolean, { camera, target }: Stage): boolean {
   const from = camera.position.clone().sub(target);
   const right = from.clone().cross(camera.up).normalize();
   const turns: Readonly<Record<string, [typeof right, number]>> = {
@@ -38,11 +38,11 @@ function moved(key: string, shift: boolean, { camera, target }: Stage): boolean 
   };
   const turn = turns[key];
   if (turn && shift) {
-    const along = { ArrowLeft: right, ArrowRight: right.clone().negate(), ArrowUp: camera.up.clone().negate(), ArrowDown: camera.up.clone() }[key];
-    if (!along) return false;
-    const way = along.multiplyScalar(-0.05 * from.length());
-    camera.position.add(way);
-    target.add(way);
+    const direction = { ArrowLeft: right, ArrowRight: right.clone().negate(), ArrowUp: camera.up.clone().negate(), ArrowDown: camera.up.clone() }[key];
+    if (!direction) return false;
+    const shift = direction.multiplyScalar(-0.05 * from.length());
+    camera.position.add(shift);
+    target.add(shift);
     return true;
   }
   if (turn) {

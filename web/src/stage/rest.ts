@@ -18,12 +18,12 @@ export function lowestGap(scene: Scene): number | undefined {
 }
 
 /** How far up the model must go to rest on its spheres, m. Where its weight is not known, until it touches. */
-export function upToRest(scene: Scene): number | undefined {
+export function liftToRest(scene: Scene): number | undefined {
   const [floor, gap] = [floorHeight(scene), lowestGap(scene)];
   if (floor === undefined || gap === undefined) return undefined;
   const [, up] = scene.axes;
   const pressed = scene.spheres.filter(({ relative_indentation: x }) => x !== null && x > 0);
-  const ways = pressed.map(({ centre_m: centre, radius_m: radius, relative_indentation: x }) =>
+  const lifts = pressed.map(({ centre_m: centre, radius_m: radius, relative_indentation: x }) =>
     floor - (dot(centre, up) - radius) - (x ?? 0) * radius);
-  return ways.length > 0 ? Math.max(...ways) : -gap;
+  return lifts.length > 0 ? Math.max(...lifts) : -gap;
 }

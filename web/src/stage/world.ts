@@ -5,15 +5,15 @@ import {
   LineSegments, Matrix4, Mesh, MeshLambertMaterial, Object3D, PerspectiveCamera, Scene as World, SphereGeometry, Vector3, WebGLRenderer,
 } from "three";
 
-import type { Bones, PlacedSphere, Played, Scene, Vector } from "../engine/space";
-import { Pushes } from "./pushes";
-import { floorHeight, upToRest } from "./rest";
+import type { Bones, PlacedSphere, PlayedMotion, Scene, Vector } from "../engine/space";
+import { ForceArrows } from "./force_arrows";
+import { floorHeight, liftToRest } from "./rest";
 
 /** Which spheres are looked at. */
-export type Looked = "feet" | "right" | "left" | "body";
-export type From = "side" | "top" | "front" | "corner";
+export type ViewTarget = "feet" | "right" | "left" | "body";
+export type ViewDirection = "side" | "top" | "front" | "corner";
 
-export interface Shown {
+export interface ShownModel {
   /** The model as it is. */
   now: Scene;
   /** As it would be; nothing where no change is asked for. */
@@ -54,33 +54,33 @@ export class Stage {
   readonly #world = new World();
   /** What falls as one: bones, lines, and the spheres that are or would be. */
   readonly #body = new Group();
-  readonly #old = new Group();
+  readonly #oldSpheres = new Group();
   readonly #floor = new Group();
-  readonly #pushes = new Pushes();
+  readonly #forceArrows = new ForceArrows();
   /** Where the middle of the spheres was in the frame before, in a recording. */
-  #followed: Vector3 | undefined;
-  readonly #placed = new Map<string, Group>();
+  #followedMiddle: Vector3 | undefined;
+  readonly #bodyGroups = new Map<string, Group>();
   readonly #balls = new Map<string, Mesh>();
   /** Kept from step to step: what is made anew is compiled anew. */
   readonly #arrows = new Map<string, ArrowHelper>();
   #forces = true;
   readonly #sun = new DirectionalLight(0xffffff, 2);
   #colours: Colours;
-  #shown: Shown | undefined;
+  #shown: ShownModel | undefined;
   #bones: Bones | undefined;
   #materials;
-  #asked = false;
+  #drawRequested = false;
   readonly #slow = isSoftware();
-  #finer: ReturnType<typeof setTimeout> | undefined;
-  #rest = 0;
+  #fineTimer: ReturnType<typeof setTimeout> | undefined;
+  #restLift = 0;
 
   /** Throws where there is no WebGL. */
   constructor(readonly canvas: HTMLCanvasElement) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: !this.#slow, alpha: true, powerPreference: "low-power" });
     this.#renderer.setPixelRatio(this.#slow ? COARSE : Math.min(devicePixelRatio, 2));
-    this.#colours = coloursOf(canvas);
+    this.#colours = readColours(canvas);
     this.#materials = materials(this.#colours);
-    this.#world.add(this.#body, this.#old, this.#floor, this.#pushes.group, this.#sun, new AmbientLight(0xffffff, 1.4));
+    this.#world.add(this.#body, this.#oldSpheres, this.#floor, this.#forceArrows.group, this.#sun, new AmbientLight(0xffffff, 1.4));
   }
 
   /** Draws one of everything: what is drawn for the first time takes long, because programs for it are compiled. */
@@ -91,7 +91,7 @@ export class Stage {
     all.add(new Mesh(BALL, ball), new Mesh(BALL, bone), new LineSegments(RINGS, line), new LineSegments(RINGS, old), arrow, grid(1, this.#colours.floor));
     this.#world.add(all);
     this.#renderer.render(this.#world, this.camera);
-    emptied(all).removeFromParent();
+    clearGroup(all).removeFromParent();
     arrow.dispose();
   }
 
@@ -103,12 +103,12 @@ export class Stage {
   }
 
   /** Shows the model as it is, and as it would be. */
-  show(shown: Shown): void {
-    const moved = this.#shown?.now !== shown.now;
-    this.#shown = shown;
+  show(model: ShownModel): void {
+    const moved = this.#shown?.now !== model.now;
+    this.#shown = model;
     if (moved) this.#rebuildBodies();
-    this.#showSpheres(shown);
-    if (moved) this.#showFloor(shown.now);
+    this.#showSpheres(model);
+    if (moved) this.#showFloor(model.now);
     this.lift(0, 0);
   }
 
@@ -116,87 +116,87 @@ export class Stage {
   lift(body: number, old: number): void {
     const { axes: [, up] } = this.#shown?.now ?? { axes: [0, [0, 1, 0] as Vector] };
     const along = new Vector3(...up);
-    this.#body.position.copy(along).multiplyScalar(this.#rest + body);
-    this.#old.position.copy(along).multiplyScalar(this.#restOld() + old);
+    this.#body.position.copy(along).multiplyScalar(this.#restLift + body);
+    this.#oldSpheres.position.copy(along).multiplyScalar(this.#oldRestLift() + old);
     this.render();
   }
 
   /** Whether force arrows are seen: they are those at rest. */
-  showForces(seen: boolean): void {
-    this.#forces = seen;
-    for (const arrow of this.#arrows.values()) arrow.visible = seen && arrow.userData["carries"] === true;
+  showForces(isVisible: boolean): void {
+    this.#forces = isVisible;
+    for (const arrow of this.#arrows.values()) arrow.visible = isVisible && arrow.userData["carries"] === true;
   }
 
   /** Shows a frame of a recording; `show` brings back what was there before. */
-  pose(played: Played, frame: number): void {
+  pose(played: PlayedMotion, frame: number): void {
     const scene = this.#shown?.now;
     if (!scene) return;
     this.#body.position.set(0, 0, 0);
-    this.#old.visible = false;
+    this.#oldSpheres.visible = false;
     this.showForces(false);
-    if (!this.#followed) this.#stepBack(played, scene);
+    if (!this.#followedMiddle) this.#widenView(played, scene);
     const { middle } = extent(this.#placeSpheres(played, frame, scene));
-    this.#pushes.show(played, frame, PUSH * bodyHeight(scene), { model: this.#colours.force, plates: this.#colours.old });
+    this.#forceArrows.show(played, frame, PUSH * bodyHeight(scene), { model: this.#colours.force, plates: this.#colours.old });
     this.#follow(middle, new Vector3(...scene.axes[1]));
     this.render();
   }
 
   /** Puts bodies and spheres where they are in a frame; gives the centres of the spheres. */
-  #placeSpheres(played: Played, frame: number, { spheres }: Scene): Vector3[] {
+  #placeSpheres(played: PlayedMotion, frame: number, { spheres }: Scene): Vector3[] {
     for (const [index, name] of played.bodies.entries()) {
-      const group = this.#placed.get(name);
-      if (group) place(group, played.poses, 12 * (frame * played.bodies.length + index));
+      const group = this.#bodyGroups.get(name);
+      if (group) placeBody(group, played.poses, 12 * (frame * played.bodies.length + index));
     }
     return spheres.flatMap(({ path, body, centre_m: centre }) => {
-      const [group, ball] = [this.#placed.get(body), this.#balls.get(path)];
-      const rest = group?.userData["rest"] as Matrix4 | undefined;
-      if (!group || !ball || !rest) return [];
-      return [ball.position.set(...centre).applyMatrix4(rest.clone().invert()).applyMatrix4(group.matrix).clone()];
+      const [group, ball] = [this.#bodyGroups.get(body), this.#balls.get(path)];
+      const restMatrix = group?.userData["rest"] as Matrix4 | undefined;
+      if (!group || !ball || !restMatrix) return [];
+      return [ball.position.set(...centre).applyMatrix4(restMatrix.clone().invert()).applyMatrix4(group.matrix).clone()];
     });
   }
 
   /** Feet are further apart in a stride than at rest: all of it is to be in the picture. */
-  #stepBack(played: Played, scene: Scene): void {
+  #widenView(played: PlayedMotion, scene: Scene): void {
     const frames = Array.from({ length: SAMPLED }, (_, index) => Math.floor((index * (played.time_s.length - 1)) / (SAMPLED - 1)));
     const reach = Math.max(...frames.map((frame) => extent(this.#placeSpheres(played, frame, scene)).reach));
-    const far = (1.15 * reach) / this.#half(FLAT);
+    const distance = (1.15 * reach) / this.#visibleHalf(FLAT);
     const from = this.camera.position.clone().sub(this.target);
-    if (from.length() < far) this.camera.position.copy(this.target).addScaledVector(from, far / from.length());
+    if (from.length() < distance) this.camera.position.copy(this.target).addScaledVector(from, distance / from.length());
   }
 
   /** Half of what is seen at a distance of 1: the narrower side of the window decides, and what is `flat` needs less height. */
-  #half(flat: number): number {
+  #visibleHalf(flat: number): number {
     return Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(flat, this.camera.aspect);
   }
 
   /** Bodies are where the file has them again. */
   unpose(): void {
-    if (!this.#followed) return;
-    this.#followed = undefined;
-    this.#pushes.hide();
-    this.#old.visible = true;
+    if (!this.#followedMiddle) return;
+    this.#followedMiddle = undefined;
+    this.#forceArrows.hide();
+    this.#oldSpheres.visible = true;
     this.showForces(true);
     this.#floor.position.set(0, 0, 0);
-    for (const group of this.#placed.values()) {
+    for (const group of this.#bodyGroups.values()) {
       group.matrix.copy(group.userData["rest"] as Matrix4);
       group.matrixWorldNeedsUpdate = true;
     }
-    const shown = this.#shown;
-    if (shown) this.show(shown);
+    const model = this.#shown;
+    if (model) this.show(model);
   }
 
   /** The camera goes along the floor with the feet, and the floor's lines with it. */
   #follow(middle: Vector3, up: Vector3): void {
-    const way = middle.clone().sub(this.#followed ?? this.#middleAtRest());
-    way.addScaledVector(up, -way.dot(up));
-    this.#followed = middle;
-    this.camera.position.add(way);
-    this.target.add(way);
+    const shift = middle.clone().sub(this.#followedMiddle ?? this.#middleAtRest());
+    shift.addScaledVector(up, -shift.dot(up));
+    this.#followedMiddle = middle;
+    this.camera.position.add(shift);
+    this.target.add(shift);
     const cell = Number(this.#floor.children[0]?.userData["cell"] ?? 0);
     if (!(cell > 0)) return;
-    const gone = middle.clone().sub(this.#middleAtRest());
-    gone.addScaledVector(up, -gone.dot(up));
-    this.#floor.position.set(...(gone.toArray().map((part) => Math.round(part / cell) * cell) as [number, number, number]));
+    const travelled = middle.clone().sub(this.#middleAtRest());
+    travelled.addScaledVector(up, -travelled.dot(up));
+    this.#floor.position.set(...(travelled.toArray().map((part) => Math.round(part / cell) * cell) as [number, number, number]));
   }
 
   #middleAtRest(): Vector3 {
@@ -204,7 +204,7 @@ export class Stage {
   }
 
   /** Looks at a part of the model from a direction. */
-  look(at: Looked, from: From): void {
+  look(at: ViewTarget, from: ViewDirection): void {
     const scene = this.#shown?.now;
     if (!scene) return;
     const spheres = scene.spheres.filter(({ side }) => at === "feet" || at === "body" || side === at || side === null);
@@ -214,12 +214,12 @@ export class Stage {
     const around = extent(points);
     const [middle, reach] = [around.middle, Math.max(around.reach, 0.001) + 1.5 * largest];
     const [forward, up, right] = scene.axes.map((axis) => new Vector3(...axis)) as [Vector3, Vector3, Vector3];
-    this.target.copy(middle).addScaledVector(up, this.#rest + (at === "body" ? 0 : 0.25 * reach));
+    this.target.copy(middle).addScaledVector(up, this.#restLift + (at === "body" ? 0 : 0.25 * reach));
     const direction = {
       side: right.clone().addScaledVector(up, 0.06), top: up.clone().addScaledVector(forward, -0.001),
       front: forward.clone().addScaledVector(up, 0.06), corner: right.clone().addScaledVector(forward, 0.8).addScaledVector(up, 0.45),
     }[from].normalize();
-    const half = this.#half(at === "body" || from === "top" ? 1 : FLAT);
+    const half = this.#visibleHalf(at === "body" || from === "top" ? 1 : FLAT);
     this.camera.up.copy(from === "top" ? forward : up);
     this.camera.position.copy(this.target).addScaledVector(direction, (1.15 * reach) / half);
     this.camera.near = reach / 50;
@@ -239,22 +239,22 @@ export class Stage {
 
   /** Colours of another scheme. */
   recolour(): void {
-    this.#colours = coloursOf(this.canvas);
+    this.#colours = readColours(this.canvas);
     this.#materials = materials(this.#colours);
-    const shown = this.#shown;
+    const model = this.#shown;
     this.#shown = undefined;
-    if (shown) this.show(shown);
+    if (model) this.show(model);
   }
 
   /** Draws before the next picture of the screen, however often it is asked for. */
   render(): void {
-    if (this.#asked) return;
-    this.#asked = true;
+    if (this.#drawRequested) return;
+    this.#drawRequested = true;
     requestAnimationFrame(() => {
-      this.#asked = false;
+      this.#drawRequested = false;
       this.#draw(COARSE);
-      clearTimeout(this.#finer);
-      if (this.#slow) this.#finer = setTimeout(() => this.#draw(FINE), REST_MS);
+      clearTimeout(this.#fineTimer);
+      if (this.#slow) this.#fineTimer = setTimeout(() => this.#draw(FINE), REST_MS);
       this.canvas.dataset["drawn"] = String(Number(this.canvas.dataset["drawn"] ?? 0) + 1);
     });
   }
@@ -266,14 +266,14 @@ export class Stage {
     this.#renderer.render(this.#world, this.camera);
   }
 
-  #restOld(): number {
+  #oldRestLift(): number {
     const { now, standing } = this.#shown ?? {};
-    return (now && standing && upToRest(now)) || 0;
+    return (now && standing && liftToRest(now)) || 0;
   }
 
   #rebuildBodies(): void {
-    for (const group of this.#placed.values()) emptied(group).removeFromParent();
-    this.#placed.clear();
+    for (const group of this.#bodyGroups.values()) clearGroup(group).removeFromParent();
+    this.#bodyGroups.clear();
     const scene = this.#shown?.now;
     if (!scene) return;
     for (const { name, frame: [x, y, z, origin] } of scene.bodies) {
@@ -281,52 +281,52 @@ export class Stage {
       group.matrix.copy(new Matrix4().makeBasis(new Vector3(...x), new Vector3(...y), new Vector3(...z)).setPosition(...origin));
       group.matrixAutoUpdate = false;
       group.userData["rest"] = group.matrix.clone();
-      this.#placed.set(name, group);
+      this.#bodyGroups.set(name, group);
       this.#body.add(group);
     }
     const surfaces = this.#bones?.surfaces ?? [];
-    for (const { body, points, triangles } of surfaces) this.#placed.get(body)?.add(boneMesh(points, triangles, this.#materials.bone));
+    for (const { body, points, triangles } of surfaces) this.#bodyGroups.get(body)?.add(boneMesh(points, triangles, this.#materials.bone));
     const withBones = new Set(surfaces.map(({ body }) => body));
     for (const { body, from_m: from, to_m: to } of scene.lines) {
-      if (!withBones.has(body)) this.#placed.get(body)?.add(lineBetween(from, to, this.#materials.line));
+      if (!withBones.has(body)) this.#bodyGroups.get(body)?.add(lineBetween(from, to, this.#materials.line));
     }
   }
 
-  #showSpheres({ now, after, standing }: Shown): void {
-    const shown = after ?? now;
-    this.#rest = standing ? (upToRest(shown) ?? 0) : 0;
-    const there = new Set(shown.spheres.map(({ path }) => path));
+  #showSpheres({ now, after, standing }: ShownModel): void {
+    const current = after ?? now;
+    this.#restLift = standing ? (liftToRest(current) ?? 0) : 0;
+    const paths = new Set(current.spheres.map(({ path }) => path));
     for (const [path, ball] of this.#balls) {
-      if (there.has(path)) continue;
+      if (paths.has(path)) continue;
       ball.removeFromParent();
       this.#balls.delete(path);
     }
-    for (const sphere of shown.spheres) this.#ball(sphere);
-    this.#showArrows(shown);
-    emptied(this.#old);
-    const before = new Map(shown.spheres.map((sphere) => [sphere.path, sphere]));
+    for (const sphere of current.spheres) this.#ball(sphere);
+    this.#showArrows(current);
+    clearGroup(this.#oldSpheres);
+    const shownByPath = new Map(current.spheres.map((sphere) => [sphere.path, sphere]));
     for (const sphere of after ? now.spheres : []) {
-      const next = before.get(sphere.path);
-      if (next && same(next, sphere)) continue;
+      const next = shownByPath.get(sphere.path);
+      if (next && isSameSphere(next, sphere)) continue;
       const ring = new LineSegments(RINGS, this.#materials.old);
       ring.renderOrder = 1;
-      set(ring, sphere);
-      this.#old.add(ring);
+      placeSphere(ring, sphere);
+      this.#oldSpheres.add(ring);
     }
   }
 
   #ball(sphere: PlacedSphere): void {
     const ball = this.#balls.get(sphere.path) ?? new Mesh(BALL, this.#materials.ball);
     ball.material = this.#materials.ball;
-    set(ball, sphere);
+    placeSphere(ball, sphere);
     this.#balls.set(sphere.path, ball);
     this.#body.add(ball);
   }
 
   #showArrows(scene: Scene): void {
-    const there = new Set(scene.spheres.map(({ path }) => path));
+    const paths = new Set(scene.spheres.map(({ path }) => path));
     for (const [path, arrow] of this.#arrows) {
-      if (there.has(path)) continue;
+      if (paths.has(path)) continue;
       arrow.removeFromParent();
       arrow.dispose();
       this.#arrows.delete(path);
@@ -349,7 +349,7 @@ export class Stage {
   }
 
   #showFloor(scene: Scene): void {
-    emptied(this.#floor);
+    clearGroup(this.#floor);
     const height = floorHeight(scene);
     if (height === undefined) return;
     const up = new Vector3(...scene.axes[1]);
@@ -372,10 +372,10 @@ function extent(points: readonly Vector3[]): { middle: Vector3; reach: number } 
 
 /** A level floor. */
 function grid(size: number, colour: string): GridHelper {
-  const made = new GridHelper(size, CELLS, colour, colour);
-  made.material.transparent = true;
-  made.material.opacity = 0.45;
-  return made;
+  const floor = new GridHelper(size, CELLS, colour, colour);
+  floor.material.transparent = true;
+  floor.material.opacity = 0.45;
+  return floor;
 }
 
 /** Whether a processor draws in the place of a graphics card: then smooth edges take longer than all else. */
@@ -388,7 +388,7 @@ function isSoftware(): boolean {
 }
 
 /** Puts a body where `poses` have it from `start` on. */
-function place(group: Group, poses: readonly number[], start: number): void {
+function placeBody(group: Group, poses: readonly number[], start: number): void {
   const axis = (from: number) => new Vector3(...[0, 1, 2].map((part) => (poses[start + from + part] ?? 0) / POINTS_PER_M));
   group.matrix.makeBasis(axis(0), axis(3), axis(6)).setPosition(axis(9));
   group.matrixWorldNeedsUpdate = true;
@@ -400,17 +400,17 @@ function bodyHeight({ bodies, axes: [, up] }: Scene): number {
   return Math.max(0.01, Math.max(...heights) - Math.min(...heights));
 }
 
-function set(object: Object3D, { centre_m: centre, radius_m: radius }: PlacedSphere): void {
+function placeSphere(object: Object3D, { centre_m: centre, radius_m: radius }: PlacedSphere): void {
   object.position.set(...centre);
   object.scale.setScalar(radius);
 }
 
-function same(one: PlacedSphere, other: PlacedSphere): boolean {
+function isSameSphere(one: PlacedSphere, other: PlacedSphere): boolean {
   return one.radius_m === other.radius_m && one.centre_m.every((value, index) => value === other.centre_m[index]);
 }
 
 /** Takes everything out of a group, and frees what only it used. */
-function emptied(group: Group): Group {
+function clearGroup(group: Group): Group {
   for (const child of [...group.children]) {
     group.remove(child);
     if (child instanceof Mesh && child.geometry !== BALL) child.geometry.dispose();
@@ -458,7 +458,7 @@ function materials({ accent, bone, old }: Colours) {
 }
 
 /** The colours of the page around the canvas. */
-function coloursOf(element: Element): Colours {
+function readColours(element: Element): Colours {
   const style = getComputedStyle(element);
   const colour = (name: string) => style.getPropertyValue(name).trim();
   return { accent: colour("--accent"), bone: colour("--bone"), old: colour("--text"), force: colour("--error"), floor: colour("--quiet") };

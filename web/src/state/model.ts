@@ -25,7 +25,7 @@ export interface OpenModel {
   readonly origin: string;
   readonly steps: readonly Step[];
   /** How many of the steps hold: fewer than there are after an undo. */
-  readonly at: number;
+  readonly stepCount: number;
   /** What the user answered about this model; it goes along with every request. */
   readonly answers: Values;
   readonly inspected: Inspected | null;
@@ -39,24 +39,24 @@ let last = 0;
 
 export function newModel(origin: string): OpenModel {
   last += 1;
-  const start = { steps: [], at: 0, inspected: null, failure: null, targetMass: "", outcome: null };
+  const start = { steps: [], stepCount: 0, inspected: null, failure: null, targetMass: "", outcome: null };
   return { id: last, origin, answers: new Values(), ...start };
 }
 
 /** The file that holds the model as it is now. */
-export function fileOf(model: OpenModel): string {
-  return model.steps[model.at - 1]?.name ?? model.origin;
+export function currentFile(model: OpenModel): string {
+  return model.steps[model.stepCount - 1]?.name ?? model.origin;
 }
 
 /** The step that was made last and holds. */
-export function stepOf(model: OpenModel): Step | undefined {
-  return model.steps[model.at - 1];
+export function currentStep(model: OpenModel): Step | undefined {
+  return model.steps[model.stepCount - 1];
 }
 
 /** Whether the model as it is now was read from a file of this name. */
 export function uses(model: OpenModel, name: string): boolean {
   // Models name their files by paths of their own.
-  return fileOf(model) === name || (model.inspected?.files ?? []).some((file) => lastName(file) === lastName(name));
+  return currentFile(model) === name || (model.inspected?.files ?? []).some((file) => lastName(file) === lastName(name));
 }
 
 function lastName(path: string): string {
@@ -65,11 +65,11 @@ function lastName(path: string): string {
 
 /** The model after one more step; steps that were undone are gone. */
 export function withStep(model: OpenModel, step: Step): OpenModel {
-  const steps = [...model.steps.slice(0, model.at), step];
-  return { ...model, steps, at: steps.length, outcome: null };
+  const steps = [...model.steps.slice(0, model.stepCount), step];
+  return { ...model, steps, stepCount: steps.length, outcome: null };
 }
 
 /** The model after `at` of its steps. */
-export function atStep(model: OpenModel, at: number): OpenModel {
-  return { ...model, at: Math.max(0, Math.min(model.steps.length, at)), outcome: null };
+export function atStep(model: OpenModel, stepCount: number): OpenModel {
+  return { ...model, stepCount: Math.max(0, Math.min(model.steps.length, stepCount)), outcome: null };
 }

@@ -8,7 +8,7 @@ import { Signal } from "./signal";
 import { type Value, Values } from "../forms/values";
 
 /** A preset, and the file that it is from, if it is one of the user's. */
-export interface KnownPreset {
+export interface PresetEntry {
   name: string;
   file?: string;
 }
@@ -31,7 +31,7 @@ export class Session {
   readonly files = new Signal<readonly FileEntry[]>([]);
   readonly models = new Signal<readonly OpenModel[]>([]);
   readonly chosen = new Signal<number | null>(null);
-  readonly presets = new Signal<readonly KnownPreset[]>([]);
+  readonly presets = new Signal<readonly PresetEntry[]>([]);
   readonly verb = new Signal("rescale");
   /** What the form of the verb says. */
   readonly values = new Values();
@@ -55,24 +55,24 @@ export class Session {
   /** Results that were downloaded. */
   readonly saved = new Set<string>();
 
-  readonly #said = new Map<string, ReadonlyMap<string, Value>>();
+  readonly #valuesByVerb = new Map<string, ReadonlyMap<string, Value>>();
 
   constructor(readonly engine: Client) {}
 
   /** Shows the form of another verb, with the values that it had before, or with `values`. */
   setVerb(verb: string, values?: ReadonlyMap<string, Value>): void {
     if (verb === this.verb.value && !values) return;
-    if (verb !== this.verb.value) this.#said.set(this.verb.value, this.values.all());
+    if (verb !== this.verb.value) this.#valuesByVerb.set(this.verb.value, this.values.all());
     // The new form never has the values of the old one, not even for a moment.
-    this.values.replace(values ?? this.#said.get(verb) ?? new Map<string, Value>(), () => this.verb.set(verb));
+    this.values.replace(values ?? this.#valuesByVerb.get(verb) ?? new Map<string, Value>(), () => this.verb.set(verb));
   }
 
   /** The model whose details are shown. */
   model(): OpenModel | undefined {
-    return this.modelOf(this.chosen.value);
+    return this.findModel(this.chosen.value);
   }
 
-  modelOf(id: number | null): OpenModel | undefined {
+  findModel(id: number | null): OpenModel | undefined {
     return this.models.value.find((model) => model.id === id);
   }
 

@@ -6,50 +6,50 @@ import { keepResult } from "../actions/keep";
 import { button, byId, setText } from "../dom/element";
 import type { Failure, Request } from "../engine/types";
 import { QUESTIONS } from "../forms/all";
-import { answered } from "../state/answers";
-import { fileOf } from "../state/model";
+import { answersFor } from "../state/answers";
+import { currentFile } from "../state/model";
 import type { Session } from "../state/session";
 import { shareDialog } from "./share";
 
-export function actsView(session: Session): void {
+export function actionBar(session: Session): void {
   const bar = byId("acts");
   const fail = (failure: Failure | undefined) => failure && session.failed.set(failure);
   const share = shareDialog(session);
-  const done = () => {
+  const finishedPreview = () => {
     const preview = session.preview.value;
     return preview.state === "done" && !preview.change.unchanged ? preview : undefined;
   };
-  const about = (): Request | undefined => {
+  const subjectRequest = (): Request | undefined => {
     const model = session.model();
-    return done()?.request ?? (model?.inspected ? { ...answered(model, QUESTIONS), verb: "inspect", models: [fileOf(model)] } : undefined);
+    return finishedPreview()?.request ?? (model?.inspected ? { ...answersFor(model, QUESTIONS), verb: "inspect", models: [currentFile(model)] } : undefined);
   };
   const save = button("Download", () => {
-    const [change, model] = [done(), session.model()];
+    const [change, model] = [finishedPreview(), session.model()];
     if (change) void downloadResult(session, change.request).then(fail);
     else if (model) void downloadModel(session, model).then(fail);
   }, { class: "primary", id: "download" });
   const keep = button("Keep and go on", () => void keepResult(session).then(fail), { id: "keep" });
   const back = button("Undo", () => keepFocus(back, () => undo(session)), { id: "undo", "aria-keyshortcuts": "Control+Z" });
-  const again = button("Redo", () => keepFocus(again, () => redo(session)), { id: "redo", "aria-keyshortcuts": "Control+Shift+Z" });
+  const forward = button("Redo", () => keepFocus(forward, () => redo(session)), { id: "redo", "aria-keyshortcuts": "Control+Shift+Z" });
   const report = button("Report", () => {
-    const request = about();
+    const request = subjectRequest();
     if (request) void downloadReport(session, request).then(fail);
   }, { id: "report" });
-  const shared = button("Share…", () => {
-    const request = about();
+  const shareButton = button("Share…", () => {
+    const request = subjectRequest();
     if (request) share(request);
   }, { id: "share", "aria-haspopup": "dialog" });
-  bar.append(save, keep, back, again, report, shared);
+  bar.append(save, keep, back, forward, report, shareButton);
   const update = () => {
-    const [model, change] = [session.model(), done()];
+    const [model, change] = [session.model(), finishedPreview()];
     bar.hidden = !model;
     if (!model) return;
-    save.hidden = !change && model.at === 0;
-    setText(save, `Download ${change ? change.change.results.map(({ name }) => name).join(" and ") : fileOf(model)}`);
+    save.hidden = !change && model.stepCount === 0;
+    setText(save, `Download ${change ? change.change.results.map(({ name }) => name).join(" and ") : currentFile(model)}`);
     keep.hidden = !change;
-    back.disabled = model.at === 0;
-    again.disabled = model.at === model.steps.length;
-    report.hidden = shared.hidden = !model.inspected;
+    back.disabled = model.stepCount === 0;
+    forward.disabled = model.stepCount === model.steps.length;
+    report.hidden = shareButton.hidden = !model.inspected;
     setText(report, change ? "Report about the change" : "Report about this model");
   };
   session.models.watch(update);

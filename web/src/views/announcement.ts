@@ -1,7 +1,7 @@
 // What happened last, in one line near the top: for eyes and for screen readers.
 
 import { byId, setText } from "../dom/element";
-import { failureOf } from "../engine/failure";
+import { toFailure } from "../engine/failure";
 import type { Session } from "../state/session";
 
 // For so long it stays in view while the page is scrolled.
@@ -18,5 +18,5 @@ export function showAnnouncements(session: Session): void {
     timer = setTimeout(() => line.classList.remove("fresh"), FRESH_MS);
   });
   // Unexpected failures are shown, too.
-  addEventListener("unhandledrejection", ({ reason }) => session.announce(`This did not work: ${failureOf(reason).message}.`));
+  addEventListener("unhandledrejection", ({ reason }) => session.announce(`This did not work: ${toFailure(reason).message}.`));
 }

@@ -4,14 +4,14 @@ import { button, byId, el, setAttribute } from "../dom/element";
 import { digits, unitText } from "../dom/number";
 import { boxedTable, headCells } from "../dom/table";
 import { equationAnchor } from "../engine/anchor";
-import { failureOf } from "../engine/failure";
+import { toFailure } from "../engine/failure";
 import type { Sheet } from "../engine/types";
 import { CALCULATOR } from "../forms/all";
 import type { Context } from "../forms/context";
 import { showForm } from "../forms/form";
-import { fieldsOf, problems } from "../forms/request";
+import { givenFields, problems } from "../forms/request";
 import type { Session } from "../state/session";
-import { contextOf } from "./context";
+import { formContext } from "./context";
 import { failureView, sentence } from "./failure";
 
 const REST_MS = 200;
@@ -20,43 +20,43 @@ export function calculatorView(session: Session, addFile: Context["addFile"]): v
   const section = byId("calculator");
   const toggle = byId("calculate");
   const title = el("h2", { id: "calculator-title", tabindex: -1 }, "Calculate without a model");
-  const context = contextOf(session, session.calculation, { prefix: "calculator", commit: "input", addFile });
+  const context = formContext(session, session.calculation, { prefix: "calculator", commit: "input", addFile });
   const form = showForm(CALCULATOR, context);
-  const answers = contextOf(session, session.calculation, { prefix: "calculator-question", commit: "change", addFile });
+  const answers = formContext(session, session.calculation, { prefix: "calculator-question", commit: "change", addFile });
   const failure = failureView(() => CALCULATOR, answers, title);
   const sheet = el("div", { class: "sheet", "aria-live": "polite" });
   const submit = el("button", { type: "submit", class: "primary", id: "calculate-now" }, "Calculate");
   const clear = button("Clear the form", () => session.calculation.clear(), { class: "small" });
-  const asked = el("form", { novalidate: true }, form.element, el("p", { class: "buttons" }, submit, clear));
+  const formElement = el("form", { novalidate: true }, form.element, el("p", { class: "buttons" }, submit, clear));
   const about = el("p", { class: "quiet" },
     "Say what you know and what you want, such as radius, mass, spheres and relative indentation. All the rest follows.");
-  section.append(title, about, el("div", { class: "columns" }, asked, el("div", {}, failure.element, sheet)));
-  asked.addEventListener("submit", (event) => {
+  section.append(title, about, el("div", { class: "columns" }, formElement, el("div", {}, failure.element, sheet)));
+  formElement.addEventListener("submit", (event) => {
     event.preventDefault();
     void calculate();
   });
   const calculate = async () => {
-    const wrong = problems(CALCULATOR, session.calculation);
-    if (wrong.size > 0) {
+    const fieldProblems = problems(CALCULATOR, session.calculation);
+    if (fieldProblems.size > 0) {
       failure.show(undefined);
       // What is wrong is shown beside its field.
-      asked.querySelector<HTMLElement>("[aria-invalid=true]")?.focus();
+      formElement.querySelector<HTMLElement>("[aria-invalid=true]")?.focus();
       return sheet.replaceChildren();
     }
     try {
-      const answer = await session.engine.calculate({ verb: "design", ...fieldsOf(CALCULATOR, session.calculation) });
+      const answer = await session.engine.calculate({ verb: "design", ...givenFields(CALCULATOR, session.calculation) });
       failure.show(undefined);
       sheet.replaceChildren(sheetTable(answer.sheet), asText(answer.text));
     } catch (error) {
       sheet.replaceChildren();
-      failure.show(failureOf(error));
+      failure.show(toFailure(error));
     }
   };
   // Once it was calculated, it follows what is typed.
-  let rest: ReturnType<typeof setTimeout> | undefined;
+  let timer: ReturnType<typeof setTimeout> | undefined;
   session.calculation.watch(() => {
-    clearTimeout(rest);
-    if (session.calculating.value && (sheet.hasChildNodes() || !failure.element.hidden)) rest = setTimeout(() => void calculate(), REST_MS);
+    clearTimeout(timer);
+    if (session.calculating.value && (sheet.hasChildNodes() || !failure.element.hidden)) timer = setTimeout(() => void calculate(), REST_MS);
   });
   toggle.addEventListener("click", () => session.calculating.set(!session.calculating.value));
   session.calculating.watch((calculating) => {
@@ -78,7 +78,7 @@ function figureRow({ name, value, unit, equation, given, limit }: Sheet["figures
   const remarks = [given ? "given" : "", limit ? `${outside ? "! outside" : "within"}: ${limit.text}` : ""].filter(Boolean).join("; ");
   const links = equation.split(/, /).filter(Boolean).flatMap((label, index) => [index > 0 ? ", " : "", equationLink(label)]);
   return el("tr", {},
-    el("th", { scope: "row" }, nameOf(name, unit)),
+    el("th", { scope: "row" }, quantityName(name, unit)),
     el("td", { class: outside ? "outside" : undefined }, value === null ? "–" : digits(value, 8)),
     el("td", { class: "words" }, unitText(unit)), el("td", { class: "words" }, ...links), el("td", { class: "words" }, remarks));
 }
@@ -88,10 +88,10 @@ function equationLink(label: string): HTMLElement {
 }
 
 /** `contact_stiffness_n_m` with the unit N/m is "contact stiffness". */
-function nameOf(name: string, unit: string): string {
+function quantityName(name: string, unit: string): string {
   const ending = `_${unit.toLowerCase().replace("/", "_")}`;
-  const bare = unit !== "" && name.endsWith(ending) ? name.slice(0, -ending.length) : name;
-  return bare.replace(/_/g, " ");
+  const stem = unit !== "" && name.endsWith(ending) ? name.slice(0, -ending.length) : name;
+  return stem.replace(/_/g, " ");
 }
 
 function asText(text: string): HTMLElement {

@@ -1,11 +1,11 @@
 // The change to make: a verb, and the form of that verb.
 
 import { button, el } from "../dom/element";
-import { CHANGES, formOf } from "../forms/all";
+import { CHANGES, findForm } from "../forms/all";
 import type { Context } from "../forms/context";
-import { showForm, type ShownForm } from "../forms/form";
+import { showForm, type FormView } from "../forms/form";
 import type { Session } from "../state/session";
-import { contextOf } from "./context";
+import { formContext } from "./context";
 
 /** The part of the page that asks. */
 export function changeView(session: Session, addFile: Context["addFile"]): HTMLElement {
@@ -14,20 +14,20 @@ export function changeView(session: Session, addFile: Context["addFile"]): HTMLE
   const place = el("div", { id: "form" });
   const clear = button("Clear the form", () => session.values.clear(), { class: "small", id: "clear" });
   section.append(el("h2", { id: "change-title", class: "hidden" }, "Change this model"), verbs(session), about, place, el("p", { class: "clear" }, clear));
-  const context = contextOf(session, session.values, { prefix: "form", commit: "input", addFile });
-  let shown: ShownForm | undefined;
+  const context = formContext(session, session.values, { prefix: "form", commit: "input", addFile });
+  let formView: FormView | undefined;
   session.verb.watch((verb) => {
-    const form = formOf(verb);
+    const form = findForm(verb);
     if (!form) return;
-    shown?.end();
-    shown = showForm(form, context);
+    formView?.end();
+    formView = showForm(form, context);
     about.textContent = form.about;
-    place.replaceChildren(shown.element);
+    place.replaceChildren(formView.element);
   });
-  const said = () => (clear.hidden = session.values.all().size === 0);
-  session.values.watch(said);
-  said();
-  const refresh = () => shown?.refresh();
+  const updateClear = () => (clear.hidden = session.values.all().size === 0);
+  session.values.watch(updateClear);
+  updateClear();
+  const refresh = () => formView?.refresh();
   session.chosen.watch(refresh);
   session.models.watch(refresh);
   session.files.watch(refresh);

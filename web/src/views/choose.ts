@@ -1,19 +1,19 @@
 // Files by buttons, for those who do not drop them.
 
 import { byId } from "../dom/element";
-import { type Given, givenBy } from "../files/read";
+import { type GivenFile, filesOfInput } from "../files/read";
 
 function input(id: string): HTMLInputElement {
   return byId(id) as HTMLInputElement;
 }
 
 /** Wires the buttons that open files and folders. */
-export function wireButtons(open: (given: Given[]) => void): void {
+export function wireButtons(open: (files: GivenFile[]) => void): void {
   for (const [button, chooser] of [["choose-files", "files-input"], ["choose-folder", "folder-input"]] as const) {
     const files = input(chooser);
     byId(button).addEventListener("click", () => files.click());
     files.addEventListener("change", () => {
-      open(givenBy(files.files));
+      open(filesOfInput(files.files));
       // The same file can be chosen again.
       files.value = "";
     });
@@ -21,12 +21,12 @@ export function wireButtons(open: (given: Given[]) => void): void {
 }
 
 /** Lets the user choose one file; nothing where the choice is called off. */
-export function chooseOne(accepted: string): Promise<Given[]> {
+export function chooseOne(accepted: string): Promise<GivenFile[]> {
   const file = input("file-input");
   file.accept = accepted;
   file.value = "";
   return new Promise((resolve) => {
-    file.onchange = () => resolve(givenBy(file.files));
+    file.onchange = () => resolve(filesOfInput(file.files));
     file.oncancel = () => resolve([]);
     file.click();
   });

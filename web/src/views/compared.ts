@@ -6,34 +6,34 @@ import type { Context } from "../forms/context";
 import { control } from "../forms/control";
 import type { OpenModel } from "../state/model";
 import type { Session } from "../state/session";
-import { contextOf } from "./context";
+import { formContext } from "./context";
 
 const FIELDS = ["from", "body_scale_file"];
 
-export interface Compared {
+export interface ComparedView {
   element: HTMLElement;
   /** Asks about another model. */
-  about(model: OpenModel): void;
+  setModel(model: OpenModel): void;
 }
 
-export function comparedView(session: Session, addFile: Context["addFile"]): Compared {
+export function comparedView(session: Session, addFile: Context["addFile"]): ComparedView {
   const body = el("div");
   const element = el("details", { class: "section compared" },
     el("summary", {}, el("h3", {}, "Was this model scaled from another one?")),
     el("p", { class: "quiet" }, "Say from which: the findings then show spheres that the scaling left behind, and what to do about them."), body);
   let refresh: (choices: boolean) => void = () => undefined;
   let end: () => void = () => undefined;
-  const about = (model: OpenModel) => {
+  const setModel = (model: OpenModel) => {
     end();
-    const context = contextOf(session, model.answers, { prefix: `compared-${model.id}`, commit: "change", addFile });
+    const context = formContext(session, model.answers, { prefix: `compared-${model.id}`, commit: "change", addFile });
     const controls = QUESTIONS.fields.filter(({ name }) => FIELDS.includes(name)).map((field) => control(field, context));
     refresh = (choices) => {
-      for (const one of controls) one.refresh(choices);
+      for (const each of controls) each.refresh(choices);
     };
     end = model.answers.watch(() => refresh(false));
-    body.replaceChildren(...controls.map((one) => one.element));
+    body.replaceChildren(...controls.map((each) => each.element));
     refresh(true);
   };
   session.files.watch(() => refresh(true));
-  return { element, about };
+  return { element, setModel };
 }

@@ -5,7 +5,7 @@ import type { FileKind } from "../files/kinds";
 import type { Context, Option } from "../forms/context";
 import type { Source } from "../forms/declaration";
 import type { Values } from "../forms/values";
-import { fileOf } from "../state/model";
+import { currentFile } from "../state/model";
 import type { Session } from "../state/session";
 
 // OpenSim's names, for where no model says which it has.
@@ -28,19 +28,19 @@ export function acceptedFor(source: Source): string {
   return ACCEPTED[source] ?? "";
 }
 
-interface Made {
+interface FormOptions {
   prefix: string;
   commit: "input" | "change";
   addFile: Context["addFile"];
 }
 
 /** The context of a form whose values are `values`. */
-export function contextOf(session: Session, values: Values, { prefix, commit, addFile }: Made): Context {
+export function formContext(session: Session, values: Values, { prefix, commit, addFile }: FormOptions): Context {
   return {
     values, prefix, commit, addFile,
     options: (source) => options(session, source),
     currentValue: (property) => currentValue(session, property),
-    ownMass: () => session.model()?.inspected?.inspection.mass_kg ?? session.model()?.inspected?.inspection.contacts_mass_kg?.value ?? undefined,
+    modelMass: () => session.model()?.inspected?.inspection.mass_kg ?? session.model()?.inspected?.inspection.contacts_mass_kg?.value ?? undefined,
   };
 }
 
@@ -57,25 +57,25 @@ function options(session: Session, source: Source): Option[] {
   const inspection = session.model()?.inspected?.inspection;
   switch (source) {
     case "properties": {
-      const named = new Set(["radius", ...(inspection?.forces ?? []).flatMap(({ parameters }) => Object.keys(parameters))]);
-      return plain(named.size > 1 ? PROPERTIES.filter((name) => named.has(name)) : PROPERTIES);
+      const names = new Set(["radius", ...(inspection?.forces ?? []).flatMap(({ parameters }) => Object.keys(parameters))]);
+      return nameOptions(names.size > 1 ? PROPERTIES.filter((name) => names.has(name)) : PROPERTIES);
     }
-    case "forces": return plain((inspection?.forces ?? []).map(({ name }) => name));
-    case "bodies": return plain((inspection?.bodies ?? []).map(({ name }) => name));
+    case "forces": return nameOptions((inspection?.forces ?? []).map(({ name }) => name));
+    case "bodies": return nameOptions((inspection?.bodies ?? []).map(({ name }) => name));
     case "references": return [...files(session, source, "Files"), ...presets(session)];
     default: return files(session, source);
   }
 }
 
-function plain(names: readonly string[]): Option[] {
+function nameOptions(names: readonly string[]): Option[] {
   return [...new Set(names)].map((name) => ({ value: name, text: name }));
 }
 
 function files(session: Session, source: Source, heading?: string): Option[] {
   const model = session.model();
-  const now = model && fileOf(model);
+  const current = model && currentFile(model);
   const kinds = KINDS[source] ?? [];
-  const fitting = session.files.value.filter(({ name, kind }) => kinds.includes(kind) && name !== now);
+  const fitting = session.files.value.filter(({ name, kind }) => kinds.includes(kind) && name !== current);
   // The most likely kind comes first.
   fitting.sort((one, other) => kinds.indexOf(one.kind) - kinds.indexOf(other.kind));
   return fitting.map(({ name }) => ({ value: name, text: name, ...(heading === undefined ? {} : { heading }) }));

@@ -26,8 +26,8 @@ export class Curves {
 
   /** Draws curves over a time from 0 or from `start`; `about` says it to those who do not see them. */
   show(curves: readonly Curve[], title: string, about: string, start: number, end: number): void {
-    const known = curves.flatMap(({ values }) => values.filter((value) => value !== null));
-    const [most, least] = [Math.max(1.2, ...known) * 1.05, Math.min(0, ...known)];
+    const numbers = curves.flatMap(({ values }) => values.filter((value) => value !== null));
+    const [most, least] = [Math.max(1.2, ...numbers) * 1.05, Math.min(0, ...numbers)];
     const floor = this.height - BOTTOM;
     const y = (value: number) => floor - ((floor - 6) * (value - least)) / (most - least);
     this.#count = Math.max(1, ...curves.map(({ values }) => values.length));
@@ -40,11 +40,11 @@ export class Curves {
     this.#cursor.setAttribute("y2", String(floor));
     this.element.setAttribute("aria-label", about);
     this.element.replaceChildren(...axes, ...ends, ...curves.flatMap((curve) => this.#pieces(curve, y)), this.#cursor);
-    this.at(0);
+    this.moveCursor(0);
   }
 
   /** Moves the line to a moment. */
-  at(moment: number): void {
+  moveCursor(moment: number): void {
     for (const end of ["x1", "x2"]) this.#cursor.setAttribute(end, String(this.#x(moment)));
   }
 
@@ -68,14 +68,14 @@ export class Curves {
 }
 
 function line(kind: string, x1: number, y1: number, x2: number, y2: number): SVGLineElement {
-  const made = document.createElementNS(SVG, "line");
-  for (const [name, value] of Object.entries({ x1, y1, x2, y2, class: kind })) made.setAttribute(name, String(value));
-  return made;
+  const element = document.createElementNS(SVG, "line");
+  for (const [name, value] of Object.entries({ x1, y1, x2, y2, class: kind })) element.setAttribute(name, String(value));
+  return element;
 }
 
 function label(text: string, x: number, y: number, anchor: string): SVGTextElement {
-  const made = document.createElementNS(SVG, "text");
-  for (const [name, value] of Object.entries({ x, y, "text-anchor": anchor })) made.setAttribute(name, String(value));
-  made.textContent = text;
-  return made;
+  const element = document.createElementNS(SVG, "text");
+  for (const [name, value] of Object.entries({ x, y, "text-anchor": anchor })) element.setAttribute(name, String(value));
+  element.textContent = text;
+  return element;
 }

@@ -8,7 +8,7 @@ export interface Reader {
 }
 
 /** Fills the dialog `id` of the page; what is read goes into its body. */
-export function reader(id: string, title: string): Reader {
+export function readerDialog(id: string, title: string): Reader {
   const dialog = byId(id) as HTMLDialogElement;
   const body = el("div", { class: "body", tabindex: 0, role: "group", "aria-label": title });
   const close = button("Close", () => dialog.close(), { class: "primary" });

@@ -1,32 +1,32 @@
 // The lines of the file that change, where somebody wants to see them.
 
 import { el } from "../dom/element";
-import { failureOf } from "../engine/failure";
+import { toFailure } from "../engine/failure";
 import type { Request } from "../engine/types";
 import type { Session } from "../state/session";
 
 // More than anybody reads on a page; the file itself has them all.
-const MOST_LINES = 2000;
+const MAX_LINES = 2000;
 
-export interface Asked {
+export interface LazySection {
   element: HTMLDetailsElement;
   /** Shows this for a request: at once where it is open, else when it is opened. */
   ask(request: Request): void;
 }
 
-export function diffView(session: Session): Asked {
+export function diffView(session: Session): LazySection {
   const lines = el("pre", { class: "diff", tabindex: 0, "aria-label": "Lines that change" });
   const explanation = el("p", { class: "quiet" });
   const title = el("h3", { id: "diff-title" }, "Lines that change");
   const element = el("details", { class: "section", id: "diff" }, el("summary", {}, title), explanation, lines);
   const show = async (request: Request) => {
-    const text = await session.engine.diff(request).then(({ next }) => next.text, (error) => failureOf(error).message);
+    const text = await session.engine.diff(request).then(({ next }) => next.text, (error) => toFailure(error).message);
     const all = text.split("\n");
-    lines.replaceChildren(...all.slice(0, MOST_LINES).map(line));
-    const cut = all.length > MOST_LINES ? ` The first ${MOST_LINES} of ${all.length} lines are shown.` : "";
+    lines.replaceChildren(...all.slice(0, MAX_LINES).map(line));
+    const cut = all.length > MAX_LINES ? ` The first ${MAX_LINES} of ${all.length} lines are shown.` : "";
     explanation.textContent = `Lines with − go away, lines with + come in their place.${cut}`;
   };
-  return asked(element, show);
+  return lazySection(element, show);
 }
 
 function line(text: string): HTMLElement {
@@ -35,16 +35,16 @@ function line(text: string): HTMLElement {
 }
 
 /** A part of the page that asks its question only while it is open, and at most when nothing moves. */
-export function asked(element: HTMLDetailsElement, show: (request: Request) => Promise<void>): Asked {
+export function lazySection(element: HTMLDetailsElement, show: (request: Request) => Promise<void>): LazySection {
   let request: Request | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
-  const now = () => request && element.open && void show(request);
-  element.addEventListener("toggle", now);
+  const showIfOpen = () => request && element.open && void show(request);
+  element.addEventListener("toggle", showIfOpen);
   const ask = (next: Request) => {
     if (JSON.stringify(request) === JSON.stringify(next)) return;
     request = next;
     clearTimeout(timer);
-    timer = setTimeout(now, 250);
+    timer = setTimeout(showIfOpen, 250);
   };
   return { element, ask };
 }

@@ -1,13 +1,13 @@
 // Links in sections lead to explanations of equations and findings. They open here; the address is the request's.
 
 import { el } from "../dom/element";
-import { parsed } from "../dom/markup";
-import { topicOf } from "../engine/anchor";
+import { parseHtml } from "../dom/markup";
+import { anchorTopic } from "../engine/anchor";
 import type { Session } from "../state/session";
-import { reader } from "./dialog";
+import { readerDialog } from "./dialog";
 
 export function showExplanations(session: Session): void {
-  const { dialog, body } = reader("explanation", "Explanation");
+  const { dialog, body } = readerDialog("explanation", "Explanation");
   document.addEventListener("click", (event) => {
     const link = event.target instanceof Element ? event.target.closest("a[href^='#']") : null;
     if (!link || link.id === "skip") return;
@@ -19,7 +19,7 @@ export function showExplanations(session: Session): void {
 /** Shows the explanation that came with a section; where none came, the engine is asked. */
 async function explain(session: Session, anchor: string, body: HTMLElement): Promise<void> {
   const html = session.explained.get(anchor);
-  if (html !== undefined) return body.replaceChildren(parsed(html, 3));
-  const text = await session.engine.explain(topicOf(anchor)).then((answer) => answer.text, (error: Error) => error.message);
+  if (html !== undefined) return body.replaceChildren(parseHtml(html, 3));
+  const text = await session.engine.explain(anchorTopic(anchor)).then((answer) => answer.text, (error: Error) => error.message);
   body.replaceChildren(el("pre", { class: "plain" }, text));
 }

@@ -3,7 +3,7 @@
 import { button, type Child, el } from "../dom/element";
 import { digits } from "../dom/number";
 import type { Failure } from "../engine/types";
-import { fieldOf } from "../forms/all";
+import { findField } from "../forms/all";
 import type { Context } from "../forms/context";
 import { control } from "../forms/control";
 import type { Field, Form } from "../forms/declaration";
@@ -20,43 +20,43 @@ export interface FailureView {
  * reading goes on at `after`.
  */
 export function failureView(form: () => Form, context: Context, after: HTMLElement): FailureView {
-  const what = el("div", { class: "what" });
+  const messageBox = el("div", { class: "what" });
   const answers = el("div", { class: "answers" });
-  const element = el("div", { class: "failure", hidden: true }, what, answers);
-  let asked = "";
-  let shown = "";
+  const element = el("div", { class: "failure", hidden: true }, messageBox, answers);
+  let askedKey = "";
+  let shownText = "";
   let end: () => void = () => undefined;
   let refresh: () => void = () => undefined;
   const show = (failure: Failure | undefined) => {
     if (!failure) {
       if (element.contains(document.activeElement)) after.focus();
       element.hidden = true;
-      asked = shown = "";
+      askedKey = shownText = "";
       end();
-      what.replaceChildren();
+      messageBox.replaceChildren();
       answers.replaceChildren();
       return;
     }
     element.hidden = false;
     const text = JSON.stringify([failure.message, failure.model, failure.line, failure.column, failure.excerpt]);
     // An alert that is made again is heard again.
-    if (shown !== text) what.replaceChildren(el("div", { role: "alert" }, ...described(failure)));
-    shown = text;
+    if (shownText !== text) messageBox.replaceChildren(el("div", { role: "alert" }, ...failureElements(failure)));
+    shownText = text;
     const key = `${form().verb} ${failure.code} ${failure.fields.join(" ")}`;
     // While the same is asked, the fields stay: somebody may be typing in them.
-    if (asked === key) return;
-    asked = key;
+    if (askedKey === key) return;
+    askedKey = key;
     end();
-    const made = question(failure, form(), context);
-    answers.replaceChildren(...made.content);
-    end = made.end;
-    refresh = made.refresh;
+    const parts = question(failure, form(), context);
+    answers.replaceChildren(...parts.content);
+    end = parts.end;
+    refresh = parts.refresh;
   };
   return { element, show, refresh: () => refresh() };
 }
 
 /** A failure in words. */
-export function described({ message, model, line, column, excerpt }: Failure): HTMLElement[] {
+export function failureElements({ message, model, line, column, excerpt }: Failure): HTMLElement[] {
   const where = model ? [model, line, column].filter((part) => part != null).join(":") : "";
   const parts: HTMLElement[] = [el("p", { class: "message" }, el("span", { class: "tag error" }, "error"), " ", sentence(message))];
   if (where) parts.push(el("p", { class: "quiet" }, "In ", el("code", {}, where)));
@@ -80,17 +80,17 @@ interface Question {
 }
 
 function question(failure: Failure, form: Form, context: Context): Question {
-  const fields = failure.fields.filter((name) => name !== "yes").flatMap((name) => fieldOf(name, form) ?? []);
-  const controls = fields.map((field) => ({ field, made: control(field, context) }));
+  const fields = failure.fields.filter((name) => name !== "yes").flatMap((name) => findField(name, form) ?? []);
+  const controls = fields.map((field) => ({ field, fieldControl: control(field, context) }));
   const refresh = () => {
-    for (const { made } of controls) made.refresh(true);
+    for (const { fieldControl } of controls) fieldControl.refresh(true);
   };
   refresh();
   const end = context.values.watch((name) => {
-    for (const { field, made } of controls) if (name === null || field.name === name) made.refresh(name === null);
+    for (const { field, fieldControl } of controls) if (name === null || field.name === name) fieldControl.refresh(name === null);
   });
-  const yes = failure.fields.includes("yes") ? [meant(failure, context)] : [];
-  const all = [...suggested(failure, fields[0], context), ...yes, ...controls.map(({ made }) => made.element)];
+  const yes = failure.fields.includes("yes") ? [confirmButton(failure, context)] : [];
+  const all = [...suggested(failure, fields[0], context), ...yes, ...controls.map(({ fieldControl }) => fieldControl.element)];
   if (all.length === 0) return { content: [], refresh, end };
   const legend = all.length === 1 ? "Your answer" : "Any of these would answer";
   const title = el("p", { id: `${context.prefix}-asked` }, el("strong", {}, legend));
@@ -105,7 +105,7 @@ function suggested({ message }: Failure, field: Field | undefined, { values }: C
 }
 
 /** The answer that a number is meant as it is; another number in its place is asked about again. */
-function meant({ code, fields }: Failure, { values }: Context): HTMLElement {
+function confirmButton({ code, fields }: Failure, { values }: Context): HTMLElement {
   const others = () => values.texts("yes").filter((one) => one !== code);
   const say = () => {
     values.set("yes", [...others(), code]);

@@ -15,44 +15,44 @@ type Lift = (body: number, old: number, moves: boolean) => void;
 
 export class FallView {
   readonly element = el("div", { class: "fall", hidden: true });
-  readonly #player = new Player({ play: "Let it fall", time: "Time of the fall", id: "play-fall" }, (moment) => this.#at(moment), () => this.lift(0, 0, false));
+  readonly #player = new Player({ play: "Let it fall", time: "Time of the fall", id: "play-fall" }, (moment) => this.#showMoment(moment), () => this.lift(0, 0, false));
   readonly #curves = new Curves(130);
-  readonly #said = el("p", { class: "quiet", id: "fall-said" });
+  readonly #summary = el("p", { class: "quiet", id: "fall-said" });
   #falls: readonly Fall[] = [];
 
   constructor(readonly lift: Lift) {
-    this.element.append(this.#player.element, this.#curves.element, this.#said);
+    this.element.append(this.#player.element, this.#curves.element, this.#summary);
   }
 
   show(falls: readonly Fall[]): void {
     if (falls === this.#falls) return;
     this.#falls = falls;
-    const seen = this.#seen();
+    const complete = this.#completeFalls();
     this.element.hidden = falls.length === 0;
-    const moments = seen[0]?.heights_m.length ?? 0;
-    const seconds = (seen[0]?.step_s ?? 0) * Math.max(0, moments - 1);
+    const moments = complete[0]?.heights_m.length ?? 0;
+    const seconds = (complete[0]?.step_s ?? 0) * Math.max(0, moments - 1);
     this.#player.reset(moments, seconds * SLOWER);
     this.#curves.element.classList.toggle("none", moments === 0);
-    const words = falls.map(inWords).join(" ");
-    setText(this.#said, words);
-    const curves = seen.map(({ name, forces_bw: values }) => ({ kind: name === "before" ? "old" as const : "new" as const, values }));
+    const words = falls.map(describeFall).join(" ");
+    setText(this.#summary, words);
+    const curves = complete.map(({ name, forces_bw: values }) => ({ kind: name === "before" ? "old" as const : "new" as const, values }));
     this.#curves.show(curves, "force in body weights against time", `Drop test: ${words}`, 0, seconds);
   }
 
-  #seen(): readonly Fall[] {
+  #completeFalls(): readonly Fall[] {
     return this.#falls.filter(({ heights_m: heights }) => heights.length > 0);
   }
 
   /** Shows one moment: everything is as far over its rest as it is then. */
-  #at(moment: number): void {
-    const [old, next] = [this.#seen().find(({ name }) => name === "before"), this.#seen().find(({ name }) => name !== "before")];
-    const over = (fall: Fall | undefined) => fall ? (fall.heights_m[moment] ?? 0) - (fall.heights_m[fall.heights_m.length - 1] ?? 0) : 0;
-    this.lift(over(next), over(old), true);
-    this.#curves.at(moment);
+  #showMoment(moment: number): void {
+    const [old, next] = [this.#completeFalls().find(({ name }) => name === "before"), this.#completeFalls().find(({ name }) => name !== "before")];
+    const aboveRest = (fall: Fall | undefined) => fall ? (fall.heights_m[moment] ?? 0) - (fall.heights_m[fall.heights_m.length - 1] ?? 0) : 0;
+    this.lift(aboveRest(next), aboveRest(old), true);
+    this.#curves.moveCursor(moment);
   }
 }
 
-function inWords({ name, forces_bw: forces, why_not: why, heights_m: heights, radius_m: radius }: Fall): string {
+function describeFall({ name, forces_bw: forces, why_not: why, heights_m: heights, radius_m: radius }: Fall): string {
   const which = NAMES[name] ?? name;
   const begin = which.charAt(0).toUpperCase() + which.slice(1);
   if (why !== null) return `${begin}: ${why}.`;

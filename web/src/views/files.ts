@@ -3,7 +3,7 @@
 import { inspectAgain } from "../actions/inspect";
 import { openAsModel } from "../actions/open";
 import { refreshPresets } from "../actions/presets";
-import { dropFiles } from "../actions/put";
+import { removeFiles } from "../actions/file_list";
 import { button, byId, el } from "../dom/element";
 import { keepingFocus } from "../dom/focus";
 import { boxedTable, type Head, headCells } from "../dom/table";
@@ -35,8 +35,8 @@ export function filesView(session: Session): void {
 function row(session: Session, file: FileEntry): HTMLElement {
   const isOpen = session.models.value.some((model) => belongs(model, file.name));
   const openable = (file.kind === "forces" || file.kind === "model") && !isOpen;
-  const open = () => button("Open as a model", () => void openAsModel(session, file.name), named(`Open ${file.name} as a model`));
-  const remove = () => button("Remove", () => void removeFile(session, file), named(`Remove ${file.name}`));
+  const open = () => button("Open as a model", () => void openAsModel(session, file.name), buttonAttributes(`Open ${file.name} as a model`));
+  const remove = () => button("Remove", () => void removeFile(session, file), buttonAttributes(`Remove ${file.name}`));
   return el("tr", {},
     el("th", { scope: "row" }, file.name), el("td", { class: "words" }, KIND_TEXTS[file.kind]), el("td", {}, bytesText(file.bytes)),
     el("td", { class: "acts" }, ...(openable ? [open()] : []), ...(isOpen ? [] : [remove()])));
@@ -47,12 +47,12 @@ function belongs({ origin, steps }: OpenModel, name: string): boolean {
   return origin === name || steps.some(({ names }) => names.includes(name));
 }
 
-function named(name: string): Record<string, string> {
+function buttonAttributes(name: string): Record<string, string> {
   return { class: "small", "aria-label": name };
 }
 
 async function removeFile(session: Session, { name }: FileEntry): Promise<void> {
-  await dropFiles(session, [name]);
+  await removeFiles(session, [name]);
   await refreshPresets(session);
   session.announce(`${name} is removed.`);
   await inspectAgain(session);

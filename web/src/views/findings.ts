@@ -10,24 +10,24 @@ export type Apply = (finding: Finding) => void;
 
 /** The findings as items of a list; each that is wrong and can be put right has a button for it. A remark has none: a model is good with it. */
 export function findingItems(findings: readonly Finding[], apply: Apply): HTMLElement[] {
-  const alike = new Map<string, Finding[]>();
+  const groups = new Map<string, Finding[]>();
   for (const finding of findings) {
     const key = JSON.stringify([finding.code, finding.severity, finding.remedy]);
-    alike.set(key, [...(alike.get(key) ?? []), finding]);
+    groups.set(key, [...(groups.get(key) ?? []), finding]);
   }
-  return [...alike.values()].flatMap((same) => (same.length >= FEW ? [several(same, apply)] : same.map((finding) => item(finding, apply))));
+  return [...groups.values()].flatMap((group) => (group.length >= MIN_GROUP ? [groupItem(group, apply)] : group.map((finding) => item(finding, apply))));
 }
 
 /** So many findings that say the same of different places are one. */
-const FEW = 3;
+const MIN_GROUP = 3;
 
-function several(findings: readonly Finding[], apply: Apply): HTMLElement {
+function groupItem(findings: readonly Finding[], apply: Apply): HTMLElement {
   const [first, ...others] = findings;
   if (!first) return el("li");
-  const made = item(first, apply);
-  const rest = others.map(({ message, line }) => el("li", {}, sentence(message), ...(line === null ? [] : [" ", el("span", { class: "quiet" }, `line ${line}`)])));
-  made.append(el("details", {}, el("summary", {}, `The same ${counted(others.length, "more time", "more times")}`), el("ul", {}, ...rest)));
-  return made;
+  const element = item(first, apply);
+  const furtherItems = others.map(({ message, line }) => el("li", {}, sentence(message), ...(line === null ? [] : [" ", el("span", { class: "quiet" }, `line ${line}`)])));
+  element.append(el("details", {}, el("summary", {}, `The same ${counted(others.length, "more time", "more times")}`), el("ul", {}, ...furtherItems)));
+  return element;
 }
 
 function item(finding: Finding, apply: Apply): HTMLElement {

@@ -1,13 +1,13 @@
 // The licences, which are unpacked when somebody wants to read them.
 
 import { byId } from "../dom/element";
-import { wholePage } from "../dom/whole";
+import { pageLoaded } from "../dom/loaded";
 import { unpackedText } from "../engine/unpack";
 
 export function footerView(): void {
   const details = byId("licences");
-  const shown = byId("licences-shown");
+  const licenceText = byId("licences-shown");
   details.addEventListener("toggle", () => {
-    if (shown.textContent === "") void wholePage().then(() => (shown.textContent = unpackedText("licences-text")));
+    if (licenceText.textContent === "") void pageLoaded().then(() => (licenceText.textContent = unpackedText("licences-text")));
   });
 }

@@ -1,6 +1,6 @@
 // Undo and redo by keys, where no text is being typed: there they are the browser's.
 
-const TYPED = /^(text|search|number)$/;
+const TEXT_INPUT = /^(text|search|number)$/;
 
 export function wireKeys(undo: () => void, redo: () => void): void {
   addEventListener("keydown", (event) => {
@@ -17,5 +17,5 @@ export function wireKeys(undo: () => void, redo: () => void): void {
 
 function isTyping(target: EventTarget | null): boolean {
   if (target instanceof HTMLTextAreaElement) return true;
-  return target instanceof HTMLInputElement && TYPED.test(target.type);
+  return target instanceof HTMLInputElement && TEXT_INPUT.test(target.type);
 }

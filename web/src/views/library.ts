@@ -7,11 +7,11 @@ import { button, byId, el, setAttribute, setText } from "../dom/element";
 import { keepingFocus } from "../dom/focus";
 import { counted, kilograms } from "../dom/number";
 import { boxedTable, type Head, headCells } from "../dom/table";
-import { formOf } from "../forms/all";
-import { problemOf } from "../forms/check";
-import { fileOf, type OpenModel, type Outcome } from "../state/model";
+import { findForm } from "../forms/all";
+import { valueProblem } from "../forms/check";
+import { currentFile, type OpenModel, type Outcome } from "../state/model";
 import type { Session } from "../state/session";
-import { described } from "./failure";
+import { failureElements } from "./failure";
 
 const FACTS = ["mass", "made for", "limbs", "spheres", "findings"];
 const CAPTION = "Models that are open. The change in the form below can be done to all of them; a target mass in a row is for that model.";
@@ -23,7 +23,7 @@ export class LibraryView {
   readonly #changeAll: HTMLButtonElement;
   readonly #zip: HTMLButtonElement;
   readonly #title = el("h2", { id: "library-title" });
-  readonly #shown = new Map<number, { model: OpenModel; chosen: boolean; mass: boolean; row: HTMLElement }>();
+  readonly #shownRows = new Map<number, { model: OpenModel; chosen: boolean; mass: boolean; row: HTMLElement }>();
 
   constructor(readonly session: Session) {
     this.#changeAll = button("What would change in all", () => void changeAll(session), { class: "primary", id: "change-all" });
@@ -46,11 +46,11 @@ export class LibraryView {
     this.#section.hidden = models.length < 2;
     if (this.#section.hidden) return;
     setText(this.#title, counted(models.length, "model"));
-    const mass = formOf(this.session.verb.value)?.fields.some(({ name }) => name === "target_mass") ?? false;
+    const mass = findForm(this.session.verb.value)?.fields.some(({ name }) => name === "target_mass") ?? false;
     this.#heads.replaceChildren(...headCells(heads(mass)));
     const rows = models.map((model) => this.#row(model, mass));
-    const same = rows.length === this.#rows.children.length && rows.every((row, index) => row === this.#rows.children[index]);
-    if (!same) keepingFocus(this.#rows, () => byId("model-title"), () => this.#rows.replaceChildren(...rows));
+    const isSameCell = rows.length === this.#rows.children.length && rows.every((row, index) => row === this.#rows.children[index]);
+    if (!isSameCell) keepingFocus(this.#rows, () => byId("model-title"), () => this.#rows.replaceChildren(...rows));
     this.#enable();
   }
 
@@ -73,29 +73,29 @@ export class LibraryView {
   /** The row of a model: the old one, in which only the cells that differ are made again. */
   #row(model: OpenModel, mass: boolean): HTMLElement {
     const chosen = model.id === this.session.chosen.value;
-    const shown = this.#shown.get(model.id);
-    if (shown && shown.model === model && shown.chosen === chosen && shown.mass === mass) return shown.row;
-    const own = mass ? [this.#mass(model)] : [];
-    const all = [this.#name(model), ...cells(model), ...own, outcomeCell(model), this.#close(model)];
-    const row = shown?.mass === mass ? shown.row : el("tr");
+    const shownRow = this.#shownRows.get(model.id);
+    if (shownRow && shownRow.model === model && shownRow.chosen === chosen && shownRow.mass === mass) return shownRow.row;
+    const massCells = mass ? [this.#mass(model)] : [];
+    const all = [this.#name(model), ...cells(model), ...massCells, outcomeCell(model), this.#close(model)];
+    const row = shownRow?.mass === mass ? shownRow.row : el("tr");
     setAttribute(row, "aria-current", chosen && "true");
-    keepingFocus(row, () => byId("model-title"), () => patch(row, all));
-    this.#shown.set(model.id, { model, chosen, mass, row });
+    keepingFocus(row, () => byId("model-title"), () => updateRow(row, all));
+    this.#shownRows.set(model.id, { model, chosen, mass, row });
     return row;
   }
 
   #name(model: OpenModel): HTMLElement {
-    const open = button(fileOf(model), () => this.session.chosen.set(model.id), { class: "link" });
+    const open = button(currentFile(model), () => this.session.chosen.set(model.id), { class: "link" });
     return el("th", { scope: "row" }, open);
   }
 
   #mass(model: OpenModel): HTMLElement {
-    const name = `Target mass of ${fileOf(model)} (kg)`;
+    const name = `Target mass of ${currentFile(model)} (kg)`;
     const input = el("input", { type: "text", inputmode: "decimal", class: "mass", "aria-label": name, autocomplete: "off" });
     input.value = model.targetMass;
     input.placeholder = "as in the form";
-    const field = formOf(this.session.verb.value)?.fields.find(({ name: one }) => one === "target_mass");
-    const problem = (field && model.targetMass !== "" && problemOf(field, model.targetMass)) || "";
+    const field = findForm(this.session.verb.value)?.fields.find(({ name: one }) => one === "target_mass");
+    const problem = (field && model.targetMass !== "" && valueProblem(field, model.targetMass)) || "";
     const problemText = el("p", { class: "problem", id: `mass-problem-${model.id}`, role: "alert" }, problem);
     setAttribute(input, "aria-invalid", problem !== "" && "true");
     setAttribute(input, "aria-describedby", problemText.id);
@@ -108,21 +108,21 @@ export class LibraryView {
     const pressed = button("Close", () => {
       close(session, model);
       if (this.#section.hidden) byId("model-title").focus();
-    }, { class: "small", "aria-label": `Close ${fileOf(model)}` });
+    }, { class: "small", "aria-label": `Close ${currentFile(model)}` });
     return el("td", { class: "acts" }, pressed);
   }
 }
 
 /** Equal cells stay: a number may be half typed in one, an error may be open in another. */
-function patch(row: HTMLElement, cells: readonly HTMLElement[]): void {
+function updateRow(row: HTMLElement, cells: readonly HTMLElement[]): void {
   if (row.children.length === 0) row.append(...cells);
   for (const [index, cell] of cells.entries()) {
-    const there = row.children[index];
-    if (there && !same(there, cell)) there.replaceWith(cell);
+    const oldCell = row.children[index];
+    if (oldCell && !isSameCell(oldCell, cell)) oldCell.replaceWith(cell);
   }
 }
 
-function same(one: Element, other: Element): boolean {
+function isSameCell(one: Element, other: Element): boolean {
   // Whether an error is open is not part of what it says.
   const closed = one.cloneNode(true) as Element;
   closed.querySelector("details")?.removeAttribute("open");
@@ -130,28 +130,28 @@ function same(one: Element, other: Element): boolean {
 }
 
 function heads(mass: boolean): Head[] {
-  const own = mass ? [{ text: "target mass (kg)" }] : [];
+  const massHead = mass ? [{ text: "target mass (kg)" }] : [];
   const facts = FACTS.map((text) => ({ text }));
-  return [{ text: "model", words: true }, ...facts, ...own, { text: "result", words: true }, { text: "close", hidden: true }];
+  return [{ text: "model", words: true }, ...facts, ...massHead, { text: "result", words: true }, { text: "close", hidden: true }];
 }
 
 /** What is known of a model; for one that could not be opened, that. */
-function cells({ inspected: seen }: OpenModel): HTMLElement[] {
-  if (!seen) return FACTS.map(() => el("td", {}, "–"));
-  const { mass_kg: mass, contacts_mass_kg: made, limbs, spheres } = seen.inspection;
-  const counts = [limbs?.length, spheres.length, seen.findings.length].map((count) => (count === undefined ? "–" : String(count)));
-  const masses = [mass, made?.value].map((kg) => (kg == null ? "–" : kilograms(kg)));
+function cells({ inspected }: OpenModel): HTMLElement[] {
+  if (!inspected) return FACTS.map(() => el("td", {}, "–"));
+  const { mass_kg: mass, contacts_mass_kg: contactsMass, limbs, spheres } = inspected.inspection;
+  const counts = [limbs?.length, spheres.length, inspected.findings.length].map((count) => (count === undefined ? "–" : String(count)));
+  const masses = [mass, contactsMass?.value].map((kg) => (kg == null ? "–" : kilograms(kg)));
   return [...masses, ...counts].map((text) => el("td", {}, text));
 }
 
 function outcomeCell({ failure, outcome }: OpenModel): HTMLElement {
   const failed = failure ?? (outcome?.state === "failed" ? outcome.failure : undefined);
-  if (!failed) return el("td", { class: "words outcome" }, textOf(outcome));
+  if (!failed) return el("td", { class: "words outcome" }, outcomeText(outcome));
   const summary = el("summary", {}, el("span", { class: "tag error" }, "error"), " ", short(failed.message));
-  return el("td", { class: "words outcome" }, el("details", {}, summary, ...described(failed)));
+  return el("td", { class: "words outcome" }, el("details", {}, summary, ...failureElements(failed)));
 }
 
-function textOf(outcome: Outcome | null): string {
+function outcomeText(outcome: Outcome | null): string {
   return outcome && outcome.state !== "failed" ? outcome.text : "";
 }
 

@@ -7,17 +7,17 @@ import { button, byId, el, setText } from "../dom/element";
 import type { Failure, Finding, Inspected } from "../engine/types";
 import { QUESTIONS } from "../forms/all";
 import type { Context } from "../forms/context";
-import { fileOf, type OpenModel, stepOf } from "../state/model";
+import { currentFile, type OpenModel, currentStep } from "../state/model";
 import type { Session } from "../state/session";
 import { changeView } from "./change";
-import { type Compared, comparedView } from "./compared";
-import { contextOf } from "./context";
+import { type ComparedView, comparedView } from "./compared";
+import { formContext } from "./context";
 import { type FailureView, failureView } from "./failure";
 import { questionView } from "./question";
-import { type Place, place } from "./sections";
+import { type SectionPlace, place } from "./sections";
 import { stepList } from "./steps";
 import { summary } from "./summary";
-import { unfolded, verdictList } from "./verdicts";
+import { openVerdicts, verdictList } from "./verdicts";
 
 const PREFIX = "model";
 const FOLDED = ["contacts", "figures", "plots", "state", "model"];
@@ -33,14 +33,14 @@ export class ModelView {
   readonly #verdicts = el("div", { class: "findings-box" });
   readonly #applied = el("section", { class: "applied", id: "applied", "aria-labelledby": "applied-title", hidden: true });
   readonly #change: HTMLElement;
-  readonly #feet: Place;
-  readonly #folded: Place[] = FOLDED.map((id) => place({ prefix: PREFIX, id, folded: true }));
-  readonly #compared: Compared;
+  readonly #feet: SectionPlace;
+  readonly #folded: SectionPlace[] = FOLDED.map((id) => place({ prefix: PREFIX, id, folded: true }));
+  readonly #compared: ComparedView;
   #failure: FailureView | undefined;
   #failureBox = el("div");
-  #shown: OpenModel | undefined;
-  #alone = false;
-  #others = "";
+  #shownModel: OpenModel | undefined;
+  #isOnlyModel = false;
+  #openModels = "";
 
   /** `stage`: the body is shown in three dimensions, so that the drawings of the feet are a detail. */
   constructor(readonly session: Session, readonly addFile: Context["addFile"], stage: boolean) {
@@ -69,18 +69,18 @@ export class ModelView {
     if (!model) return;
     this.#showClose(model);
     this.#showQuestion(model);
-    if (model === this.#shown) return;
+    if (model === this.#shownModel) return;
     // What stays is not made again: a reader may be in it.
-    const before = model.id === this.#shown?.id ? this.#shown : undefined;
-    this.#shown = model;
+    const before = model.id === this.#shownModel?.id ? this.#shownModel : undefined;
+    this.#shownModel = model;
     if (!before) this.#takeAnswers(model);
-    setText(this.#title, fileOf(model));
-    const moved = before?.steps !== model.steps || before.at !== model.at;
-    if (moved) this.#showHistory(model);
+    setText(this.#title, currentFile(model));
+    const stepsChanged = before?.steps !== model.steps || before.stepCount !== model.stepCount;
+    if (stepsChanged) this.#showHistory(model);
     if (before?.failure !== model.failure) this.#failure?.show(model.failure ?? undefined);
     this.#section.classList.toggle("broken", model.inspected === null);
     if (model.inspected) this.#showInspected(model, model.inspected, before?.inspected ?? null);
-    if (moved) this.#showApplied(model);
+    if (stepsChanged) this.#showApplied(model);
   }
 
   #showHistory(model: OpenModel): void {
@@ -93,47 +93,47 @@ export class ModelView {
 
   /** Questions about the model are answered here, and asked again then. */
   #takeAnswers(model: OpenModel): void {
-    const context = contextOf(this.session, model.answers, { prefix: `answer-${model.id}`, commit: "change", addFile: this.addFile });
+    const context = formContext(this.session, model.answers, { prefix: `answer-${model.id}`, commit: "change", addFile: this.addFile });
     this.#failure = failureView(() => QUESTIONS, context, this.#title);
     this.#failureBox.replaceChildren(this.#failure.element);
-    this.#compared.about(model);
+    this.#compared.setModel(model);
     model.answers.watch(() => void inspect(this.session, model.id));
   }
 
   /** Among several, each has this button in its row. */
   #showClose(model: OpenModel): void {
-    const alone = this.session.models.value.length === 1;
-    if (alone === this.#alone && model.id === this.#shown?.id && fileOf(model) === fileOf(this.#shown)) return;
-    this.#alone = alone;
+    const isOnlyModel = this.session.models.value.length === 1;
+    if (isOnlyModel === this.#isOnlyModel && model.id === this.#shownModel?.id && currentFile(model) === currentFile(this.#shownModel)) return;
+    this.#isOnlyModel = isOnlyModel;
     const act = () => {
       close(this.session, model);
       byId("choose-files").focus();
     };
-    this.#close.replaceChildren(...(alone ? [button("Close", act, { class: "small", "aria-label": `Close ${fileOf(model)}` })] : []));
+    this.#close.replaceChildren(...(isOnlyModel ? [button("Close", act, { class: "small", "aria-label": `Close ${currentFile(model)}` })] : []));
   }
 
   /** The sentence, and the likely jobs: these depend on what else is open. */
   #showQuestion(model: OpenModel): void {
-    const others = this.session.models.value.map((one) => `${fileOf(one)} ${one.inspected !== null}`).join("\n");
-    if (others === this.#others && model.id === this.#shown?.id && model.inspected?.inspection === this.#shown.inspected?.inspection) return;
-    this.#others = others;
+    const openModels = this.session.models.value.map((one) => `${currentFile(one)} ${one.inspected !== null}`).join("\n");
+    if (openModels === this.#openModels && model.id === this.#shownModel?.id && model.inspected?.inspection === this.#shownModel.inspected?.inspection) return;
+    this.#openModels = openModels;
     this.#question.replaceChildren(...(model.inspected ? questionView(this.session, model, model.inspected.inspection) : []));
   }
 
-  #showInspected(model: OpenModel, seen: Inspected, before: Inspected | null): void {
-    if (seen.inspection !== before?.inspection) this.#summary.replaceChildren(summary(seen));
+  #showInspected(model: OpenModel, inspected: Inspected, before: Inspected | null): void {
+    if (inspected.inspection !== before?.inspection) this.#summary.replaceChildren(summary(inspected));
     const act = (finding: Finding) => void this.#apply(model, finding);
-    if (seen.findings !== before?.findings) {
-      const open = before ? unfolded(this.#verdicts) : new Set<string>();
-      this.#verdicts.replaceChildren(verdictList(seen.verdicts, seen.findings, act, open));
+    if (inspected.findings !== before?.findings) {
+      const open = before ? openVerdicts(this.#verdicts) : new Set<string>();
+      this.#verdicts.replaceChildren(verdictList(inspected.verdicts, inspected.findings, act, open));
     }
-    const sections = new Map(seen.sections.map((section) => [section.id, section]));
+    const sections = new Map(inspected.sections.map((section) => [section.id, section]));
     this.#feet.show(sections.get("feet"));
     for (const [index, id] of FOLDED.entries()) this.#folded[index]?.show(sections.get(id));
   }
 
   #showApplied(model: OpenModel): void {
-    const step = stepOf(model);
+    const step = currentStep(model);
     this.#applied.hidden = !step;
     if (!step) return;
     const changes = place({ prefix: "applied", id: "changes", title: "What it changed", folded: true });

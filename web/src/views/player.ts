@@ -14,48 +14,48 @@ export class Player {
   readonly #play: HTMLButtonElement;
   readonly #time: HTMLInputElement;
   #moments = 0;
-  #lasts = 1;
+  #seconds = 1;
   #running = 0;
 
   /** `shows` is called with each moment; `ends` where a run ends or is stopped. */
-  constructor(readonly texts: Texts, readonly shows: (moment: number) => void, readonly ends: () => void = () => undefined) {
+  constructor(readonly texts: Texts, readonly onMoment: (moment: number) => void, readonly onEnd: () => void = () => undefined) {
     this.#play = button(texts.play, () => (this.#running === 0 ? this.#start() : this.stop()), { id: texts.id });
     this.#time = el("input", { type: "range", min: 0, max: 1, step: 1, class: "slider", "aria-label": texts.time });
     this.#time.addEventListener("input", () => {
       cancelAnimationFrame(this.#running);
       this.#running = 0;
       setText(this.#play, texts.play);
-      shows(this.#time.valueAsNumber);
+      onMoment(this.#time.valueAsNumber);
     });
     this.element.append(this.#play, this.#time);
   }
 
   /** Begins anew with so many moments, which last so many seconds on the screen. */
-  reset(moments: number, lasts: number): void {
+  reset(moments: number, seconds: number): void {
     this.stop();
-    [this.#moments, this.#lasts] = [moments, Math.max(lasts, 0.1)];
+    [this.#moments, this.#seconds] = [moments, Math.max(seconds, 0.1)];
     this.element.hidden = moments < 2;
     setAttribute(this.#time, "max", Math.max(1, moments - 1));
     this.#time.value = "0";
   }
 
   stop(): void {
-    const ran = this.#running !== 0;
+    const wasRunning = this.#running !== 0;
     cancelAnimationFrame(this.#running);
     this.#running = 0;
     setText(this.#play, this.texts.play);
-    if (ran) this.ends();
+    if (wasRunning) this.onEnd();
   }
 
   #start(): void {
     const last = this.#moments - 1;
     const from = this.#time.valueAsNumber >= last ? 0 : this.#time.valueAsNumber;
-    const begin = performance.now() - (from / last) * this.#lasts * 1000;
+    const begin = performance.now() - (from / last) * this.#seconds * 1000;
     setText(this.#play, "Stop");
     const step = (now: number) => {
-      const moment = Math.min(last, Math.max(0, Math.floor(((now - begin) / 1000 / this.#lasts) * last)));
+      const moment = Math.min(last, Math.max(0, Math.floor(((now - begin) / 1000 / this.#seconds) * last)));
       this.#time.value = String(moment);
-      this.shows(moment);
+      this.onMoment(moment);
       if (moment < last) this.#running = requestAnimationFrame(step);
       else this.stop();
     };

@@ -3,22 +3,22 @@
 import { button, el } from "../dom/element";
 import { kilograms } from "../dom/number";
 import type { Inspection } from "../engine/types";
-import { fileOf, type OpenModel } from "../state/model";
+import { currentFile, type OpenModel } from "../state/model";
 import type { Session } from "../state/session";
 
 /** Masses this close are one: what people write has three digits. */
-const SAME = 0.005;
+const MASS_TOLERANCE = 0.005;
 
 /** The sentence, and buttons for the likely jobs. */
 export function questionView(session: Session, model: OpenModel, inspection: Inspection): HTMLElement[] {
-  return [el("p", { class: "says" }, sentenceOf(inspection)), ...offers(session, model, inspection)];
+  return [el("p", { class: "says" }, describeModel(inspection)), ...offers(session, model, inspection)];
 }
 
-function sentenceOf({ mass_kg: own, contacts_mass_kg: made, forces, known_contacts: known }: Inspection): string {
-  const weighs = own === null ? "It is not known what it weighs" : `Weighs ${kilograms(own)}`;
+function describeModel({ mass_kg: bodyMass, contacts_mass_kg: contactsMass, forces, known_contacts: knownContacts }: Inspection): string {
+  const weighs = bodyMass === null ? "It is not known what it weighs" : `Weighs ${kilograms(bodyMass)}`;
   if (forces.length === 0) return `${weighs}; it has no contacts.`;
-  if (known && made?.source !== "note") return `${weighs}; its contacts are those of ${known.title}, made for ${kilograms(known.made_for_kg)}.`;
-  const words = made ? `its contacts were made for ${kilograms(made.value)}` : "nobody wrote down which mass its contacts were made for";
+  if (knownContacts && contactsMass?.source !== "note") return `${weighs}; its contacts are those of ${knownContacts.title}, made for ${kilograms(knownContacts.made_for_kg)}.`;
+  const words = contactsMass ? `its contacts were made for ${kilograms(contactsMass.value)}` : "nobody wrote down which mass its contacts were made for";
   return `${weighs}; ${words}.`;
 }
 
@@ -28,16 +28,16 @@ function offers(session: Session, model: OpenModel, inspection: Inspection): HTM
 }
 
 /** Contacts that fit another mass than the body's. */
-function massOffer(session: Session, { mass_kg: own, contacts_mass_kg: made, forces, known_contacts: known }: Inspection): HTMLElement[] {
-  const isKnown = known != null && made?.source !== "note";
-  const madeFor = isKnown ? known.made_for_kg : made?.value;
-  if (own === null || madeFor === undefined || forces.length === 0 || Math.abs(madeFor / own - 1) < SAME) return [];
-  const said = new Map([["target_mass", plain(own)], ...(isKnown ? [["contacts_mass", plain(madeFor)] as const] : [])]);
-  return [button(`Make them fit this body: ${kilograms(own)}`, () => session.setVerb("rescale", said), { class: "offer" })];
+function massOffer(session: Session, { mass_kg: bodyMass, contacts_mass_kg: contactsMass, forces, known_contacts: knownContacts }: Inspection): HTMLElement[] {
+  const isKnown = knownContacts != null && contactsMass?.source !== "note";
+  const madeFor = isKnown ? knownContacts.made_for_kg : contactsMass?.value;
+  if (bodyMass === null || madeFor === undefined || forces.length === 0 || Math.abs(madeFor / bodyMass - 1) < MASS_TOLERANCE) return [];
+  const values = new Map([["target_mass", massText(bodyMass)], ...(isKnown ? [["contacts_mass", massText(madeFor)] as const] : [])]);
+  return [button(`Make them fit this body: ${kilograms(bodyMass)}`, () => session.setVerb("rescale", values), { class: "offer" })];
 }
 
 /** Without the last bits of a sum. */
-function plain(kg: number): string {
+function massText(kg: number): string {
   return String(Number(kg.toPrecision(8)));
 }
 
@@ -45,13 +45,13 @@ function plain(kg: number): string {
 function followOffer(session: Session, model: OpenModel, { bodies }: Inspection): HTMLElement[] {
   const names = bodies.map(({ name }) => name).join("\n");
   const others = session.models.value.filter((other) => {
-    const seen = other.id !== model.id ? other.inspected?.inspection : undefined;
-    return seen !== undefined && seen.forces.length > 0 && seen.bodies.map(({ name }) => name).join("\n") === names;
+    const inspection = other.id !== model.id ? other.inspected?.inspection : undefined;
+    return inspection !== undefined && inspection.forces.length > 0 && inspection.bodies.map(({ name }) => name).join("\n") === names;
   });
   return others.slice(0, 1).map((other) => {
-    const said = new Map<string, string | boolean>([["from", fileOf(other)], ["follow_bodies", true]]);
-    const act = () => session.setVerb("transfer", said);
-    return button(`Scaled from ${fileOf(other)}? Let its contacts follow the bones`, act, { class: "offer" });
+    const values = new Map<string, string | boolean>([["from", currentFile(other)], ["follow_bodies", true]]);
+    const act = () => session.setVerb("transfer", values);
+    return button(`Scaled from ${currentFile(other)}? Let its contacts follow the bones`, act, { class: "offer" });
   });
 }
 
@@ -69,9 +69,9 @@ function addOffers(session: Session, { forces }: Inspection): HTMLElement[] {
       session.setVerb("add");
       focusField(field);
     };
-    const made = button("", act, { class: "offer way" });
-    made.append(pictureOf(field), el("strong", {}, title), " ", el("span", { class: "quiet" }, about));
-    return made;
+    const offer = button("", act, { class: "offer way" });
+    offer.append(wayPicture(field), el("strong", {}, title), " ", el("span", { class: "quiet" }, about));
+    return offer;
   });
 }
 
@@ -91,7 +91,7 @@ const PICTURES: Readonly<Record<string, readonly [shape: string, kind: "line" | 
   contacts: [["M6 4 H42 V28 H6 Z M6 12 H42 M6 20 H42 M18 4 V28 M30 4 V28", "line"]],
 };
 
-function pictureOf(way: string): SVGSVGElement {
+function wayPicture(way: string): SVGSVGElement {
   const picture = document.createElementNS(SVG, "svg");
   for (const [name, value] of [["viewBox", "0 0 48 32"], ["class", "way-picture"], ["aria-hidden", "true"]] as const) picture.setAttribute(name, value);
   for (const [shape, kind] of PICTURES[way] ?? []) {

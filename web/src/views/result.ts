@@ -1,15 +1,15 @@
 // What the change in the form would do.
 
-import { countsOf } from "../actions/apply";
+import { changeCounts } from "../actions/apply";
 import { byId, el, setText } from "../dom/element";
-import { formOf } from "../forms/all";
+import { findForm } from "../forms/all";
 import type { Context } from "../forms/context";
 import { CALCULATOR } from "../forms/all";
 import type { Preview, Session } from "../state/session";
-import { contextOf } from "./context";
+import { formContext } from "./context";
 import { diffView } from "./diff";
 import { failureView } from "./failure";
-import { type Place, place } from "./sections";
+import { type SectionPlace, place } from "./sections";
 
 const SECTIONS = ["changes", "reference", "plots", "state", "feet", "findings", "figures"];
 const PREFIX = "result";
@@ -20,21 +20,21 @@ export class ResultView {
   readonly #section = byId("result");
   readonly #status = el("p", { class: "status", id: "result-status", tabindex: -1 });
   readonly #findings = el("ul", { class: "change-findings" });
-  readonly #places = new Map<string, Place>(SECTIONS.map((id) => [id, place({ prefix: PREFIX, id, ...TITLES[id] })]));
-  readonly #done = el("div", { class: "done", hidden: true });
+  readonly #places = new Map<string, SectionPlace>(SECTIONS.map((id) => [id, place({ prefix: PREFIX, id, ...TITLES[id] })]));
+  readonly #doneBox = el("div", { class: "done", hidden: true });
   readonly #live = el("p", { class: "hidden", role: "status", "aria-live": "polite" });
   readonly #failure;
   readonly #diff;
   #updates = 0;
-  #said: ReturnType<typeof setTimeout> | undefined;
+  #announceTimer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(readonly session: Session, addFile: Context["addFile"]) {
-    const context = contextOf(session, session.values, { prefix: "question", commit: "change", addFile });
-    this.#failure = failureView(() => formOf(session.verb.value) ?? CALCULATOR, context, this.#status);
+    const context = formContext(session, session.values, { prefix: "question", commit: "change", addFile });
+    this.#failure = failureView(() => findForm(session.verb.value) ?? CALCULATOR, context, this.#status);
     this.#diff = diffView(session);
-    this.#done.append(this.#findings, ...[...this.#places.values()].map(({ element }) => element), this.#diff.element);
+    this.#doneBox.append(this.#findings, ...[...this.#places.values()].map(({ element }) => element), this.#diff.element);
     this.#section.append(
-      el("h2", { id: "result-title" }, "What would change"), this.#status, this.#failure.element, this.#done, this.#live);
+      el("h2", { id: "result-title" }, "What would change"), this.#status, this.#failure.element, this.#doneBox, this.#live);
     session.files.watch(() => this.#failure.refresh());
     this.#watchPlots();
     session.preview.watch((preview) => this.#show(preview));
@@ -50,13 +50,13 @@ export class ResultView {
     this.#section.dataset["complete"] = String(done && preview.complete);
     // Nothing of another model or verb stays.
     if (preview.state === "none") for (const { show } of this.#places.values()) show(undefined);
-    setText(this.#status, statusOf(preview));
+    setText(this.#status, statusText(preview));
     this.#failure.show(preview.state === "failed" ? preview.failure : undefined);
-    this.#done.hidden = !done;
+    this.#doneBox.hidden = !done;
     if (done) this.#showDone(preview);
     this.#updates += 1;
     this.#section.dataset["update"] = String(this.#updates);
-    this.#say(preview);
+    this.#announce(preview);
   }
 
   #showDone(preview: Extract<Preview, { state: "done" }>): void {
@@ -72,28 +72,28 @@ export class ResultView {
   }
 
   /** Screen readers hear the outcome once nothing moves any more. */
-  #say(preview: Preview): void {
-    clearTimeout(this.#said);
-    this.#said = setTimeout(() => setText(this.#live, preview.state === "none" ? "" : statusOf(preview)), 600);
+  #announce(preview: Preview): void {
+    clearTimeout(this.#announceTimer);
+    this.#announceTimer = setTimeout(() => setText(this.#live, preview.state === "none" ? "" : statusText(preview)), 600);
   }
 
   /** Plots are drawn along with every step of a slider while they are on the screen. */
   #watchPlots(): void {
-    const watched = new IntersectionObserver((entries) => {
+    const observer = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) {
         if (isIntersecting) this.session.visible.add(target.id.replace(`${PREFIX}-`, ""));
         else this.session.visible.delete(target.id.replace(`${PREFIX}-`, ""));
       }
     });
-    for (const { element } of this.#places.values()) watched.observe(element);
+    for (const { element } of this.#places.values()) observer.observe(element);
   }
 }
 
-function statusOf(preview: Preview): string {
+function statusText(preview: Preview): string {
   switch (preview.state) {
     case "none": return "";
     case "hint": return preview.text;
     case "failed": return "This cannot be done yet.";
-    case "done": return `${countsOf(preview.change, "would")}.`;
+    case "done": return `${changeCounts(preview.change, "would")}.`;
   }
 }

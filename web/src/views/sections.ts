@@ -1,10 +1,10 @@
 // Places for sections of the engine's renderer. What did not change is not touched, which keeps a slider smooth.
 
 import { el, setText } from "../dom/element";
-import { parsed } from "../dom/markup";
+import { parseHtml } from "../dom/markup";
 import type { Section } from "../engine/types";
 
-export interface Place {
+export interface SectionPlace {
   element: HTMLElement;
   /** Shows a section, or nothing. */
   show(section: Section | undefined): void;
@@ -21,25 +21,25 @@ interface Options {
 }
 
 /** A place for one section. */
-export function place({ prefix, id, folded = false, title }: Options): Place {
+export function place({ prefix, id, folded = false, title }: Options): SectionPlace {
   const heading = el("h3", { id: `${prefix}-${id}-title` }, title ?? "");
   const body = el("div", { class: "body" });
   const element = folded
     ? el("details", { id: `${prefix}-${id}`, class: `section of-${id}`, hidden: true }, el("summary", {}, heading), body)
     : el("div", { id: `${prefix}-${id}`, class: `section of-${id}`, hidden: true }, heading, body);
-  let shown: string | undefined;
+  let shownHtml: string | undefined;
   const show = (section: Section | undefined) => {
     element.hidden = section === undefined || section.html === "";
-    if (section === undefined || section.html === shown) return;
-    shown = section.html;
+    if (section === undefined || section.html === shownHtml) return;
+    shownHtml = section.html;
     setText(heading, title ?? section.title);
-    swap(body, parsed(section.html));
+    replaceContent(body, parseHtml(section.html));
   };
   return { element, show };
 }
 
 /** Replaces what is in `body`; boxes that scroll stay where they were. */
-function swap(body: HTMLElement, content: DocumentFragment): void {
+function replaceContent(body: HTMLElement, content: DocumentFragment): void {
   const scrolled = [...body.querySelectorAll(".wide, .plot.feet")].map(({ scrollLeft }) => scrollLeft);
   const focused = [...body.querySelectorAll("a, [tabindex]")].indexOf(document.activeElement ?? body);
   body.replaceChildren(content);

@@ -4,20 +4,20 @@ import { byId, el, setAttribute, setText } from "../dom/element";
 import { counted, digits } from "../dom/number";
 import type { Bones, PlacedSphere, Scene } from "../engine/space";
 import { QUESTIONS } from "../forms/all";
-import { steer } from "../stage/controls";
+import { addControls } from "../stage/controls";
 import { lowestGap } from "../stage/rest";
-import { type From, type Looked, Stage } from "../stage/world";
-import { answered } from "../state/answers";
-import { fileOf, type OpenModel } from "../state/model";
+import { type ViewDirection, type ViewTarget, Stage } from "../stage/world";
+import { answersFor } from "../state/answers";
+import { currentFile, type OpenModel } from "../state/model";
 import type { Session } from "../state/session";
 import { choices } from "./choices";
 import { FallView } from "./fall";
 import { RecordingView } from "./recording";
 
-const LOOKED: readonly [Looked, string][] = [["feet", "Feet"], ["right", "Right"], ["left", "Left"], ["body", "Whole body"]];
-const FROM: readonly [From, string][] = [["corner", "Corner"], ["side", "Side"], ["front", "Front"], ["top", "Top"]];
+const TARGETS: readonly [ViewTarget, string][] = [["feet", "Feet"], ["right", "Right"], ["left", "Left"], ["body", "Whole body"]];
+const DIRECTIONS: readonly [ViewDirection, string][] = [["corner", "Corner"], ["side", "Side"], ["front", "Front"], ["top", "Top"]];
 /** So many meshes are named. */
-const MOST_NAMED = 4;
+const MAX_NAMED = 4;
 const KEYS = "Drag to turn, drag with the right button to move; click, then turn the wheel to zoom. Keys: arrows turn, Shift and arrows move, + and − zoom.";
 
 export class StageView {
@@ -30,17 +30,17 @@ export class StageView {
   readonly #stage: Stage | undefined;
   readonly #fall: FallView;
   readonly #recording: RecordingView;
-  #looked: Looked = "feet";
-  #from: From = "corner";
+  #target: ViewTarget = "feet";
+  #direction: ViewDirection = "corner";
   #standing = true;
   /** The model that is shown, and the file that its bones are of. */
   #model: number | undefined;
-  #bonesOf = "";
+  #bonesKey = "";
   #now: Scene | undefined;
   #after: Scene | undefined;
 
   constructor(readonly session: Session) {
-    this.#stage = stageOn(this.#canvas);
+    this.#stage = createStage(this.#canvas);
     this.#fall = new FallView((body, old, moves) => {
       this.#recording.stop();
       this.#stage?.unpose();
@@ -53,16 +53,16 @@ export class StageView {
     }, () => this.#now?.axes[1] ?? [0, 1, 0]);
     const frame = el("div", { class: "stage-frame" }, this.#canvas);
     const bars = [
-      choices("Show", LOOKED, this.#looked, (looked) => this.#look(looked, this.#from)),
-      choices("From", FROM, this.#from, (from) => this.#look(this.#looked, from)),
-      choices("Pose", [["standing", "Standing"], ["default", "Default pose"]], "standing", (pose) => this.#stand(pose === "standing")),
+      choices("Show", TARGETS, this.#target, (looked) => this.#setView(looked, this.#direction)),
+      choices("From", DIRECTIONS, this.#direction, (from) => this.#setView(this.#target, from)),
+      choices("Pose", [["standing", "Standing"], ["default", "Default pose"]], "standing", (pose) => this.#setStanding(pose === "standing")),
     ];
     const words = this.#inWords;
     words.append(el("summary", {}, "The same in words"), this.#words);
     words.addEventListener("toggle", () => this.#show());
     this.#section.append(el("h2", { id: "stage-title", class: "hidden" }, "The body"));
     if (this.#stage) {
-      steer(this.#stage);
+      addControls(this.#stage);
       new ResizeObserver(() => this.#stage?.resize(frame.clientWidth, frame.clientHeight)).observe(frame);
       matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#stage?.recolour());
       this.#section.append(el("div", { class: "stage-bar" }, ...bars), frame, el("p", { class: "hidden", id: "stage-keys" }, KEYS));
@@ -96,14 +96,14 @@ export class StageView {
     this.#section.hidden = !now;
     if (!model || !now) return;
     const { value: preview } = this.session.preview;
-    const done = preview.state === "done" && preview.request.models?.[0] === fileOf(model) ? preview.change : undefined;
+    const done = preview.state === "done" && preview.request.models?.[0] === currentFile(model) ? preview.change : undefined;
     // What a step of the slider did not ask for stays as it was.
     const after = preview.state === "done" && !done?.scene && !done?.unchanged ? this.#after : (done?.scene ?? undefined);
     const isNew = model.id !== this.#model;
     const changed = isNew || now !== this.#now || after !== this.#after;
     [this.#model, this.#now, this.#after] = [model.id, now, done ? after : undefined];
     if (changed) this.#show();
-    if (isNew) this.#look(this.#looked, this.#from);
+    if (isNew) this.#setView(this.#target, this.#direction);
     void this.#fetchBones();
     this.#showFalls(model);
   }
@@ -115,45 +115,45 @@ export class StageView {
     this.#stage?.unpose();
     this.#stage?.show({ now, after, standing: this.#standing });
     setAttribute(this.#canvas, "aria-label", `${now.spheres.length} contact spheres under the body, which can be turned; in words below`);
-    setText(this.#remark, remarkOf(now, this.#standing));
-    if (this.#inWords.open) this.#words.replaceChildren(inWords(now, after));
+    setText(this.#remark, poseRemark(now, this.#standing));
+    if (this.#inWords.open) this.#words.replaceChildren(describeScene(now, after));
   }
 
   #showFalls(model: OpenModel): void {
     const { value: preview } = this.session.preview;
-    const done = preview.state === "done" && preview.request.models?.[0] === fileOf(model) ? preview : undefined;
+    const done = preview.state === "done" && preview.request.models?.[0] === currentFile(model) ? preview : undefined;
     // While the slider moves, the fall stays that of the step before.
     if (done && !done.complete && done.change.falls.length === 0) return;
     this.#fall.show(done && done.change.falls.length > 0 ? done.change.falls : (model.inspected?.falls ?? []));
   }
 
-  #look(looked: Looked, from: From): void {
-    [this.#looked, this.#from] = [looked, from];
+  #setView(looked: ViewTarget, from: ViewDirection): void {
+    [this.#target, this.#direction] = [looked, from];
     this.#stage?.look(looked, from);
   }
 
-  #stand(standing: boolean): void {
+  #setStanding(standing: boolean): void {
     this.#standing = standing;
     this.#show();
-    this.#look(this.#looked, this.#from);
+    this.#setView(this.#target, this.#direction);
   }
 
   /** Asks for the bones where the model is another one, or other files are here. */
   async #fetchBones(): Promise<void> {
     const model = this.session.model();
     if (!this.#stage || !model?.inspected) return;
-    const file = fileOf(model);
+    const file = currentFile(model);
     const key = [file, ...this.session.files.value.filter(({ kind }) => kind === "mesh").map(({ name }) => name)].join("\n");
-    if (key === this.#bonesOf) return;
-    this.#bonesOf = key;
-    const bones = await this.session.engine.bones(file, answered(model, QUESTIONS)).catch(() => undefined);
-    if (key !== this.#bonesOf) return;
+    if (key === this.#bonesKey) return;
+    this.#bonesKey = key;
+    const bones = await this.session.engine.bones(file, answersFor(model, QUESTIONS)).catch(() => undefined);
+    if (key !== this.#bonesKey) return;
     this.#stage.setBones(bones);
     setText(this.#meshes, meshNote(bones));
   }
 }
 
-function stageOn(canvas: HTMLCanvasElement): Stage | undefined {
+function createStage(canvas: HTMLCanvasElement): Stage | undefined {
   try {
     // Asked first: three says in the console what it lacks.
     return document.createElement("canvas").getContext("webgl2") ? new Stage(canvas) : undefined;
@@ -165,13 +165,13 @@ function stageOn(canvas: HTMLCanvasElement): Stage | undefined {
 /** Which bones are not there, and what to do. */
 function meshNote(bones: Bones | undefined): string {
   const { missing = [], broken = [] } = bones ?? {};
-  const named = missing.slice(0, MOST_NAMED).join(", ");
-  const more = missing.length > MOST_NAMED ? ` and ${counted(missing.length - MOST_NAMED, "other", "others")}` : "";
-  const lacking = missing.length > 0 ? `To see its bones, open the folder Geometry, too. Not here: ${named}${more}.` : "";
+  const names = missing.slice(0, MAX_NAMED).join(", ");
+  const more = missing.length > MAX_NAMED ? ` and ${counted(missing.length - MAX_NAMED, "other", "others")}` : "";
+  const lacking = missing.length > 0 ? `To see its bones, open the folder Geometry, too. Not here: ${names}${more}.` : "";
   return [lacking, ...broken.map((why) => `${why}.`)].filter(Boolean).join(" ");
 }
 
-function remarkOf(scene: Scene, standing: boolean): string {
+function poseRemark(scene: Scene, standing: boolean): string {
   if (scene.why_not_placed !== null) return `Some bodies are left out: ${scene.why_not_placed}.`;
   const gap = lowestGap(scene);
   if (gap === undefined || !standing || Math.abs(gap) < 5e-4) return "";
@@ -179,7 +179,7 @@ function remarkOf(scene: Scene, standing: boolean): string {
 }
 
 /** What the view shows, for those who do not see it. */
-function inWords(now: Scene, after: Scene | undefined): HTMLElement {
+function describeScene(now: Scene, after: Scene | undefined): HTMLElement {
   const before = new Map(now.spheres.map((sphere) => [sphere.path, sphere]));
   const rows = (after ?? now).spheres.map((sphere) => row(sphere, after ? before.get(sphere.path) : undefined));
   const heads = ["sphere", "body", "radius (mm)", "share of body weight", "x/R at rest"].map((text) => el("th", { scope: "col" }, text));
@@ -192,6 +192,6 @@ function row(sphere: PlacedSphere, before: PlacedSphere | undefined): HTMLElemen
   const cell = (text: string) => el("td", {}, text);
   const number = (value: number | null) => (value === null ? "–" : digits(value, 3));
   const radius = number(sphere.radius_m * 1000);
-  const was = before && before.radius_m !== sphere.radius_m ? `${number(before.radius_m * 1000)} → ${radius}` : radius;
-  return el("tr", {}, el("th", { scope: "row" }, sphere.name), cell(sphere.body), cell(was), cell(number(sphere.force_bw)), cell(number(sphere.relative_indentation)));
+  const radiusText = before && before.radius_m !== sphere.radius_m ? `${number(before.radius_m * 1000)} → ${radius}` : radius;
+  return el("tr", {}, el("th", { scope: "row" }, sphere.name), cell(sphere.body), cell(radiusText), cell(number(sphere.force_bw)), cell(number(sphere.relative_indentation)));
 }

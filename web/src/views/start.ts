@@ -19,7 +19,7 @@ the mouse floats, the giraffe sinks. Full: on contacts scaled by mass. Sizes and
 export async function showFalls(session: Session): Promise<void> {
   const falls = await session.engine.animals().catch(() => []);
   if (falls.length === 0) return;
-  const { picture, at } = pictureOf(falls);
+  const { picture, showMoment } = fallsPicture(falls);
   const moments = falls[0]?.scaled.length ?? 1;
   const again = button("Let them fall again", () => fall(), { class: "small" });
   let running = 0;
@@ -28,13 +28,13 @@ export async function showFalls(session: Session): Promise<void> {
     const start = performance.now();
     const step = (now: number) => {
       const share = Math.min(1, (now - start) / FALL_MS);
-      at(Math.round(share * (moments - 1)));
+      showMoment(Math.round(share * (moments - 1)));
       if (share < 1 && !byId("start").hidden) running = requestAnimationFrame(step);
     };
     running = requestAnimationFrame(step);
   };
   byId("falls").replaceChildren(picture, el("p", { class: "quiet" }, CAPTION), el("p", {}, again));
-  at(moments - 1);
+  showMoment(moments - 1);
   // Who wants no motion sees where they end, until they ask for it.
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches) fall();
 }
@@ -42,29 +42,29 @@ export async function showFalls(session: Session): Promise<void> {
 interface Picture {
   picture: SVGSVGElement;
   /** Shows a moment. */
-  at(moment: number): void;
+  showMoment(moment: number): void;
 }
 
-function pictureOf(falls: readonly AnimalFall[]): Picture {
+function fallsPicture(falls: readonly AnimalFall[]): Picture {
   const width = COLUMN * falls.length;
-  const picture = made("svg", { viewBox: `0 0 ${width} ${GROUND + BELOW}`, role: "img", class: "animals" });
-  picture.setAttribute("aria-label", `Falls of ${falls.map(inWords).join("; ")}`);
-  picture.append(made("rect", { x: 0, y: GROUND, width, height: 40, class: "ground" }));
+  const picture = svgElement("svg", { viewBox: `0 0 ${width} ${GROUND + BELOW}`, role: "img", class: "animals" });
+  picture.setAttribute("aria-label", `Falls of ${falls.map(describeFall).join("; ")}`);
+  picture.append(svgElement("rect", { x: 0, y: GROUND, width, height: 40, class: "ground" }));
   const balls = falls.flatMap(({ name, mass_kg: mass, left_behind: left, scaled }, index) => {
     const middle = COLUMN * (index + 0.5);
     const [wrong, right] = [ball("old", middle - 24), ball("new", middle + 24)];
     picture.append(wrong, right, words(`${name}, ${kilograms(mass)}`, middle));
     return [{ circle: wrong, heights: left }, { circle: right, heights: scaled }];
   });
-  const at = (moment: number) => {
+  const showMoment = (moment: number) => {
     for (const { circle, heights } of balls) {
       circle.setAttribute("cy", (GROUND - BALL * (1 + (heights[moment] ?? 0))).toFixed(2));
     }
   };
-  return { picture, at };
+  return { picture, showMoment };
 }
 
-function inWords({ name, left_behind: left, scaled }: AnimalFall): string {
+function describeFall({ name, left_behind: left, scaled }: AnimalFall): string {
   const end = (heights: readonly number[]) => {
     const height = heights[heights.length - 1] ?? 0;
     return height > 0 ? `it floats ${height.toFixed(1)} radii over the ground` : `it is ${(-height).toFixed(2)} radii deep in the end`;
@@ -73,16 +73,16 @@ function inWords({ name, left_behind: left, scaled }: AnimalFall): string {
 }
 
 function ball(kind: string, x: number): SVGCircleElement {
-  return made("circle", { r: BALL, cx: x, class: kind });
+  return svgElement("circle", { r: BALL, cx: x, class: kind });
 }
 
 function words(text: string, x: number): SVGTextElement {
-  const label = made("text", { x, y: GROUND + BELOW - 14, "text-anchor": "middle" });
+  const label = svgElement("text", { x, y: GROUND + BELOW - 14, "text-anchor": "middle" });
   setText(label, text);
   return label;
 }
 
-function made<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Readonly<Record<string, string | number>>): SVGElementTagNameMap[K] {
+function svgElement<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Readonly<Record<string, string | number>>): SVGElementTagNameMap[K] {
   const element = document.createElementNS(SVG, tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   return element;

@@ -4,15 +4,15 @@ import { button, el } from "../dom/element";
 import type { OpenModel } from "../state/model";
 
 /** The steps as a list; nothing where there are none. */
-export function stepList(model: OpenModel, goTo: (at: number) => void): HTMLElement[] {
+export function stepList(model: OpenModel, goTo: (stepCount: number) => void): HTMLElement[] {
   if (model.steps.length === 0) return [];
   const opened = entry(`Opened ${model.origin}`, 0, model, goTo);
-  const made = model.steps.map(({ text, name }, index) => entry(`${text} → ${name}`, index + 1, model, goTo));
-  return [el("ol", { class: "steps", "aria-label": "Steps" }, opened, ...made)];
+  const entries = model.steps.map(({ text, name }, index) => entry(`${text} → ${name}`, index + 1, model, goTo));
+  return [el("ol", { class: "steps", "aria-label": "Steps" }, opened, ...entries)];
 }
 
-function entry(text: string, at: number, model: OpenModel, goTo: (at: number) => void): HTMLElement {
-  const now = at === model.at;
-  const content = now ? el("strong", {}, text) : button(text, () => goTo(at), { class: "link" });
-  return el("li", { class: at > model.at ? "undone" : undefined, "aria-current": now ? "step" : undefined }, content);
+function entry(text: string, stepCount: number, model: OpenModel, goTo: (stepCount: number) => void): HTMLElement {
+  const isCurrent = stepCount === model.stepCount;
+  const content = isCurrent ? el("strong", {}, text) : button(text, () => goTo(stepCount), { class: "link" });
+  return el("li", { class: stepCount > model.stepCount ? "undone" : undefined, "aria-current": isCurrent ? "step" : undefined }, content);
 }

@@ -16,22 +16,22 @@ export function summary({ inspection }: Inspected): HTMLElement {
     ["Forces", [forces(inspection)]],
     ["Gravity", [inspection.gravity_m_s2 == null ? "unknown" : `${digits(inspection.gravity_m_s2, 6)} m/s²`]],
   ];
-  return el("dl", { class: "summary" }, ...rows.flatMap(([term, said]) => [el("dt", {}, term), el("dd", {}, ...said)]));
+  return el("dl", { class: "summary" }, ...rows.flatMap(([term, content]) => [el("dt", {}, term), el("dd", {}, ...content)]));
 }
 
 function quiet(text: string): HTMLElement {
   return el("span", { class: "quiet" }, text);
 }
 
-function mass({ mass_kg: known, bodies }: Inspection): Child[] {
-  const text = known === null ? "unknown" : kilograms(known);
+function mass({ mass_kg: bodyMass, bodies }: Inspection): Child[] {
+  const text = bodyMass === null ? "unknown" : kilograms(bodyMass);
   return bodies.length === 0 ? [text] : [text, quiet(` sum of ${counted(bodies.length, "body", "bodies")}`)];
 }
 
-function madeFor({ contacts_mass_kg: made, known_contacts: known, forces: all }: Inspection): Child[] {
+function madeFor({ contacts_mass_kg: contactsMass, known_contacts: knownContacts, forces: all }: Inspection): Child[] {
   if (all.length === 0) return ["there are no contacts"];
-  const text = made ? [kilograms(made.value), quiet(` ${SOURCES[made.source] ?? made.source}`)] : ["unknown"];
-  return known ? [...text, el("br"), quiet(`parameters of ${known.title}`)] : text;
+  const text = contactsMass ? [kilograms(contactsMass.value), quiet(` ${SOURCES[contactsMass.source] ?? contactsMass.source}`)] : ["unknown"];
+  return knownContacts ? [...text, el("br"), quiet(`parameters of ${knownContacts.title}`)] : text;
 }
 
 function limbs({ limbs: all }: Inspection): Child[] {

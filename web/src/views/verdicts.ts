@@ -11,22 +11,22 @@ const SIGNS: Readonly<Record<Verdict["sign"], [string, string]>> = {
 
 /** The verdicts with their findings, then findings that belong to none. */
 export function verdictList(verdicts: readonly Verdict[], findings: readonly Finding[], apply: Apply, open: ReadonlySet<string>): HTMLElement {
-  const rest = findings.filter(({ code }) => !verdicts.some(({ codes }) => codes.includes(code)));
-  const lines = verdicts.map((verdict) => line(verdict, findings.filter(({ code }) => verdict.codes.includes(code)), apply, open.has(verdict.on)));
-  const others = rest.length > 0 ? [el("h4", {}, "Also"), el("ul", { class: "findings" }, ...findingItems(rest, apply))] : [];
+  const otherFindings = findings.filter(({ code }) => !verdicts.some(({ codes }) => codes.includes(code)));
+  const lines = verdicts.map((verdict) => verdictElement(verdict, findings.filter(({ code }) => verdict.codes.includes(code)), apply, open.has(verdict.on)));
+  const others = otherFindings.length > 0 ? [el("h4", {}, "Also"), el("ul", { class: "findings" }, ...findingItems(otherFindings, apply))] : [];
   return el("div", { class: "verdicts" }, ...lines, ...others);
 }
 
 /** Which lines are unfolded in a list that is about to be made again. */
-export function unfolded(box: Element): Set<string> {
+export function openVerdicts(box: Element): Set<string> {
   return new Set([...box.querySelectorAll<HTMLDetailsElement>("details.verdict[open]")].map(({ dataset }) => dataset["on"] ?? ""));
 }
 
-function line({ question, on, sign, text, place }: Verdict, findings: readonly Finding[], apply: Apply, open: boolean): HTMLElement {
-  const [mark, spoken] = SIGNS[sign];
+function verdictElement({ question, on, sign, text, place }: Verdict, findings: readonly Finding[], apply: Apply, open: boolean): HTMLElement {
+  const [mark, signText] = SIGNS[sign];
   const where = place !== null && !text.includes(place) ? ` ${place}` : "";
   const head = el("summary", {},
-    el("span", { class: `sign ${sign}`, role: "img", "aria-label": spoken }, mark), " ",
+    el("span", { class: `sign ${sign}`, role: "img", "aria-label": signText }, mark), " ",
     el("span", { class: "asked" }, question), " ", el("span", { class: "short quiet" }, text));
   // What is wrong and can be put right is not hidden.
   const acts = findings.some(({ remedy, severity }) => remedy && severity !== "remark");

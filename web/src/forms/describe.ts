@@ -3,22 +3,22 @@
 import type { Request } from "../engine/types";
 import type { ChangeForm } from "./declaration";
 
-const MOST = 60;
+const MAX_LENGTH = 60;
 
 /** "Rescale: target mass 500 kg". */
-export function spoken(request: Request, form: ChangeForm | undefined): string {
+export function describeRequest(request: Request, form: ChangeForm | undefined): string {
   const title = form?.title ?? request.verb;
   const parts = (form?.fields ?? []).flatMap(({ name, label, unit, group }) => {
     const value = request[name];
     // Files that belong to the model go along with everything.
     if (value === undefined || group === "Files") return [];
-    return [`${lower(label)}${shown(value)}${unit && typeof value === "number" ? ` ${unit}` : ""}`];
+    return [`${lower(label)}${valueText(value)}${unit && typeof value === "number" ? ` ${unit}` : ""}`];
   });
   const text = parts.join(", ");
-  return text === "" ? title : `${title}: ${text.length > MOST ? `${text.slice(0, MOST)}…` : text}`;
+  return text === "" ? title : `${title}: ${text.length > MAX_LENGTH ? `${text.slice(0, MAX_LENGTH)}…` : text}`;
 }
 
-function shown(value: unknown): string {
+function valueText(value: unknown): string {
   if (value === true) return "";
   if (Array.isArray(value)) return ` ${value.join(" ")}`;
   if (typeof value === "object" && value !== null) return ` ${Object.entries(value).map((pair) => pair.join(" ")).join(", ")}`;

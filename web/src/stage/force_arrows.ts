@@ -2,24 +2,24 @@
 
 import { ArrowHelper, Group, Vector3 } from "three";
 
-import type { Played, PlayedForce } from "../engine/space";
+import type { PlayedMotion, PlayedForce } from "../engine/space";
 
 /** Longer arrows would lead out of every picture. */
-const MOST_BW = 3;
+const MAX_BW = 3;
 
-export class Pushes {
+export class ForceArrows {
   readonly group = new Group();
   /** Of each foot that of the contacts, then that of its plates. */
   #arrows: ArrowHelper[] = [];
-  #of: Played | undefined;
+  #played: PlayedMotion | undefined;
 
   /** Shows those of a frame; `unit` is the length for one body weight. */
-  show(played: Played, frame: number, unit: number, colours: { model: string; plates: string }): void {
-    if (played !== this.#of) this.#begin(played, colours);
+  show(played: PlayedMotion, frame: number, unit: number, colours: { model: string; plates: string }): void {
+    if (played !== this.#played) this.#begin(played, colours);
     const forces = played.feet.flatMap(({ model, plates }) => [model, plates]);
     for (const [index, force] of forces.entries()) {
       const arrow = this.#arrows[index];
-      if (arrow) point(arrow, force, frame, unit);
+      if (arrow) setArrow(arrow, force, frame, unit);
     }
     this.group.visible = true;
   }
@@ -28,13 +28,13 @@ export class Pushes {
     this.group.visible = false;
   }
 
-  #begin(played: Played, colours: { model: string; plates: string }): void {
+  #begin(played: PlayedMotion, colours: { model: string; plates: string }): void {
     for (const arrow of this.#arrows) {
       arrow.removeFromParent();
       arrow.dispose();
     }
     // Seen through spheres and bones.
-    const made = (colour: string) => {
+    const newArrow = (colour: string) => {
       const arrow = new ArrowHelper(new Vector3(0, 1, 0), new Vector3(), 1, colour);
       for (const part of [arrow.line, arrow.cone]) {
         part.renderOrder = 2;
@@ -42,19 +42,19 @@ export class Pushes {
       }
       return arrow;
     };
-    this.#arrows = played.feet.flatMap(() => [made(colours.model), made(colours.plates)]);
+    this.#arrows = played.feet.flatMap(() => [newArrow(colours.model), newArrow(colours.plates)]);
     this.group.add(...this.#arrows);
-    this.#of = played;
+    this.#played = played;
   }
 }
 
-function point(arrow: ArrowHelper, force: PlayedForce | null, frame: number, unit: number): void {
+function setArrow(arrow: ArrowHelper, force: PlayedForce | null, frame: number, unit: number): void {
   const [push, at] = [force?.forces_bw[frame], force?.points_m[frame]];
   arrow.visible = push != null && at != null;
   if (!push || !at) return;
   const along = new Vector3(...push);
   // Contacts that are far too stiff push many times the weight: that is in the curves.
-  const length = unit * Math.min(along.length(), MOST_BW);
+  const length = unit * Math.min(along.length(), MAX_BW);
   arrow.position.set(...at);
   arrow.setDirection(along.normalize());
   arrow.setLength(Math.max(length, 1e-6), Math.min(0.2 * length, 0.12 * unit), Math.min(0.1 * length, 0.06 * unit));

@@ -1,8 +1,8 @@
-// Keeps the engine, and the files that were given to it: a defect in the engine ends it, and loses nothing.
+// Runs the engine and stores its files: after a defect, a new engine starts with the same files.
 
 import { __wbg_reset_state, Engine, initSync } from "osim-engine";
 
-export class Keeper {
+export class EngineHost {
   #engine: Engine | undefined;
   readonly #files = new Map<string, Uint8Array>();
 
@@ -12,7 +12,7 @@ export class Keeper {
     this.#engine = new Engine();
   }
 
-  /** Starts it again after it ended, with the same files. The last change is forgotten. */
+  /** Starts a new engine with the same files after the old one ended. The last change is lost. */
   restart(): void {
     if (!this.#engine) return;
     __wbg_reset_state();
@@ -28,7 +28,7 @@ export class Keeper {
     }
   }
 
-  /** Does to an example what users do first, in an engine of its own: browsers compile what runs for the first time. */
+  /** Opens and changes an example in a separate engine, because browsers compile code when it first runs. */
   warmUp(example: Uint8Array): void {
     const engine = new Engine();
     engine.put("example.osim", example);
@@ -39,40 +39,40 @@ export class Keeper {
   }
 
   put(name: string, bytes: Uint8Array): void {
-    // One that ends the engine is not given to the next one.
-    this.#started().put(name, bytes);
+    // A file that makes the engine fail is not stored for the next engine.
+    this.#runningEngine().put(name, bytes);
     this.#files.set(name, bytes);
   }
 
   remove(name: string): void {
     this.#files.delete(name);
-    this.#started().remove(name);
+    this.#runningEngine().remove(name);
   }
 
   bytes(name: string): Uint8Array | undefined {
-    return this.#started().bytes(name);
+    return this.#runningEngine().bytes(name);
   }
 
   result(index: number): Uint8Array | undefined {
-    return this.#started().result(index);
+    return this.#runningEngine().result(index);
   }
 
   call(question: string): string {
-    const engine = this.#started();
-    // At Greenwich, as the other programs have it.
+    const engine = this.#runningEngine();
+    // The date in UTC, as in the other programs.
     engine.set_today(new Date().toISOString().slice(0, 10));
     return engine.call(question);
   }
 
-  /** Remembers files that the engine made for itself. */
-  kept(names: string[]): void {
+  /** Stores files that the engine has made. */
+  rememberFiles(names: string[]): void {
     for (const name of names) {
       const bytes = this.bytes(name);
       if (bytes) this.#files.set(name, bytes);
     }
   }
 
-  #started(): Engine {
+  #runningEngine(): Engine {
     if (!this.#engine) throw new Error("the engine has not started");
     return this.#engine;
   }
