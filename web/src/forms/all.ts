@@ -13,7 +13,7 @@ export function findForm(verb: string): ChangeForm | undefined {
   return CHANGES.find((form) => form.verb === verb);
 }
 
-/** The declaration of a field, by its name: that of the form, else that of any other. */
+/** The declaration of a field by its name, first in `form`, then in all other forms. */
 export function findField(name: string, form: Form): Field | undefined {
   const forms = [form, QUESTIONS, ...CHANGES];
   return forms.flatMap(({ fields }) => fields).find((field) => field.name === name);

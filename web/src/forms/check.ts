@@ -1,4 +1,4 @@
-// Whether what was typed is what a field takes. The engine checks again; this says it at the field, while it is typed.
+// Checks the values of fields while the user types, to show problems beside the field. The engine checks them again.
 
 import type { Value } from "./values";
 import type { Field, Limits } from "./declaration";
@@ -6,14 +6,14 @@ import type { Field, Limits } from "./declaration";
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
 const FACTOR = /^[xX×](.+)$/;
 
-/** The number in `text`, if it is one. */
+/** The number in `text`; undefined if it is not a number. */
 export function numberIn(text: string): number | undefined {
   const trimmed = text.trim();
-  // One that is too large for a number would be sent as nothing at all.
+  // JSON has no infinity: a number that is too large would be lost.
   return NUMBER.test(trimmed) && Number.isFinite(Number(trimmed)) ? Number(trimmed) : undefined;
 }
 
-/** What is wrong with a value, in a sentence. */
+/** The problem of a value, as a sentence. */
 export function valueProblem(field: Field, value: Value): string | undefined {
   switch (field.kind) {
     case "number":
@@ -36,7 +36,7 @@ function numberProblem(text: string, { kind, limits = {} }: Field): string | und
 }
 
 function notANumber(text: string): string {
-  // A comma before three digits is one of thousands, or a decimal one: nobody can know.
+  // A comma before three digits can separate thousands or decimals.
   if (/^[+-]?\d{1,3}(,\d{3})+$/.test(text.trim())) return `Write ${text.trim().replaceAll(",", "")}, or ${text.trim().replace(",", ".").replaceAll(",", "")} with a decimal point: the comma can mean either.`;
   const pointed = text.trim().replace(",", ".");
   return numberIn(pointed) !== undefined ? `Write ${pointed}, with a decimal point.` : "Write a number, such as 0.5 or 2e6, without a unit.";

@@ -1,37 +1,37 @@
-// What the controls of a form share.
+// Data and functions that all controls of a form use.
 
 import type { Source } from "./declaration";
 import type { Values } from "./values";
 
-/** Something to choose. */
+/** An option of a field. */
 export interface Option {
   value: string;
   text: string;
-  /** Options with the same heading are together. */
+  /** Options with the same heading are one group. */
   heading?: string;
-  /** Fields that must be given with it. */
+  /** Other fields that this option sets. */
   alsoSets?: Readonly<Record<string, string>>;
 }
 
 export interface Context {
   values: Values;
-  /** What ids of the form's elements begin with. */
+  /** The prefix of the ids of the form's elements. */
   prefix: string;
-  /** Whether a value counts while it is typed, or when it is complete. */
+  /** The event that sets a value: while the user types, or when the value is complete. */
   commit: "input" | "change";
-  /** What there is to choose from. */
+  /** The options of a source. */
   options(source: Source): Option[];
-  /** Lets the user add files; gives their names. */
+  /** Lets the user add files; returns their names. */
   addFile(source: Source): Promise<string[]>;
-  /** The value of a property in the model, where it has one. */
+  /** The value of a property in the model, if it has one for all spheres or forces. */
   currentValue(property: string): string | undefined;
-  /** What the model weighs, kg; where that is not known, what its contacts were made for. */
+  /** The mass of the model, kg; if that is not known, the mass that its contacts were made for. */
   modelMass(): number | undefined;
 }
 
 /** A field on the page. */
 export interface Control {
   element: HTMLElement;
-  /** Shows what the form says now; `choices`: what there is to choose from may be other than before. */
+  /** Shows the current value; `choices`: the options may have changed. */
   refresh(choices: boolean): void;
 }

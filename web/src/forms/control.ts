@@ -1,4 +1,4 @@
-// The control of a field, by what the field takes.
+// Creates the control of a field for its kind.
 
 import type { Context, Control } from "./context";
 import type { Field, Kind } from "./declaration";

@@ -1,4 +1,4 @@
-// How a form is declared. The build makes the declarations from the JSON Schemas of the requests.
+// Declarations of forms. The build makes them from the JSON Schemas of the requests.
 
 export type Source = "properties" | "forces" | "bodies" | "references" | "presets" | "scales" | "tables" | "geometries" | "models";
 
@@ -26,11 +26,11 @@ export interface Field {
   /** Whether a factor such as x1.5 may be given. */
   factor?: boolean;
   limits?: Limits;
-  /** Where its choices come from. */
+  /** The source of its options. */
   source?: Source;
   /** The value that is used if none is given. */
   default?: string;
-  /** The group it belongs to; empty for usual fields. */
+  /** The group it belongs to; empty for main fields. */
   group: string;
 }
 

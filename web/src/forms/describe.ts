@@ -1,4 +1,4 @@
-// A request in a few words, for the list of steps.
+// Describes a request in a few words, for the list of steps.
 
 import type { Request } from "../engine/types";
 import type { ChangeForm } from "./declaration";
@@ -10,7 +10,7 @@ export function describeRequest(request: Request, form: ChangeForm | undefined):
   const title = form?.title ?? request.verb;
   const parts = (form?.fields ?? []).flatMap(({ name, label, unit, group }) => {
     const value = request[name];
-    // Files that belong to the model go along with everything.
+    // Files that belong to the model are in every request.
     if (value === undefined || group === "Files") return [];
     return [`${lower(label)}${valueText(value)}${unit && typeof value === "number" ? ` ${unit}` : ""}`];
   });

@@ -1,4 +1,4 @@
-// A field for a file: one of those that are there, or one more.
+// A field for a file: an open one, or one that the user adds.
 
 import { button, el } from "../dom/element";
 import type { Context, Control, Option } from "./context";
@@ -13,7 +13,7 @@ export function fileControl(field: Field, context: Context): Control {
     const before = alsoSet(context.values.text(field.name));
     const now = alsoSet(select.value);
     context.values.set(field.name, select.value);
-    // What came along with the choice before goes with it.
+    // Fields that only the old option has set are cleared.
     for (const [name, value] of Object.entries(before)) {
       if (!(name in now) && context.values.text(name) === value) context.values.set(name, "");
     }
@@ -40,13 +40,13 @@ export function fileControl(field: Field, context: Context): Control {
   return { element, refresh };
 }
 
-/** Presets that only this field takes. */
+/** The options, and presets that only this field has. */
 function withPresets(options: Option[], { choices = [] }: Field): Option[] {
   const others = choices.filter(({ value }) => !options.some((option) => option.value === value));
   return [...options, ...others.map((choice) => ({ ...choice, heading: "Presets" }))];
 }
 
-/** The options, and the given value: it may name something that is not there any more, or not yet. */
+/** The options, and the current value, which may name a file that is not open. */
 function withValue(options: Option[], value: string): Option[] {
   const isListed = value === "" || options.some(({ value }) => value === value);
   return isListed ? options : [...options, { value, text: `${value} (not here)` }];

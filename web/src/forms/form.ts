@@ -1,4 +1,4 @@
-// A form: usual fields first, all others in groups that are closed until they are needed.
+// Shows a form: main fields first, all others in groups that are closed at first.
 
 import { el, setText } from "../dom/element";
 import type { Context, Control } from "./context";
@@ -7,9 +7,9 @@ import type { Field, Form } from "./declaration";
 
 export interface FormView {
   element: HTMLElement;
-  /** What there is to choose from may have changed. */
+  /** Call this when the options may have changed. */
   refresh(): void;
-  /** The form is not shown any more. */
+  /** Call this when the form is removed. */
   end(): void;
 }
 
@@ -30,7 +30,7 @@ export function showForm(form: Form, context: Context): FormView {
     setText(hint, relationHint(form, context));
     return setCount;
   };
-  /** The form is new, or all of it was replaced: what is set must be seen. */
+  /** Shows a new form, or one whose values were all replaced: the groups open if one of their fields is set. */
   const showAll = (choices: boolean) => {
     if (update(choices, null) > 0) more.open = true;
   };
@@ -51,7 +51,7 @@ function groups(fields: readonly Field[], controls: ReadonlyMap<string, Control>
   });
 }
 
-/** What goes with what, where the form says otherwise. */
+/** A hint if the values of the form exclude each other, or if one needs another. */
 function relationHint(form: Form, { values }: Pick<Context, "values">): string {
   const isGiven = (name: string) => values.get(name) !== undefined;
   const label = (name: string) => `“${form.fields.find((field) => field.name === name)?.label ?? name}”`;

@@ -1,4 +1,4 @@
-// What is around every field: its label, its help, and what is wrong with what was typed.
+// Adds label, help and problem to a field.
 
 import { type Child, el, setAttribute, setText } from "../dom/element";
 import { valueProblem } from "./check";
@@ -7,7 +7,7 @@ import type { Field } from "./declaration";
 
 interface Frame {
   element: HTMLElement;
-  /** Says whether the value is right. */
+  /** Checks the value and shows its problem. */
   check(): void;
 }
 
@@ -16,12 +16,12 @@ export function inputId(field: Field, context: Context): string {
   return `${context.prefix}-${field.name}`;
 }
 
-/** The label with the unit in it, so that it is heard too. */
+/** The label with the unit, for screen readers, too. */
 function labelText({ label, unit }: Field): Child[] {
   return unit ? [label, " ", el("span", { class: "unit" }, `(${unit})`)] : [label];
 }
 
-/** A field around `input`, which help and problem describe. */
+/** A field around `input`, with label, help and problem. */
 export function frame(field: Field, context: Context, input: HTMLElement, ...content: readonly Child[]): Frame {
   const id = inputId(field, context);
   const help = el("p", { class: "help", id: `${id}-help` }, field.help);

@@ -12,12 +12,12 @@ export function numberControl(field: Field, context: Context): Control {
     placeholder: field.default, name: field.name,
   });
   input.addEventListener(context.commit, () => context.values.set(field.name, input.value));
-  // An answer is typed once and needs no slider.
+  // A question is answered once and needs no slider.
   const slider = field.name === "target_mass" && context.commit === "input" ? massSlider(field, context) : undefined;
   const { element, check } = frame(field, context, input, input, ...(slider ? [slider.element] : []));
   const refresh = (choices: boolean) => {
     const text = context.values.text(field.name);
-    // What is being typed is left alone.
+    // Blanks that the user is typing stay.
     if (input.value.trim() !== text.trim()) input.value = text;
     slider?.refresh(choices);
     check();

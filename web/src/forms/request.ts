@@ -1,11 +1,11 @@
-// From what a form says to a request, and what keeps it from being one.
+// Makes requests from the values of forms, and finds problems and missing fields.
 
 import type { Request } from "../engine/types";
 import type { Field, Form } from "./declaration";
 import { numberIn, valueProblem } from "./check";
 import type { Value, Values } from "./values";
 
-/** The fields that the form says, as a request has them. */
+/** The fields of the form that have values, for a request. */
 export function givenFields(form: Form, values: Values): Record<string, unknown> {
   const entries = form.fields.flatMap((field): [string, unknown][] => {
     const value = values.get(field.name);
@@ -14,7 +14,7 @@ export function givenFields(form: Form, values: Values): Record<string, unknown>
   return Object.fromEntries(entries);
 }
 
-/** The request of a form about a model; what was answered about the model holds unless the form says otherwise. */
+/** The request of a form about a model; values of the form replace the answers about the model. */
 export function buildRequest(form: Form, values: Values, model: string, answers: Record<string, unknown>): Request {
   return { verb: form.verb, models: [model], ...answers, ...givenFields(form, values) };
 }
@@ -32,7 +32,7 @@ function requestValue(field: Field, value: Value): unknown {
   }
 }
 
-/** A number as one; any other text as it is, for the engine to say what is wrong with it. Its factors begin with an x. */
+/** A text as a number; any other text unchanged, so that the engine reports the problem. Factors begin with x. */
 export function numeric(text: string): number | string {
   return numberIn(text) ?? text.trim().replace(/^×/, "x");
 }
@@ -41,7 +41,7 @@ function numericEntries(entries: Readonly<Record<string, string>>): Record<strin
   return Object.fromEntries(Object.entries(entries).map(([name, text]) => [name, numeric(text)]));
 }
 
-/** Problems of what was typed, by field; empty where the request can be asked. */
+/** Problems of values by field; empty if the request can be sent. */
 export function problems(form: Form, values: Values): Map<string, string> {
   const entries = form.fields.flatMap((field): [string, string][] => {
     const value = values.get(field.name);
@@ -51,7 +51,7 @@ export function problems(form: Form, values: Values): Map<string, string> {
   return new Map(entries);
 }
 
-/** Fields that must be given and are not; the first of two, if one or the other must be. */
+/** Required fields without a value; of two alternatives the first. */
 export function missingFields(form: Form, values: Values): Field[] {
   const isGiven = (name: string): boolean => values.get(name) !== undefined;
   const missing = form.either.filter((pair) => !pair.some(isGiven)).map(([first]) => first);
@@ -59,7 +59,7 @@ export function missingFields(form: Form, values: Values): Field[] {
   return form.fields.filter(({ name }) => names.includes(name));
 }
 
-/** Whether the form says anything at all. */
+/** Whether no field of the form has a value. */
 export function isEmpty(form: Form, values: Values): boolean {
   return form.fields.every(({ name }) => values.get(name) === undefined);
 }

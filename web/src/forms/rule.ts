@@ -1,4 +1,4 @@
-// A field for a rule, a number or a factor, such as the radius: first which of them, then how much.
+// A field for a rule, a number or a factor, such as the radius: the user first chooses which, then types the amount.
 
 import { el, setAttribute } from "../dom/element";
 import type { Context, Control } from "./context";

@@ -1,4 +1,4 @@
-// Fields that are one element: a tick, a choice, a line of text, lines of text.
+// Fields of one element: a check box, a choice, a line of text, several lines.
 
 import { el } from "../dom/element";
 import type { Context, Control } from "./context";
@@ -50,7 +50,7 @@ export function linesControl(field: Field, context: Context): Control {
   return { element, refresh };
 }
 
-/** The lines of a text that say something. */
+/** The lines of a text that are not blank. */
 export function splitLines(text: string): string[] {
   return text.split("\n").map((line) => line.trim()).filter(Boolean);
 }

@@ -1,4 +1,4 @@
-// A slider over masses around that of the model, and masses to choose: each step is the same factor, not the same number of kilograms.
+// A slider for masses around that of the model, and buttons for common masses. Each step is a factor, not a number of kilograms.
 
 import { button, el, setText } from "../dom/element";
 import { digits, kilograms } from "../dom/number";
@@ -6,7 +6,7 @@ import { numberIn } from "./check";
 import type { Context, Control } from "./context";
 import type { Field } from "./declaration";
 
-/** From a quarter of the model's mass to four times. Numbers that are typed reach further. */
+/** The slider goes from a quarter of the model's mass to four times. Typed numbers can go further. */
 const RANGE = Math.log10(4);
 const STEPS = 120;
 /** Animals of Table 1 of the paper, kg. */
@@ -37,20 +37,20 @@ export function massSlider(field: Field, context: Context): Control {
     const typed = typedMass(field, context);
     const mass = typed ?? middle;
     const place = Math.log10(mass);
-    // Moving it to where the user just moved it would make it jump.
+    // Setting the place that the user has just chosen would make the slider jump.
     if (massAt(slider.valueAsNumber) !== massAt(place)) slider.value = String(place);
     slider.setAttribute("aria-valuetext", typed === undefined ? `not set; ${massText(mass)} now` : massText(mass));
   };
   return { element: el("div", { class: "slide" }, slider, scale, quick), refresh };
 }
 
-/** The mass that is typed. */
+/** The mass in the field, if it is a positive number. */
 function typedMass(field: Field, context: Context): number | undefined {
   const typed = numberIn(context.values.text(field.name)) ?? 0;
   return typed > 0 ? typed : undefined;
 }
 
-/** The mass at a place of the slider, to three digits, as people would write it. */
+/** The mass at a place of the slider, with three digits. */
 function massAt(place: number): string {
   return digits(10 ** place, 3);
 }

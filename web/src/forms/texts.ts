@@ -1,4 +1,4 @@
-// A field for several texts: those that the model has can be ticked, patterns can be written.
+// A field for several texts: the user ticks names of the model or types patterns.
 
 import { el, setText } from "../dom/element";
 import type { Context, Control } from "./context";

@@ -1,4 +1,4 @@
-// What a form says: a value for each field that says something, as it was typed.
+// The values of a form as the user has typed them.
 
 export type Value = string | boolean | readonly string[] | Readonly<Record<string, string>>;
 
@@ -13,31 +13,31 @@ export class Values {
     return this.#values.get(name);
   }
 
-  /** The text of a field that takes one. */
+  /** The value of a field with one text. */
   text(name: string): string {
     const value = this.#values.get(name);
     return typeof value === "string" ? value : "";
   }
 
-  /** The texts of a field that takes several. */
+  /** The value of a field with several texts. */
   texts(name: string): readonly string[] {
     const value = this.#values.get(name);
     if (Array.isArray(value)) return value;
     return typeof value === "string" && value !== "" ? [value] : [];
   }
 
-  /** The texts of a field by their names. */
+  /** The value of a field with named texts. */
   entries(name: string): Readonly<Record<string, string>> {
     const value = this.#values.get(name);
     return typeof value === "object" && !Array.isArray(value) ? (value as Readonly<Record<string, string>>) : {};
   }
 
-  /** All values that are given. */
+  /** The values of all fields that have one. */
   all(): ReadonlyMap<string, Value> {
     return new Map(this.#values);
   }
 
-  /** Whether a field was set by a slider or a button: then it is no slip of a unit. */
+  /** Whether a slider or a button has set the field, so that its unit is certain. */
   isChosen(name: string): boolean {
     return this.#chosen.has(name);
   }
@@ -60,7 +60,7 @@ export class Values {
     this.#notify(name);
   }
 
-  /** Replaces all; with `between`, that is done before anybody hears of it. */
+  /** Replaces all values, then calls `beforeNotify`, then the listeners. */
   replace(values: ReadonlyMap<string, Value>, beforeNotify: () => void = () => undefined): void {
     this.#chosen.clear();
     this.#values = new Map([...values].filter(([, value]) => !isEmptyValue(value)));
@@ -72,7 +72,7 @@ export class Values {
     this.replace(new Map());
   }
 
-  /** Calls `listener` with the name of each field that changes, or with null where all did; gives what ends it. */
+  /** Calls `listener` with the name of each field that changes, or with null if all change; returns a function that ends this. */
   watch(listener: Listener): () => void {
     this.#listeners.add(listener);
     return () => this.#listeners.delete(listener);

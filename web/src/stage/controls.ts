@@ -1,4 +1,4 @@
-// Turning, moving and zooming the view: by mouse, by touch, by keys.
+// Turns, moves and zooms the view by mouse, touch and keys.
 
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
@@ -12,7 +12,7 @@ export function addControls(stage: Stage): OrbitControls {
   const controls = new OrbitControls(stage.camera, canvas);
   controls.target = stage.target;
   controls.addEventListener("change", () => stage.render());
-  // The wheel scrolls the page until somebody works with the view.
+  // The wheel scrolls the page until the view has the focus.
   controls.enableZoom = false;
   const enableWheel = (awake: boolean) => (controls.enableZoom = awake);
   canvas.addEventListener("focus", () => enableWheel(true));
@@ -29,7 +29,7 @@ export function addControls(stage: Stage): OrbitControls {
   return controls;
 }
 
-/** Does what a key says; whether it says something. */
+/** Moves the camera for a key; returns whether the key has a function. */
 function applyKey(key: string, shift: boolean, { camera, target }: Stage): boolean {
   const from = camera.position.clone().sub(target);
   const right = from.clone().cross(camera.up).normalize();
@@ -47,7 +47,7 @@ function applyKey(key: string, shift: boolean, { camera, target }: Stage): boole
   }
   if (turn) {
     const turned = from.clone().applyAxisAngle(...turn);
-    // Not over the top, where up and down change places.
+    // The camera stops before the top, where up and down would swap.
     if (Math.abs(turned.clone().normalize().dot(camera.up)) < 0.995) camera.position.copy(target).add(turned);
     return true;
   }

@@ -1,19 +1,19 @@
-// Ground reactions along a recording: those of the contacts beside those that plates measured, as arrows.
+// Shows ground reactions along a recording as arrows: those of the contacts and those of the force plates.
 
 import { ArrowHelper, Group, Vector3 } from "three";
 
 import type { PlayedMotion, PlayedForce } from "../engine/space";
 
-/** Longer arrows would lead out of every picture. */
+/** The longest arrow, in body weights. */
 const MAX_BW = 3;
 
 export class ForceArrows {
   readonly group = new Group();
-  /** Of each foot that of the contacts, then that of its plates. */
+  /** For each foot, the arrow of the contacts, then the arrow of its plates. */
   #arrows: ArrowHelper[] = [];
   #played: PlayedMotion | undefined;
 
-  /** Shows those of a frame; `unit` is the length for one body weight. */
+  /** Shows the forces of a frame; `unit` is the length of one body weight. */
   show(played: PlayedMotion, frame: number, unit: number, colours: { model: string; plates: string }): void {
     if (played !== this.#played) this.#begin(played, colours);
     const forces = played.feet.flatMap(({ model, plates }) => [model, plates]);
@@ -33,7 +33,7 @@ export class ForceArrows {
       arrow.removeFromParent();
       arrow.dispose();
     }
-    // Seen through spheres and bones.
+    // Arrows are drawn over spheres and bones.
     const newArrow = (colour: string) => {
       const arrow = new ArrowHelper(new Vector3(0, 1, 0), new Vector3(), 1, colour);
       for (const part of [arrow.line, arrow.cone]) {
@@ -53,7 +53,7 @@ function setArrow(arrow: ArrowHelper, force: PlayedForce | null, frame: number, 
   arrow.visible = push != null && at != null;
   if (!push || !at) return;
   const along = new Vector3(...push);
-  // Contacts that are far too stiff push many times the weight: that is in the curves.
+  // Contacts that are far too stiff have forces of many body weights; the curves show them.
   const length = unit * Math.min(along.length(), MAX_BW);
   arrow.position.set(...at);
   arrow.setDirection(along.normalize());

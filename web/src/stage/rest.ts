@@ -1,15 +1,15 @@
-// How far the model is from where it stands: a view shows it standing, whatever its default pose is.
+// Finds how far the model must be lifted to stand on the floor, because its default pose may be elsewhere.
 
 import { dot, type Scene } from "../engine/space";
 
-/** The height of the floor along up; nothing where there is none, or several. */
+/** The height of the floor along the up direction; undefined if there is none, or several. */
 export function floorHeight({ planes, axes: [, up] }: Scene): number | undefined {
   const heights = new Set(planes.filter(({ normal }) => dot(normal, up) > 0.7).map(({ point_m: point }) => dot(point, up)));
   const [height] = heights;
   return heights.size === 1 ? height : undefined;
 }
 
-/** The gap between the floor and the lowest sphere, m; below 0 inside the floor. */
+/** The gap between the floor and the lowest sphere, m; negative if the sphere is inside the floor. */
 export function lowestGap(scene: Scene): number | undefined {
   const floor = floorHeight(scene);
   if (floor === undefined || scene.spheres.length === 0) return undefined;
@@ -17,7 +17,7 @@ export function lowestGap(scene: Scene): number | undefined {
   return Math.min(...scene.spheres.map(({ centre_m: centre, radius_m: radius }) => dot(centre, up) - radius)) - floor;
 }
 
-/** How far up the model must go to rest on its spheres, m. Where its weight is not known, until it touches. */
+/** How far the model must be lifted to rest on its spheres, m; if the weight is not known, until it touches the floor. */
 export function liftToRest(scene: Scene): number | undefined {
   const [floor, gap] = [floorHeight(scene), lowestGap(scene)];
   if (floor === undefined || gap === undefined) return undefined;

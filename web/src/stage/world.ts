@@ -1,4 +1,4 @@
-// The model in three dimensions: bones, spheres as they are and as they were, the floor, and the forces.
+// Draws the model in three dimensions: bones, spheres before and after the change, the floor, and the forces.
 
 import {
   AmbientLight, ArrowHelper, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, GridHelper, Group, LineBasicMaterial,
@@ -9,14 +9,14 @@ import type { Bones, PlacedSphere, PlayedMotion, Scene, Vector } from "../engine
 import { ForceArrows } from "./force_arrows";
 import { floorHeight, liftToRest } from "./rest";
 
-/** Which spheres are looked at. */
+/** The part of the model in the view. */
 export type ViewTarget = "feet" | "right" | "left" | "body";
 export type ViewDirection = "side" | "top" | "front" | "corner";
 
 export interface ShownModel {
-  /** The model as it is. */
+  /** The current model. */
   now: Scene;
-  /** As it would be; nothing where no change is asked for. */
+  /** The model after the change; undefined without a change. */
   after: Scene | undefined;
   standing: boolean;
 }
@@ -32,19 +32,19 @@ interface Colours {
 const BALL = new SphereGeometry(1, 20, 14);
 const RINGS = rings();
 const POINTS_PER_M = 1e5;
-/** Where a processor draws: pixels while something moves, and after so long a rest. */
+/** Without a graphics card: pixel ratio while something moves, pixel ratio at rest, and the delay of the latter. */
 const COARSE = 0.4;
 const FINE = 1;
 const REST_MS = 350;
-/** An arrow of one body weight along a recording, in heights of the body. */
+/** Length of an arrow for one body weight along a recording, in body heights. */
 const PUSH = 0.25;
-/** Frames in which it is looked how far feet are apart. */
+/** Frames of a recording in which the distance of the feet is measured. */
 const SAMPLED = 12;
-/** Feet are so much wider than high. */
+/** Ratio of width and height of the picture of feet. */
 const FLAT = 1.4;
-/** Of the floor, along each side. */
+/** Cells of the floor's grid along each side. */
 const CELLS = 24;
-/** The longest arrow, in the size of what is looked at. */
+/** Length of the longest arrow, in units of the visible part's size. */
 const ARROW = 0.45;
 
 export class Stage {
@@ -52,16 +52,16 @@ export class Stage {
   readonly target = new Vector3();
   readonly #renderer: WebGLRenderer;
   readonly #world = new World();
-  /** What falls as one: bones, lines, and the spheres that are or would be. */
+  /** The parts that fall together: bones, lines, and the current or new spheres. */
   readonly #body = new Group();
   readonly #oldSpheres = new Group();
   readonly #floor = new Group();
   readonly #forceArrows = new ForceArrows();
-  /** Where the middle of the spheres was in the frame before, in a recording. */
+  /** The middle of the spheres in the last frame of a recording. */
   #followedMiddle: Vector3 | undefined;
   readonly #bodyGroups = new Map<string, Group>();
   readonly #balls = new Map<string, Mesh>();
-  /** Kept from step to step: what is made anew is compiled anew. */
+  /** Arrows are kept, because new ones would have to be compiled again. */
   readonly #arrows = new Map<string, ArrowHelper>();
   #forces = true;
   readonly #sun = new DirectionalLight(0xffffff, 2);
@@ -74,7 +74,7 @@ export class Stage {
   #fineTimer: ReturnType<typeof setTimeout> | undefined;
   #restLift = 0;
 
-  /** Throws where there is no WebGL. */
+  /** Throws if the browser has no WebGL. */
   constructor(readonly canvas: HTMLCanvasElement) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: !this.#slow, alpha: true, powerPreference: "low-power" });
     this.#renderer.setPixelRatio(this.#slow ? COARSE : Math.min(devicePixelRatio, 2));
@@ -83,7 +83,7 @@ export class Stage {
     this.#world.add(this.#body, this.#oldSpheres, this.#floor, this.#forceArrows.group, this.#sun, new AmbientLight(0xffffff, 1.4));
   }
 
-  /** Draws one of everything: what is drawn for the first time takes long, because programs for it are compiled. */
+  /** Draws one object of each kind, because the first drawing takes long: its shaders are compiled. */
   warmUp(): void {
     const all = new Group();
     const { ball, bone, line, old } = this.#materials;
@@ -95,14 +95,14 @@ export class Stage {
     arrow.dispose();
   }
 
-  /** Shows other bones: those of another model, or more of them. */
+  /** Shows other bones. */
   setBones(bones: Bones | undefined): void {
     this.#bones = bones;
     this.#rebuildBodies();
     this.render();
   }
 
-  /** Shows the model as it is, and as it would be. */
+  /** Shows the model before and after the change. */
   show(model: ShownModel): void {
     const moved = this.#shown?.now !== model.now;
     this.#shown = model;
@@ -112,7 +112,7 @@ export class Stage {
     this.lift(0, 0);
   }
 
-  /** The new and the old spheres so far over where they rest, m: in a fall. */
+  /** Lifts the new and the old spheres above their places at rest, m, for a fall. */
   lift(body: number, old: number): void {
     const { axes: [, up] } = this.#shown?.now ?? { axes: [0, [0, 1, 0] as Vector] };
     const along = new Vector3(...up);
@@ -121,13 +121,13 @@ export class Stage {
     this.render();
   }
 
-  /** Whether force arrows are seen: they are those at rest. */
+  /** Shows or hides the arrows of the forces at rest. */
   showForces(isVisible: boolean): void {
     this.#forces = isVisible;
     for (const arrow of this.#arrows.values()) arrow.visible = isVisible && arrow.userData["carries"] === true;
   }
 
-  /** Shows a frame of a recording; `show` brings back what was there before. */
+  /** Shows a frame of a recording; `unpose` ends this. */
   pose(played: PlayedMotion, frame: number): void {
     const scene = this.#shown?.now;
     if (!scene) return;
@@ -141,7 +141,7 @@ export class Stage {
     this.render();
   }
 
-  /** Puts bodies and spheres where they are in a frame; gives the centres of the spheres. */
+  /** Moves bodies and spheres to their places in a frame; returns the centres of the spheres. */
   #placeSpheres(played: PlayedMotion, frame: number, { spheres }: Scene): Vector3[] {
     for (const [index, name] of played.bodies.entries()) {
       const group = this.#bodyGroups.get(name);
@@ -155,7 +155,7 @@ export class Stage {
     });
   }
 
-  /** Feet are further apart in a stride than at rest: all of it is to be in the picture. */
+  /** Moves the camera back until all spheres of the whole recording are visible: feet are further apart in a stride. */
   #widenView(played: PlayedMotion, scene: Scene): void {
     const frames = Array.from({ length: SAMPLED }, (_, index) => Math.floor((index * (played.time_s.length - 1)) / (SAMPLED - 1)));
     const reach = Math.max(...frames.map((frame) => extent(this.#placeSpheres(played, frame, scene)).reach));
@@ -164,12 +164,12 @@ export class Stage {
     if (from.length() < distance) this.camera.position.copy(this.target).addScaledVector(from, distance / from.length());
   }
 
-  /** Half of what is seen at a distance of 1: the narrower side of the window decides, and what is `flat` needs less height. */
+  /** Half of the visible width at a distance of 1. The narrower side of the window counts; an object that is `flat` needs less height. */
   #visibleHalf(flat: number): number {
     return Math.tan((this.camera.fov * Math.PI) / 360) * Math.min(flat, this.camera.aspect);
   }
 
-  /** Bodies are where the file has them again. */
+  /** Moves bodies back to the pose of the file. */
   unpose(): void {
     if (!this.#followedMiddle) return;
     this.#followedMiddle = undefined;
@@ -185,7 +185,7 @@ export class Stage {
     if (model) this.show(model);
   }
 
-  /** The camera goes along the floor with the feet, and the floor's lines with it. */
+  /** Moves the camera and the floor's grid along the floor with the feet. */
   #follow(middle: Vector3, up: Vector3): void {
     const shift = middle.clone().sub(this.#followedMiddle ?? this.#middleAtRest());
     shift.addScaledVector(up, -shift.dot(up));
@@ -203,7 +203,7 @@ export class Stage {
     return extent((this.#shown?.now.spheres ?? []).map(({ centre_m: centre }) => new Vector3(...centre))).middle;
   }
 
-  /** Looks at a part of the model from a direction. */
+  /** Turns the camera to a part of the model, from a direction. */
   look(at: ViewTarget, from: ViewDirection): void {
     const scene = this.#shown?.now;
     if (!scene) return;
@@ -237,7 +237,7 @@ export class Stage {
     this.render();
   }
 
-  /** Colours of another scheme. */
+  /** Reads the colours of the page again, after its colour scheme has changed. */
   recolour(): void {
     this.#colours = readColours(this.canvas);
     this.#materials = materials(this.#colours);
@@ -246,7 +246,7 @@ export class Stage {
     if (model) this.show(model);
   }
 
-  /** Draws before the next picture of the screen, however often it is asked for. */
+  /** Draws once before the next frame of the screen, however often it is called. */
   render(): void {
     if (this.#drawRequested) return;
     this.#drawRequested = true;
@@ -259,7 +259,7 @@ export class Stage {
     });
   }
 
-  /** Without a graphics card in `ratio` pixels of the picture for one of the page. */
+  /** Draws; without a graphics card, with this pixel ratio. */
   #draw(ratio: number): void {
     if (this.#slow && this.#renderer.getPixelRatio() !== ratio) this.#renderer.setPixelRatio(ratio);
     this.#sun.position.copy(this.camera.position).sub(this.target).addScaledVector(this.camera.up, this.camera.position.length());
@@ -363,14 +363,14 @@ export class Stage {
   }
 }
 
-/** The middle of points, and how far the farthest is from it. */
+/** The middle of points, and the distance of the farthest point from it. */
 function extent(points: readonly Vector3[]): { middle: Vector3; reach: number } {
   const middle = new Vector3();
   for (const point of points) middle.addScaledVector(point, 1 / points.length);
   return { middle, reach: Math.max(0, ...points.map((point) => point.distanceTo(middle))) };
 }
 
-/** A level floor. */
+/** The grid of a level floor. */
 function grid(size: number, colour: string): GridHelper {
   const floor = new GridHelper(size, CELLS, colour, colour);
   floor.material.transparent = true;
@@ -378,7 +378,7 @@ function grid(size: number, colour: string): GridHelper {
   return floor;
 }
 
-/** Whether a processor draws in the place of a graphics card: then smooth edges take longer than all else. */
+/** Whether the processor draws, because there is no graphics card. Smooth edges are then too slow. */
 function isSoftware(): boolean {
   const gl = document.createElement("canvas").getContext("webgl2");
   const names = gl?.getExtension("WEBGL_debug_renderer_info");
@@ -387,14 +387,14 @@ function isSoftware(): boolean {
   return typeof name === "string" && /swiftshader|llvmpipe|software/i.test(name);
 }
 
-/** Puts a body where `poses` have it from `start` on. */
+/** Moves a body to the pose that begins at the index `start` of `poses`. */
 function placeBody(group: Group, poses: readonly number[], start: number): void {
   const axis = (from: number) => new Vector3(...[0, 1, 2].map((part) => (poses[start + from + part] ?? 0) / POINTS_PER_M));
   group.matrix.makeBasis(axis(0), axis(3), axis(6)).setPosition(axis(9));
   group.matrixWorldNeedsUpdate = true;
 }
 
-/** From the lowest body to the highest, m. */
+/** The height from the lowest body to the highest, m. */
 function bodyHeight({ bodies, axes: [, up] }: Scene): number {
   const heights = bodies.map(({ frame }) => new Vector3(...frame[3]).dot(new Vector3(...up)));
   return Math.max(0.01, Math.max(...heights) - Math.min(...heights));
@@ -409,7 +409,7 @@ function isSameSphere(one: PlacedSphere, other: PlacedSphere): boolean {
   return one.radius_m === other.radius_m && one.centre_m.every((value, index) => value === other.centre_m[index]);
 }
 
-/** Takes everything out of a group, and frees what only it used. */
+/** Removes all objects from a group and frees their memory. */
 function clearGroup(group: Group): Group {
   for (const child of [...group.children]) {
     group.remove(child);
@@ -432,7 +432,7 @@ function lineBetween(from: Vector, to: Vector, material: LineBasicMaterial): Lin
   return new LineSegments(new BufferGeometry().setFromPoints([new Vector3(...from), new Vector3(...to)]), material);
 }
 
-/** Three circles, one in each plane: the outline of a sphere from everywhere. */
+/** Three circles, one in each plane, as the outline of a sphere. */
 function rings(): BufferGeometry {
   const COUNT = 48;
   const points: Vector3[] = [];
@@ -452,7 +452,7 @@ function materials({ accent, bone, old }: Colours) {
     ball: new MeshLambertMaterial({ color: new Color(accent), transparent: true, opacity: 0.85 }),
     bone: new MeshLambertMaterial({ color: new Color(bone), side: DoubleSide }),
     line: new LineBasicMaterial({ color: new Color(bone) }),
-    // Seen through what is around it.
+    // Old spheres are drawn over everything around them.
     old: new LineBasicMaterial({ color: new Color(old), depthTest: false }),
   };
 }

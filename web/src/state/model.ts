@@ -1,22 +1,22 @@
-// A model that is open, and the changes that were kept.
+// An open model and the changes that were applied to it.
 
 import type { Failure, Inspected, Request, Section } from "../engine/types";
 import { Values } from "../forms/values";
 
-/** A change that was kept: it made a new file. */
+/** A change that was applied: it made a new file. */
 export interface Step {
   text: string;
   /** The new model's file. */
   name: string;
-  /** All files that it made. */
+  /** All files that the change made. */
   names: string[];
   request: Request;
-  /** What it changed, to show. */
+  /** Sections that show the change. */
   sections: Section[];
   counts: string;
 }
 
-/** What the current change did to this model among several. */
+/** The outcome of the current change for one of several models. */
 export type Outcome = { state: "done"; text: string } | { state: "same"; text: string } | { state: "failed"; failure: Failure };
 
 export interface OpenModel {
@@ -24,13 +24,13 @@ export interface OpenModel {
   /** The file that was opened. */
   readonly origin: string;
   readonly steps: readonly Step[];
-  /** How many of the steps hold: fewer than there are after an undo. */
+  /** How many of the steps are applied: fewer than all after an undo. */
   readonly stepCount: number;
-  /** What the user answered about this model; it goes along with every request. */
+  /** The user's answers about this model, for every request. */
   readonly answers: Values;
   readonly inspected: Inspected | null;
   readonly failure: Failure | null;
-  /** Its own target mass, where several models are changed at once. */
+  /** The target mass of this model, if several models are changed at once. */
   readonly targetMass: string;
   readonly outcome: Outcome | null;
 }
@@ -43,19 +43,19 @@ export function newModel(origin: string): OpenModel {
   return { id: last, origin, answers: new Values(), ...start };
 }
 
-/** The file that holds the model as it is now. */
+/** The file of the model after its current step. */
 export function currentFile(model: OpenModel): string {
   return model.steps[model.stepCount - 1]?.name ?? model.origin;
 }
 
-/** The step that was made last and holds. */
+/** The last step that is applied. */
 export function currentStep(model: OpenModel): Step | undefined {
   return model.steps[model.stepCount - 1];
 }
 
-/** Whether the model as it is now was read from a file of this name. */
+/** Whether the current model was read from a file of this name. */
 export function uses(model: OpenModel, name: string): boolean {
-  // Models name their files by paths of their own.
+  // A model names its files by paths that the page does not know; only the last parts are compared.
   return currentFile(model) === name || (model.inspected?.files ?? []).some((file) => lastName(file) === lastName(name));
 }
 
@@ -63,13 +63,13 @@ function lastName(path: string): string {
   return path.split(/[/\\]/).pop() ?? path;
 }
 
-/** The model after one more step; steps that were undone are gone. */
+/** The model after one more step, without the steps that were undone. */
 export function withStep(model: OpenModel, step: Step): OpenModel {
   const steps = [...model.steps.slice(0, model.stepCount), step];
   return { ...model, steps, stepCount: steps.length, outcome: null };
 }
 
-/** The model after `at` of its steps. */
+/** The model after its first `at` steps. */
 export function atStep(model: OpenModel, stepCount: number): OpenModel {
   return { ...model, stepCount: Math.max(0, Math.min(model.steps.length, stepCount)), outcome: null };
 }

@@ -1,4 +1,4 @@
-// Everything that is open, and what the page is about to ask.
+// The state of the page: open files and models, forms, and the preview.
 
 import type { Client } from "../engine/client";
 import type { Change, Failure, Request, Section } from "../engine/types";
@@ -7,13 +7,13 @@ import type { OpenModel } from "./model";
 import { Signal } from "./signal";
 import { type Value, Values } from "../forms/values";
 
-/** A preset, and the file that it is from, if it is one of the user's. */
+/** A preset, and its file, if it is one of the user's. */
 export interface PresetEntry {
   name: string;
   file?: string;
 }
 
-/** What the change in the form would do. */
+/** The effect of the change in the form. */
 export type Preview =
   | { state: "none" }
   | { state: "hint"; text: string }
@@ -23,7 +23,7 @@ export type Preview =
       change: Change;
       request: Request;
       sections: readonly Section[];
-      /** Whether the sections that take longer are those of this change. */
+      /** Whether the slow sections are up to date, too. */
       complete: boolean;
     };
 
@@ -33,24 +33,24 @@ export class Session {
   readonly chosen = new Signal<number | null>(null);
   readonly presets = new Signal<readonly PresetEntry[]>([]);
   readonly verb = new Signal("rescale");
-  /** What the form of the verb says. */
+  /** The values of the verb's form. */
   readonly values = new Values();
-  /** What the calculator's form says. */
+  /** The values of the calculator's form. */
   readonly calculation = new Values();
   readonly preview = new Signal<Preview>({ state: "none" });
   readonly calculating = new Signal(false);
-  /** What happened last, to see and to hear. */
+  /** The last event, as a text to show and to announce. */
   readonly announcement = new Signal("");
   /** Sections of the preview that are on the screen. */
   readonly visible = new Set<string>();
-  /** What links in sections lead to, by anchor. */
+  /** Explanations that links in sections open, by anchor. */
   readonly explained = new Map<string, string>();
 
-  /** Whether a change is being kept: another one would be made of the same file. */
+  /** Whether a change is being applied: a second one must wait for its result. */
   readonly keeping = new Signal(false);
   /** Whether all models are being changed. */
   readonly changingAll = new Signal(false);
-  /** What could not be done with the model that is open, by one of its buttons. */
+  /** The failure of a button of the open model. */
   readonly failed = new Signal<Failure | null>(null);
   /** Results that were downloaded. */
   readonly saved = new Set<string>();
@@ -59,11 +59,11 @@ export class Session {
 
   constructor(readonly engine: Client) {}
 
-  /** Shows the form of another verb, with the values that it had before, or with `values`. */
+  /** Shows the form of another verb, with its earlier values or with `values`. */
   setVerb(verb: string, values?: ReadonlyMap<string, Value>): void {
     if (verb === this.verb.value && !values) return;
     if (verb !== this.verb.value) this.#valuesByVerb.set(this.verb.value, this.values.all());
-    // The new form never has the values of the old one, not even for a moment.
+    // The verb changes before the listeners are called, so that the new form never has the old values.
     this.values.replace(values ?? this.#valuesByVerb.get(verb) ?? new Map<string, Value>(), () => this.verb.set(verb));
   }
 
@@ -80,13 +80,13 @@ export class Session {
     this.models.set([...this.models.value, model]);
   }
 
-  /** Replaces a model by what `change` makes of it, if it is still open. */
+  /** Replaces a model by the result of `change`, if it is still open. */
   update(id: number, change: (model: OpenModel) => OpenModel): void {
     this.models.set(this.models.value.map((model) => (model.id === id ? change(model) : model)));
   }
 
   announce(text: string): void {
-    // The same text twice is announced twice.
+    // The text is cleared first, so that an equal text is announced again.
     this.announcement.set("");
     this.announcement.set(text);
   }

@@ -1,4 +1,4 @@
-// A value that others watch.
+// A value whose listeners are called when it changes.
 
 type Listener<T> = (value: T) => void;
 

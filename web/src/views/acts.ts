@@ -1,4 +1,4 @@
-// What can always be done with the model that is open, always in sight: download, keep, undo, redo, report, share.
+// The bar of buttons for the open model, always visible: download, keep, undo, redo, report, share.
 
 import { redo, undo } from "../actions/apply";
 import { downloadModel, downloadReport, downloadResult } from "../actions/download";
@@ -57,7 +57,7 @@ export function actionBar(session: Session): void {
   session.preview.watch(update);
 }
 
-/** A button that has nothing more to do does not lose the reader's place. */
+/** Calls `act`; if the button is disabled afterwards, the title gets the focus. */
 function keepFocus(pressed: HTMLButtonElement, act: () => void): void {
   act();
   (pressed.disabled ? byId("model-title") : pressed).focus();

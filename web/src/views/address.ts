@@ -1,10 +1,10 @@
-// Keeps the address and the form the same.
+// Keeps the address and the form equal.
 
 import { toAddress, readAddress } from "../address/address";
 import { CALCULATOR, CHANGES, findForm } from "../forms/all";
 import type { Session } from "../state/session";
 
-/** Reads the address now and whenever it changes; gives what writes it. */
+/** Reads the address now and whenever it changes; returns a function that writes it. */
 export function wireAddress(session: Session): () => void {
   const applyAddress = () => {
     const parsed = readAddress(location.hash, CHANGES);
@@ -21,7 +21,7 @@ export function wireAddress(session: Session): () => void {
     const form = isCalculator ? CALCULATOR : findForm(session.verb.value);
     if (!form) return;
     const presets = new Set(session.presets.value.filter(({ file }) => file === undefined).map(({ name }) => name));
-    // Until they are known, a preset cannot be distinguished from a file.
+    // Before presets are loaded, their names cannot be distinguished from names of files.
     if (presets.size === 0) return;
     const address = `#${toAddress(form, isCalculator ? session.calculation : session.values, (name) => presets.has(name))}`;
     if (address !== location.hash) history.replaceState(null, "", address);

@@ -1,10 +1,10 @@
-// What happened last, in one line near the top: for eyes and for screen readers.
+// Shows the last event in one line near the top, for screen readers, too.
 
 import { byId, setText } from "../dom/element";
 import { toFailure } from "../engine/failure";
 import type { Session } from "../state/session";
 
-// For so long it stays in view while the page is scrolled.
+// Time for which the line stays visible while the page is scrolled.
 const FRESH_MS = 10_000;
 
 export function showAnnouncements(session: Session): void {

@@ -1,4 +1,4 @@
-// Says that something is being worked on, if that takes a moment.
+// Shows that the engine is working, if that takes longer than a moment.
 
 import { byId, setAttribute } from "../dom/element";
 import type { Client } from "../engine/client";

@@ -1,4 +1,4 @@
-// Parameters of a contact from what is wanted, without a model.
+// The calculator: parameters of a contact without a model.
 
 import { button, byId, el, setAttribute } from "../dom/element";
 import { digits, unitText } from "../dom/number";
@@ -39,7 +39,7 @@ export function calculatorView(session: Session, addFile: Context["addFile"]): v
     const fieldProblems = problems(CALCULATOR, session.calculation);
     if (fieldProblems.size > 0) {
       failure.show(undefined);
-      // What is wrong is shown beside its field.
+      // Each problem is shown beside its field.
       formElement.querySelector<HTMLElement>("[aria-invalid=true]")?.focus();
       return sheet.replaceChildren();
     }
@@ -52,7 +52,7 @@ export function calculatorView(session: Session, addFile: Context["addFile"]): v
       failure.show(toFailure(error));
     }
   };
-  // Once it was calculated, it follows what is typed.
+  // After the first calculation, the result follows the form.
   let timer: ReturnType<typeof setTimeout> | undefined;
   session.calculation.watch(() => {
     clearTimeout(timer);

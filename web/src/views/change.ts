@@ -1,4 +1,4 @@
-// The change to make: a verb, and the form of that verb.
+// The part of the page for a change: a verb and its form.
 
 import { button, el } from "../dom/element";
 import { CHANGES, findForm } from "../forms/all";
@@ -7,7 +7,7 @@ import { showForm, type FormView } from "../forms/form";
 import type { Session } from "../state/session";
 import { formContext } from "./context";
 
-/** The part of the page that asks. */
+/** Creates this part of the page. */
 export function changeView(session: Session, addFile: Context["addFile"]): HTMLElement {
   const section = el("section", { id: "change", "aria-labelledby": "change-title" });
   const about = el("p", { class: "quiet about", id: "verb-about" });
@@ -35,7 +35,7 @@ export function changeView(session: Session, addFile: Context["addFile"]): HTMLE
   return section;
 }
 
-/** The verbs; one is chosen. */
+/** Radio buttons for the verbs. */
 function verbs(session: Session): HTMLElement {
   const radios = CHANGES.map(({ verb, title, about }) => {
     const input = el("input", { type: "radio", name: "verb", value: verb, title: about });

@@ -1,4 +1,4 @@
-// A row of a few choices; one of them is chosen.
+// A row of radio buttons.
 
 import { el } from "../dom/element";
 

@@ -1,4 +1,4 @@
-// Files by buttons, for those who do not drop them.
+// Opens files by buttons.
 
 import { byId } from "../dom/element";
 import { type GivenFile, filesOfInput } from "../files/read";
@@ -14,13 +14,13 @@ export function wireButtons(open: (files: GivenFile[]) => void): void {
     byId(button).addEventListener("click", () => files.click());
     files.addEventListener("change", () => {
       open(filesOfInput(files.files));
-      // The same file can be chosen again.
+      // Without this, the browser would not report the same file again.
       files.value = "";
     });
   }
 }
 
-/** Lets the user choose one file; nothing where the choice is called off. */
+/** Lets the user choose one file; an empty list if the user cancels. */
 export function chooseOne(accepted: string): Promise<GivenFile[]> {
   const file = input("file-input");
   file.accept = accepted;

@@ -1,4 +1,4 @@
-// The model that this one was scaled from, for those who know it: findings then compare the two. Nothing is guessed.
+// Fields for the model that the open one was scaled from: findings then compare the two.
 
 import { el } from "../dom/element";
 import { QUESTIONS } from "../forms/all";
@@ -12,7 +12,7 @@ const FIELDS = ["from", "body_scale_file"];
 
 export interface ComparedView {
   element: HTMLElement;
-  /** Asks about another model. */
+  /** Shows the fields of another model. */
   setModel(model: OpenModel): void;
 }
 

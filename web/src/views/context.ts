@@ -1,4 +1,4 @@
-// What forms need to know about what is open.
+// Gives forms the options and values of the open models and files.
 
 import { digits } from "../dom/number";
 import type { FileKind } from "../files/kinds";
@@ -8,7 +8,7 @@ import type { Values } from "../forms/values";
 import { currentFile } from "../state/model";
 import type { Session } from "../state/session";
 
-// OpenSim's names, for where no model says which it has.
+// OpenSim's names, for models without forces.
 const PROPERTIES = [
   "radius", "stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction", "transition_velocity",
   "constant_contact_force", "hertz_smoothing", "hunt_crossley_smoothing",
@@ -23,7 +23,7 @@ const ACCEPTED: Readonly<Partial<Record<Source, string>>> = {
   references: ".osim,.xml", presets: ".toml", scales: ".xml", tables: ".csv,.tsv,.txt", geometries: ".xml,.osim", models: ".osim",
 };
 
-/** What a file chooser offers for a field. */
+/** File name endings for the chooser of a field. */
 export function acceptedFor(source: Source): string {
   return ACCEPTED[source] ?? "";
 }
@@ -44,7 +44,7 @@ export function formContext(session: Session, values: Values, { prefix, commit, 
   };
 }
 
-/** The value that all spheres or forces have; nothing where they differ. */
+/** The value that all spheres or forces have; undefined if they differ. */
 function currentValue(session: Session, property: string): string | undefined {
   const inspection = session.model()?.inspected?.inspection;
   const radii = inspection?.spheres.map(({ radius_m: radius }) => radius);

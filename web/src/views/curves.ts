@@ -1,4 +1,4 @@
-// Curves of force against time, with a line at the moment that is shown.
+// Draws curves of force against time, with a line at the current moment.
 
 import { digits } from "../dom/number";
 
@@ -7,7 +7,7 @@ const WIDTH = 600;
 const LEFT = 34;
 const BOTTOM = 20;
 
-/** One curve: `kind` says how it looks. Gaps are left out. */
+/** One curve: `kind` is its look, null is a gap. */
 export interface Curve {
   kind: "new" | "old";
   values: readonly (number | null)[];
@@ -24,7 +24,7 @@ export class Curves {
     this.element.setAttribute("class", "curves");
   }
 
-  /** Draws curves over a time from 0 or from `start`; `about` says it to those who do not see them. */
+  /** Draws curves over the time from `start` to `end`; `about` describes them for screen readers. */
   show(curves: readonly Curve[], title: string, about: string, start: number, end: number): void {
     const numbers = curves.flatMap(({ values }) => values.filter((value) => value !== null));
     const [most, least] = [Math.max(1.2, ...numbers) * 1.05, Math.min(0, ...numbers)];

@@ -1,16 +1,16 @@
-// The lines of the file that change, where somebody wants to see them.
+// Shows the lines of the file that change, on demand.
 
 import { el } from "../dom/element";
 import { toFailure } from "../engine/failure";
 import type { Request } from "../engine/types";
 import type { Session } from "../state/session";
 
-// More than anybody reads on a page; the file itself has them all.
+// Limit of the lines on the page; the downloaded file has all.
 const MAX_LINES = 2000;
 
 export interface LazySection {
   element: HTMLDetailsElement;
-  /** Shows this for a request: at once where it is open, else when it is opened. */
+  /** Shows the section for a request: soon if it is open, else when it is opened. */
   ask(request: Request): void;
 }
 
@@ -34,7 +34,7 @@ function line(text: string): HTMLElement {
   return el("span", { class: `line ${kind}` }, `${text}\n`);
 }
 
-/** A part of the page that asks its question only while it is open, and at most when nothing moves. */
+/** A section that calls `show` only while it is open, and after the request has not changed for a moment. */
 export function lazySection(element: HTMLDetailsElement, show: (request: Request) => Promise<void>): LazySection {
   let request: Request | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;

@@ -1,4 +1,4 @@
-// Links in sections lead to explanations of equations and findings. They open here; the address is the request's.
+// Opens explanations of equations and findings in a dialog when a link is clicked. The address keeps the request.
 
 import { el } from "../dom/element";
 import { parseHtml } from "../dom/markup";
@@ -16,7 +16,7 @@ export function showExplanations(session: Session): void {
   });
 }
 
-/** Shows the explanation that came with a section; where none came, the engine is asked. */
+/** Shows the explanation that came with a section, or asks the engine for it. */
 async function explain(session: Session, anchor: string, body: HTMLElement): Promise<void> {
   const html = session.explained.get(anchor);
   if (html !== undefined) return body.replaceChildren(parseHtml(html, 3));

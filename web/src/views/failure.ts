@@ -1,4 +1,4 @@
-// What went wrong: message, place, the line, and the fields that would answer.
+// Shows a failure: message, place, the line of the file, and the fields that would answer a question.
 
 import { button, type Child, el } from "../dom/element";
 import { digits } from "../dom/number";
@@ -11,13 +11,13 @@ import type { Field, Form } from "../forms/declaration";
 export interface FailureView {
   element: HTMLElement;
   show(failure: Failure | undefined): void;
-  /** Other files are here: there may be more to choose from. */
+  /** Call this when other files are open: the fields may have other options. */
   refresh(): void;
 }
 
 /**
- * A place for failures. Their questions are fields of `form`, and `context` takes the answers; once they are answered,
- * reading goes on at `after`.
+ * A place for failures. Their questions are fields of `form`, and `context` stores the answers; after an answer, `after` gets the
+ * focus.
  */
 export function failureView(form: () => Form, context: Context, after: HTMLElement): FailureView {
   const messageBox = el("div", { class: "what" });
@@ -39,11 +39,11 @@ export function failureView(form: () => Form, context: Context, after: HTMLEleme
     }
     element.hidden = false;
     const text = JSON.stringify([failure.message, failure.model, failure.line, failure.column, failure.excerpt]);
-    // An alert that is made again is heard again.
+    // A screen reader would repeat an alert that is created again.
     if (shownText !== text) messageBox.replaceChildren(el("div", { role: "alert" }, ...failureElements(failure)));
     shownText = text;
     const key = `${form().verb} ${failure.code} ${failure.fields.join(" ")}`;
-    // While the same is asked, the fields stay: somebody may be typing in them.
+    // The fields of an equal question stay, because the user may be typing in them.
     if (askedKey === key) return;
     askedKey = key;
     end();
@@ -55,7 +55,7 @@ export function failureView(form: () => Form, context: Context, after: HTMLEleme
   return { element, show, refresh: () => refresh() };
 }
 
-/** A failure in words. */
+/** The message, place and excerpt of a failure as elements. */
 export function failureElements({ message, model, line, column, excerpt }: Failure): HTMLElement[] {
   const where = model ? [model, line, column].filter((part) => part != null).join(":") : "";
   const parts: HTMLElement[] = [el("p", { class: "message" }, el("span", { class: "tag error" }, "error"), " ", sentence(message))];
@@ -68,7 +68,7 @@ export function failureElements({ message, model, line, column, excerpt }: Failu
   return parts;
 }
 
-/** Messages end without a full stop. Their first letter stays: it may be that of a name, and OpenSim's names know capitals. */
+/** A message with a full stop. Its first letter does not change, because it may begin with a name. */
 export function sentence(text: string): string {
   return /[.!?]$/.test(text) ? text : `${text}.`;
 }
@@ -97,14 +97,14 @@ function question(failure: Failure, form: Form, context: Context): Question {
   return { content: [el("div", { class: "question", role: "group", "aria-labelledby": title.id }, title, ...all)], refresh, end };
 }
 
-/** Numbers that the message proposes to write, each as a button. */
+/** A button for each number that the message proposes. */
 function suggested({ message }: Failure, field: Field | undefined, { values }: Context): HTMLElement[] {
   if (!field || !["number", "rule"].includes(field.kind)) return [];
   const numbers = [...message.matchAll(/\bwrite ([\d.]+(?:e[+-]?\d+)?)/g)].flatMap(([, text]) => text ?? []);
   return numbers.map((text) => el("p", {}, button(`Use ${digits(Number(text))}${field.unit ? ` ${field.unit}` : ""}`, () => values.set(field.name, text))));
 }
 
-/** The answer that a number is meant as it is; another number in its place is asked about again. */
+/** A button that confirms an unusual number. The confirmation ends when the number changes. */
 function confirmButton({ code, fields }: Failure, { values }: Context): HTMLElement {
   const others = () => values.texts("yes").filter((one) => one !== code);
   const say = () => {

@@ -1,4 +1,4 @@
-// The drop: before beside after, played in the view, with its curve of force.
+// Plays the drop test before and after the change in the view, with curves of the force.
 
 import { el, setText } from "../dom/element";
 import { digits } from "../dom/number";
@@ -6,11 +6,11 @@ import type { Fall } from "../engine/space";
 import { Curves } from "./curves";
 import { Player } from "./player";
 
-/** So much slower than it is, so that it can be seen. */
+/** The fall is shown slower by this factor. */
 const SLOWER = 6;
 const NAMES: Readonly<Record<string, string>> = { before: "contacts as they are", after: "new contacts", now: "contacts of the model" };
 
-/** How far the new and the old spheres are over where they rest, m, and whether they move. */
+/** Takes the heights of the new and the old spheres above their places at rest, m, and whether they move. */
 type Lift = (body: number, old: number, moves: boolean) => void;
 
 export class FallView {
@@ -43,7 +43,7 @@ export class FallView {
     return this.#falls.filter(({ heights_m: heights }) => heights.length > 0);
   }
 
-  /** Shows one moment: everything is as far over its rest as it is then. */
+  /** Shows one moment: lifts the spheres above their final heights. */
   #showMoment(moment: number): void {
     const [old, next] = [this.#completeFalls().find(({ name }) => name === "before"), this.#completeFalls().find(({ name }) => name !== "before")];
     const aboveRest = (fall: Fall | undefined) => fall ? (fall.heights_m[moment] ?? 0) - (fall.heights_m[fall.heights_m.length - 1] ?? 0) : 0;

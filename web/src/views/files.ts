@@ -1,4 +1,4 @@
-// All files that are here, models and those that belong to them.
+// The table of all open files.
 
 import { inspectAgain } from "../actions/inspect";
 import { openAsModel } from "../actions/open";
@@ -42,7 +42,7 @@ function row(session: Session, file: FileEntry): HTMLElement {
     el("td", { class: "acts" }, ...(openable ? [open()] : []), ...(isOpen ? [] : [remove()])));
 }
 
-/** Whether a file is a model that is open, before or after one of its steps. */
+/** Whether a file is an open model, before or after one of its steps. */
 function belongs({ origin, steps }: OpenModel, name: string): boolean {
   return origin === name || steps.some(({ names }) => names.includes(name));
 }

@@ -1,4 +1,4 @@
-// What is wrong with a model, and what puts it right.
+// Shows the findings of a model with their remedies.
 
 import { button, el } from "../dom/element";
 import { counted } from "../dom/number";
@@ -8,7 +8,7 @@ import { sentence } from "./failure";
 
 export type Apply = (finding: Finding) => void;
 
-/** The findings as items of a list; each that is wrong and can be put right has a button for it. A remark has none: a model is good with it. */
+/** The findings as items of a list. Errors and warnings with a remedy have a button; remarks have none. */
 export function findingItems(findings: readonly Finding[], apply: Apply): HTMLElement[] {
   const groups = new Map<string, Finding[]>();
   for (const finding of findings) {
@@ -18,7 +18,7 @@ export function findingItems(findings: readonly Finding[], apply: Apply): HTMLEl
   return [...groups.values()].flatMap((group) => (group.length >= MIN_GROUP ? [groupItem(group, apply)] : group.map((finding) => item(finding, apply))));
 }
 
-/** So many findings that say the same of different places are one. */
+/** From this number on, equal findings about different places are one item. */
 const MIN_GROUP = 3;
 
 function groupItem(findings: readonly Finding[], apply: Apply): HTMLElement {

@@ -1,4 +1,4 @@
-// The licences, which are unpacked when somebody wants to read them.
+// The licences, which are unpacked when they are opened.
 
 import { byId } from "../dom/element";
 import { pageLoaded } from "../dom/loaded";

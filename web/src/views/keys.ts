@@ -1,11 +1,11 @@
-// Undo and redo by keys, where no text is being typed: there they are the browser's.
+// Undo and redo by keys. In text fields the browser handles these keys.
 
 const TEXT_INPUT = /^(text|search|number)$/;
 
 export function wireKeys(undo: () => void, redo: () => void): void {
   addEventListener("keydown", (event) => {
     if (!(event.ctrlKey || event.metaKey) || event.altKey || isTyping(event.target)) return;
-    // What is under an open dialog is not to be worked on.
+    // The page under an open dialog does not change.
     if (document.querySelector("dialog[open]")) return;
     const key = event.key.toLowerCase();
     const act = key === "z" ? (event.shiftKey ? redo : undo) : key === "y" && !event.shiftKey ? redo : undefined;

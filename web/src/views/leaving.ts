@@ -1,15 +1,15 @@
-// Changes that were kept are gone when the page is left.
+// Warns before the page is closed with changes that were not downloaded.
 
 import { currentStep } from "../state/model";
 import type { Session } from "../state/session";
 
-/** The browser asks before the page is left with a changed model that was not downloaded. */
+/** Lets the browser ask before the page is closed with a changed model that was not downloaded. */
 export function warnBeforeLeaving(session: Session): void {
   addEventListener("beforeunload", (event) => {
     const changed = session.models.value.flatMap((model) => currentStep(model)?.name ?? []);
     if (changed.every((name) => session.saved.has(name))) return;
     event.preventDefault();
-    // Older browsers ask because of this.
+    // Older browsers need this.
     event.returnValue = "";
   });
 }

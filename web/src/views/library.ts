@@ -1,4 +1,4 @@
-// Several models: a table with a row for each.
+// The table of several open models.
 
 import { close } from "../actions/close";
 import { canChangeAll, changeAll, downloadAll } from "../actions/library";
@@ -54,7 +54,7 @@ export class LibraryView {
     this.#enable();
   }
 
-  /** What another change did to the models is not what this one would do. */
+  /** Removes outcomes after the change in the form has changed. */
   #otherChange(): void {
     const models = this.session.models.value;
     if (models.some(({ outcome }) => outcome)) this.session.models.set(models.map((model) => ({ ...model, outcome: null })));
@@ -65,12 +65,12 @@ export class LibraryView {
     const can = canChangeAll(this.session);
     for (const one of [this.#changeAll, this.#zip]) {
       one.disabled = !can;
-      // Not disabled, which would take the focus away from it.
+      // `disabled` would take the focus away from the button.
       setAttribute(one, "aria-disabled", this.session.changingAll.value && "true");
     }
   }
 
-  /** The row of a model: the old one, in which only the cells that differ are made again. */
+  /** The row of a model. In an old row, only cells that differ are replaced. */
   #row(model: OpenModel, mass: boolean): HTMLElement {
     const chosen = model.id === this.session.chosen.value;
     const shownRow = this.#shownRows.get(model.id);
@@ -113,7 +113,7 @@ export class LibraryView {
   }
 }
 
-/** Equal cells stay: a number may be half typed in one, an error may be open in another. */
+/** Replaces cells that differ. Equal cells stay, because the user may be typing in one or reading one. */
 function updateRow(row: HTMLElement, cells: readonly HTMLElement[]): void {
   if (row.children.length === 0) row.append(...cells);
   for (const [index, cell] of cells.entries()) {
@@ -123,7 +123,7 @@ function updateRow(row: HTMLElement, cells: readonly HTMLElement[]): void {
 }
 
 function isSameCell(one: Element, other: Element): boolean {
-  // Whether an error is open is not part of what it says.
+  // An open error is equal to a closed one.
   const closed = one.cloneNode(true) as Element;
   closed.querySelector("details")?.removeAttribute("open");
   return closed.isEqualNode(other);
@@ -135,7 +135,7 @@ function heads(mass: boolean): Head[] {
   return [{ text: "model", words: true }, ...facts, ...massHead, { text: "result", words: true }, { text: "close", hidden: true }];
 }
 
-/** What is known of a model; for one that could not be opened, that. */
+/** The cells with the facts of a model; dashes if it could not be opened. */
 function cells({ inspected }: OpenModel): HTMLElement[] {
   if (!inspected) return FACTS.map(() => el("td", {}, "–"));
   const { mass_kg: mass, contacts_mass_kg: contactsMass, limbs, spheres } = inspected.inspection;

@@ -1,4 +1,4 @@
-// The manual of the page, which is unpacked when somebody wants to read it.
+// The manual of the page, which is unpacked when it is opened.
 
 import { byId } from "../dom/element";
 import { parseHtml } from "../dom/markup";

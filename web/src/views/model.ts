@@ -1,4 +1,4 @@
-// The model that is open: what it is, what to change, what is wrong with it, and what was changed.
+// The open model: its facts, the form for a change, its findings, and its steps.
 
 import { close } from "../actions/close";
 import { apply, goTo } from "../actions/apply";
@@ -42,7 +42,7 @@ export class ModelView {
   #isOnlyModel = false;
   #openModels = "";
 
-  /** `stage`: the body is shown in three dimensions, so that the drawings of the feet are a detail. */
+  /** `stage`: the body is shown in three dimensions, so that the drawings of the feet are folded. */
   constructor(readonly session: Session, readonly addFile: Context["addFile"], stage: boolean) {
     this.#feet = place({ prefix: PREFIX, id: "feet", folded: stage });
     this.#change = changeView(session, addFile);
@@ -70,7 +70,7 @@ export class ModelView {
     this.#showClose(model);
     this.#showQuestion(model);
     if (model === this.#shownModel) return;
-    // What stays is not made again: a reader may be in it.
+    // Parts that stay are not created again, because they may have the focus.
     const before = model.id === this.#shownModel?.id ? this.#shownModel : undefined;
     this.#shownModel = model;
     if (!before) this.#takeAnswers(model);
@@ -91,7 +91,7 @@ export class ModelView {
     this.#history.replaceChildren(...stepList(model, go));
   }
 
-  /** Questions about the model are answered here, and asked again then. */
+  /** Shows questions about the model; after an answer, the model is inspected again. */
   #takeAnswers(model: OpenModel): void {
     const context = formContext(this.session, model.answers, { prefix: `answer-${model.id}`, commit: "change", addFile: this.addFile });
     this.#failure = failureView(() => QUESTIONS, context, this.#title);
@@ -100,7 +100,7 @@ export class ModelView {
     model.answers.watch(() => void inspect(this.session, model.id));
   }
 
-  /** Among several, each has this button in its row. */
+  /** The button that closes a single model; several models have it in their rows. */
   #showClose(model: OpenModel): void {
     const isOnlyModel = this.session.models.value.length === 1;
     if (isOnlyModel === this.#isOnlyModel && model.id === this.#shownModel?.id && currentFile(model) === currentFile(this.#shownModel)) return;
@@ -112,7 +112,7 @@ export class ModelView {
     this.#close.replaceChildren(...(isOnlyModel ? [button("Close", act, { class: "small", "aria-label": `Close ${currentFile(model)}` })] : []));
   }
 
-  /** The sentence, and the likely jobs: these depend on what else is open. */
+  /** The sentence about the model, and the likely changes, which depend on the other open models. */
   #showQuestion(model: OpenModel): void {
     const openModels = this.session.models.value.map((one) => `${currentFile(one)} ${one.inspected !== null}`).join("\n");
     if (openModels === this.#openModels && model.id === this.#shownModel?.id && model.inspected?.inspection === this.#shownModel.inspected?.inspection) return;
@@ -149,7 +149,7 @@ export class ModelView {
     if (!remedy || this.session.keeping.value) return;
     const failure: Failure | undefined = await apply(this.session, model.id, remedy.text, remedy.request);
     if (failure) this.#failure?.show(failure);
-    // The button is gone; what it did is where to read on.
+    // The button does not exist any more; its effect gets the focus.
     else this.#applied.querySelector<HTMLElement>("h3")?.focus();
   }
 }

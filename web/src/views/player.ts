@@ -1,10 +1,10 @@
-// Moments one after the other: a button that plays them, and a slider to go to one.
+// Plays moments one after the other: a button, and a slider to go to a moment.
 
 import { button, el, setAttribute, setText } from "../dom/element";
 
 interface Texts {
   play: string;
-  /** What the slider is called. */
+  /** The name of the slider. */
   time: string;
   id: string;
 }
@@ -17,7 +17,7 @@ export class Player {
   #seconds = 1;
   #running = 0;
 
-  /** `shows` is called with each moment; `ends` where a run ends or is stopped. */
+  /** `onMoment` is called with each moment, `onEnd` at the end or after a stop. */
   constructor(readonly texts: Texts, readonly onMoment: (moment: number) => void, readonly onEnd: () => void = () => undefined) {
     this.#play = button(texts.play, () => (this.#running === 0 ? this.#start() : this.stop()), { id: texts.id });
     this.#time = el("input", { type: "range", min: 0, max: 1, step: 1, class: "slider", "aria-label": texts.time });
@@ -30,7 +30,7 @@ export class Player {
     this.element.append(this.#play, this.#time);
   }
 
-  /** Begins anew with so many moments, which last so many seconds on the screen. */
+  /** Starts with other moments, which take this time on the screen. */
   reset(moments: number, seconds: number): void {
     this.stop();
     [this.#moments, this.#seconds] = [moments, Math.max(seconds, 0.1)];

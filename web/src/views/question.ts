@@ -1,4 +1,4 @@
-// What this model is, in a sentence, and the job that is most likely: nothing is done before it is asked for.
+// A sentence about the model, and buttons for the most likely changes.
 
 import { button, el } from "../dom/element";
 import { kilograms } from "../dom/number";
@@ -6,10 +6,10 @@ import type { Inspection } from "../engine/types";
 import { currentFile, type OpenModel } from "../state/model";
 import type { Session } from "../state/session";
 
-/** Masses this close are one: what people write has three digits. */
+/** Relative difference of masses that count as equal, because people write three digits. */
 const MASS_TOLERANCE = 0.005;
 
-/** The sentence, and buttons for the likely jobs. */
+/** The sentence and the buttons. */
 export function questionView(session: Session, model: OpenModel, inspection: Inspection): HTMLElement[] {
   return [el("p", { class: "says" }, describeModel(inspection)), ...offers(session, model, inspection)];
 }
@@ -27,7 +27,7 @@ function offers(session: Session, model: OpenModel, inspection: Inspection): HTM
   return all.length > 0 ? [el("div", { class: "offers", role: "group", "aria-label": "Most likely" }, ...all)] : [];
 }
 
-/** Contacts that fit another mass than the body's. */
+/** A button if the contacts were made for another mass than the body's. */
 function massOffer(session: Session, { mass_kg: bodyMass, contacts_mass_kg: contactsMass, forces, known_contacts: knownContacts }: Inspection): HTMLElement[] {
   const isKnown = knownContacts != null && contactsMass?.source !== "note";
   const madeFor = isKnown ? knownContacts.made_for_kg : contactsMass?.value;
@@ -36,12 +36,12 @@ function massOffer(session: Session, { mass_kg: bodyMass, contacts_mass_kg: cont
   return [button(`Make them fit this body: ${kilograms(bodyMass)}`, () => session.setVerb("rescale", values), { class: "offer" })];
 }
 
-/** Without the last bits of a sum. */
+/** A mass without the rounding error of a sum. */
 function massText(kg: number): string {
   return String(Number(kg.toPrecision(8)));
 }
 
-/** The same bodies with contacts, in another size: this model may have been scaled from that one. */
+/** A button if another open model has these bodies and contacts: this model may have been scaled from it. */
 function followOffer(session: Session, model: OpenModel, { bodies }: Inspection): HTMLElement[] {
   const names = bodies.map(({ name }) => name).join("\n");
   const others = session.models.value.filter((other) => {
@@ -61,7 +61,7 @@ const WAYS: readonly [title: string, about: string, field: string][] = [
   ["From a table", "places of your own", "contacts"],
 ];
 
-/** Three ways to contacts, for a model that has none. */
+/** Buttons for three ways to add contacts to a model that has none. */
 function addOffers(session: Session, { forces }: Inspection): HTMLElement[] {
   if (forces.length > 0) return [];
   return WAYS.map(([title, about, field]) => {
@@ -75,7 +75,7 @@ function addOffers(session: Session, { forces }: Inspection): HTMLElement[] {
   });
 }
 
-/** What has to be said first is where the user goes on. */
+/** Moves the focus to the field that the user has to fill first. */
 function focusField(name: string): void {
   const field = document.getElementById(`form-${name}`);
   field?.scrollIntoView({ block: "center" });
@@ -84,7 +84,7 @@ function focusField(name: string): void {
 
 const SVG = "http://www.w3.org/2000/svg";
 const SOLE = "M4 20 Q6 8 14 9 Q30 12 44 19 L44 22 L6 22 Z";
-/** A foot with spheres that come from another one; spheres below a bone; rows and columns. */
+/** Drawings: a foot with spheres from another foot; spheres below a bone; a table. */
 const PICTURES: Readonly<Record<string, readonly [shape: string, kind: "line" | "ball"][]>> = {
   from: [[SOLE, "line"], ["M9 22 a4 4 0 1 0 8 0 a4 4 0 1 0 -8 0", "ball"], ["M32 22 a4 4 0 1 0 8 0 a4 4 0 1 0 -8 0", "ball"], ["M22 3 L22 14 M18 10 L22 14 L26 10", "line"]],
   count: [[SOLE, "line"], ["M7 26 a3 3 0 1 0 6 0 a3 3 0 1 0 -6 0", "ball"], ["M21 26 a3 3 0 1 0 6 0 a3 3 0 1 0 -6 0", "ball"], ["M36 26 a3 3 0 1 0 6 0 a3 3 0 1 0 -6 0", "ball"]],

@@ -1,4 +1,4 @@
-// A recorded motion: the model along it, with the forces of its contacts beside those of force plates.
+// Plays a recorded motion of the model, with the forces of its contacts and of force plates.
 
 import { el, setText } from "../dom/element";
 import { toFailure } from "../engine/failure";
@@ -12,15 +12,15 @@ import { Curves } from "./curves";
 import { sentence } from "./failure";
 import { Player } from "./player";
 
-/** Answers about the model that a recording takes, too. */
+/** Answers about the model that are also fields of a recording. */
 const ANSWERS = ["mass", "contacts_mass", "exclude_body", "select", "exclude", "geometry", "model"];
 const FILES: readonly [field: "motion" | "plates" | "loads", label: string][] = [
   ["motion", "Recorded motion"], ["plates", "Force plates"], ["loads", "External loads"],
 ];
-/** So much slower than it is. */
+/** The motion is shown slower by this factor. */
 const SLOWER = 2;
 
-/** Shows a moment of a recording; without one, the model as it stands. */
+/** Shows a moment of a recording; without a recording, the model at rest. */
 type Shows = (played: PlayedMotion | undefined, moment: number) => void;
 
 export class RecordingView {
@@ -48,7 +48,7 @@ export class RecordingView {
     this.#player.stop();
   }
 
-  /** Offers what is here; what is here alone is chosen. */
+  /** Lists the open files of each kind; a single file is chosen. */
   #updateChoices(): void {
     for (const [field, select] of this.#selects) {
       const names = this.session.files.value.filter(({ kind }) => kind === (field satisfies FileKind)).map(({ name }) => name);
@@ -70,7 +70,7 @@ export class RecordingView {
     this.element.hidden = !model?.inspected || !motions;
     if (!model?.inspected || !motions) return;
     const chosen = Object.fromEntries(FILES.map(([field]) => [field, this.#file(field)]).filter(([, name]) => name !== ""));
-    // Loads say what columns of the plates are.
+    // External loads describe the columns of the plates, so that they are useless alone.
     if (!("plates" in chosen)) delete chosen["loads"];
     const answers = Object.entries(answersFor(model, QUESTIONS)).filter(([name]) => ANSWERS.includes(name));
     const request = { ...Object.fromEntries(answers), ...chosen, verb: "motion", subject: currentFile(model) };

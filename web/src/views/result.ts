@@ -1,4 +1,4 @@
-// What the change in the form would do.
+// Shows the effect of the change in the form.
 
 import { changeCounts } from "../actions/apply";
 import { byId, el, setText } from "../dom/element";
@@ -13,7 +13,7 @@ import { type SectionPlace, place } from "./sections";
 
 const SECTIONS = ["changes", "reference", "plots", "state", "feet", "findings", "figures"];
 const PREFIX = "result";
-// Nothing has changed yet, whatever the title of the report says.
+// The title of the report would say that the change was made.
 const TITLES: Readonly<Record<string, { title: string }>> = { changes: { title: "In detail" } };
 
 export class ResultView {
@@ -46,9 +46,9 @@ export class ResultView {
   #show(preview: Preview): void {
     const done = preview.state === "done";
     this.#section.dataset["state"] = preview.state;
-    // What is still being made again looks so, if it takes a moment.
+    // Styles show that sections are outdated, if the update takes a moment.
     this.#section.dataset["complete"] = String(done && preview.complete);
-    // Nothing of another model or verb stays.
+    // Sections of another model or verb are removed.
     if (preview.state === "none") for (const { show } of this.#places.values()) show(undefined);
     setText(this.#status, statusText(preview));
     this.#failure.show(preview.state === "failed" ? preview.failure : undefined);
@@ -62,7 +62,7 @@ export class ResultView {
   #showDone(preview: Extract<Preview, { state: "done" }>): void {
     const sections = new Map(preview.sections.map((section) => [section.id, section]));
     for (const [id, { show }] of this.#places) {
-      // A section that is being made again stays until it is there.
+      // An outdated section stays until the new one comes.
       if (sections.has(id) || preview.complete) show(sections.get(id));
     }
     const { findings } = preview.change.record;
@@ -71,13 +71,13 @@ export class ResultView {
     this.#diff.ask(preview.request);
   }
 
-  /** Screen readers hear the outcome once nothing moves any more. */
+  /** Announces the outcome to screen readers after the preview has not changed for a moment. */
   #announce(preview: Preview): void {
     clearTimeout(this.#announceTimer);
     this.#announceTimer = setTimeout(() => setText(this.#live, preview.state === "none" ? "" : statusText(preview)), 600);
   }
 
-  /** Plots are drawn along with every step of a slider while they are on the screen. */
+  /** Records which sections are on the screen: these are updated with every step of a slider. */
   #watchPlots(): void {
     const observer = new IntersectionObserver((entries) => {
       for (const { target, isIntersecting } of entries) {

@@ -1,4 +1,4 @@
-// Places for sections of the engine's renderer. What did not change is not touched, which keeps a slider smooth.
+// Places for sections of the engine's renderer. Equal content is not replaced, so that a slider moves smoothly.
 
 import { el, setText } from "../dom/element";
 import { parseHtml } from "../dom/markup";
@@ -6,17 +6,17 @@ import type { Section } from "../engine/types";
 
 export interface SectionPlace {
   element: HTMLElement;
-  /** Shows a section, or nothing. */
+  /** Shows a section; without one, hides the place. */
   show(section: Section | undefined): void;
 }
 
 interface Options {
-  /** What ids in the place begin with. */
+  /** The prefix of ids in the place. */
   prefix: string;
   id: string;
-  /** Closed until its heading is clicked. */
+  /** Whether it is closed until its heading is clicked. */
   folded?: boolean;
-  /** The heading, where it is another one than the section's. */
+  /** The heading, in place of the section's title. */
   title?: string;
 }
 
@@ -38,7 +38,7 @@ export function place({ prefix, id, folded = false, title }: Options): SectionPl
   return { element, show };
 }
 
-/** Replaces what is in `body`; boxes that scroll stay where they were. */
+/** Replaces the content of `body`, and restores scroll positions and the focus. */
 function replaceContent(body: HTMLElement, content: DocumentFragment): void {
   const scrolled = [...body.querySelectorAll(".wide, .plot.feet")].map(({ scrollLeft }) => scrollLeft);
   const focused = [...body.querySelectorAll("a, [tabindex]")].indexOf(document.activeElement ?? body);

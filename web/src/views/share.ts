@@ -1,4 +1,4 @@
-// The change elsewhere: as a call of the command, of Python, of MATLAB, as JSON, as a link.
+// Shows a request as a call of the command, of Python and MATLAB, as JSON, and as a link.
 
 import { copy } from "../download/copy";
 import { button, el, setText } from "../dom/element";
@@ -9,9 +9,9 @@ import type { Session } from "../state/session";
 const NOTE = "The same elsewhere: in a terminal, a Python script or MATLAB, where osim-contact-scale is installed; as a request in JSON; and as a link \
 that opens this page with the same options. The link names no file.";
 
-/** Gives what opens the dialog for a request. */
+/** Returns a function that opens the dialog for a request. */
 export function shareDialog(session: Session): (request: Request) => void {
-  // What is under an open dialog is not heard.
+  // The status is inside the dialog, because screen readers ignore the page under it.
   const status = el("p", { role: "status" });
   const setStatus = (text: string) => setText(status, text);
   const boxes = {

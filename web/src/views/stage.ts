@@ -1,4 +1,4 @@
-// The body in three dimensions, as it is and as it would be: drawn along with every step of the slider.
+// Shows the body in three dimensions before and after the change, updated with every step of a slider.
 
 import { byId, el, setAttribute, setText } from "../dom/element";
 import { counted, digits } from "../dom/number";
@@ -16,7 +16,7 @@ import { RecordingView } from "./recording";
 
 const TARGETS: readonly [ViewTarget, string][] = [["feet", "Feet"], ["right", "Right"], ["left", "Left"], ["body", "Whole body"]];
 const DIRECTIONS: readonly [ViewDirection, string][] = [["corner", "Corner"], ["side", "Side"], ["front", "Front"], ["top", "Top"]];
-/** So many meshes are named. */
+/** Most missing meshes that are named. */
 const MAX_NAMED = 4;
 const KEYS = "Drag to turn, drag with the right button to move; click, then turn the wheel to zoom. Keys: arrows turn, Shift and arrows move, + and − zoom.";
 
@@ -33,7 +33,7 @@ export class StageView {
   #target: ViewTarget = "feet";
   #direction: ViewDirection = "corner";
   #standing = true;
-  /** The model that is shown, and the file that its bones are of. */
+  /** The id of the model that is shown, and the files that its bones come from. */
   #model: number | undefined;
   #bonesKey = "";
   #now: Scene | undefined;
@@ -68,7 +68,7 @@ export class StageView {
       this.#section.append(el("div", { class: "stage-bar" }, ...bars), frame, el("p", { class: "hidden", id: "stage-keys" }, KEYS));
     }
     this.#section.append(this.#remark, this.#meshes, this.#recording.element, this.#fall.element, words);
-    // Only now the canvas has the colours of the page.
+    // The canvas has the colours of the page only after it was added.
     this.#stage?.recolour();
     session.models.watch(() => this.#update());
     session.chosen.watch(() => this.#update());
@@ -80,12 +80,12 @@ export class StageView {
     }).observe(this.#section);
   }
 
-  /** Whether the browser can show it; else the drawings of the feet stand in its place. */
+  /** Whether the browser can show it; otherwise the page shows drawings of the feet. */
   get works(): boolean {
     return this.#stage !== undefined;
   }
 
-  /** Makes the first picture as quick as the next ones. */
+  /** Draws once, so that the first picture is quick. */
   warmUp(): void {
     this.#stage?.warmUp();
   }
@@ -97,7 +97,7 @@ export class StageView {
     if (!model || !now) return;
     const { value: preview } = this.session.preview;
     const done = preview.state === "done" && preview.request.models?.[0] === currentFile(model) ? preview.change : undefined;
-    // What a step of the slider did not ask for stays as it was.
+    // If a step of a slider did not request the scene, the old one stays.
     const after = preview.state === "done" && !done?.scene && !done?.unchanged ? this.#after : (done?.scene ?? undefined);
     const isNew = model.id !== this.#model;
     const changed = isNew || now !== this.#now || after !== this.#after;
@@ -122,7 +122,7 @@ export class StageView {
   #showFalls(model: OpenModel): void {
     const { value: preview } = this.session.preview;
     const done = preview.state === "done" && preview.request.models?.[0] === currentFile(model) ? preview : undefined;
-    // While the slider moves, the fall stays that of the step before.
+    // While a slider moves, the old fall stays.
     if (done && !done.complete && done.change.falls.length === 0) return;
     this.#fall.show(done && done.change.falls.length > 0 ? done.change.falls : (model.inspected?.falls ?? []));
   }
@@ -138,7 +138,7 @@ export class StageView {
     this.#setView(this.#target, this.#direction);
   }
 
-  /** Asks for the bones where the model is another one, or other files are here. */
+  /** Requests the bones if the model or the open meshes have changed. */
   async #fetchBones(): Promise<void> {
     const model = this.session.model();
     if (!this.#stage || !model?.inspected) return;
@@ -155,14 +155,14 @@ export class StageView {
 
 function createStage(canvas: HTMLCanvasElement): Stage | undefined {
   try {
-    // Asked first: three says in the console what it lacks.
+    // Checked first, because three would log an error in the console.
     return document.createElement("canvas").getContext("webgl2") ? new Stage(canvas) : undefined;
   } catch {
     return undefined;
   }
 }
 
-/** Which bones are not there, and what to do. */
+/** A text about missing and broken meshes. */
 function meshNote(bones: Bones | undefined): string {
   const { missing = [], broken = [] } = bones ?? {};
   const names = missing.slice(0, MAX_NAMED).join(", ");
@@ -178,7 +178,7 @@ function poseRemark(scene: Scene, standing: boolean): string {
   return `Shown standing on its spheres. At the default pose of the file it is ${digits(Math.abs(gap) * 1000, 3)} mm ${gap < 0 ? "inside" : "above"} the floor.`;
 }
 
-/** What the view shows, for those who do not see it. */
+/** The content of the view as a table, for those who do not see it. */
 function describeScene(now: Scene, after: Scene | undefined): HTMLElement {
   const before = new Map(now.spheres.map((sphere) => [sphere.path, sphere]));
   const rows = (after ?? now).spheres.map((sphere) => row(sphere, after ? before.get(sphere.path) : undefined));

@@ -1,4 +1,4 @@
-// Before a model is open: a mouse, a human and a giraffe fall side by side, on contacts of a human and on their own.
+// The animation of the start page: a mouse, a human and a giraffe fall on contacts of a human and on scaled contacts.
 
 import { button, byId, el, setText } from "../dom/element";
 import { kilograms } from "../dom/number";
@@ -6,7 +6,7 @@ import type { AnimalFall } from "../engine/space";
 import type { Session } from "../state/session";
 
 const SVG = "http://www.w3.org/2000/svg";
-/** Radius of a ball on the picture, and where the ground is. */
+/** Sizes in the picture: radius of a ball, height of the ground, width of a column, height below the ground. */
 const BALL = 13;
 const GROUND = 118;
 const COLUMN = 200;
@@ -15,7 +15,7 @@ const FALL_MS = 2600;
 const CAPTION = "Feet of three animals fall from a quarter of the radius of their spheres. Hollow: on the contacts of a human, left as they are: \
 the mouse floats, the giraffe sinks. Full: on contacts scaled by mass. Sizes and times are without dimensions.";
 
-/** Shows them in the place for it, once the engine has started. */
+/** Shows the animation, after the engine has started. */
 export async function showFalls(session: Session): Promise<void> {
   const falls = await session.engine.animals().catch(() => []);
   if (falls.length === 0) return;
@@ -35,13 +35,13 @@ export async function showFalls(session: Session): Promise<void> {
   };
   byId("falls").replaceChildren(picture, el("p", { class: "quiet" }, CAPTION), el("p", {}, again));
   showMoment(moments - 1);
-  // Who wants no motion sees where they end, until they ask for it.
+  // Users who prefer no motion see the end of the falls.
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches) fall();
 }
 
 interface Picture {
   picture: SVGSVGElement;
-  /** Shows a moment. */
+  /** Shows one moment of the falls. */
   showMoment(moment: number): void;
 }
 

@@ -1,9 +1,9 @@
-// The changes that were kept: which hold, and a way back and forth.
+// The list of steps of a model, with buttons to go back and forth.
 
 import { button, el } from "../dom/element";
 import type { OpenModel } from "../state/model";
 
-/** The steps as a list; nothing where there are none. */
+/** The steps as a list; empty if there are none. */
 export function stepList(model: OpenModel, goTo: (stepCount: number) => void): HTMLElement[] {
   if (model.steps.length === 0) return [];
   const opened = entry(`Opened ${model.origin}`, 0, model, goTo);

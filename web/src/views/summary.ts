@@ -1,4 +1,4 @@
-// What a model is, in a few lines.
+// The facts of a model in a few lines.
 
 import { type Child, el } from "../dom/element";
 import { counted, digits, kilograms } from "../dom/number";

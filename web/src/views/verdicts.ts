@@ -1,4 +1,4 @@
-// The questions about a model, each answered in one line; what is found, why, and what to do unfold under it.
+// The questions about a model, each with its answer in one line and its findings below, on demand.
 
 import { el } from "../dom/element";
 import type { Finding, Verdict } from "../engine/types";
@@ -9,7 +9,7 @@ const SIGNS: Readonly<Record<Verdict["sign"], [string, string]>> = {
   good: ["✓", "yes"], remark: ["i", "remark"], warning: ["!", "warning"], error: ["×", "no"], unknown: ["?", "not known"],
 };
 
-/** The verdicts with their findings, then findings that belong to none. */
+/** The verdicts with their findings, then the findings that belong to no verdict. */
 export function verdictList(verdicts: readonly Verdict[], findings: readonly Finding[], apply: Apply, open: ReadonlySet<string>): HTMLElement {
   const otherFindings = findings.filter(({ code }) => !verdicts.some(({ codes }) => codes.includes(code)));
   const lines = verdicts.map((verdict) => verdictElement(verdict, findings.filter(({ code }) => verdict.codes.includes(code)), apply, open.has(verdict.on)));
@@ -17,7 +17,7 @@ export function verdictList(verdicts: readonly Verdict[], findings: readonly Fin
   return el("div", { class: "verdicts" }, ...lines, ...others);
 }
 
-/** Which lines are unfolded in a list that is about to be made again. */
+/** The verdicts that are open in a list, before it is created again. */
 export function openVerdicts(box: Element): Set<string> {
   return new Set([...box.querySelectorAll<HTMLDetailsElement>("details.verdict[open]")].map(({ dataset }) => dataset["on"] ?? ""));
 }
@@ -28,7 +28,7 @@ function verdictElement({ question, on, sign, text, place }: Verdict, findings: 
   const head = el("summary", {},
     el("span", { class: `sign ${sign}`, role: "img", "aria-label": signText }, mark), " ",
     el("span", { class: "asked" }, question), " ", el("span", { class: "short quiet" }, text));
-  // What is wrong and can be put right is not hidden.
+  // Findings with a button are open at first.
   const acts = findings.some(({ remedy, severity }) => remedy && severity !== "remark");
   const body = findings.length > 0
     ? el("ul", { class: "findings" }, ...findingItems(findings, apply))
