@@ -11,7 +11,7 @@ import osim_contact_scale as ocs
 import pytest
 from conftest import HUMAN, models
 from osim_contact_scale import simulate
-from osim_contact_scale.simulate._why import describe_error
+from osim_contact_scale.simulate._error_text import describe_error
 
 HERE = Path(__file__).name
 
