@@ -31,12 +31,12 @@ def wait(seconds):
         pass
 
 
-def save(saver, model, mark, held):
+def save(saver, model, mark, open_file):
     """What an editor does."""
     if saver == "appended":
-        held.seek(0, os.SEEK_END)
-        held.write(mark)
-        held.flush()
+        open_file.seek(0, os.SEEK_END)
+        open_file.write(mark)
+        open_file.flush()
         return
     if saver == "rewritten":
         with open(model, "wb") as file:
@@ -55,7 +55,7 @@ def one(number, program, seed, usual):
     with tempfile.TemporaryDirectory(prefix="aimed-") as folder:
         model = pathlib.Path(folder) / "model.osim"
         model.write_bytes(MODEL)
-        held = open(model, "r+b") if saver == "appended" else None
+        open_file = open(model, "r+b") if saver == "appended" else None
         call = [program, "model.osim", "--target-mass", "500", "--in-place", "--quiet"]
         run = subprocess.Popen(call, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         if aimed:
@@ -66,16 +66,16 @@ def one(number, program, seed, usual):
         else:
             wait(dice.uniform(0, usual))
         in_time = run.poll() is None
-        save(saver, model, mark, held)
-        said = run.communicate()[1].decode()
-        if held:
-            held.close()
+        save(saver, model, mark, open_file)
+        output = run.communicate()[1].decode()
+        if open_file:
+            open_file.close()
         texts = {path.name: path.read_bytes() for path in pathlib.Path(folder).iterdir()}
-        left = [name for name in texts if name.endswith(".tmp") or ".replaced-" in name]
+        leftovers = [name for name in texts if name.endswith(".tmp") or ".replaced-" in name]
         where = [name for name, text in texts.items() if mark in text]
-        whole = MODEL in texts.get("model.osim.bak", MODEL) or "model.osim.bak" in where
-    if run.returncode not in (0, 1) or left or not whole:
-        raise SystemExit(f"save {number} ({saver}): exit status {run.returncode}, left {left}, {said}")
+        is_complete = MODEL in texts.get("model.osim.bak", MODEL) or "model.osim.bak" in where
+    if run.returncode not in (0, 1) or leftovers or not is_complete:
+        raise SystemExit(f"save {number} ({saver}): exit status {run.returncode}, left {leftovers}, {output}")
     place = "lost" if not where else "in the model" if "model.osim" in where else "in a backup"
     return saver, "during the run" if in_time else "after it", "changed" if run.returncode == 0 else "refused", place
 

@@ -35,7 +35,7 @@ def target(link, page):
 
 def on_files(files, config):
     """Adds every file outside of docs/ that the navigation or a page of docs/ links to."""
-    linked = [in_project(name) for name in named(config.nav) if name.startswith(OUTSIDE)]
+    linked = [in_project(name) for name in pages_in_nav(config.nav) if name.startswith(OUTSIDE)]
     for page in files.documentation_pages():
         linked += [target(link, page.src_uri) for link in LINK.finditer(page.content_string)]
     for path in linked:
@@ -45,12 +45,12 @@ def on_files(files, config):
     return files
 
 
-def named(nav):
+def pages_in_nav(nav):
     """The pages of the navigation, which nests lists and titles."""
     if isinstance(nav, str):
         return [nav]
     parts = nav.values() if isinstance(nav, dict) else nav or []
-    return [name for part in parts for name in named(part)]
+    return [name for part in parts for name in pages_in_nav(part)]
 
 
 def on_page_markdown(markdown, page, config, files):

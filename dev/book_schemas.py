@@ -33,29 +33,29 @@ def tables(path):
     """A table for each record of a schema."""
     schema = json.loads((TOP / path).read_text(encoding="utf-8"))
     title = posixpath.basename(path).removesuffix(".schema.json")
-    found = []
+    result = []
     for kind in schema.get("oneOf", [schema]):
         name = kind["properties"].get("kind", {}).get("const")
-        of_kind = f" of kind `{name}`" if name else ""
-        record(f"[`{title}`](../../{path}){of_kind}", "", kind, schema.get("$defs", {}), found, set())
-    return "\n".join(found)
+        kind_text = f" of kind `{name}`" if name else ""
+        record(f"[`{title}`](../../{path}){kind_text}", "", kind, schema.get("$defs", {}), result, set())
+    return "\n".join(result)
 
 
-def record(label, path, schema, definitions, found, shown):
+def record(label, path, schema, definitions, found, visited):
     """Adds the table of a record, then those of the records in it."""
     inner, rows = [], []
     for name, field in schema["properties"].items():
         if name.endswith(EVERYWHERE):
             continue
         of = reference(field)
-        if "properties" in definitions.get(of, {}) and of not in SHARED and of not in shown:
-            shown.add(of)
+        if "properties" in definitions.get(of, {}) and of not in SHARED and of not in visited:
+            visited.add(of)
             inner.append((f"{path}{name}{'[]' if is_of(field, 'array') else ''}", of))
         meaning = " ".join(field.get("description", "").split())
         rows.append(f"| `{name}` | {type_of(field, definitions)} | {escaped(meaning)} |")
     found.append(f"\n{label}\n\n| field | type | meaning |\n|---|---|---|\n" + "\n".join(rows) + "\n")
     for place, of in inner:
-        record(f"`{place}`", f"{place}.", definitions[of], definitions, found, shown)
+        record(f"`{place}`", f"{place}.", definitions[of], definitions, found, visited)
 
 
 def escaped(text):

@@ -21,7 +21,7 @@ FENCE = "```"
 
 def on_page_markdown(markdown, **_):
     """Headings between the two comments as tabs."""
-    return TABS.sub(lambda found: tabbed(found["tabs"]), markdown)
+    return TABS.sub(lambda match: tabbed(match["tabs"]), markdown)
 
 
 def tabbed(text):

@@ -43,8 +43,8 @@ def unpacked(packages, folder):
             archive.extractall(folder / "crates", filter="data")
         place = f"crates/{package.stem}"
         names[tomllib.loads((folder / place / "Cargo.toml").read_text())["package"]["name"]] = place
-    whole = (ROOT / "Cargo.toml").read_text()
-    profiles = whole[whole.index("[profile.") :]
+    text = (ROOT / "Cargo.toml").read_text()
+    profiles = text[text.index("[profile.") :]
     patches = "".join(f'{name} = {{ path = "{place}" }}\n' for name, place in names.items())
     head = '[workspace]\nresolver = "3"\nmembers = ["crates/*"]\n\n[patch.crates-io]\n'
     (folder / "Cargo.toml").write_text(f"{head}{patches}\n{profiles}")

@@ -49,50 +49,50 @@ def main() -> int:
 
 def everywhere(wheel: str, version: str, packages: list[str]) -> bool:
     """Whether the tests pass with a version of CPython, where it is here."""
-    shown = f"CPython {version} with {', '.join(packages)}"
+    label = f"CPython {version} with {', '.join(packages)}"
     python = interpreter(version)
     if python is None:
-        print(f"skipped: {shown}: this machine does not have that interpreter", flush=True)
+        print(f"skipped: {label}: this machine does not have that interpreter", flush=True)
         return True
-    return passes(python, wheel, packages, shown)
+    return passes(python, wheel, packages, label)
 
 
 def complaints(wheel: str) -> list[str]:
     """What a wheel lacks, or has too much of."""
     with zipfile.ZipFile(wheel) as archive:
         files = {name: archive.read(name) for name in archive.namelist()}
-    found = [f"no {part}" for part in PARTS if not any(part in name for name in files)]
+    result = [f"no {part}" for part in PARTS if not any(part in name for name in files)]
     texts = b"".join(data for name, data in files.items() if "LICENSES-OF-LIBRARIES" in name)
-    found += [f"no licence of {name}" for name in (b"pyo3 ", b"rayon ", b"Arimo ") if name not in texts]
+    result += [f"no licence of {name}" for name in (b"pyo3 ", b"rayon ", b"Arimo ") if name not in texts]
     # Where it was built is nobody's business.
-    return found + [f"{name} names the folder {TOP}" for name, data in files.items() if str(TOP).encode() in data]
+    return result + [f"{name} names the folder {TOP}" for name, data in files.items() if str(TOP).encode() in data]
 
 
 def interpreter(version: str) -> str | None:
     """An interpreter of this version: on the path, or one of pyenv's."""
-    found = shutil.which(f"python{version}")
+    path = shutil.which(f"python{version}")
     # pyenv's own commands are there for versions that are not switched on, too.
-    if found and "shims" not in found:
-        return found
+    if path and "shims" not in path:
+        return path
     root = os.environ.get("PYENV_ROOT", os.path.expanduser("~/.pyenv"))
     return max(glob.glob(f"{root}/versions/{version}.*/bin/python"), default=None)
 
 
-def passes(python: str, wheel: str, packages: list[str], shown: str) -> bool:
+def passes(python: str, wheel: str, packages: list[str], label: str) -> bool:
     """Whether the tests pass in a new environment."""
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([python, "-m", "venv", folder], check=True)
-        own = Path(folder) / ("Scripts" if os.name == "nt" else "bin") / "python"
-        install = [own, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
+        python_of_venv = Path(folder) / ("Scripts" if os.name == "nt" else "bin") / "python"
+        install = [python_of_venv, "-m", "pip", "install", "--quiet", "--disable-pip-version-check"]
         subprocess.run([*install, wheel, "pytest==9.2.0", "mpmath==1.4.1", *packages], check=True)
         tests = [str(TOP / "tests" / "python" / test) for test in TESTS]
-        command = [own, "-m", "pytest", "-q", "-rs", "--no-fold-skipped", "-p", "no:cacheprovider", *tests]
-        done = subprocess.run(command, cwd=TOP, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        command = [python_of_venv, "-m", "pytest", "-q", "-rs", "--no-fold-skipped", "-p", "no:cacheprovider", *tests]
+        process = subprocess.run(command, cwd=TOP, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     # In one piece: two of them run at once.
-    print(f"\n{shown}: {python}\n{done.stdout}", end="", flush=True)
-    if done.returncode:
-        print(f"error: {shown}: tests failed", flush=True)
-    return done.returncode == 0
+    print(f"\n{label}: {python}\n{process.stdout}", end="", flush=True)
+    if process.returncode:
+        print(f"error: {label}: tests failed", flush=True)
+    return process.returncode == 0
 
 
 if __name__ == "__main__":

@@ -90,7 +90,7 @@ class Bench:
             lines = lines[4:]
         return ran.returncode, "\n".join(lines)
 
-    def done(self, *words, **options):
+    def run_ok(self, *words, **options):
         status, text = self.run(*words, **options)
         assert status == 0, f"{words}: exit status {status}\n{text}"
         return text
@@ -124,39 +124,39 @@ class Bench:
 
 
 def starts(bench):
-    print(bench.done("--version", seconds=180))
+    print(bench.run_ok("--version", seconds=180))
 
 
 def blanks_and_umlauts(bench):
     bench.model("Mäuse & Co/my model ß.osim")
-    bench.done(r"Mäuse & Co\my model ß.osim", "--target-mass", "500", "-o", r"Öl\größer als groß.osim")
+    bench.run_ok(r"Mäuse & Co\my model ß.osim", "--target-mass", "500", "-o", r"Öl\größer als groß.osim")
     bench.like_here("Öl/größer als groß.osim", "Mäuse & Co/my model ß.osim", "--target-mass", "500")
-    bench.done("inspect", "Mäuse & Co/my model ß.osim")
+    bench.run_ok("inspect", "Mäuse & Co/my model ß.osim")
     bench.refused("inspect", "Mäuse", "&", "Co/my", "model", "ß.osim", says=["quotes"])
 
 
 def servers_and_long_names(bench):
     bench.refused("inspect", r"\\server\share\model.osim", says=["error: "], seconds=120)
     path = bench.model("model.osim")
-    bench.done("inspect", "\\\\?\\" + bench.windows(path))
-    bench.done(bench.windows(path), "--target-mass", "500", "-o", bench.windows(bench.folder / "absolute.osim"))
+    bench.run_ok("inspect", "\\\\?\\" + bench.windows(path))
+    bench.run_ok(bench.windows(path), "--target-mass", "500", "-o", bench.windows(bench.folder / "absolute.osim"))
     bench.like_here("absolute.osim", "model.osim", "--target-mass", "500")
     deep = pathlib.Path(*["a folder with quite a long name " + "x" * 30 for _ in range(5)])
     long = bench.model(deep / "model.osim")
     assert len(str(long)) > 300
     for name in [deep / "model.osim", "\\\\?\\" + bench.windows(long)]:
-        bench.done("inspect", str(name).replace("/", "\\"))
-    bench.done(str(deep / "model.osim").replace("/", "\\"), "--target-mass", "500", "--in-place")
+        bench.run_ok("inspect", str(name).replace("/", "\\"))
+    bench.run_ok(str(deep / "model.osim").replace("/", "\\"), "--target-mass", "500", "--in-place")
     assert bench.names(deep) == ["model.osim", "model.osim.bak"], bench.names(deep)
 
 
 def in_place(bench):
     before = bench.model("model.osim").read_bytes()
-    bench.done("model.osim", "--target-mass", "500", "--in-place")
+    bench.run_ok("model.osim", "--target-mass", "500", "--in-place")
     assert (bench.folder / "model.osim.bak").read_bytes() == before
     bench.like_here("model.osim", "model.osim.bak", "--target-mass", "500")
     changed = (bench.folder / "model.osim").read_bytes()
-    bench.done("model.osim", "--target-mass", "400", "--in-place")
+    bench.run_ok("model.osim", "--target-mass", "400", "--in-place")
     assert (bench.folder / "model.osim.bak2").read_bytes() == changed
     assert bench.names() == ["model.osim", "model.osim.bak", "model.osim.bak2"], bench.names()
     (bench.folder / "model.osim").chmod(0o444)
@@ -168,26 +168,26 @@ def folders_and_leftovers(bench):
     for name in ["lib/even/a.osim", "lib/odd/b.osim", "lib/c.OSIM"]:
         bench.model(name)
     call = ["lib", "--target-mass", "500", "-d", "out", "--summary", r"notes\done.csv", "--jobs", "2"]
-    assert "3 written" in bench.done(*call)
+    assert "3 written" in bench.run_ok(*call)
     for name in ["even/a.osim", "odd/b.osim", "c.OSIM"]:
         bench.like_here(f"out/{name}", f"lib/{name}", "--target-mass", "500")
-    assert "3 done before" in bench.done(*call, "--resume")
+    assert "3 done before" in bench.run_ok(*call, "--resume")
     assert bench.names("notes") == ["done.csv"]
     # The program's own name of this computer, from a run that is killed while it writes.
     host = os.uname().nodename.split(".")[0]
     plain = "".join(c if c.isalnum() or c in "._" else "_" for c in host)[:64]
-    left = bench.folder / f"out/even/.osim-contact-scale-{plain}-999999-abcdef.tmp"
+    leftover = bench.folder / f"out/even/.osim-contact-scale-{plain}-999999-abcdef.tmp"
     other = bench.folder / "out/even/.osim-contact-scale-another.computer-999999-abcdef.tmp"
-    left.write_text("half a model")
+    leftover.write_text("half a model")
     other.write_text("half a model")
-    bench.done(*call, "--force")
-    assert other.exists() and not left.exists(), "what a process that is gone left behind goes, nothing else"
+    bench.run_ok(*call, "--force")
+    assert other.exists() and not leftover.exists(), "what a process that is gone left behind goes, nothing else"
     bench.refused("lib", "--target-mass", "500", "-d", "OUT", "-o", "x.osim", status=2)
 
 
 def sweeps(bench):
     bench.model("model.osim")
-    bench.done("sweep", "model.osim", "--grid", "stiffness=x0.5,x1,x2", "-d", "variants")
+    bench.run_ok("sweep", "model.osim", "--grid", "stiffness=x0.5,x1,x2", "-d", "variants")
     names = bench.names("variants")
     assert sum(name.endswith(".osim") for name in names) == 3, names
     assert not any(name.endswith(".tmp") for name in names), names
@@ -195,8 +195,8 @@ def sweeps(bench):
     # Two shares, and the call that makes the whole of them: their tables are gone, and all is as if one call had made it.
     call = ["sweep", "model.osim", "--grid", "stiffness=x0.5,x1,x2", "-d", "shares"]
     for share in ("1/2", "2/2"):
-        bench.done(*call, "--shard", share)
-    bench.done(*call, "--resume")
+        bench.run_ok(*call, "--shard", share)
+    bench.run_ok(*call, "--resume")
     contents = [{path.name: path.read_bytes() for path in (bench.folder / name).iterdir()} for name in ("variants", "shares")]
     assert contents[0] == contents[1], bench.names("shares")
 
@@ -205,30 +205,30 @@ def goes_on(bench):
     """A sweep and a summary that a killed run left in the middle; and what another run is writing."""
     bench.model("model.osim")
     call = ["sweep", "model.osim", "--grid", "stiffness=x0.5,x1,x2", "-d", "variants"]
-    bench.done(*call)
+    bench.run_ok(*call)
     [table] = [name for name in bench.names("variants") if name.endswith(".csv")]
     table = bench.folder / "variants" / table
     lines = table.read_text().splitlines(keepends=True)
     # As if it had been killed after the first variant: the others, and the table, are not there.
     for name in [name for name in bench.names("variants") if name.endswith(".osim")][1:]:
         (bench.folder / "variants" / name).unlink()
-    made = {path.name: path.read_bytes() for path in table.parent.iterdir()}
+    written = {path.name: path.read_bytes() for path in table.parent.iterdir()}
     table.unlink()
     columns = lines[0].rstrip("\n").split(",")
-    [first] = [line.split(",") for line in lines[1:] if line.split(",")[columns.index("file")] in made]
+    [first] = [line.split(",") for line in lines[1:] if line.split(",")[columns.index("file")] in written]
     row = ",".join(first[columns.index(column)] for column in ("file", "sha256"))
     table.with_name(table.name + ".partial").write_text(f"file,sha256\n{row}\ncut o")
-    bench.done(*call, "--resume")
+    bench.run_ok(*call, "--resume")
     assert table.read_text().splitlines(keepends=True) == lines
     assert not (table.with_name(table.name + ".partial")).exists()
     summary = ["model.osim", "--target-mass", "500", "-d", "out", "--summary", "done.csv"]
-    bench.done(*summary)
-    whole = (bench.folder / "done.csv").read_text()
+    bench.run_ok(*summary)
+    text = (bench.folder / "done.csv").read_text()
     (bench.folder / "done.csv").rename(bench.folder / "done.csv.partial")
     with open(bench.folder / "done.csv.partial", "a") as partial:
         partial.write("cut o")
-    bench.done(*summary, "--resume")
-    assert (bench.folder / "done.csv").read_text() == whole
+    bench.run_ok(*summary, "--resume")
+    assert (bench.folder / "done.csv").read_text() == text
     assert not (bench.folder / "done.csv.partial").exists()
 
 
@@ -255,7 +255,7 @@ def one_summary_for_two_runs(bench):
 def tables(bench):
     bench.model("model.osim")
     (bench.folder / "rows.csv").write_text("model,target-mass,output\nmodel.osim,500,new.osim\n")
-    bench.done("batch", "rows.csv", "-d", ".")
+    bench.run_ok("batch", "rows.csv", "-d", ".")
     bench.like_here("new.osim", "model.osim", "--target-mass", "500")
 
 
@@ -265,7 +265,7 @@ def devices(bench):
         (bench.folder / "model.osim").write_text(text.replace("standalone_ForceSet.xml", name))
         bench.refused("inspect", "model.osim", says=["this is a device"])
     bench.model("lib/comb.osim")
-    bench.done("inspect", r"lib\comb.osim")
+    bench.run_ok("inspect", r"lib\comb.osim")
     (bench.folder / "folder.osim.d").mkdir()
     bench.refused("transfer", "model.osim", "--from", "folder.osim.d", says=["error: "])
 
@@ -274,7 +274,7 @@ def unit_tests(bench):
     """Those of files: some are for Windows alone."""
     tests = max(bench.program.parent.glob("deps/osim_library-*.exe"), key=lambda path: path.stat().st_mtime)
     shutil.copy(bench.program.parent / "bcryptprimitives.dll", tests.parent)
-    bench.done("wine", tests, "--test-threads=1", program="env", seconds=300)
+    bench.run_ok("wine", tests, "--test-threads=1", program="env", seconds=300)
 
 
 CHECKS = [starts, blanks_and_umlauts, servers_and_long_names, in_place, folders_and_leftovers, sweeps, goes_on,

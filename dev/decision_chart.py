@@ -28,8 +28,8 @@ def cases(text):
     for line in text.split(HEADING, 1)[1].split("\n## ", 1)[0].splitlines():
         if line.startswith("- **"):
             groups.append((line.strip("-* "), []))
-        elif found := CASE.fullmatch(line):
-            groups[-1][1].append(found.groups())
+        elif match := CASE.fullmatch(line):
+            groups[-1][1].append(match.groups())
     return groups
 
 

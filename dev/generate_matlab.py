@@ -19,9 +19,9 @@ from matlab_texts import EXAMPLES, LEFT_OUT, NO_STANDARD_STREAMS, RESULTS, TABLE
 ROOT = Path(__file__).resolve().parent.parent
 PACKAGE = ROOT / "matlab/+osimcontact"
 RESULT_SCHEMAS = ROOT / "schemas/results"
-MADE = "% Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it."
+HEADER = "% Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it."
 WIDTH = 100
-OWN = {
+OWN_FUNCTIONS = {
     "apply": "Make the changes of a plan in a live model of OpenSim's own bindings",
     "program": "Say where the program is, or ask for it",
     "read_table": "Read a table (CSV) that the program wrote",
@@ -92,8 +92,8 @@ def help_of(verb, options, used):
     lines = [f"%{name.upper()} {first_sentence(verb.summary)}"]
     arguments = ", ".join([argument.upper() for argument in positional] + ["NAME, VALUE, ..."])
     lines += comment(f"RESULTS = osimcontact.{name}({arguments})")
-    rest = " ".join(verb.summary.split())[len(first_sentence(verb.summary)):].strip()
-    lines += comment(rest) if rest else []
+    remainder = " ".join(verb.summary.split())[len(first_sentence(verb.summary)):].strip()
+    lines += comment(remainder) if remainder else []
     for argument in positional:
         optional = "" if argument in verb.required else " May be left out."
         lines += ["%"] + comment(f"{argument.upper()}: {described(verb, fields[argument], used)}{optional}", "", "    ")
@@ -127,9 +127,9 @@ def related(verb):
 
 def a_list(result):
     """A list in a result that is a table of its own, for an example."""
-    known = {"change": "changes", "check": "findings", "drop-test": "series", "explanation": "formulas", "inspection": "spheres",
+    by_key = {"change": "changes", "check": "findings", "drop-test": "series", "explanation": "formulas", "inspection": "spheres",
              "motion": "feet.spheres", "reproduction": "table1.values"}
-    return known.get(result, "error")
+    return by_key.get(result, "error")
 
 
 def top_fields(result):
@@ -141,14 +141,14 @@ def top_fields(result):
 
 def verb_file(verb, used):
     options = [f for f in verb.fields if f.group != LEFT_OUT and f.name not in verb.positional]
-    text = [f"function results = {function_name(verb.name)}(varargin)", *help_of(verb, options, used), "", MADE,
+    text = [f"function results = {function_name(verb.name)}(varargin)", *help_of(verb, options, used), "", HEADER,
             f"    results = osimcontact.internal.run_verb({quoted(function_name(verb.name))}, varargin);", "end", ""]
     return "\n".join(text)
 
 
 def declared_file(verbs):
     lines = ["function verb = declared(name)",
-             "%DECLARED What a function of this package takes and gives: options, what comes before them, results.", "", MADE,
+             "%DECLARED What a function of this package takes and gives: options, what comes before them, results.", "", HEADER,
              "    switch name"]
     for verb in verbs:
         names = [field.name for field in verb.fields if field.group != LEFT_OUT]
@@ -220,7 +220,7 @@ def shape_lines(target, shape):
 
 def shapes_file():
     lines = ["function shape = shapes(result)",
-             "%SHAPES The fields of a result, each with its kind: see completed.m.", "", MADE, "    switch result"]
+             "%SHAPES The fields of a result, each with its kind: see completed.m.", "", HEADER, "    switch result"]
     results = {result for result in RESULTS.values() if result} | {result for _, result in WITHOUT.values()}
     paths = [RESULT_SCHEMAS / f"{name}.schema.json" for name in sorted(results)]
     for path in [*paths, ROOT / "schemas/failure.schema.json"]:
@@ -240,14 +240,14 @@ def shapes_file():
 
 def contents_file(verbs):
     rows = {function_name(verb.name): first_sentence(verb.summary) for verb in verbs}
-    rows |= {name: f"{text}." for name, text in OWN.items()}
+    rows |= {name: f"{text}." for name, text in OWN_FUNCTIONS.items()}
     width = max(map(len, rows))
     lines = ["% OSIMCONTACT  Contact parameters of OpenSim models, right at every body size.", "%",
              "%", "% Every function hands a request to the program osim-contact-scale and gives what comes back as structs.",
              "% Type help osimcontact.rescale, say, for all options of a function. This list is shown by help osimcontact, in GNU",
              "% Octave by help osimcontact.Contents.", "%"]
     lines += [f"%   {name:<{width}} - {text}" for name, text in rows.items()]
-    return "\n".join([*lines, "", MADE, ""])
+    return "\n".join([*lines, "", HEADER, ""])
 
 
 def files():
@@ -257,32 +257,32 @@ def files():
     if missing:
         sys.exit(f"in dev/matlab_texts.py and in schemas/requests/ there are not the same verbs: {', '.join(sorted(missing))}")
     used = set()
-    made = {PACKAGE / f"{function_name(verb.name)}.m": verb_file(verb, used) for verb in verbs}
+    written = {PACKAGE / f"{function_name(verb.name)}.m": verb_file(verb, used) for verb in verbs}
     idle = set(NO_STANDARD_STREAMS) - used
     if idle:
         sys.exit(f"no option says this any more, take it out of dev/matlab_texts.py: {', '.join(sorted(idle))}")
-    made[PACKAGE / "Contents.m"] = contents_file(verbs)
-    made[PACKAGE / "+internal/declared.m"] = declared_file(verbs)
-    made[PACKAGE / "+internal/shapes.m"] = shapes_file()
-    return made
+    written[PACKAGE / "Contents.m"] = contents_file(verbs)
+    written[PACKAGE / "+internal/declared.m"] = declared_file(verbs)
+    written[PACKAGE / "+internal/shapes.m"] = shapes_file()
+    return written
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--check", action="store_true", help="write nothing, name what differs")
     check = parser.parse_args().check
-    made = files()
-    there = {path for path in PACKAGE.rglob("*.m") if MADE in path.read_text(encoding="utf-8")}
-    differ = [path for path, text in made.items() if not path.is_file() or path.read_text(encoding="utf-8") != text]
-    differ += sorted(there - set(made))
+    expected_files = files()
+    there = {path for path in PACKAGE.rglob("*.m") if HEADER in path.read_text(encoding="utf-8")}
+    differ = [path for path, text in expected_files.items() if not path.is_file() or path.read_text(encoding="utf-8") != text]
+    differ += sorted(there - set(expected_files))
     for path in differ:
         if check:
             print(f"error: {path.relative_to(ROOT)} is not what the schemas say: run python3 dev/generate_matlab.py")
-        elif path in made:
-            path.write_text(made[path], encoding="utf-8", newline="\n")
+        elif path in expected_files:
+            path.write_text(expected_files[path], encoding="utf-8", newline="\n")
         else:
             path.unlink()
-    print(f"{len(made)} files, {len(differ)} {'differ' if check else 'written'}")
+    print(f"{len(expected_files)} files, {len(differ)} {'differ' if check else 'written'}")
     return 1 if check and differ else 0
 
 

@@ -22,7 +22,7 @@ from request_schemas import Field, Verb, verbs
 FOLDER = Path(__file__).resolve().parent.parent / "python" / "osim_contact_scale"
 
 WRITTEN = "a plan is written by Result.write"
-SHOWN = "Python shows results itself, and has no exit status"
+NOT_FOR_PYTHON = "Python shows results itself, and has no exit status"
 MANY = "these are for many models at once: rescale_many and many have them"
 # Groups of fields that are no keywords, with the reason. How results are shown is none of any function.
 GROUPS_LEFT_OUT = {
@@ -159,11 +159,11 @@ def module() -> str:
 
 def options() -> str:
     changing = [verb for verb in verbs() if verb.changes]
-    all_of = {field.name: field for verb in changing for field in verb.fields}
-    of_run = {name for name, field in all_of.items() if field.is_of_run}
+    fields_by_name = {field.name: field for verb in changing for field in verb.fields}
+    run_options = {name for name, field in fields_by_name.items() if field.is_of_run}
     parts = {
-        "ROW_OPTIONS": (set(all_of) - of_run - {"models", "file"} | {"model", "set", "verb"}, "Options that a row of a table has as columns."),
-        "RUN_OPTIONS": (of_run, "Options of a whole run, which no row can have."),
+        "ROW_OPTIONS": (set(fields_by_name) - run_options - {"models", "file"} | {"model", "set", "verb"}, "Options that a row of a table has as columns."),
+        "RUN_OPTIONS": (run_options, "Options of a whole run, which no row can have."),
         "PATHS": ({field.name for verb in verbs() for field in verb.fields if "path" in field.kinds}, "Options that name files or folders."),
     }
     sets = []
@@ -172,11 +172,11 @@ def options() -> str:
         wrapped = textwrap.fill(words, 118, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
         sets.append(f"#: {meaning}\n{name} = frozenset({{\n{wrapped},\n}})\n")
     questions = next(field.choices for field in changing[0].fields if field.name == "yes")
-    of_many = [verb.name for verb in sorted(changing, key=lambda verb: verb.changes) if verb.positional == ("models",)]
+    many_verbs = [verb.name for verb in sorted(changing, key=lambda verb: verb.changes) if verb.positional == ("models",)]
     words = {
         "Property": ("OpenSim's properties that verbs change.", PROPERTIES),
         "Question": ("Codes of questions, which `yes` answers.", questions),
-        "ChangingVerb": ("Verbs that change any number of models.", of_many),
+        "ChangingVerb": ("Verbs that change any number of models.", many_verbs),
     }
     return OPTIONS_HEAD + "\n".join([*(literal(name, *of) for name, of in words.items()), *sets])
 
@@ -262,7 +262,7 @@ def keyword_of(name: str) -> str:
 
 
 def fields_of(verb: Verb, shape: Shape) -> list[Field]:
-    left_out, groups = LEFT_OUT.get(shape.group, {}), {"shown": SHOWN, **GROUPS_LEFT_OUT.get(shape.group, {})}
+    left_out, groups = LEFT_OUT.get(shape.group, {}), {"shown": NOT_FOR_PYTHON, **GROUPS_LEFT_OUT.get(shape.group, {})}
     unknown = [name for name in left_out if name not in {field.name for field in verb.fields}]
     if unknown:
         raise SystemExit(f"{verb.name} has no {', '.join(unknown)}: take it out of LEFT_OUT")
@@ -272,8 +272,8 @@ def fields_of(verb: Verb, shape: Shape) -> list[Field]:
     positional = {field for *_, field in shape.positional}
     if positional != set(verb.positional):
         raise SystemExit(f"{verb.name} has no names for {', '.join(verb.positional)}: put them into its shape")
-    said = [field for field in verb.fields if field.name not in left_out and field.group not in groups]
-    return [field for field in said if field.name not in positional and field.name != "set"]
+    offered = [field for field in verb.fields if field.name not in left_out and field.group not in groups]
+    return [field for field in offered if field.name not in positional and field.name != "set"]
 
 
 def type_of(verb: Verb, field: Field) -> str:
@@ -284,12 +284,12 @@ def type_of(verb: Verb, field: Field) -> str:
         return f"{one} | Sequence[{one}]" if "list" in field.kinds else one
     if "boolean" in field.kinds:
         return "bool"
-    own = {"path": "StrPath", "number": "float", "integer": "int", "string": "str"}
+    python_types = {"path": "StrPath", "number": "float", "integer": "int", "string": "str"}
     kinds = field.kinds - {"list", "object"}
     if "path" in kinds:
         kinds -= {"string"}
-        own["path"] = "Source" if field.name in ("from", "geometry", "model") else "StrPath"
-    names = [own[kind] for kind in ("path", "number", "integer", "string") if kind in kinds]
+        python_types["path"] = "Source" if field.name in ("from", "geometry", "model") else "StrPath"
+    names = [python_types[kind] for kind in ("path", "number", "integer", "string") if kind in kinds]
     if "list" in field.kinds:
         if len(names) != 1:
             raise SystemExit(f"{verb.name}: items of {field.name} are of several kinds: say its type in TYPES")
@@ -325,20 +325,20 @@ class Parameter:
 def function(verb: Verb, shape: Shape) -> str:
     fields = fields_of(verb, shape)
     positional = [positional_of(verb, *one) for one in shape.positional]
-    named = [keyword_parameter(verb, field) for field in fields]
-    own = own_keywords(shape)
+    keyword_parameters = [keyword_parameter(verb, field) for field in fields]
+    extra = own_keywords(shape)
     if shape.group == "batch":
-        own, named = own[1:], [own[0], *named]
+        extra, keyword_parameters = extra[1:], [extra[0], *keyword_parameters]
     properties = [Parameter(name, "float | str", "None") for name in PROPERTIES] if verb.name == "set" else []
-    keywords = properties + named + own
+    keywords = properties + keyword_parameters + extra
     documented = [(f"{one.name.lstrip('*')} : {one.readable or readable(one.kind)}" + (", optional" if one.default else ""), one.meaning) for one in positional]
     if properties:
         documented.append((f"{', '.join(PROPERTIES)} : float or str, optional", 'The value of this property, or a factor such as "x2".'))
-    documented += [(f"{one.name} : {one.readable or readable(one.kind)}" + (", optional" if one.default else ""), one.meaning) for one in named + own]
+    documented += [(f"{one.name} : {one.readable or readable(one.kind)}" + (", optional" if one.default else ""), one.meaning) for one in keyword_parameters + extra]
     passed = "{" + ", ".join(passed_on(field) for field in fields) + "}"
     if properties:
-        given = ", ".join(f'"{name}": {name}' for name in PROPERTIES)
-        passed = "{" + ", ".join([f'"set": _run.assignments({{{given}}})', *map(passed_on, fields)]) + "}"
+        assignments = ", ".join(f'"{name}": {name}' for name in PROPERTIES)
+        passed = "{" + ", ".join([f'"set": _run.assignments({{{assignments}}})', *map(passed_on, fields)]) + "}"
     overloads = [overload_of(verb, form, positional, keywords) for form in shape.forms]
     words = listed(positional, keywords)
     head = f"def {name_of(verb)}(\n" + "".join(f"    {word},\n" for word in words) + f") -> {shape.returns}:\n"
@@ -362,14 +362,14 @@ def keyword_parameter(verb: Verb, field: Field) -> Parameter:
 
 def own_keywords(shape: Shape) -> list[Parameter]:
     """Keywords that the command does not have, or has in another way."""
-    own = []
+    extra = []
     if shape.group == "batch":
-        own.append(Parameter("keep", "bool | str | Sequence[Hashable]", "False", "bool, str or list of str", KEEP))
+        extra.append(Parameter("keep", "bool | str | Sequence[Hashable]", "False", "bool, str or list of str", KEEP))
     if shape.group == "survey":
-        own.append(Parameter("jobs", "int", "None", meaning="Models to work on at once [default: one per processor]"))
+        extra.append(Parameter("jobs", "int", "None", meaning="Models to work on at once [default: one per processor]"))
     if shape.group in ("batch", "sweep", "survey"):
-        own.append(Parameter("progress", "Progress", "False", "bool or callable", "Show a bar (where tqdm is there), or call this with 1 and whether it failed for each model."))
-    return own
+        extra.append(Parameter("progress", "Progress", "False", "bool or callable", "Show a bar (where tqdm is there), or call this with 1 and whether it failed for each model."))
+    return extra
 
 
 KEEP = (
@@ -398,15 +398,15 @@ def overload_of(verb: Verb, form: Form, positional: list[Parameter], keywords: l
     unknown = {*form.needed, *form.without} - {one.name for one in keywords}
     if unknown:
         raise SystemExit(f"{verb.name} has no {', '.join(sorted(unknown))}: take it out of its forms")
-    own = [
+    extra = [
         Parameter(one.name, kind, one.default if kind == "None" else "") if (kind := form.positional.get(one.name)) else one
         for one in positional
     ]
-    named = [
+    keyword_parameters = [
         Parameter(one.name, one.kind) if one.name in form.needed else Parameter(one.name, "None", "None") if one.name in form.without else one
         for one in keywords
     ]
-    return f"@overload\ndef {name_of(verb)}({', '.join(listed(own, named))}) -> {form.returns}: ...\n"
+    return f"@overload\ndef {name_of(verb)}({', '.join(listed(extra, keyword_parameters))}) -> {form.returns}: ...\n"
 
 
 def readable(kind: str) -> str:

@@ -68,7 +68,7 @@ OVERLOADS = [
 RETURNS = {"numbers": ("float or numpy.ndarray\n", "float, numpy.ndarray, Series or DataFrame\n")}
 
 #: What `nan` does, by the kind of function.
-OF_NAN = {
+NAN_HELP = {
     "numbers": "an element that has it in any argument is NaN, and not looked at further.",
     "list": "the result is NaN where any number of any list is.",
     "steps": "all steps are NaN where any number is.",
@@ -112,10 +112,10 @@ def module() -> str:
     functions = _native.equations()
     names = sorted([name for name, *_ in functions] + ["continuation_steps"])
     exported = "__all__ = [\n" + "".join(f'    "{name}",\n' for name in names) + "]\n"
-    made = {name: function(name, *rest) for name, *rest in functions}
-    made["continuation_steps"] = with_nan(STEPS, "steps", "    ")
+    functions_by_name = {name: function(name, *rest) for name, *rest in functions}
+    functions_by_name["continuation_steps"] = with_nan(STEPS, "steps", "    ")
     examples = examples_of(names)
-    return "\n\n".join([HEAD + "\n" + exported, *(with_examples(text, examples[name]) for name, text in made.items())])
+    return "\n\n".join([HEAD + "\n" + exported, *(with_examples(text, examples[name]) for name, text in functions_by_name.items())])
 
 
 def examples_of(names: list[str]) -> dict[str, str]:
@@ -144,17 +144,17 @@ def function(name: str, kind: str, parameters: list, takes_rule: bool, doc: str)
     if takes_rule:
         rules = ", ".join(f'"{rule}"' for rule in _native.mixing_rules())
         last.insert(0, f'rule: Literal[{rules}] = "{_native.mixing_rules()[0]}"')
-    given = "{" + ", ".join(f'"{one}": {one}' for one, _ in parameters) + "}"
+    arguments = "{" + ", ".join(f'"{one}": {one}' for one, _ in parameters) + "}"
     if kind == "numbers":
         overloads = "".join(overload(name, parameters, last, *types) for types in OVERLOADS)
-        body = f'call("{name}", {given}, nan' + (", rule)" if takes_rule else ")")
+        body = f'call("{name}", {arguments}, nan' + (", rule)" if takes_rule else ")")
         return overloads + defined(name, typed(parameters, "Number") + last, "Any", documented(doc, kind), body)
     if kind == "list":
-        signature, body = typed(parameters, "NumberList"), f'call_of_list("{name}", {given}, nan=nan)'
+        signature, body = typed(parameters, "NumberList"), f'call_of_list("{name}", {arguments}, nan=nan)'
     else:
         # The load comes first, the height of each sphere after all that have no default, where they are not level.
         signature = ["load: float", *typed(parameters, "float | NumberList"), "height: NumberList | None = None"]
-        body = f'call_of_list("{name}", {given}, height, load, nan=nan)'
+        body = f'call_of_list("{name}", {arguments}, height, load, nan=nan)'
     return defined(name, signature + last, "float", documented(doc, "list"), body)
 
 
@@ -190,7 +190,7 @@ def with_nan(text: str, kind: str, indent: str = "") -> str:
     before, heading, after = text.partition(f"\n\n{indent}Returns\n")
     if not heading:
         raise SystemExit(f"error: a docstring says nothing of what is returned: {text}")
-    parameter = '\nnan : {"raise", "propagate"}, default "raise"\n    ' + f'Whether NaN is an error. With "propagate", {OF_NAN[kind]}'
+    parameter = '\nnan : {"raise", "propagate"}, default "raise"\n    ' + f'Whether NaN is an error. With "propagate", {NAN_HELP[kind]}'
     return before + parameter.replace("\n", "\n" + indent) + heading + after
 
 

@@ -25,7 +25,7 @@ TOKEN = re.compile(
     re.S,
 )
 TEST = ["#", "[", "cfg", "(", "test", ")", "]"]
-NAMED = ("fn", "struct", "enum", "trait", "const", "static", "type")
+ITEM_KEYWORDS = ("fn", "struct", "enum", "trait", "const", "static", "type")
 
 # Other languages: what counts, and how a line begins that does not.
 OTHERS = [
@@ -49,10 +49,10 @@ def tokens(text):
         line, at = line + text.count("\n", at, one.start()), one.start()
         if one[2]:
             found.append((one[2], line, one[2].count("\n")))
-    kept, place = [], 0
+    remaining, place = [], 0
     while place < len(found):
         if found[place][0] != "#" or [word for word, _, _ in found[place : place + 7]] != TEST:
-            kept.append(found[place])
+            remaining.append(found[place])
             place += 1
             continue
         place, depth = place + 7, 0
@@ -62,7 +62,7 @@ def tokens(text):
             place += 1
             if depth == 0 and word in (";", "}"):
                 break
-    return kept
+    return remaining
 
 
 def public(words):
@@ -72,11 +72,11 @@ def public(words):
             rest = [one for one in words[place + 1 : place + 5] if one not in ("async", "unsafe")]
             if rest[:2] == ["const", "fn"]:
                 rest = rest[1:]
-            if rest[0] in NAMED:
+            if rest[0] in ITEM_KEYWORDS:
                 yield rest[0], rest[1]
 
 
-def shown(words):
+def used_names(words):
     """The names in what is public: in signatures, fields, variants, and associated types. What has a public name there cannot hide it."""
     found = set()
     for place, word in enumerate(words):
@@ -94,12 +94,12 @@ def shown(words):
 
 def users():
     """The words of each crate's sources, and of all tests, examples, benchmarks and fuzz targets together."""
-    found = {}
+    result = {}
     for path in tracked("*.rs"):
         parts = path.relative_to(ROOT).parts
         of = parts[1] if parts[0] == "crates" and parts[2] == "src" else "tests"
-        found.setdefault(of, set()).update(re.findall(r"\w+", path.read_text("utf-8")))
-    return found
+        result.setdefault(of, set()).update(re.findall(r"\w+", path.read_text("utf-8")))
+    return result
 
 
 def rust():
@@ -116,14 +116,14 @@ def rust():
     inner = {path: of for path, of in words.items() if path.relative_to(ROOT).parts[1] not in FREE}
     attributes = sum(of.count("must_use") + of.count("non_exhaustive") for of in inner.values())
     names = [(path.relative_to(ROOT).parts[1], kind, name) for path, of in inner.items() for kind, name in public(of)]
-    known = users()
+    used = users()
     reached = {}
     for path, of in inner.items():
-        reached.setdefault(path.relative_to(ROOT).parts[1], set()).update(shown(of))
+        reached.setdefault(path.relative_to(ROOT).parts[1], set()).update(used_names(of))
     unused = [
         one
         for one in names
-        if not any(one[2] in of for user, of in known.items() if user != one[0])
+        if not any(one[2] in of for user, of in used.items() if user != one[0])
         and (one[1] in ("fn", "const", "static") or one[2] not in reached[one[0]])
     ]
     rows = [
@@ -153,8 +153,8 @@ def main():
     table("Rust, crates/*/src", rows)
     others = []
     for name, patterns, comment in OTHERS:
-        found = [line.strip() for path in tracked(*patterns) for line in path.read_text("utf-8").splitlines()]
-        others.append((name, sum(bool(line) and not line.startswith(comment) for line in found)))
+        result = [line.strip() for path in tracked(*patterns) for line in path.read_text("utf-8").splitlines()]
+        others.append((name, sum(bool(line) and not line.startswith(comment) for line in result)))
     table("Lines of other languages, neither blank nor comment", others)
     words = [(name, len((ROOT / name).read_text("utf-8").split())) for name in ("CHANGELOG.md", "CONTRIBUTING.md")]
     table("Words", words)

@@ -23,7 +23,7 @@ HOLDS = {
 
 # Tests in Rust and scripts say it themselves, pytest says it with -rs --no-fold-skipped. Where tests run one after the
 # other, the line of the test in Rust is not at its end yet.
-SAID = re.compile(r"^(?:test .* \.\.\. )?skipped: (?P<test>.+?): (?P<why>.+)$")
+SKIPPED_BY_RUST = re.compile(r"^(?:test .* \.\.\. )?skipped: (?P<test>.+?): (?P<why>.+)$")
 SAID_BY_PYTEST = re.compile(r"^SKIPPED (?P<test>\S+?\.py(?:::.+?)?) - (?:Skipped: )?(?P<why>.+)$")
 
 
@@ -38,9 +38,9 @@ def skipped(log):
     [('tests/test_a.py', 'no pandas')]
     """
     for line in log.splitlines():
-        said = SAID.match(line) or SAID_BY_PYTEST.match(line)
-        if said:
-            yield said["test"], said["why"]
+        match = SKIPPED_BY_RUST.match(line) or SAID_BY_PYTEST.match(line)
+        if match:
+            yield match["test"], match["why"]
 
 
 def allowed(text):
@@ -68,15 +68,15 @@ def allowed(text):
 
 def main(logs):
     patterns = list(allowed(LISTED.read_text(encoding="utf-8")))
-    found = {said for log in logs for said in skipped(Path(log).read_text(encoding="utf-8", errors="replace"))}
+    result = {said for log in logs for said in skipped(Path(log).read_text(encoding="utf-8", errors="replace"))}
     unlisted = 0
-    for test, why in sorted(found):
+    for test, why in sorted(result):
         is_listed = any(pattern.fullmatch(test) for pattern in patterns)
         unlisted += not is_listed
         print(f"{'listed' if is_listed else 'NOT LISTED'}: {test}: {why}")
     if unlisted:
         print(
-            f"error: {unlisted} of {len(found)} skipped tests are not in tests/skips.txt for where this runs: "
+            f"error: {unlisted} of {len(result)} skipped tests are not in tests/skips.txt for where this runs: "
             "install what they need (dev/install.sh), or list them with a reason"
         )
     return 1 if unlisted else 0

@@ -35,12 +35,12 @@ def rows(models, folder, names=None, build_names=None):
                 yield {"model": file, "build": name, "contacts": contacts, **fall(path, radius, build)}
 
 
-def write(path, found):
+def write(path, rows):
     """The table, with six digits."""
     with open(path, "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, list(found[0]), lineterminator="\n")
+        writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         writer.writeheader()
-        for row in found:
+        for row in rows:
             writer.writerow(
                 {name: f"{value:.6g}" if isinstance(value, float) else value for name, value in row.items()}
             )
@@ -54,10 +54,13 @@ def main():
     parser.add_argument("--builds", nargs="+", help="only these builds")
     parser.add_argument("--table", type=Path, default=TABLE, help="where the table goes")
     parser.add_argument("--figures", action="store_true", help="draw from the table")
-    given = parser.parse_args()
-    if given.models:
-        write(given.table, list(rows(given.models, given.results.absolute(), given.only, given.builds)))
-    if given.figures or not given.models:
+    arguments = parser.parse_args()
+    if arguments.models:
+        write(
+            arguments.table,
+            list(rows(arguments.models, arguments.results.absolute(), arguments.only, arguments.builds)),
+        )
+    if arguments.figures or not arguments.models:
         import page
         from draw import draw
 

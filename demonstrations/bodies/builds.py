@@ -45,7 +45,7 @@ CONTACTS = {"left": "left behind", "mass": "rescaled by mass only", "places": "t
 LEGS = ("femur", "tibia", "patella")
 FEET = ("talus", "calcn", "midfoot", "forefoot", "toes")
 # Masses and radii far from the original's are meant here.
-MEANT = ("implausible-mass", "mass-in-pounds", "implausible-radius")
+CONFIRMED = ("implausible-mass", "mass-in-pounds", "implausible-radius")
 
 
 def write(original, folder, name, build, contacts):
@@ -72,15 +72,15 @@ def write(original, folder, name, build, contacts):
         return Path(original)
     folder.mkdir(parents=True, exist_ok=True)
     stem = f"{Path(original).stem}_{name.replace(' ', '_')}"
-    scaled, made = folder / f"{stem}_left.osim", folder / f"{stem}_{contacts}.osim"
+    scaled, adapted = folder / f"{stem}_left.osim", folder / f"{stem}_{contacts}.osim"
     mass = scale(original, scaled, build)
     if contacts == "mass":
-        done = ocs.rescale(str(scaled), contacts_mass=mass, target_mass=mass * build.mass, yes=MEANT)
-        done.write(str(made), force=True)
+        results = ocs.rescale(str(scaled), contacts_mass=mass, target_mass=mass * build.mass, yes=CONFIRMED)
+        results.write(str(adapted), force=True)
     elif contacts == "places":
-        done = ocs.transfer(str(scaled), from_=str(original), follow_bodies=True, yes=MEANT)
-        done.write(str(made), force=True)
-    return made
+        results = ocs.transfer(str(scaled), from_=str(original), follow_bodies=True, yes=CONFIRMED)
+        results.write(str(adapted), force=True)
+    return adapted
 
 
 def scale(original, path, build):

@@ -24,9 +24,9 @@ def draw(rows, folder):
     )
     for column, (model, name) in zip(axes.T, MODELS.items()):
         column[0].set_title(name)
-        own = [row for row in rows if row["model"] == model]
+        selected = [row for row in rows if row["model"] == model]
         for axis, panel in zip(column, PANELS):
-            _points(axis, own, panel)
+            _points(axis, selected, panel)
         column[-1].tick_params(axis="x", rotation=45)
     for row, label in zip(axes, PANELS.values()):
         row[0].set_ylabel(label)
@@ -36,10 +36,10 @@ def draw(rows, folder):
 
 
 def _points(axis, rows, panel):
-    known = {(row["build"], row["contacts"]): float(row[panel]) for row in rows}
-    axis.axhline(known["original", "left"], color="#000000", linewidth=0.8)
+    by_key = {(row["build"], row["contacts"]): float(row[panel]) for row in rows}
+    axis.axhline(by_key["original", "left"], color="#000000", linewidth=0.8)
     for place, contacts in enumerate(CONTACTS):
         across = [index + 0.2 * (place - 1) for index in range(len(BUILDS))]
-        values = [known[build, contacts] for build in BUILDS]
+        values = [by_key[build, contacts] for build in BUILDS]
         axis.plot(across, values, "o", markersize=4, color=COLOURS[contacts], label=TITLES[contacts])
     axis.set_xticks(range(len(BUILDS)), BUILDS)

@@ -38,7 +38,7 @@ def fall(path, radius_m, build):
         "mass_kg": figures["mass_kg"],
         "radius_m": figures["reference_radius_m"],
         "peak_force_bw": figures["peak_force_bw"],
-        "time_to_rest_s": _rest(series) / time,
+        "time_to_rest_s": _settling_time(series) / time,
         "depth": standing["largest_relative_indentation"],
         "spheres": len(loads),
         "carrying": int(np.sum(loads > SOFTEST)),
@@ -46,7 +46,7 @@ def fall(path, radius_m, build):
     }
 
 
-def _rest(series):
+def _settling_time(series):
     """Until the force stays near body weight, s; not a number if it does not."""
     times, away = np.array(series["time_s"]), np.abs(np.array(series["force_bw"]) - 1) > SETTLED
     if not away.any():

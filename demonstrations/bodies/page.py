@@ -28,8 +28,8 @@ def block(rows):
     yield "|---|---|---|---|---|---|"
     for build in BUILDS:
         for contacts, name in CONTACTS.items():
-            own = [row for row in rows if (row["build"], row["contacts"]) == (build, contacts)]
-            pairs = [(row, _original(rows, row["model"])) for row in own]
+            selected = [row for row in rows if (row["build"], row["contacts"]) == (build, contacts)]
+            pairs = [(row, _original(rows, row["model"])) for row in selected]
             cells = [_range([float(ours[what]) / float(theirs[what]) for ours, theirs in pairs]) for what in RATIOS]
             cells.append(_range([float(ours["depth"]) - float(theirs["depth"]) for ours, theirs in pairs]))
             off = [1000 * (float(ours["pressure_m"]) - float(theirs["pressure_m"])) for ours, theirs in pairs]
@@ -47,9 +47,9 @@ def _range(values, digits=2):
 
 def write(path, rows):
     """Put the table into the page."""
-    before, rest = path.read_text(encoding="utf-8").split(BEGIN)
+    before, after = path.read_text(encoding="utf-8").split(BEGIN)
     lines = "\n".join(block(rows))
-    path.write_text(f"{before}{BEGIN}\n{lines}\n\n{END}{rest.split(END)[1]}", encoding="utf-8")
+    path.write_text(f"{before}{BEGIN}\n{lines}\n\n{END}{after.split(END)[1]}", encoding="utf-8")
 
 
 if __name__ == "__main__":

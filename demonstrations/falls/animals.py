@@ -26,7 +26,7 @@ CONTACTS = {
 SLIDING = ("rescaled", "no_friction")
 
 # Masses and radii far from those of the model are meant here.
-MEANT = ("implausible-mass", "mass-in-pounds", "implausible-radius")
+CONFIRMED = ("implausible-mass", "mass-in-pounds", "implausible-radius")
 
 
 def length_ratio(animal: str) -> float:
@@ -46,12 +46,14 @@ def time_unit_s(animal: str) -> float:
 
 def write_model(folder: Path, animal: str, law: str, contacts: str) -> Path:
     """Makes the body at its size, and does with its contacts what `contacts` says."""
-    left = folder / f"{animal}_{law}_kept.osim"
-    body.make(left, length_ratio(animal), law)
+    unchanged = folder / f"{animal}_{law}_kept.osim"
+    body.make(unchanged, length_ratio(animal), law)
     if animal == REFERENCE or contacts == "kept":
-        return left
+        return unchanged
     more = {"rescaled": {"friction": True}, "no_friction": {}, "radii": {"only": ["radius"]}}[contacts]
-    made = ocs.rescale(left, contacts_mass=ANIMALS[REFERENCE], target_mass=ANIMALS[animal], yes=MEANT, **more)
+    adapted = ocs.rescale(
+        unchanged, contacts_mass=ANIMALS[REFERENCE], target_mass=ANIMALS[animal], yes=CONFIRMED, **more
+    )
     path = folder / f"{animal}_{law}_{contacts}.osim"
-    made.write(path, force=True)
+    adapted.write(path, force=True)
     return path

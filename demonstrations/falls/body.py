@@ -96,9 +96,9 @@ class Maker:
             mass / 12 * (squares[0] + squares[2]),
             mass / 12 * (squares[0] + squares[1]),
         ]
-        made = opensim.Body(name, mass, self.place(*centre), opensim.Inertia(*moments))
-        self.model.addBody(made)
-        return made
+        new_body = opensim.Body(name, mass, self.place(*centre), opensim.Inertia(*moments))
+        self.model.addBody(new_body)
+        return new_body
 
     def hinge(
         self, bone: Bone, name: str, parent: opensim.Body, at: tuple[float, float, float], lean: float

@@ -53,7 +53,7 @@ def compared(done):
         runs.sort(key=lambda run: -run[0]["accuracy"])
         row, series = runs[0]
         _, reference = falls[law, joints, "rescaled", REFERENCE][0]
-        found = {
+        result = {
             "law": law,
             "joints": joints,
             "contacts": contacts,
@@ -67,10 +67,10 @@ def compared(done):
         }
         for name in CURVES:
             ours = curve(series, name, animal)
-            found[f"{name}_apart"] = apart(ours, curve(reference, name, REFERENCE))
+            result[f"{name}_apart"] = apart(ours, curve(reference, name, REFERENCE))
             stricter = curve(runs[1][1], name, animal) if len(runs) > 1 else None
-            found[f"{name}_integrator"] = apart(ours, stricter)
-        rows.append(found)
+            result[f"{name}_integrator"] = apart(ours, stricter)
+        rows.append(result)
     return rows
 
 

@@ -18,30 +18,30 @@ LIMITS = {"height": (-0.06, 0.14), "centre_of_mass": (0.8, 1.15), "force": (-0.2
 UNTIL = 5  # units of √(L/g)
 
 
-def draw(done, folder):
+def draw(rows, folder):
     """Each law with joints locked and free: curves of all sizes, a column for what was done with the contacts."""
     folder.mkdir(parents=True, exist_ok=True)
     # The same bytes from the same results.
     matplotlib.rcParams.update({"svg.hashsalt": "falls", "font.size": 8, "path.simplify_threshold": 0.2})
-    for law in [law for law in done.table["law"].unique() if law != "smooth_frictionless"]:
+    for law in [law for law in rows.table["law"].unique() if law != "smooth_frictionless"]:
         for joints in ("locked", "free"):
-            figure = _figure(done, law, joints)
+            figure = _figure(rows, law, joints)
             figure.savefig(folder / f"{law}_{joints}.svg", metadata={"Date": None})
             pyplot.close(figure)
 
 
-def _figure(done, law, joints):
+def _figure(rows, law, joints):
     labels = {name: label for name, label in LABELS.items() if joints == "free" or name != "centre_of_mass"}
     size = (9, 2.1 * len(labels) + 0.4)
     figure, axes = pyplot.subplots(
         len(labels), len(CONTACTS), figsize=size, sharex=True, sharey="row", layout="constrained"
     )
-    animals = [animal for animal in ANIMALS if animal in set(done.table["animal"])]
+    animals = [animal for animal in ANIMALS if animal in set(rows.table["animal"])]
     for column, contacts in zip(axes.T, CONTACTS):
         column[0].set_title(f"{contacts}: {CONTACTS[contacts]}", fontsize=8)
         column[-1].set_xlabel("t / √(L/g)")
         for animal in reversed(animals):
-            series = _series(done, law, joints, "rescaled" if animal == REFERENCE else contacts, animal)
+            series = _series(rows, law, joints, "rescaled" if animal == REFERENCE else contacts, animal)
             for axis, name in zip(column, labels):
                 _plot(axis, series, name, animal)
     for row, (name, label) in zip(axes, labels.items()):
@@ -52,11 +52,17 @@ def _figure(done, law, joints):
     return figure
 
 
-def _series(done, law, joints, contacts, animal):
-    table = done.table
-    wanted = {"law": law, "joints": joints, "contacts": contacts, "animal": animal, "accuracy": table["accuracy"].max()}
-    chosen = [all(row[name] == value for name, value in wanted.items()) for row in table.to_dict("records")]
-    return done.series(chosen.index(True))
+def _series(rows, law, joints, contacts, animal):
+    table = rows.table
+    expected = {
+        "law": law,
+        "joints": joints,
+        "contacts": contacts,
+        "animal": animal,
+        "accuracy": table["accuracy"].max(),
+    }
+    chosen = [all(row[name] == value for name, value in expected.items()) for row in table.to_dict("records")]
+    return rows.series(chosen.index(True))
 
 
 def _plot(axis, series, name, animal):

@@ -107,30 +107,32 @@ def main():
     parser.add_argument("--table", type=Path, default=COMMITTED, help="where the table of falls goes")
     parser.add_argument("--slides", type=Path, default=COMMITTED_SLIDES, help="where the table of slides goes")
     parser.add_argument("--figures", type=Path, default=DOCS, help="folder for the figures")
-    given = parser.parse_args()
-    animals = list(dict.fromkeys([REFERENCE, *given.animals]))
-    models = given.results / "models"
-    if given.only != "slides":
-        rows = points(models, animals, given.laws, given.duration, given.samples, given.accuracy)
-        done = run(given, rows, fall, given.results / "runs")
-        write_table(given.table, compared(done), COLUMNS)
-        draw(done, given.figures)
-    if given.only != "falls":
-        rows = slide_points(models, animals, given.laws, given.motions, given.duration)
-        write_table(given.slides, slides_compared(run(given, rows, slide.slide, given.results / "slides")), SLIDES)
-    if (given.table, given.slides) == (COMMITTED, COMMITTED_SLIDES):
+    arguments = parser.parse_args()
+    animals = list(dict.fromkeys([REFERENCE, *arguments.animals]))
+    models = arguments.results / "models"
+    if arguments.only != "slides":
+        rows = points(models, animals, arguments.laws, arguments.duration, arguments.samples, arguments.accuracy)
+        results = run(arguments, rows, fall, arguments.results / "runs")
+        write_table(arguments.table, compared(results), COLUMNS)
+        draw(results, arguments.figures)
+    if arguments.only != "falls":
+        rows = slide_points(models, animals, arguments.laws, arguments.motions, arguments.duration)
+        write_table(
+            arguments.slides, slides_compared(run(arguments, rows, slide.slide, arguments.results / "slides")), SLIDES
+        )
+    if (arguments.table, arguments.slides) == (COMMITTED, COMMITTED_SLIDES):
         page.write(PAGE, COMMITTED, COMMITTED_SLIDES)
 
 
-def run(given, rows, function, results):
+def run(arguments, rows, function, results):
     """Does what is not done yet; ends the program where one of them failed."""
     done = simulate.run(
         rows,
         function,
         results=results,
-        workers=given.workers,
-        scheduler=given.scheduler,
-        resume=given.resume,
+        workers=arguments.workers,
+        scheduler=arguments.scheduler,
+        resume=arguments.resume,
         progress=True,
     )
     if len(done.failures):

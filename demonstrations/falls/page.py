@@ -44,13 +44,17 @@ def _apart(rows):
         # With joints locked nothing slides: friction makes no difference there.
         for joints in ("free",) if law == "smooth_frictionless" else ("locked", "free"):
             for contacts in CONTACTS:
-                own = [row for row in rows if (row["law"], row["joints"], row["contacts"]) == (law, joints, contacts)]
-                others = [row for row in own if row["animal"] != REFERENCE]
+                selected = [
+                    row for row in rows if (row["law"], row["joints"], row["contacts"]) == (law, joints, contacts)
+                ]
+                others = [row for row in selected if row["animal"] != REFERENCE]
                 if others:
                     worst = "|".join(_share([row[curve] for row in others]) for curve in CURVES)
                     yield f"|{law_name}|{joints}|{contacts}|{worst}|"
-            own = [row for row in rows if (row["law"], row["joints"], row["contacts"]) == (law, joints, "rescaled")]
-            yield f"|{law_name}|{joints}|*integrator*|{'|'.join(_share([row[c] for row in own]) for c in INTEGRATOR)}|"
+            selected = [
+                row for row in rows if (row["law"], row["joints"], row["contacts"]) == (law, joints, "rescaled")
+            ]
+            yield f"|{law_name}|{joints}|*integrator*|{'|'.join(_share([row[c] for row in selected]) for c in INTEGRATOR)}|"
 
 
 def _share(texts):
@@ -65,13 +69,13 @@ def _peaks(rows):
     """Largest forces of the Hunt-Crossley law, in body weights."""
     yield f"|animal|M (kg)|L (m)|{'|'.join(f'{joints}, {kind}' for joints in ('locked', 'free') for kind in CONTACTS)}|"
     yield "|---" * (3 + 2 * len(CONTACTS)) + "|"
-    known = {(row["joints"], row["contacts"], row["animal"]): row for row in rows if row["law"] == "hunt_crossley"}
+    by_key = {(row["joints"], row["contacts"], row["animal"]): row for row in rows if row["law"] == "hunt_crossley"}
     for animal in sorted(ANIMALS, key=ANIMALS.get):
-        first = known["locked", "rescaled", animal]
+        first = by_key["locked", "rescaled", animal]
         cells = [animal.split("_")[0], f"{ANIMALS[animal]:g}", f"{float(first['hip_height_m']):.3f}"]
         for joints in ("locked", "free"):
             for kind in CONTACTS:
-                row = known.get((joints, "rescaled" if animal == REFERENCE else kind, animal))
+                row = by_key.get((joints, "rescaled" if animal == REFERENCE else kind, animal))
                 cells.append(f"{float(row['peak_force_bw']):.2f}")
         yield f"|{'|'.join(cells)}|"
 
@@ -80,13 +84,15 @@ def _slides(rows):
     yield "|law|motion|slide / L|along|up|with: most|without: slide (%)|along (%)|up (%)|"
     yield "|---" * 9 + "|"
     for law, motion in dict.fromkeys((row["law"], row["motion"]) for row in rows):
-        own = [row for row in rows if (row["law"], row["motion"]) == (law, motion)]
-        theirs = next(row for row in own if row["animal"] == REFERENCE)
-        kept = [row for row in own if row["contacts"] == "no_friction"]
-        most = max(abs(float(row[f"{name}_off"])) for row in own if row["contacts"] == "rescaled" for name in MEASURES)
+        selected = [row for row in rows if (row["law"], row["motion"]) == (law, motion)]
+        theirs = next(row for row in selected if row["animal"] == REFERENCE)
+        remaining = [row for row in selected if row["contacts"] == "no_friction"]
+        most = max(
+            abs(float(row[f"{name}_off"])) for row in selected if row["contacts"] == "rescaled" for name in MEASURES
+        )
         cells = [LAWS[law], MOTIONS[motion], f"{float(theirs[MEASURES[0]]):.3f}"]
         cells += [f"{float(theirs[name]):.2f}" for name in MEASURES[1:]]
-        cells += [f"{most:.0e}", *(_range([float(row[f"{name}_off"]) for row in kept]) for name in MEASURES)]
+        cells += [f"{most:.0e}", *(_range([float(row[f"{name}_off"]) for row in remaining]) for name in MEASURES)]
         yield f"|{'|'.join(cells)}|"
 
 
@@ -101,8 +107,8 @@ def write(path, falls, slides):
     text = path.read_text(encoding="utf-8")
     for name, block in blocks(falls, slides).items():
         begin, end = f"<!-- begin {name} -->\n", f"<!-- end {name} -->"
-        before, rest = text.split(begin)
-        text = f"{before}{begin}\n{block}\n\n{end}{rest.split(end)[1]}"
+        before, after = text.split(begin)
+        text = f"{before}{begin}\n{block}\n\n{end}{after.split(end)[1]}"
     path.write_text(text, encoding="utf-8")
 
 

@@ -6,7 +6,7 @@ from body import GRAVITY, LENGTH, MASS
 
 HEIGHT = 0.1  # L: a landing body falls from there
 PUSH = 0.2  # body weights, on the trunk of a standing body
-STANDS, PUSHED = 8.0, 1.0  # √(L/g): until it stands, and how long it is pushed
+SETTLE_TIME, PUSH_TIME = 8.0, 1.0  # √(L/g): until it stands, and how long it is pushed
 AFTER = 8.0  # √(L/g): how long a landing, and a body from its push on, is followed
 STOP = 0.01  # √(L/g): how often one looks at it
 # Axes along the ground, and coordinates of the trunk along them.
@@ -45,11 +45,11 @@ def slide(path, motion, length_ratio, accuracy, after=AFTER):
         seen.throw(SPEEDS[way])
         seen.follow(after)
     else:
-        seen.follow(STANDS)
+        seen.follow(SETTLE_TIME)
         seen.forget()
-        seen.follow(PUSHED, pushed=True)
-        seen.follow(after - PUSHED)
-    return seen.found()
+        seen.follow(PUSH_TIME, pushed=True)
+        seen.follow(after - PUSH_TIME)
+    return seen.slip_m()
 
 
 class Slide:
@@ -108,7 +108,7 @@ class Slide:
             self.up = max(self.up, force[UP])
         self.state = opensim.State(state)
 
-    def found(self):
+    def slip_m(self):
         """See `slide`."""
         return {
             "slide_over_hip_height": float(self._feet(self.state) - self.begin) / self.length,

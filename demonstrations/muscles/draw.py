@@ -16,7 +16,7 @@ NAMES = {1.0: "62 kg", 8.0: "496 kg", 0.125: "7.75 kg"}
 TITLES = {"rescaled": "contacts transferred", "left": "contacts left behind"}
 
 
-SHOWN = {
+STYLES = {
     (1.0, "rescaled"): "60",
     (8.0, "rescaled"): "60",
     (0.125, "rescaled"): "60",
@@ -25,14 +25,14 @@ SHOWN = {
 }
 
 
-def shown(rows):
+def cases_to_draw(rows):
     """The rows of each case at the mesh that the figure has; from the original's solution where there is such a search."""
-    found = {}
-    for key, mesh in SHOWN.items():
-        own = [row for row in rows if (float(row["mass"]), row["contacts"], row["mesh"]) == (*key, mesh)]
-        starts = sorted({row["start"] for row in own}, key=("reference", "half", "original").index)
-        found[key] = [row for row in own if row["start"] == starts[-1]] if starts else None
-    return found
+    result = {}
+    for key, mesh in STYLES.items():
+        selected = [row for row in rows if (float(row["mass"]), row["contacts"], row["mesh"]) == (*key, mesh)]
+        starts = sorted({row["start"] for row in selected}, key=("reference", "half", "original").index)
+        result[key] = [row for row in selected if row["start"] == starts[-1]] if starts else None
+    return result
 
 
 def draw(rows, folder):
@@ -40,7 +40,7 @@ def draw(rows, folder):
     folder.mkdir(parents=True, exist_ok=True)
     matplotlib.rcParams.update({"svg.hashsalt": "muscles", "font.size": 8, "path.simplify_threshold": 0.2})
     figure, axes = pyplot.subplots(len(PANELS), 2, figsize=(7.5, 7.2), sharex=True, sharey="row", layout="constrained")
-    cases = shown(rows)
+    cases = cases_to_draw(rows)
     for column, kind in zip(axes.T, TITLES):
         column[0].set_title(TITLES[kind])
         column[-1].set_xlabel("time / s, at the size of the original")

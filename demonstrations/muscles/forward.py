@@ -23,40 +23,41 @@ def forward(model, solution, size):
         `forward_held`: the share of the step after which the hips or a joint are first further off than they may be, 1 if they never are.
         `forward_hip_m`, `forward_angle_rad`: how far the hips, and the joint that is furthest off, are from the solution's after the step.
     """
-    found = opensim.MocoTrajectory(str(solution))
+    trajectory = opensim.MocoTrajectory(str(solution))
     body = opensim.Model(str(model))
-    _drive(body, found)
+    _drive(body, trajectory)
     state = body.initSystem()
-    for name in found.getStateNames():
-        body.setStateVariableValue(state, name, float(found.getStateMat(name)[0]))
+    for name in trajectory.getStateNames():
+        body.setStateVariableValue(state, name, float(trajectory.getStateMat(name)[0]))
     manager = opensim.Manager(body)
     manager.setIntegratorMethod(opensim.Manager.IntegratorMethod_RungeKuttaMerson)
     manager.setIntegratorAccuracy(ACCURACY)
     manager.setIntegratorMaximumStepSize(1e-3 * size.time)
     manager.initialize(state)
-    names = [name for name in found.getStateNames() if name.startswith("/jointset/") and name.endswith("/value")]
-    wanted = {name: found.getStateMat(name) / unit(name, size) for name in names}
-    times, held = found.getTimeMat(), 1.0
+    names = [name for name in trajectory.getStateNames() if name.startswith("/jointset/") and name.endswith("/value")]
+    expected = {name: trajectory.getStateMat(name) / unit(name, size) for name in names}
+    times, duration = trajectory.getTimeMat(), 1.0
     for index, time in enumerate(times[1:], start=1):
         now = manager.integrate(float(time))
         off = {
-            name: abs(body.getStateVariableValue(now, name) / unit(name, size) - wanted[name][index]) for name in names
+            name: abs(body.getStateVariableValue(now, name) / unit(name, size) - expected[name][index])
+            for name in names
         }
         hip = max(value for name, value in off.items() if name.startswith(LENGTHS))
         angle = max(value for name, value in off.items() if not name.startswith(LENGTHS))
-        if held == 1.0 and not (hip < HOLDS and angle < ANGLES):
-            held = float(time / times[-1])
-            held = min(held, np.nextafter(1.0, 0.0))
-    return {"forward_held": held, "forward_hip_m": float(hip), "forward_angle_rad": float(angle)}
+        if duration == 1.0 and not (hip < HOLDS and angle < ANGLES):
+            duration = float(time / times[-1])
+            duration = min(duration, np.nextafter(1.0, 0.0))
+    return {"forward_held": duration, "forward_hip_m": float(hip), "forward_angle_rad": float(angle)}
 
 
-def _drive(body, found):
+def _drive(body, trajectory):
     """Every actuator by its control, on straight lines between its values."""
-    times = found.getTimeMat()
+    times = trajectory.getTimeMat()
     controller = opensim.PrescribedController()
-    for name in found.getControlNames():
+    for name in trajectory.getControlNames():
         line = opensim.PiecewiseLinearFunction()
-        for time, value in zip(times, found.getControlMat(name)):
+        for time, value in zip(times, trajectory.getControlMat(name)):
             line.addPoint(float(time), float(value))
         controller.addActuator(opensim.Actuator.safeDownCast(body.updComponent(name)))
         controller.prescribeControlForActuator(name.split("/")[-1], line)

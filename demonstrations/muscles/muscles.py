@@ -32,24 +32,24 @@ def cases(masses=MASSES, contacts=None):
                 yield mass, kind
 
 
-def solve(given):
+def solve(arguments):
     """Search the tracked walks that are not in the table yet."""
 
     def start(mass, kind, mesh):
-        return "original" if given.from_original else "reference" if mesh == MESH else "half"
+        return "original" if arguments.from_original else "reference" if mesh == MESH else "half"
 
-    _fill(given, search, given.contacts, start)
+    _fill(arguments, search, arguments.contacts, start)
 
 
-def _fill(given, function, contacts, start_of):
+def _fill(arguments, function, contacts, start_of):
     """Adds to the tables each walk that is not there."""
-    for mass, kind in cases(given.mass or MASSES, contacts):
-        for mesh in given.meshes:
+    for mass, kind in cases(arguments.mass or MASSES, contacts):
+        for mesh in arguments.meshes:
             key = {"mass": mass, "contacts": kind, "mesh": mesh, "start": start_of(mass, kind, mesh)}
-            if not any(_same(row, key) for row in read(given.table)):
-                numbers, series = _alone(function, given.moco.absolute(), given.results.absolute(), **key)
-                _append(given.table, [key | numbers])
-                _append(given.curves, [key | one for one in _rows(series)])
+            if not any(_same(row, key) for row in read(arguments.table)):
+                numbers, series = _alone(function, arguments.moco.absolute(), arguments.results.absolute(), **key)
+                _append(arguments.table, [key | numbers])
+                _append(arguments.curves, [key | one for one in _rows(series)])
 
 
 def _alone(function, moco, results, **key):
@@ -83,12 +83,12 @@ def search(moco, results, mass, contacts, mesh, start, most=MOST):
     import sizes
     from forward import forward
     from problem import TERMS, tracking
-    from solve import NEAR, scaled
+    from solve import WARM_START, scaled
     from solve import solve as solved
 
     opensim.Logger.setLevelString("Warn")
     size = sizes.Size(mass)
-    model = sizes.of_mass(moco / sizes.MODEL, results / "models", size)[contacts]
+    model = sizes.scale_to_mass(moco / sizes.MODEL, results / "models", size)[contacts]
     name = f"{contacts}_{mass:g}_{mesh}" + "_from_original" * (start == "original")
     guess = None
     if start == "half":
@@ -96,18 +96,18 @@ def search(moco, results, mass, contacts, mesh, start, most=MOST):
     elif start == "original":
         guess = scaled(results / f"rescaled_1_{mesh}.sto", results / f"{name}_guess.sto", size)
     study = tracking(model, moco, results / f"reference_{size.mass:g}", size)
-    options = "" if guess is None else NEAR
+    options = "" if guess is None else WARM_START
     numbers, series = solved(study, model, results, size, mesh, most, guess, name, TERMS, options)
     return numbers | forward(model, results / f"{name}.sto", size), series
 
 
-def predict(given):
+def predict(arguments):
     """Search the predicted walks that are not in the table yet."""
 
     def start(mass, kind, mesh):
-        return given.start or _start(mass, kind, mesh)
+        return arguments.start or _start(mass, kind, mesh)
 
-    _fill(given, prediction, given.contacts or ("rescaled", "left"), start)
+    _fill(arguments, prediction, arguments.contacts or ("rescaled", "left"), start)
 
 
 def _start(mass, kind, mesh):
@@ -136,17 +136,17 @@ def prediction(moco, results, mass, contacts, mesh, start, most=500):
     import predict
     import sizes
     from forward import forward
-    from solve import NEAR, THERE, scaled
+    from solve import THERE, WARM_START, scaled
     from solve import solve as solved
 
     opensim.Logger.setLevelString("Warn")
     size = sizes.Size(mass)
-    model = sizes.of_mass(moco / sizes.MODEL, results / "models", size)[contacts]
+    model = sizes.scale_to_mass(moco / sizes.MODEL, results / "models", size)[contacts]
     name = f"predicted_{contacts}_{mass:g}_{mesh}"
     if start == "tracked":
         guess, options = results / f"{contacts}_{mass:g}_{mesh}.sto", ""
     elif start == "half":
-        guess, options = results / f"predicted_{contacts}_{mass:g}_{mesh // 2}.sto", NEAR
+        guess, options = results / f"predicted_{contacts}_{mass:g}_{mesh // 2}.sto", WARM_START
     else:
         guess, options = results / f"{name}_guess.sto", THERE
         scaled(results / f"predicted_rescaled_1_{mesh}.sto", guess, size)
@@ -188,12 +188,12 @@ def _append(path, rows):
         )
 
 
-def figures(given):
+def figures(arguments):
     """The figure and the tables of the page."""
     import page
     from draw import draw
 
-    draw(read(CURVES), given.figures)
+    draw(read(CURVES), arguments.figures)
     page.write(FIGURES.with_suffix(".md"), *map(read, (TABLE, CURVES, PREDICTIONS, PREDICTED)))
 
 
@@ -222,8 +222,8 @@ def main():
     other = verbs.add_parser("figures", help="draw from the tables")
     other.add_argument("--figures", type=Path, default=FIGURES)
     other.set_defaults(run=figures)
-    given = parser.parse_args()
-    given.run(given)
+    arguments = parser.parse_args()
+    arguments.run(arguments)
 
 
 if __name__ == "__main__":

@@ -56,10 +56,10 @@ def _table(head, rows):
 
 def cases(table):
     """Rows of one case together: mass, contacts, and whether it starts from the original's solution."""
-    found = {}
+    result = {}
     for row in table:
-        found.setdefault((float(row["mass"]), row["contacts"], row["start"] == "original"), []).append(row)
-    return found
+        result.setdefault((float(row["mass"]), row["contacts"], row["start"] == "original"), []).append(row)
+    return result
 
 
 def _cells(rows, curves):
@@ -104,6 +104,6 @@ def write(path, table, curves, predictions, theirs):
     text = path.read_text(encoding="utf-8")
     for name, lines in (("muscles", block(table, curves)), ("predictions", predicted(predictions, theirs))):
         begin, end = f"<!-- begin {name} -->\n", f"<!-- end {name} -->"
-        before, rest = text.split(begin)
-        text = "\n".join((f"{before}{begin}", *lines, f"\n{end}{rest.split(end)[1]}"))
+        before, after = text.split(begin)
+        text = "\n".join((f"{before}{begin}", *lines, f"\n{end}{after.split(end)[1]}"))
     path.write_text(text, encoding="utf-8")

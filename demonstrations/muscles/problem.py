@@ -16,7 +16,7 @@ FILES = ("2D_gait.osim", COORDINATES, *FORCES)
 
 END = 0.470089  # of half a stride, s: the filter resamples the reference, which then ends so
 CUTOFF = 6.0  # of the reference's low-pass filter, Hz
-EFFORT, TRACKING, GROUND = 10.0, 1.0, 1.0  # weights
+EFFORT, TRACKING, GROUND_WEIGHT = 10.0, 1.0, 1.0  # weights
 ROOT = "/jointset/groundPelvis/"
 LENGTHS = (f"{ROOT}pelvis_tx", f"{ROOT}pelvis_ty")
 DEGREE = 3.14159265358979 / 180
@@ -104,7 +104,7 @@ def tracking(model, source, folder, size):
     problem.addGoal(symmetry(names))
     effort = opensim.MocoControlGoal.safeDownCast(problem.updGoal("control_effort"))
     effort.setWeight(EFFORT / size.time)
-    problem.addGoal(_ground(ground_reaction(source, folder, size), size))
+    problem.addGoal(_add_ground_goal(ground_reaction(source, folder, size), size))
     set_bounds(problem, size)
     return study
 
@@ -137,9 +137,9 @@ def symmetry(names):
     return goal
 
 
-def _ground(loads, size):
+def _add_ground_goal(loads, size):
     """Forces of the ground in the plane; Moco divides the square of their error by body weight, so that a force is left."""
-    goal = opensim.MocoContactTrackingGoal("contact", GROUND / size.time / size.mass)
+    goal = opensim.MocoContactTrackingGoal("contact", GROUND_WEIGHT / size.time / size.mass)
     goal.setExternalLoadsFile(str(loads))
     for side, name in (("r", "Right_GRF"), ("l", "Left_GRF")):
         forces = opensim.StdVectorString()
@@ -160,13 +160,13 @@ def set_bounds(problem, size):
 
 def solver(study, mesh, most, tolerance=1e-3):
     """Moco's solver as all solutions have it: one thread, forward differences, variables scaled by their bounds."""
-    made = opensim.MocoCasADiSolver.safeDownCast(study.updSolver())
-    made.set_num_mesh_intervals(mesh)
-    made.set_transcription_scheme("hermite-simpson")
-    made.set_optim_finite_difference_scheme("forward")
-    made.set_scale_variables_using_bounds(True)
-    made.set_optim_convergence_tolerance(tolerance)
-    made.set_optim_constraint_tolerance(1e-4)
-    made.set_optim_max_iterations(most)
-    made.set_parallel(0)
-    return made
+    moco_solver = opensim.MocoCasADiSolver.safeDownCast(study.updSolver())
+    moco_solver.set_num_mesh_intervals(mesh)
+    moco_solver.set_transcription_scheme("hermite-simpson")
+    moco_solver.set_optim_finite_difference_scheme("forward")
+    moco_solver.set_scale_variables_using_bounds(True)
+    moco_solver.set_optim_convergence_tolerance(tolerance)
+    moco_solver.set_optim_constraint_tolerance(1e-4)
+    moco_solver.set_optim_max_iterations(most)
+    moco_solver.set_parallel(0)
+    return moco_solver

@@ -35,7 +35,7 @@ class Size:
         return self.mass * self.length
 
 
-def of_mass(original, folder, size):
+def scale_to_mass(original, folder, size):
     """Write the model at another size: with contacts left, and with contacts from this project's `transfer`, with and without `--friction`.
 
     Parameters
@@ -60,8 +60,8 @@ def of_mass(original, folder, size):
     _stronger(model, size)
     model.printToXML(str(paths["left"]))
     for kind, friction in (("rescaled", True), ("no_friction", False)):
-        made = ocs.transfer(str(paths["left"]), from_=str(original), follow_bodies=True, friction=friction)
-        made.write(str(paths[kind]), force=True)
+        transferred = ocs.transfer(str(paths["left"]), from_=str(original), follow_bodies=True, friction=friction)
+        transferred.write(str(paths[kind]), force=True)
     return paths
 
 

@@ -14,7 +14,7 @@ from problem import GROUPS, solver, unit
 # reads a file of options where it is started. What it writes there has the violation of constraints, which Moco does not give.
 OPTIONS = "limited_memory_max_history 100\noutput_file found.txt\nfile_print_level 5\n"
 # From a solution of a coarser mesh: a small barrier from the start, because a large one drives the search away from it.
-NEAR = "mu_strategy monotone\nmu_init 1e-5\n"
+WARM_START = "mu_strategy monotone\nmu_init 1e-5\n"
 # From what should be a solution: it stays where it is, at its bounds, too.
 THERE = "mu_strategy monotone\nmu_init 1e-7\nbound_push 1e-8\nbound_frac 1e-8\n"
 GRAVITY = 9.80665  # m/s2
@@ -81,14 +81,14 @@ def solve(
     return numbers | judged(series), series
 
 
-def scaled(solution, made, size):
+def scaled(solution, target, size):
     """Write a solution of the original as a guess for another size."""
     walk = opensim.MocoTrajectory(str(solution))
     walk.setTime(walk.getTimeMat() * size.time)
     for name in walk.getStateNames():
         walk.setState(name, walk.getStateMat(name) * unit(name, size))
-    walk.write(str(made))
-    return made
+    walk.write(str(target))
+    return target
 
 
 @contextlib.contextmanager
@@ -104,9 +104,9 @@ def _ipopt(options):
             os.chdir(before)
 
 
-def _violation(found):
+def _violation(solution):
     """What IPOPT says last about the constraints, in the units that they have."""
-    (line,) = [line for line in found.read_text().splitlines() if line.startswith("Constraint violation")]
+    (line,) = [line for line in solution.read_text().splitlines() if line.startswith("Constraint violation")]
     return float(line.split()[-1])
 
 
@@ -119,10 +119,10 @@ def curves(model, study, solution, size):
     state = body.initSystem()
     weight = body.getTotalMass(state) * GRAVITY
     states = solution.exportToStatesTrajectory(study.getProblem())
-    found = {"time": np.array(solution.getTimeMat()) / size.time}
+    result = {"time": np.array(solution.getTimeMat()) / size.time}
     for name in solution.getStateNames():
         if name.startswith("/jointset/") and name.endswith("/value"):
-            found[name.split("/")[-2]] = np.array(solution.getStateMat(name)) / unit(name, size)
+            result[name.split("/")[-2]] = np.array(solution.getStateMat(name)) / unit(name, size)
     contacts = {side: [_contact(body, name) for name in names] for side, names in GROUPS.items()}
     heights = {f"sole_{side}": [] for side in GROUPS}
     forces = {f"{axis}_{side}": [] for side in GROUPS for axis in ("along", "up")}
@@ -136,7 +136,7 @@ def curves(model, study, solution, size):
             forces[f"up_{side}"].append(sum(value.get(1) for value in values) / weight)
             depths[f"depth_{side}"].append(max(_depth(sphere, now) for _, sphere in pairs))
             heights[f"sole_{side}"].append(min(_sole(body, side, size, now)) / size.length)
-    return {name: np.asarray(values, dtype=float) for name, values in (found | forces | depths | heights).items()}
+    return {name: np.asarray(values, dtype=float) for name, values in (result | forces | depths | heights).items()}
 
 
 def _contact(body, name):
@@ -168,9 +168,9 @@ def _sole(body, side, size, state):
 
 def judged(series):
     """The largest force in body weights, the largest depth over radius, and the lowest sole over the unscaled body's lengths."""
-    both = np.concatenate([series["up_r"], series["up_l"]])
+    both_feet = np.concatenate([series["up_r"], series["up_l"]])
     return {
-        "peak_force_bw": float(both.max()),
+        "peak_force_bw": float(both_feet.max()),
         "deepest_x_over_r": float(max(series["depth_r"].max(), series["depth_l"].max())),
         "lowest_sole_m": float(min(series["sole_r"].min(), series["sole_l"].min())),
     }

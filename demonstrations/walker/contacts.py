@@ -15,9 +15,9 @@ DISSIPATIONS = (0.25, 0.5, 1.0, 2.0, 4.0)  # s/m
 def baseline(folder):
     """The walker whose spheres sink in by 0.16 of their radius under body weight, on one foot: what `design` makes of it."""
     plain = model.write(folder / "plain.osim")
-    made = folder / "walker.osim"
-    ocs.design(str(plain), indentation=INDENTATION, spheres=SPHERES).write(str(made), force=True)
-    return made
+    model_path = folder / "walker.osim"
+    ocs.design(str(plain), indentation=INDENTATION, spheres=SPHERES).write(str(model_path), force=True)
+    return model_path
 
 
 def grid(folder, stiffnesses=5, dissipations=DISSIPATIONS):
@@ -43,9 +43,9 @@ def ladder(folder, steps):
     )
 
 
-def middle(path, made):
+def middle(path, output):
     """The contacts of the grid's middle, in the model at this path: written to `made`."""
-    return ocs.set(str(path), stiffness=f"x{SOFTEST_FACTOR**0.5!r}", dissipation=1.0).write(str(made), force=True)
+    return ocs.set(str(path), stiffness=f"x{SOFTEST_FACTOR**0.5!r}", dissipation=1.0).write(str(output), force=True)
 
 
 def sizes(folder, lengths):
@@ -69,14 +69,14 @@ def sizes(folder, lengths):
         ocs.set(str(plain), stiffness=numbers["stiffness"], dissipation=numbers["dissipation"]).write(
             str(same), force=True
         )
-        rescaled, left = folder / f"rescaled_{length:g}.osim", folder / f"left_{length:g}.osim"
+        rescaled, unchanged = folder / f"rescaled_{length:g}.osim", folder / f"left_{length:g}.osim"
         mass = model.MASS * length**3
         ocs.rescale(str(same), contacts_mass=model.MASS, target_mass=mass, friction=True).write(
             str(rescaled), force=True
         )
-        ocs.set(str(same), radius=model.RADIUS * length).write(str(left), force=True)
+        ocs.set(str(same), radius=model.RADIUS * length).write(str(unchanged), force=True)
         rows += [
             {"path": str(path), "length": length, "contacts": kind}
-            for kind, path in (("rescaled", rescaled), ("left", left))
+            for kind, path in (("rescaled", rescaled), ("left", unchanged))
         ]
     return rows

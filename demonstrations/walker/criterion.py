@@ -17,7 +17,7 @@ def checked(path, first, series, mesh, max_iterations):
     """A search that was solved, once more with twice the mesh, and forward from there: the columns of a row that say so."""
     from walk import solved
 
-    finer, series = solved(path, pd.DataFrame(series), 2 * mesh, max_iterations=max_iterations, near=True)
+    finer, series = solved(path, pd.DataFrame(series), 2 * mesh, max_iterations=max_iterations, is_warm_start=True)
     return {
         "solved_twice": finer["converged"],
         "effort_change": first["effort"] / finer["effort"] - 1,

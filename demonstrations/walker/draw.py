@@ -55,22 +55,22 @@ def _sticks(walk, pictures=6):
     """Half a cycle as stick figures, the right leg darker."""
     figure, axis = pyplot.subplots(figsize=(7, 2.6), layout="constrained")
     for number, row in enumerate(np.linspace(0, len(walk) - 1, pictures).round().astype(int)):
-        now = walk.iloc[row]
+        frame = walk.iloc[row]
         # The pictures stand further apart than the walker goes, so that none hides another.
-        hip = np.array([now["forward_m"] + 0.45 * number, now["up_m"]])
-        axis.plot(*zip(hip, hip + TRUNK * _along(now["tilt_rad"], up=True)), color="#000000", linewidth=2)
+        hip = np.array([frame["forward_m"] + 0.45 * number, frame["up_m"]])
+        axis.plot(*zip(hip, hip + TRUNK * _along(frame["tilt_rad"], up=True)), color="#000000", linewidth=2)
         for side, colour in zip(reversed(SIDES), ("#999999", "#0072b2")):
-            _leg(axis, hip, now, side, colour)
+            _leg(axis, hip, frame, side, colour)
     axis.axhline(0, color="#000000", linewidth=0.5)
     axis.set_aspect("equal")
     axis.set_axis_off()
     return figure
 
 
-def _leg(axis, hip, now, side, colour):
-    thigh = now["tilt_rad"] + now[f"hip_{side}_rad"]
-    shank = thigh + now[f"knee_{side}_rad"]
-    foot = shank + now[f"ankle_{side}_rad"]
+def _leg(axis, hip, frame, side, colour):
+    thigh = frame["tilt_rad"] + frame[f"hip_{side}_rad"]
+    shank = thigh + frame[f"knee_{side}_rad"]
+    foot = shank + frame[f"ankle_{side}_rad"]
     knee = hip + THIGH * _along(thigh)
     ankle = knee + SHANK * _along(shank)
     axis.plot(*zip(hip, knee, ankle), color=colour, linewidth=1.5)

@@ -60,25 +60,25 @@ def scaled(series, length):
     """The same motion of a walker `length` times as long: lengths grow with it, times and speeds with its square root."""
     root = math.sqrt(length)
     ends = {"_m_s": root, "_rad_s": 1 / root, "_s": root, "_m": length}
-    found = series.copy()
-    for name in found.columns:
-        found[name] *= next((factor for end, factor in ends.items() if name.endswith(end)), 1.0)
-    return found
+    copy = series.copy()
+    for name in copy.columns:
+        copy[name] *= next((factor for end, factor in ends.items() if name.endswith(end)), 1.0)
+    return copy
 
 
 def trajectory(solver, series):
     """The series as Moco takes it."""
     import opensim as osim
 
-    found = solver.createGuess("bounds")
-    found.setNumTimes(len(series))
-    found.setTime(_vector(osim, series["time_s"]))
+    guess = solver.createGuess("bounds")
+    guess.setNumTimes(len(series))
+    guess.setTime(_vector(osim, series["time_s"]))
     for name, path in coordinates().items():
-        found.setState(f"{path}/value", _vector(osim, series[value_name(name)]))
-        found.setState(f"{path}/speed", _vector(osim, series[speed_name(name)]))
+        guess.setState(f"{path}/value", _vector(osim, series[value_name(name)]))
+        guess.setState(f"{path}/speed", _vector(osim, series[speed_name(name)]))
     for name, path in torques().items():
-        found.setControl(path, _vector(osim, series[control_name(name)]))
-    return found
+        guess.setControl(path, _vector(osim, series[control_name(name)]))
+    return guess
 
 
 def _vector(osim, values):
@@ -87,11 +87,11 @@ def _vector(osim, values):
 
 def _series(time, tilt, joints):
     values = {"tilt": tilt, "forward": SPEED * time, "up": _hip_height(tilt, joints), **joints}
-    found = {"time_s": time}
+    result = {"time_s": time}
     for name, value in values.items():
-        found[value_name(name)] = value
-        found[speed_name(name)] = np.gradient(value, time)
-    return pd.DataFrame(found | {control_name(name): np.zeros(len(time)) for name in torques()})
+        result[value_name(name)] = value
+        result[speed_name(name)] = np.gradient(value, time)
+    return pd.DataFrame(result | {control_name(name): np.zeros(len(time)) for name in torques()})
 
 
 def _hip_height(tilt, joints):

@@ -4,7 +4,7 @@ import numpy as np
 from model import GRAVITY, JOINTS, MASS, SIDES, TORQUE
 from problem import control_name, speed_name
 
-NEAR = 0.01  # of a bound's range
+BOUND_TOLERANCE = 0.01  # of a bound's range
 
 
 def distances(series, limits):
@@ -22,20 +22,20 @@ def distances(series, limits):
     dict of str to float
         Of each name the smallest distance to one of its two bounds, as a share of the distance between them. Below 0: beyond it.
     """
-    found = {}
+    result = {}
     for name, (low, high) in limits.items():
         values = np.asarray(series[name], dtype=float)
         if name == "time_s":
             values = values[-1:]
         elif name == "forward_m":
             values = values[1:]  # It starts at 0, which is said and is not a bound.
-        found[name] = float(min(np.min(values) - low, high - np.max(values)) / (high - low))
-    return found
+        result[name] = float(min(np.min(values) - low, high - np.max(values)) / (high - low))
+    return result
 
 
-def active(series, limits, near=NEAR):
+def active(series, limits, tolerance=BOUND_TOLERANCE):
     """Names of the bounds that are active: the solution comes nearer to them than this share of their range."""
-    return sorted(name for name, distance in distances(series, limits).items() if not distance >= near)
+    return sorted(name for name, distance in distances(series, limits).items() if not distance >= tolerance)
 
 
 def cost_of_transport(series, length=1.0):

@@ -41,7 +41,7 @@ def least():
     table = guess.copy()
     for name in ("effort", "way", "half_cycle_s", "cost_of_transport", "peak_force_bw"):
         table[name] = table[name].where(~cheaper, branch[name])
-    wanted = [
+    expected = [
         "index",
         "stiffness",
         "dissipation",
@@ -51,7 +51,7 @@ def least():
         "cost_of_transport",
         "peak_force_bw",
     ]
-    return table.reset_index()[wanted]
+    return table.reset_index()[expected]
 
 
 def effort():
@@ -61,14 +61,14 @@ def effort():
 
 def by_point(table):
     """Of the searches from random guesses: a row for each point of the grid."""
-    known = least().set_index("index")["effort"]
-    found = []
+    effort_by_index = least().set_index("index")["effort"]
+    result = []
     for index, rows in table.groupby("index"):
         converged = rows[rows["converged"] == 1]
         point = {name: rows[name].iloc[0] for name in ("index", "stiffness", "dissipation")}
         point |= {"guesses": len(rows), "converged": len(converged), "median_iterations": rows["iterations"].median()}
-        found.append(point | {"least_over_panel_a": converged["effort"].min() / known[index]})
-    return pd.DataFrame(found)
+        result.append(point | {"least_over_panel_a": converged["effort"].min() / effort_by_index[index]})
+    return pd.DataFrame(result)
 
 
 def sizes():
@@ -101,9 +101,9 @@ def _grid(table, cell):
     yield f"|E₁\\* (MPa), k̂|{'|'.join(f'α = {value:g}' for value in dissipations)}|"
     yield "|---" * (1 + len(dissipations)) + "|"
     for stiffness, rows in table.groupby("stiffness"):
-        known = {row["dissipation"]: cell(row) for _, row in rows.iterrows()}
+        by_key = {row["dissipation"]: cell(row) for _, row in rows.iterrows()}
         hat = 9.375 * (stiffness / table["stiffness"].max()) ** (2 / 3)
-        yield f"|{stiffness / 1e6:.3f}, {hat:.2f}|{'|'.join(known.get(value, '') for value in dissipations)}|"
+        yield f"|{stiffness / 1e6:.3f}, {hat:.2f}|{'|'.join(by_key.get(value, '') for value in dissipations)}|"
 
 
 def apart(curves, row):
@@ -141,9 +141,9 @@ def write(path):
     text = path.read_text(encoding="utf-8")
     for name, block in BLOCKS.items():
         begin, end = f"<!-- begin {name} -->\n", f"<!-- end {name} -->"
-        before, rest = text.split(begin)
+        before, after = text.split(begin)
         lines = "\n".join(block())
-        text = f"{before}{begin}\n{lines}\n\n{end}{rest.split(end)[1]}"
+        text = f"{before}{begin}\n{lines}\n\n{end}{after.split(end)[1]}"
     path.write_text(text, encoding="utf-8")
 
 

@@ -40,18 +40,18 @@ def torques():
 def bounds(length=1.0):
     """Lower and upper bound of every state, control and of the time, by what it is called in a solution's series."""
     root = math.sqrt(length)
-    found = {"time_s": tuple(root * time for time in TIMES)}
+    result = {"time_s": tuple(root * time for time in TIMES)}
     for name in coordinates():
         joint = name.split("_")[0]
         if name in ROOT:
             size, rate = (1.0, 1 / root) if name == "tilt" else (length, root)
-            found[value_name(name)] = tuple(size * bound for bound in ROOT[name])
-            found[speed_name(name)] = tuple(rate * bound for bound in ROOT_SPEEDS[name])
+            result[value_name(name)] = tuple(size * bound for bound in ROOT[name])
+            result[speed_name(name)] = tuple(rate * bound for bound in ROOT_SPEEDS[name])
         else:
             low, high = LIMITS[joint]
-            found[value_name(name)] = (low - BEYOND, high + BEYOND)
-            found[speed_name(name)] = (-RATE / root, RATE / root)
-    return found | {control_name(name): (-1.0, 1.0) for name in torques()}
+            result[value_name(name)] = (low - BEYOND, high + BEYOND)
+            result[speed_name(name)] = (-RATE / root, RATE / root)
+    return result | {control_name(name): (-1.0, 1.0) for name in torques()}
 
 
 def value_name(coordinate):
@@ -86,8 +86,8 @@ def study(path, length=1.0):
     opensim.MocoStudy
         Without a solver.
     """
-    found = osim.MocoStudy()
-    problem = found.updProblem()
+    moco_study = osim.MocoStudy()
+    problem = moco_study.updProblem()
     problem.setModelProcessor(osim.ModelProcessor(str(path)))
     problem.addGoal(_symmetry())
     speed = osim.MocoAverageSpeedGoal("speed")
@@ -97,7 +97,7 @@ def study(path, length=1.0):
     effort.setDivideByDisplacement(True)
     problem.addGoal(effort)
     _set_bounds(problem, bounds(length))
-    return found
+    return moco_study
 
 
 def solver(study, mesh, scheme="hermite-simpson", convergence=1e-3, constraints=1e-4, max_iterations=3000):
@@ -105,26 +105,26 @@ def solver(study, mesh, scheme="hermite-simpson", convergence=1e-3, constraints=
 
     Forward differences: central ones take two to three times as long for each iteration, and found the same solution.
     """
-    made = study.initCasADiSolver()
-    made.set_num_mesh_intervals(mesh)
-    made.set_transcription_scheme(scheme)
-    made.set_multibody_dynamics_mode("explicit")
-    made.set_optim_finite_difference_scheme("forward")
-    made.set_scale_variables_using_bounds(True)
-    made.set_optim_convergence_tolerance(convergence)
-    made.set_optim_constraint_tolerance(constraints)
-    made.set_optim_max_iterations(max_iterations)
-    made.set_parallel(0)
-    made.set_verbosity(0)
-    return made
+    moco_solver = study.initCasADiSolver()
+    moco_solver.set_num_mesh_intervals(mesh)
+    moco_solver.set_transcription_scheme(scheme)
+    moco_solver.set_multibody_dynamics_mode("explicit")
+    moco_solver.set_optim_finite_difference_scheme("forward")
+    moco_solver.set_scale_variables_using_bounds(True)
+    moco_solver.set_optim_convergence_tolerance(convergence)
+    moco_solver.set_optim_constraint_tolerance(constraints)
+    moco_solver.set_optim_max_iterations(max_iterations)
+    moco_solver.set_parallel(0)
+    moco_solver.set_verbosity(0)
+    return moco_solver
 
 
 @contextlib.contextmanager
-def ipopt_options(near=False):
+def ipopt_options(is_warm_start=False):
     """An empty folder with the file of options, in which IPOPT is to be started; `near`: for a guess that is near a solution."""
     before = Path.cwd()
     with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "ipopt.opt").write_text(IPOPT_OPTIONS + IPOPT_NEAR * near)
+        (Path(folder) / "ipopt.opt").write_text(IPOPT_OPTIONS + IPOPT_NEAR * is_warm_start)
         os.chdir(folder)
         try:
             yield

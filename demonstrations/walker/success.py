@@ -76,27 +76,27 @@ def append(table, row):
         writer.writerow({name: f"{value:.6g}" if isinstance(value, float) else value for name, value in row.items()})
 
 
-def guesses(given):
+def guesses(arguments):
     """At each stiffness so many random guesses."""
-    manifest = Path(contacts.grid(given.results / "models", dissipations=(1.0,)).manifest)
+    manifest = Path(contacts.grid(arguments.results / "models", dissipations=(1.0,)).manifest)
     files = in_order(manifest, "stiffness")
     paths = dict(zip(POINTS, (files[0], files[len(files) // 2], files[-1])))
-    for seed in range(1, given.seeds + 1):
-        for point in given.points:
-            if not done("success", point=point, seed=seed):
+    for seed in range(1, arguments.seeds + 1):
+        for point in arguments.points:
+            if not is_done("success", point=point, seed=seed):
                 append("success", {"point": point, "seed": seed, **attempt(paths[point], seed)})
 
 
-def ladder(given):
+def ladder(arguments):
     """From the same random guesses: on the stiffest contacts at once, and after softer ones."""
     rungs = {}
     for way, count in WAYS.items():
         # Any ladder has the same last model.
-        made = contacts.ladder(given.results / "models" / f"rungs_{count}", max(count, 3))
-        rungs[way] = in_order(Path(made.manifest), "stiffness")[-count:]
-    for seed in range(1, given.seeds + 1):
-        for way in given.ways:
-            if not done("ladder", way=way, seed=seed):
+        models = contacts.ladder(arguments.results / "models" / f"rungs_{count}", max(count, 3))
+        rungs[way] = in_order(Path(models.manifest), "stiffness")[-count:]
+    for seed in range(1, arguments.seeds + 1):
+        for way in arguments.ways:
+            if not is_done("ladder", way=way, seed=seed):
                 *below, last = rungs[way]
                 append("ladder", {"way": way, "seed": seed, **attempt(last, seed, below)})
 
@@ -106,8 +106,8 @@ def in_order(manifest, column):
     return [str(manifest.parent / file) for file in pd.read_csv(manifest).sort_values(column)["file"]]
 
 
-def done(table, **wanted):
-    return any(all(row[name] == str(value) for name, value in wanted.items()) for row in read(table))
+def is_done(table, **expected):
+    return any(all(row[name] == str(value) for name, value in expected.items()) for row in read(table))
 
 
 def summary():
@@ -115,9 +115,9 @@ def summary():
     yield "|contacts|guesses|solved|and the same at twice the mesh|and holds for a step|"
     yield "|---|---|---|---|---|"
     for point in POINTS:
-        own = [row for row in read("success") if row["point"] == point]
-        if own:
-            yield f"|{point}|{len(own)}|{'|'.join(shares(own))}|"
+        selected = [row for row in read("success") if row["point"] == point]
+        if selected:
+            yield f"|{point}|{len(selected)}|{'|'.join(shares(selected))}|"
 
 
 def summary_of_ladder():
@@ -125,11 +125,11 @@ def summary_of_ladder():
     yield "|way|guesses|solved|and the same at twice the mesh|and holds for a step|iterations|time|effort|"
     yield "|---|---|---|---|---|---|---|---|"
     for way in WAYS:
-        own = [row for row in read("ladder") if row["way"] == way]
-        if own:
-            table = pd.DataFrame(own)[["iterations", "search_cpu_s", "effort"]].astype(float).median()
+        selected = [row for row in read("ladder") if row["way"] == way]
+        if selected:
+            table = pd.DataFrame(selected)[["iterations", "search_cpu_s", "effort"]].astype(float).median()
             cells = [f"{table['iterations']:.0f}", f"{table['search_cpu_s']:.0f} s", f"{table['effort']:.2f}"]
-            yield f"|{way}|{len(own)}|{'|'.join([*shares(own), *cells])}|"
+            yield f"|{way}|{len(selected)}|{'|'.join([*shares(selected), *cells])}|"
 
 
 def shares(rows):
@@ -148,13 +148,13 @@ def main():
     parser.add_argument("--seeds", type=int, default=20, help="random guesses at each stiffness, and for each way")
     parser.add_argument("--points", nargs="+", choices=POINTS, default=list(POINTS))
     parser.add_argument("--ways", nargs="+", choices=WAYS, default=list(WAYS))
-    given = parser.parse_args()
-    if not set(given.parts) <= set(PARTS):
+    arguments = parser.parse_args()
+    if not set(arguments.parts) <= set(PARTS):
         parser.error(f"parts are {' and '.join(PARTS)}")
-    given.results = given.results.absolute()
-    for part in given.parts or PARTS:
+    arguments.results = arguments.results.absolute()
+    for part in arguments.parts or PARTS:
         make, summarize = PARTS[part]
-        make(given)
+        make(arguments)
         print("\n".join(summarize()))
 
 

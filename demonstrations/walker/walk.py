@@ -48,10 +48,10 @@ def walk(path, mesh=30, start="hand", seed=None, length=1.0, double=False, max_i
     series : dict
         Time, states, controls, and vertical forces under each foot over body weight.
     """
-    guess, near = scaled(starting(start, seed), length), start not in FAR
-    numbers, series = solved(path, guess, mesh, length, max_iterations, near)
+    guess, is_warm_start = scaled(starting(start, seed), length), start not in FAR
+    numbers, series = solved(path, guess, mesh, length, max_iterations, is_warm_start)
     if double:
-        finer, _ = solved(path, pd.DataFrame(series), 2 * mesh, length, max_iterations, near=True)
+        finer, _ = solved(path, pd.DataFrame(series), 2 * mesh, length, max_iterations, is_warm_start=True)
         numbers |= {f"{name}_at_double_mesh": value for name, value in finer.items()}
     return numbers, {name: [float(value) for value in values] for name, values in series.items()}
 
@@ -63,13 +63,13 @@ def starting(start, seed=None):
     return at_random(int(seed)) if start == "random" else from_file(HERE / start)
 
 
-def solved(path, guess, mesh, length=1.0, max_iterations=3000, near=False):
+def solved(path, guess, mesh, length=1.0, max_iterations=3000, is_warm_start=False):
     """One search from a guess, which may be near a solution: numbers and series."""
     problem = study(path, length)
     search = solver(problem, mesh, max_iterations=max_iterations)
     search.setGuess(trajectory(search, guess))
     wall, cpu = time.perf_counter(), time.process_time()
-    with ipopt_options(near):
+    with ipopt_options(is_warm_start):
         solution = problem.solve()
     wall, cpu = time.perf_counter() - wall, time.process_time() - cpu
     converged = solution.success()
@@ -94,13 +94,13 @@ def solved(path, guess, mesh, length=1.0, max_iterations=3000, near=False):
 
 
 def _series(solution):
-    found = {"time_s": np.array(solution.getTimeMat())}
+    result = {"time_s": np.array(solution.getTimeMat())}
     for name, path in coordinates().items():
-        found[value_name(name)] = np.array(solution.getStateMat(f"{path}/value"))
-        found[speed_name(name)] = np.array(solution.getStateMat(f"{path}/speed"))
+        result[value_name(name)] = np.array(solution.getStateMat(f"{path}/value"))
+        result[speed_name(name)] = np.array(solution.getStateMat(f"{path}/speed"))
     for name, path in torques().items():
-        found[control_name(name)] = np.array(solution.getControlMat(path))
-    return found
+        result[control_name(name)] = np.array(solution.getControlMat(path))
+    return result
 
 
 def _forces(path, problem, solution, length):
@@ -111,7 +111,7 @@ def _forces(path, problem, solution, length):
     model.initSystem()
     states = solution.exportToStatesTrajectory(problem.getProblem())
     weight = MASS * length**3 * GRAVITY
-    found = {f"force_{side}_bw": [] for side in SIDES}
+    result = {f"force_{side}_bw": [] for side in SIDES}
     contacts = {
         side: [
             osim.SmoothSphereHalfSpaceForce.safeDownCast(model.getComponent(f"/forceset/contact_{name}_{side}"))
@@ -124,8 +124,8 @@ def _forces(path, problem, solution, length):
         model.realizeVelocity(state)
         for side, forces in contacts.items():
             vertical = sum(force.getRecordValues(state).get(1) for force in forces)
-            found[f"force_{side}_bw"].append(vertical / weight)
-    return found
+            result[f"force_{side}_bw"].append(vertical / weight)
+    return result
 
 
 def climb(path, rungs, mesh=30, start="hand", seed=None, max_iterations=3000):
@@ -148,10 +148,12 @@ def climb(path, rungs, mesh=30, start="hand", seed=None, max_iterations=3000):
     """
     paths = [*filter(None, rungs.split(";")), path]
     series = scaled(starting(start, seed), 1.0)
-    iterations, cpu, converged, near = 0, 0.0, 0, start not in FAR
+    iterations, cpu, converged, is_warm_start = 0, 0.0, 0, start not in FAR
     for rung in paths:
-        numbers, series = solved(rung, pd.DataFrame(series), mesh, max_iterations=max_iterations, near=near)
-        near = bool(numbers["converged"])
+        numbers, series = solved(
+            rung, pd.DataFrame(series), mesh, max_iterations=max_iterations, is_warm_start=is_warm_start
+        )
+        is_warm_start = bool(numbers["converged"])
         iterations += numbers["iterations"]
         cpu += numbers["cpu_s"]
         converged += numbers["converged"]

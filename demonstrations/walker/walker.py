@@ -24,20 +24,20 @@ INTEGERS = ("converged", "iterations", "active_bounds", "searches", "converged_s
 LEFT_OUT = ("path", "rungs", "file", "sha256", "key", "error", "status")
 
 
-def run(given, stage, points, function, settings, files=()):
+def run(arguments, stage, points, function, settings, files=()):
     """One stage: all points through the function."""
-    done = simulate.run(
+    results = simulate.run(
         points,
         simulate.Function(function, settings=settings, version=version(*files)),
-        results=given.results / stage,
-        scheduler=given.scheduler,
-        workers=given.workers,
-        resume=given.resume,
+        results=arguments.results / stage,
+        scheduler=arguments.scheduler,
+        workers=arguments.workers,
+        resume=arguments.resume,
         progress=True,
     )
-    if len(done.failures):
-        print(done.failures[["key", "status", "error"]].to_string())
-    return done
+    if len(results.failures):
+        print(results.failures[["key", "status", "error"]].to_string())
+    return results
 
 
 def write_table(table, stage):
@@ -49,25 +49,25 @@ def write_table(table, stage):
     table.to_csv(HERE / f"{stage}.csv", index=False, float_format="%.6g", lineterminator="\n")
 
 
-def guess(given):
+def guess(arguments):
     """The walk that all others start from: that of the grid's middle, from the walk drawn by hand."""
-    path = given.results / "models" / "guess.osim"
-    contacts.middle(contacts.baseline(given.results / "models"), path)
-    done = run(given, "guess", [{"path": str(path)}], walk, {"mesh": MESH, "start": "hand"})
-    if not done.table["converged"].all():
+    path = arguments.results / "models" / "guess.osim"
+    contacts.middle(contacts.baseline(arguments.results / "models"), path)
+    results = run(arguments, "guess", [{"path": str(path)}], walk, {"mesh": MESH, "start": "hand"})
+    if not results.table["converged"].all():
         raise SystemExit("the walk drawn by hand did not lead to a solution")
-    done.series(0).to_csv(GUESS, index=False, float_format="%.9g", lineterminator="\n")
+    results.series(0).to_csv(GUESS, index=False, float_format="%.9g", lineterminator="\n")
 
 
-def grid(given):
+def grid(arguments):
     """Panels A and B: 5 × 5 of stiffness and dissipation, from the good guess."""
-    points = contacts.grid(given.results / "models")
-    write_table(run(given, "grid", points, walk, {"mesh": MESH, "start": GUESS.name}, [GUESS]).table, "grid")
+    points = contacts.grid(arguments.results / "models")
+    write_table(run(arguments, "grid", points, walk, {"mesh": MESH, "start": GUESS.name}, [GUESS]).table, "grid")
 
 
-def branch(given):
+def branch(arguments):
     """The grid once more, on one branch of walks: from the middle to each point in steps of one point, each solution the next guess."""
-    rows = grid_rows(given)
+    rows = grid_rows(arguments)
     stiffnesses = sorted({row["stiffness"] for row in rows})
     dissipations = sorted({row["dissipation"] for row in rows})
     paths = {(row["stiffness"], row["dissipation"]): row["path"] for row in rows}
@@ -78,65 +78,65 @@ def branch(given):
         passed += [(row["stiffness"], value) for value in ways[1]]
         points.append({**row, "rungs": ";".join(paths[point] for point in passed[:-1])})
     settings = {"mesh": MESH, "start": GUESS.name, "max_iterations": BRANCH_ITERATIONS}
-    done = run(given, "branch", points, climb, settings, [GUESS, *(Path(path) for path in paths.values())])
-    write_table(done.table, "branch")
+    results = run(arguments, "branch", points, climb, settings, [GUESS, *(Path(path) for path in paths.values())])
+    write_table(results.table, "branch")
 
 
-def steps(values, wanted):
+def steps(values, expected):
     """From the middle of the values, without it, to the wanted one."""
-    middle, place = len(values) // 2, values.index(wanted)
+    middle, place = len(values) // 2, values.index(expected)
     return values[middle + 1 : place + 1] if place > middle else values[place:middle][::-1]
 
 
-def mesh(given):
+def mesh(arguments):
     """The corners and the middle of the grid once more, and with twice the mesh."""
-    rows = grid_rows(given)
+    rows = grid_rows(arguments)
     ends = [rows[place] for place in (0, 4, 12, 20, 24)]
     settings = {"mesh": MESH, "start": GUESS.name, "double": True}
-    write_table(run(given, "mesh", ends, walk, settings, [GUESS]).table, "mesh")
+    write_table(run(arguments, "mesh", ends, walk, settings, [GUESS]).table, "mesh")
 
 
-def random(given):
+def random(arguments):
     """Panel C: from random guesses."""
-    rows = [{**row, "seed": seed} for seed in range(1, given.seeds + 1) for row in grid_rows(given)]
+    rows = [{**row, "seed": seed} for seed in range(1, arguments.seeds + 1) for row in grid_rows(arguments)]
     settings = {"mesh": COARSE, "start": "random", "max_iterations": MOST_ITERATIONS}
-    write_table(run(given, "random", rows, walk, settings).table, "random")
+    write_table(run(arguments, "random", rows, walk, settings).table, "random")
 
 
-def sizes(given):
+def sizes(arguments):
     """The same walk at three lengths."""
-    rows = contacts.sizes(given.results / "models", LENGTHS)
-    done = run(given, "sizes", rows, walk, {"mesh": MESH, "start": GUESS.name}, [GUESS])
-    write_table(done.table, "sizes")
+    rows = contacts.sizes(arguments.results / "models", LENGTHS)
+    results = run(arguments, "sizes", rows, walk, {"mesh": MESH, "start": GUESS.name}, [GUESS])
+    write_table(results.table, "sizes")
     curves = [
-        done.series(place).assign(length=row["length"], contacts=row["contacts"]) for place, row in enumerate(rows)
+        results.series(place).assign(length=row["length"], contacts=row["contacts"]) for place, row in enumerate(rows)
     ]
     pd.concat(curves).to_csv(HERE / "sizes_curves.csv", index=False, float_format="%.6g", lineterminator="\n")
     # The same search at each size: from the guess that was drawn by hand.
     rescaled = [row for row in rows if row["contacts"] == "rescaled"]
-    write_table(run(given, "sizes_by_hand", rescaled, walk, {"mesh": MESH, "start": "hand"}).table, "sizes_by_hand")
+    write_table(run(arguments, "sizes_by_hand", rescaled, walk, {"mesh": MESH, "start": "hand"}).table, "sizes_by_hand")
 
 
-def grid_rows(given):
+def grid_rows(arguments):
     """The grid's models as rows: path, index, and what is at the point."""
-    manifest = Path(contacts.grid(given.results / "models").manifest)
-    wanted = ["index", "stiffness", "dissipation", "relative_indentation", "dimensionless_stiffness", "restitution"]
+    manifest = Path(contacts.grid(arguments.results / "models").manifest)
+    expected = ["index", "stiffness", "dissipation", "relative_indentation", "dimensionless_stiffness", "restitution"]
     # The committed tables have the shorter name.
     table = pd.read_csv(manifest).rename(columns={"relative_indentation_hertz": "relative_indentation"})
     return [
-        {"path": str(manifest.parent / row["file"]), **{name: row[name] for name in wanted}}
+        {"path": str(manifest.parent / row["file"]), **{name: row[name] for name in expected}}
         for row in table.to_dict("records")
     ]
 
 
-def figures(given):
+def figures(arguments):
     """Figures and tables of docs/studies/walker.md, from the tables beside this program."""
     import page
     from draw import draw_all
 
     for name, table in (("effort", page.least()), ("random_points", page.by_point(page.read("random")))):
         table.to_csv(HERE / f"{name}.csv", index=False, float_format="%.6g", lineterminator="\n")
-    draw_all(HERE, given.figures)
+    draw_all(HERE, arguments.figures)
     page.write(HERE.parents[1] / "docs" / "studies" / "walker.md")
 
 
@@ -163,10 +163,10 @@ def main():
     parser.add_argument(
         "--figures", type=Path, default=HERE.parents[1] / "docs" / "studies" / "walker", help="folder for the figures"
     )
-    given = parser.parse_args()
-    given.results = given.results.absolute()
-    for stage in STAGES if "all" in given.stages else given.stages:
-        STAGES[stage](given)
+    arguments = parser.parse_args()
+    arguments.results = arguments.results.absolute()
+    for stage in STAGES if "all" in arguments.stages else arguments.stages:
+        STAGES[stage](arguments)
 
 
 if __name__ == "__main__":

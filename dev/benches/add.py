@@ -70,8 +70,8 @@ def models(command, folder):
     """Options, and the texts of models without contacts: the corpus', or our own animals without theirs."""
     corpus = os.environ.get("OSIM_CORPUS")
     if corpus:
-        found = [path for path in sorted(Path(corpus).glob("*.osim")) if takes(command, path)]
-        return [], [path.read_bytes() for path in found]
+        result = [path for path in sorted(Path(corpus).glob("*.osim")) if takes(command, path)]
+        return [], [path.read_bytes() for path in result]
     print("OSIM_CORPUS is not set: the humans of Table 1 stand in, with factors given")
     texts = []
     for path in sorted((ROOT / "fixtures" / "table1").glob("human_*.osim")):
@@ -85,8 +85,8 @@ def models(command, folder):
 def takes(command, path):
     """Whether a model gets contacts without a question."""
     call = [str(command), "add", str(path), "--from", PRESET, "--dry-run", "--format", "json"]
-    done = subprocess.run(call, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
-    return done.returncode == 0 and bool(json.loads(done.stdout)["changes"])
+    process = subprocess.run(call, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+    return process.returncode == 0 and bool(json.loads(process.stdout)["changes"])
 
 
 if __name__ == "__main__":

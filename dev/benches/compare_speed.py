@@ -49,10 +49,10 @@ def arguments():
     parser.add_argument("--models", type=int, default=1000, help="in the library (default 1000)")
     parser.add_argument("--folder", help="where the models are written (default: the system's temporary folder)")
     options = parser.parse_args()
-    known = ["start", "model", "library"]
-    if any(part not in known for part in options.parts):
-        parser.error(f"the parts are {', '.join(known)}")
-    options.parts = options.parts or known
+    parts = ["start", "model", "library"]
+    if any(part not in parts for part in options.parts):
+        parser.error(f"the parts are {', '.join(parts)}")
+    options.parts = options.parts or parts
     return options
 
 

@@ -89,21 +89,21 @@ def write_texts(texts, library, count):
 def models(command, spare):
     """Fixtures and models of the corpus that can be rescaled without a question."""
     corpus = os.environ.get("OSIM_CORPUS")
-    found = sorted((ROOT / "fixtures" / "table1").glob("*.osim"))
+    paths = sorted((ROOT / "fixtures" / "table1").glob("*.osim"))
     if corpus:
-        found += sorted(Path(corpus).glob("*.osim"))
+        paths += sorted(Path(corpus).glob("*.osim"))
     else:
         print("OSIM_CORPUS is not set: synthetic models stand in for large ones")
         for size in (400_000, 600_000, 800_000):
-            found.append(spare / f"{size}.osim")
-            synthetic.write(found[-1], size)
-    return [path for path in found if is_rescaled(command, path)]
+            paths.append(spare / f"{size}.osim")
+            synthetic.write(paths[-1], size)
+    return [path for path in paths if is_rescaled(command, path)]
 
 
 def is_rescaled(command, path):
     call = rescale(command, path, "--dry-run", "--format", "json")
-    done = subprocess.run(call, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
-    return done.returncode == 0 and bool(json.loads(done.stdout)["changes"])
+    process = subprocess.run(call, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+    return process.returncode == 0 and bool(json.loads(process.stdout)["changes"])
 
 
 def warm_memory(size):
@@ -237,10 +237,10 @@ def ten_times_as_many(table, command, folder, options):
         table.row(f"{count} models, time", median(ours[count], 0), "s")
         table.row(f"{count} models, time on processors", median(ours[count], 1), "s")
         table.row(f"{count} models, peak memory", peaks[count] / MIB, "MiB", LIMIT_MIB)
-    growth, of_copy = (ratio(times[many], times[few], 0) for times in (ours, copies))
+    growth, copy_growth = (ratio(times[many], times[few], 0) for times in (ours, copies))
     table.row("time against a tenth of the models", growth, "x")
-    table.row("the same of copy", of_copy, "x")
-    table.row("one against the other", growth / of_copy, "x", LIMIT_TENFOLD_TO_COPY)
+    table.row("the same of copy", copy_growth, "x")
+    table.row("one against the other", growth / copy_growth, "x", LIMIT_TENFOLD_TO_COPY)
     table.row("against a tenth, by time on processors", ratio(ours[many], ours[few], 1), "x")
     table.row("the same of copy", ratio(copies[many], copies[few], 1), "x")
     table.row("memory against a tenth of the models", peaks[many] / peaks[few], "x")

@@ -79,10 +79,10 @@ def peak(call, status=0):
     if timer is None:
         sys.exit("GNU time is needed to measure memory, for example from the package 'time'")
     with tempfile.NamedTemporaryFile("r") as report:
-        done = subprocess.run(
+        process = subprocess.run(
             [timer, "-q", "-o", report.name, "-f", "%M", *call], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
         )
-        if done.returncode != status:
+        if process.returncode != status:
             sys.exit(f"failed: {' '.join(call)}")
         return int(report.read()) * 1024
 

@@ -104,9 +104,9 @@ def library(path, count):
 
         works = {"the command": by_command, "rescale_many": by_python}
         medians(works, 1)
-        found = medians(works, 5)
-    ratio = found["rescale_many"] / found["the command"]
-    print(f"{count} models: the command {found['the command']:.2f} s, rescale_many {found['rescale_many']:.2f} s: {ratio:.2f} x")
+        seconds = medians(works, 5)
+    ratio = seconds["rescale_many"] / seconds["the command"]
+    print(f"{count} models: the command {seconds['the command']:.2f} s, rescale_many {seconds['rescale_many']:.2f} s: {ratio:.2f} x")
 
 
 def main():

@@ -19,7 +19,7 @@ LIMIT_SHOWN_S = 2.0
 LIMIT_MIB = 128.0
 
 # When the browser has the page laid out and painted, from the start of the navigation, in ms.
-SHOWN = """
+MEASURE = """
 document.body.offsetHeight;
 const load = performance.getEntriesByType('navigation')[0].loadEventEnd;
 const paint = performance.getEntriesByName('first-contentful-paint').map(entry => entry.startTime);
@@ -38,8 +38,8 @@ def main():
         assert any(is_rescaled(command, path) for path in models)
         write_texts([path.read_bytes() for path in models], folder / "library", options.models)
         table.head(f"{options.models} models, medians of {options.rounds}")
-        page_of(table, "rescaled", rescale(command, folder / "library", "--dry-run", "--quiet"), folder, options.rounds)
-        page_of(table, "checked", [command, "check", folder / "library"], folder, options.rounds)
+        report_page(table, "rescaled", rescale(command, folder / "library", "--dry-run", "--quiet"), folder, options.rounds)
+        report_page(table, "checked", [command, "check", folder / "library"], folder, options.rounds)
     return table.finish()
 
 
@@ -51,7 +51,7 @@ def arguments():
     return parser.parse_args()
 
 
-def page_of(table, what, call, folder, rounds):
+def report_page(table, what, call, folder, rounds):
     """The page that `call` writes of the library: time, memory, size, and how soon it is seen."""
     page = folder / f"{what}.html"
     call = [*map(str, call), "--report", str(page), "--force"]
@@ -64,14 +64,14 @@ def page_of(table, what, call, folder, rounds):
         return
     with Browser() as browser:
         # People have their browser open already: its own start does not count.
-        seen(browser, page)
-        shown = [seen(browser, page) for _ in range(rounds)]
+        time_to_show(browser, page)
+        shown = [time_to_show(browser, page) for _ in range(rounds)]
     table.row(f"{what}: until Chromium shows it", statistics.median(shown), "s", LIMIT_SHOWN_S)
 
 
-def seen(browser, page):
+def time_to_show(browser, page):
     browser.open(page, 1280, "light")
-    return browser.run(SHOWN) / 1000
+    return browser.run(MEASURE) / 1000
 
 
 if __name__ == "__main__":

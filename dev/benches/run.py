@@ -52,10 +52,10 @@ def arguments():
     parser.add_argument("--command", help="a command built before, instead of building one")
     parser.add_argument("--folder", help="where the models are written (default: the system's temporary folder)")
     options = parser.parse_args()
-    known = ["model", "size", "forces", "odd"]
-    if any(part not in known for part in options.parts):
-        parser.error(f"the parts are {', '.join(known)}")
-    options.parts = options.parts or known
+    parts = ["model", "size", "forces", "odd"]
+    if any(part not in parts for part in options.parts):
+        parser.error(f"the parts are {', '.join(parts)}")
+    options.parts = options.parts or parts
     return options
 
 
@@ -102,8 +102,8 @@ def sizes(table, command, folder, megabytes, repeats):
     table.head(f"synthetic models, whole process, best of {repeats}")
     model, out = folder / "synthetic.osim", folder / "out.osim"
     # The program's own code is mapped whatever the model: it would drown what a small model takes.
-    own = peak(rescale(command, ROOT / "fixtures" / SMALL, "--dry-run"))
-    table.row("peak memory of a model of some kB: the program itself", own / MIB, "MiB")
+    base = peak(rescale(command, ROOT / "fixtures" / SMALL, "--dry-run"))
+    table.row("peak memory of a model of some kB: the program itself", base / MIB, "MiB")
     for size in megabytes:
         synthetic.write(model, size * 10**6)
         length = model.stat().st_size
@@ -114,9 +114,9 @@ def sizes(table, command, folder, megabytes, repeats):
                 f"{size} MB, {name}", length / min(wall for wall, _ in runs) / 1e6, "MB/s", LIMIT_MB_PER_S, True
             )
             table.row(f"{size} MB, {name}, by time on a processor", length / min(p for _, p in runs) / 1e6, "MB/s")
-            whole = peak(call)
-            table.row(f"{size} MB, {name}, peak memory", whole / length, "x file")
-            table.row("  beyond the program itself", (whole - own) / length, "x file", LIMIT_PEAK_PER_BYTE)
+            total = peak(call)
+            table.row(f"{size} MB, {name}, peak memory", total / length, "x file")
+            table.row("  beyond the program itself", (total - base) / length, "x file", LIMIT_PEAK_PER_BYTE)
             out.unlink(missing_ok=True)
     model.unlink()
 
@@ -128,10 +128,10 @@ def many_forces(table, command, folder, repeats):
     length = model.stat().st_size
     table.head(f"100,000 forces ({length / 1e6:.0f} MB), whole process, best of {repeats} after one that does not count")
     # Its numbers are rolled: nothing is asked about them.
-    said = ["--yes", "implausible-mass", "--yes", "mass-in-pounds", "--yes", "implausible-radius"]
+    confirmations = ["--yes", "implausible-mass", "--yes", "mass-in-pounds", "--yes", "implausible-radius"]
     calls = {
         "copy": [shutil.which("cp"), "--reflink=never", str(model), str(out)],
-        "rescaled": rescale(command, model, *said, "-o", str(out)),
+        "rescaled": rescale(command, model, *confirmations, "-o", str(out)),
         "inspected": [str(command), "inspect", str(model)],
     }
     best = {name: min(run(call, fresh=out) for _ in range(repeats + 1)) for name, call in calls.items()}

@@ -121,10 +121,10 @@ def write(path, size):
     with open(path, "w", encoding="utf-8", newline="\n") as out:
         out.write(HEAD)
         bodies = [("pelvis", None), *segments]
-        put(out, "BodySet", "bodyset", (body(name, dice) for name, _ in bodies))
-        put(out, "JointSet", "jointset", (joint(name, parent, dice) for name, parent in [("pelvis", ""), *segments]))
-        put(out, "ContactGeometrySet", "contactgeometryset", [FLOOR, *(sphere(name, dice) for name, _ in segments)])
-        put(out, "ForceSet", "forceset", (text for name, _ in segments for text in forces(name, dice)))
+        write_set(out, "BodySet", "bodyset", (body(name, dice) for name, _ in bodies))
+        write_set(out, "JointSet", "jointset", (joint(name, parent, dice) for name, parent in [("pelvis", ""), *segments]))
+        write_set(out, "ContactGeometrySet", "contactgeometryset", [FLOOR, *(sphere(name, dice) for name, _ in segments)])
+        write_set(out, "ForceSet", "forceset", (text for name, _ in segments for text in forces(name, dice)))
         out.write("\t</Model>\n</OpenSimDocument>\n")
 
 
@@ -134,14 +134,14 @@ def write_forces(path, count):
     feet = ["foot_r", "foot_l"]
     with open(path, "w", encoding="utf-8", newline="\n") as out:
         out.write(HEAD)
-        put(out, "BodySet", "bodyset", (body(name, dice) for name in ["pelvis", *feet]))
-        put(out, "JointSet", "jointset", [joint("pelvis", "", dice), *(joint(name, "pelvis", dice) for name in feet)])
+        write_set(out, "BodySet", "bodyset", (body(name, dice) for name in ["pelvis", *feet]))
+        write_set(out, "JointSet", "jointset", [joint("pelvis", "", dice), *(joint(name, "pelvis", dice) for name in feet)])
         on_foot = "<socket_frame>/bodyset/{}</socket_frame>"
         spheres = (
             sphere(f"c{i}", dice).replace(on_foot.format(f"c{i}"), on_foot.format(feet[i % 2])) for i in range(count)
         )
-        put(out, "ContactGeometrySet", "contactgeometryset", itertools.chain([FLOOR], spheres))
-        put(out, "ForceSet", "forceset", (CONTACT.format(name=f"c{i}") for i in range(count)))
+        write_set(out, "ContactGeometrySet", "contactgeometryset", itertools.chain([FLOOR], spheres))
+        write_set(out, "ForceSet", "forceset", (CONTACT.format(name=f"c{i}") for i in range(count)))
         out.write("\t</Model>\n</OpenSimDocument>\n")
 
 
@@ -184,7 +184,7 @@ def forces(name, dice):
     yield CONTACT.format(name=name)
 
 
-def put(out, tag, name, objects):
+def write_set(out, tag, name, objects):
     out.write(f'\t\t<{tag} name="{name}">\n\t\t\t<objects>\n')
     out.writelines(objects)
     out.write(f"\t\t\t</objects>\n\t\t\t<groups />\n\t\t</{tag}>\n")

@@ -34,7 +34,7 @@ from renames import Entry, Map
 TOP = Path(__file__).resolve().parents[2]
 FIXTURES = TOP / "fixtures"
 # A quick run does one case in so many; of the calls in turn, each model has one in so many; so many kinds of differences are shown.
-QUICK, EVERY, SHOWN = 10, 12, 20
+QUICK, EVERY, MAX_SHOWN = 10, 12, 20
 ENVIRONMENT = {"PATH": "/usr/bin:/bin", "COLUMNS": "100", "NO_COLOR": "1", "LC_ALL": "C.UTF-8", "TERM": "dumb", "TZ": "UTC"}
 TOKEN = re.compile(r"[\w./+-]+")
 # What the words of a call without an option are in a request; of other verbs they are models.
@@ -50,14 +50,14 @@ def main() -> int:
     changed = Map(args.map)
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="compare_programs-", dir="/dev/shm" if Path("/dev/shm").is_dir() else None) as folder:
-        ground = Ground(cases, args.old.resolve(), args.new.resolve(), changed, Path(folder))
+        comparison = Comparison(cases, args.old.resolve(), args.new.resolve(), changed, Path(folder))
         with multiprocessing.Pool(args.jobs) as pool:
-            results = list(pool.imap_unordered(ground.compare, chosen, chunksize=8))
+            results = list(pool.imap_unordered(comparison.compare, chosen, chunksize=8))
     differing = sorted((result for result in results if result.differences), key=lambda result: result.call)
     changed.used = sum((result.used for result in results), Counter())
     unused = [] if args.quick or args.only else [entry for entry in changed.entries if not changed.used[entry]]
     total = sum((result.counts for result in results), Counter())
-    print("\n".join([*shown(differing), *changed.lines(), *(f"error: never used: {entry}" for entry in unused)]))
+    print("\n".join([*report_lines(differing), *changed.lines(), *(f"error: never used: {entry}" for entry in unused)]))
     counted = ", ".join(f"{total[name]} {name}" for name in ("calls", "calls that fail", "written files", "bytes of files and streams"))
     print(f"{len(results)} cases, {counted}: {len(differing)} cases differ; {time.monotonic() - began:.0f} s")
     return 1 if differing or unused or not results else 0
@@ -88,10 +88,10 @@ class Cases:
             elif line and not line.startswith("#"):
                 self.tables[name].append(line)
         self.texts = dict(line.split(" ", 1) for line in self.tables["tables"])
-        found = [path for top in (FIXTURES, corpus) if top for path in sorted(top.rglob("*")) if path.is_file()]
-        self.models = sorted({path.name for path in found if path.suffix in (".osim", ".xml")})
+        result = [path for top in (FIXTURES, corpus) if top for path in sorted(top.rglob("*")) if path.is_file()]
+        self.models = sorted({path.name for path in result if path.suffix in (".osim", ".xml")})
         short = dict(word.split("=") for line in self.tables["files"] for word in line.split())
-        self.files = {path.name: path for path in reversed(found)} | {name: FIXTURES / path for name, path in short.items()}
+        self.files = {path.name: path for path in reversed(result)} | {name: FIXTURES / path for name, path in short.items()}
 
     def all(self) -> Iterator[str]:
         """Every call."""
@@ -125,19 +125,19 @@ class Cases:
         if verb not in {base.split()[0] for base in self.tables["options"]} or {"&&", "<", ">"}.intersection(words):
             return ""
         with contextlib.suppress(SystemExit), contextlib.redirect_stderr(io.StringIO()):
-            found = {name: value for name, value in vars(parser(self.old, verb).parse_intermixed_args(words)).items() if value}
-            first = found.pop("first", [])
+            result = {name: value for name, value in vars(parser(self.old, verb).parse_intermixed_args(words)).items() if value}
+            first = result.pop("first", [])
             if verb == "set":
-                found["set"] = [dict(word.split("=", 1) for word in first if "=" in word)]
+                result["set"] = [dict(word.split("=", 1) for word in first if "=" in word)]
             if verb == "plot" and first:
-                found["kind"] = [first.pop(0)]
-            found[FIRST.get(verb, "models")] = [word for word in first if verb != "set" or "=" not in word]
-            lists = {name: [number(word) for word in value] for name, value in found.items() if value}
+                result["kind"] = [first.pop(0)]
+            result[FIRST.get(verb, "models")] = [word for word in first if verb != "set" or "=" not in word]
+            lists = {name: [number(word) for word in value] for name, value in result.items() if value}
             request = {"verb": verb} | {name: value[0] if len(value) == 1 and name != "models" else value for name, value in lists.items()}
             return f":put request.json {shlex.quote(json.dumps(request))} && request request.json"
         return ""
 
-    def put(self, text: str, here: Path) -> None:
+    def write_input(self, text: str, here: Path) -> None:
         """Copies the files that a call or a table names into a folder."""
         for token in dict.fromkeys(TOKEN.findall(re.sub(r"\\[nrt]", " ", text))):
             name = token.removeprefix("./")
@@ -148,7 +148,7 @@ class Cases:
                 self.put_file(self.files[inner], here / inner)
             if name in self.texts:
                 write(here / name, bytes_of(self.texts[name]))
-                self.put(self.texts[name], here)
+                self.write_input(self.texts[name], here)
 
     def put_file(self, source: Path, target: Path) -> None:
         """A file with what it includes; meshes beside a model are linked."""
@@ -164,20 +164,20 @@ class Cases:
 @functools.cache
 def options(program: Path, verb: str) -> dict[str, bool]:
     """The long options of a verb, and whether each takes a value."""
-    told = subprocess.run([program, verb, "--help"], capture_output=True, check=True, text=True).stdout
-    found = re.findall(r"^(?:  -\w, |      )(--[a-z-]+)( <)?", told, re.MULTILINE)
-    return {name: bool(value) for name, value in found if name not in ("--help", "--version")}
+    help_text = subprocess.run([program, verb, "--help"], capture_output=True, check=True, text=True).stdout
+    match = re.findall(r"^(?:  -\w, |      )(--[a-z-]+)( <)?", help_text, re.MULTILINE)
+    return {name: bool(value) for name, value in match if name not in ("--help", "--version")}
 
 
 @functools.cache
 def parser(program: Path, verb: str) -> argparse.ArgumentParser:
     """Reads the words of a verb; each option is a list."""
-    made = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
-    made.add_argument("first", nargs="*")
+    argument_parser = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
+    argument_parser.add_argument("first", nargs="*")
     for name, takes in options(program, verb).items():
         short = {"--output": ["-o"], "--output-dir": ["-d"]}.get(name, [])
-        made.add_argument(*short, name, **({"action": "append"} if takes else {"action": "store_const", "const": [True]}))
-    return made
+        argument_parser.add_argument(*short, name, **({"action": "append"} if takes else {"action": "store_const", "const": [True]}))
+    return argument_parser
 
 
 def number(word: object) -> object:
@@ -197,7 +197,7 @@ class Result:
 
 
 @dataclass
-class Ground:
+class Comparison:
     """Where both programs do each case, one after the other: each process has its own folder."""
 
     cases: Cases
@@ -237,7 +237,7 @@ class Ground:
         for name in ("here", "home", "tmp"):
             (self.top / name).mkdir(parents=True)
         here = self.top / "here"
-        self.cases.put(call, here)
+        self.cases.write_input(call, here)
         left: list[dict[str, bytes]] = []
         given: set[tuple[str, bytes]] = set()
         for step in call.split(" && "):
@@ -258,20 +258,20 @@ class Ground:
         here = self.top / "here"
         stdin = (here / words[-1]).read_bytes() if words[-2:-1] == ["<"] else b""
         with open("/dev/full", "wb") if words[-2:-1] == [">"] else contextlib.nullcontext(subprocess.PIPE) as stdout:
-            done = subprocess.run(
+            process = subprocess.run(
                 ["osim-contact-scale", *(words[:-2] if words[-2:-1] in (["<"], [">"]) else words)],
                 executable=program, cwd=here, env=environment, input=stdin, stdout=stdout, stderr=subprocess.PIPE, timeout=120, check=False,
             )  # fmt: skip
-        return {"exit status": b"%d" % done.returncode, "standard output": done.stdout or b"", "standard error": done.stderr}
+        return {"exit status": b"%d" % process.returncode, "standard output": process.stdout or b"", "standard error": process.stderr}
 
     def files(self) -> dict[str, bytes]:
         """Everything in the folder, by kind, permissions and name."""
-        found = {}
+        result = {}
         for path in self.top.rglob("*"):
             kind = "link" if path.is_symlink() else "folder" if path.is_dir() else "file"
             name = f"{kind} {path.lstat().st_mode & 0o777:o} {path.relative_to(self.top)}"
-            found[name] = path.read_bytes() if kind == "file" else b""
-        return found
+            result[name] = path.read_bytes() if kind == "file" else b""
+        return result
 
 
 def bytes_of(text: str) -> bytes:
@@ -297,19 +297,19 @@ def change(here: Path, verb: str, name: str, *rest: str) -> None:
     write(*changed.get(verb) or (path, old[: -int(word)]))
 
 
-def shown(differing: list[Result]) -> list[str]:
+def report_lines(differing: list[Result]) -> list[str]:
     """What differs, by what differs first: how many cases, some of them, and what differs in one of them."""
     groups: dict[tuple[str, str], list[Result]] = defaultdict(list)
     for result in differing:
         part, old, new = result.differences[0]
         kind = re.sub(r".*(\.\w+)$", r"file *\1", re.sub(r"^call \d+: ", "", part))
         groups[kind, re.sub(r"[\w./]*\d[\w.]*|[\w/-]+\.\w+", "#", " ".join(changes(old, new)[:2]))[:200]].append(result)
-    told = []
-    for (kind, _), members in sorted(groups.items(), key=lambda item: -len(item[1]))[:SHOWN]:
-        told += [f"{len(members)} cases differ in {kind}:", *(f"    {member.call[:300]}" for member in members[:4])]
+    lines = []
+    for (kind, _), members in sorted(groups.items(), key=lambda item: -len(item[1]))[:MAX_SHOWN]:
+        lines += [f"{len(members)} cases differ in {kind}:", *(f"    {member.call[:300]}" for member in members[:4])]
         for part, old, new in members[0].differences[:3]:
-            told += [f"  {part}", *(f"    {line[:300]}" for line in changes(old, new)[:8])]
-    return told + ([f"... and {len(groups) - SHOWN} more kinds of differences"] if len(groups) > SHOWN else [])
+            lines += [f"  {part}", *(f"    {line[:300]}" for line in changes(old, new)[:8])]
+    return lines + ([f"... and {len(groups) - MAX_SHOWN} more kinds of differences"] if len(groups) > MAX_SHOWN else [])
 
 
 def changes(old: bytes, new: bytes) -> list[str]:

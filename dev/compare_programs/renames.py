@@ -32,7 +32,7 @@ class Map:
 
     def __init__(self, path: Path | None) -> None:
         lines = path.read_text("utf-8").splitlines() if path else []
-        self.entries = [entry_of(line.strip()) for line in lines if line.strip() and not line.strip().startswith("#")]
+        self.entries = [parse_entry(line.strip()) for line in lines if line.strip() and not line.strip().startswith("#")]
         self.used: Counter[Entry] = Counter()
 
     def apply(self, data: bytes, name: str, is_old: bool) -> bytes:
@@ -86,9 +86,9 @@ class Map:
             return text
         rows = list(csv.reader(io.StringIO(text, newline="")))
         rows[0] = [self.renamed("column", name, is_old) for name in rows[0]]
-        kept = [at for at, name in enumerate(rows[0]) if name]
+        remaining = [at for at, name in enumerate(rows[0]) if name]
         out = io.StringIO(newline="")
-        csv.writer(out, lineterminator="\n").writerows([row[at] for at in kept if at < len(row)] for row in rows)
+        csv.writer(out, lineterminator="\n").writerows([row[at] for at in remaining if at < len(row)] for row in rows)
         return out.getvalue()
 
     def names(self, kind: str, is_old: bool) -> set[str]:
@@ -109,10 +109,10 @@ class Map:
         return [f"{self.used[entry]:>9} x  {entry[0]}  {entry[1]!r} -> {entry[2]!r}" for entry in self.entries]
 
 
-def entry_of(line: str) -> Entry:
+def parse_entry(line: str) -> Entry:
     """Reads an entry."""
-    kind, _, rest = line.partition(" ")
-    old, arrow, new = (rest, "->", "...") if kind == "ignore" else f" {rest} ".partition(" -> ")
+    kind, _, remainder = line.partition(" ")
+    old, arrow, new = (remainder, "->", "...") if kind == "ignore" else f" {remainder} ".partition(" -> ")
     old, new = (json.loads(side) if re.fullmatch(r'\s*".*"\s*', side) else side.strip() for side in (old, new))
     if kind not in ("field", "column", "text", "pattern", "ignore") or not arrow or not (old or (new and kind in ("field", "column"))):
         raise SystemExit(f"error: {line!r}: expected KIND OLD -> NEW, with one of the kinds of renames.py")

@@ -51,9 +51,9 @@ def contents(program, target, metadata):
     for name in tracked("docs", "schemas", "matlab"):
         add(name, (ROOT / name).read_bytes())
     # What the examples of the pages name, so that each can be tried: whole folders, because files there name one another.
-    named = {name for page in console_examples.pages(ROOT) for name in console_examples.folders(page.read_text("utf-8"))}
+    folders = {name for page in console_examples.pages(ROOT) for name in console_examples.folders(page.read_text("utf-8"))}
     for name in tracked("fixtures"):
-        if name.split("/")[1] in named:
+        if name.split("/")[1] in folders:
             add(name, (ROOT / name).read_bytes())
     add("LICENSES-OF-LIBRARIES.txt", licences(metadata, COMMAND, target))
     for shell, name in SHELLS.items():
@@ -92,7 +92,7 @@ def zipped(files, folder, when):
     return out.getvalue()
 
 
-def kept(program, folder):
+def copy_to_cache(program, folder):
     """Copies a program into a folder."""
     folder.mkdir(parents=True, exist_ok=True)
     # Cargo links the name there to its own copy, which is not to be changed along.
@@ -111,13 +111,13 @@ def main():
     metadata = json.loads(output_of("cargo", "metadata", "--format-version", "1", "--locked", "--filter-platform", target))
     folder = f"{COMMAND}-{building.version()}-{target}"
     if arguments.names:
-        kept(building.program(target, metadata["target_directory"], static=True, names=True), arguments.names)
+        copy_to_cache(building.program(target, metadata["target_directory"], static=True, names=True), arguments.names)
     program = building.program(target, metadata["target_directory"], static=True)
     pack, ending = (zipped, ".zip") if "windows" in target else (tar_gz, ".tar.gz")
     data = pack(contents(program, target, metadata), folder, building.time_of_sources())
     building.write(arguments.out / f"{folder}{ending}", data)
     if arguments.program:
-        kept(program, arguments.program)
+        copy_to_cache(program, arguments.program)
 
 
 if __name__ == "__main__":

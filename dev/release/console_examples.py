@@ -40,23 +40,23 @@ def pages(folder):
 
 def examples(text):
     """The examples of a page, in its order."""
-    found = []
+    result = []
     for block in BLOCK.finditer(text):
         first = text.count("\n", 0, block.start("body")) + 1
-        found += in_block(block["body"].splitlines(), first)
-    return found
+        result += in_block(block["body"].splitlines(), first)
+    return result
 
 
 def in_block(lines, first):
     starts = [at for at, line in enumerate(lines) if line.startswith("$ ")]
-    found = []
+    result = []
     for start, end in zip(starts, [*starts[1:], len(lines)]):
         command, rest = lines[start][2:], lines[start + 1:end]
         while rest and rest[0].startswith("> "):
             command += "\n" + rest.pop(0)[2:]
         status = int(rest.pop(0)[2:]) if rest and re.fullmatch(r"\? \d+", rest[0]) else 0
-        found.append(Example(first + start, command, status, rest))
-    return found
+        result.append(Example(first + start, command, status, rest))
+    return result
 
 
 def folders(text):
@@ -66,10 +66,10 @@ def folders(text):
 
 def as_expected(lines, printed):
     """Whether a program printed these lines; blanks at the ends of lines and empty lines at the end do not count."""
-    wanted = list(lines)
-    while wanted and not wanted[-1].strip():
-        wanted.pop()
-    pattern = "".join(r"(?:.*\n)*?" if line.strip() == "..." else one_line(line) for line in wanted)
+    expected = list(lines)
+    while expected and not expected[-1].strip():
+        expected.pop()
+    pattern = "".join(r"(?:.*\n)*?" if line.strip() == "..." else one_line(line) for line in expected)
     printed = re.sub(r"[ ]+$", "", printed, flags=re.M).rstrip("\n")
     return re.fullmatch(pattern, printed + "\n" if printed else "") is not None
 
@@ -86,10 +86,10 @@ def run(example, program, folder):
         raise ValueError(f"an example calls {words[0]}, not {COMMAND}")
     # Windows loads no program without it.
     needed = {"SystemRoot": os.environ["SystemRoot"]} if os.name == "nt" else {}
-    done = subprocess.run([program, *words[1:]], cwd=folder, env={**needed, **SETTINGS}, stdin=subprocess.DEVNULL,
+    process = subprocess.run([program, *words[1:]], cwd=folder, env={**needed, **SETTINGS}, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=SECONDS)
-    printed = done.stdout.decode("utf-8").replace("\r\n", "\n")
-    return done.returncode, printed.replace("\\", "/") if os.name == "nt" else printed
+    printed = process.stdout.decode("utf-8").replace("\r\n", "\n")
+    return process.returncode, printed.replace("\\", "/") if os.name == "nt" else printed
 
 
 def differences(page, program, fixtures):

@@ -12,13 +12,13 @@ def linked(metadata, root):
     nodes = {node["id"]: node for node in metadata["resolve"]["nodes"]}
     packages = {package["id"]: package for package in metadata["packages"]}
     ours = next(p["id"] for p in packages.values() if p["name"] == root)
-    seen, todo = set(), [ours]
+    visited, todo = set(), [ours]
     while todo:
         node = nodes[todo.pop()]
-        if node["id"] not in seen:
-            seen.add(node["id"])
+        if node["id"] not in visited:
+            visited.add(node["id"])
             todo += [d["pkg"] for d in node["deps"] if any(k["kind"] is None for k in d["dep_kinds"])]
-    foreign = [packages[i] for i in seen if packages[i]["source"]]
+    foreign = [packages[i] for i in visited if packages[i]["source"]]
     return sorted(foreign, key=lambda package: (package["name"], package["version"]))
 
 

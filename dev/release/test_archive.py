@@ -48,37 +48,37 @@ def empty_environment():
 
 
 def run(command, **options):
-    done = subprocess.run(command, capture_output=True, env=empty_environment(), timeout=60, **options)
-    assert done.returncode == 0, f"{command}: status {done.returncode}\n{done.stdout}\n{done.stderr}"
-    return done.stdout.decode("utf-8")
+    process = subprocess.run(command, capture_output=True, env=empty_environment(), timeout=60, **options)
+    assert process.returncode == 0, f"{command}: status {process.returncode}\n{process.stdout}\n{process.stderr}"
+    return process.stdout.decode("utf-8")
 
 
 def check_scaling(out, before, after):
     """The numbers of equations (8), (10) and (14), here from 30 digits; every other byte as it was."""
     getcontext().prec = 30
     length = (Decimal(1190) / Decimal(62)) ** (Decimal(1) / 3)
-    wanted = {"radius": Decimal("0.032") * length, "stiffness": Decimal(1_000_000) * length,
+    expected = {"radius": Decimal("0.032") * length, "stiffness": Decimal(1_000_000) * length,
               "dissipation": 2 / length.sqrt()}
     changes = json.loads(out)["changes"]
-    for name, value in wanted.items():
+    for name, value in expected.items():
         written = [change["to"] for change in changes if change["property"] == name]
         assert len(written) == 12, f"{name}: {len(written)} changes"
         assert all(abs(Decimal(to) / value - 1) < Decimal("1e-14") for to in written), f"{name}: {written}, not {value}"
         text = f"<{name}>{repr(written[0])}</{name}>".encode()
         assert after.count(text) == 12, f"{text} is not in the file"
-    kept = [line for line in before.splitlines() if not any(f"<{name}>".encode() in line for name in wanted)]
+    remaining = [line for line in before.splitlines() if not any(f"<{name}>".encode() in line for name in expected)]
     # The note ends the credits.
     note = re.compile(rb"(; )?\[contacts made for 1190 kg at [^\]]*\)\]")
     assert len(note.findall(after)) == 1, "there is not one note"
     lines = set(note.sub(b"", after).splitlines())
-    assert all(line in lines for line in kept), "lines were lost"
+    assert all(line in lines for line in remaining), "lines were lost"
 
 
-def scale(runner, folder, inside="."):
+def scale(runner, folder, subfolder="."):
     """Scales the model in `folder`, which the program sees as `inside`."""
     before = (folder / MODEL).read_bytes()
     call = ["--target-mass", "1190", "--format", "json"]
-    out = runner([f"{inside}/{MODEL}", *call, "-o", f"{inside}/scaled.osim"])
+    out = runner([f"{subfolder}/{MODEL}", *call, "-o", f"{subfolder}/scaled.osim"])
     check_scaling(out, before, (folder / "scaled.osim").read_bytes())
     (folder / "scaled.osim").unlink()
 
@@ -102,7 +102,7 @@ def in_an_empty_root(program, model, folder):
             raise
         print(f"skipped: the program in an empty root: it takes root or user namespaces: {error}")
         return
-    scale(lambda arguments: run([*change, *arguments]), root, inside="")
+    scale(lambda arguments: run([*change, *arguments]), root, subfolder="")
 
 
 def needs_no_library(program):
@@ -135,9 +135,9 @@ def test(archive):
 
 def archives_of(folder):
     # The package for MATLAB holds no program: dev/release/test_matlab.py tests it. Sources of the Python package have another name.
-    found = [path for path in sorted(folder.iterdir()) if path.name.endswith((".tar.gz", ".zip"))]
-    own = [path for path in found if path.name.startswith(f"{COMMAND}-")]
-    return [path for path in own if not path.name.startswith(f"{COMMAND}-matlab-")]
+    result = [path for path in sorted(folder.iterdir()) if path.name.endswith((".tar.gz", ".zip"))]
+    archives = [path for path in result if path.name.startswith(f"{COMMAND}-")]
+    return [path for path in archives if not path.name.startswith(f"{COMMAND}-matlab-")]
 
 
 if __name__ == "__main__":

@@ -29,8 +29,8 @@ class Gaps(NamedTuple):
 def find_gaps(rows: Sequence[Mapping[str, Any]], count_none: bool) -> dict[str, Gaps]:
     """The gaps of each column that has gaps.
 
-    Columns whose names begin with # are left out, and so are rows in which all is missing. None counts only `with_none`: in a list somebody wrote it, in a DataFrame
-    it may be a gap.
+    Columns whose names begin with # are left out, and so are empty rows. None only counts with `count_none`: in a list somebody wrote it,
+    in a DataFrame it may be a gap.
     """
     gaps: dict[str, Gaps] = {}
     for index, row in enumerate(rows):

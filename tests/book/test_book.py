@@ -51,9 +51,9 @@ def text_of(page):
 def entry(name):
     """What the reference says of a public name, up to the next one."""
     page = (BOOK / "reference" / "api.html").read_text(encoding="utf-8")
-    found = re.search(rf'<h\d id="osim_contact_scale\.{re.escape(name)}".*?(?=<h[1-4] id=|</article>)', page, re.S)
-    assert found, f"docs/reference/api.md has no {name}"
-    return found[0]
+    match = re.search(rf'<h\d id="osim_contact_scale\.{re.escape(name)}".*?(?=<h[1-4] id=|</article>)', page, re.S)
+    assert match, f"docs/reference/api.md has no {name}"
+    return match[0]
 
 
 @pytest.mark.parametrize("name", [*public("__init__.py"), *(f"scaling.{name}" for name in public("scaling.py"))])

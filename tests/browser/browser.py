@@ -46,8 +46,8 @@ class Browser:
             self.port = self._port()
             program = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
             options = {"binary": program, "args": [*FLAGS, f"--user-data-dir={self.profile.name}"]}
-            wanted = {"goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL", "performance": "ALL"}}
-            session = self._ask("POST", "/session", {"capabilities": {"alwaysMatch": wanted}})
+            expected = {"goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL", "performance": "ALL"}}
+            session = self._ask("POST", "/session", {"capabilities": {"alwaysMatch": expected}})
             self.session = session["sessionId"]
         except BaseException:
             self.__exit__()
@@ -65,9 +65,9 @@ class Browser:
 
     def _port(self):
         for line in self.driver.stdout:
-            found = re.search(r"started successfully on port (\d+)", line)
-            if found:
-                return int(found[1])
+            match = re.search(r"started successfully on port (\d+)", line)
+            if match:
+                return int(match[1])
         raise RuntimeError("chromedriver ended before it said its port")
 
     def _ask(self, method, path, body=None):

@@ -38,8 +38,8 @@ IN_JUMPS = re.compile(
 ALL = list(models.KINDS)
 SOME = ["forces", "bodies", "circle", "chain+", "defaults"]
 MODEL, OUT = "MODEL", "OUT"
-ASKED = ["--indentation", "0.3", "--restitution", "0.5"]
-WANTED = [*ASKED, "--spheres", "2", "--class", "smooth"]
+DESIGN_OPTIONS = ["--indentation", "0.3", "--restitution", "0.5"]
+SPHERE_OPTIONS = [*DESIGN_OPTIONS, "--spheres", "2", "--class", "smooth"]
 # Verb, the call, and in what it may grow. A call that follows bodies is given the model before they were scaled.
 VERBS = {
     "inspect": (["inspect", MODEL], ["forces", "spheres", "findings"]),
@@ -51,7 +51,7 @@ VERBS = {
     "check --from": (["check", MODEL, "--from", "GENERIC"], ["forces", "bodies"]),
     "add": (["add", MODEL, "--from", "GENERIC", "--replace", "-o", OUT], ["forces", "bodies"]),
     "add level": (["add", MODEL, "--from", "GENERIC", "--replace", "--level", "-o", OUT], ["forces"]),
-    "add table": (["add", MODEL, "--contacts", "PLACES", "--replace", *WANTED, "-o", OUT], ["places"]),
+    "add table": (["add", MODEL, "--contacts", "PLACES", "--replace", *SPHERE_OPTIONS, "-o", OUT], ["places"]),
     "motion": (["motion", MODEL, "MOTION"], ["forces", "bodies", "frames"]),
     "motion plates": (["motion", MODEL, "MOTION", "--plates", "PLATES", "--loads", "LOADS", "--format", "csv"], ["frames"]),
     "check --motion": (["check", MODEL, "--motion", "MOTION", "--plates", "PLATES", "--loads", "LOADS"], ["frames"]),
@@ -74,8 +74,8 @@ VERBS = {
     "remove some": (["remove", MODEL, "--exclude", "f*0", "-o", OUT], ["forces"]),
     "convert": (["convert", MODEL, "--to", "hunt-crossley", "-o", OUT], ["forces", "spheres", "same name"]),
     "sweep": (["sweep", MODEL, "--grid", "stiffness=x1,x2", "-d", OUT, "--jobs", "1"], ["forces"]),
-    "ladder": (["sweep", MODEL, "--ladder", "2", *ASKED, "-d", OUT, "--jobs", "1"], ["forces"]),
-    "steps": (["sweep", "SMALL", "--ladder", "COUNT", *ASKED, "-d", OUT, "--jobs", "1"], ["files"]),
+    "ladder": (["sweep", MODEL, "--ladder", "2", *DESIGN_OPTIONS, "-d", OUT, "--jobs", "1"], ["forces"]),
+    "steps": (["sweep", "SMALL", "--ladder", "COUNT", *DESIGN_OPTIONS, "-d", OUT, "--jobs", "1"], ["files"]),
     "drop-test": (["drop-test", MODEL, "--duration", "0.01"], ["forces"]),
     "files": (["rescale", "FOLDER", "--target-mass", "500", "-d", OUT, "--summary", "OUT.csv", "--jobs", "1"], ["files"]),
     "check files": (["check", "FOLDER"], ["files"]),
@@ -137,8 +137,8 @@ def counted(program, folder, verb, kind, size):
     call = prepared(place, verb, kind, size)
     out = place / "callgrind"
     counting = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}"]
-    done = run([*counting, program, *call], place)
-    if done is None or not out.exists():
+    results = run([*counting, program, *call], place)
+    if results is None or not out.exists():
         return None
     counts = functions(out)
     shutil.rmtree(place)
@@ -148,11 +148,11 @@ def counted(program, folder, verb, kind, size):
 def run(call, place):
     """What the program says on one thread; `None` where it refuses."""
     environment = os.environ | {"RAYON_NUM_THREADS": "1"}
-    done = subprocess.run(call, cwd=place, env=environment, capture_output=True)
-    if done.returncode not in (0, 1) or b"\nerror:" in b"\n" + done.stderr:
-        print(done.stderr.decode(errors="replace")[-2000:], file=sys.stderr)
+    process = subprocess.run(call, cwd=place, env=environment, capture_output=True)
+    if process.returncode not in (0, 1) or b"\nerror:" in b"\n" + process.stderr:
+        print(process.stderr.decode(errors="replace")[-2000:], file=sys.stderr)
         return None
-    return done
+    return process
 
 
 def prepared(place, verb, kind, size):
@@ -204,8 +204,8 @@ def longer(path, rows, step):
     lines = path.read_text().splitlines()
     head = lines.index("endheader") + 2
     cells = [line.split("\t")[1:] for line in lines[head:-1]]
-    own = ["\t".join([f"{row * step:.9g}", *cells[row % len(cells)]]) for row in range(rows)]
-    return "\n".join([*lines[:head], *own, ""])
+    longer_rows = ["\t".join([f"{row * step:.9g}", *cells[row % len(cells)]]) for row in range(rows)]
+    return "\n".join([*lines[:head], *longer_rows, ""])
 
 
 def filled(word, written, size):

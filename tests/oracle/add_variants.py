@@ -123,10 +123,10 @@ def old_parts(version, form):
 def visible(version, file, factors):
     """How a body of OpenSim 1 to 3 shows its bones: whole factors, which count for every mesh."""
     if version < 20302:
-        shown = f"<geometry_files> {file} </geometry_files>"
+        element = f"<geometry_files> {file} </geometry_files>"
     else:
-        shown = f"<GeometrySet><objects><DisplayGeometry><geometry_file>{file}</geometry_file></DisplayGeometry></objects></GeometrySet>"
-    return f"<VisibleObject>\n\t{shown}\n\t<scale_factors> {factors} </scale_factors>\n</VisibleObject>"
+        element = f"<GeometrySet><objects><DisplayGeometry><geometry_file>{file}</geometry_file></DisplayGeometry></objects></GeometrySet>"
+    return f"<VisibleObject>\n\t{element}\n\t<scale_factors> {factors} </scale_factors>\n</VisibleObject>"
 
 
 def new_parts(form):
@@ -152,7 +152,7 @@ def new_parts(form):
 
 NAMES = [name for name, _ in chosen()]
 # What has to be asked: name, text, and the body and both values that the question names.
-ASKED = (
+MASS_OPTIONS = (
     ("sides_6_percent_apart", with_left("1.07 1.09 1.11"), ("calcn_r", "calcn_l", "1.1161", "1.1927")),
     ("meshes_2_percent_apart", with_mesh("1.09 1.02 1.11"), ("calcn_r", "foot.vtp", "r_foot.vtp", "1.1708", "1.1927")),
 )

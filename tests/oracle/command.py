@@ -32,15 +32,15 @@ class Outcome:
 
 def run(*arguments):
     """One run with `--format json`; stdout must be exactly one JSON object on one line, or nothing."""
-    done = subprocess.run([str(BINARY), *map(str, arguments), "--format", "json"], capture_output=True, timeout=60)
-    text = done.stdout.decode("utf-8")
+    process = subprocess.run([str(BINARY), *map(str, arguments), "--format", "json"], capture_output=True, timeout=60)
+    text = process.stdout.decode("utf-8")
     if not text:
-        return Outcome(done.returncode, None, done.stderr.decode("utf-8", "replace"))
+        return Outcome(process.returncode, None, process.stderr.decode("utf-8", "replace"))
     assert text.count("\n") == 1 and text.endswith("\n"), f"not one line of JSON: {text[:300]!r}"
     report = json.loads(text, parse_constant=not_json)
     assert report["schema_version"] == 1
     schemas.check(str(arguments[0]), report)
-    return Outcome(done.returncode, report, done.stderr.decode("utf-8", "replace"))
+    return Outcome(process.returncode, report, process.stderr.decode("utf-8", "replace"))
 
 
 def not_json(token):
@@ -52,9 +52,9 @@ def not_json(token):
 def example(name):
     """The example `name` of one of the libraries, built: from what the tests in Rust compiled, where they ran before."""
     cargo = ["cargo", "build", "--workspace", "--example", name, "--message-format=json"]
-    done = subprocess.run(cargo, cwd=ROOT, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    (path,) = [made for line in done.stdout.splitlines() if (made := json.loads(line).get("executable"))]
+    process = subprocess.run(cargo, cwd=ROOT, capture_output=True, text=True)
+    assert process.returncode == 0, process.stderr
+    (path,) = [executable for line in process.stdout.splitlines() if (executable := json.loads(line).get("executable"))]
     return path
 
 
@@ -63,12 +63,12 @@ def inspect(model, *more):
 
 
 # Known contacts that were published under a body of another mass than they were made for: which is meant has to be said.
-ASKED = ("v40000_opencap_lai_arnold_crlf",)
+NEEDS_MASS = ("v40000_opencap_lai_arnold_crlf",)
 
 
 def rescale(model, target_mass, output, *more):
     """A rescaling from the mass of the bodies, which is said where it would be asked."""
-    if Path(model).stem in ASKED and "--contacts-mass" not in more:
+    if Path(model).stem in NEEDS_MASS and "--contacts-mass" not in more:
         more = (*more, "--contacts-mass", repr(inspect(model).report["mass_kg"]))
     return run(model, "--target-mass", repr(target_mass), *YES, "-o", output, *more)
 

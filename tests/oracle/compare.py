@@ -28,9 +28,9 @@ def finite(text):
 
 def by_place(entries):
     """`{(path, set): entry}`."""
-    found = {(entry["path"], entry.get("set")): entry for entry in entries}
-    assert len(found) == len(entries), "two entries of one path"
-    return found
+    result = {(entry["path"], entry.get("set")): entry for entry in entries}
+    assert len(result) == len(entries), "two entries of one path"
+    return result
 
 
 def ground_contacts(reading):
@@ -143,12 +143,12 @@ def value(reading, place):
 def plan_is_what_opensim_reads(planned, before, after):
     """OpenSim reads each `from` in the input and each `to` in the output, and nothing else has changed."""
     values_are_what_opensim_reads(planned, before, after)
-    wanted = Counter(
+    expected = Counter(
         (name, change["from"].hex(), change["to"].hex())
         for (_, _, name), change in planned.items()
         if change["from"] != change["to"]
     )
-    assert differing_lines(before["dump"], after["dump"]) == wanted
+    assert differing_lines(before["dump"], after["dump"]) == expected
 
 
 def values_are_what_opensim_reads(planned, before, after):
@@ -192,21 +192,21 @@ def moving_spheres(reading, force_path):
 def expected(reading, mu, rho=None):
     """`{(path, set, property): value}` that the rule gives for an animal `mu` times as heavy, isometric unless told."""
     factor = rules.factors(mu, rules.isometric(mu) if rho is None else rho)
-    wanted = {}
+    expected = {}
     for force in reading["forces"]:
         if (force["path"], force["set"]) not in ground_contacts(reading):
             continue
         for name in rules.scaled_properties(force["type"]):
-            wanted[force["path"], force["set"], name] = float.fromhex(force["parameters"][name]) * factor[name]
+            expected[force["path"], force["set"], name] = float.fromhex(force["parameters"][name]) * factor[name]
         for sphere in moving_spheres(reading, force["path"]):
-            wanted[sphere["path"], None, "radius"] = float.fromhex(sphere["radius"]) * factor["radius"]
-    return wanted
+            expected[sphere["path"], None, "radius"] = float.fromhex(sphere["radius"]) * factor["radius"]
+    return expected
 
 
-def plan_follows_the_rule(planned, wanted, before):
+def plan_follows_the_rule(planned, expected, before):
     """The plan holds the rule's values and no others; a value that stays as it is may be left out."""
-    assert set(planned) <= set(wanted), f"planned, but not of the rule: {set(planned) - set(wanted)}"
-    for place, number in wanted.items():
+    assert set(planned) <= set(expected), f"planned, but not of the rule: {set(planned) - set(expected)}"
+    for place, number in expected.items():
         if place in planned:
             assert rules.close(planned[place]["to"], number), (place, planned[place]["to"], number)
         else:

@@ -77,8 +77,8 @@ def force(names, smooth, style, listed, kind, sphere, more=""):
     else:
         both = [path(listed, "contactgeometryset", name, up="./") for name in (plane, sphere)]
         one = base.hunt("X", base.material(escape(" ".join(both))))
-    start, rest = one.split("\n", 1)
-    return start.replace('"X"', f'"{escape(names[kind])}"') + more + "\n" + rest
+    start, remainder = one.split("\n", 1)
+    return start.replace('"X"', f'"{escape(names[kind])}"') + more + "\n" + remainder
 
 
 def forces(names, smooth, style, listed, more=""):

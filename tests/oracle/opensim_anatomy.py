@@ -21,18 +21,18 @@ def here(path):
 
     model = opensim.Model(path)
     state = model.initSystem()
-    found = {"bodies": {}, "meshes": [], "joints": [], "spheres": [], "half_spaces": []}
+    result = {"bodies": {}, "meshes": [], "joints": [], "spheres": [], "half_spaces": []}
     for body in model.getBodyList():
-        found["bodies"][body.getName()] = matrix(body.getTransformInGround(state))
+        result["bodies"][body.getName()] = matrix(body.getTransformInGround(state))
     for component in model.getComponentsList():
         if component.getConcreteClassName() == "Mesh":
             mesh = opensim.Mesh.safeDownCast(component)
             factors = mesh.get_scale_factors()
             body = mesh.getFrame().findBaseFrame().getName()
-            found["meshes"].append([body, mesh.get_mesh_file(), [factors.get(k) for k in range(3)]])
+            result["meshes"].append([body, mesh.get_mesh_file(), [factors.get(k) for k in range(3)]])
     for joint in model.getJointList():
         frames = [joint.getParentFrame(), joint.getChildFrame()]
-        found["joints"].append(
+        result["joints"].append(
             {
                 "name": joint.getName(),
                 "bodies": [frame.findBaseFrame().getName() for frame in frames],
@@ -51,17 +51,17 @@ def here(path):
         here["centre"] = [at.get(k) for k in range(3)]
         if kind == "ContactSphere":
             here["radius"] = opensim.ContactSphere.safeDownCast(component).getRadius()
-            found["spheres"].append(here)
+            result["spheres"].append(here)
         else:
             outer, inner = matrix(frame.getTransformInGround(state)), matrix(geometry.getTransform())
             # Its side of +x.
             here["solid"] = [sum(row[k] * inner[k][0] for k in range(3)) for row in outer]
-            found["half_spaces"].append(here)
+            result["half_spaces"].append(here)
     gravity = model.get_gravity()
-    found["gravity"] = [gravity.get(k) for k in range(3)]
-    found["mass"] = model.getTotalMass(state)
-    found["coordinates"] = {one.getName(): one.getValue(state) for one in map(model.getCoordinateSet().get, range(model.getNumCoordinates()))}
-    return found
+    result["gravity"] = [gravity.get(k) for k in range(3)]
+    result["mass"] = model.getTotalMass(state)
+    result["coordinates"] = {one.getName(): one.getValue(state) for one in map(model.getCoordinateSet().get, range(model.getNumCoordinates()))}
+    return result
 
 
 def origin(rows):

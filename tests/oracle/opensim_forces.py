@@ -32,15 +32,15 @@ def here(job):
     places = [planar(joints.get(k)) for k in range(joints.getSize())]
     contacts = [contacts.get(k) for k in range(contacts.getSize())]
     assert len(places) == len(contacts)
-    found = []
+    result = []
     for one in states:
         for (along, up), (height, rate) in zip(places, one, strict=True):
             along.setSpeedValue(state, SLIDE)
             up.setValue(state, height, False)
             up.setSpeedValue(state, -rate)
         model.realizeDynamics(state)
-        found.append([vertical(force, state) for force in contacts])
-    return found
+        result.append([vertical(force, state) for force in contacts])
+    return result
 
 
 def planar(joint):

@@ -184,22 +184,22 @@ def all_couplers(model):
 def contact_forces(model):
     import opensim
 
-    found = []
+    result = []
     for component in model.getComponentsList():
         if component.getConcreteClassName() in CONTACTS:
-            found.append(opensim.Force.safeDownCast(component))
-    return found
+            result.append(opensim.Force.safeDownCast(component))
+    return result
 
 
 def contact_spheres(model):
     import opensim
 
-    found = {}
+    result = {}
     for component in model.getComponentsList():
         sphere = opensim.ContactSphere.safeDownCast(component)
         if sphere is not None:
-            found[sphere.getName()] = sphere
-    return found
+            result[sphere.getName()] = sphere
+    return result
 
 
 def sphere_state(sphere, state):
@@ -210,9 +210,9 @@ def sphere_state(sphere, state):
 def record(force, state):
     """Force and torque on each body, in ground; the sphere of a SmoothSphereHalfSpaceForce is called `Sphere` there."""
     labels, values = force.getRecordLabels(), force.getRecordValues(state)
-    found = {}
+    result = {}
     for k in range(values.size()):
         body, what, axis = labels.get(k).split(".")[-3:]
-        found.setdefault(body, {})[what, axis] = values.get(k)
+        result.setdefault(body, {})[what, axis] = values.get(k)
     parts = [(what, axis) for what in ("force", "torque") for axis in "XYZ"]
-    return {body: [one[part] for part in parts] for body, one in found.items()}
+    return {body: [one[part] for part in parts] for body, one in result.items()}

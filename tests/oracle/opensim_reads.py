@@ -60,29 +60,29 @@ def here(job):
         reading["dump"] = model.dump()
     reading |= simulated(model)
     # In what cannot be built, OpenSim may look for the body of a frame for ever.
-    reading["scenery"] = sorted(welded - held(model, welded) - {"/ground"}) if reading["builds"] else []
+    reading["scenery"] = sorted(welded - welded_bodies(model, welded) - {"/ground"}) if reading["builds"] else []
     return reading
 
 
 def parts(opensim, model):
     """Contacts and bodies, wherever they stand in the model."""
-    found = {"bodies": [], "spheres": [], "half_spaces": [], "forces": [], "others": []}
+    result = {"bodies": [], "spheres": [], "half_spaces": [], "forces": [], "others": []}
     for component in list(model.getComponentsList()):
         kind = component.getConcreteClassName()
         here = {"name": component.getName(), "path": component.getAbsolutePathString()}
         if kind == "Body" and component.getOwner().getConcreteClassName() != "Body":  # of a loop, OpenSim divides a body
-            found["bodies"].append(here | {"mass": number(component, "mass")})
+            result["bodies"].append(here | {"mass": number(component, "mass")})
         elif kind == "ContactSphere":
-            found["spheres"].append(here | geometry(component) | {"radius": number(component, "radius")})
+            result["spheres"].append(here | geometry(component) | {"radius": number(component, "radius")})
         elif kind == "ContactHalfSpace":
-            found["half_spaces"].append(here | geometry(component))
+            result["half_spaces"].append(here | geometry(component))
         elif kind == "SmoothSphereHalfSpaceForce":
-            found["forces"].append(here | smooth(component))
+            result["forces"].append(here | smooth(component))
         elif kind == "HuntCrossleyForce":
-            found["forces"] += [here | one for one in hunt_crossley(opensim, model, component)]
+            result["forces"] += [here | one for one in hunt_crossley(opensim, model, component)]
         elif kind in ("ElasticFoundationForce", "ExponentialContactForce", "MeyerFregly2016Force"):
-            found["others"].append(here | {"type": kind})
-    return found
+            result["others"].append(here | {"type": kind})
+    return result
 
 
 def geometry(component):
@@ -179,7 +179,7 @@ def welded_to_ground(model):
     return welded_to({"/ground"}, [ends(joint) for joint in joints(model) if is_weld(joint)])
 
 
-def held(model, welded):
+def welded_bodies(model, welded):
     """Those of the welded bodies on which others hang by joints without a coordinate along which they move away."""
     import opensim
 
@@ -199,8 +199,8 @@ def held(model, welded):
 def joints(model):
     import opensim
 
-    found = [opensim.Joint.safeDownCast(component) for component in list(model.getComponentsList())]
-    return [joint for joint in found if joint]
+    result = [opensim.Joint.safeDownCast(component) for component in list(model.getComponentsList())]
+    return [joint for joint in result if joint]
 
 
 def is_weld(joint):
@@ -237,21 +237,21 @@ def read_set(opensim, path, dump):
     """A standalone set: its members' own properties; sockets point into a model elsewhere."""
     forces = b"<ForceSet" in Path(path).read_bytes()[:2000]
     try:
-        read = (opensim.ForceSet if forces else opensim.ContactGeometrySet)(str(path))
+        component_set = (opensim.ForceSet if forces else opensim.ContactGeometrySet)(str(path))
     except Exception as error:
         return {"loads": False, "error": str(error)}
-    found = {"loads": True, "connects": False, "error": None, "forces": [], "spheres": [], "bodies": []}
-    for i in range(read.getSize()):
-        member = read.get(i)
+    result = {"loads": True, "connects": False, "error": None, "forces": [], "spheres": [], "bodies": []}
+    for i in range(component_set.getSize()):
+        member = component_set.get(i)
         here = {"name": member.getName(), "path": member.getName()}
         if member.getConcreteClassName() == "SmoothSphereHalfSpaceForce":
-            found["forces"].append(here | smooth(member))
+            result["forces"].append(here | smooth(member))
         elif member.getConcreteClassName() == "ContactSphere":
-            found["spheres"].append(here | geometry(member) | {"radius": number(member, "radius")})
+            result["spheres"].append(here | geometry(member) | {"radius": number(member, "radius")})
     if dump:
         opensim.OpenSimObject.setSerializeAllDefaults(True)
-        found["dump"] = read.dump()
-    return found
+        result["dump"] = component_set.dump()
+    return result
 
 
 def number(component, name):

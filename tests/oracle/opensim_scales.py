@@ -45,8 +45,8 @@ def described(opensim, model):
     state = model.initSystem()
     model.realizePosition(state)
     bodies = model.getBodySet()
-    found = {"bodies": {bodies.get(i).getName(): bodies.get(i).getMass() for i in range(bodies.getSize())}}
-    found["rotations"] = {}
+    result = {"bodies": {bodies.get(i).getName(): bodies.get(i).getMass() for i in range(bodies.getSize())}}
+    result["rotations"] = {}
     for component in list(model.getComponentsList()):
         if component.getConcreteClassName() == "ContactSphere":
             frame = opensim.PhysicalFrame.safeDownCast(component.getConnectee("frame"))
@@ -55,5 +55,5 @@ def described(opensim, model):
             axes = [opensim.Vec3(*(float(i == j) for i in range(3))) for j in range(3)]
             axes = [frame.expressVectorInAnotherFrame(state, axis, base) for axis in axes]
             rows = [[axis.get(i) for axis in axes] for i in range(3)]
-            found["rotations"][component.getName()] = {"body": base.getName(), "rows": rows}
-    return found
+            result["rotations"][component.getName()] = {"body": base.getName(), "rows": rows}
+    return result

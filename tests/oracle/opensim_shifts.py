@@ -45,7 +45,7 @@ def here(job):
     start = up.getValue(state)
     locked = {coordinate.getName(): coordinate.getLocked(state) for coordinate in coordinates}
     up.setLocked(state, False)
-    found = []
+    result = []
     for one in states:
         up.setValue(state, start + one["up"], False)
         draw = random.Random(one["speeds"])
@@ -54,16 +54,16 @@ def here(job):
                 speed = one["fastest"] * draw.uniform(-1, 1) if one["speeds"] is not None else 0.0
                 coordinate.setSpeedValue(state, speed)
         model.realizeDynamics(state)
-        found.append({"heights": heights(state, spheres), "forces": {force.getAbsolutePathString(): record(force, state) for force in forces}})
-    return found
+        result.append({"heights": heights(state, spheres), "forces": {force.getAbsolutePathString(): record(force, state) for force in forces}})
+    return result
 
 
 def heights(state, spheres):
-    found = {}
+    result = {}
     for sphere in spheres:
         place = sphere.getFrame().getTransformInGround(state).shiftFrameStationToBase(sphere.get_location())
-        found[sphere.getName()] = place.get(1)
-    return found
+        result[sphere.getName()] = place.get(1)
+    return result
 
 
 def record(force, state):

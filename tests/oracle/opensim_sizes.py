@@ -15,7 +15,7 @@ NUMBERS = (
 TRIPLES = ("rotational_stiffness", "translational_stiffness", "rotational_damping", "translational_damping")
 
 
-def read(paths):
+def read_sizes(paths):
     """Several models, each in a process of its own."""
     return each("opensim_sizes", [str(path) for path in paths])
 
@@ -26,16 +26,16 @@ def here(path):
     model = opensim.Model(path)
     state = model.initSystem()
     gravity = model.getGravity()
-    found = {"mass": sum(body.getMass() for body in model.getBodyList()), "objects": []}
-    found["gravity"] = sum(gravity.get(axis) ** 2 for axis in range(3)) ** 0.5
-    found["inertia"] = {
+    result = {"mass": sum(body.getMass() for body in model.getBodyList()), "objects": []}
+    result["gravity"] = sum(gravity.get(axis) ** 2 for axis in range(3)) ** 0.5
+    result["inertia"] = {
         body.getName(): sum(body.get_inertia().get(axis) for axis in range(3)) for body in model.getBodyList()
     }
-    found["distances"] = distances(opensim, model, state)
+    result["distances"] = distances(opensim, model, state)
     for component in list(model.getComponentsList()):
         if opensim.Force.safeDownCast(component) is not None:
-            found["objects"].append(described(opensim, model, component))
-    return found
+            result["objects"].append(described(opensim, model, component))
+    return result
 
 
 def described(opensim, model, force):
@@ -43,13 +43,13 @@ def described(opensim, model, force):
     numbers = {}
     for name in (*NUMBERS, *TRIPLES):
         if force.hasProperty(name):
-            held = force.getPropertyByName(name)
+            prop = force.getPropertyByName(name)
             if name in TRIPLES:
                 concrete = getattr(opensim, force.getConcreteClassName()).safeDownCast(force)
                 value = getattr(concrete, f"get_{name}")()
                 numbers[name] = [value.get(axis) for axis in range(3)]
             else:
-                numbers[name] = [opensim.PropertyHelper.getValueDouble(held)]
+                numbers[name] = [opensim.PropertyHelper.getValueDouble(prop)]
     turns = None
     if force.hasProperty("coordinate"):
         name = opensim.PropertyHelper.getValueString(force.getPropertyByName("coordinate"))

@@ -41,8 +41,8 @@ def here(job):
     model.realizeDynamics(state)
     _, size = gravity_of(model)
     forces = [one for one in model.getComponentsList() if one.getConcreteClassName() in KINDS]
-    found = {one.getAbsolutePathString(): record(opensim.Force.safeDownCast(one), state) for one in forces}
-    return {"forces": found, "moved": moved, "gravity": size, "slopes": list(slopes(model, state))}
+    result = {one.getAbsolutePathString(): record(opensim.Force.safeDownCast(one), state) for one in forces}
+    return {"forces": result, "moved": moved, "gravity": size, "slopes": list(slopes(model, state))}
 
 
 def found_by(coordinates, joint, name):
@@ -100,11 +100,11 @@ def mass_moved(model, state, coordinate):
 
 def places(model, state):
     model.realizePosition(state)
-    found = {}
+    result = {}
     for body in model.getBodyList():
         place = body.getPositionInGround(state)
-        found[body.getName()] = [place.get(k) for k in range(3)]
-    return found
+        result[body.getName()] = [place.get(k) for k in range(3)]
+    return result
 
 
 def record(force, state):

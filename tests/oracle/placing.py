@@ -97,7 +97,7 @@ class Sizes:
                         if joint["bodies"][end] == body:
                             yield np.array(old["places"][end]), np.array(joint["places"][end])
 
-    def of_offsets(self, body):
+    def factors_from_offsets(self, body):
         """One factor for each axis; NaN where no offset says it. And whether they explain all offsets."""
         offsets = list(self.offsets(body))
         mesh = self.mesh(body)
@@ -120,7 +120,7 @@ class Sizes:
             there = old.get(joint["name"], joint["bodies"])
             if there != joint["bodies"] and (set(there) <= both or set(joint["bodies"]) <= both):
                 return False
-        return all(self.of_offsets(body)[1] for body in both)
+        return all(self.factors_from_offsets(body)[1] for body in both)
 
     def distance(self, body):
         """Ratio of the distances to the farthest joint of one name that is below the body in both, on it in one."""
@@ -142,7 +142,7 @@ class Sizes:
     def sources(self, body):
         """What each source says, in their order."""
         known = [("mesh", self.mesh(body))]
-        known.append(("offsets", self.of_offsets(body)[0]) if self.is_copy else ("distance", self.distance(body)))
+        known.append(("offsets", self.factors_from_offsets(body)[0]) if self.is_copy else ("distance", self.distance(body)))
         return {name: values for name, values in known if values is not None}
 
     def of(self, body):
@@ -152,7 +152,7 @@ class Sizes:
         own, other = self.sources(body), other_side(body)
         shared = {name: own[name] for name in own if name in self.sources(other)} if other in self.model["bodies"] else own
         if self.is_last(body) and not shared:
-            return self.of_above(body)
+            return self.factors_from_parent(body)
         factors = np.full(3, np.nan)
         for values in (shared or own).values():
             factors = np.where(np.isnan(factors), values, factors)
@@ -164,7 +164,7 @@ class Sizes:
         """Whether nothing hangs on a body of a model that is no scaled copy."""
         return not self.is_copy and all(joint["bodies"][0] != body for joint in self.model["joints"])
 
-    def of_above(self, body):
+    def factors_from_parent(self, body):
         """The factors of the body that it hangs on."""
         joint = above(self.model, body)
         if joint is None or joint["bodies"][0] == "ground":
@@ -196,15 +196,15 @@ def reference_contacts(reading):
                 yield force, spheres[path]
 
 
-def expected(reference, model, wanted):
+def expected(reference, model, expected):
     """`{sphere: (body, place, radius, type, parameters)}` that the rules give.
 
     `reference` and `model` are pairs of reading and anatomy. `wanted` has the masses (`mass`, `reference_mass`), `radius` ("isometric",
     "follow" or metres), `given` factors, `body_map` and `is_copy`.
     """
-    sizes = Sizes(model[1], reference[1], wanted.get("given"), wanted.get("is_copy"))
-    mu = wanted["mass"] / wanted["reference_mass"]
-    body_map, found = wanted.get("body_map", {}), {}
+    sizes = Sizes(model[1], reference[1], expected.get("given"), expected.get("is_copy"))
+    mu = expected["mass"] / expected["reference_mass"]
+    body_map, found = expected.get("body_map", {}), {}
     # A body that the reference has not takes the place of the first that is mapped to it.
     first = {taker: body for body, taker in reversed(body_map.items()) if taker not in reference[1]["bodies"]}
     for force, sphere in reference_contacts(reference[0]):
@@ -213,7 +213,7 @@ def expected(reference, model, wanted):
         place = seen_from(reference[1], first.get(taker, taker), body, place) if taker != body else place
         body = taker
         factors, radius = sizes.of(body), float.fromhex(sphere["radius"])
-        rule = wanted.get("radius", "isometric")
+        rule = expected.get("radius", "isometric")
         rho = {"isometric": rules.isometric(mu), "follow": np.cbrt(np.prod(factors))}.get(rule, rule)
         rho = rho if rule in ("isometric", "follow") else rule / radius
         numbers = {name: float.fromhex(value) for name, value in force["parameters"].items()}

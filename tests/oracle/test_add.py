@@ -57,7 +57,7 @@ class Added:
 
 
 @pytest.fixture(scope="module")
-def made(readings, variants, tmp_path_factory):
+def added_models(readings, variants, tmp_path_factory):
     """All cases, and what OpenSim reads of them, two at a time."""
     folder = tmp_path_factory.mktemp("added")
     cases = CASES | {name: Case(path) for name, path in variants.items()}
@@ -72,23 +72,23 @@ def made(readings, variants, tmp_path_factory):
         done[name] = Added(case, before, command.run("add", before, *case.options(readings[case.reference]), "-o", after), after)
     there = [added for added in done.values() if added.after.exists()]
     readings.fetch({path for added in there for path in (added.before, added.after)})
-    known = anatomies({path for added in done.values() for path in (added.before, added.after, added.case.reference) if path.exists()})
+    anatomy_by_path = anatomies({path for added in done.values() for path in (added.before, added.after, added.case.reference) if path.exists()})
     for added in done.values():
-        added.known = known
+        added.known = anatomy_by_path
     return done
 
 
 def contacts(reading):
     """`{sphere: (force, sphere)}`, one force for one sphere."""
-    found = [(force, sphere) for force, sphere in placing.reference_contacts(reading)]
-    assert len({sphere["path"] for _, sphere in found}) == len({force["path"] for force, _ in found}) == len(found)
-    return {sphere["name"]: (force, sphere) for force, sphere in found}
+    result = [(force, sphere) for force, sphere in placing.reference_contacts(reading)]
+    assert len({sphere["path"] for _, sphere in result}) == len({force["path"] for force, _ in result}) == len(result)
+    return {sphere["name"]: (force, sphere) for force, sphere in result}
 
 
-def near(value, wanted, where):
+def check_near(value, expected, where):
     """Relatively, to the longest of a vector."""
-    value, wanted = np.asarray(value), np.asarray(wanted)
-    assert np.max(np.abs(value - wanted)) <= TOLERANCE * np.max(np.abs(wanted)), (where, value, wanted)
+    value, expected = np.asarray(value), np.asarray(expected)
+    assert np.max(np.abs(value - expected)) <= TOLERANCE * np.max(np.abs(expected)), (where, value, expected)
 
 
 def wanted(added, readings):
@@ -107,8 +107,8 @@ def wanted(added, readings):
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_contacts_are_those_of_the_rules(name, made, readings):
-    added = made[name]
+def test_contacts_are_those_of_the_rules(name, added_models, readings):
+    added = added_models[name]
     assert added.outcome.status == 0, (added.outcome.error, added.outcome.stderr)
     reading, expected = readings[added.after], wanted(added, readings)
     assert reading["builds"], reading
@@ -117,11 +117,11 @@ def test_contacts_are_those_of_the_rules(name, made, readings):
     for sphere, (body, place, radius, kind, numbers) in expected.items():
         force, there = found[sphere]
         assert (there["base"].rsplit("/", 1)[-1], force["type"], force["applies"]) == (body, kind, True), sphere
-        near(placing.vector(there["centre_in_base"]), place, sphere)
-        near(float.fromhex(there["radius"]), radius, sphere)
+        check_near(placing.vector(there["centre_in_base"]), place, sphere)
+        check_near(float.fromhex(there["radius"]), radius, sphere)
         assert set(force["parameters"]) == set(numbers)
         for parameter, number in numbers.items():
-            near(float.fromhex(force["parameters"][parameter]), number, (sphere, parameter))
+            check_near(float.fromhex(force["parameters"][parameter]), number, (sphere, parameter))
     planned_is_read(added.outcome.report, reading)
 
 
@@ -137,11 +137,11 @@ def planned_is_read(report, reading):
 
 
 @pytest.fixture
-def added(name, made):
+def added(name, added_models):
     """One case; that it was not refused is tested above, once."""
-    if made[name].outcome.status != 0:
-        pytest.skip(f"refused: {made[name].outcome.error}")
-    return made[name]
+    if added_models[name].outcome.status != 0:
+        pytest.skip(f"refused: {added_models[name].outcome.error}")
+    return added_models[name]
 
 
 @pytest.mark.parametrize("name", ALL)
@@ -181,10 +181,10 @@ def test_nothing_else_has_changed(added, readings):
 
 
 @pytest.fixture(scope="module")
-def pushed(made):
+def pushed(added_models):
     """`{name: {depth above which sphere: ...}}`: OpenSim's forces with each sphere's bottom 10 mm in the floor."""
     jobs, names = [], []
-    for name, added in made.items():
+    for name, added in added_models.items():
         if added.outcome.status == 0 and "error" not in added.known[str(added.after)]:
             floor = placing.floor_of(added.of(added.after))["centre"][1]
             tops = {round(s["centre"][1] - s["radius"], 9): s for s in added.of(added.after)["spheres"]}
@@ -229,15 +229,15 @@ def test_left_is_the_mirror_image_of_right(added, readings):
 def apart(reading):
     """How far the spheres of one side are from the mirror images of the others, in their bodies' frames, and how the radii differ, m."""
     spheres = {one["name"]: one for one in reading["spheres"] if one["base"] not in reading["fixed"]}
-    found = []
+    result = []
     for name, right in spheres.items():
         other = name.replace("r_", "l_", 1) if name.startswith("r_") else f"{name[:-1]}l" if name.endswith("_r") else None
         if other in spheres:
             place, mirrored = (placing.vector(one["centre_in_base"]) for one in (right, spheres[other]))
-            found += [np.abs(place * (1, 1, -1) - mirrored).max()]
-            found += [abs(float.fromhex(right["radius"]) - float.fromhex(spheres[other]["radius"]))]
-    assert len(found) == len(spheres), "not all spheres are of a side"
-    return max(found)
+            result += [np.abs(place * (1, 1, -1) - mirrored).max()]
+            result += [abs(float.fromhex(right["radius"]) - float.fromhex(spheres[other]["radius"]))]
+    assert len(result) == len(spheres), "not all spheres are of a side"
+    return max(result)
 
 
 FLOOR = re.compile(r"pose (\S+), the lowest sphere, is (\S+) mm (inside|above) the floor(?:; (\S+)(?: of \S+)? = (\S+) \(now (\S+)\))?")
@@ -251,8 +251,8 @@ def test_the_way_to_the_floor_is_told(added):
     floor = placing.floor_of(anatomy)["centre"][1]
     spheres = [one for one in anatomy["spheres"] if one["body"] != "ground"]
     bottoms = {one["name"]: one["centre"][1] - one["radius"] - floor for one in spheres}
-    (told,) = [found for note in added.outcome.report["remarks"] if (found := FLOOR.search(note))]
-    sphere, distance, side, coordinate, there, now = told.groups()
+    (note,) = [match for note in added.outcome.report["remarks"] if (match := FLOOR.search(note))]
+    sphere, distance, side, coordinate, there, now = note.groups()
     lowest = min(bottoms.values())
     assert bottoms[sphere] == pytest.approx(lowest, abs=1e-9)
     assert float(distance) * (1 if side == "above" else -1) / 1000 == pytest.approx(lowest, abs=6e-5)
@@ -292,7 +292,7 @@ def test_x_and_z_are_opencaps(added, readings):
             assert np.allclose(there[[0, 2]], scaled[[0, 2]], rtol=1e-12, atol=1e-15), (sphere, side)
 
 
-@pytest.mark.parametrize("name, text, named", add_variants.ASKED, ids=[name for name, *_ in add_variants.ASKED])
+@pytest.mark.parametrize("name, text, named", add_variants.MASS_OPTIONS, ids=[name for name, *_ in add_variants.MASS_OPTIONS])
 def test_what_cannot_be_decided_is_asked(name, text, named, tmp_path):
     """Sides more than 5 % apart, or meshes of one bone more than 1 %: both are named with their factors, and nothing is written."""
     model, output = tmp_path / f"{name}.osim", tmp_path / "added.osim"
@@ -302,8 +302,8 @@ def test_what_cannot_be_decided_is_asked(name, text, named, tmp_path):
     assert all(one in outcome.error["message"] for one in (*named, "--body-scale")), outcome.error
 
 
-def test_sources_that_differ_are_told(made):
+def test_sources_that_differ_are_told(added_models):
     """The mesh is taken, and both values are named: 0.231 m to the toes are 41 % more than the reference's, the mesh has 17 %."""
-    warnings = [one["message"] for one in made["joint_farther_than_the_mesh"].outcome.report["findings"] if one["code"] == "factors-disagree"]
+    warnings = [one["message"] for one in added_models["joint_farther_than_the_mesh"].outcome.report["findings"] if one["code"] == "factors-disagree"]
     assert len(warnings) == 2 and all("1.1707" in one and "1.413" in one for one in warnings), warnings
-    assert any("toes_l takes the factors of calcn_l" in one for one in made["no_toes"].outcome.report["remarks"])
+    assert any("toes_l takes the factors of calcn_l" in one for one in added_models["no_toes"].outcome.report["remarks"])

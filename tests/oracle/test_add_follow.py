@@ -34,12 +34,12 @@ def contacts(reading):
 def both_ways(path, factors, mass, folder, readings):
     """The contacts of both ways, as OpenSim reads them. In a scaled copy the bodies of the generic model count, which `add` asks
     about where its contacts are known ones that were made for another mass."""
-    asked = ("--reference-mass", repr(mass_of(readings[path]))) if path.stem in command.ASKED else ()
+    mass_options = ("--reference-mass", repr(mass_of(readings[path]))) if path.stem in command.NEEDS_MASS else ()
     scaled, _, _ = opensim_scales(path, folder, factors, mass)
     bare, added, followed = (folder / f"{name}.osim" for name in ("bare", "added", "followed"))
     for options in (
         ("remove", scaled, "-o", bare),
-        ("add", bare, "--from", path, *asked, "--radius", "follow", "-o", added),
+        ("add", bare, "--from", path, *mass_options, "--radius", "follow", "-o", added),
         ("transfer", scaled, "--from", path, "--follow-bodies", "-o", followed),
     ):
         outcome = command.run(*options)
@@ -47,9 +47,9 @@ def both_ways(path, factors, mass, folder, readings):
     return contacts(readings[added]), contacts(readings[followed])
 
 
-def near(value, wanted, where):
+def check_near(value, expected, where):
     """Relatively, to the longest of a vector."""
-    assert np.max(np.abs(value - wanted)) <= TOLERANCE * np.max(np.abs(wanted)), (where, value, wanted)
+    assert np.max(np.abs(value - expected)) <= TOLERANCE * np.max(np.abs(expected)), (where, value, expected)
 
 
 def cases():
@@ -69,9 +69,9 @@ def test_both_ways_lead_to_the_same_contacts(path, how, tmp_path, readings):
     assert set(added) == set(followed) and added
     for sphere, (place, radius, numbers, count) in followed.items():
         here = added[sphere]
-        near(here[0], place, sphere)
-        near(here[1], radius, sphere)
+        check_near(here[0], place, sphere)
+        check_near(here[1], radius, sphere)
         assert here[3] == 1 and set(here[2]) == set(numbers)
         if count == 1 or how == "even":
             for name, number in numbers.items():
-                near(here[2][name], number, (sphere, name))
+                check_near(here[2][name], number, (sphere, name))

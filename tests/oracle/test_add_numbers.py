@@ -71,7 +71,7 @@ def test_a_reference_with_a_note_is_made_for_that_mass(tmp_path, readings):
         assert own == pytest.approx(other[1], rel=TOLERANCE)
 
 
-TAKEN = """<ForceSet>
+TAKEN_NAMES = """<ForceSet>
 	<objects>
 		<PointActuator name="SmoothSphereHalfSpaceForce_s1_r"><body>pelvis</body></PointActuator>
 	</objects>
@@ -87,7 +87,7 @@ TAKEN = """<ForceSet>
 
 def test_names_that_are_taken(tmp_path, readings):
     """A wall called floor, a sphere and a force of the reference's names: OpenSim would rename the second of each without a word."""
-    text = add_variants.document(40000, "no_sets").replace("\t</Model>", f"{TAKEN}\t</Model>")
+    text = add_variants.document(40000, "no_sets").replace("\t</Model>", f"{TAKEN_NAMES}\t</Model>")
     path = model(tmp_path, text)
     output, back = added(path, tmp_path / "added.osim", "--from", "falisse2022"), tmp_path / "back.osim"
     before, after = readings[path], readings[output]

@@ -21,7 +21,7 @@ FEET = models.FIXTURES / "feet"
 EXACT = 1e-12  # of a number, and m
 LEVEL = 1e-9  # m
 TOLERANCE = 1e-6  # of the load
-WANTED = 0.16  # x/R
+INDENTATION = 0.16  # x/R
 RADIUS = 0.03  # m
 PAD = 0.01  # m
 BODIES = "calcn_r,toes_r,calcn_l,toes_l"
@@ -43,7 +43,7 @@ def under_bones(tmp_path_factory, readings):
         for count in COUNTS:
             path = paths[model.stem, count] = folder / f"{model.stem}_{count}.osim"
             options = ["--feet", BODIES, "--count", count, "--pad", PAD, "--radius", RADIUS, "--class", "hunt-crossley"]
-            outcome = command.run("add", model, *options, "--indentation", WANTED, "--restitution", 0.5, "-o", path)
+            outcome = command.run("add", model, *options, "--indentation", INDENTATION, "--restitution", 0.5, "-o", path)
             assert outcome.status == 0, outcome
             back = folder / "back.osim"
             assert command.run("remove", path, "-o", back, "--force").status == 0
@@ -77,29 +77,29 @@ def test_a_foot_on_spheres_under_bones_carries_the_body_where_it_was_wanted(name
     path, reading, anatomy = under_bones[name, count]
     spheres = list(limb(reading, "r"))
     load = weight(reading)
-    stiffness = 2**1.5 * 3 * load / count / (4 * RADIUS**2 * WANTED**1.5)  # (11), (A.4)
+    stiffness = 2**1.5 * 3 * load / count / (4 * RADIUS**2 * INDENTATION**1.5)  # (11), (A.4)
     for _, kind, radius, numbers, *_ in spheres:
         assert (kind, radius) == ("HuntCrossleyForce", RADIUS)
         assert numbers["stiffness"] == pytest.approx(stiffness, rel=EXACT)
         assert [numbers[one] for one in ("static_friction", "dynamic_friction", "viscous_friction")] == [0, 0, 0]
     (bottom, *_) = bottoms(anatomy, spheres).values()
-    ((state,),) = shifted([(path, at([-bottom - WANTED * RADIUS]))])
+    ((state,),) = shifted([(path, at([-bottom - INDENTATION * RADIUS]))])
     assert sum(state["forces"][force][on] for *_, force, on in spheres) == pytest.approx(load, rel=TOLERANCE)
 
 
 def rows(table):
     """`{sphere: (body, place in ground or None, place in the body or None, radius or None)}` of a table with commas."""
-    found = {}
+    result = {}
     for row in csv.DictReader(io.StringIO((TABLES / table).read_text(encoding="utf-8"))):
         if "name" in row:
             place = np.array([float(row[axis]) for axis in "xyz"])
-            found[row["name"]] = (row["body"], None, place, float(row["radius"]))
+            result[row["name"]] = (row["body"], None, place, float(row["radius"]))
             continue
-        ground, local = ([float(row[f"pos_{axis}_in_{frame}{unit}"]) for axis, unit in (("x", "(m)"), ("y", ""), ("z", ""))]
+        in_ground, local = ([float(row[f"pos_{axis}_in_{frame}{unit}"]) for axis, unit in (("x", "(m)"), ("y", ""), ("z", ""))]
                          for frame in ("global", "local"))
         local = None if np.isnan(local).any() else np.array(local)
-        found[row["CONTACT_name"]] = (row["parent_body"], np.array(ground), local, None)
-    return found
+        result[row["CONTACT_name"]] = (row["parent_body"], np.array(in_ground), local, None)
+    return result
 
 
 @pytest.mark.parametrize(
@@ -119,14 +119,14 @@ def test_contacts_of_a_table_are_where_it_says(model, table, more, tmp_path, rea
     assert outcome.status == 0, outcome
     reading = readings[path]
     anatomy = anatomies([path])[str(path)]
-    wanted = rows(table)
-    found = {sphere["name"]: (force, sphere) for force, sphere in placing.reference_contacts(reading)}
-    assert set(found) == set(wanted)
+    expected = rows(table)
+    result = {sphere["name"]: (force, sphere) for force, sphere in placing.reference_contacts(reading)}
+    assert set(result) == set(expected)
     mass = float.fromhex(reading["mass_sum"])
-    for name, (body, ground, local, radius) in wanted.items():
-        force, sphere = found[name]
+    for name, (body, in_ground, local, radius) in expected.items():
+        force, sphere = result[name]
         assert sphere["base"] == f"/bodyset/{body}"
-        place = local if local is not None else placing.seen_from(anatomy, body, "ground", ground)
+        place = local if local is not None else placing.seen_from(anatomy, body, "ground", in_ground)
         assert np.max(np.abs(placing.vector(sphere["centre_in_base"]) - place)) < EXACT, name
         # Falisse's: 62 kg on 6 spheres of 0.032 m; here on 2 of a limb.
         radius = radius or 0.032 * (mass / 62) ** (1 / 3)
@@ -146,5 +146,5 @@ def test_contacts_of_a_table_are_where_it_says(model, table, more, tmp_path, rea
 def test_what_is_in_ground_in_a_table_is_there_in_opensim():
     """The fixtures say of `human_40000.osim` what OpenSim says."""
     anatomy = anatomies([FEET / "human_40000.osim"])[str(FEET / "human_40000.osim")]
-    for body, ground, local, _ in rows("muskemo_local.csv").values():
-        assert np.max(np.abs(placing.placed(anatomy, body, local) - ground)) < 1e-12
+    for body, in_ground, local, _ in rows("muskemo_local.csv").values():
+        assert np.max(np.abs(placing.placed(anatomy, body, local) - in_ground)) < 1e-12

@@ -18,7 +18,7 @@ from opensim_anatomy import anatomies
 from opensim_shifts import at, moving, shifted
 
 TOLERANCE = 1e-12  # of the force, and of the torque
-KEPT = ("stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction", "transition_velocity")
+KEPT_PROPERTIES = ("stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction", "transition_velocity")
 SHARP = ["--constant-contact-force", "1e-300", "--hertz-smoothing", "1e6", "--hunt-crossley-smoothing", "1e6"]
 DEPTHS = (-0.002, 0.001, 0.003, 0.01, 0.03, 0.06)  # m, of the lowest sphere
 FASTEST = (0.3, 1.0, 3.0, 8.0)  # m/s and rad/s
@@ -63,7 +63,7 @@ def converted(path, to, output, *more):
 
 
 @pytest.fixture(scope="module")
-def made(readings, tmp_path_factory):
+def converted_models(readings, tmp_path_factory):
     """`{model: {"own", "hunt", "sharp", "back"}}`: the paths; and OpenSim's readings of them."""
     folder = tmp_path_factory.mktemp("converted")
     done = {}
@@ -81,19 +81,19 @@ def made(readings, tmp_path_factory):
 def contacts(reading):
     """`{(sphere, half-space): (force, its parameters that are kept)}`, one force for each in converted models."""
     planes = {plane["path"] for plane in reading["half_spaces"]}
-    found = {}
+    result = {}
     for force, sphere in placing.reference_contacts(reading):
         for plane in planes & {path for one in reading["forces"] if one["path"] == force["path"] for path in one["geometry"]}:
-            found[sphere["path"], plane] = force, {name: force["parameters"][name] for name in KEPT}
-    return found
+            result[sphere["path"], plane] = force, {name: force["parameters"][name] for name in KEPT_PROPERTIES}
+    return result
 
 
 @pytest.mark.parametrize("path", PATHS, ids=models.label)
-def test_numbers_keep_their_bits_there_and_back(path, made, readings):
+def test_numbers_keep_their_bits_there_and_back(path, converted_models, readings):
     own = contacts(readings[path])
     assert own
     for name, kind in (("hunt", "HuntCrossleyForce"), ("sharp", rules.SMOOTH_SET), ("back", "HuntCrossleyForce")):
-        there = contacts(readings[made[path][name]])
+        there = contacts(readings[converted_models[path][name]])
         assert set(there) == set(own)
         for place, (force, numbers) in there.items():
             assert numbers == own[place][1], (name, place)
@@ -109,10 +109,10 @@ def test_forces_without_a_half_space_are_refused_by_name(path, tmp_path):
 
 
 @pytest.mark.parametrize("path", PATHS, ids=models.label)
-def test_nothing_but_the_forces_has_changed(path, made, readings):
+def test_nothing_but_the_forces_has_changed(path, converted_models, readings):
     """All defaults spelled out; groups may call forces by new names."""
     goes = (rules.SMOOTH_SET, "HuntCrossleyForce", "members")
-    trees = [dumps.without(readings[one]["dump"], lambda tag, _: tag in goes) for one in made[path].values()]
+    trees = [dumps.without(readings[one]["dump"], lambda tag, _: tag in goes) for one in converted_models[path].values()]
     assert trees.count(trees[0]) == len(trees)
 
 
@@ -129,23 +129,23 @@ def test_smoothing_is_falisses_at_each_radius(path, tmp_path, readings):
 
 
 @pytest.fixture(scope="module")
-def moved(made, readings):
+def moved(converted_models, readings):
     """`{model: {name: states}}`: what OpenSim finds on a grid of depths and speeds."""
-    known = anatomies(made)
+    anatomies_by_path = anatomies(converted_models)
     jobs, places = [], []
-    for path, here in made.items():
-        spheres = [one for one in known[str(path)]["spheres"] if one["body"] != "ground"]
+    for path, here in converted_models.items():
+        spheres = [one for one in anatomies_by_path[str(path)]["spheres"] if one["body"] != "ground"]
         touching = {place for place, _ in contacts(readings[here["hunt"]])}
-        floor = known[str(path)]["half_spaces"][0]["centre"][1]
+        floor = anatomies_by_path[str(path)]["half_spaces"][0]["centre"][1]
         low = min(one["centre"][1] - one["radius"] for one in spheres if one["path"] in touching)
         states = [state for fastest in FASTEST for state in moving([floor - low - depth for depth in DEPTHS], fastest)]
         for name in ("own", "hunt", "sharp"):
             jobs.append((here[name], states))
             places.append((path, name))
-    found = {}
+    result = {}
     for (path, name), states in zip(places, shifted(jobs), strict=True):
-        found.setdefault(path, {})[name] = states
-    return found
+        result.setdefault(path, {})[name] = states
+    return result
 
 
 def frame_of(geometry):
@@ -164,11 +164,11 @@ def sphere_of(reading, path):
 
 
 @pytest.mark.parametrize("path", PATHS, ids=models.label)
-def test_both_classes_press_alike(path, made, moved, readings):
+def test_both_classes_press_alike(path, converted_models, moved, readings):
     """Forces with friction, and their torques, at each depth and speed; those of the model itself where it has one sphere in each."""
     for states in moved[path].values():
         assert "error" not in states, states
-    hunt, sharp = (contacts(readings[made[path][name]]) for name in ("hunt", "sharp"))
+    hunt, sharp = (contacts(readings[converted_models[path][name]]) for name in ("hunt", "sharp"))
     pressed = 0
     for place, (force, _) in hunt.items():
         other, sphere = sharp[place][0], sphere_of(readings[path], place[0])
@@ -180,20 +180,20 @@ def test_both_classes_press_alike(path, made, moved, readings):
     assert pressed
 
 
-def lost(path, made, moved, readings):
+def lost(path, converted_models, moved, readings):
     """What the model's own Hunt-Crossley forces lack on the half-space, in N, by state; and the largest that they should be."""
-    hunt = contacts(readings[made[path]["hunt"]])
+    hunt = contacts(readings[converted_models[path]["hunt"]])
     own = contacts(readings[path])
-    found = []
+    result = []
     for one, two in zip(moved[path]["own"], moved[path]["hunt"], strict=True):
         for name in {force["path"] for force, _ in own.values()}:
             several = [place for place, (force, _) in own.items() if force["path"] == name]
             parts = [on_body(two["forces"][hunt[place][0]["path"]], hunt[place][0], sphere_of(readings[path], place[0]))[0] for place in several]
             planes = {frame_of(plane) for plane in readings[path]["half_spaces"] if plane["path"] in {place[1] for place in several}}
             record = one["forces"][name]
-            whole = -sum(np.array([record[f"{plane}.force.{axis}"] for axis in "XYZ"]) for plane in planes)
-            found.append((np.linalg.norm(sum(parts) - whole), max(np.linalg.norm(sum(parts)), np.linalg.norm(whole))))
-    return found
+            total = -sum(np.array([record[f"{plane}.force.{axis}"] for axis in "XYZ"]) for plane in planes)
+            result.append((np.linalg.norm(sum(parts) - total), max(np.linalg.norm(sum(parts)), np.linalg.norm(total))))
+    return result
 
 
 ONE_EACH = [path for path in PATHS if path.stem.endswith(("human_62kg_hunt_crossley", "human_12_hunt_crossley"))]
@@ -201,15 +201,15 @@ SEVERAL = [path for path in PATHS if path.stem in ("emu_10_spheres_hunt_crossley
 
 
 @pytest.mark.parametrize("path", ONE_EACH, ids=models.label)
-def test_forces_of_one_sphere_stay_as_they_are(path, made, moved, readings):
-    assert made[path]["hunt"].read_bytes() == path.read_bytes()
-    assert all(apart == 0 for apart, _ in lost(path, made, moved, readings))
+def test_forces_of_one_sphere_stay_as_they_are(path, converted_models, moved, readings):
+    assert converted_models[path]["hunt"].read_bytes() == path.read_bytes()
+    assert all(apart == 0 for apart, _ in lost(path, converted_models, moved, readings))
 
 
 @pytest.mark.parametrize("path", SEVERAL, ids=models.label)
-def test_what_simbody_drops_of_several_spheres_is_there(path, made, moved, readings):
+def test_what_simbody_drops_of_several_spheres_is_there(path, converted_models, moved, readings):
     """A sphere that leaves the floor fast takes the forces of those after it: the model's own lacks much, and not the converted one."""
-    shares = [apart / whole for apart, whole in lost(path, made, moved, readings) if whole > 1]
+    shares = [apart / total for apart, total in lost(path, converted_models, moved, readings) if total > 1]
     assert max(shares) > 0.5, "the defect does not show"
     assert np.median(shares) < TOLERANCE
     # That no force lacks in the converted model is `test_both_classes_press_alike`: smooth forces do not have the defect.

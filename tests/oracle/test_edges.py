@@ -32,7 +32,7 @@ NOT_FINITE = re.compile(r"(?<![\w.+-])[-+]?(nan|inf|infinity)(?![\w.])", re.I)
 MODELS = [base.ONE_FOOT, base.ONE_FOOT_HUNT, base.TWO_FEET, base.TWO_FEET_HUNT] + [
     (FIXTURES / "format" / f"{name}.osim").read_text() for name in ("three_materials", "floor_of_its_own", "shared_by_materials", "moco_sphere_in_force")
 ]
-MEANT = [word for question in ("implausible-mass", "mass-in-pounds", "implausible-radius", "wrong-afterwards") for word in ("--yes", question)]
+CONFIRMED = [word for question in ("implausible-mass", "mass-in-pounds", "implausible-radius", "wrong-afterwards") for word in ("--yes", question)]
 
 
 def model(draw):
@@ -83,12 +83,12 @@ def runs(tmp_path_factory):
         draw = random.Random(f"edges {seed}")
         path = folder / f"{seed}.osim"
         path.write_text(model(draw))
-        made = [(("inspect",), command.run("inspect", path), None), (("check",), command.run("check", path), None)]
-        made.append((("drop-test",), command.run("drop-test", path), None))
+        outcomes = [(("inspect",), command.run("inspect", path), None), (("check",), command.run("check", path), None)]
+        outcomes.append((("drop-test",), command.run("drop-test", path), None))
         for number, call in enumerate(calls(draw)):
             output = folder / f"{seed}.{number}.osim"
-            made.append((call, command.run(call[0], path, *call[1:], "-o", output, *MEANT), output))
-        return path, made
+            outcomes.append((call, command.run(call[0], path, *call[1:], "-o", output, *CONFIRMED), output))
+        return path, outcomes
 
     with ThreadPoolExecutor(2) as pool:
         return dict(zip(SEEDS, pool.map(run, SEEDS)))
@@ -96,9 +96,9 @@ def runs(tmp_path_factory):
 
 @pytest.mark.parametrize("seed", SEEDS)
 def test_nothing_that_is_not_finite_is_written(seed, runs):
-    path, made = runs[seed]
+    path, outcomes = runs[seed]
     before = len(NOT_FINITE.findall(path.read_text()))
-    for call, outcome, output in made:
+    for call, outcome, output in outcomes:
         assert outcome.status in (0, 1), (call, outcome)
         if output and output.exists():
             found = NOT_FINITE.findall(output.read_text())
@@ -107,7 +107,7 @@ def test_nothing_that_is_not_finite_is_written(seed, runs):
 
 def test_opensim_reads_what_was_written(runs):
     """Of every change, the numbers that it says; of `convert`, all numbers of each new force."""
-    written = [(path, call, outcome, output) for path, made in runs.values() for call, outcome, output in made if output and output.exists()]
+    written = [(path, call, outcome, output) for path, outcomes in runs.values() for call, outcome, output in outcomes if output and output.exists()]
     readings = opensim_reads.read_models({path for path, *_ in written} | {output for *_, output in written})
     compared = 0
     for path, call, outcome, output in written:
@@ -116,9 +116,9 @@ def test_opensim_reads_what_was_written(runs):
             continue
         if call[0] in ("rescale", "set"):
             compare.values_are_what_opensim_reads(compare.plan(outcome.report), before, after)
-        for made in outcome.report.get("objects", []):
-            if call[0] == "convert" and made["change"] == "added" and made["parameters"]:
-                (force,) = [one for one in after["forces"] if one["path"] == made["path"]]
-                assert {name: value.hex() for name, value in made["parameters"].items()} == force["parameters"], (call, made["path"])
+        for outcomes in outcome.report.get("objects", []):
+            if call[0] == "convert" and outcomes["change"] == "added" and outcomes["parameters"]:
+                (force,) = [one for one in after["forces"] if one["path"] == outcomes["path"]]
+                assert {name: value.hex() for name, value in outcomes["parameters"].items()} == force["parameters"], (call, outcomes["path"])
         compared += 1
     assert compared > 3 * COUNT, compared

@@ -10,7 +10,7 @@ import random
 import command
 import pytest
 from models import FIXTURES
-from test_edges import EDGES, MEANT, NOT_FINITE, SELDOM, model, with_edges
+from test_edges import EDGES, CONFIRMED, NOT_FINITE, SELDOM, model, with_edges
 
 COUNT = max(int(os.environ.get("ORACLE_MUTANTS", "200")) // 8, 1)
 FIRST = int(os.environ.get("ORACLE_SEED", "1"))
@@ -29,13 +29,13 @@ def spoiled(draw, text, first, separator):
     return "\n".join([*lines, ""])
 
 
-def tables(draw, folder, kept=60):
+def tables(draw, folder, count=60):
     """A short recording and a measurement, spoiled; and where they are."""
     written = {}
     for name, per_frame in (("walk.mot", 1), ("plates.sto", 5)):
         lines = (MOTION / name).read_text().splitlines()
         head = lines.index("endheader") + 2
-        text = "\n".join([*lines[: head + kept * per_frame], ""])
+        text = "\n".join([*lines[: head + count * per_frame], ""])
         written[name] = folder / name
         written[name].write_text(spoiled(draw, text, head, "\t"))
     (folder / "plates.xml").write_text((MOTION / "plates.xml").read_text())
@@ -70,12 +70,12 @@ def test_nothing_that_is_not_finite_is_written(seed, tmp_path):
         ("motion", walker, motion, *measured, "--low-pass", draw.choice(["6", edge()])),
         ("motion", walker, motion, "--belt", edge(), "-o", out("grf.sto")),
         ("check", walker, "--motion", motion, *measured),
-        ("fit", walker, "--motion", motion, *measured, *fitted, "-o", out("fitted.osim"), *MEANT),
+        ("fit", walker, "--motion", motion, *measured, *fitted, "-o", out("fitted.osim"), *CONFIRMED),
         ("fit", curve, "--radius", draw.choice(["0.03", edge()])),
         ("fit", curve, "--radius", "0.03", "--onset", draw.choice(["fit", edge()]), "--spheres", edge()),
-        ("sweep", other, "--grid", f"stiffness=x1,x{edge()}", "--grid", f"dissipation={edge()},{edge()}", "-d", out("grid"), *MEANT),
-        ("sweep", other, "--grid", f"target_mass={edge()},{edge()}", "-d", out("masses"), *MEANT),
-        ("sweep", other, "--ladder", "2", "--indentation", edge(), "--restitution", "0.5", "-d", out("ladder"), *MEANT),
+        ("sweep", other, "--grid", f"stiffness=x1,x{edge()}", "--grid", f"dissipation={edge()},{edge()}", "-d", out("grid"), *CONFIRMED),
+        ("sweep", other, "--grid", f"target_mass={edge()},{edge()}", "-d", out("masses"), *CONFIRMED),
+        ("sweep", other, "--ladder", "2", "--indentation", edge(), "--restitution", "0.5", "-d", out("ladder"), *CONFIRMED),
     ]
     for call in calls:
         assert command.run(*call).status in (0, 1, 2), call

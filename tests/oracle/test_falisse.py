@@ -10,7 +10,7 @@ import compare
 import models
 
 pytestmark = pytest.mark.skipif(not models.CORPUS, reason=models.NO_CORPUS)
-WANTED = {  # property: (from, to as ten digits tell it)
+EXPECTED = {  # property: (from, to as ten digits tell it)
     "radius": (0.032, "0.0641715826"),
     "stiffness": (1e6, "2005361.956"),
     "dissipation": (2.0, "1.4123216"),
@@ -30,15 +30,15 @@ def rescaled(tmp_path_factory):
 def test_numbers(rescaled):
     _, outcome, _ = rescaled
     assert outcome.status == 0, outcome
-    found = {
+    result = {
         name: {(change["from"], change["to"]) for change in outcome.report["changes"] if change["property"] == name}
-        for name in WANTED
+        for name in EXPECTED
     }
-    for name, (old, new) in WANTED.items():
+    for name, (old, new) in EXPECTED.items():
         digits = len(new.split("e")[0].replace(".", "").lstrip("0"))
-        (pair,) = found[name]
+        (pair,) = result[name]
         assert pair[0] == old and f"{pair[1]:.{digits}g}" == new, (name, pair)
-    assert len(outcome.report["changes"]) == 12 * len(WANTED)
+    assert len(outcome.report["changes"]) == 12 * len(EXPECTED)
 
 
 def test_lines(rescaled):
@@ -51,9 +51,9 @@ def test_lines(rescaled):
     absent = re.compile(rb"\t{5}<(constant_contact_force|hertz_smoothing|hunt_crossley_smoothing)>[^<]+</\1>")
     inserted = [line for line in new if absent.fullmatch(line)]
     assert (len(inserted), len(notes)) == (36, 1)
-    kept = [line for line in new if line not in inserted]
-    assert len(kept) == len(old)
-    changed = [(one, other) for one, other in zip(old, kept) if one != other]
+    remaining = [line for line in new if line not in inserted]
+    assert len(remaining) == len(old)
+    changed = [(one, other) for one, other in zip(old, remaining) if one != other]
     element = re.compile(rb"\t{5}<(radius|stiffness|dissipation)>[^<]+</\1>")
     assert len(changed) == 36
     for pair in changed:
@@ -65,5 +65,5 @@ def test_opensim_reads_it(rescaled, readings):
     model, outcome, output = rescaled
     planned = compare.plan(outcome.report)
     compare.plan_is_what_opensim_reads(planned, readings[model], readings[output])
-    wanted = compare.expected(readings[model], 500.0 / outcome.report["contacts_mass_kg"]["value"])
-    compare.plan_follows_the_rule(planned, wanted, readings[model])
+    expected = compare.expected(readings[model], 500.0 / outcome.report["contacts_mass_kg"]["value"])
+    compare.plan_follows_the_rule(planned, expected, readings[model])

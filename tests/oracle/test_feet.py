@@ -97,14 +97,14 @@ def compare_bones(path):
             assert not meshes or re.search(r"shows mesh \S+, which is in none of the folders", line["fault"]), line["fault"]
             continue
         # OpenSim lists frames in another order.
-        points = [placed(mesh["frame"], np.array(mesh["factors"]) * points_of_file(found(mesh, path))) for mesh in meshes]
+        points = [placed(mesh["frame"], np.array(mesh["factors"]) * points_of_file(find_mesh(mesh, path))) for mesh in meshes]
         points, here = np.vstack(points), np.array(line["points"])
         assert len(points) == len(here)
         order, other = np.lexsort(np.round(points, 7).T), np.lexsort(np.round(here, 7).T)
         assert np.abs(points[order] - here[other]).max() < PLACE, body
 
 
-def found(mesh, model):
+def find_mesh(mesh, model):
     """The file of a mesh: of its name, of that of the standard right bone, or without the v of some marks of the side."""
     names = (mesh["file"], "r_" + mesh["file"], re.sub(r"^(.+)_([rl])v(\.\w+)$", r"\2_\1\3", mesh["file"]))
     for folder in (model.parent / "Geometry", GEOMETRY):
@@ -129,7 +129,7 @@ FOOT_BODIES = {
     "hoof": "hoof_r,hoof_l",
 }
 RADIUS, PAD = 0.02, 0.012
-NEAR = 0.1  # of the foot's greatest extent along the ground
+SOLE_LAYER = 0.1  # of the foot's greatest extent along the ground
 ANGLES = np.linspace(0, 2 * np.pi, 720, endpoint=False)
 AROUND = np.stack([np.cos(ANGLES), np.sin(ANGLES)])
 
@@ -149,7 +149,7 @@ def bone_points(path, bodies):
     points, owners = [], []
     for mesh in opensim(path)["meshes"]:
         if mesh["body"] in bodies:
-            points.append(placed(mesh["frame"], np.array(mesh["factors"]) * points_of_file(found(mesh, path))))
+            points.append(placed(mesh["frame"], np.array(mesh["factors"]) * points_of_file(find_mesh(mesh, path))))
             owners += [mesh["body"]] * len(points[-1])
     return np.vstack(points), np.array(owners)
 
@@ -162,9 +162,9 @@ def check_sole(path, sole, count):
     assert np.argmax(up) == 1  # y
     heights, flat = points @ up, points[:, [0, 2]]
     assert abs(sole["height"] - (heights.min() - PAD)) < PLACE
-    near = flat[heights - heights.min() <= NEAR * np.ptp(flat, axis=0).max()]
+    lowest = flat[heights - heights.min() <= SOLE_LAYER * np.ptp(flat, axis=0).max()]
     # A convex outline is how far it reaches in each direction.
-    reach = (near @ AROUND).max(axis=0)
+    reach = (lowest @ AROUND).max(axis=0)
     outline = np.array(sole["outline"])
     assert np.abs(outline @ up - sole["height"]).max() < PLACE
     assert np.abs((outline[:, [0, 2]] @ AROUND).max(axis=0) - reach).max() < PLACE
@@ -178,7 +178,7 @@ def check_sole(path, sole, count):
         apart = np.linalg.norm(bottoms[:, None] - bottoms[None], axis=2) + np.eye(count)
         assert apart.min() >= 1e-3
     if count >= 4:
-        assert (np.ptp(bottoms[:, [0, 2]], axis=0) >= 0.8 * np.ptp(near, axis=0)).all()
+        assert (np.ptp(bottoms[:, [0, 2]], axis=0) >= 0.8 * np.ptp(lowest, axis=0)).all()
     for sphere, bottom in zip(spheres, bottoms):
         assert sphere["radius"] == RADIUS
         centre = placed(opensim(path)["bodies"][sphere["body"]], np.array(sphere["centre"]))
@@ -193,9 +193,9 @@ def mirrored_bones(path, bodies):
     for side, sign in (("_r", 1), ("_l", -1)):
         names = [body.replace("_r", side) for body in bodies]
         meshes = [mesh for mesh in opensim(path)["meshes"] if mesh["body"] in names]
-        own = np.vstack([np.array(mesh["factors"]) * points_of_file(found(mesh, path)) for mesh in meshes])
-        both = np.hstack([own, bone_points(path, names)[0]]) * (1, 1, sign, 1, 1, sign)
-        sides[side] = both[np.lexsort(np.round(both[:, :3], 7).T)]
+        own_points = np.vstack([np.array(mesh["factors"]) * points_of_file(find_mesh(mesh, path)) for mesh in meshes])
+        both_sides = np.hstack([own_points, bone_points(path, names)[0]]) * (1, 1, sign, 1, 1, sign)
+        sides[side] = both_sides[np.lexsort(np.round(both_sides[:, :3], 7).T)]
     right, left = sides.values()
     return len(right) == len(left) and np.abs(right - left).max() < PLACE
 

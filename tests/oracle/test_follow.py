@@ -57,8 +57,8 @@ def uneven(bodies):
 def opensim_scales(path, folder, factors, mass):
     """The model as OpenSim has scaled it, where its ScaleSet is, and what OpenSim says of its frames."""
     output = folder / f"scaled_{path.name}"
-    found = scaled({"model": str(path), "output": str(output), "factors": factors, "mass": mass})
-    return output, Path(f"{output}.scales.xml"), found
+    scale_result = scaled({"model": str(path), "output": str(output), "factors": factors, "mass": mass})
+    return output, Path(f"{output}.scales.xml"), scale_result
 
 
 def follow(model, generic, output, *more):
@@ -69,14 +69,14 @@ def follow(model, generic, output, *more):
 
 def numbers(reading):
     """`{(path, set, property): value}` of contacts as OpenSim reads them; locations are arrays."""
-    found = {}
+    result = {}
     for force in reading["forces"]:
         for name, value in force["parameters"].items():
-            found[force["path"], force["set"], name] = float.fromhex(value)
+            result[force["path"], force["set"], name] = float.fromhex(value)
     for sphere in reading["spheres"]:
-        found[sphere["path"], None, "radius"] = float.fromhex(sphere["radius"])
-        found[sphere["path"], None, "location"] = np.array([float.fromhex(value) for value in sphere["location"]])
-    return found
+        result[sphere["path"], None, "radius"] = float.fromhex(sphere["radius"])
+        result[sphere["path"], None, "location"] = np.array([float.fromhex(value) for value in sphere["location"]])
+    return result
 
 
 def json_is_what_opensim_reads(report, before, after):
@@ -93,10 +93,10 @@ def json_is_what_opensim_reads(report, before, after):
         assert np.array_equal(old[place], new[place]), f"not planned, and yet changed: {place}"
 
 
-def near(value, wanted, where):
+def check_near(value, expected, where):
     """Relatively, to the longest of a vector."""
-    value, wanted = np.asarray(value), np.asarray(wanted)
-    assert np.max(np.abs(value - wanted)) <= TOLERANCE * np.max(np.abs(wanted)), (where, value, wanted)
+    value, expected = np.asarray(value), np.asarray(expected)
+    assert np.max(np.abs(value - expected)) <= TOLERANCE * np.max(np.abs(expected)), (where, value, expected)
 
 
 def contacts(reading):
@@ -126,18 +126,18 @@ def test_a_uniform_factor_scales_every_number_by_its_exponent(path, tmp_path, re
     for force, spheres in contacts(generic):
         for name in rules.scaled_properties(force["type"]):
             place = force["path"], force["set"], name
-            near(after[place], before[place] * S ** exponents[name], place)
+            check_near(after[place], before[place] * S ** exponents[name], place)
         for sphere in spheres:
             for name in ("radius", "location"):
                 place = sphere["path"], None, name
-                near(after[place], before[place] * S, place)
+                check_near(after[place], before[place] * S, place)
 
     # The same contacts as the generic model's own, scaled by mass.
     alone = tmp_path / "by_mass.osim"
     assert command.rescale(path, mass_of(generic) * S**3, alone).status == 0
     for place, value in numbers(readings[alone]).items():
         if place[2] != "location":
-            near(after[place], value, place)
+            check_near(after[place], value, place)
 
 
 def expected(generic, scaled_reading, factors, rotations):
@@ -166,13 +166,13 @@ def expected(generic, scaled_reading, factors, rotations):
 def test_uneven_factors_and_turned_frames(path, tmp_path, readings):
     generic = readings[path]
     factors = uneven(bodies_of(generic))
-    output, scale_file, found = opensim_scales(path, tmp_path, factors, 0.8 * mass_of(generic))
+    output, scale_file, scale_result = opensim_scales(path, tmp_path, factors, 0.8 * mass_of(generic))
     followed = tmp_path / "followed.osim"
     report = follow(output, path, followed, "--body-scale-file", scale_file)
     json_is_what_opensim_reads(report, readings[output], readings[followed])
     after = numbers(readings[followed])
-    for place, value in expected(generic, readings[output], factors, found["rotations"]).items():
-        near(after[place], value, place)
+    for place, value in expected(generic, readings[output], factors, scale_result["rotations"]).items():
+        check_near(after[place], value, place)
 
 
 @pytest.mark.parametrize("path", ALL)
@@ -182,15 +182,15 @@ def test_sources_of_factors_agree(path, tmp_path, readings):
     output, scale_file, _ = opensim_scales(path, tmp_path, factors, 0.8 * mass_of(readings[path]))
     outcome = command.inspect(output, "--from", path, "--body-scale-file", scale_file)
     assert outcome.status == 0
-    said = {}
+    factors_by_source = {}
     for body in outcome.report["body_factors"]:
         for source, values in body["by_source"].items():
             told = [(body["body"], axis, value) for axis, value in zip("xyz", values) if value is not None]
-            said.setdefault(source, []).extend(told)
-    assert said["joint offset"] and said["scale file"]
+            factors_by_source.setdefault(source, []).extend(told)
+    assert factors_by_source["joint offset"] and factors_by_source["scale file"]
     if path in OURS:
-        assert len(said["mesh"]) == 3 * len(factors)
-    for source, values in said.items():
+        assert len(factors_by_source["mesh"]) == 3 * len(factors)
+    for source, values in factors_by_source.items():
         for body, axis, value in values:
             assert np.isclose(value, factors[body]["xyz".index(axis)], rtol=AGREEMENT, atol=0), (source, body, axis)
     assert not [finding for finding in outcome.report["findings"] if finding["code"] == "factors-disagree"]
@@ -231,7 +231,7 @@ def test_the_scale_tool_from_a_setup(kind, tmp_path, readings):
     for name in (f"generic_{kind}.osim", f"setup_{kind}.xml"):
         shutil.copy(models.FIXTURES / "scale_tool" / name, tmp_path)
     output = tmp_path / f"scaled_{kind}.osim"
-    found = scaled({"setup": str(tmp_path / f"setup_{kind}.xml"), "output": str(output)})
+    scale_result = scaled({"setup": str(tmp_path / f"setup_{kind}.xml"), "output": str(output)})
     for name in (output.name, "applied_scale_set.xml"):
         assert (tmp_path / name).read_bytes() == (models.FIXTURES / "scale_tool" / name).read_bytes()
     applied = ElementTree.parse(tmp_path / "applied_scale_set.xml")
@@ -240,15 +240,15 @@ def test_the_scale_tool_from_a_setup(kind, tmp_path, readings):
     report = follow(output, generic, followed, "--body-scale-file", tmp_path / "applied_scale_set.xml")
     json_is_what_opensim_reads(report, readings[output], readings[followed])
     after = numbers(readings[followed])
-    for place, value in expected(readings[generic], readings[output], factors, found["rotations"]).items():
-        near(after[place], value, place)
+    for place, value in expected(readings[generic], readings[output], factors, scale_result["rotations"]).items():
+        check_near(after[place], value, place)
 
 
 def apart(model, other):
     """How far two drops lie apart in dimensionless form: height over radius, force over body weight."""
     call = [str(command.BINARY), "drop-test", str(model), "--compare", str(other), "--format", "json"]
-    done = subprocess.run(call, capture_output=True, timeout=120, check=True)
-    printed = json.loads(done.stdout)
+    process = subprocess.run(call, capture_output=True, timeout=120, check=True)
+    printed = json.loads(process.stdout)
     schemas.check("drop-test", printed)
     compared = printed["compare"]
     return compared["height_over_radius"], compared["force_bw"]

@@ -84,14 +84,14 @@ MUSCLE = {
 
 def numbers_of(read):
     """`{(kind, object, property, place): number}` of OpenSim's reading."""
-    found = {("inertia", name, "inertia", 0): value for name, value in read["inertia"].items()}
+    result = {("inertia", name, "inertia", 0): value for name, value in read["inertia"].items()}
     for one in read["objects"]:
         is_muscle = one["class"].endswith("Muscle")
         for name, kinds in (MUSCLE if is_muscle else KINDS.get(one["class"], {})).items():
             kind = kinds if isinstance(kinds, str) else kinds[0 if one["turns"] else 1]
             for place, value in enumerate(one["numbers"].get(name, ()) if kind else ()):
-                found[kind, one["name"], name, place] = value
-    return found
+                result[kind, one["name"], name, place] = value
+    return result
 
 
 def expected(new, old):
@@ -121,7 +121,7 @@ def compare(model, original):
     outcome = command.run("check", model, "--from", original)
     assert outcome.report is not None, outcome
     ours = outcome.report["similarity"]
-    mass, length, rows = expected(*opensim_sizes.read([model, original]))
+    mass, length, rows = expected(*opensim_sizes.read_sizes([model, original]))
     assert close(ours["mass_ratio"], mass)
     # OpenSim rounds the joints of old documents to six digits.
     assert ours["length_ratio"] == pytest.approx(length, rel=1e-6)

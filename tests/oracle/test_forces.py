@@ -175,9 +175,9 @@ def force(contact, name, sphere, other):
 def ours(cases):
     """Our forces: one for each `(contact, x, rate)`."""
     lines = "".join(contact.line(x, rate) + "\n" for contact, x, rate in cases)
-    done = subprocess.run([command.example("forces")], input=lines, capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
-    return [float(line) for line in done.stdout.splitlines()]
+    process = subprocess.run([command.example("forces")], input=lines, capture_output=True, text=True)
+    assert process.returncode == 0, process.stderr
+    return [float(line) for line in process.stdout.splitlines()]
 
 
 def apart(case, our, their):
@@ -198,7 +198,7 @@ def test_normal_force_is_opensims(group, tmp_path):
     theirs = forces(path, [[(height, rate) for height, _, rate in moment] for moment in moments])
     theirs = [value for moment in theirs for value in moment]
     cases = [(contact, x, rate) for moment in moments for contact, (_, x, rate) in zip(contacts, moment)]
-    found = [apart(*all_three) for all_three in zip(cases, ours(cases), theirs, strict=True)]
-    worst = int(np.argmax(found))  # a NaN, if there is one
-    assert found[worst] <= TOLERANCE, (found[worst], cases[worst])
+    result = [apart(*all_three) for all_three in zip(cases, ours(cases), theirs, strict=True)]
+    worst = int(np.argmax(result))  # a NaN, if there is one
+    assert result[worst] <= TOLERANCE, (result[worst], cases[worst])
     assert sum(their > 0 for their in theirs) > len(theirs) / 4, "hardly any contact in the grid"

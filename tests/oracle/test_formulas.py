@@ -78,18 +78,18 @@ FORMULAS = {
 
 def explained():
     """Formulas in plain letters, by label and variant."""
-    done = subprocess.run([command.BINARY, "explain", "--format", "json"], check=True, capture_output=True)
-    topics = [json.loads(line) for line in done.stdout.decode("utf-8").splitlines()]
+    process = subprocess.run([command.BINARY, "explain", "--format", "json"], check=True, capture_output=True)
+    topics = [json.loads(line) for line in process.stdout.decode("utf-8").splitlines()]
     spelled = {"x̂": "xhat", "α": "alpha", "x̂_c": "xhat_c"}
-    found = {}
+    result = {}
     for topic in topics:
         schemas.check("explain", topic)
         for formula in topic.get("formulas", []):
             variant = formula["variant"]
             for symbol in sorted(spelled, key=len, reverse=True):
                 variant = variant.replace(symbol, spelled[symbol])
-            found.setdefault((topic["label"], variant), formula["ascii"])
-    return found
+            result.setdefault((topic["label"], variant), formula["ascii"])
+    return result
 
 
 @pytest.fixture(scope="module")
@@ -139,9 +139,9 @@ def complete(values, formulas):
 def rows_of(function):
     with REFERENCE.open(encoding="utf-8") as file:
         rows = csv.reader(line for line in file if not line.startswith("#"))
-        found = [([float(x) for x in row[1].split()], float(row[2])) for row in rows if row[0] == function]
-    assert found, f"{function} is not in reference.csv"
-    return found
+        result = [([float(x) for x in row[1].split()], float(row[2])) for row in rows if row[0] == function]
+    assert result, f"{function} is not in reference.csv"
+    return result
 
 
 @pytest.mark.parametrize("key", FORMULAS, ids=lambda key: " ".join(key).strip())

@@ -24,16 +24,16 @@ def property_of(model, change):
     return holder.updPropertyByName(change["property"])
 
 
-def value_of(held, count):
-    return [CALLS.getValueVec3(held, axis) for axis in range(3)] if count == 3 else CALLS.getValueDouble(held)
+def value_of(prop, count):
+    return [CALLS.getValueVec3(prop, axis) for axis in range(3)] if count == 3 else CALLS.getValueDouble(prop)
 
 
-def set_value(held, value):
+def set_value(prop, value):
     if isinstance(value, list):
         for axis in range(3):
-            CALLS.setValueVec3(value[axis], held, axis)
+            CALLS.setValueVec3(value[axis], prop, axis)
     else:
-        CALLS.setValueDouble(value, held)
+        CALLS.setValueDouble(value, prop)
 
 
 def count_of(value):
@@ -44,15 +44,15 @@ def count_of(value):
 def test_a_plan_is_made_in_a_live_model(name, tmp_path):
     path = models.FIXTURES / "table1" / f"{name}.osim"
     output = tmp_path / "written.osim"
-    done = command.run("rescale", path, "--target-mass", "200", "--friction", "--level", "-o", output, *command.YES)
-    changes = done.report["changes"]
+    outcome = command.run("rescale", path, "--target-mass", "200", "--friction", "--level", "-o", output, *command.YES)
+    changes = outcome.report["changes"]
     live = opensim.Model(str(path))
     live.initSystem()
     for change in changes:
-        held = property_of(live, change)
-        assert value_of(held, count_of(change["from"])) == change["from"], change
-        set_value(held, change["to"])
-    live.set_credits(done.report["credits"])
+        prop = property_of(live, change)
+        assert value_of(prop, count_of(change["from"])) == change["from"], change
+        set_value(prop, change["to"])
+    live.set_credits(outcome.report["credits"])
     live.initSystem()
     written = opensim.Model(str(output))
     written.initSystem()
@@ -72,7 +72,7 @@ def test_a_plan_is_made_in_a_live_model(name, tmp_path):
 def test_credits_are_those_that_opensim_reads(path, tmp_path):
     for verb in (["rescale", path, "--target-mass", "70", "--contacts-mass", "62"], ["remove", path]):
         output = tmp_path / f"{verb[0]}.osim"
-        done = command.run(*verb, "-o", output, *command.YES)
+        outcome = command.run(*verb, "-o", output, *command.YES)
         # Of a file without credits OpenSim reads its own.
-        expected = opensim.Model().getCredits() if done.report["credits"] is None else done.report["credits"]
+        expected = opensim.Model().getCredits() if outcome.report["credits"] is None else outcome.report["credits"]
         assert opensim.Model(str(output)).getCredits() == expected, verb[0]

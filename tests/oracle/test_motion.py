@@ -28,12 +28,12 @@ REFUSED = ("no applied force presses a sphere on the ground", "a moving sphere m
 
 def rows(model, motion, *more):
     arguments = ["motion", str(model), str(motion), "--format", "csv", "--select", "*", *more]
-    done = subprocess.run([str(command.BINARY), *arguments], capture_output=True, timeout=60)
-    said = done.stderr.decode("utf-8", "replace")
-    if done.returncode and any(reason in said for reason in REFUSED):
+    process = subprocess.run([str(command.BINARY), *arguments], capture_output=True, timeout=60)
+    output = process.stderr.decode("utf-8", "replace")
+    if process.returncode and any(reason in output for reason in REFUSED):
         return None
-    assert done.returncode == 0, said
-    return list(csv.DictReader(io.StringIO(done.stdout.decode("utf-8"))))
+    assert process.returncode == 0, output
+    return list(csv.DictReader(io.StringIO(process.stdout.decode("utf-8"))))
 
 
 def smooth(coordinates, seed):
@@ -123,14 +123,14 @@ def all_agree(pairs, record, tolerance):
 
 def followed():
     """Models with spheres on planes that OpenSim reads."""
-    known = []
+    followed_models = []
     for path in fixtures("reads") + corpus():
         outcome = command.inspect(path)
         report = outcome.report or {}
         named = all(one["name"] for kind in ("spheres", "forces") for one in report.get(kind, ()))
         if path.parent.name != "bad" and outcome.status == 0 and report.get("forces") and report.get("mass_kg") and named:
-            known.append(path)
-    return known
+            followed_models.append(path)
+    return followed_models
 
 
 @pytest.mark.parametrize("path", followed(), ids=label)
@@ -158,19 +158,19 @@ LOADED = ("human_62kg_hunt_crossley", "horse_smooth_sphere", "v40000_falisse_202
 def test_written_reactions_need_the_same_joint_moments(path, tmp_path):
     coordinates = opensim_motion.coordinates(path)
     times, values, speeds = smooth(coordinates, "2")
-    motion, made = tmp_path / "motion.sto", tmp_path / "made.sto"
+    motion, written = tmp_path / "motion.sto", tmp_path / "made.sto"
     storage(motion, times, values, speeds)
-    rows(path, motion, "-o", str(made))
+    rows(path, motion, "-o", str(written))
     own = np.array(opensim_motion.needed(path, times, values, speeds))
-    loaded = np.array(opensim_motion.needed(path, times, values, speeds, made.with_suffix(".xml")))
+    loaded = np.array(opensim_motion.needed(path, times, values, speeds, written.with_suffix(".xml")))
     assert np.abs(own - loaded).max() < 1e-6 * np.abs(own).max()
 
 
 # Models without contacts that get them by `add`: with toes, with a coupled patella, and with neither.
-GIVEN = ("v40000_gait10dof18musc_without_contacts", "v40000_gait2392_without_contacts", "v40000_rajagopal_2016_without_contacts")
+RECORDED_MODELS = ("v40000_gait10dof18musc_without_contacts", "v40000_gait2392_without_contacts", "v40000_rajagopal_2016_without_contacts")
 
 
-@pytest.mark.parametrize("path", [path for path in corpus() if path.stem in GIVEN], ids=label)
+@pytest.mark.parametrize("path", [path for path in corpus() if path.stem in RECORDED_MODELS], ids=label)
 def test_contacts_given_by_add_are_those_of_opensim(path, tmp_path):
     model = tmp_path / "with.osim"
     command.run("add", path, "--from", "falisse2022", "-o", model)

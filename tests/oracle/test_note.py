@@ -58,9 +58,9 @@ def all_models():
 
 def note_of(path):
     """The note in a model's credits, as text."""
-    found = re.findall(r"\[contacts made for [^\]]*\]", path.read_text(encoding="utf-8", errors="replace"))
-    assert len(found) == 1, f"{len(found)} notes in {path.name}"
-    return found[0]
+    match = re.findall(r"\[contacts made for [^\]]*\]", path.read_text(encoding="utf-8", errors="replace"))
+    assert len(match) == 1, f"{len(match)} notes in {path.name}"
+    return match[0]
 
 
 def contacts_mass(path):
@@ -99,10 +99,10 @@ def test_what_contacts_were_made_for_is_known_afterwards(path, how, walks):
     assert note_of(saved) == note_of(noted)
     assert contacts_mass(saved) == (pytest.approx(target, rel=DIGITS), "note")
     # The same call again has nothing to do, also where OpenSim has scaled the bodies.
-    again = noted.with_name(f"{how}_again.osim")
-    outcome = command.rescale(saved, target, again)
+    second = noted.with_name(f"{how}_again.osim")
+    outcome = command.rescale(saved, target, second)
     assert outcome.status == 0, outcome
-    assert outcome.report["changes"] == [] and again.read_bytes() == saved.read_bytes()
+    assert outcome.report["changes"] == [] and second.read_bytes() == saved.read_bytes()
 
 
 @pytest.mark.parametrize("path", all_models())

@@ -26,10 +26,10 @@ def back(case, reading, folder):
     assert outcome.status == 0 and outcome.report["changes"], outcome
     for path in (noted, rescaled):
         assert path.read_bytes() != before.read_bytes()
-        again = path.with_suffix(".removed.osim")
-        outcome = command.run("remove", path, "-o", again)
+        second = path.with_suffix(".removed.osim")
+        outcome = command.run("remove", path, "-o", second)
         assert outcome.status == 0, outcome
-        assert again.read_bytes() == before.read_bytes(), path.name
+        assert second.read_bytes() == before.read_bytes(), path.name
 
 
 # One for each model and way.
@@ -82,10 +82,10 @@ WITHOUT = {"components_unknown_class"}
 @pytest.mark.parametrize("path", [path for path in ODD if path.stem not in WITHOUT], ids=models.label)
 def test_odd_bytes_are_back(path, tmp_path):
     """Our own contacts out, another model's in and out again."""
-    bare, added, again = (tmp_path / f"{name}.osim" for name in ("bare", "added", "again"))
+    bare, added, second = (tmp_path / f"{name}.osim" for name in ("bare", "added", "again"))
     assert command.run("remove", path, "-o", bare).status == 0
     options = ["--from", ONE_FOOT, "--reference-mass", "61.5", "--mass", "50", "--body-scale", "calcn_r=1.1,0.9,1.2"]
     outcome = command.run("add", bare, *options, "-o", added)
     assert outcome.status == 0, outcome
-    assert command.run("remove", added, "-o", again).status == 0
-    assert again.read_bytes() == bare.read_bytes()
+    assert command.run("remove", added, "-o", second).status == 0
+    assert second.read_bytes() == bare.read_bytes()

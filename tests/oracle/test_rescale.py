@@ -42,14 +42,14 @@ def test_opensim_reads_the_plan_and_nothing_else_differs(path, rescaled, reading
         return renamed(outcome.report, before, after)
     planned = compare.plan(outcome.report)
     compare.plan_is_what_opensim_reads(planned, before, after)
-    wanted = compare.expected(before, target / contacts)
-    compare.plan_follows_the_rule(planned, wanted, before)
+    expected = compare.expected(before, target / contacts)
+    compare.plan_follows_the_rule(planned, expected, before)
 
 
 def renamed(report, before, after):
     """Where OpenSim gives other names than the file: the prints differ in the planned numbers."""
-    wanted = sorted((change["property"], change["from"].hex(), change["to"].hex()) for change in report["changes"])
-    assert sorted(compare.differing_lines(before["dump"], after["dump"]).elements()) == wanted
+    expected = sorted((change["property"], change["from"].hex(), change["to"].hex()) for change in report["changes"])
+    assert sorted(compare.differing_lines(before["dump"], after["dump"]).elements()) == expected
 
 
 @pytest.mark.parametrize("path", [path for path in GOOD if path.name in REFUSED], ids=models.label)
@@ -70,11 +70,11 @@ def test_a_model_opensim_cannot_connect_is_refused_or_scaled_right(path, rescale
     factor = rules.factors(MU, rules.isometric(target / contacts))
     for change in outcome.report["changes"]:
         assert rules.close(change["to"], change["from"] * factor[change["property"]]), change
-    known = {entry["path"]: entry for entry in readings[path]["forces"] + readings[path]["spheres"]}
+    by_key = {entry["path"]: entry for entry in readings[path]["forces"] + readings[path]["spheres"]}
     planned = {
         place: change
         for place, change in compare.plan(outcome.report).items()
-        if place[0] in known and (place[2] != "radius" or "radius" in known[place[0]])
+        if place[0] in by_key and (place[2] != "radius" or "radius" in by_key[place[0]])
     }  # without the radii Moco 0.1 to 0.3 kept in the force: OpenSim 4.6 does not know them
     compare.plan_is_what_opensim_reads(planned, readings[path], readings[output])
 
@@ -91,10 +91,10 @@ def test_a_bad_model_is_refused_in_place_and_writes_nothing(path, tmp_path, read
     assert not output.exists()
 
 
-KEPT = [path for path in GOOD if path.parent.name in ("table1", "corpus") or "terrain" in path.name]
+RADII_MODELS = [path for path in GOOD if path.parent.name in ("table1", "corpus") or "terrain" in path.name]
 
 
-@pytest.mark.parametrize("path", KEPT, ids=models.label)
+@pytest.mark.parametrize("path", RADII_MODELS, ids=models.label)
 def test_with_radii_kept_stiffness_alone_goes_with_mass(path, tmp_path, readings):
     """rho = 1: E1* goes with mu, and alpha, cf, bd and bv stay. Shared spheres are no obstacle then."""
     output = tmp_path / "out.osim"
@@ -105,5 +105,5 @@ def test_with_radii_kept_stiffness_alone_goes_with_mass(path, tmp_path, readings
     assert outcome.status == 0, outcome
     planned, (contacts, target) = compare.plan(outcome.report), command.masses(outcome.report)
     compare.plan_is_what_opensim_reads(planned, readings[path], readings[output])
-    wanted = compare.expected(readings[path], target / contacts, rho=1.0)
-    compare.plan_follows_the_rule(planned, wanted, readings[path])
+    expected = compare.expected(readings[path], target / contacts, rho=1.0)
+    compare.plan_follows_the_rule(planned, expected, readings[path])

@@ -64,12 +64,12 @@ def test_opensim_finds_the_weight_where_spheres_rest(stance, tmp_path):
     contacts, alone, level, touching = [], [], [], []
     for number, (alpha, bv) in enumerate(cases):
         limb = [contact(radius, alpha, bv) for radius in radii]
-        told = inspected(written(tmp_path / f"case{number}.osim", limb), count)
-        assert [one["radius_m"] for one in told] == list(radii)
+        figures = inspected(written(tmp_path / f"case{number}.osim", limb), count)
+        assert [one["radius_m"] for one in figures] == list(radii)
         contacts += limb
-        alone += [one["relative_indentation_model_law"] for one in told]
-        level += [one["relative_indentation_model_law_level"] for one in told]
-        touching += [one["force_just_touching_n"] for one in told]
+        alone += [one["relative_indentation_model_law"] for one in figures]
+        level += [one["relative_indentation_model_law_level"] for one in figures]
+        touching += [one["force_just_touching_n"] for one in figures]
     together = written(tmp_path / "all.osim", contacts)
     share = MASS * GRAVITY / count
     for found in at_depths(together, contacts, alone):
@@ -78,8 +78,8 @@ def test_opensim_finds_the_weight_where_spheres_rest(stance, tmp_path):
     for number, case in enumerate(cases):
         found = sum(standing[number * len(radii) : (number + 1) * len(radii)])
         assert found == pytest.approx(share * len(radii), rel=TOLERANCE), case
-    for found, told in zip(at_depths(together, contacts, [0.0] * len(contacts)), touching, strict=True):
-        assert found == pytest.approx(told, rel=TOLERANCE)
+    for found, figures in zip(at_depths(together, contacts, [0.0] * len(contacts)), touching, strict=True):
+        assert found == pytest.approx(figures, rel=TOLERANCE)
 
 
 def rests(path, *options):
@@ -114,8 +114,8 @@ def test_a_drop_in_opensim_ends_there(case, tmp_path):
     radii, alpha, bv = case
     contacts = [contact(radius, alpha, bv) for radius in radii]
     path = written(tmp_path / "model.osim", contacts)
-    told = rests(path, *EVERY_BODY, "--mass", MASS, "--spheres", len(radii))
-    assert told == pytest.approx(opensim_leaves(MASS, contacts), abs=TOLERANCE * min(radii))
+    figures = rests(path, *EVERY_BODY, "--mass", MASS, "--spheres", len(radii))
+    assert figures == pytest.approx(opensim_leaves(MASS, contacts), abs=TOLERANCE * min(radii))
 
 
 def test_the_2d_gait_model_rests_at_0_45143(readings, tmp_path):

@@ -42,7 +42,7 @@ def tree(seed):
 
 
 @pytest.fixture(scope="module")
-def both(tmp_path_factory):
+def readings_and_reports(tmp_path_factory):
     folder = tmp_path_factory.mktemp("scenery")
     paths = {seed: folder / f"{seed}.osim" for seed in SEEDS}
     for seed, path in paths.items():
@@ -52,20 +52,20 @@ def both(tmp_path_factory):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_scenery_is_what_opensim_holds_on_ground(seed, both):
-    reading, report = both[seed]
+def test_scenery_is_what_opensim_holds_on_ground(seed, readings_and_reports):
+    reading, report = readings_and_reports[seed]
     assert reading["builds"], reading
     compare.inspect_equals_opensim(report, reading)
     fixed = {sphere["name"] for sphere in reading["spheres"] if sphere["base"] in reading["fixed"]}
-    said = [finding for finding in report["findings"] if finding["code"] == "terrain"]
-    of_spheres = [finding for finding in said if finding.get("spheres")]
-    assert len(of_spheres) == (1 if fixed else 0)
-    assert {name for finding in of_spheres for name in finding["spheres"]} == fixed
+    terrain_findings = [finding for finding in report["findings"] if finding["code"] == "terrain"]
+    sphere_findings = [finding for finding in terrain_findings if finding.get("spheres")]
+    assert len(sphere_findings) == (1 if fixed else 0)
+    assert {name for finding in sphere_findings for name in finding["spheres"]} == fixed
     # Rocks on which others hang by a joint count, those alone do not: `compare` sums what is left.
-    assert len(said) - len(of_spheres) == (1 if reading["scenery"] else 0)
+    assert len(terrain_findings) - len(sphere_findings) == (1 if reading["scenery"] else 0)
     assert not fixed & {name for limb in report["limbs"] or [] for name in limb["spheres"]}
 
 
-def test_there_is_scenery_and_there_is_none(both):
-    kinds = {(len(reading["fixed"]) > 1, len(reading["scenery"]) == len(reading["fixed"]) - 1) for reading, _ in both.values()}
+def test_there_is_scenery_and_there_is_none(readings_and_reports):
+    kinds = {(len(reading["fixed"]) > 1, len(reading["scenery"]) == len(reading["fixed"]) - 1) for reading, _ in readings_and_reports.values()}
     assert kinds == {(True, True), (True, False), (False, True)}

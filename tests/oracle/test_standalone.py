@@ -48,8 +48,8 @@ def test_rescaled_sets_of_moco_3d_walking(tmp_path, readings):
     factor = rules.factors(target / contacts, rules.isometric(target / contacts))
     for old, new in zip(readings[forces]["forces"], readings[tmp_path / forces.name]["forces"], strict=True):
         for name, text in old["parameters"].items():
-            wanted = float.fromhex(text) * factor.get(name, 1.0)
-            assert rules.close(float.fromhex(new["parameters"][name]), wanted), (old["name"], name)
+            expected = float.fromhex(text) * factor.get(name, 1.0)
+            assert rules.close(float.fromhex(new["parameters"][name]), expected), (old["name"], name)
     for old, new in zip(readings[geometry]["spheres"], readings[tmp_path / geometry.name]["spheres"], strict=True):
         assert rules.close(float.fromhex(new["radius"]), float.fromhex(old["radius"]) * factor["radius"]), old["name"]
         assert old["location"] == new["location"]

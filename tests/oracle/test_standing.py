@@ -21,12 +21,12 @@ SPHERE = "Sphere"
 
 @cache
 def inspected(path):
-    outcome = command.inspect(path, *asked(path))
+    outcome = command.inspect(path, *standing_report(path))
     return outcome.report if outcome.status == 0 else None
 
 
-def asked(path):
-    return ("--mass", "78.2") if path.stem in command.ASKED else ()
+def standing_report(path):
+    return ("--mass", "78.2") if path.stem in command.NEEDS_MASS else ()
 
 
 def standing(path, how):
@@ -80,7 +80,7 @@ def floor_of(path, found):
     return floors[0]
 
 
-def stands(how):
+def standing_models(how):
     return [path for path in MODELS if standing(path, how)]
 
 
@@ -110,7 +110,7 @@ def test_the_coordinate_puts_it_on_its_feet(path, how):
 @pytest.mark.parametrize("how", ["as_posed", "on_one_limb"])
 def test_so_many_models_stand(how):
     """Most fixtures, and of the corpus those with limbs on a floor whose joints are understood."""
-    found = [models.label(path) for path in stands(how)]
-    of_corpus = [one for one in found if one.startswith("corpus")]
-    assert len(found) - len(of_corpus) >= 190
-    assert len(of_corpus) >= 11 or not models.corpus()
+    result = [models.label(path) for path in standing_models(how)]
+    corpus_models = [one for one in result if one.startswith("corpus")]
+    assert len(result) - len(corpus_models) >= 190
+    assert len(corpus_models) >= 11 or not models.corpus()

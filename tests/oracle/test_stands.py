@@ -60,7 +60,7 @@ def standing(tmp_path_factory, readings):
     paths = {}
     for name, reference in STANDING:
         paths[name] = tmp_path_factory.mktemp("standing") / f"{name}.osim"
-        asked = ["--reference-mass", "62"] if reference in command.ASKED else []
+        asked = ["--reference-mass", "62"] if reference in command.NEEDS_MASS else []
         outcome = command.run("add", CORPUS[name], "--from", CORPUS[reference] if reference else "falisse2022", *asked, "-o", paths[name])
         assert outcome.status == 0, outcome
     readings.fetch(paths.values())
@@ -71,8 +71,8 @@ def standing(tmp_path_factory, readings):
 def bottoms(anatomy, spheres):
     """Heights of the lowest points above the floor at the default pose."""
     floor = placing.floor_of(anatomy)["centre"][1]
-    known = {sphere["name"]: sphere["centre"][1] - sphere["radius"] - floor for sphere in anatomy["spheres"]}
-    return {name: known[name] for name, *_ in spheres}
+    by_key = {sphere["name"]: sphere["centre"][1] - sphere["radius"] - floor for sphere in anatomy["spheres"]}
+    return {name: by_key[name] for name, *_ in spheres}
 
 
 def weight(reading):

@@ -25,8 +25,8 @@ SWEPT += [path for path in models.corpus() if "falisse" in path.name]
 @pytest.mark.parametrize("sweep", SWEEPS)
 @pytest.mark.parametrize("model", SWEPT, ids=models.label)
 def test_opensim_reads_what_the_manifest_says(model, sweep, readings, tmp_path):
-    done = subprocess.run([str(command.BINARY), "sweep", str(model), *SWEEPS[sweep], "-d", str(tmp_path)], timeout=120)
-    assert done.returncode == 0
+    process = subprocess.run([str(command.BINARY), "sweep", str(model), *SWEEPS[sweep], "-d", str(tmp_path)], timeout=120)
+    assert process.returncode == 0
     (manifest,) = tmp_path.glob("*.csv")
     with manifest.open(newline="") as file:
         rows = list(csv.DictReader(file))
@@ -51,4 +51,4 @@ def values(reading, name):
     if name == "radius":
         return [float.fromhex(sphere["radius"]) for sphere in reading["spheres"]]
     parameters = [force["parameters"] for force in reading["forces"]]
-    return [float.fromhex(held[name]) for held in parameters if name in held]
+    return [float.fromhex(values_by_name[name]) for values_by_name in parameters if name in values_by_name]

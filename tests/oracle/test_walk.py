@@ -54,19 +54,19 @@ def walk(tmp_path_factory, readings):
     folder = tmp_path_factory.mktemp("walk")
     paths = {name: Path(models.CORPUS) / f"{name}.osim" for name in NAMES}
     readings.fetch(paths.values())
-    found = {}
+    result = {}
     for name, path in paths.items():
         bodies = sorted(body["path"].rsplit("/", 1)[-1] for body in readings[path]["bodies"])
         for kind in KINDS:
             output = folder / f"{name}_{kind}.osim"
-            found[name, kind] = path, output, factors_of(bodies, kind)
+            result[name, kind] = path, output, factors_of(bodies, kind)
     jobs = [
         {"model": str(path), "output": str(output), "factors": factors, "mass": MASS}
-        for path, output, factors in found.values()
+        for path, output, factors in result.values()
     ]
     with ThreadPoolExecutor(2) as pool:
         list(pool.map(scaled, jobs))
-    return found
+    return result
 
 
 def checked(model, *more):
@@ -85,8 +85,8 @@ def printed(findings):
 
 
 def run_as_printed(words, output):
-    done = subprocess.run([str(command.BINARY), *words, "-o", str(output)], capture_output=True, timeout=60)
-    assert done.returncode == 0, done.stderr.decode()
+    process = subprocess.run([str(command.BINARY), *words, "-o", str(output)], capture_output=True, timeout=60)
+    assert process.returncode == 0, process.stderr.decode()
 
 
 def places(reading, model):
@@ -131,11 +131,11 @@ def test_who_follows_what_check_prints_ends_with_contacts_that_are_right(name, k
         for sphere, (place, radius, body) in now.items():
             was, old_radius, _ = old[sphere]
             down, old_down = np.array([0, radius, 0]) * bottoms, np.array([0, old_radius, 0]) * bottoms
-            wanted = np.array(factors[body]) * (was - old_down)
-            assert np.max(np.abs(place - down - wanted)) <= TOLERANCE, (sphere, place, wanted)
+            expected = np.array(factors[body]) * (was - old_down)
+            assert np.max(np.abs(place - down - expected)) <= TOLERANCE, (sphere, place, expected)
         for more in ((), ("--from", generic)):
-            left = checked(centre, *more)
-            assert (left["counts"]["error"], left["counts"]["warning"]) == (0, 0), left["findings"]
+            remaining = checked(centre, *more)
+            assert (remaining["counts"]["error"], remaining["counts"]["warning"]) == (0, 0), remaining["findings"]
 
 
 def bodies_with_spheres(model):

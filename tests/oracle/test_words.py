@@ -27,11 +27,11 @@ NAMINGS = {f"naming {seed}: {odd}": model for seed in range(FIRST, FIRST + COUNT
 # Refused, though OpenSim builds the model.
 STRICT = {"unreadable": "a file that is not there: OpenSim only logs it and goes on without what should be in it"}
 # Shown, though OpenSim refuses the model, with one of these findings: such a value is never scaled.
-SAID = {"odd-number", "not-finite", "out-of-domain", "mass-unknown", "connectee-by-name", "refused-name", "duplicate-names"}
+REPORTED_CODES = {"odd-number", "not-finite", "out-of-domain", "mass-unknown", "connectee-by-name", "refused-name", "duplicate-names"}
 
 
 @pytest.fixture(scope="module")
-def both(tmp_path_factory):
+def readings_and_reports(tmp_path_factory):
     """`{what it is: (OpenSim's reading, exit status of inspect, its JSON)}`."""
     folder = tmp_path_factory.mktemp("words")
     paths = {}
@@ -47,41 +47,41 @@ def both(tmp_path_factory):
 
 def inspect(path):
     """As `command.inspect`, without the check of the JSON's form, which other tests make."""
-    done = subprocess.run([str(command.BINARY), "inspect", str(path), "--format", "json"], capture_output=True, timeout=60)
-    return done.returncode, json.loads(done.stdout) if done.stdout else None
+    process = subprocess.run([str(command.BINARY), "inspect", str(path), "--format", "json"], capture_output=True, timeout=60)
+    return process.returncode, json.loads(process.stdout) if process.stdout else None
 
 
 @pytest.mark.parametrize("what", TABLE)
-def test_spelling(what, both):
-    reading, status, report = both[what]
+def test_spelling(what, readings_and_reports):
+    reading, status, report = readings_and_reports[what]
     same(reading, status, report)
     if status == 0 and not (reading["loads"] and reading["connects"]):
-        assert SAID & {finding["code"] for finding in report["findings"]}, reading["error"]
+        assert REPORTED_CODES & {finding["code"] for finding in report["findings"]}, reading["error"]
 
 
 @pytest.mark.parametrize("what", [what for what in TABLE if what.startswith(words.VECTORS)])
-def test_location_and_gravity_are_said_where_they_are_not_what_they_look_like(what, both):
-    reading, status, report = both[what]
+def test_location_and_gravity_are_said_where_they_are_not_what_they_look_like(what, readings_and_reports):
+    reading, status, report = readings_and_reports[what]
     if status != 0 or not reading["loads"]:
         return
-    of_gravity = what.startswith("gravity")
-    read = [float.fromhex(value) for value in (reading["gravity"] if of_gravity else reading["spheres"][0]["location"])]
-    found = {finding["code"] for finding in report["findings"]} & {"odd-number", "not-finite"}
-    plain = words.as_it_looks(TABLE[what], "gravity" if of_gravity else "location")
-    as_seen = plain == read and all(map(math.isfinite, read))
-    assert bool(found) != as_seen, f"OpenSim reads {read}, a person {plain}; found: {found}"
+    is_gravity = what.startswith("gravity")
+    values = [float.fromhex(value) for value in (reading["gravity"] if is_gravity else reading["spheres"][0]["location"])]
+    result = {finding["code"] for finding in report["findings"]} & {"odd-number", "not-finite"}
+    plain = words.as_it_looks(TABLE[what], "gravity" if is_gravity else "location")
+    as_seen = plain == values and all(map(math.isfinite, values))
+    assert bool(result) != as_seen, f"OpenSim reads {values}, a person {plain}; found: {result}"
 
 
 @pytest.mark.parametrize("what", MUTANTS)
-def test_mutant(what, both):
-    same(*both[what])
+def test_mutant(what, readings_and_reports):
+    same(*readings_and_reports[what])
 
 
 @pytest.mark.parametrize("what", NAMINGS)
-def test_naming(what, both):
-    reading, status, report = both[what]
+def test_naming(what, readings_and_reports):
+    reading, status, report = readings_and_reports[what]
     if status == 0 and not reading.get("builds"):
-        assert SAID & {finding["code"] for finding in report["findings"]}, reading
+        assert REPORTED_CODES & {finding["code"] for finding in report["findings"]}, reading
     else:
         same(with_names_of(report, reading), status, report)
 

@@ -184,12 +184,12 @@ def document(draw):
         base.pin_joint(f"hip_{side}", "pelvis", f"calcn_{side}", "0.1") for side, _ in legs
     ]
     in_components = draw.chance("smooth forces in <components>", 0.15)
-    kept = [force for force in forces if not (in_components and force.startswith("<Smooth"))]
+    remaining = [force for force in forces if not (in_components and force.startswith("<Smooth"))]
     first = ""
-    if len(kept) < len(forces):
+    if len(remaining) < len(forces):
         first = (
             "<components>\n"
-            + "".join(base.indent(force, 1) for force in forces if force not in kept)
+            + "".join(base.indent(force, 1) for force in forces if force not in remaining)
             + "</components>\n"
         )
     if draw.chance("<defaults>", 0.2):
@@ -200,7 +200,7 @@ def document(draw):
     text = base.model(
         draw.shuffled(bodies),
         draw.shuffled(joints),
-        kept,
+        remaining,
         draw.shuffled(spheres + planes),
         name="variant",
         version=draw.random.choice([30517, 40000, 40500, 40600]),

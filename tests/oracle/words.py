@@ -16,7 +16,7 @@ from quirks import base  # noqa: E402  (the fixtures' own building blocks)
 
 NBSP, BOM = "\u00a0", "\ufeff"
 DEFAULTS = '<defaults><SmoothSphereHalfSpaceForce name="default">{}</SmoothSphereHalfSpaceForce></defaults>'
-OF_SPHERES = '<defaults><ContactSphere name="default">{}</ContactSphere></defaults>'
+SPHERE_DEFAULTS = '<defaults><ContactSphere name="default">{}</ContactSphere></defaults>'
 MODEL, STIFFNESS = '<Model name="one_foot">', "<stiffness>1234567.8</stiffness>"
 
 NUMBERS = """1e6|+8e6|.5E+6|5.|1,5|1;5|1_0|(1e6)|1e6)|,1e6|1e6,|1e6 ,|nan|NaN|+nan|-nan|nan5|inf|+Inf|-Infinity|infi|3 nan|3 -nan|3 x|
@@ -54,7 +54,7 @@ def table():
     smooth, hunt = base.ONE_FOOT, base.ONE_FOOT_HUNT
     flagged = base.edit(smooth, (STIFFNESS, "<appliesForce>{}</appliesForce>" + STIFFNESS))
     old = base.edit(hunt, ('Version="40000"', 'Version="30505"'), ("<transition_velocity>", "{}<transition_velocity>"))
-    both = ["<appliesForce>{}</appliesForce><isDisabled>{}</isDisabled>", "<isDisabled>{}</isDisabled><appliesForce>{}</appliesForce>"]
+    twice_disabled = ["<appliesForce>{}</appliesForce><isDisabled>{}</isDisabled>", "<isDisabled>{}</isDisabled><appliesForce>{}</appliesForce>"]
     over = (MODEL, MODEL + DEFAULTS)
     places = {
         "stiffness": (base.edit(smooth, (STIFFNESS, "<stiffness>{}</stiffness>")), NUMBERS),
@@ -73,11 +73,11 @@ def table():
         "isDisabled of later documents": (flagged.replace("appliesForce", "isDisabled"), FLAGS[:4]),
         "location": (base.edit(smooth, ("0.01 -0.02 0.003", "{}")), TRIPLES),
         "location, defaults": (
-            base.edit(smooth, ("0.01 -0.02 0.003", "{}"), (MODEL, MODEL + OF_SPHERES.format("<location>7 8 9</location>"))),
+            base.edit(smooth, ("0.01 -0.02 0.003", "{}"), (MODEL, MODEL + SPHERE_DEFAULTS.format("<location>7 8 9</location>"))),
             TRIPLES[::3],
         ),
         "location of defaults": (
-            base.edit(smooth, ("<location>0.01 -0.02 0.003</location>", ""), (MODEL, MODEL + OF_SPHERES.format("<location>{}</location>"))),
+            base.edit(smooth, ("<location>0.01 -0.02 0.003</location>", ""), (MODEL, MODEL + SPHERE_DEFAULTS.format("<location>{}</location>"))),
             TRIPLES[1::3],
         ),
         "gravity": (base.edit(smooth, ("0 -9.81 0", "{}")), TRIPLES),
@@ -87,7 +87,7 @@ def table():
         "version": (base.edit(smooth, ('Version="40000"', 'Version="{}"')), VERSIONS),
     }
     models = loops() | {f"{place}: {text!r}": model.replace("{}", text) for place, (model, texts) in places.items() for text in texts}
-    for order in both:
+    for order in twice_disabled:
         for one in ("true", "false", "abc"):
             for other in ("true", "false"):
                 text = order.format(one, other)
@@ -153,12 +153,12 @@ def mutant(seed):
     model = draw.choice([base.ONE_FOOT, base.ONE_FOOT_HUNT, base.TWO_FEET, base.TWO_FEET_HUNT])
     if draw.random() < 0.2:
         model = model.replace('Version="40000"', f'Version="{draw.choice([30517, 40500, 40600])}"')
-    story = []
+    description = []
     for _ in range(draw.randint(1, 3)):
         change = draw.choice([odd_text, spaced, commented, cdata, entity, file_of, twice, without, renamed, swapped])
         model, what = change(draw, model)
-        story.append(f"{change.__name__} {what}")
-    return model, story
+        description.append(f"{change.__name__} {what}")
+    return model, description
 
 
 def leaf(draw, model):
@@ -194,8 +194,8 @@ def commented(draw, model):
 
 def cdata(draw, model):
     found = leaf(draw, model)
-    inside = draw.choice(["{}", " {}", "{} ", "\v{}"]).format(found[2])
-    return replaced(model, found, f"<![CDATA[{inside}]]>")
+    cell = draw.choice(["{}", " {}", "{} ", "\v{}"]).format(found[2])
+    return replaced(model, found, f"<![CDATA[{cell}]]>")
 
 
 def entity(draw, model):

@@ -38,35 +38,35 @@ def keywords(name):
 
 def foreign(text, name):
     """What is advised that neither this function takes nor one that is named before it in the sentence."""
-    found, named = [], name
+    found, name_of_function = [], name
     for word in re.split(r"(?<=[.;])\s|\s", text):
         if (call := re.match(r"\W*(?:ocs\.)?(\w+)\(", word)) and call[1] in FUNCTIONS:
-            named = call[1]
+            name_of_function = call[1]
         method = next((made for name, made in METHODS.items() if name in word), None)
-        of_method = {*inspect.signature(method).parameters} if method else set()
+        parameters = {*inspect.signature(method).parameters} if method else set()
         # `file="..."` is an attribute of XML.
         for keyword in re.findall(r"(?<![\w.<\"-])([a-z]\w*)=(?!=)", word):
-            if keyword not in keywords(named) | keywords(name) | of_method | {"file"}:
+            if keyword not in keywords(name_of_function) | keywords(name) | parameters | {"file"}:
                 found.append((keyword, text))
     return found
 
 
-def said(name, path, given):
+def try_call(name, path, arguments):
     """All that a call says: its error, or its result; and what `check` finds in a new model, which is what `check` says."""
     try:
-        result = FUNCTIONS[name](path, **given)
+        result = FUNCTIONS[name](path, **arguments)
     except ocs.ContactScaleError as error:
         return [(name, str(error))]
     findings = [(name, str(one)) for one in getattr(result, "findings", [])]
     return [(name, str(result)), *findings, *(("check", str(one)) for one in getattr(result, "findings_after", []))]
 
 
-@pytest.mark.parametrize(("name", "given"), CALLS)
-def test_what_is_advised_can_be_said(name, given):
+@pytest.mark.parametrize(("name", "arguments"), CALLS)
+def test_what_is_advised_can_be_said(name, arguments):
     read = 0
     for folder in FOLDERS:
         for path in sorted((FIXTURES / folder).glob("*.osim")):
-            texts = said(name, path, given)
+            texts = try_call(name, path, arguments)
             read += len(texts)
             for by, text in texts:
                 # What was written by somebody else stands in excerpts of files.

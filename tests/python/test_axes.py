@@ -61,14 +61,14 @@ def test_every_kind_is_drawn_whole(kind):
     assert len(every) == len(figure.panels)
     rows = figure._rows()[0]
     for name, axes in zip(figure.panels, every):
-        own = [row for row in rows if row["panel"] == name]
-        assert (axes.get_xlabel(), axes.get_ylabel()) == (own[0]["x_axis"], own[0]["y_axis"])
+        selected = [row for row in rows if row["panel"] == name]
+        assert (axes.get_xlabel(), axes.get_ylabel()) == (selected[0]["x_axis"], selected[0]["y_axis"])
         assert axes.get_title() == name
-        assert points_on(axes) == sum(row["kind"] in ("curve", "point") for row in own)
-        assert len(axes.patches) == sum(row["kind"] == "sphere" for row in own) + len(
-            {row["name"] for row in own if row["kind"] == "outline"}
+        assert points_on(axes) == sum(row["kind"] in ("curve", "point") for row in selected)
+        assert len(axes.patches) == sum(row["kind"] == "sphere" for row in selected) + len(
+            {row["name"] for row in selected if row["kind"] == "outline"}
         )
-        named = {row["name"] for row in own if row["kind"] in ("curve", "limit", "level") and row["name"]}
+        named = {row["name"] for row in selected if row["kind"] in ("curve", "limit", "level") and row["name"]}
         legend = axes.get_legend()
         assert named <= {text.get_text() for text in legend.get_texts()} if named else True
     every[0].figure.canvas.draw()

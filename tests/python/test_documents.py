@@ -41,10 +41,10 @@ def top(tmp_path, monkeypatch):
 @pytest.mark.parametrize("page", PAGES)
 def test_the_examples_of_a_page(page, top):
     text = (TOP / page).read_text(encoding="utf-8")
-    namespace, found = {"__name__": page}, list(BLOCK.finditer(text))
-    assert found, f"{page} has no Python"
-    told = []
-    for match in found:
+    namespace, result = {"__name__": page}, list(BLOCK.finditer(text))
+    assert result, f"{page} has no Python"
+    outputs = []
+    for match in result:
         code, expected = match.groups()
         absent = missing(code)
         if absent:
@@ -55,11 +55,11 @@ def test_the_examples_of_a_page(page, top):
         printed = io.StringIO()
         with contextlib.redirect_stdout(printed):
             exec(compile(above + code, str(TOP / page), "exec"), namespace)
-        told.append((match, printed.getvalue()))
+        outputs.append((match, printed.getvalue()))
         if not os.environ.get("UPDATE_DOCS"):
             assert printed.getvalue() == (expected or ""), code
     if os.environ.get("UPDATE_DOCS"):
-        for match, printed in reversed(told):
+        for match, printed in reversed(outputs):
             shown = f"\n```text\n{printed}```\n" if printed else ""
             text = text[: match.start()] + f"```python\n{match[1]}```\n{shown}" + text[match.end() :]
         (TOP / page).write_text(text, encoding="utf-8", newline="\n")

@@ -93,8 +93,8 @@ def test_models_may_come_from_any_iterable(tmp_path):
     assert [record["model"] for record in ocs.inspect(frame["model"])] == [str(path) for path in expected[:2]]
     with pytest.raises(TypeError, match=r'expected models, not a DataFrame.*table\["model"\]'):
         ocs.inspect(frame)
-    done = ocs.many("rescale", frame["model"], target_mass=80, dry_run=True)
-    assert len(done) == 2
+    results = ocs.many("rescale", frame["model"], target_mass=80, dry_run=True)
+    assert len(results) == 2
 
 
 def test_a_remedy_is_for_the_model_that_was_checked(human, tmp_path, monkeypatch):

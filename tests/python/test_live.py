@@ -15,10 +15,10 @@ UNREADABLE = {"moco_sphere_in_force.osim"}
 FOLDERS = {"table1", "format", "walks", "scale_tool", "check"}
 MODELS = [path for path in fixtures() if kind_of(path) in FOLDERS and path.name not in UNREADABLE] + corpus()
 
-MEANT = ("implausible-mass", "mass-in-pounds", "implausible-radius")
+CONFIRMED = ("implausible-mass", "mass-in-pounds", "implausible-radius")
 CHANGES = {
-    "rescale": lambda model: ocs.rescale(model, target_mass=500.5, friction=True, level=True, yes=MEANT),
-    "rescale a few": lambda model: ocs.rescale(model, target_mass=500.5, only=["stiffness"], yes=MEANT),
+    "rescale": lambda model: ocs.rescale(model, target_mass=500.5, friction=True, level=True, yes=CONFIRMED),
+    "rescale a few": lambda model: ocs.rescale(model, target_mass=500.5, only=["stiffness"], yes=CONFIRMED),
     "set": lambda model: ocs.set(model, stiffness="x1.1", dissipation=1.25, transition_velocity=0.123),
     "design": lambda model: ocs.design(model, indentation=0.13),
     "convert to smooth": lambda model: ocs.convert(model, to="smooth"),
@@ -98,7 +98,7 @@ def printed(model, folder):
 
 @pytest.mark.parametrize("path", MODELS, ids=name_of)
 def test_apply_equals_writing_and_loading(path, tmp_path):
-    done = set()
+    applied = set()
     for name, change in CHANGES.items():
         if name == "follow" and path.name not in ORIGINALS:
             continue
@@ -121,26 +121,26 @@ def test_apply_equals_writing_and_loading(path, tmp_path):
         live = loaded(str(path))
         result.apply(live)
         assert printed(live, tmp_path) == printed(loaded(str(new)), tmp_path), name
-        done.add(name)
+        applied.add(name)
     if kind_of(path) == "table1":
         # They have contacts, and were not made by the Scale Tool.
-        assert CHANGES.keys() - done <= {"add", "add again", "follow"}
+        assert CHANGES.keys() - applied <= {"add", "add again", "follow"}
     elif path.name in ORIGINALS:
-        assert "follow" in done
+        assert "follow" in applied
     elif path in corpus() and ocs.inspect(path)[0]["forces"]:
-        assert done
+        assert applied
 
 
 def test_a_live_model_is_a_model(tmp_path):
     model = loaded(str(HUMAN))
-    of_live, of_path = ocs.rescale(model, target_mass=500.5), ocs.rescale(HUMAN, target_mass=500.5)
-    assert of_live.path == of_path.path == str(HUMAN)
+    from_live, from_path = ocs.rescale(model, target_mass=500.5), ocs.rescale(HUMAN, target_mass=500.5)
+    assert from_live.path == from_path.path == str(HUMAN)
     numbers = [
         [(change["path"], change["property"], change["to"]) for change in result.record["changes"]]
-        for result in (of_live, of_path)
+        for result in (from_live, from_path)
     ]
     assert numbers[0] == numbers[1]
-    of_live.apply(model)
+    from_live.apply(model)
     model.initSystem()
     force = opensim.SmoothSphereHalfSpaceForce.safeDownCast(model.getComponent("/forceset/contact_s1_r"))
     assert force.get_stiffness() == next(value for path, name, value in numbers[1] if name == "stiffness")
@@ -219,13 +219,13 @@ def test_a_body_of_another_mass_is_refused(tmp_path):
 
 def test_defaults_are_spelled_out_in_every_thread_and_then_as_before():
     defaults = FIXTURES / "format" / "defaults_hold_everything.osim"
-    kept = float(re.search("<constant_contact_force>(.*?)<", defaults.read_text(encoding="utf-8"))[1])
+    constant = float(re.search("<constant_contact_force>(.*?)<", defaults.read_text(encoding="utf-8"))[1])
     loaded(str(defaults))
     live = [opensim.Model(str(HUMAN)) for _ in range(4)]
     with ThreadPoolExecutor(4) as pool:
         for _ in range(10):
             for seen in pool.map(ocs.inspect, live):
-                assert seen[0]["forces"][0]["parameters"]["constant_contact_force"] == kept
+                assert seen[0]["forces"][0]["parameters"]["constant_contact_force"] == constant
             assert not opensim.OpenSimObject.getSerializeAllDefaults()
 
 
@@ -246,14 +246,14 @@ def test_only_models_are_live():
 def test_defaults_of_an_earlier_model_are_seen():
     """OpenSim keeps them for the whole process, and does not print what equals them."""
     defaults = FIXTURES / "format" / "defaults_hold_everything.osim"
-    kept = float(re.search("<constant_contact_force>(.*?)<", defaults.read_text(encoding="utf-8"))[1])
+    constant = float(re.search("<constant_contact_force>(.*?)<", defaults.read_text(encoding="utf-8"))[1])
     loaded(str(defaults))
     model = opensim.Model(str(HUMAN))
     force = opensim.SmoothSphereHalfSpaceForce.safeDownCast(model.getComponent("/forceset/contact_s1_r"))
-    assert force.get_constant_contact_force() == kept != 1e-5
-    assert ocs.inspect(model)[0]["forces"][0]["parameters"]["constant_contact_force"] == kept
+    assert force.get_constant_contact_force() == constant != 1e-5
+    assert ocs.inspect(model)[0]["forces"][0]["parameters"]["constant_contact_force"] == constant
     ocs.set(model, constant_contact_force="x2").apply(model)
-    assert force.get_constant_contact_force() == 2 * kept
+    assert force.get_constant_contact_force() == 2 * constant
     # What was planned for the file is not right for this model.
     with pytest.raises(ocs.ContactScaleError, match="plan it again"):
         ocs.set(HUMAN, constant_contact_force="x7").apply(model)

@@ -17,7 +17,7 @@ opensim = pytest.importorskip("opensim", reason="opensim is not installed: it ne
 import osim_contact_scale as ocs  # noqa: E402
 from osim_contact_scale import _live, _live_print  # noqa: E402
 
-MEANT = ("implausible-mass", "mass-in-pounds", "implausible-radius")
+CONFIRMED = ("implausible-mass", "mass-in-pounds", "implausible-radius")
 
 #: What OpenSim keeps for later files. None of it is the default in OpenSim's code; the force of a PointActuator nearly is.
 DEFAULTS = """<?xml version="1.0" encoding="UTF-8" ?>
@@ -81,7 +81,7 @@ def written(paths, folder, has_defaults, system):
         before = folder / "before.osim"
         before.write_text(DEFAULTS, encoding="utf-8")
         opensim.Model(str(before))
-    found = {}
+    result = {}
     for number, path in enumerate(paths):
         try:
             model = opensim.Model(str(path))
@@ -90,8 +90,8 @@ def written(paths, folder, has_defaults, system):
         if model.getBodySet().getSize():
             body = model.getBodySet().get(0)
             body.setMass(1.0625 * body.getMass() + 1 / 3)
-        found[number] = write(model, folder / f"{number}.osim", system)
-    return found
+        result[number] = write(model, folder / f"{number}.osim", system)
+    return result
 
 
 def write(model, new, system=False):
@@ -99,7 +99,7 @@ def write(model, new, system=False):
     scratch = new.with_suffix(".printed")
     before = everything(model, scratch)
     try:
-        planned = ocs.rescale(model, target_mass=321.5, yes=MEANT)
+        planned = ocs.rescale(model, target_mass=321.5, yes=CONFIRMED)
     except ocs.ContactScaleError:
         # Without contacts, or with some that are refused. What a plan would start from is a file, too.
         new.write_bytes(_live.to_bytes(model)[1])
@@ -110,18 +110,18 @@ def write(model, new, system=False):
     return before, everything(model, scratch), system and starts(model)
 
 
-def read(files, system):
+def read_files(files, system):
     """Reads files: what OpenSim has of each, and whether it can be simulated. A text is what OpenSim says if it cannot read one."""
     quiet()
-    found = {}
+    result = {}
     for number, path in files.items():
         try:
             model = opensim.Model(str(path))
         except RuntimeError as error:
-            found[number] = str(error)
+            result[number] = str(error)
         else:
-            found[number] = everything(model, path.with_suffix(".read")), system and starts(model)
-    return found
+            result[number] = everything(model, path.with_suffix(".read")), system and starts(model)
+    return result
 
 
 def quiet():
@@ -135,10 +135,10 @@ def elsewhere(function, *arguments):
         return pool.submit(function, *arguments).result()
 
 
-def compare(found, folder, label, system=False):
+def compare(result, folder, label, system=False):
     """Compares files with the models that they were made from."""
-    opened = elsewhere(read, {number: folder / f"{number}.osim" for number in found}, system)
-    for number, (before, after, is_simulated) in found.items():
+    opened = elsewhere(read_files, {number: folder / f"{number}.osim" for number in result}, system)
+    for number, (before, after, is_simulated) in result.items():
         assert isinstance(opened[number], tuple), (label(number), opened[number])
         text, is_simulated_again = opened[number]
         assert text == after, label(number)
@@ -152,9 +152,9 @@ MODELS = [*corpus(), *fixtures()]
 
 @pytest.mark.parametrize("has_defaults", [False, True], ids=["", "after other defaults"])
 def test_files_of_live_models_are_those_models(has_defaults, tmp_path):
-    found = elsewhere(written, MODELS, tmp_path, has_defaults, not has_defaults)
-    assert len(found) > 250
-    compare(found, tmp_path, lambda number: name_of(MODELS[number]), not has_defaults)
+    result = elsewhere(written, MODELS, tmp_path, has_defaults, not has_defaults)
+    assert len(result) > 250
+    compare(result, tmp_path, lambda number: name_of(MODELS[number]), not has_defaults)
 
 
 def test_a_file_is_the_live_model_in_the_same_process_too(tmp_path):
@@ -164,7 +164,7 @@ def test_a_file_is_the_live_model_in_the_same_process_too(tmp_path):
         assert everything(model, tmp_path / "read.osim") == after, paths[number]
 
 
-def of_all_classes(folder, has_defaults):
+def write_all_classes(folder, has_defaults):
     """A model for each class of components that Python can make and put into a model, and a file from each."""
     quiet()
     if has_defaults:
@@ -173,7 +173,7 @@ def of_all_classes(folder, has_defaults):
         opensim.Model(str(before))
     names = opensim.ArrayStr()
     opensim.OpenSimObject.getRegisteredTypenames(names)
-    found, classes = {}, []
+    result, classes = {}, []
     for name in sorted(names.get(place) for place in range(names.getSize())):
         member = opensim.Component.safeDownCast(opensim.OpenSimObject.newInstanceOfType(name))
         # A coordinate without its joint ends OpenSim. A model in a model is none.
@@ -185,17 +185,17 @@ def of_all_classes(folder, has_defaults):
         member.thisown = False
         with contextlib.suppress(RuntimeError):  # Some need other objects.
             model.addComponent(member)
-            found[len(classes)] = write(model, folder / f"{len(classes)}.osim")
+            result[len(classes)] = write(model, folder / f"{len(classes)}.osim")
             classes.append(name)
-    return found, classes
+    return result, classes
 
 
 @pytest.mark.parametrize("has_defaults", [False, True], ids=["", "after other defaults"])
 def test_files_with_an_object_of_each_class(has_defaults, tmp_path):
-    found, classes = elsewhere(of_all_classes, tmp_path, has_defaults)
+    result, classes = elsewhere(write_all_classes, tmp_path, has_defaults)
     assert len(classes) > 120
     assert {"DeGrooteFregly2016Muscle", "Millard2012EquilibriumMuscle", "ExpressionBasedBushingForce"} <= set(classes)
-    compare(found, tmp_path, lambda number: classes[number])
+    compare(result, tmp_path, lambda number: classes[number])
 
 
 def test_only_contacts_are_spelled_out(tmp_path):

@@ -90,8 +90,8 @@ def test_a_bad_model_does_not_stop_the_others(lab, tmp_path):
 def test_a_folder_with_one_change(lab, tmp_path):
     frame = ocs.many("rescale", tmp_path, target_mass=80, output_dir=tmp_path / "new", jobs=1)
     assert len(frame) == 10 and set(frame["status"]) == {"written"}
-    kept = ocs.many("transfer", [tmp_path / "subject 1.osim"], from_="falisse2022", spheres=6, dry_run=True)
-    assert list(kept["status"]) == ["dry-run"]
+    planned = ocs.many("transfer", [tmp_path / "subject 1.osim"], from_="falisse2022", spheres=6, dry_run=True)
+    assert list(planned["status"]) == ["dry-run"]
 
 
 def test_properties_are_set_in_a_folder_as_in_one_model(lab, tmp_path):
@@ -150,8 +150,8 @@ def test_a_run_that_was_stopped_goes_on(lab, tmp_path, jobs):
     count.clear()
     with pytest.raises(RuntimeError, match="enough"):
         ocs.rescale_many(table, **options, resume=True, progress=stop)
-    done = ocs.rescale_many(table, **options, resume=True)
-    assert list(done["status"]) == ["written"] * 300
+    results = ocs.rescale_many(table, **options, resume=True)
+    assert list(results["status"]) == ["written"] * 300
     assert len(os.listdir(tmp_path / "new")) == 300
 
 
@@ -181,8 +181,8 @@ def test_parts_of_a_sweep_are_rows_of_the_whole(human, tmp_path):
     call = {"grid": {"stiffness": "x0.1..x10/3", "dissipation": [0.5, 2]}, "output_dir": tmp_path / "out"}
     (one,) = rows(ocs.sweep(human, **call, point=3))
     assert one["index"] == 3 and os.path.basename(one["path"]).startswith("human_3_stiffness-x1_")
-    again = ocs.sweep(human, **call, point=3, resume=True)
-    assert (again.record["points"], again.record["file"], again.record["done_before"]) == (6, one["file"], 1)
+    second = ocs.sweep(human, **call, point=3, resume=True)
+    assert (second.record["points"], second.record["file"], second.record["done_before"]) == (6, one["file"], 1)
     share = rows(ocs.sweep(human, **call, shard="2/2"))
     assert [row["index"] for row in share] == [2, 4, 6]
     whole = ocs.sweep(human, **call, resume=True)
@@ -256,18 +256,18 @@ def test_many_takes_models_and_verbs_that_change_them(lab, tmp_path):
                 ocs.many("rescale", models, target_mass=80, dry_run=True)
 
 
-@pytest.mark.parametrize("given", [HUMAN, "folder", [HUMAN, HUMAN], [], 12, b"x"])
-def test_what_is_not_a_table_is_refused_with_both_ways_out(given):
+@pytest.mark.parametrize("arguments", [HUMAN, "folder", [HUMAN, HUMAN], [], 12, b"x"])
+def test_what_is_not_a_table_is_refused_with_both_ways_out(arguments):
     with pytest.raises(ocs.RequestError, match=r'expected a table .* ocs\.many\("rescale", models, target_mass='):
-        ocs.rescale_many(given)
+        ocs.rescale_many(arguments)
 
 
 def test_other_threads_of_python_run_meanwhile():
     """While Rust works on a folder, another thread counts: the lock of the interpreter is free."""
-    ticks, done = [], threading.Event()
+    ticks, finished = [], threading.Event()
 
     def count():
-        while not done.is_set():
+        while not finished.is_set():
             ticks.append(time.perf_counter())
             time.sleep(0.0005)
 
@@ -276,7 +276,7 @@ def test_other_threads_of_python_run_meanwhile():
     begin = time.perf_counter()
     ocs.check(FIXTURES)
     end = time.perf_counter()
-    done.set()
+    finished.set()
     counter.join()
     assert sum(begin < tick < end for tick in ticks) > 5
 

@@ -31,16 +31,16 @@ def test_tables_say_the_same():
     pandas = pytest.importorskip("pandas")
     angles = ("pelvis_tilt", "ankle_r", "ankle_l")
     in_radians = table(WALK, lambda name: math.pi / 180 if name in angles else 1.0)
-    of_file = ocs.motion(WALKER, WALK, plates=PLATES, loads=LOADS)
-    of_tables = ocs.motion(
+    from_files = ocs.motion(WALKER, WALK, plates=PLATES, loads=LOADS)
+    from_tables = ocs.motion(
         WALKER, pandas.DataFrame(in_radians), plates=pandas.DataFrame(table(PLATES)).set_index("time"), loads=LOADS
     )
-    assert of_tables.feet == of_file.feet
+    assert from_tables.feet == from_files.feet
     in_degrees = ocs.motion(WALKER, table(WALK), angles="degrees")
-    pandas.testing.assert_frame_equal(in_degrees.rows, of_file.rows)
-    rows = of_file.rows
+    pandas.testing.assert_frame_equal(in_degrees.rows, from_files.rows)
+    rows = from_files.rows
     assert len(rows) == 241 * 4 and set(rows["sphere"]) == {"heel_r", "ball_r", "heel_l", "ball_l"}
-    assert rows["force_y_n"].max() == max(sphere["peak_n"] for foot in of_file.feet for sphere in foot["spheres"])
+    assert rows["force_y_n"].max() == max(sphere["peak_n"] for foot in from_files.feet for sphere in foot["spheres"])
 
 
 def test_what_is_no_table_over_time_is_refused():

@@ -38,23 +38,23 @@ def test_a_model_that_changed_since_it_was_planned_is_not_changed(human):
 
 def test_a_factor_is_not_applied_twice(human):
     ocs.set(human, stiffness="x2", contacts_mass=62).write(in_place=True)
-    again = ocs.set(human, stiffness="x2")
+    second = ocs.set(human, stiffness="x2")
     with pytest.raises(ocs.ContactScaleError):
-        again.write(in_place=True)
-    again.write(human.with_name("twice.osim"))
+        second.write(in_place=True)
+    second.write(human.with_name("twice.osim"))
 
 
 def test_bytes_and_results_are_models_too(human):
-    of_path = ocs.rescale(human, target_mass=500)
-    of_bytes = ocs.rescale(human.read_bytes(), target_mass=500)
-    assert of_path.to_bytes() == of_bytes.to_bytes()
-    assert of_bytes.path == "model.osim"
+    from_path = ocs.rescale(human, target_mass=500)
+    from_bytes = ocs.rescale(human.read_bytes(), target_mass=500)
+    assert from_path.to_bytes() == from_bytes.to_bytes()
+    assert from_bytes.path == "model.osim"
     # The result of a change is a model for the next one.
-    chained = ocs.set(of_path, dissipation=1.5)
-    of_path.write(human.with_name("first.osim"))
+    chained = ocs.set(from_path, dissipation=1.5)
+    from_path.write(human.with_name("first.osim"))
     assert chained.to_bytes() == ocs.set(human.with_name("first.osim"), dissipation=1.5).to_bytes()
-    assert ocs.inspect(of_path)[0]["contacts_mass_kg"]["value"] == 500
-    assert ocs.check(of_path).models is not None
+    assert ocs.inspect(from_path)[0]["contacts_mass_kg"]["value"] == 500
+    assert ocs.check(from_path).models is not None
 
 
 def test_a_result_and_its_own_model_are_two(human):
@@ -66,8 +66,8 @@ def test_a_result_and_its_own_model_are_two(human):
         ([larger, human], [new, 0.032]),
         ([larger, human.parent], [new, 0.032]),
     ):
-        found = [record["spheres"][0]["radius_m"] for record in ocs.inspect(sources)]
-        assert found == pytest.approx(radii, rel=1e-14)
+        result = [record["spheres"][0]["radius_m"] for record in ocs.inspect(sources)]
+        assert result == pytest.approx(radii, rel=1e-14)
     # Two names are refused where there is one curve.
     assert "old" in ocs.plot("force", human, larger, axes="real", label=["old", "new"]).svg
     assert ocs.transfer(larger, from_=human, mass=1190).record["contacts_mass_kg"]["value"] == 62
@@ -118,8 +118,8 @@ def test_a_result_that_travelled_is_not_written_beside_another_model(human, tmp_
 )
 def test_the_call_on_a_page_can_be_made(human, make):
     result = make(human)
-    again = eval(result._call(), {"ocs": ocs})
-    assert again.to_bytes() == result.to_bytes() and str(human) in result._call()
+    second = eval(result._call(), {"ocs": ocs})
+    assert second.to_bytes() == result.to_bytes() and str(human) in result._call()
 
 
 def test_a_model_of_bytes_has_no_file_yet(human, tmp_path, monkeypatch):
@@ -165,8 +165,8 @@ def test_findings_have_remedies_that_can_be_applied():
     assert "sunk-in" in {finding.code for finding in fixed.findings_before}
     assert "sunk-in" not in {finding.code for finding in (*fixed.findings, *fixed.findings_after)}
     # The call that it shows is the same as what it does.
-    again = eval(finding.remedy.call, {"ocs": ocs})
-    assert again.to_bytes() == fixed.to_bytes()
+    second = eval(finding.remedy.call, {"ocs": ocs})
+    assert second.to_bytes() == fixed.to_bytes()
     # Applied to a result, it builds on it.
     result = ocs.rescale(model, target_mass=90)
     more = next(finding for finding in result.findings_after if finding.code == "sunk-in").remedy.apply()
@@ -229,9 +229,9 @@ def test_a_force_set_keeps_its_new_spheres(tmp_path):
     first = ocs.rescale(forces, geometry=spheres, target_mass=500, contacts_mass=62, yes="implausible-mass")
     first.write(tmp_path / "new.xml", geometry_output=tmp_path / "new_spheres.xml")
     question = {"indentation": 0.1, "spheres": 1, "mass": 500}
-    of_files = ocs.design(tmp_path / "new.xml", geometry=tmp_path / "new_spheres.xml", **question)
+    from_files = ocs.design(tmp_path / "new.xml", geometry=tmp_path / "new_spheres.xml", **question)
     for chained in (ocs.design(first, **question), ocs.design(first, geometry=spheres, **question)):
-        assert chained.to_bytes() == of_files.to_bytes()
+        assert chained.to_bytes() == from_files.to_bytes()
     (record,) = ocs.inspect(first)
     assert record["forces"] == ocs.inspect(tmp_path / "new.xml", geometry=tmp_path / "new_spheres.xml")[0]["forces"]
 

@@ -35,9 +35,9 @@ def words(text):
     return " ".join(line for line in text.splitlines() if not line.startswith(("  $ ", "  ocs."))).split()
 
 
-def unlike(expected, found):
+def unlike(expected, actual):
     """What differs and is no call or option, which each front end spells in its own way."""
-    one, other = words(expected), words(found)
+    one, other = words(expected), words(actual)
     changes = difflib.SequenceMatcher(None, one, other, autojunk=False).get_opcodes()
     pairs = [(" ".join(one[a:b]), " ".join(other[c:d])) for kind, a, b, c, d in changes if kind != "equal"]
     return [pair for pair in pairs if not re.search(r"ocs\.|=", pair[1])]
@@ -140,7 +140,7 @@ THINGS = {
 
 
 @pytest.fixture(scope="module")
-def made():
+def shown_objects():
     """What tests look at is made once."""
     things = {}
 
@@ -158,8 +158,8 @@ def swept(human):
 
 
 @pytest.mark.parametrize("name", THINGS)
-def test_what_is_shown_is_short(made, name):
-    thing = made(name)
+def test_what_is_shown_is_short(shown_objects, name):
+    thing = shown_objects(name)
     said = repr(thing)
     assert len(said.splitlines()) <= 10 and len(said) < 2000 and said.startswith("<")
     assert type(thing).__name__ in said
@@ -227,8 +227,8 @@ NAMES = {
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_names_are_attributes_and_keys_alike(made, name):
-    thing = made(name)
+def test_names_are_attributes_and_keys_alike(shown_objects, name):
+    thing = shown_objects(name)
     for key in NAMES[name]:
         one, other = thing[key], getattr(thing, key)
         assert one.equals(other) if hasattr(one, "equals") else one == other, key
@@ -266,10 +266,10 @@ FRAMES = {
 
 
 @pytest.mark.parametrize("name", FRAMES)
-def test_a_frame_is_the_table(made, name):
+def test_a_frame_is_the_table(shown_objects, name):
     pytest.importorskip("pandas", reason="pandas is not installed")
-    frame = made(name).frame()
-    assert frame.equals(getattr(made(name), FRAMES[name])) and len(frame) > 0
+    frame = shown_objects(name).frame()
+    assert frame.equals(getattr(shown_objects(name), FRAMES[name])) and len(frame) > 0
 
 
 def test_frames_have_units():
@@ -295,15 +295,15 @@ def test_frames_of_answers_have_a_row_for_each_number():
     assert len(ocs.reproduce().frame()) == ocs.reproduce().numbers
 
 
-def test_without_pandas_a_frame_says_what_to_install(made, monkeypatch):
+def test_without_pandas_a_frame_says_what_to_install(shown_objects, monkeypatch):
     monkeypatch.setattr("importlib.util.find_spec", lambda name: None)
     for name in (*FRAMES, "DesignSheet", "Fit", "Presets", "Preset", "Reproduction"):
         with pytest.raises(ocs.ContactScaleError, match=r'pip install "osim-contact-scale\[pandas\]"') as caught:
-            made(name).frame()
+            shown_objects(name).frame()
         assert isinstance(caught.value, ImportError)
         assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
     with pytest.raises(MissingPackage, match=r'pip install "osim-contact-scale\[plot\]"'):
-        made("Figure").plot()
+        shown_objects("Figure").plot()
 
 
 def test_matplotlib_is_loaded_by_plot_alone():

@@ -10,13 +10,13 @@ GENERIC, SCALED = FOLDER / "generic.osim", FOLDER / "scaled.osim"
 
 def test_check_lists_what_the_command_lists():
     setups = {"moco_setup": FOLDER / "scaled.omoco", "from_moco_setup": FOLDER / "generic.omoco"}
-    found = ocs.check(SCALED, from_=GENERIC, **setups).similarity
+    similarity = ocs.check(SCALED, from_=GENERIC, **setups).similarity
     named = {name: str(path) for name, path in setups.items()}
     (record,) = asked(verb="check", models=[str(SCALED)], **{"from": str(GENERIC)}, **named)
-    assert found[0] == record["similarity"] and len(found) == 1
-    verdicts = {kind["kind"]: kind["verdict"] for kind in found[0]["kinds"]}
+    assert similarity[0] == record["similarity"] and len(similarity) == 1
+    verdicts = {kind["kind"]: kind["verdict"] for kind in similarity[0]["kinds"]}
     assert verdicts["max_isometric_force"] == "left" and verdicts["optimal_fiber_length"] == "follows"
-    assert "bound of time" in found._repr_html_() and repr(found).startswith("<Similarity")
+    assert "bound of time" in similarity._repr_html_() and repr(similarity).startswith("<Similarity")
 
 
 def test_a_frame_has_a_row_for_each_kind():
@@ -31,8 +31,8 @@ def test_a_frame_has_a_row_for_each_kind():
 
 
 def test_a_mass_alone_and_nothing_at_all():
-    found = ocs.inspect(GENERIC, target_mass=31).similarity
-    (row,) = (kind for kind in found[0]["kinds"] if kind["kind"] == "max_isometric_force")
+    similarity = ocs.inspect(GENERIC, target_mass=31).similarity
+    (row,) = (kind for kind in similarity[0]["kinds"] if kind["kind"] == "max_isometric_force")
     assert row["similarity_factor"] == pytest.approx(0.5) and row["verdict"] is None
     assert len(ocs.check(SCALED).similarity) == 0 and "from_" in ocs.check(SCALED).similarity._repr_html_()
     assert ocs.check(SCALED).similarity == ocs.inspect(GENERIC).similarity

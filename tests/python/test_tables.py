@@ -58,17 +58,17 @@ def test_a_mapping_gives_each_body_its_factors(tmp_path):
     old, new = (ocs.inspect(path).spheres.set_index("name") for path in (HUMAN, tmp_path / "new.osim"))
     factors = new["location_x_m"] / old["location_x_m"]
     for body, factor in {"calcn_r": 1.1, "calcn_l": 1.3, "toes_r": 1.0, "toes_l": 1.0}.items():
-        own = factors[[path.endswith(body) for path in old["body"]]]
-        assert len(own) > 0 and own.to_list() == pytest.approx([factor] * len(own), rel=1e-9), body
+        own_names = factors[[path.endswith(body) for path in old["body"]]]
+        assert len(own_names) > 0 and own_names.to_list() == pytest.approx([factor] * len(own_names), rel=1e-9), body
 
 
 def test_assignments_may_be_a_mapping_or_a_list():
-    for given in (
+    for assignments in (
         {"stiffness": "x2", "dissipation": 1},
         ["stiffness=x2", "dissipation=1"],
         "stiffness=x2 dissipation=1",
     ):
-        frame = ocs.rescale_many([{"model": HUMAN, "set": given}], dry_run=True)
+        frame = ocs.rescale_many([{"model": HUMAN, "set": assignments}], dry_run=True)
         assert list(frame["stiffness_factor"]) == [2.0] and list(frame["dissipation_to"]) == [1.0]
 
 
@@ -115,10 +115,10 @@ def test_own_columns_come_back_as_they_were():
         },
         index=[5, 5, 0],
     )
-    done = ocs.rescale_many(subjects, dry_run=True)
-    own = [name for name in subjects if name.startswith("#")]
-    pd.testing.assert_frame_equal(done[own], subjects[own])
-    assert len(done.merge(subjects, on="#id")) == 3
+    results = ocs.rescale_many(subjects, dry_run=True)
+    own_names = [name for name in subjects if name.startswith("#")]
+    pd.testing.assert_frame_equal(results[own_names], subjects[own_names])
+    assert len(results.merge(subjects, on="#id")) == 3
 
 
 def test_own_columns_of_a_list_come_back_as_they_were(monkeypatch):
@@ -126,11 +126,11 @@ def test_own_columns_of_a_list_come_back_as_they_were(monkeypatch):
         {"model": HUMAN, "target_mass": 70, "output": "a.osim", "#id": 7, "#line": "a\rb\nc"},
         {"model": HUMAN, "target_mass": 80, "output": "b.osim", "#id": 8, "#line": None},
     ]
-    done = ocs.rescale_many(iter(rows), dry_run=True)
-    assert list(done["#id"]) == [7, 8] and done["#id"].dtype == "int64" and done["#line"][0] == "a\rb\nc"
+    results = ocs.rescale_many(iter(rows), dry_run=True)
+    assert list(results["#id"]) == [7, 8] and results["#id"].dtype == "int64" and results["#line"][0] == "a\rb\nc"
     monkeypatch.setattr(_tables.importlib.util, "find_spec", lambda name: None)
-    done = ocs.rescale_many(rows, dry_run=True)
-    assert [(record["#id"], record["#line"]) for record in done] == [(7, "a\rb\nc"), (8, None)]
+    results = ocs.rescale_many(rows, dry_run=True)
+    assert [(record["#id"], record["#line"]) for record in results] == [(7, "a\rb\nc"), (8, None)]
 
 
 def test_own_columns_stay_with_their_models_where_rows_are_empty_or_fail(tmp_path):
@@ -141,8 +141,8 @@ def test_own_columns_stay_with_their_models_where_rows_are_empty_or_fail(tmp_pat
         {"model": None, "#id": None},
         {"model": HUMAN, "target_mass": 80, "#id": 3},
     ]
-    done = ocs.rescale_many(rows, dry_run=True)
-    assert dict(zip(done["model"], done["#id"])) == {str(broken): 1, str(HUMAN): 3}
+    results = ocs.rescale_many(rows, dry_run=True)
+    assert dict(zip(results["model"], results["#id"])) == {str(broken): 1, str(HUMAN): 3}
 
 
 def test_only_paths_have_a_home_folder(tmp_path, monkeypatch):
@@ -150,8 +150,8 @@ def test_only_paths_have_a_home_folder(tmp_path, monkeypatch):
     monkeypatch.setenv("USERPROFILE", str(tmp_path))
     shutil.copy(HUMAN, tmp_path / "human.osim")
     row = {"model": "~/human.osim", "target_mass": 70, "#note": "~/x"}
-    done = ocs.rescale_many([row], dry_run=True, summary=tmp_path / "s.csv")
-    assert list(done["model"]) == [str(tmp_path / "human.osim")] and list(done["#note"]) == ["~/x"]
+    results = ocs.rescale_many([row], dry_run=True, summary=tmp_path / "s.csv")
+    assert list(results["model"]) == [str(tmp_path / "human.osim")] and list(results["#note"]) == ["~/x"]
 
 
 @pytest.mark.parametrize(

@@ -116,9 +116,9 @@ def found_by_pyright(folder):
     config |= {"include": ["*.py"], "enableTypeIgnoreComments": True, "reportUnnecessaryTypeIgnoreComment": "error"}
     (folder / "pyrightconfig.json").write_text(json.dumps(config), encoding="utf-8")
     command = [NODE, PYRIGHT, "--project", folder, "--pythonpath", sys.executable, "--outputjson"]
-    said = json.loads(subprocess.run(command, capture_output=True, text=True, check=False).stdout)
-    assert said["summary"]["filesAnalyzed"] >= len(list(folder.glob("*.py")))
-    for finding in said["generalDiagnostics"]:
+    output = json.loads(subprocess.run(command, capture_output=True, text=True, check=False).stdout)
+    assert output["summary"]["filesAnalyzed"] >= len(list(folder.glob("*.py")))
+    for finding in output["generalDiagnostics"]:
         line = finding["range"]["start"]["line"] + 1
         yield f"{os.path.basename(finding['file'])}:{line}: {finding['message']} [{finding.get('rule')}]"
 

@@ -13,7 +13,7 @@ pd = pytest.importorskip("pandas", reason="pandas is not installed: tables are l
 np = pytest.importorskip("numpy")
 
 #: Columns of the user, of all kinds that pandas has.
-OWN = {
+OWN_COLUMNS = {
     "age": pd.array([31, None, 7, 40], dtype="Int64"),
     "height": [1.5, float("nan"), 1.75, 1.6],
     "site": pd.Categorical(["Ghent", "Utrecht", "Ghent", "Utrecht"]),
@@ -32,19 +32,21 @@ def subjects(**columns):
         "target_mass": [70, 80, 90, 100],
         "output": [f"{number}.osim" for number in range(4)],
     }
-    return pd.DataFrame({**options, **OWN, **columns}, index=index)
+    return pd.DataFrame({**options, **OWN_COLUMNS, **columns}, index=index)
 
 
-@pytest.mark.parametrize("keep", [True, list(OWN), tuple(OWN), pd.Index(list(OWN)), [*OWN, "target_mass"]])
+@pytest.mark.parametrize(
+    "keep", [True, list(OWN_COLUMNS), tuple(OWN_COLUMNS), pd.Index(list(OWN_COLUMNS)), [*OWN_COLUMNS, "target_mass"]]
+)
 def test_columns_and_index_come_back_untouched(keep):
     table = subjects()
     before = table.copy()
-    done = ocs.rescale_many(table, keep=keep, dry_run=True)
-    kept = [name for name in table if name in OWN or (keep is not True and name in [*keep])]
-    pd.testing.assert_frame_equal(done[kept], table[kept])
+    results = ocs.rescale_many(table, keep=keep, dry_run=True)
+    remaining = [name for name in table if name in OWN_COLUMNS or (keep is not True and name in [*keep])]
+    pd.testing.assert_frame_equal(results[remaining], table[remaining])
     pd.testing.assert_frame_equal(table, before)
-    assert list(done.columns[: len(kept)]) == kept
-    assert list(done["target_mass_kg"]) == [70, 80, 90, 100] and done.columns.is_unique
+    assert list(results.columns[: len(remaining)]) == remaining
+    assert list(results["target_mass_kg"]) == [70, 80, 90, 100] and results.columns.is_unique
 
 
 def test_one_column_may_be_named_by_itself():
@@ -88,22 +90,22 @@ def lab(tmp_path, monkeypatch):
 )
 def test_rows_are_those_of_the_table_where_some_fail(call, status, lab):
     keywords = {"keep": True, "output_dir": "new", "summary": "run.csv", **call}
-    for again in ({}, {} if "dry_run" in call else {"resume": True}):
-        done = ocs.rescale_many(lab, **keywords, **again, force=True)
-        assert dict(done["status"]) == status
-        assert dict(done["model"]) == dict(lab["model"][list(status)])
-        pd.testing.assert_series_equal(done["id"], lab["id"][list(status)])
+    for second in ({}, {} if "dry_run" in call else {"resume": True}):
+        results = ocs.rescale_many(lab, **keywords, **second, force=True)
+        assert dict(results["status"]) == status
+        assert dict(results["model"]) == dict(lab["model"][list(status)])
+        pd.testing.assert_series_equal(results["id"], lab["id"][list(status)])
 
 
 def test_a_column_that_is_not_kept_is_an_error_that_says_how():
     with pytest.raises(ocs.RequestError, match=r"'height' is not an option .*'masss' .* did you mean 'mass'\?.*keep="):
-        ocs.rescale_many(subjects(masss=62), dry_run=True, keep=[name for name in OWN if name != "height"])
+        ocs.rescale_many(subjects(masss=62), dry_run=True, keep=[name for name in OWN_COLUMNS if name != "height"])
 
 
 def test_a_name_that_is_nearly_an_option_is_said(caplog):
     with caplog.at_level("INFO", "osim_contact_scale"):
-        done = ocs.rescale_many(subjects(target_mas=5), keep=True, dry_run=True)
-    assert list(done["target_mas"]) == [5] * 4
+        results = ocs.rescale_many(subjects(target_mas=5), keep=True, dry_run=True)
+    assert list(results["target_mas"]) == [5] * 4
     (said,) = (record.getMessage() for record in caplog.records if "target_mas'" in record.getMessage())
     assert "did you mean 'target_mass'" in said
 
@@ -132,8 +134,8 @@ def test_columns_of_a_file_are_kept_by_their_mark(tmp_path):
 
 def test_every_column_of_a_result_is_known_before():
     """So that a column of the user with such a name is refused before anything is done."""
-    done = ocs.rescale_many(subjects(), keep=True, dry_run=True)
-    for name in set(done).difference(OWN, ["model", "output"]):
+    results = ocs.rescale_many(subjects(), keep=True, dry_run=True)
+    for name in set(results).difference(OWN_COLUMNS, ["model", "output"]):
         with pytest.raises(ocs.RequestError, match="itself"):
             ocs.rescale_many([{"model": HUMAN, "target_mass": 70, name: 1}], keep=[name], dry_run=True)
 
@@ -141,9 +143,12 @@ def test_every_column_of_a_result_is_known_before():
 @pytest.mark.parametrize("form", ["records", "list"])
 def test_lists_and_dictionaries_keep_columns_too(form):
     table = subjects()[["model", "target_mass", "output", "site", "born"]].to_dict(form)
-    done = ocs.rescale_many(table, keep=["born", "site"], dry_run=True)
-    assert list(done["site"]) == ["Ghent", "Utrecht", "Ghent", "Utrecht"] and list(done.columns[:2]) == ["site", "born"]
-    assert done["born"].dtype.kind == "M" and done["born"].isna().tolist() == [False, True, False, False]
+    results = ocs.rescale_many(table, keep=["born", "site"], dry_run=True)
+    assert list(results["site"]) == ["Ghent", "Utrecht", "Ghent", "Utrecht"] and list(results.columns[:2]) == [
+        "site",
+        "born",
+    ]
+    assert results["born"].dtype.kind == "M" and results["born"].isna().tolist() == [False, True, False, False]
 
 
 def test_without_pandas_rows_are_dictionaries(monkeypatch):
@@ -216,11 +221,11 @@ def test_polars_comes_out_as_polars():
     table = polars.DataFrame(
         {"model": [str(HUMAN)] * 3, "output": ["a", "b", "c"], "target_mass": [70, 80, 90], **own}
     ).cast(types)
-    done = ocs.rescale_many(table, keep=True, dry_run=True)
-    assert isinstance(done, polars.DataFrame) and done[[*own]].equals(table[[*own]])
-    assert done[[*own]].schema == table[[*own]].schema and done.columns[:3] == list(own)
-    assert done["target_mass_kg"].to_list() == [70, 80, 90] and done["status"].dtype == polars.String
-    assert done["viscous_friction_factor"].dtype == polars.Float64 and done["changes"].dtype == polars.Int64
+    results = ocs.rescale_many(table, keep=True, dry_run=True)
+    assert isinstance(results, polars.DataFrame) and results[[*own]].equals(table[[*own]])
+    assert results[[*own]].schema == table[[*own]].schema and results.columns[:3] == list(own)
+    assert results["target_mass_kg"].to_list() == [70, 80, 90] and results["status"].dtype == polars.String
+    assert results["viscous_friction_factor"].dtype == polars.Float64 and results["changes"].dtype == polars.Int64
     plain = ocs.rescale_many(table.select("model", "output", "target_mass"), dry_run=True)
     assert plain.columns[0] == "row" and len(plain) == 3
     with pytest.raises(TypeError, match=r"collect\(\)"):
@@ -240,8 +245,8 @@ def test_tables_of_other_libraries_are_read(interface, monkeypatch):
         """A table of a library that nobody knows."""
 
     setattr(Foreign, interface, lambda self, *given, **named: getattr(table, interface)(*given, **named))
-    done = ocs.rescale_many(Foreign(), keep=True, dry_run=True)
-    assert list(done["site"]) == list(table["site"]) and list(done["age"][[0, 2]]) == [31, 7]
+    results = ocs.rescale_many(Foreign(), keep=True, dry_run=True)
+    assert list(results["site"]) == list(table["site"]) and list(results["age"][[0, 2]]) == [31, 7]
     monkeypatch.setattr("osim_contact_scale._rows.importlib.util.find_spec", lambda name: None)
     with pytest.raises(TypeError, match="is read by pandas"):
         ocs.rescale_many(Foreign(), keep=True, dry_run=True)

@@ -56,7 +56,7 @@ ODD = (
 WALKER = FIXTURES / "motion" / "walker.osim"
 WALK = FIXTURES / "motion" / "walk.mot"
 PLATES = FIXTURES / "motion" / "plates.sto"
-OF_MANY = (
+MANY_KEYWORDS = (
     "target_mass",
     "radius",
     "from_",
@@ -94,8 +94,8 @@ CALLS = {
 
 def foreign_in(text, more=()):
     """What a text has of another front end."""
-    found = [(name, match[0]) for name, pattern in FOREIGN.items() for match in re.finditer(pattern, text)]
-    return found + [match[0] for pattern in more for match in re.finditer(pattern, text)]
+    result = [(name, match[0]) for name, pattern in FOREIGN.items() for match in re.finditer(pattern, text)]
+    return result + [match[0] for pattern in more for match in re.finditer(pattern, text)]
 
 
 def is_right(error):
@@ -119,8 +119,8 @@ def copied(arguments, folder):
 
 def keywords_of(name):
     parameters = inspect.signature(FUNCTIONS[name]).parameters.values()
-    of_function = [item.name for item in parameters if item.kind is item.KEYWORD_ONLY and item.name != "progress"]
-    return OF_MANY if name == "many" else of_function
+    names = [item.name for item in parameters if item.kind is item.KEYWORD_ONLY and item.name != "progress"]
+    return MANY_KEYWORDS if name == "many" else names
 
 
 @pytest.mark.parametrize("name", CALLS)

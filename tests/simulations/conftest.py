@@ -99,15 +99,15 @@ def wait_for(condition, seconds=60):
 
 def processes(word):
     """Numbers of the processes with this word in their command line."""
-    found = []
+    result = []
     for folder in Path("/proc").iterdir():
         if folder.name.isdecimal():
             try:
                 if word in (folder / "cmdline").read_bytes().decode(errors="replace"):
-                    found.append(int(folder.name))
+                    result.append(int(folder.name))
             except OSError:
                 pass
-    return found
+    return result
 
 
 def script(folder, text):

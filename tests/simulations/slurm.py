@@ -203,10 +203,10 @@ class Slurm:
     def _call(self, name, *words, cwd=None, environment=None, check=True):
         env = {**os.environ, **self.environment, **(environment or {})}
         program = _program(name)
-        done = subprocess.run([program, *map(str, words)], env=env, cwd=cwd, text=True, capture_output=True)
-        if check and done.returncode != 0:
-            raise RuntimeError(f"{name}: exit status {done.returncode}: {done.stderr.strip()}{self._logs()}")
-        return done
+        process = subprocess.run([program, *map(str, words)], env=env, cwd=cwd, text=True, capture_output=True)
+        if check and process.returncode != 0:
+            raise RuntimeError(f"{name}: exit status {process.returncode}: {process.stderr.strip()}{self._logs()}")
+        return process
 
     def _logs(self):
         logs = [self.folder / f"{name}.log" for name in DAEMONS]

@@ -35,16 +35,16 @@ def level(source, target, spheres=True):
 
 def moved(opensim, components, state):
     """Spheres with their new places in their bodies."""
-    wanted = None
+    expected = None
     for sphere in map(opensim.ContactSphere.safeDownCast, components):
         if sphere is not None:
             frame = sphere.getFrame().getTransformInGround(state)
             bottom = frame.shiftFrameStationToBase(sphere.get_location()).get(1) - sphere.getRadius()
-            wanted = bottom if wanted is None else wanted
+            expected = bottom if expected is None else expected
             upright = [frame.R().asMat33().get(1, axis) for axis in range(3)]
             yield (
                 sphere,
-                [sphere.get_location().get(axis) + upright[axis] * (wanted - bottom) for axis in range(3)],
+                [sphere.get_location().get(axis) + upright[axis] * (expected - bottom) for axis in range(3)],
             )
 
 

@@ -26,8 +26,8 @@ def read(path):
 def test_one_model_falls_as_the_table_says(tmp_path):
     words = ["--models", CORPUS, "--results", tmp_path, "--table", tmp_path / "bodies.csv"]
     words += ["--only", MODEL, "--builds", "similar"]
-    done = subprocess.run([sys.executable, HERE / "bodies.py", *map(str, words)], capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
+    process = subprocess.run([sys.executable, HERE / "bodies.py", *map(str, words)], capture_output=True, text=True)
+    assert process.returncode == 0, process.stderr
     committed, found = read(HERE / "bodies.csv"), read(tmp_path / "bodies.csv")
     assert len(found) == 3
     for key, row in found.items():

@@ -26,11 +26,11 @@ def test_the_programs_of_the_page(tmp_path):
     assert len(found) + len(files) == text.count("```python") > len(files)
     printed = []
     for match in found:
-        done = subprocess.run(
+        process = subprocess.run(
             [sys.executable, script(tmp_path, match[1])], cwd=tmp_path, capture_output=True, text=True, timeout=100
         )
-        assert done.returncode == 0, done.stderr
-        printed.append(done.stdout)
+        assert process.returncode == 0, process.stderr
+        printed.append(process.stdout)
     if os.environ.get("UPDATE_DOCS"):
         for match, new in reversed(list(zip(found, printed))):
             text = text[: match.start()] + f"```python\n{match[1]}```\n\n```text\n{new}```\n" + text[match.end() :]

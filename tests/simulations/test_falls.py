@@ -29,8 +29,8 @@ def repeated(tmp_path_factory):
         "--scheduler here --workers 2"
     )
     words = [*quick.split(), "--results", folder, "--table", folder / "falls.csv", "--figures", folder]
-    done = subprocess.run([sys.executable, PROGRAM, *map(str, words)], capture_output=True, text=True, cwd=folder)
-    assert done.returncode == 0, done.stderr
+    process = subprocess.run([sys.executable, PROGRAM, *map(str, words)], capture_output=True, text=True, cwd=folder)
+    assert process.returncode == 0, process.stderr
     assert {path.name for path in folder.glob("*.svg")} == {"hunt_crossley_free.svg", "hunt_crossley_locked.svg"}
     return read(folder / "falls.csv")
 
@@ -99,8 +99,8 @@ def test_a_mouse_that_lands_forward_slides_like_the_reference_with_friction_only
     """Similarity says what must come out with `--friction`; the committed table, what else does."""
     quick = "--only slides --animals mouse --laws hunt_crossley --motions landing_forward --scheduler here --workers 2"
     words = [*quick.split(), "--results", tmp_path, "--slides", tmp_path / "slides.csv"]
-    done = subprocess.run([sys.executable, PROGRAM, *map(str, words)], capture_output=True, text=True, cwd=tmp_path)
-    assert done.returncode == 0, done.stderr
+    process = subprocess.run([sys.executable, PROGRAM, *map(str, words)], capture_output=True, text=True, cwd=tmp_path)
+    assert process.returncode == 0, process.stderr
     repeated, committed = slides(tmp_path / "slides.csv"), slides(SLIDES)
     assert len(repeated) == 3
     with_friction, without = (

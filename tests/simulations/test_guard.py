@@ -25,15 +25,15 @@ def main():
 @pytest.mark.parametrize("guarded", [True, False])
 def test_the_guard_is_asked_for(tmp_path, guarded):
     text = PROGRAM.format(path=str(HUMAN), results=str(tmp_path / "r"), guard=GUARD if guarded else "")
-    done = subprocess.run([sys.executable, script(tmp_path, text)], capture_output=True, text=True, cwd=tmp_path)
+    process = subprocess.run([sys.executable, script(tmp_path, text)], capture_output=True, text=True, cwd=tmp_path)
     if guarded:
-        assert done.returncode == 0, done.stderr
-        assert done.stdout.splitlines()[-1] == "42"
+        assert process.returncode == 0, process.stderr
+        assert process.stdout.splitlines()[-1] == "42"
     else:
-        assert done.returncode == 1
-        (line,) = done.stderr.splitlines()
+        assert process.returncode == 1
+        (line,) = process.stderr.splitlines()
         assert line.startswith("program.py, line 12: put this call under `if __name__ ==")
-        assert done.stdout == "begins\n"
+        assert process.stdout == "begins\n"
         assert not (tmp_path / "r").exists() or not list((tmp_path / "r").rglob("*.parquet"))
 
 
@@ -62,17 +62,18 @@ def main():
     )
     program = tmp_path / "program.py"
     program.write_text(text, encoding=encoding)
-    done = subprocess.run([sys.executable, program], capture_output=True, text=True, cwd=tmp_path)
-    assert (done.returncode == 0) == is_right, done.stderr
-    assert len(done.stderr.splitlines()) == (0 if is_right else 1)
+    process = subprocess.run([sys.executable, program], capture_output=True, text=True, cwd=tmp_path)
+    assert (process.returncode == 0) == is_right, process.stderr
+    assert len(process.stderr.splitlines()) == (0 if is_right else 1)
 
 
 def test_a_program_from_the_standard_input(tmp_path):
     text = PROGRAM.format(path=str(HUMAN), results=str(tmp_path / "r"), guard=GUARD)
-    done = subprocess.run([sys.executable, "-"], input=text, capture_output=True, text=True, cwd=tmp_path)
-    assert done.returncode == 1
+    process = subprocess.run([sys.executable, "-"], input=text, capture_output=True, text=True, cwd=tmp_path)
+    assert process.returncode == 1
     assert (
-        done.stderr == 'a program from the standard input has no file for workers: save it, or say scheduler="here"\n'
+        process.stderr
+        == 'a program from the standard input has no file for workers: save it, or say scheduler="here"\n'
     )
 
 
@@ -88,7 +89,8 @@ if __name__ == "__main__":
     print(simulate.run([{"path": PATH}], task, results=RESULTS, scheduler="here", workers=1).table["error"][0])
 """
     program = script(tmp_path, text.replace("PATH", repr(str(HUMAN))).replace("RESULTS", repr(str(tmp_path / "r"))))
-    done = subprocess.run([sys.executable, program], capture_output=True, text=True, cwd=tmp_path, timeout=60)
+    process = subprocess.run([sys.executable, program], capture_output=True, text=True, cwd=tmp_path, timeout=60)
     assert (
-        done.stdout.startswith("a task cannot begin a run") or "RequestError: a task cannot begin a run" in done.stdout
+        process.stdout.startswith("a task cannot begin a run")
+        or "RequestError: a task cannot begin a run" in process.stdout
     )

@@ -138,7 +138,7 @@ def test_an_edited_module_is_simulated_anew_by_workers_that_live_on(tmp_path, cl
     """Workers of a notebook, or at an address, have the older module in their memory."""
     monkeypatch.syspath_prepend(str(tmp_path))
     rows = models(tmp_path / "models", 1)
-    found = []
+    result = []
     for value in (1, 2):
         (tmp_path / "edited.py").write_text(f"V = {value}\ndef task(path):\n    return {{'v': V, 'w': {value * 10}}}\n")
         importlib.invalidate_caches()
@@ -146,12 +146,12 @@ def test_an_edited_module_is_simulated_anew_by_workers_that_live_on(tmp_path, cl
         monkeypatch.setattr(sys, "dont_write_bytecode", True)
         task = importlib.import_module("edited").task
         table = simulate.run(rows, task, results=tmp_path / "r", scheduler=client, resume=True).table
-        found.append((table["v"][0], table["w"][0]))
+        result.append((table["v"][0], table["w"][0]))
     import edited
 
     edited.V = 7
     table = simulate.run(rows, edited.task, results=tmp_path / "r", scheduler=client, resume=True).table
-    assert [*found, (table["v"][0], table["w"][0])] == [(1, 10), (2, 20), (7, 20)]
+    assert [*result, (table["v"][0], table["w"][0])] == [(1, 10), (2, 20), (7, 20)]
 
 
 def test_every_part_of_a_key_counts():
@@ -196,8 +196,8 @@ def test_a_point_has_one_key_however_it_is_given(tmp_path, client):
     pd.DataFrame(rows).to_csv(tmp_path / "points.csv", index=False)
     floats = pd.DataFrame(rows).astype({"index": float})
     keys = {
-        tuple(simulate.run(given, tasks.series, results=tmp_path / "r", scheduler=client, resume=True).table["key"])
-        for given in (rows, pd.DataFrame(rows), floats, {name: [row[name] for row in rows] for name in rows[0]})
+        tuple(simulate.run(table, tasks.series, results=tmp_path / "r", scheduler=client, resume=True).table["key"])
+        for table in (rows, pd.DataFrame(rows), floats, {name: [row[name] for row in rows] for name in rows[0]})
     }
     from_file = simulate.run(
         tmp_path / "points.csv", tasks.series, results=tmp_path / "r", scheduler=client, resume=True

@@ -23,9 +23,9 @@ TABLES = [("muscles", "block", ("TABLE", "CURVES")), ("predictions", "predicted"
 
 def in_study(program):
     """What a program prints that has the study's modules; other studies have modules of the same names."""
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, cwd=HERE, check=False)
-    assert done.returncode == 0, done.stderr
-    return done.stdout
+    process = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, cwd=HERE, check=False)
+    assert process.returncode == 0, process.stderr
+    return process.stdout
 
 
 def written(folder, mass):
@@ -102,13 +102,13 @@ def test_the_heavy_walk_is_found_again(tmp_path):
     """From the reference, at the first mesh: the cost is that of the table, and that of the original."""
     words = ["solve", "--moco", MOCO, "--results", tmp_path, "--mass", 8, "--contacts", "rescaled", "--meshes", 15]
     words += ["--table", tmp_path / "muscles.csv", "--curves", tmp_path / "curves.csv"]
-    done = subprocess.run([sys.executable, HERE / "muscles.py", *map(str, words)], capture_output=True, text=True)
-    assert done.returncode == 0, done.stderr
+    process = subprocess.run([sys.executable, HERE / "muscles.py", *map(str, words)], capture_output=True, text=True)
+    assert process.returncode == 0, process.stderr
     (found,) = table(tmp_path / "muscles.csv")
-    known = {(float(row["mass"]), row["contacts"], row["mesh"]): row for row in table(HERE / "muscles.csv")}
+    by_key = {(float(row["mass"]), row["contacts"], row["mesh"]): row for row in table(HERE / "muscles.csv")}
     assert found["solved"] == "1"
     for mass in (8.0, 1.0):
-        assert float(found["cost"]) == pytest.approx(float(known[mass, "rescaled", "15"]["cost"]), rel=2e-3)
+        assert float(found["cost"]) == pytest.approx(float(by_key[mass, "rescaled", "15"]["cost"]), rel=2e-3)
 
 
 @needs_moco
@@ -119,10 +119,10 @@ def test_the_predicted_walk_is_one_at_another_mass(tmp_path):
     tracked = ["--table", tmp_path / "tracked.csv", "--curves", tmp_path / "tracked_curves.csv"]
     for verb, mass, more in (("solve", 1, tracked), ("predict", 1, files), ("predict", 8, files)):
         words = [verb, "--moco", MOCO, "--results", tmp_path, "--mass", mass, "--contacts", "rescaled", "--meshes", 15]
-        done = subprocess.run(
+        process = subprocess.run(
             [sys.executable, HERE / "muscles.py", *map(str, [*words, *more])], capture_output=True, text=True
         )
-        assert done.returncode == 0, done.stderr
+        assert process.returncode == 0, process.stderr
     original, heavy = table(tmp_path / "rows.csv")
     assert (original["solved"], heavy["solved"]) == ("1", "1")
     assert int(heavy["iterations"]) <= 10

@@ -25,9 +25,9 @@ def test_a_sweep_is_simulated_row_by_row(tmp_path, client):
     assert list(table["scaled"]) == [4.0] * 4
     assert list(table["size_bytes"]) == [os.path.getsize(path) for path in points.table["path"]]
     for name, read in (("table.csv", pd.read_csv), ("table.parquet", pd.read_parquet)):
-        again = read(results.folder / name)
-        assert list(again.columns) == list(table.columns)
-        assert list(again["size_bytes"]) == list(table["size_bytes"])
+        second = read(results.folder / name)
+        assert list(second.columns) == list(table.columns)
+        assert list(second["size_bytes"]) == list(table["size_bytes"])
     # The manifest's file says the same.
     same = simulate.run(points.manifest, tasks.size, results=tmp_path / "same", scheduler=client)
     assert list(same.table["key"]) == list(table["key"])
@@ -101,9 +101,11 @@ def test_where_no_process_can_be_copied_each_model_starts_one(tmp_path, points, 
 def test_progress_and_the_address_of_the_dashboard(tmp_path, points, caplog, monkeypatch, capfd):
     from osim_contact_scale.simulate import _executors
 
-    found = _executors.importlib.util.find_spec
+    real_find_spec = _executors.importlib.util.find_spec
     # Dask's page needs bokeh, its address does not.
-    monkeypatch.setattr(_executors.importlib.util, "find_spec", lambda name: found("json" if name == "bokeh" else name))
+    monkeypatch.setattr(
+        _executors.importlib.util, "find_spec", lambda name: real_find_spec("json" if name == "bokeh" else name)
+    )
     caplog.set_level("INFO", logger="osim_contact_scale")
     counted = []
     task = simulate.Function(tasks.by_index, settings={"spoil": {"2": "raise"}})

@@ -54,15 +54,15 @@ def environment(tmp_path_factory):
 def type_in(folder, environment, *texts, seconds=90):
     """What is printed where somebody types this in a folder."""
     for text in texts:
-        done = subprocess.run(
+        process = subprocess.run(
             ["bash", "-e", "-c", text], cwd=folder, env=environment, capture_output=True, text=True, timeout=seconds
         )
-        assert done.returncode == 0, (text, done.stdout, done.stderr)
-    return done.stdout
+        assert process.returncode == 0, (text, process.stdout, process.stderr)
+    return process.stdout
 
 
 @pytest.fixture(scope="module")
-def made(tmp_path_factory, environment):
+def falling_models(tmp_path_factory, environment):
     """A folder with the models of the page, and their results without a cluster."""
     folder = tmp_path_factory.mktemp("made")
     shutil.copy(FIXTURES / "table1" / "emu_2_spheres_smooth_sphere.osim", folder / "walker.osim")
@@ -73,55 +73,55 @@ def made(tmp_path_factory, environment):
 
 
 @pytest.fixture
-def place(tmp_path, made):
+def place(tmp_path, falling_models):
     """A folder with the models."""
-    shutil.copy(made / "walker.osim", tmp_path)
-    shutil.copytree(made / "walker.sweep", tmp_path / "walker.sweep")
+    shutil.copy(falling_models / "walker.osim", tmp_path)
+    shutil.copytree(falling_models / "walker.sweep", tmp_path / "walker.sweep")
     return tmp_path
 
 
-def assert_same_tables(folder, made):
-    assert table_bytes(folder / "walker.results") == table_bytes(made / "walker.results")
+def assert_same_tables(folder, falling_models):
+    assert table_bytes(folder / "walker.results") == table_bytes(falling_models / "walker.results")
 
 
-def test_the_models_fall(made):
+def test_the_models_fall(falling_models):
     """What the other tests compare with is about something."""
     import pandas as pd
 
-    table = pd.read_parquet(made / "walker.results" / "table.parquet")
+    table = pd.read_parquet(falling_models / "walker.results" / "table.parquet")
     assert list(table["status"]) == ["done"] * COUNT
     assert table["peak_force_bw"].nunique() == COUNT and (table["peak_force_bw"] > 1).all()
 
 
-def test_one_machine(place, made, environment):
+def test_one_machine(place, falling_models, environment):
     (command,) = recipe("One machine").typed
     # A share first, as the page advises; then all.
     type_in(place, environment, changed(command, ("--results", "--shard 1/8 --results")))
     assert not (place / "walker.results" / "table.csv").exists()
     type_in(place, environment, command)
-    assert_same_tables(place, made)
+    assert_same_tables(place, falling_models)
 
 
-def test_an_address(place, made, environment):
+def test_an_address(place, falling_models, environment):
     office = recipe("Other computers: an address")
     office.write(place)
     script = place / "office.sh"
     script.write_text(changed(script.read_text(), ("8786", str(slurm_module.free_ports(1)[0]))))
     type_in(place, {**environment, "HOST": "127.0.0.1"}, *office.typed)
-    assert_same_tables(place, made)
+    assert_same_tables(place, falling_models)
 
 
 @needs_slurm
-def test_a_job_array(place, made, environment, slurm):
+def test_a_job_array(place, falling_models, environment, slurm):
     sent = recipe("Slurm: a job array")
     sent.write(place)
     array, _ = wait_for_all(slurm, place, {**environment, **slurm.environment}, *sent.typed)
     assert slurm.nodes(array) == set(slurm_module.NODES)
-    assert_same_tables(place, made)
+    assert_same_tables(place, falling_models)
 
 
 @needs_slurm
-def test_an_array_that_makes_its_models(place, made, environment, slurm):
+def test_an_array_that_makes_its_models(place, falling_models, environment, slurm):
     shutil.rmtree(place / "walker.sweep")
     (part,) = recipe("Slurm: each job makes its own models").files.values()
     sent = recipe("Slurm: a job array")
@@ -129,17 +129,17 @@ def test_an_array_that_makes_its_models(place, made, environment, slurm):
     head, _ = sent.files["array.sh"].split("python -m")
     (place / "array.sh").write_text(head + part)
     wait_for_all(slurm, place, {**environment, **slurm.environment}, *sent.typed)
-    assert_same_tables(place, made)
+    assert_same_tables(place, falling_models)
     name = "walker_sweep.csv"
-    assert (place / "walker.sweep" / name).read_bytes() == (made / "walker.sweep" / name).read_bytes()
+    assert (place / "walker.sweep" / name).read_bytes() == (falling_models / "walker.sweep" / name).read_bytes()
 
 
 @needs_slurm
-def test_workers_of_dask(place, made, environment, slurm):
+def test_workers_of_dask(place, falling_models, environment, slurm):
     sent = recipe("Slurm: workers of Dask")
     sent.write(place)
     assert "8 done" in type_in(place, {**environment, **slurm.environment}, *sent.typed)
-    assert_same_tables(place, made)
+    assert_same_tables(place, falling_models)
     # They were jobs.
     assert [path.name for path in (place / "logs").iterdir()]
 

@@ -65,8 +65,8 @@ class Case:
         marks = set(self.marks.iterdir())
         results = simulate.run(self.rows, self.task, results=self.results, scheduler=client, resume=True)
         # All but what was written was done again: by indices, as a row that was being done at the stop leaves its mark late.
-        again = {int(mark.name.split(".")[0]) for mark in set(self.marks.iterdir()) - marks}
-        assert again == {
+        second = {int(mark.name.split(".")[0]) for mark in set(self.marks.iterdir()) - marks}
+        assert second == {
             row["index"] for row, key in zip(self.rows, results.table["key"], strict=True) if key not in before
         }
         assert table_bytes(self.results) == table_bytes(self.folder / "whole")
@@ -115,9 +115,9 @@ def test_the_scheduler_is_killed(case, client, start, tmp_path):
     program = start(script(tmp_path, PROGRAM), case.words(address), stderr=subprocess.PIPE)
     wait_for(case.marked(6))
     os.kill(scheduler.pid, signal.SIGKILL)
-    _, said = program.communicate(timeout=60)
+    _, output = program.communicate(timeout=60)
     assert program.returncode != 0
-    assert "WorkersLost: the workers are gone" in said.splitlines()[-1]
+    assert "WorkersLost: the workers are gone" in output.splitlines()[-1]
     assert len(case.finish(client)) >= 4
 
 
@@ -136,21 +136,21 @@ def test_ctrl_c_keeps_what_was_done(case, client, start, tmp_path):
     wait_for(case.marked(12))
     begin = time.monotonic()
     os.kill(program.pid, signal.SIGINT)
-    _, said = program.communicate(timeout=30)
+    _, output = program.communicate(timeout=30)
     assert time.monotonic() - begin < 10
-    assert program.returncode != 0 and said.splitlines()[-1] == "KeyboardInterrupt"
+    assert program.returncode != 0 and output.splitlines()[-1] == "KeyboardInterrupt"
     assert len(case.finish(client)) >= 8
 
 
 def test_who_reads_along_sees_whole_parts(case):
-    seen, wrong = set(), []
+    visited, wrong = set(), []
     ended = threading.Event()
 
     def read():
         while not ended.is_set():
             for path in case.results.glob("parts/*.parquet"):
                 try:
-                    seen.update(pq.read_table(path, columns=["key"])["key"].to_pylist())
+                    visited.update(pq.read_table(path, columns=["key"])["key"].to_pylist())
                 except FileNotFoundError:
                     pass  # Merged with others since.
                 except Exception as error:
@@ -162,7 +162,7 @@ def test_who_reads_along_sees_whole_parts(case):
     ended.set()
     reader.join()
     assert not wrong
-    assert 0 < len(seen & set(results.table["key"])) == len(seen)
+    assert 0 < len(visited & set(results.table["key"])) == len(visited)
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
@@ -249,13 +249,13 @@ def test_a_stop_in_the_middle_of_writing_loses_no_row(tmp_path, monkeypatch):
 
     store = _store.Store(tmp_path)
     store.add(Outcome("a", "done", numbers={"x": 1.0}, series={"time_s": [0.0]}))
-    whole, calls = os.replace, []
+    real_replace, calls = os.replace, []
 
     def interrupted(*paths):
         calls.append(paths)
         if len(calls) == 2:
             raise KeyboardInterrupt
-        whole(*paths)
+        real_replace(*paths)
 
     monkeypatch.setattr(os, "replace", interrupted)
     with pytest.raises(KeyboardInterrupt):

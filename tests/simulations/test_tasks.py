@@ -64,21 +64,21 @@ def apart():
         yield lambda function, *arguments: pool.apply(function, arguments)
 
 
-def asked(*words):
+def command_record(*words):
     """The answer of the command, as JSON."""
-    done = subprocess.run([str(BINARY), *map(str, words), "--format", "json"], capture_output=True, encoding="utf-8")
-    assert done.returncode == 0, done.stdout + done.stderr
-    return json.loads(done.stdout)
+    process = subprocess.run([str(BINARY), *map(str, words), "--format", "json"], capture_output=True, encoding="utf-8")
+    assert process.returncode == 0, process.stdout + process.stderr
+    return json.loads(process.stdout)
 
 
 def drop_test(path, task, *options):
     """What the command says of the same drop."""
-    return asked("drop-test", path, "--duration", task.duration, "--samples", task.samples, *options)
+    return command_record("drop-test", path, "--duration", task.duration, "--samples", task.samples, *options)
 
 
 def limbs(path):
     """For each limb: names of its forces, and x/R of its spheres where the limb carries the body at the default pose."""
-    for limb in asked("inspect", path)["figures"]["limbs"]:
+    for limb in command_record("inspect", path)["figures"]["limbs"]:
         forces = tuple(dict.fromkeys(name for sphere in limb["spheres"] for name in sphere["forces"]))
         yield (
             forces,
@@ -184,7 +184,7 @@ OURS = [
 def test_our_models_stand_as_inspect_says(name, apart):
     path = FIXTURES / f"{name}.osim"
     for forces, wanted in limbs(path):
-        stands(apart(Stand(select=forces), str(path)), wanted)
+        check_standing(apart(Stand(select=forces), str(path)), wanted)
 
 
 @needs_corpus
@@ -196,24 +196,26 @@ def test_published_models_stand_as_inspect_says(name, tmp_path, apart):
         published, path = path, str(tmp_path / f"{name}.osim")
         apart(task_models.level, published, path, False)
     for forces, wanted in limbs(path):
-        stands(apart(Stand(select=forces), path), wanted)
+        check_standing(apart(Stand(select=forces), path), wanted)
 
 
 @needs_corpus
 @pytest.mark.parametrize("name", ONE_SPHERE)
 def test_a_ball_stands_as_inspect_says(name, apart):
     path = os.path.join(CORPUS, f"{name}.osim")
-    (limb,) = asked("inspect", path, "--spheres", 1)["figures"]["limbs"]
-    stands(apart(Stand(), path), {one["sphere"]: one["relative_indentation_model_law"] for one in limb["spheres"]})
+    (limb,) = command_record("inspect", path, "--spheres", 1)["figures"]["limbs"]
+    check_standing(
+        apart(Stand(), path), {one["sphere"]: one["relative_indentation_model_law"] for one in limb["spheres"]}
+    )
 
 
-def stands(placed, wanted):
+def check_standing(placed, expected):
     figures, spheres = placed
-    assert len(wanted) == figures["sphere_count"] == len(spheres["radius_m"])
-    found = {name: figures[f"relative_indentation_{name}"] for name in wanted}
-    assert found == pytest.approx(wanted, abs=TOLERANCE)
+    assert len(expected) == figures["sphere_count"] == len(spheres["radius_m"])
+    result = {name: figures[f"relative_indentation_{name}"] for name in expected}
+    assert result == pytest.approx(expected, abs=TOLERANCE)
     assert abs(figures["residual_force_n"]) < 1e-9 * figures["weight_n"]
-    assert spheres["relative_indentation"] == pytest.approx(list(found.values()), abs=0)
+    assert spheres["relative_indentation"] == pytest.approx(list(result.values()), abs=0)
 
 
 def test_a_locked_body_comes_to_rest_where_it_stands(apart):
@@ -335,7 +337,7 @@ def test_a_task_prints_nothing_and_leaves_no_file(tmp_path):
     path = FIXTURES / "table1" / "emu_2_spheres_smooth_sphere.osim"
     program = f"from osim_contact_scale.simulate import Drop, Stand; Stand()({str(path)!r}); Drop(duration=0.1)({str(path)!r})"
     before = {file.name for file in path.parent.iterdir()}
-    done = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True)
-    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    process = subprocess.run([sys.executable, "-c", program], cwd=tmp_path, capture_output=True, text=True)
+    assert (process.returncode, process.stdout, process.stderr) == (0, "", "")
     assert list(Path(tmp_path).iterdir()) == []
     assert {file.name for file in path.parent.iterdir()} == before

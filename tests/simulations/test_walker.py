@@ -58,11 +58,11 @@ def accelerations(path, length):
         actuator.overrideActuation(state, True)
         actuator.setOverrideActuation(state, 0.1 * actuator.getOptimalForce())
     walker.realizeAcceleration(state)
-    found = {}
+    result = {}
     for name, where in problem.coordinates().items():
         value = opensim.Coordinate.safeDownCast(walker.getComponent(where)).getAccelerationValue(state)
-        found[name] = value * (1 if name in ("up", "forward") else length)
-    return found
+        result[name] = value * (1 if name in ("up", "forward") else length)
+    return result
 
 
 @pytest.mark.parametrize("length", [0.25, 4.0])
@@ -205,5 +205,5 @@ def test_rescaled_walkers_walk_alike_and_others_do_not():
 
 
 def test_the_program_says_what_it_does():
-    done = subprocess.run([sys.executable, HERE / "walker.py", "--help"], capture_output=True, text=True)
-    assert done.returncode == 0 and "branch" in done.stdout
+    process = subprocess.run([sys.executable, HERE / "walker.py", "--help"], capture_output=True, text=True)
+    assert process.returncode == 0 and "branch" in process.stdout
