@@ -23,13 +23,6 @@ fn no_output_is_an_input_of_the_same_run() {
 }
 
 #[test]
-fn a_model_that_is_named_twice_is_changed_once() {
-    let dir = TestDir::with_human();
-    dir.run("set human.osim ./human.osim stiffness=x2 --in-place --no-backup").succeeded();
-    assert!(dir.text("human.osim").contains("<stiffness>2000000</stiffness>"));
-}
-
-#[test]
 fn the_files_of_a_standalone_pair_do_not_overwrite_each_other() {
     let dir = TestDir::with(&PAIR);
     let pair = "forces.xml --geometry geometry.xml --model bones.osim --target-mass 500";

@@ -147,19 +147,3 @@ fn a_transfer_makes_contacts_for_the_mass_of_the_model() {
         .succeeded()
         .says(&["contacts made for 0.0209 kg (note"]);
 }
-
-#[test]
-fn a_relative_change_in_place_is_not_repeated_without_force() {
-    let dir = TestDir::with_human();
-    dir.run("set human.osim stiffness=x2 --in-place --no-backup").succeeded().wrote(&["human.osim"]);
-    let (_, added) = line_changes(&crate::support::fixture(HUMAN.0), &dir.read("human.osim"));
-    assert_eq!(lines_of_element(&added, "stiffness"), ["<stiffness>2000000</stiffness>"; 12]);
-    dir.run("set human.osim stiffness=x2 --in-place --no-backup").failed().wrote_nothing().says(&["--force"]);
-    dir.run("set human.osim stiffness=x2 --in-place --no-backup --force").succeeded().wrote(&["human.osim"]);
-    assert!(dir.text("human.osim").contains("<stiffness>4000000</stiffness>"));
-    // An absolute change may be repeated.
-    dir.run("set human.osim stiffness=5e6 --in-place --no-backup").succeeded().wrote(&["human.osim"]);
-    dir.run("set human.osim stiffness=5e6 --in-place --no-backup").succeeded().wrote_nothing();
-    // The note has no mass, so the mass of the bodies is used.
-    dir.run("human.osim --target-mass 500").succeeded().says(&["contacts taken as made for 62 kg"]);
-}

@@ -115,6 +115,20 @@ fn every_change_equals_the_command() {
         ]),
         &json!({"verb": "rescale", "models": "forces.xml", "geometry": "geometry.xml", "mass": 61.5, "target_mass": 80}),
     );
+    assert_same_change(
+        &TestDir::with_human(),
+        &json!({"verb": "rescale", "models": "human.osim", "target_mass": 500, "target_gravity": 1.62, "no_note": true}),
+    );
+    assert_same_change(
+        &TestDir::with(&[
+            ("format/standalone_ForceSet.xml", "forces.xml"),
+            ("format/standalone_ContactGeometrySet.xml", "geometry.xml"),
+        ]),
+        &json!({
+            "verb": "design", "models": "forces.xml", "geometry": "geometry.xml", "mass": 61.5, "spheres": 1,
+            "gravity": 9.81, "indentation": 0.16, "radius": 0.04,
+        }),
+    );
 }
 
 #[test]

@@ -16,7 +16,6 @@ mod findings;
 mod front_end;
 mod inspections;
 mod plots;
-mod report_pages;
 #[path = "../command/support.rs"]
 #[allow(dead_code, reason = "shared with the tests of the command, which use all of it")]
 mod support;
